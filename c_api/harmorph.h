@@ -536,14 +536,15 @@ typedef struct hm_condition {
                                       through its points (see hm_slide). The control points of the curves do not move
                                       and have no functions. Each piece of the boundary between two corners slides along
                                       the curve that is nearest to all of its points; a point that is not on the curve
-                                      keeps its offset. Corners, where a point is fixed, are the points nearest to the ends of
-                                      open curves and to the corner of closed ones, and where another marker begins that
-                                      slides, unless that marker has the same `along`. Refused (HM_BAD_CONDITION): a
-                                      point farther from the curve than 5 % of the length of its piece of the boundary,
-                                      and a corner in the middle of a curve. Read by hm_analysis_size and
-                                      hm_analysis_init, not needed afterwards. A basis does not keep these curves:
-                                      hm_basis_conditions gives n_curves and NULL, which is refused as a condition until
-                                      `along` is set again. Not for meshes in parts (HM_UNSUPPORTED) */
+                                      keeps its offset. Corners, where a point is fixed, are the points nearest to the
+                                      ends of open curves and to the corner of closed ones, and where another marker
+                                      begins that slides, unless that marker has the same `along`. Refused
+                                      (HM_BAD_CONDITION): a point farther from the curve than 5 % of the length of its
+                                      piece of the boundary, and a corner in the middle of a curve. Read by
+                                      hm_analysis_size and hm_analysis_init, not needed afterwards. A basis does not
+                                      keep these curves: hm_basis_conditions gives n_curves and NULL, which is refused
+                                      as a condition until `along` is set again. Not for meshes in parts
+                                      (HM_UNSUPPORTED) */
 } hm_condition;
 /* Fields that belong to another kind must be 0; otherwise HM_BAD_CONDITION, error.item: the condition, from 0. A marker
  * has at most one condition without a piece; pieces without any condition are fixed. Refused (HM_BAD_CONDITION): a

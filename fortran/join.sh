@@ -1,9 +1,9 @@
 #!/bin/sh
 # usage: join.sh FOLDER >FOLDER.f90
-# One file for users to compile, of the parts in harmorph/, harmorph77/ or harmorph_mpi/: a module of those that the file `order` names,
-# and behind it those that `after` names, unchanged. Each part of a module has declarations, a line `contains`, and
-# procedures; the first ones are the manual and the begin of the module. What stands between !@each WHAT and !@end is there
-# once for each line of `forms` that begins with WHAT: name, kind and shape.
+# One file for users to compile, of the parts in harmorph/, harmorph77/ or harmorph_mpi/: a module of those that the
+# file `order` names, and behind it those that `after` names, unchanged. Each part of a module has declarations, a line
+# `contains`, and procedures; the first ones are the manual and the begin of the module. What stands between !@each WHAT
+# and !@end is there once for each line of `forms` that begins with WHAT: name, kind and shape.
 cd "$(dirname "$0")/$1" || exit 1
 forms=/dev/null
 [ ! -f forms ] || forms=forms

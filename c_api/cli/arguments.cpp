@@ -87,8 +87,8 @@ std::int32_t Arguments::whole(std::string_view option, std::int32_t fallback, st
     if (!has(option)) return fallback;
     std::int32_t value = 0;
     if (!parse(text(option), value) || value < low || value > high) {
-        refuse(std::string(option) + " expects a whole number between " + std::to_string(low) + " and " + std::to_string(high) +
-               ", found " + in_quotes(text(option)));
+        refuse(std::string(option) + " expects a whole number between " + std::to_string(low) + " and " +
+               std::to_string(high) + ", found " + in_quotes(text(option)));
     }
     return value;
 }
@@ -100,8 +100,8 @@ std::vector<std::int32_t> Arguments::whole_list(std::string_view option, std::in
         const std::size_t end = std::min(list.find(',', begin), list.size());
         std::int32_t value = 0;
         if (!parse(std::string_view(list).substr(begin, end - begin), value) || value < low || value > high) {
-            refuse(std::string(option) + " expects whole numbers between " + std::to_string(low) + " and " + std::to_string(high) +
-                   " with commas between, found " + in_quotes(list));
+            refuse(std::string(option) + " expects whole numbers between " + std::to_string(low) + " and " +
+                   std::to_string(high) + " with commas between, found " + in_quotes(list));
         }
         values.push_back(value);
         begin = end + 1;

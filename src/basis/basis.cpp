@@ -142,7 +142,8 @@ BoundaryFunctions Basis::stored_boundary_functions(Index slot) const noexcept {
 
 Vec2 Basis::combination_at(Index control_point, Index variable) const noexcept {
     Index const numbers = header->counts.combination;
-    const Real* const entry = combination.data() + (Offset{control_point} * header->counts.combined + variable) * numbers;
+    const Real* const entry =
+        combination.data() + (Offset{control_point} * header->counts.combined + variable) * numbers;
     return {entry[0], numbers == 2 ? entry[1] : 0};
 }
 
@@ -214,8 +215,9 @@ Status Basis::require_control_points(Fault& fault) const noexcept {
     BasisCounts const& counts = header->counts;
     if (counts.combination == 0 && counts.modes == 0) return Status::ok;
     return fault.refuse(Status::unsupported,
-                        counts.modes == 0 ? "the basis has combined functions, this call needs those of the control points"
-                                          : "the basis has functions by table, this call needs one without");
+                        counts.modes == 0
+                            ? "the basis has combined functions, this call needs those of the control points"
+                            : "the basis has functions by table, this call needs one without");
 }
 
 void Basis::seal(Real at_least, Executor const& executor) const noexcept {

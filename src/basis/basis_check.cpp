@@ -12,17 +12,18 @@ constexpr Index most = Mesh::max_points;  // of anything: products of two such c
 bool is_within(Index number, Index begin, Index end) noexcept { return begin <= number && number < end; }
 
 bool counts_make_sense(BasisCounts const& counts) noexcept {
-    Index const all[] = {counts.points,   counts.cells, counts.control,    counts.bodies,     counts.curves,
-                         counts.indices,  counts.knots, counts.weights,    counts.wall,       counts.joined,
-                         counts.boundary, counts.loops, counts.conditions, counts.first_stored, counts.stored, counts.combined,
-                         counts.modes,    counts.pieces, counts.guards};
+    Index const all[] = {counts.points,   counts.cells, counts.control,    counts.bodies,       counts.curves,
+                         counts.indices,  counts.knots, counts.weights,    counts.wall,         counts.joined,
+                         counts.boundary, counts.loops, counts.conditions, counts.first_stored, counts.stored,
+                         counts.combined, counts.modes, counts.pieces,     counts.guards};
     for (Index const count : all) {
         if (!is_within(count, 0, most + 1)) return false;
     }
     if (!is_within(counts.combination, 0, 3) || (counts.combination == 0 && counts.combined != 0)) return false;
     Offset const functions = counts.shapes() + 2 * Offset{counts.bodies} + counts.modes;
     if (functions > most || counts.stored > functions - counts.first_stored) return false;
-    if (counts.pieces == 0 ? counts.guards != 0 : counts.pieces > Mesh::max_cells || counts.guards > Mesh::max_cells) return false;
+    if (counts.pieces == 0 ? counts.guards != 0 : counts.pieces > Mesh::max_cells || counts.guards > Mesh::max_cells)
+        return false;
     if (counts.bodies > counts.conditions) return false;  // nothing else in the block grows with bodies
     if (counts.wall > counts.points || (counts.weights != 0 && counts.weights != counts.control)) return false;
     if (counts.storage != Precision::in_double && counts.storage != Precision::in_single) return false;
@@ -171,7 +172,8 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
     const char* const wrong = Contents(Basis::view(block)).wrong();
     if (wrong != nullptr) return refuse(wrong);
     if (mesh == nullptr) return Status::ok;
-    if (header.counts.cells == 0) return refuse("the basis is of a list of points: it knows no cells and goes with no mesh");
+    if (header.counts.cells == 0)
+        return refuse("the basis is of a list of points: it knows no cells and goes with no mesh");
     if (header.counts.points != mesh->n_points || header.counts.cells != mesh->n_cells) {
         return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has # points and @ cells",
                             Counts::from_zero, header.counts.points, header.counts.cells);
@@ -179,7 +181,8 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
     MeshFingerprint const found = fingerprint_of(*mesh);
     if (header.topology.cells != found.cells) return refuse("the basis belongs to another mesh: the cells differ");
     if (header.topology.markers != found.markers) {
-        return refuse("the basis belongs to another mesh: other points are on its markers, or markers have other numbers");
+        return refuse(
+            "the basis belongs to another mesh: other points are on its markers, or markers have other numbers");
     }
     if (header.coordinates == coordinates_fingerprint(mesh->points, mesh->n_points)) return Status::ok;
     fault.refuse(Status::moved, "the mesh's coordinates are not those the basis was solved on");

@@ -142,8 +142,9 @@ Status check_conditions(Span<const Condition> conditions, Index n_curves, Bounda
         }
     }
     if (any_wall) return Status::ok;
-    return fault.refuse(Status::bad_condition,
-                        "no condition puts a marker on a curve, makes it a rigid body or gives its displacements: nothing moves");
+    return fault.refuse(
+        Status::bad_condition,
+        "no condition puts a marker on a curve, makes it a rigid body or gives its displacements: nothing moves");
 }
 
 // Pieces last; of several conditions that choose one, the first.

@@ -282,5 +282,6 @@ constexpr DistanceKernels kernels{nearest_square, weigh_eight};
 
 namespace harmorph::simd {
 template <>
-inline constexpr const DistanceKernels* table<DistanceKernels, Kernel::HARMORPH_SET> = &harmorph::distances::HARMORPH_SET::kernels;
+inline constexpr const DistanceKernels* table<DistanceKernels, Kernel::HARMORPH_SET> =
+    &harmorph::distances::HARMORPH_SET::kernels;
 }  // namespace harmorph::simd

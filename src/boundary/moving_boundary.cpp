@@ -21,8 +21,8 @@ public:
     // The points of the marker that no wall before has, in order along the boundary.
     void add(Condition const& condition, Index number) noexcept {
         auto const visit = [&](Index, Index point) { put(point, number, 0); };
-        boundary_.for_each_piece([&](Index face) { return condition_of(conditions_, boundary_, face) == &condition; }, visit,
-                                 [](Index, bool) {});
+        boundary_.for_each_piece([&](Index face) { return condition_of(conditions_, boundary_, face) == &condition; },
+                                 visit, [](Index, bool) {});
     }
 
 private:
@@ -120,13 +120,13 @@ Status apply_given(GivenParameters const& given, Span<const Curve> curves, Span<
     for (Index i = 0; i < given.point.count(); ++i) {
         Index const point = from_zero(given.point[i], given.index_base);
         if (point < 0 || point >= representative.count()) {
-            return fault.refuse(Status::bad_condition, "a parameter is given for point #, which does not exist", Counts::mesh,
-                                point);
+            return fault.refuse(Status::bad_condition, "a parameter is given for point #, which does not exist",
+                                Counts::mesh, point);
         }
         Index const slot = work.slot[representative[point]];
         if (slot == none) {
-            return fault.refuse(Status::bad_condition, "a parameter is given for point #, which is on no curve's marker",
-                                Counts::mesh, point);
+            return fault.refuse(Status::bad_condition,
+                                "a parameter is given for point #, which is on no curve's marker", Counts::mesh, point);
         }
         Index const curve = given.curve[i];
         if (wall.curve[slot] >= curves.count()) {
@@ -134,12 +134,13 @@ Status apply_given(GivenParameters const& given, Span<const Curve> curves, Span<
                                 Counts::mesh, point);
         }
         if (curve < 0 || curve >= curves.count()) {
-            return fault.refuse(Status::bad_condition, "given parameter # (from 0) is on curve @ (from 0), which does not exist",
+            return fault.refuse(Status::bad_condition,
+                                "given parameter # (from 0) is on curve @ (from 0), which does not exist",
                                 Counts::from_zero, i, curve);
         }
         if (!is_finite(given.u[i]) || given.u[i] < curves[curve].begin() || given.u[i] > curves[curve].end()) {
-            return fault.refuse(Status::bad_condition, "the parameter ~ given for point # is outside its curve", Counts::mesh,
-                                point, none, given.u[i]);
+            return fault.refuse(Status::bad_condition, "the parameter ~ given for point # is outside its curve",
+                                Counts::mesh, point, none, given.u[i]);
         }
         wall.curve[slot] = curve;
         wall.u[slot] = given.u[i];
@@ -177,8 +178,9 @@ Status check_distances(Points points, Span<const Curve> curves, Wall const& wall
     if (farthest == none) return Status::ok;
     bool const is_another = largest > 1;
     return fault.refuse(is_another ? Status::bad_condition : Status::far_from_curve,
-                        is_another ? "point # is ~ from its curve, farther than that is large: is its marker another one?"
-                                   : "point # is ~ from its curve, more than 5 % of the curve's extent: is the curve its own?",
+                        is_another
+                            ? "point # is ~ from its curve, farther than that is large: is its marker another one?"
+                            : "point # is ~ from its curve, more than 5 % of the curve's extent: is the curve its own?",
                         Counts::mesh, wall.point[farthest], none, distance);
 }
 

@@ -155,8 +155,8 @@ private:
         return out;
     }
 
-    // The image is turned so many times against the point. Of two pairs that meet in a corner, one point may have images
-    // in both.
+    // The image is turned so many times against the point. Of two pairs that meet in a corner, one point may have
+    // images in both.
     Status tie(Index image, Index point, Index times, Fault& fault) noexcept {
         Root const a = root(point), b = root(image);
         times += a.times - b.times;  // of b against a

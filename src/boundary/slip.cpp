@@ -13,8 +13,8 @@ class SlipLines {
 public:
     SlipLines(Points points, Boundary const& boundary, Span<const Condition> conditions, SlipAlong const& along,
               Span<PointKind> kinds, Span<Vec2> tangent, SlipCurves& curves, Fault& fault) noexcept
-        : points_(points), boundary_(boundary), conditions_(conditions), along_(along), kinds_(kinds), tangent_(tangent),
-          curves_(curves), fault_(fault) {}
+        : points_(points), boundary_(boundary), conditions_(conditions), along_(along), kinds_(kinds),
+          tangent_(tangent), curves_(curves), fault_(fault) {}
 
     Status run() noexcept {
         fill(tangent_, Vec2{1, 0});
@@ -110,8 +110,10 @@ private:
     Status add_line(Line const& line) noexcept {
         const Condition* const its = condition(face_at(line, 0));
         if (SlipAlong::is_along(its)) {
-            for (Index k = 0; k < line.n + (line.closed ? 0 : 1); ++k) along_.work.position[k] = points_[point_at(line, k)];
-            HARMORPH_TRY(along_.add(*its, line.n, line.closed, [&](Index k) { return point_at(line, k); }, curves_, fault_));
+            for (Index k = 0; k < line.n + (line.closed ? 0 : 1); ++k)
+                along_.work.position[k] = points_[point_at(line, k)];
+            HARMORPH_TRY(along_.add(
+                *its, line.n, line.closed, [&](Index k) { return point_at(line, k); }, curves_, fault_));
             put_tangents(line);
         } else if (line.closed || !is_straight(line)) {
             curves_.add(line.n, line.closed, [&](Index k) { return points_[point_at(line, k)]; },
@@ -163,8 +165,9 @@ private:
 
 }  // namespace
 
-Status find_slip_lines(Points points, Boundary const& boundary, Span<const Condition> conditions, SlipAlong const& along,
-                       Span<PointKind> kinds, Span<Vec2> tangent, SlipCurves& curves, Fault& fault) noexcept {
+Status find_slip_lines(Points points, Boundary const& boundary, Span<const Condition> conditions,
+                       SlipAlong const& along, Span<PointKind> kinds, Span<Vec2> tangent, SlipCurves& curves,
+                       Fault& fault) noexcept {
     return SlipLines(points, boundary, conditions, along, kinds, tangent, curves, fault).run();
 }
 

@@ -36,11 +36,13 @@ public:
 private:
     // At the seam of a closed curve begins what is ahead, and ends what is behind.
     Real leaving(Real u) const noexcept {
-        if (has_seam_ && u == (ascends_ ? curve_.end() : curve_.begin())) return ascends_ ? curve_.begin() : curve_.end();
+        if (has_seam_ && u == (ascends_ ? curve_.end() : curve_.begin()))
+            return ascends_ ? curve_.begin() : curve_.end();
         return u;
     }
     Real arriving(Real u) const noexcept {
-        if (has_seam_ && u == (ascends_ ? curve_.begin() : curve_.end())) return ascends_ ? curve_.end() : curve_.begin();
+        if (has_seam_ && u == (ascends_ ? curve_.begin() : curve_.end()))
+            return ascends_ ? curve_.end() : curve_.begin();
         return u;
     }
 
@@ -109,8 +111,8 @@ Status SlipAlong::give(Condition const& condition, Index n, bool closed, SlipCur
     }
     if (farthest > most_offset * size) {
         return fault.refuse(Status::bad_condition,
-                            "point # is ~ from the curve that it should slide along: is the marker another one?", Counts::mesh,
-                            to.point[first + where], none, farthest);
+                            "point # is ~ from the curve that it should slide along: is the marker another one?",
+                            Counts::mesh, to.point[first + where], none, farthest);
     }
     bool const smooth = to.give([&](Index j, Vec2& tangent) {
         if (closed && j == n * SlipCurves::parts) j = 0;  // bit by bit

@@ -112,8 +112,8 @@ void WallHeights::restore(FaceDistance const& walls, Points before, MutablePoint
             FaceDistance::Face const& face = walls.faces[foot_of_k.face];
             Vec2 const from_foot = before[k] - walls.at(foot_of_k, before), up = direction(from_foot);
             Real const height_before = dot(from_foot, up);
-            Vec2 const turn_at_foot =
-                direction((1 - foot_of_k.t) * turn[wall.slot[face.point[0]]] + foot_of_k.t * turn[wall.slot[face.point[1]]]);
+            Vec2 const turn_at_foot = direction((1 - foot_of_k.t) * turn[wall.slot[face.point[0]]] +
+                                                foot_of_k.t * turn[wall.slot[face.point[1]]]);
             Vec2 const normal = turned(up, turn_at_foot);
             Real const lost = height_before - dot(after[k] - walls.at(foot_of_k, after), normal);
             Real const reached = reach_at(walls, foot_of_k);

@@ -27,7 +27,8 @@ Status check_knots(Curve const& curve, Index number, Fault& fault) noexcept {
     for (Index k = 1; k < n_knots; ++k) {
         Real const interval = curve.knots[k] - curve.knots[k - 1];
         if (interval > 0 && interval < least)
-            return refuse("knot # (from 0) of curve @ (from 0) differs from the one before it by less than 1e-18 of all", k);
+            return refuse(
+                "knot # (from 0) of curve @ (from 0) differs from the one before it by less than 1e-18 of all", k);
     }
 
     Index fold = 0;
@@ -57,8 +58,9 @@ Status check_control(Curve const& curve, Index number, Fault& fault) noexcept {
             return fault.refuse(Status::bad_curve, "control point # of curve @ (from 0) is not finite", Counts::curves,
                                 point, number);
         if (!is_coordinate(place))
-            return fault.refuse(Status::bad_curve, "control point # of curve @ (from 0) has a coordinate beyond 1e100: ~",
-                                Counts::curves, point, number, absolute(place.x) > absolute(place.y) ? place.x : place.y);
+            return fault.refuse(Status::bad_curve,
+                                "control point # of curve @ (from 0) has a coordinate beyond 1e100: ~", Counts::curves,
+                                point, number, absolute(place.x) > absolute(place.y) ? place.x : place.y);
         if (curve.weights != nullptr && !is_between(1e-10, curve.weights[point], 1e10))
             return fault.refuse(Status::bad_curve,
                                 "the weight of control point # of curve @ (from 0) is ~, not between 1e-10 and 1e10",
@@ -159,7 +161,8 @@ void curve_point_in(Curve const& curve, Index span, Real u, Index n_derivatives,
     CurveBasis const basis = curve_basis_in(curve, span, u, n_derivatives);
     for (Index d = 0; d <= n_derivatives; ++d) {
         out[d] = {};
-        for (Index k = 0; k < basis.order; ++k) out[d] = out[d] + basis.value[d][k] * curve.point(span - curve.degree + k);
+        for (Index k = 0; k < basis.order; ++k)
+            out[d] = out[d] + basis.value[d][k] * curve.point(span - curve.degree + k);
     }
 }
 

@@ -147,8 +147,8 @@ void FinerCurves::choose_window(Curve const& old, Index degree) noexcept {
 
 // ---- Control points
 
-// The coefficients, of the control points of one span of the old curve, of a control point with these knots; returns the
-// largest number on the way to them.
+// The coefficients, of the control points of one span of the old curve, of a control point with these knots; returns
+// the largest number on the way to them.
 Real FinerCurves::coefficients(Curve const& old, Index span, const Real* argument, Real* sum) const noexcept {
     for (Index k = 0; k < max_order; ++k) sum[k] = 0;
     for (Index i = span - old.degree; i <= span && degree_ == old.degree; ++i) {
@@ -174,8 +174,8 @@ Real FinerCurves::coefficients(Curve const& old, Index span, const Real* argumen
 }
 
 // The row of the control point at a position, appended to the matrix: from the span of all it acts on, and of a
-// periodic curve of all that it acts on a period later, where the least is lost by rounding. Far from the arguments of a
-// polar form, large numbers cancel.
+// periodic curve of all that it acts on a period later, where the least is lost by rounding. Far from the arguments of
+// a polar form, large numbers cancel.
 void FinerCurves::put_row(Curve const& old, Index position) noexcept {
     Real sum[max_order] = {}, least = 0;
     Index span = none;

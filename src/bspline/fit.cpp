@@ -21,13 +21,14 @@ Index round_loop(Offset point, Index n) noexcept { return static_cast<Index>(poi
 
 Status check_fit(Index n_points, FitOptions const& options, Fault& fault) noexcept {
     if (options.degree < 1 || options.degree > max_degree)
-        return fault.refuse(Status::bad_curve, "the degree of a fit is 1 to 5, not #", Counts::from_zero, options.degree);
+        return fault.refuse(Status::bad_curve, "the degree of a fit is 1 to 5, not #", Counts::from_zero,
+                            options.degree);
     if (options.n_control <= options.degree)
         return fault.refuse(Status::bad_curve, "# control points are not enough: more than the degree, @, are needed",
                             Counts::from_zero, options.n_control, options.degree);
     if (n_points < options.n_control)
-        return fault.refuse(Status::bad_curve, "# points do not determine @ control points", Counts::from_zero, n_points,
-                            options.n_control);
+        return fault.refuse(Status::bad_curve, "# points do not determine @ control points", Counts::from_zero,
+                            n_points, options.n_control);
     if (n_points > std::numeric_limits<Index>::max() - 2 * max_order)
         return fault.refuse(Status::bad_curve, "# points are too many", Counts::from_zero, n_points);
     return Status::ok;
@@ -59,7 +60,8 @@ void Fit::lay_out(Arena& arena, Index n_points, FitOptions const& options) noexc
     squares_.lay_out(arena, n_points + 1, options.n_control, options.degree);
 }
 
-Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options, FitReport& report, Fault& fault) noexcept {
+Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options, FitReport& report,
+                Fault& fault) noexcept {
     HARMORPH_TRY(check_fit(n, options, fault));
     HARMORPH_TRY(take_points(points, n, is_loop, fault));
     if (!is_loop && (options.closure == Closure::tied || options.closure == Closure::periodic))
@@ -82,14 +84,16 @@ Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options,
     publish(points);
     for (Index c = 0; c < n_curves; ++c) {  // its control points may lie far away, its knots too close
         Fault why;
-        if (failed(check_curve(curve[c], c, why))) return fault.refuse(Status::bad_curve, "the points do not determine the curve");
+        if (failed(check_curve(curve[c], c, why)))
+            return fault.refuse(Status::bad_curve, "the points do not determine the curve");
     }
     report_errors(points, n, report);
     if (!is_finite(report.max_error)) return fault.refuse(Status::bad_curve, "the points do not determine the curve");
     report.backtrack_point = find_backtrack();
     if (report.backtrack_point == none) return Status::ok;
     Index const next = report.backtrack_point + 1 == n ? 0 : report.backtrack_point + 1;
-    return fault.refuse(Status::backtracks, "between points # and @ (from 0) the curve runs back: fewer control points help",
+    return fault.refuse(Status::backtracks,
+                        "between points # and @ (from 0) the curve runs back: fewer control points help",
                         Counts::from_zero, report.backtrack_point, next);
 }
 
@@ -100,7 +104,8 @@ Status Fit::take_points(Points points, Index n, bool is_loop, Fault& fault) noex
         if (!is_finite(points[k].x) || !is_finite(points[k].y))
             return fault.refuse(Status::bad_curve, "point # (from 0) is not finite", Counts::from_zero, k);
         if (!is_in_range(points[k]))
-            return fault.refuse(Status::bad_curve, "point # (from 0) has a coordinate beyond 1e100", Counts::from_zero, k);
+            return fault.refuse(Status::bad_curve, "point # (from 0) has a coordinate beyond 1e100", Counts::from_zero,
+                                k);
         sum = sum + (points[k] - points[0]);
     }
     centre_ = points[0] + (1 / static_cast<Real>(n)) * sum;
@@ -123,7 +128,8 @@ Status Fit::take_points(Points points, Index n, bool is_loop, Fault& fault) noex
     }
     Vec2 const first = points[0], last = points[n - 1];
     if (!is_loop && first.x == last.x && first.y == last.y)
-        return fault.refuse(Status::bad_curve, "the first point and the last one, #, are equal: fit a loop without the last one",
+        return fault.refuse(Status::bad_curve,
+                            "the first point and the last one, #, are equal: fit a loop without the last one",
                             Counts::from_zero, n - 1);
     outline_.points = scaled_;
     outline_.is_loop = is_loop;
@@ -174,7 +180,8 @@ Status Fit::check_growth(Fault& fault) const noexcept {
         auto const point = [&](Index position) {
             return round_loop(static_cast<Offset>(course_.first) + position, outline_.count());
         };
-        return fault.refuse(Status::bad_curve, "points # (from 0) and @ (from 0) follow each other and coincide but for rounding",
+        return fault.refuse(Status::bad_curve,
+                            "points # (from 0) and @ (from 0) follow each other and coincide but for rounding",
                             Counts::from_zero, point(k), point(k + 1));
     }
     return Status::ok;

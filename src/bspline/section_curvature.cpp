@@ -9,9 +9,9 @@ namespace {
 constexpr Vec2 right_of(Vec2 v) noexcept { return {v.y, -v.x}; }
 
 // Curvature k = C' x C'' / |C'|^3 and its derivative by the parameter, of derivatives c[1..3] of a curve; and the
-// derivatives of both by C', C'' and C'''. In terms of t = C' / |C'|, a = C'' / |C'|^2 and b = C''' / |C'|^3, so that no
-// power of the speed overflows. Where the curve stands still, or nearly so, there is none, and all numbers are 0: within
-// these bounds no measure overflows.
+// derivatives of both by C', C'' and C'''. In terms of t = C' / |C'|, a = C'' / |C'|^2 and b = C''' / |C'|^3, so that
+// no power of the speed overflows. Where the curve stands still, or nearly so, there is none, and all numbers are 0:
+// within these bounds no measure overflows.
 struct Curvature {
     bool exists = false;
     Real value = 0, slope = 0, speed = 0;

@@ -68,9 +68,9 @@ void spread_rows(Executor const& executor, Index begin, Index end, Offset multip
     executor.for_each(ranges, [&](Index i) { body(bound(i), bound(i + 1)); });
 }
 
-// What back substitution prefetches, in numbers from where it reads. Panels follow each other downwards in memory, which
-// the hardware does not foresee: in a small panel, what will be read some panels later. In a larger one, two tiles further
-// down in the same slab.
+// What back substitution prefetches, in numbers from where it reads. Panels follow each other downwards in memory,
+// which the hardware does not foresee: in a small panel, what will be read some panels later. In a larger one, two
+// tiles further down in the same slab.
 template <class Number>
 Offset ahead_of(Panel<Number> const& panel) noexcept {
     constexpr Offset below = 65536 / sizeof(Number);
@@ -205,17 +205,18 @@ void scatter(Kernel kernel, const Number* y, Index row, Index planes, RowsOf<Val
     flushed<Number>(copy_kernels<Number, Value>(kernel).scatter, y, row, planes, to, begin, n);
 }
 
-#define HARMORPH_MAKE(Number)                                                                                            \
-    template Index factor(Kernel, Panel<Number> const&, Number, Workers<Number> const&) noexcept;                        \
-    template void update_border(Kernel, Panel<Number> const&, UpdateMatrix<Number> const&, Workers<Number> const&) noexcept; \
-    template void solve_forward(Kernel, Panel<Number> const&, Number*, Index, Executor const&) noexcept;                 \
-    template void solve_backward(Kernel, Panel<Number> const&, Number*, Index, Executor const&) noexcept;                \
-    template void extend_add(Kernel, UpdateMatrix<Number> const&, const Index*, Panel<Number> const&,                    \
-                             UpdateMatrix<Number> const&) noexcept;                                                      \
-    template void add_rows(Kernel, Index, const Number*, const Index*, Number*, Index) noexcept;                         \
+#define HARMORPH_MAKE(Number)                                                                                          \
+    template Index factor(Kernel, Panel<Number> const&, Number, Workers<Number> const&) noexcept;                      \
+    template void update_border(Kernel, Panel<Number> const&, UpdateMatrix<Number> const&,                             \
+                                Workers<Number> const&) noexcept;                                                      \
+    template void solve_forward(Kernel, Panel<Number> const&, Number*, Index, Executor const&) noexcept;               \
+    template void solve_backward(Kernel, Panel<Number> const&, Number*, Index, Executor const&) noexcept;              \
+    template void extend_add(Kernel, UpdateMatrix<Number> const&, const Index*, Panel<Number> const&,                  \
+                             UpdateMatrix<Number> const&) noexcept;                                                    \
+    template void add_rows(Kernel, Index, const Number*, const Index*, Number*, Index) noexcept;                       \
     template void copy_rows(Kernel, Index, const Number*, const Index*, Number*, Index) noexcept;
-#define HARMORPH_MAKE_MOVES(Number, Value)                                                                               \
-    template void gather(Kernel, RowsOf<Value> const&, Index, Index, Index, Number*, Index, Index) noexcept;             \
+#define HARMORPH_MAKE_MOVES(Number, Value) \
+    template void gather(Kernel, RowsOf<Value> const&, Index, Index, Index, Number*, Index, Index) noexcept; \
     template void scatter(Kernel, const Number*, Index, Index, RowsOf<Value> const&, Index, Index) noexcept;
 HARMORPH_MAKE(double)
 HARMORPH_MAKE(float)

@@ -34,7 +34,8 @@ Status check_face(BoundaryFace face, Edges const& edges, Index edge, Fault& faul
 }  // namespace
 
 Size Boundary::max_faces(Mesh const& mesh) noexcept {
-    Offset const in_lists = mesh.n_lists > 0 && mesh.list_start != nullptr ? Offset{mesh.list_start[mesh.n_lists]} - mesh.index_base : 0;
+    Offset const in_lists =
+        mesh.n_lists > 0 && mesh.list_start != nullptr ? Offset{mesh.list_start[mesh.n_lists]} - mesh.index_base : 0;
     Size in_blocks = 0;
     if (mesh.block_markers != nullptr) {
         for (Index k = 0; k < 2 * mesh.n_blocks; ++k) {

@@ -106,8 +106,8 @@ void PolygonDivision::add(Index a, Index b, Index c, Index d) noexcept {
     to[3] = d;
 }
 
-// The triangles of the corners i .. j are the best one at their side from j to i, and those of the corners i .. k and k ..
-// j on both sides of its apex k.
+// The triangles of the corners i .. j are the best one at their side from j to i, and those of the corners i .. k and k
+// .. j on both sides of its apex k.
 template <class Corners>
 void PolygonDivision::divide(Corners const& corners) noexcept {
     Index const n = corners.n;

@@ -70,12 +70,14 @@ Status check_boundary(Mesh const& mesh, Fault& fault) noexcept {
     if (mesh.n_faces > 0 && (mesh.face_points == nullptr || mesh.face_markers == nullptr)) {
         return fault.refuse(Status::bad_argument, "mesh.face_points or mesh.face_markers is NULL");
     }
-    if (mesh.n_lists > 0 && (mesh.list_start == nullptr || mesh.list_points == nullptr || mesh.list_markers == nullptr)) {
+    if (mesh.n_lists > 0 &&
+        (mesh.list_start == nullptr || mesh.list_points == nullptr || mesh.list_markers == nullptr)) {
         return fault.refuse(Status::bad_argument, "mesh.list_start, list_points or list_markers is NULL");
     }
     for (Index list = 0; list < mesh.n_lists; ++list) {
         if (mesh.list_start[0] != mesh.index_base || mesh.list_start[list + 1] < mesh.list_start[list]) {
-            return fault.refuse(Status::bad_mesh, "mesh.list_start must begin with index_base and never decrease; see list # (from 0)",
+            return fault.refuse(Status::bad_mesh,
+                                "mesh.list_start must begin with index_base and never decrease; see list # (from 0)",
                                 Counts::from_zero, list);
         }
     }
@@ -116,13 +118,14 @@ Status check_range(Points points, Index n_points, Fault& fault, Executor const& 
     if (!is_finite(p.x) || !is_finite(p.y)) {
         return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite", Counts::mesh, k);
     }
-    return fault.refuse(Status::bad_mesh, "point # has the coordinate ~; they may be as large as 1e100", Counts::mesh, k,
-                        none, absolute(p.x) > absolute(p.y) ? p.x : p.y);
+    return fault.refuse(Status::bad_mesh, "point # has the coordinate ~; they may be as large as 1e100", Counts::mesh,
+                        k, none, absolute(p.x) > absolute(p.y) ? p.x : p.y);
 }
 
 Status check_counts(Mesh const& mesh, Fault& fault) noexcept {
     if (mesh.index_base != 0 && mesh.index_base != 1) {
-        return fault.refuse(Status::bad_argument, "mesh.index_base must be 0 or 1, not #", Counts::from_zero, mesh.index_base);
+        return fault.refuse(Status::bad_argument, "mesh.index_base must be 0 or 1, not #", Counts::from_zero,
+                            mesh.index_base);
     }
     if (mesh.n_points < 3 || mesh.n_points > Mesh::max_points) {
         return fault.refuse(Status::bad_mesh, "mesh.n_points must be between 3 and 2^30, not #", Counts::from_zero,
@@ -181,7 +184,8 @@ Status check_polygons(Mesh const& mesh, Fault& fault) noexcept {
 Status check_layout(Mesh const& mesh, Fault& fault) noexcept {
     if (mesh.layout == CellLayout::structured) {
         if (mesh.ni < 2 || mesh.nj < 2 || Offset{mesh.ni} * mesh.nj != mesh.n_points) {
-            return fault.refuse(Status::bad_mesh, "a structured block needs ni, nj >= 2 and ni*nj = n_points; ni is #, nj is @",
+            return fault.refuse(Status::bad_mesh,
+                                "a structured block needs ni, nj >= 2 and ni*nj = n_points; ni is #, nj is @",
                                 Counts::from_zero, mesh.ni, mesh.nj);
         }
         if (Offset{mesh.ni - 1} * (mesh.nj - 1) != mesh.n_cells) {

@@ -10,8 +10,8 @@ constexpr Index most_ranges = 16;    // their sums are on the stack
 constexpr Index least_blocks_to_gather = 128;   // blocks that are worth a thread
 constexpr Real not_a_number = __builtin_nan("");
 
-// body(first block, one behind the last, i) for ranges of the points' blocks; returns the number of ranges, on which the
-// sums do not depend.
+// body(first block, one behind the last, i) for ranges of the points' blocks; returns the number of ranges, on which
+// the sums do not depend.
 template <class Body>
 Index for_block_ranges(Index n_points, Executor const& executor, Body const& body) noexcept {
     Index const blocks = blocks_of(n_points);
@@ -48,8 +48,8 @@ struct Adder {
     void add(Span<Number> values, Index first_block, Index n_blocks, PerPoint<const Real> by,
              FixedSums& total) const noexcept {
         Offset const stride = Offset{basis.row_length()} * block_points;
-        ValueBlocks<Number> const blocks{values.data() + first_block * stride + Offset{part.first} * block_points, stride,
-                                         n_blocks, part.width};
+        ValueBlocks<Number> const blocks{values.data() + first_block * stride + Offset{part.first} * block_points,
+                                         stride, n_blocks, part.width};
         kernels.of(blocks).multiply_transposed(blocks, by, unit, total);
     }
     template <class Number>
@@ -95,8 +95,8 @@ struct Adder {
 struct PartSums {
     FixedSum x[Movements::most], y[Movements::most];
 
-    PartSums(ProductKernels const& kernels, Basis const& basis, Points by_points, BinaryScale scale, FunctionPart numbers,
-             Executor const& executor) noexcept {
+    PartSums(ProductKernels const& kernels, Basis const& basis, Points by_points, BinaryScale scale,
+             FunctionPart numbers, Executor const& executor) noexcept {
         FixedSums part[most_ranges];
         Adder const adder{kernels, basis, by_points, scale.units().downwards(), numbers};
         Index const ranges = for_block_ranges(basis.n_points(), executor, [&](Index begin, Index end, Index i) {

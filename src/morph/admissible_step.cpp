@@ -19,7 +19,8 @@ Real smallest_positive_root(Real a, Real b, Real c) noexcept {
     if (a == 0) return -c / b;
     Real const discriminant = b * b - 4 * a * c;
     if (discriminant < -4 * epsilon * b * b) return infinity;
-    Real const root = square_root(larger(discriminant, 0.0));  // but for rounding, an area that touches 0 has a root there
+    // But for rounding, an area that touches 0 has a root there
+    Real const root = square_root(larger(discriminant, 0.0));
     if (b <= 0) return 2 * c / (root - b);   // a > 0: the smaller of two positive roots; a < 0: the only one
     return a < 0 ? -(b + root) / (2 * a) : infinity;
 }
@@ -38,7 +39,8 @@ AdmissibleStep admissible_step(OrientedMesh const& cells, Points points, Points 
                                Executor const& executor) noexcept {
     CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
     CellPlaces const places{points, displacement, {}};
-    AdmissibleStep of_all = reduce_ranges<AdmissibleStep>(cells.mesh.n_cells, executor, [&](Index begin, Index end, AdmissibleStep& result) {
+    AdmissibleStep of_all = reduce_ranges<AdmissibleStep>(cells.mesh.n_cells, executor,
+                                                          [&](Index begin, Index end, AdmissibleStep& result) {
         AdmissibleStep limit;
         for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
             CellBounds const bounds = {limit.step};

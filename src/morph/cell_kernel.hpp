@@ -240,9 +240,9 @@ private:
     Vector sum_ = {}, root_[3] = {}, area_[Corners<n>::n_areas] = {};
 };
 
-// Of c + b s + a s^2: is it positive, and far from a root, for 0 <= s <= step? By its value at `step`, which is at least a
-// millionth of its terms, and at its minimum, if that comes before. 1 in the lanes where that holds, 0 in others. Steps
-// are less than 1e50, or infinite, so that nothing overflows.
+// Of c + b s + a s^2: is it positive, and far from a root, for 0 <= s <= step? By its value at `step`, which is at
+// least a millionth of its terms, and at its minimum, if that comes before. 1 in the lanes where that holds, 0 in
+// others. Steps are less than 1e50, or infinite, so that nothing overflows.
 HARMORPH_INLINE Vector stays_positive(Vector a, Vector b, Vector c, Real step) noexcept {
     constexpr Real most = 1e50, far = 1e-6;
     Vector const zero = {}, one = zero + 1;
@@ -367,5 +367,6 @@ constexpr CellKernels kernels{look_at<3>, look_at<4>};
 
 namespace harmorph::simd {
 template <>
-inline constexpr const CellKernels* table<CellKernels, Kernel::HARMORPH_SET> = &harmorph::cell_looks::HARMORPH_SET::kernels;
+inline constexpr const CellKernels* table<CellKernels, Kernel::HARMORPH_SET> =
+    &harmorph::cell_looks::HARMORPH_SET::kernels;
 }  // namespace harmorph::simd

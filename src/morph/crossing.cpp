@@ -66,7 +66,8 @@ private:
         for (Index other = others.begin; other < others.end; ++other) {
             FaceBox const its = box_of({other, other + 1});
             if (!its.overlaps(box) || (its.is_point() && box.is_point())) continue;
-            bool const cross = cross_properly(face, other) || cross_at_a_point(face, other) || cross_at_a_point(other, face) ||
+            bool const cross = cross_properly(face, other) || cross_at_a_point(face, other) ||
+                               cross_at_a_point(other, face) ||
                                (overlaps_ == Overlaps::cross && lie_on_each_other(face, other));
             if (!cross || !is_known(face, other)) continue;
             result_ = {true, {boundary_point_[face], end_of(face)}, {boundary_point_[other], end_of(other)}};
@@ -111,17 +112,17 @@ private:
         return a.x != b.x ? share(a.x, b.x, c.x, d.x) : share(a.y, b.y, c.y, d.y);
     }
 
-    // Of faces with the same ends, run in opposite directions: is there mesh between what comes after the one and before the
-    // other? Then two walls have come together. It is the solid where the two sides of a wall without thickness part; they
-    // need not, at its tip. Where both go on together, the faces that follow are asked.
+    // Of faces with the same ends, run in opposite directions: is there mesh between what comes after the one and
+    // before the other? Then two walls have come together. It is the solid where the two sides of a wall without
+    // thickness part; they need not, at its tip. Where both go on together, the faces that follow are asked.
     bool part_by_mesh(Index face, Index other) const noexcept {
         Index const next = after(face), last = before(other);
         Vec2 const here = at(end_of(face)), ahead = at(end_of(next)), behind = at(boundary_point_[last]);
         return next != other && !same(ahead, behind) && is_between(here, ahead, behind, at(boundary_point_[face]));
     }
 
-    // Do the faces before and after the point where `face` begins leave the other one, or the corner where that begins, to
-    // different sides? Only then has the boundary passed through it, and not just touched it.
+    // Do the faces before and after the point where `face` begins leave the other one, or the corner where that begins,
+    // to different sides? Only then has the boundary passed through it, and not just touched it.
     bool cross_at_a_point(Index face, Index other) const noexcept {
         Index const point = boundary_point_[face];
         if (point == boundary_point_[other] || point == end_of(other)) return false;
@@ -187,7 +188,8 @@ private:
         for (Index face = range.begin; face < range.end; ++face) box.include(at(boundary_point_[face]));
         box.include(at(end_of(range.end - 1)));
         // A range may hold the end of one loop and the beginning of the next: faces that close a loop end at its start.
-        for (Index loop = loop_of(range.begin); loop + 1 < loop_start_.count() && loop_start_[loop + 1] <= range.end; ++loop) {
+        for (Index loop = loop_of(range.begin); loop + 1 < loop_start_.count() && loop_start_[loop + 1] <= range.end;
+             ++loop) {
             box.include(at(boundary_point_[loop_start_[loop]]));
         }
         return box;

@@ -66,8 +66,9 @@ Status Displacement::find_places(Plan const& plan, PointList const& list, Fault&
     }
     for (Index i = 0; i < given.count(); ++i) {
         if (place[i] != none) continue;
-        return fault.refuse(Status::bad_condition, "point # is on a marker of given displacements, but is not in the list",
-                            Counts::mesh, given[i]);
+        return fault.refuse(Status::bad_condition,
+                            "point # is on a marker of given displacements, but is not in the list", Counts::mesh,
+                            given[i]);
     }
     return Status::ok;
 }
@@ -102,8 +103,8 @@ Status Displacement::set(Plan const& plan, PointList const& list, Index field, P
     return Status::ok;
 }
 
-// In place: the right-hand sides of the unknowns become values. A trusted factor needs no refinement, and where derivatives
-// are rough, residuals relative to them are large although nothing can be improved.
+// In place: the right-hand sides of the unknowns become values. A trusted factor needs no refinement, and where
+// derivatives are rough, residuals relative to them are large although nothing can be improved.
 Status Displacement::solve_inside(Plan& plan, DofValues const& values, bool measured, SolveReport& report,
                                   Fault& fault) noexcept {
     Progress const& progress = plan.progress;

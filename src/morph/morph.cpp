@@ -12,8 +12,8 @@ constexpr Offset worth_asking = Offset{1} << 17;
 // As BlockProducts::move does.
 constexpr Real moved(Real from, Real by) noexcept { return by == 0 ? from : from + by; }
 
-// The factors of the numbers of a row of values, Movements::most numbers at a time. The first few, which are all of most
-// bases, are computed once for a morph; further ones do not fit on the stack and are computed for each use.
+// The factors of the numbers of a row of values, Movements::most numbers at a time. The first few, which are all of
+// most bases, are computed once for a morph; further ones do not fit on the stack and are computed for each use.
 class RowMovements {
 public:
     RowMovements(Basis const& basis, const Real* move) noexcept : basis_(basis), move_(move) {
@@ -66,8 +66,8 @@ struct Chunk {
 
     // Of blocks first .. first+n-1 of the values of a basis with rows of that length.
     template <class Number>
-    void add(ProductKernels const& kernels, Span<Number> values, Index row_length, RowMovements const& move, Index first,
-             Index n) noexcept {
+    void add(ProductKernels const& kernels, Span<Number> values, Index row_length, RowMovements const& move,
+             Index first, Index n) noexcept {
         Offset const stride = Offset{row_length} * block_points;
         move.for_each_part([&](Index number, Index width, Movements const& by) {
             ValueBlocks<Number> const blocks{values.data() + first * stride + Offset{number} * block_points, stride, n,

@@ -73,8 +73,8 @@ Quality measure_quality(OrientedMesh const& cells, Points points, Points referen
     });
 }
 
-// With skew quality q a corner's area is at least q / 8 of the sum of the two products that it is the difference of, and
-// their rounding is a few epsilon of this sum: so only poor cells need the exact test.
+// With skew quality q a corner's area is at least q / 8 of the sum of the two products that it is the difference of,
+// and their rounding is a few epsilon of this sum: so only poor cells need the exact test.
 Index count_inverted(OrientedMesh const& cells, Points points, Executor const& executor) noexcept {
     constexpr Real surely_positive = 1e-10;  // skew quality
     auto const is_bad = [&](Index cell) {

@@ -1,8 +1,8 @@
-// Full-approximation cycles for a block of W functions. Two things make the number of cycles independent of the mesh, which
-// it is not in the paper's V-cycle with piecewise constant corrections (measured from 10k to 100k points: 42 to 92 cycles on
-// isotropic cells, 77 to 156 on viscous ones; now 24 to 27 and 46 to 55). Each level is visited twice from the next finer
-// one (W-cycle): the errors of coarse solutions would add up over the levels. A step of Jacobi's smooths each correction
-// (smoothed aggregation; P. Vanek, J. Mandel, M. Brezina, Computing 56 (1996) 179).
+// Full-approximation cycles for a block of W functions. Two things make the number of cycles independent of the mesh,
+// which it is not in the paper's V-cycle with piecewise constant corrections (measured from 10k to 100k points: 42 to
+// 92 cycles on isotropic cells, 77 to 156 on viscous ones; now 24 to 27 and 46 to 55). Each level is visited twice from
+// the next finer one (W-cycle): the errors of coarse solutions would add up over the levels. A step of Jacobi's smooths
+// each correction (smoothed aggregation; P. Vanek, J. Mandel, M. Brezina, Computing 56 (1996) 179).
 #pragma once
 
 #include <type_traits>
@@ -222,9 +222,9 @@ private:
         for (Offset k = 0; k < Offset{n} * W; ++k) coarse.f[k] += coarse.rest[k];
     }
 
-    // Prolongation: u += length * S P (change of the coarse values); P repeats the value of a merged cell in its parts, S is
-    // a step of Jacobi's. The length minimises the energy of the error on this level (A. Reusken, Numer. Math. 58 (1991)
-    // 819): corrections from merged cells are too small in smooth regions and too large elsewhere.
+    // Prolongation: u += length * S P (change of the coarse values); P repeats the value of a merged cell in its parts,
+    // S is a step of Jacobi's. The length minimises the energy of the error on this level (A. Reusken, Numer. Math. 58
+    // (1991) 819): corrections from merged cells are too small in smooth regions and too large elsewhere.
     void correct(Index level) noexcept {
         Vectors const& own = at_[level];
         Vectors const& coarse = at_[level + 1];
@@ -236,7 +236,8 @@ private:
             for (Index k = 0; k < W; ++k) change[Offset{i} * W + k] = coarse.u[cell + k] - coarse.restricted[cell + k];
         }
         multiply<W>(a_.level[level], change, own.product);
-        for (Index i = 0; i < n; ++i) add<W>(-smoothing * engine_.rate[level][i], own.product + Offset{i} * W, change + Offset{i} * W);
+        for (Index i = 0; i < n; ++i)
+            add<W>(-smoothing * engine_.rate[level][i], own.product + Offset{i} * W, change + Offset{i} * W);
         PerFunction<W> length = dot<W>(change, own.rest, n);
         PerFunction<W> const along = energy<W>(a_.level[level], change);
         for (Index k = 0; k < W; ++k) {

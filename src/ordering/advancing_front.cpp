@@ -45,7 +45,8 @@ void order_by_layers(Topology const& topology, Span<const PointKind> kinds, Grap
         }
     }
     for (Index u = 0; u < graph.n; ++u) {
-        if (work.reached[u] == 0) order[filled++] = u;  // in a part without boundary: check_parts() has refused such meshes
+        // In a part without boundary: check_parts() has refused such meshes
+        if (work.reached[u] == 0) order[filled++] = u;
     }
 }
 

@@ -7,8 +7,8 @@
 namespace harmorph {
 namespace {
 
-// The top of the tree: level by level until there is a part for every thread; then a task takes one part after the other,
-// and whoever cuts a part makes both halves ready. The tree is the same for any number of levels.
+// The top of the tree: level by level until there is a part for every thread; then a task takes one part after the
+// other, and whoever cuts a part makes both halves ready. The tree is the same for any number of levels.
 class TreeTop {
 public:
     TreeTop(Dissector const& dissector, Executor const& executor, AssemblyTree& tree) noexcept

@@ -162,7 +162,8 @@ Status Part::take_polygons(Fault& fault) noexcept {
             its[k] = other;
         }
         for (Index k = pieces.start[i]; k < pieces.start[i + 1]; ++k) turn(pieces.point.data() + 4 * Offset{k});
-        for (Index k = pieces.guard_start[i]; k < pieces.guard_start[i + 1]; ++k) turn(pieces.point.data() + 4 * Offset{k});
+        for (Index k = pieces.guard_start[i]; k < pieces.guard_start[i + 1]; ++k)
+            turn(pieces.point.data() + 4 * Offset{k});
     }
     for (Index k = 0; k < topology.mesh.n_checked(); ++k) {
         Real const resolved = resolved_height(CellShape(topology.cell(k), mesh.points, false));

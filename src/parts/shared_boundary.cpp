@@ -221,7 +221,8 @@ Status SharedBoundary::analyse(PartProblem const& problem, Fault& fault) noexcep
     HARMORPH_TRY(parametrise(topology, boundary, conditions, curves, {}, wall_work, wall, fault));
     find_offsets(points(), conditions, curves, problem.method.offset_correction != 0, wall);
     if (problem.demands.slip) {
-        HARMORPH_TRY(find_slip_lines(points(), boundary, conditions, {{}, wall_work}, kinds, tangent, slip_curves, fault));
+        HARMORPH_TRY(
+            find_slip_lines(points(), boundary, conditions, {{}, wall_work}, kinds, tangent, slip_curves, fault));
     }
     if (!problem.demands.translation) return fault.status;
     return tie_periodic(topology, boundary, conditions, wall_work.chain, kinds, tangent, periodicity, fault);

@@ -105,8 +105,8 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     HARMORPH_TRY(check_conditions(conditions, curves.count(), boundary, fault));
     if (inverted != none) {
         CellCorners const corners(shape_of(topology, inverted, mesh.points));
-        return fault.refuse(Status::bad_mesh, "cell # is inverted or empty: its smallest corner area is ~", Counts::mesh,
-                            mesh.number(inverted), none, 0.5 * corners.smallest());
+        return fault.refuse(Status::bad_mesh, "cell # is inverted or empty: its smallest corner area is ~",
+                            Counts::mesh, mesh.number(inverted), none, 0.5 * corners.smallest());
     }
     HARMORPH_TRY(check_heights(fault));
     if (problem.method.bounded()) HARMORPH_TRY(triangulation.build(topology, fault));
@@ -116,19 +116,20 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     });
     HARMORPH_TRY(fault.status);
     if (!tangent.empty()) {
-        HARMORPH_TRY(find_slip_lines(mesh.points, boundary, conditions, {slip_along, wall_work}, kinds, tangent, slip_curves,
-                                     fault));
+        HARMORPH_TRY(find_slip_lines(mesh.points, boundary, conditions, {slip_along, wall_work}, kinds, tangent,
+                                     slip_curves, fault));
     }
     if (problem.demands.periodic()) {
         HARMORPH_TRY(tie_periodic(topology, boundary, conditions, wall_work.chain, kinds, tangent, periodicity, fault));
         slip_curves.keep_sliding(kinds);
     }
     if (!tangent.empty()) {
-        slip_followers.find(topology, boundary, conditions, kinds, slip_curves, larger(problem.method.quarters, Index{0}),
-                            problem.executor);
+        slip_followers.find(topology, boundary, conditions, kinds, slip_curves,
+                            larger(problem.method.quarters, Index{0}), problem.executor);
     }
     if (!kinds_are_final) graph.build(stencil(), kinds);
-    if (graph.n == 0) return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");
+    if (graph.n == 0)
+        return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");
     HARMORPH_TRY(check_parts(fault));
     matrix = Matrix::count(graph, matrix_kind(), periodicity);
     conditions_fingerprint = slip_curves.fingerprint_with(fingerprint_of(kinds, wall));
@@ -155,12 +156,12 @@ Status Analysis::check_heights(Fault& fault) const noexcept {
     };
     Index const cell = problem.mesh.find_cell(0, problem.mesh.n_checked(), is_too_thin);
     if (cell == none) return Status::ok;
-    return fault.refuse(Status::bad_mesh, "cell # has a height of ~, too small for the digits of its coordinates", Counts::mesh,
-                        problem.mesh.number(cell), none, height);
+    return fault.refuse(Status::bad_mesh, "cell # has a height of ~, too small for the digits of its coordinates",
+                        Counts::mesh, problem.mesh.number(cell), none, height);
 }
 
-// The functions of a body are offsets from its centre; in single precision they must neither overflow nor vanish, also when
-// they are multiplied with entries of the matrix and reduced to residuals.
+// The functions of a body are offsets from its centre; in single precision they must neither overflow nor vanish, also
+// when they are multiplied with entries of the matrix and reduced to residuals.
 Status Analysis::check_offsets(Fault& fault) const noexcept {
     constexpr Real largest = 1e24, smallest = 1e-12;
     if (problem.method.precision != Precision::in_single || problem.demands.bodies == 0) return Status::ok;
@@ -173,8 +174,9 @@ Status Analysis::check_offsets(Fault& fault) const noexcept {
         farthest = wall.point[slot];
     }
     if (size >= smallest && size <= largest) return Status::ok;
-    return fault.refuse(Status::unsupported, "point # is ~ from the centre of its body: single precision takes 1e-12 .. 1e24",
-                        Counts::mesh, farthest, none, size);
+    return fault.refuse(Status::unsupported,
+                        "point # is ~ from the centre of its body: single precision takes 1e-12 .. 1e24", Counts::mesh,
+                        farthest, none, size);
 }
 
 // Every part of the mesh must hang on a known value.

@@ -55,8 +55,8 @@ Status check_right_hand_sides(Equations const& equations, DofValues const& dofs,
     for (Index i = 0; i < equations.matrix.n; ++i) {
         for (Real const number : Span<const Real>(dofs.at(i), static_cast<Size>(dofs.length()))) {
             if (absolute(number) <= most_in_single) continue;
-            return refuse_single("a right-hand side at point # is ~: single precision takes 1e36", equations.point_of(i),
-                                 number, fault);
+            return refuse_single("a right-hand side at point # is ~: single precision takes 1e36",
+                                 equations.point_of(i), number, fault);
         }
     }
     return Status::ok;
@@ -118,7 +118,8 @@ Status DirectEngine::solve(Equations const& equations, DofValues const& dofs, Pr
     if (rows.width <= factor.padded_width) return factor.solve(rows, progress, fault);
     for (Index first = 0; first < rows.width; first += factor.padded_width) {  // combined functions and modes
         Index const n = smaller(factor.padded_width, rows.width - first);
-        HARMORPH_TRY(factor.solve(Rows{rows.data + first, rows.row_of, rows.row_length, n, rows.plane}, progress, fault));
+        HARMORPH_TRY(
+            factor.solve(Rows{rows.data + first, rows.row_of, rows.row_length, n, rows.plane}, progress, fault));
     }
     return Status::ok;
 }

@@ -69,7 +69,8 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
     HARMORPH_TRY(check_fit(basis, fault));
     if (block_points * Offset{basis.row_length()} > static_cast<Offset>(rows_in_work.size())) {
         return fault.refuse(Status::unsupported, "a point has # numbers, this plan solves bases with @ at most",
-                            Counts::from_zero, basis.row_length(), static_cast<Index>(rows_in_work.size() / block_points));
+                            Counts::from_zero, basis.row_length(),
+                            static_cast<Index>(rows_in_work.size() / block_points));
     }
     basis.unseal();
     HARMORPH_TRY(progress.report(Phase::solve, 0, fault));

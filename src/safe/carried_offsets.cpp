@@ -35,8 +35,9 @@ void CarriedOffsets::init(Basis const& basis, MovementPath const& path, Points s
     if (reach == 0) fill(wall, Vec2{});
 }
 
-void CarriedOffsets::find(Basis const& by, MovementPath const& path, Span<const Real> reached, Points now, FaceDistance& walls,
-                          Span<const Index> representative, Span<const std::uint8_t> held, Executor const& executor) noexcept {
+void CarriedOffsets::find(Basis const& by, MovementPath const& path, Span<const Real> reached, Points now,
+                          FaceDistance& walls, Span<const Index> representative, Span<const std::uint8_t> held,
+                          Executor const& executor) noexcept {
     if (reach == 0 || found_with == by.value.data()) return;
     found_with = by.value.data();
     Index const n_control = by.header->counts.control;

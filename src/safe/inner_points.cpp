@@ -3,9 +3,9 @@
 
 namespace harmorph {
 
-// The rest of the way in one step, whatever it inverts; then the inner points find their places, and better ones where cells
-// are poor. Returns whether the mesh is good then. If not, and it is not the last thing to try, the way goes on from where it
-// was.
+// The rest of the way in one step, whatever it inverts; then the inner points find their places, and better ones where
+// cells are poor. Returns whether the mesh is good then. If not, and it is not the last thing to try, the way goes on
+// from where it was.
 bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     if (!work.options.tries(Strategy::untangled)) return false;
     look_ahead(work, by, 1);
@@ -13,7 +13,8 @@ bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     untangling.executor = work.executor();
     Fault why;
     Status const status = untangling.run(work.options.untangle, mesh.to_ahead(), work.report.untangle, why);
-    if (status != Status::ok || !is_valid(work, mesh.ahead())) return false;  // points that slide may have passed others
+    // Points that slide may have passed others
+    if (status != Status::ok || !is_valid(work, mesh.ahead())) return false;
     Outcome there = work.attempt;
     there.strategy = Strategy::untangled;
     there.fraction = 1;

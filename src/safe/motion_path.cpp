@@ -134,8 +134,8 @@ void MovementPath::join(Index group, Index other) noexcept {
     groups[low].anchored = anchored;
 }
 
-// A loop of the boundary that is wall all round is a body: its curves turn as one. Where a loop is wall in part, or of curves
-// in part and rigid in part, whatever is on it goes straight.
+// A loop of the boundary that is wall all round is a body: its curves turn as one. Where a loop is wall in part, or of
+// curves in part and rigid in part, whatever is on it goes straight.
 void MovementPath::find_anchors(Basis const& basis) noexcept {
     Index const n_shapes = basis.header->counts.shapes();
     for (Index loop = 0; loop + 1 < basis.loop_start.count(); ++loop) {

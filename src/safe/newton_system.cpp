@@ -3,8 +3,8 @@
 namespace harmorph {
 namespace {
 
-// Entries have the size of 1 / length^2: their products are formed of parts of the size of 1. Blocks are positive definite; of
-// one that rounding made singular, all directions count alike.
+// Entries have the size of 1 / length^2: their products are formed of parts of the size of 1. Blocks are positive
+// definite; of one that rounding made singular, all directions count alike.
 Block inverse_of(Block const& block) noexcept {
     Real const unit = 1 / power_of_two_at(block.a + block.d);
     Real const a = unit * block.a, b = unit * block.b, c = unit * block.c, d = unit * block.d;

@@ -8,7 +8,8 @@ Real QualityEnergy::energy(Triangle const& now) const noexcept {
     Real const d = map_.determinant(now), s = square(map_.z(now)) + square(map_.w(now));
     if (!(d > least_area * larger(1.0, s)) || !(d < 1 / least_area)) return infinity;
     Real const shape = s / d, size = 0.5 * (d + 1 / d), base = scale_ * shape * shape * size;
-    Real const small = smaller(1.0, d), most = largest * smaller(1.0, map_.twice_area()) * small * small / larger(1.0, s);
+    Real const small = smaller(1.0, d),
+               most = largest * smaller(1.0, map_.twice_area()) * small * small / larger(1.0, s);
     if (!(base <= most)) return infinity;
     Real product = base;
     for (Index k = 1; k < power_; ++k) {

@@ -52,7 +52,8 @@ Status SafeDisplacement::run(Plan& plan, Basis const& basis, const Real* movemen
     }
     Index const n_functions = basis.header->counts.functions(), n_modes = ways.count();
     fill(move, 0.0);
-    if (movement != nullptr) copy(move.first(2 * n_functions), Span<const Real>(movement, 2 * static_cast<Size>(n_functions)));
+    if (movement != nullptr)
+        copy(move.first(2 * n_functions), Span<const Real>(movement, 2 * static_cast<Size>(n_functions)));
     find_bodies(plan);
     make_modes(plan, n_functions);
 

@@ -39,7 +39,8 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     copy(best_y, Span<const Real>(mesh.y));
     fill(reached, 0.0);
     report.limit = look_ahead(work, basis, 1);
-    Target const target{work.cells(), basis.boundary_point, basis.loop_start, mesh.ends, plan.mesh.points, mesh.ahead()};
+    Target const target{work.cells(), basis.boundary_point, basis.loop_start,
+                        mesh.ends,    plan.mesh.points,     mesh.ahead()};
     for (Index k = 0; k < mesh.ends.count(); ++k) {
         if (mesh.ends[k] == EndOf::on_line) mesh.to_ahead().set(k, plan.mesh.points[k]);
     }
@@ -65,7 +66,8 @@ Status SafeMorph::climb(Work& work) noexcept {
     for (Index i = 0; i < options.others.count() && options.tries(Strategy::other); ++i) {
         if (work.is_good(work.best())) return Status::ok;
         Basis const& other = options.others[i];
-        if (work.derivative == nullptr || other.kind() == work.basis.kind()) single_step(work, other, Strategy::other, i);
+        if (work.derivative == nullptr || other.kind() == work.basis.kind())
+            single_step(work, other, Strategy::other, i);
     }
     if (work.is_good(work.best())) return Status::ok;
     if (options.solves_others && options.tries(Strategy::other)) HARMORPH_TRY(other_operators(work));
@@ -120,8 +122,8 @@ void SafeMorph::longest_linear_step(Work& work) noexcept {
     }
 }
 
-// Of the coordinates as they will be stored, after all roundings: every corner is positive exactly and as quality measures
-// it, and the boundary does not cross itself.
+// Of the coordinates as they will be stored, after all roundings: every corner is positive exactly and as quality
+// measures it, and the boundary does not cross itself.
 bool SafeMorph::is_valid(Work const& work, Points points) const noexcept {
     for (Index k = 0; k < best_x.count(); ++k) {
         if (!is_coordinate(points[k])) return false;
@@ -172,7 +174,8 @@ void SafeMorph::measure(Work const& work, Points points, Outcome& outcome) const
     if (!is_finite(work.options.most_height_change)) return;
     FirstLayerChange const change = compare(first_layer, work.mesh().points, points);
     if (change.points == 0) return;
-    outcome.height_change = larger(larger(change.max_ratio, change.min_ratio > 0 ? 1 / change.min_ratio : infinity), 1.0);
+    outcome.height_change =
+        larger(larger(change.max_ratio, change.min_ratio > 0 ? 1 / change.min_ratio : infinity), 1.0);
 }
 
 void SafeMorph::keep_if_better(Work& work) noexcept {

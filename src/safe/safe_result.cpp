@@ -1,4 +1,5 @@
-// The end of a safe morph: heights near walls brought back, the worst cells, the derivative, and what the caller is told.
+// The end of a safe morph: heights near walls brought back, the worst cells, the derivative,
+// and what the caller is told.
 #include "harmorph/base/range.hpp"
 #include "harmorph/morph/weighted_sum.hpp"
 #include "safe_work.hpp"
@@ -40,7 +41,8 @@ void SafeMorph::restore_heights(Work& work) noexcept {
     for (Index halving = 0; halving <= most_halvings; ++halving, amount *= 0.5) {
         copy(mesh.ahead_x, Span<const Real>(best_x));
         copy(mesh.ahead_y, Span<const Real>(best_y));
-        wall_heights.restore(work.plan.equations.wall, before, mesh.to_ahead(), mesh.representative, amount, work.executor());
+        wall_heights.restore(work.plan.equations.wall, before, mesh.to_ahead(), mesh.representative, amount,
+                             work.executor());
         if (!is_valid(work, mesh.ahead())) continue;
         Outcome outcome = work.best();
         measure(work, mesh.ahead(), outcome);
@@ -97,23 +99,24 @@ Status SafeMorph::finish(Work& work) noexcept {
         Index const cell = work.mesh().number(report.limit.cell);
         Vec2 const at = cell != none ? centre_of(work.mesh(), cell, result()) : Vec2{};
         return work.fault.refuse_at(at.x, at.y, Status::short_of_target,
-                                    cell != none ? "the mesh could follow ~ of the movement; then cell # at $ stands in the way"
-                                                 : "the mesh could follow ~ of the movement",
+                                    cell != none
+                                        ? "the mesh could follow ~ of the movement; then cell # at $ stands in the way"
+                                        : "the mesh could follow ~ of the movement",
                                     Counts::mesh, cell, none, best.fraction);
     }
     if (work.is_good(best)) return work.fault.status;
     if (best.min_quality < work.goal()) {
         return work.fault.refuse_at(worst.centre.x, worst.centre.y, Status::poor,
-                                    "the smallest quality is ~, less than was asked for: cell # at $", Counts::mesh, worst.cell,
-                                    none, worst.quality);
+                                    "the smallest quality is ~, less than was asked for: cell # at $", Counts::mesh,
+                                    worst.cell, none, worst.quality);
     }
     bool const shrunk = report.first_layer.min_ratio * report.first_layer.max_ratio < 1;
     Index const point = shrunk ? report.first_layer.min_ratio_point : report.first_layer.max_ratio_point;
     Vec2 const at = result()[point];
-    return work.fault.refuse_at(at.x, at.y, Status::poor,
-                                "the height of the first layer at point # $ is ~ of what it was, beyond what was asked for",
-                                Counts::mesh, point, none,
-                                shrunk ? report.first_layer.min_ratio : report.first_layer.max_ratio);
+    return work.fault.refuse_at(
+        at.x, at.y, Status::poor,
+        "the height of the first layer at point # $ is ~ of what it was, beyond what was asked for", Counts::mesh,
+        point, none, shrunk ? report.first_layer.min_ratio : report.first_layer.max_ratio);
 }
 
 }  // namespace harmorph

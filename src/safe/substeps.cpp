@@ -1,5 +1,5 @@
-// A safe morph in several steps: the functions are solved again on the mesh as it moves, by another operator where the one at
-// hand is stuck.
+// A safe morph in several steps: the functions are solved again on the mesh as it moves, by another operator where the
+// one at hand is stuck.
 #include "safe_work.hpp"
 
 namespace harmorph {
@@ -20,8 +20,9 @@ struct SafeMorph::OperatorChoice {
     Index quarters;
 };
 
-// The basis's own operator, and those that may help where it is stuck. Conformal functions do not follow what shears cells,
-// as bodies that pass each other do; and their exponent decides what is kept: 1 bends far, 2 keeps what is near the wall.
+// The basis's own operator, and those that may help where it is stuck. Conformal functions do not follow what shears
+// cells, as bodies that pass each other do; and their exponent decides what is kept: 1 bends far,
+// 2 keeps what is near the wall.
 struct SafeMorph::Operators {
     OperatorChoice list[4];
     Index count = 0, current = 0;
@@ -158,8 +159,8 @@ Status SafeMorph::solve_by(Work& work, Basis const& here, OperatorChoice const& 
     return solve_at_present(work, here);
 }
 
-// The longest step from here, in parts of the whole way, that takes no more than its share of what is admissible and leaves
-// enough quality for the rest. For quality no step becomes shorter than the pace that leads to the target.
+// The longest step from here, in parts of the whole way, that takes no more than its share of what is admissible and
+// leaves enough quality for the rest. For quality no step becomes shorter than the pace that leads to the target.
 Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
     Index const planned = smaller(usual_resolves, work.options.most_resolves);
     Index const most = work.report.resolves < planned ? planned : work.options.most_resolves;
@@ -173,7 +174,8 @@ Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
             if (length <= 1.001 * pace || work.goal() == 0) return length;
             Outcome there;
             measure(work, mesh.ahead(), there);
-            if (there.min_quality >= work.report.start_quality * complex_power({work.options.min_quality, 0}, end).x) return length;
+            if (there.min_quality >= work.report.start_quality * complex_power({work.options.min_quality, 0}, end).x)
+                return length;
             length = larger(0.7 * length, pace);
             continue;
         }
@@ -186,7 +188,8 @@ Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
 Basis SafeMorph::unsolved_copy(Basis const& basis) const noexcept {
     auto const begin = reinterpret_cast<const unsigned char*>(basis.header);
     auto const end = reinterpret_cast<const unsigned char*>(basis.value.data());
-    Size const values = basis.header->counts.derived() ? basis.value.size() * sizeof(Real) : 0;  // with those on the wall
+    // With those on the wall
+    Size const values = basis.header->counts.derived() ? basis.value.size() * sizeof(Real) : 0;
     std::memcpy(block.data(), begin, static_cast<Size>(end - begin) + values);
     Basis const copy = Basis::view(static_cast<void*>(block.data()));
     copy.unseal();

@@ -75,8 +75,8 @@ Status check_loops(Target const& target, Fault& fault) noexcept {
         bool const moves = loop.moves(target.start, target.at_target);
         Vec2 const place = target.at_target[loop.point[0]];
         if (moves && loop.sense(target.start) * loop.sense(target.at_target) < 0) {
-            return fault.refuse_at(place.x, place.y, Status::crossing, "the boundary through point # at $ is inside out",
-                                   Counts::mesh, loop.point[0]);
+            return fault.refuse_at(place.x, place.y, Status::crossing,
+                                   "the boundary through point # at $ is inside out", Counts::mesh, loop.point[0]);
         }
         for (Index other_number = 0; other_number < n_loops; ++other_number) {
             Loop const other = loop_of(target, other_number);

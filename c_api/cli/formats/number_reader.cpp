@@ -93,7 +93,8 @@ double NumberReader::real(const char* what, int bytes) {
 }
 
 void NumberReader::expected(std::string_view what) const {
-    file_.fail(number_, "expected " + std::string(what) + ", found " + (word_.empty() ? found_end() : in_quotes(word_)));
+    file_.fail(number_,
+               "expected " + std::string(what) + ", found " + (word_.empty() ? found_end() : in_quotes(word_)));
 }
 
 } // namespace cli

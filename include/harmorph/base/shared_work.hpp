@@ -1,5 +1,5 @@
-// How the tasks of one Executor::for_each() share out work among themselves, where nobody knows beforehand how long each
-// piece takes. What is done must not depend on who does it.
+// How the tasks of one Executor::for_each() share out work among themselves, where nobody knows beforehand how long
+// each piece takes. What is done must not depend on who does it.
 #pragma once
 
 #include "harmorph/base/scalar.hpp"

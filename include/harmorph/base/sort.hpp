@@ -1,5 +1,5 @@
-// Counting, summing, filling: how every compressed row structure is built here (counting sort); and a sort by insertion or
-// by a heap for the few items without integer keys.
+// Counting, summing, filling: how every compressed row structure is built here (counting sort); and a sort by insertion
+// or by a heap for the few items without integer keys.
 #pragma once
 
 #include "harmorph/base/span.hpp"

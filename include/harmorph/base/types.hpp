@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 
-// Callers may trap floating-point exceptions. g++ heeds that; clang must be told, or it divides by c in c > 0 ? b / c : 0
-// before it looks at c. For some processors it cannot be told: there it ignores this.
+// Callers may trap floating-point exceptions. g++ heeds that; clang must be told, or it divides by c in c > 0 ? b / c :
+// 0 before it looks at c. For some processors it cannot be told: there it ignores this.
 #ifdef __clang__
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wignored-pragmas"
@@ -56,7 +56,8 @@ constexpr bool failed(Status status) noexcept { return static_cast<std::int32_t>
 // `mesh_and_marker`, a point as `item` and a marker as `other`, whose number is the caller's own.
 enum class Counts : std::int32_t { from_zero, mesh, curves, mesh_and_marker };
 
-// Why a call was refused. In the sentence # stands for item, @ for other, ~ for value, $ for the place and % for argument.
+// Why a call was refused. In the sentence # stands for item, @ for other, ~ for value,
+// $ for the place and % for argument.
 struct Fault {
     Status status = Status::ok;
     Counts counts = Counts::from_zero;
@@ -88,10 +89,10 @@ struct Fault {
     }
 };
 
-#define HARMORPH_TRY(call)                                                                                              \
-    do {                                                                                                                \
-        ::harmorph::Status const status_of_call = (call);                                                               \
-        if (::harmorph::failed(status_of_call)) return status_of_call;                                                  \
+#define HARMORPH_TRY(call) \
+    do { \
+        ::harmorph::Status const status_of_call = (call); \
+        if (::harmorph::failed(status_of_call)) return status_of_call; \
     } while (false)
 
 }  // namespace harmorph

@@ -26,8 +26,8 @@ constexpr Vec2 quotient(Vec2 a, Vec2 b) noexcept { return (1 / square(b)) * prod
 constexpr Real largest_of(Vec2 a) noexcept { return larger(absolute(a.x), absolute(a.y)); }
 inline Real length(Vec2 a) noexcept { return square_root(square(a)); }
 
-// Coordinates that the arithmetic carries: third powers of them and of the smallest height of a cell are neither infinite
-// nor denormal, and nothing here multiplies more than three lengths before it divides.
+// Coordinates that the arithmetic carries: third powers of them and of the smallest height of a cell are neither
+// infinite nor denormal, and nothing here multiplies more than three lengths before it divides.
 inline constexpr Real largest_coordinate = 1e100, smallest_height = 1e-100;
 // False for NaN.
 constexpr bool is_in_range(Vec2 p) noexcept {

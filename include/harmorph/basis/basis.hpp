@@ -14,7 +14,8 @@ struct BasisCounts {
     Index points = 0, cells = 0, control = 0, bodies = 0, curves = 0, indices = 0, knots = 0, weights = 0, wall = 0,
           joined = 0, boundary = 0, loops = 0, conditions = 0;
     Index pieces = 0, guards = 0;  // of polygons; 0: cells are triangles and quads
-    Index combined = 0, combination = 0;  // functions of design variables, and numbers of an entry of their matrix; 0: none
+    // Functions of design variables, and numbers of an entry of their matrix; 0: none
+    Index combined = 0, combination = 0;
     Index modes = 0;  // functions with values from a table, behind all others
     Index first_stored = 0, stored = 0;  // functions whose values are here: all of them, or those of one process
     ValueKind kind = ValueKind::real;
@@ -36,8 +37,8 @@ struct BasisCounts {
     }
 };
 
-// The functions that are not 0 at a point of the wall, and their values as complex numbers; of control points, also where
-// functions are combined.
+// The functions that are not 0 at a point of the wall, and their values as complex numbers; of control points, also
+// where functions are combined.
 struct BoundaryFunctions {
     Index order = 0;
     Index function[max_order] = {};
@@ -47,7 +48,8 @@ struct BoundaryFunctions {
 // Fingerprints of cells and markers of a mesh; coordinates do not enter.
 struct MeshFingerprint {
     std::uint64_t cells = 0;    // the points of each cell, in order
-    std::uint64_t markers = 0;  // which points are on which marker; in what order and layout faces are given does not matter
+    std::uint64_t markers = 0;  // which points are on which marker; in what order and layout faces are given does not
+                                // matter
 };
 
 constexpr bool operator==(MeshFingerprint const& a, MeshFingerprint const& b) noexcept {
@@ -66,8 +68,8 @@ struct BasisHeader {
     std::uint64_t checksum;       // of all that follows this field
     MeshFingerprint topology;
     std::uint64_t coordinates;
-    std::uint64_t conditions;     // fingerprint of what is asked on the boundary: kinds of points, places on curves, curves
-                                  // that are given for sliding
+    std::uint64_t conditions;     // fingerprint of what is asked on the boundary: kinds of points, places on curves,
+                                  // curves that are given for sliding
     std::int32_t solved;
     Index index_base;             // of the mesh: what points and cells count from in reports
     BasisCounts counts;
@@ -93,7 +95,8 @@ struct Basis {
     Span<Index> wall_point, wall_curve;  // [wall]
     Span<Real> wall_u;
     Span<Vec2> wall_offset;
-    Span<Index> joined_point, joined_slot;  // [joined] points joined to that of a slot of the wall: the other side of a cut
+    // [joined] points joined to that of a slot of the wall: the other side of a cut
+    Span<Index> joined_point, joined_slot;
     Span<Index> boundary_point;    // [boundary] see Boundary
     Span<Index> loop_start;        // [loops + 1]
     Span<std::uint8_t> reversed;   // [cells], or [pieces + guards]
@@ -127,7 +130,9 @@ struct Basis {
     Curve curve(Index number) const noexcept;
     bool is_on_curve(Index slot) const noexcept { return wall_curve[slot] < header->counts.curves; }
     // Its displacement is given from call to call: only modes move it.
-    bool is_given(Index slot) const noexcept { return wall_curve[slot] == header->counts.curves + header->counts.bodies; }
+    bool is_given(Index slot) const noexcept {
+        return wall_curve[slot] == header->counts.curves + header->counts.bodies;
+    }
     // Complex; only where functions are combined.
     Vec2 combination_at(Index control_point, Index variable) const noexcept;
     // Of movements of functions, [2 * functions] x,y pairs: of a control point, and of a point of the wall; in double

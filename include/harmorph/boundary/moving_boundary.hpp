@@ -1,5 +1,5 @@
-// The points that are moved: on curves, with parameters given by the caller or found by projection along the boundary; on
-// rigid bodies; and those whose displacements are given from call to call.
+// The points that are moved: on curves, with parameters given by the caller or found by projection along the boundary;
+// on rigid bodies; and those whose displacements are given from call to call.
 #pragma once
 
 #include "harmorph/boundary/conditions.hpp"
@@ -17,8 +17,8 @@ struct Wall {
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
 };
 
-// How far a point is off its curve, e, where that is to turn with the curve. 0 at corners, where it is not known what turns,
-// and where e N_i' / C' would outgrow the functions N_i themselves, as it does where C' vanishes.
+// How far a point is off its curve, e, where that is to turn with the curve. 0 at corners, where it is not known what
+// turns, and where e N_i' / C' would outgrow the functions N_i themselves, as it does where C' vanishes.
 Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept;
 
 // Working arrays of parametrise().
@@ -41,9 +41,9 @@ struct GivenParameters {
     Span<const Real> u;
 };
 
-// Finds curve and parameter of every point on a marker that is on curves, the points of rigid bodies, and those of given
-// displacements. Curves meet, begin and end at break points of the boundary: the points nearest to the ends of curves
-// that are not periodic. Each segment between breaks belongs to the curve it is closest to.
+// Finds curve and parameter of every point on a marker that is on curves, the points of rigid bodies, and those of
+// given displacements. Curves meet, begin and end at break points of the boundary: the points nearest to the ends of
+// curves that are not periodic. Each segment between breaks belongs to the curve it is closest to.
 Status parametrise(Topology const& topology, Boundary const& boundary, Span<const Condition> conditions,
                    Span<const Curve> curves, GivenParameters const& given, WallWork const& work, Wall& wall,
                    Fault& fault) noexcept;

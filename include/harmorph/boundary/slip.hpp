@@ -9,7 +9,8 @@ namespace harmorph {
 // parallel are one straight line; the tangent of all points there is from the first point of the line to the last.
 // Faces that bend without a corner, or that have curves given, are one curve, which is added to `curves`. A point where
 // two lines meet at a corner cannot slide and becomes fixed. Refused: as by SlipAlong::add().
-Status find_slip_lines(Points points, Boundary const& boundary, Span<const Condition> conditions, SlipAlong const& along,
-                       Span<PointKind> kinds, Span<Vec2> tangent, SlipCurves& curves, Fault& fault) noexcept;
+Status find_slip_lines(Points points, Boundary const& boundary, Span<const Condition> conditions,
+                       SlipAlong const& along, Span<PointKind> kinds, Span<Vec2> tangent, SlipCurves& curves,
+                       Fault& fault) noexcept;
 
 }  // namespace harmorph

@@ -6,7 +6,8 @@
 // q - p. So straight parts are straight, and an arc between points of a circle is off the circle by 4.6e-6 of the
 // radius at 45 degrees, by a part in 64 of that at half the angle. Behind an open end the curve goes on straight.
 //
-// A curve that is given (slip_along.hpp) divides each of its segments into `parts`, at places and with tangents of its own.
+// A curve that is given (slip_along.hpp) divides each of its segments into `parts`,
+// at places and with tangents of its own.
 #pragma once
 
 #include "harmorph/boundary/conditions.hpp"
@@ -42,8 +43,8 @@ struct SlipCurves {
     // A curve through positions at(0), ..., at(n) and mesh points point(k); closed: the last one is the first one.
     template <class At, class PointOf>
     void add(Index n, bool closed, At const& position, PointOf const& point_of) noexcept;
-    // The one that was added last is given: its tangents and what is between its points, along(j, tangent) -> place for j =
-    // 0 .. n * parts. False if it does not run smoothly from each of these places to the next.
+    // The one that was added last is given: its tangents and what is between its points, along(j, tangent) -> place for
+    // j = 0 .. n * parts. False if it does not run smoothly from each of these places to the next.
     template <class Along>
     bool give(Along const& along) noexcept;
     // Points of other kinds do not slide.

@@ -4,8 +4,8 @@
 //     (o / (s + o))^(q + 1) ((1 - t) c_a + t c_b),
 // c the displacements by which the sliding points a and b at both ends of the nearest face of a curve are put back, t
 // the place of the foot on this face, s the distance from there, o the distance from the other boundaries: all on the
-// mesh at the start. The power is what minimises the integral of o^-q (dw/ds)^2 between the two boundaries, as the functions of
-// an operator with the exponent q do in two dimensions.
+// mesh at the start. The power is what minimises the integral of o^-q (dw/ds)^2 between the two boundaries, as the
+// functions of an operator with the exponent q do in two dimensions.
 #pragma once
 
 #include "harmorph/boundary/distance.hpp"

@@ -58,8 +58,8 @@ struct CellCorners {
 // Of areas and squares of lengths between these, products of six are numbers, with all their digits.
 inline constexpr Real smallest_of_products = 0x1p-150, largest_of_products = 0x1p150;
 
-// The least height that a cell at coordinates of this size may have. A movement rounds each coordinate by up to 2^-53 of
-// its size, which changes a height by no more than 2^-50 of that: 16 such changes do not turn a corner over.
+// The least height that a cell at coordinates of this size may have. A movement rounds each coordinate by up to 2^-53
+// of its size, which changes a height by no more than 2^-50 of that: 16 such changes do not turn a corner over.
 inline Real resolved_height(Real size) noexcept { return larger(0x1p-46 * size, smallest_height); }
 inline Real resolved_height(CellShape const& shape) noexcept {
     Real size = 0;
@@ -74,7 +74,8 @@ inline bool is_inverted(CellShape const& shape) noexcept { return !(CellCorners(
 inline bool is_inverted_exactly(CellShape const& shape) noexcept {
     Index const n = shape.n;
     for (Index k = 0; k < (n == 3 ? 1 : 4); ++k) {
-        if (orientation_sign(shape.at[k == 0 ? n - 1 : k - 1], shape.at[k], shape.at[k + 1 == n ? 0 : k + 1]) <= 0) return true;
+        if (orientation_sign(shape.at[k == 0 ? n - 1 : k - 1], shape.at[k], shape.at[k + 1 == n ? 0 : k + 1]) <= 0)
+            return true;
     }
     return false;
 }

@@ -1,4 +1,5 @@
-// The triangles of cells and guards as they are judged: a guard's first side is turned by the angle that its corner may bend.
+// The triangles of cells and guards as they are judged:
+// a guard's first side is turned by the angle that its corner may bend.
 #pragma once
 
 #include "harmorph/mesh/cell_shape.hpp"
@@ -6,9 +7,9 @@
 
 namespace harmorph {
 
-// Exterior angles t of a corner may be -d < t < pi - d with d = 0, 45 or 135 degrees for a corner that was convex, flat, or
-// reflex: sin(t + d) > 0, so the triangle whose first side is turned back by d has a positive area. The turned point is a
-// linear function of the points, so areas remain quadratic along a displacement.
+// Exterior angles t of a corner may be -d < t < pi - d with d = 0, 45 or 135 degrees for a corner that was convex,
+// flat, or reflex: sin(t + d) > 0, so the triangle whose first side is turned back by d has a positive area. The turned
+// point is a linear function of the points, so areas remain quadratic along a displacement.
 constexpr Vec2 turn_of(CornerKind kind) noexcept {
     constexpr Real half = 0.7071067811865476;
     return kind == CornerKind::convex ? Vec2{1, 0} : kind == CornerKind::flat ? Vec2{half, half} : Vec2{-half, half};
@@ -22,8 +23,8 @@ constexpr Vec2 turned_start(Vec2 start, Vec2 corner, Vec2 turn) noexcept {
     return turn.x == 1 ? start : corner - product(conjugate(turn), corner - start);
 }
 
-// A guard seen from its corner: where points are far away, or move far together, the turned side keeps the digits of the
-// difference of its two points.
+// A guard seen from its corner: where points are far away, or move far together, the turned side keeps the digits of
+// the difference of its two points.
 constexpr void turn_guard(CellShape& shape, Vec2 turn) noexcept {
     Vec2 const corner = shape.at[1];
     for (Vec2& at : shape.at) at = at - corner;

@@ -8,7 +8,9 @@
 
 namespace harmorph {
 
-enum class CellLayout : std::int32_t { rows = 0, triangles = 1, quads = 2, structured = 3, mixed = 4, blocks = 5, polygons = 6 };
+enum class CellLayout : std::int32_t {
+    rows = 0, triangles = 1, quads = 2, structured = 3, mixed = 4, blocks = 5, polygons = 6
+};
 
 // What the corner of a polygon was before anything moved.
 enum class CornerKind : std::uint8_t { convex = 0, flat = 1, reflex = 2 };
@@ -29,8 +31,8 @@ struct Cell {
     }
 };
 
-// The caller's number counted from 0. Whatever the caller gives, this does not overflow: the smallest number of all becomes
-// the largest, which does not exist either.
+// The caller's number counted from 0. Whatever the caller gives, this does not overflow: the smallest number of all
+// becomes the largest, which does not exist either.
 constexpr Index from_zero(Index number, Index index_base) noexcept {
     return static_cast<Index>(static_cast<std::uint32_t>(number) - static_cast<std::uint32_t>(index_base));
 }
@@ -80,7 +82,8 @@ struct Mesh {
     const Index* list_start = nullptr;
     const Index* list_points = nullptr;
     const Index* list_markers = nullptr;
-    Index n_given = 0;                   // pieces of polygons: how many polygons, and where the pieces and the guards of
+    Index n_given = 0;                   // pieces of polygons: how many polygons, and where the pieces and the guards
+                                         // of
     const Index* piece_start = nullptr;  // each begin
     const Index* guard_start = nullptr;
     Index n_guards = 0;                  // triangles behind the cells whose areas must be positive, too
@@ -92,11 +95,11 @@ struct Mesh {
     static constexpr Index max_points = Index{1} << 30;
     static constexpr Index max_cells = Index{1} << 29;  // four corners of each are counted in an Index
 
-    // Whatever the layout but polygons: a quad whose last point is repeated is a triangle. Guards are numbered behind the
-    // cells.
+    // Whatever the layout but polygons: a quad whose last point is repeated is a triangle. Guards are numbered behind
+    // the cells.
     Cell cell(Index i) const noexcept;
-    // The first of all cells for which is(i, cell) holds, or none. Faster than asking for cell after cell: in each of its two
-    // calls of `is` the compiler knows how many points there are, and keeps them in registers.
+    // The first of all cells for which is(i, cell) holds, or none. Faster than asking for cell after cell: in each of
+    // its two calls of `is` the compiler knows how many points there are, and keeps them in registers.
     template <class Is>
     Index find_cell(Is is) const noexcept { return find_cell(0, n_cells, is); }
     template <class Is>
@@ -150,7 +153,8 @@ Status check_mesh(Mesh const& mesh, Fault& fault, Executor const& executor = {})
 inline Cell Mesh::cell(Index i) const noexcept {
     if (layout == CellLayout::structured) return GridBlock{ni, nj, 0, 0}.cell(i);
     if (layout == CellLayout::blocks) {
-        GridBlock const its = find_block([i](GridBlock const& block) { return i - block.first_cell < block.n_cells(); });
+        GridBlock const its =
+            find_block([i](GridBlock const& block) { return i - block.first_cell < block.n_cells(); });
         return its.cell(i - its.first_cell);
     }
     const Index* first = cell_points;

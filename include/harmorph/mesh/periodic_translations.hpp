@@ -7,7 +7,8 @@ namespace harmorph {
 
 // Each translation is stored as a point and the image of this point, so that it follows the coordinates of the mesh.
 struct Translations {
-    static constexpr Index most = 3;  // a lattice of the plane has two generators, a third may be their sum or difference
+    // A lattice of the plane has two generators, a third may be their sum or difference
+    static constexpr Index most = 3;
     static constexpr Index most_shifts = 2 * most + 2 * most * (most - 1);
 
     Index n = 0;

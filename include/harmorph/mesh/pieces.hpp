@@ -7,11 +7,11 @@
 namespace harmorph {
 
 // A cell of three corners, or of four convex ones, is one piece. Any other cell is divided into triangles between its
-// corners, so its sides remain edges of the mesh and its diagonals become edges. That the pieces have positive areas does
-// not bound the angles of the corners. So each corner has a guard, the triangle with its two neighbours: no equation
-// contains guards, but their areas have to stay positive, too, for flat and reflex corners after a turn, see
-// guard_shape.hpp. Points as in CellLayout::quads, four for each, a triangle repeats its last point; the corner of a guard
-// is its second point. Guards stand behind all pieces.
+// corners, so its sides remain edges of the mesh and its diagonals become edges. That the pieces have positive areas
+// does not bound the angles of the corners. So each corner has a guard, the triangle with its two neighbours: no
+// equation contains guards, but their areas have to stay positive, too, for flat and reflex corners after a turn, see
+// guard_shape.hpp. Points as in CellLayout::quads, four for each, a triangle repeats its last point; the corner of a
+// guard is its second point. Guards stand behind all pieces.
 struct Pieces {
     // Exterior angles whose tangent is not above this, nor below its negative, are flat.
     static constexpr Real flat = 0.125;

@@ -47,8 +47,8 @@ inline void AdmissibleStep::add(Index number, Index n, CellCorners const& now, C
     }
 }
 
-// Smallest s >= 0 at which a corner of points + s displacement has no positive area: the smallest non-negative root of the
-// corners' quadratics.
+// Smallest s >= 0 at which a corner of points + s displacement has no positive area: the smallest non-negative root of
+// the corners' quadratics.
 AdmissibleStep admissible_step(OrientedMesh const& cells, Points points, Points displacement,
                                Executor const& executor) noexcept;
 

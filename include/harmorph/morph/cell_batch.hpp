@@ -83,8 +83,8 @@ struct ListQuality {
 };
 
 // Looks at a list of cells. Where they are displaced: returns the bits of the cells that have to be looked at one by
-// one, as some corner is not seen to keep a positive area up to the step. `quality`, if wanted, is that of the displaced
-// cells, compared with the cells before. All this is what CellCorners, CellMeasure, Quality::add and
+// one, as some corner is not seen to keep a positive area up to the step. `quality`, if wanted, is that of the
+// displaced cells, compared with the cells before. All this is what CellCorners, CellMeasure, Quality::add and
 // AdmissibleStep::add compute for one cell, operation by operation; sums have the same order in all kernels. So the
 // bits are the same for all instruction sets.
 using LookAtCells = std::uint64_t(CellList const& cells, CellPlaces const& places, CellBounds const& bounds,
@@ -102,7 +102,8 @@ void for_each_batch(OrientedMesh const& cells, Index begin, Index end,
 template <class Visit>
 void for_each_batch(OrientedMesh const& cells, Index begin, Index end, Visit visit) noexcept {
     for_each_batch(
-        cells, begin, end, [](void* user, CellBatches const& batches) { (*static_cast<Visit*>(user))(batches); }, &visit);
+        cells, begin, end, [](void* user, CellBatches const& batches) { (*static_cast<Visit*>(user))(batches); },
+        &visit);
 }
 
 }  // namespace harmorph

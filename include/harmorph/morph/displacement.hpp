@@ -1,8 +1,9 @@
 // Displacement fields that are given at points of the wall, carried to all mesh points by the factor of a plan; and the
 // transpose, from derivatives by the mesh points to derivatives by the given points.
 //
-// With w the values on the wall, C the couplings of unknowns to the wall and A the matrix of the unknowns, the field inside
-// is u = -A^-1 C w. A is Hermitian, so the transpose is w' = j_wall - C^H A^-1 j_inside: one solution with the same factor.
+// With w the values on the wall, C the couplings of unknowns to the wall and A the matrix of the unknowns, the field
+// inside is u = -A^-1 C w. A is Hermitian, so the transpose is w' = j_wall - C^H A^-1 j_inside:
+// one solution with the same factor.
 #pragma once
 
 #include "harmorph/basis/point_subset.hpp"
@@ -13,8 +14,8 @@ namespace harmorph {
 struct Displacement {
     Index n_fields = 0;
     Span<Index> place;  // [given points] where in the caller's list a point stands first
-    // Blocks of GivenWall::fields_at_once fields: rows of all points, the x of all fields of the block, then the y. First
-    // what is given, then the result.
+    // Blocks of GivenWall::fields_at_once fields: rows of all points, the x of all fields of the block, then the y.
+    // First what is given, then the result.
     Span<Real> value;
     Span<Real> source;  // [rows of a block] right-hand sides of the transpose
 
@@ -25,18 +26,21 @@ struct Displacement {
 
     // All fields are 0.
     void clear(Plan const& plan) const noexcept;
-    // One field at the points of the list. Refused: displacements that are not finite or beyond the range of coordinates,
-    // and different ones for the same point.
+    // One field at the points of the list. Refused: displacements that are not finite or beyond the range of
+    // coordinates, and different ones for the same point.
     Status set(Plan const& plan, PointList const& list, Index field, Points wall, Fault& fault) const noexcept;
     // measured: the report has residuals. Where the engine's factor is trusted, they take longer than they are worth.
     Status solve(Plan& plan, bool measured, SolveReport& report, Fault& fault) const noexcept;
     // Refused: a boundary that crosses itself, or coordinates beyond the range, at from + displacement.
     Status check_target(Plan const& plan, Index field, Points from, Fault& fault) const noexcept;
-    // from + displacement, of fields first .. first + number of arrays - 1 of one block; from not given: the displacement.
+    // from + displacement, of fields first .. first + number of arrays - 1 of one block; from not given:
+    // the displacement.
     void write(Plan const& plan, Index first, Points from, Span<const MutablePoints> to) const noexcept;
 
     // Of one field, solved.
-    Vec2 at(Plan const& plan, Index field, Index point) const noexcept { return block_of(plan, field).field(field)[point]; }
+    Vec2 at(Plan const& plan, Index field, Index point) const noexcept {
+        return block_of(plan, field).field(field)[point];
+    }
 
     // Derivatives by all mesh points, of fields of one block. Refused where they are not finite.
     Status set_derivatives(Plan const& plan, Index first, Span<const Points> derivatives, Fault& fault) const noexcept;

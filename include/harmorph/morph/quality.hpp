@@ -28,8 +28,8 @@ inline Fraction skew_fraction(Index n, CellCorners const& corners) noexcept {
         Real const above = 2 * 1.7320508075688772 * area[0];
         return in_range ? Fraction{above, squares} : Fraction{above / squares, 1};
     }
-    // 4 / (l0 l1 / A1 + l1 l2 / A2 + l2 l3 / A3 + l3 l0 / A0): over the common denominator, with three roots for the four
-    // products of lengths.
+    // 4 / (l0 l1 / A1 + l1 l2 / A2 + l2 l3 / A3 + l3 l0 / A0): over the common denominator, with three roots for the
+    // four products of lengths.
     if (in_range) {
         Real const opposite = square_of[1] * square_of[2], first = area[1] * area[2], last = area[3] * area[0];
         Real const a = square_root(square_of[0] * square_of[1]), b = square_root(opposite);
@@ -110,7 +110,8 @@ inline void Quality::note(Index cell, Real twice_smallest, Real value) noexcept 
     }
 }
 
-// Of m convex corners with interior angles t: m / (sin(2 pi / m) sum 1 / sin t), as the header has it; for m = 4, f_skew.
+// Of m convex corners with interior angles t: m / (sin(2 pi / m) sum 1 / sin t), as the header has it; for m = 4,
+// f_skew.
 template <class ShapeOf>
 CellMeasure::CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of) noexcept
     : twice_smallest(infinity), skew{0, 1}, area(0) {

@@ -77,7 +77,8 @@ struct Matrix {
                                  // dofs only
     Span<Real> fixed_value;
     Span<Real> fixed_imaginary;
-    Span<Vec2> frame;            // [n_points] direction of a point's first dof, where x and y are coupled or sides turned
+    Span<Vec2> frame;            // [n_points] direction of a point's first dof, where x and y are coupled or sides
+                                 // turned
     bool frames_change = false;  // with the coordinates: points slip along curves
 
     Index components() const noexcept { return kind == MatrixKind::coupled_xy ? 2 : 1; }
@@ -97,8 +98,8 @@ struct Matrix {
     // Shortens arrays that have been laid out for more than these counts.
     void fit(Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
     // The sparsity pattern. slot [n_points]: number on the wall, or none; order [n]: the unknown at each position of
-    // the elimination; position [n]: the inverse; tangent [n_points]: of slip lines, coupled x and y only. With a rotation
-    // the matrix must be complex.
+    // the elimination; position [n]: the inverse; tangent [n_points]: of slip lines, coupled x and y only. With a
+    // rotation the matrix must be complex.
     void build(Span<const Index> representative, Graph const& graph, Span<const Index> order,
                Span<const Index> position,
                Span<const Index> slot, Span<const Vec2> tangent, Periodicity const& periodicity) noexcept;
@@ -111,14 +112,15 @@ struct Matrix {
     // only.
     void add(Index point, Index other, Real conductance) const noexcept;
     // Adds the conductances between the corners of cells begin .. end-1 of a group, and a circulation,
-    // `half` times the conductivity, along each side: + i circulation in the row of the side's first corner, - i in that
-    // of the next corner; no circulation in a real matrix. Writes only to the rows in range: threads with other ranges may
-    // go through the same cells, and every row is added to in the order of the cells.
+    // `half` times the conductivity, along each side: + i circulation in the row of the side's first corner, - i in
+    // that of the next corner; no circulation in a real matrix. Writes only to the rows in range: threads with other
+    // ranges may go through the same cells, and every row is added to in the order of the cells.
     template <bool with_circulation, Index corners>
     void add_corners(RowRange rows, CellGroup<corners> const& cells, Index begin, Index end, Real half) const noexcept;
     bool is_turned(Cell const& cell) const noexcept;
     // What add_corners() leaves out where corners of the cell are turned differently; complex matrices only.
-    void add_turns(RowRange rows, Cell const& cell, CellConductances const& conductance, Real circulation) const noexcept;
+    void add_turns(RowRange rows, Cell const& cell, CellConductances const& conductance,
+                   Real circulation) const noexcept;
     // The same between two points where x and y are coupled.
     void add_coupled(RowRange rows, Index point, Index other, Real conductance, Real circulation) const noexcept;
     // Adds a conductance without the diagonals, and a circulation from i to j: rows as row_of has them.

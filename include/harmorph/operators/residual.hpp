@@ -11,9 +11,9 @@
 namespace harmorph {
 
 // Values at all points as the equations see them: the numbers of a dof (matrix.hpp) stand side by side, one column for
-// each right-hand side. They are the row of a point, or half a row where a point has two dofs. Of complex values all real
-// parts come first, then all imaginary parts. A basis has rows while its functions are being solved; then they become
-// blocks (RowsToBlocks).
+// each right-hand side. They are the row of a point, or half a row where a point has two dofs. Of complex values all
+// real parts come first, then all imaginary parts. A basis has rows while its functions are being solved; then they
+// become blocks (RowsToBlocks).
 struct DofValues {
     Span<Real> value;             // the rows of all points
     Span<const Index> of;         // [n] dof of each position
@@ -22,7 +22,8 @@ struct DofValues {
     Index n_functions;            // of which a plane of a row has one number each
     Index first_function;         // number of the first one, for reports
     Index numbers;                // of a dof
-    // Rows like `value`: the part of the right-hand sides that does not come from the wall, whose values are 0 then. Null: 0.
+    // Rows like `value`: the part of the right-hand sides that does not come from the wall, whose values are 0 then.
+    // Null: 0.
     const Real* source = nullptr;
 
     // The functions of a basis.
@@ -44,7 +45,8 @@ struct DofValues {
     // The numbers of one point become those of another; of none: nothing to do.
     void copy_row(Index from, Index to) const noexcept {
         if (from == to || from == none) return;
-        std::memcpy(of_dof(components * to), of_dof(components * from), sizeof(Real) * static_cast<Size>(components * numbers));
+        std::memcpy(of_dof(components * to), of_dof(components * from),
+                    sizeof(Real) * static_cast<Size>(components * numbers));
     }
     Index columns(Matrix const& matrix) const noexcept { return matrix.is_complex() ? n_functions : length(); }
     // The values of the unknowns by position, as engines see them.

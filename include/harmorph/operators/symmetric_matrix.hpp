@@ -35,8 +35,8 @@ struct SymmetricRows {
 };
 
 // coarse = P^T fine P, P the piecewise constant prolongation from merged cells to cells: conductances and faces between
-// two merged cells are summed, couplings inside a merged cell vanish, and row sums are added; entries that are 0 and join
-// no faces are left out, as those between movements along x and y where no point slides. cell_of [fine.n] -> 0 ..
+// two merged cells are summed, couplings inside a merged cell vanish, and row sums are added; entries that are 0 and
+// join no faces are left out, as those between movements along x and y where no point slides. cell_of [fine.n] -> 0 ..
 // n-1; last [n]: working space. coarse must have room for n rows and as many entries as `fine` has.
 void contract(SymmetricRows const& fine, Span<const Index> cell_of, Index n, Span<Offset> last,
               SymmetricRows& coarse) noexcept;

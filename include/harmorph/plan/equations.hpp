@@ -11,7 +11,8 @@ struct Equations {
     OrientedMesh cells;           // with a copy of the orientations and the pieces: the analysis may be gone
     Pieces pieces;                // of polygons
     Method method;                // the kernel is never automatic here
-    Span<PointKind> kinds;        // [n_points] a copy, like the orientations; of joined points that of the representative
+    Span<PointKind> kinds;        // [n_points] a copy, like the orientations; of joined points that of the
+                                  // representative
     Span<Index> dof_of;          // [n] dof of each position
     FaceDistance wall;            // faces that move
     Span<DelaunayEdge> delaunay_edges;       // bounded scheme only
@@ -30,7 +31,8 @@ struct Equations {
     void build(Analysis const& analysis) noexcept;
     // Computes the entries for these coordinates. On Status::bad_mesh (an inverted cell) the matrix must not be used.
     Status assemble(Points points, Executor const& executor, Fault& fault) noexcept;
-    // From now on another operator, for which the matrix and the memory of these equations suffice: false if they do not.
+    // From now on another operator, for which the matrix and the memory of these equations suffice:
+    // false if they do not.
     bool change_operator(Operator operator_kind, Index quarters) noexcept;
 
     DofValues dofs(Basis const& basis) const noexcept { return {basis, dof_of, matrix.components()}; }

@@ -34,20 +34,20 @@ struct Plan {
 
     // On Status::bad_mesh (an inverted cell of moved coordinates), not_positive or cancelled there is no factor.
     Status factor(Points points, Fault& fault) noexcept;
-    // Of combined functions and modes, which are solved already, the values on the wall stay, and those inside are solved
-    // for again.
+    // Of combined functions and modes, which are solved already, the values on the wall stay, and those inside are
+    // solved for again.
     Status solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept;
     // cell_of [n_points]: merged cell of each point on a level of agglomeration, or none where it has no unknown.
     Status level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault& fault) const noexcept;
     // Refuses a basis that was made of a different analysis; an equal one is accepted, and what was derived from one.
     Status check_fit(Basis const& basis, Fault& fault) const noexcept;
 
-    // The dof of a slipping point is a movement along the tangent. turn_slipping_points() makes of it movements along x and
-    // y; the other one is the transpose. Nothing to do where x and y are not coupled.
+    // The dof of a slipping point is a movement along the tangent. turn_slipping_points() makes of it movements along x
+    // and y; the other one is the transpose. Nothing to do where x and y are not coupled.
     void turn_slipping_points(DofValues const& values) const noexcept;
     void turn_slipping_points_back(DofValues const& values) const noexcept;
-    // The dof of a point on a side of a passage becomes the displacement of the point, once joined points have the dofs of
-    // the points that they are joined to. Nothing to do where no side is turned.
+    // The dof of a point on a side of a passage becomes the displacement of the point, once joined points have the dofs
+    // of the points that they are joined to. Nothing to do where no side is turned.
     void turn_sides(DofValues const& values) const noexcept;
     void turn_sides_back(DofValues const& values) const noexcept;  // the transpose, point by point
     // What turns the displacement of `same_point(point)` into that of the point.

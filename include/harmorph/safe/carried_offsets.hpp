@@ -1,13 +1,15 @@
-// Mesh points of a wall that are not exactly on its curve, where a body turns. A curve is fitted to the points of the wall
-// and leaves a residual e = x - C(u), which is often far larger than the first layer is high. The movement of control points
-// is split into the similarity r (z - c) that fits it best, which every point of the wall follows with its own position, and
-// the rest, which follows the curve:
+// Mesh points of a wall that are not exactly on its curve, where a body turns. A curve is fitted to the points of the
+// wall and leaves a residual e = x - C(u), which is often far larger than the first layer is high. The movement of
+// control points is split into the similarity r (z - c) that fits it best, which every point of the wall follows with
+// its own position, and the rest, which follows the curve:
 //     dx = d + (r - 1) (x - c) + sum_i N_i dP_i^rest = sum_i N_i dP_i + (r - 1) e.
-// So a body that turns keeps the shape that the mesh gives it, and a movement that turns nothing moves as the B-spline does.
+// So a body that turns keeps the shape that the mesh gives it,
+// and a movement that turns nothing moves as the B-spline does.
 //
 // Inside the mesh the similarity is carried exactly near the wall and fades to what the functions make of it:
 //     dz = sum_i F_i dP_i + (rho - 1) fade(d / reach) (z - sum_i F_i P_i),
-// d the distance to the wall, P_i the control points, rho the part of r that the step makes; on the wall the bracket is e.
+// d the distance to the wall, P_i the control points, rho the part of r that the step makes;
+// on the wall the bracket is e.
 #pragma once
 
 #include "harmorph/boundary/distance.hpp"
@@ -36,7 +38,8 @@ struct CarriedOffsets {
     void find(Basis const& by, MovementPath const& path, Span<const Real> reached, Points now, FaceDistance& walls,
               Span<const Index> representative, Span<const std::uint8_t> held, Executor const& executor) noexcept;
     // Adds what the step from one time of the path to another makes of them to displacements of inner points.
-    void add(MovementPath const& path, Real from, Real to, MutablePoints displacement, Executor const& executor) const noexcept;
+    void add(MovementPath const& path, Real from, Real to, MutablePoints displacement,
+             Executor const& executor) const noexcept;
     // Of a point of the wall, from the start.
     Vec2 of_wall(Basis const& basis, MovementPath const& path, Index slot, Real t) const noexcept {
         if (wall[slot].x == 0 && wall[slot].y == 0) return {};

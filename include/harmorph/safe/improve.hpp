@@ -32,7 +32,8 @@ struct ImproveReport {
 // and the energy falls in each. Walls do not move; points that slide stay on their lines and curves.
 struct Improvement {
     static constexpr Index powers[] = {0, 2, 4, 8}, most_for_power = 20;
-    static constexpr Index powers_near_poor[] = {2, 4, 8, 16, 32}, most_near_poor = 60, least_layers = 6, most_layers = 24;
+    static constexpr Index powers_near_poor[] = {2, 4, 8, 16, 32}, most_near_poor = 60, least_layers = 6,
+                           most_layers = 24;
 
     Tangle tangle;      // set by the caller; its reference is that of the targets
     Targets targets;    // found by the caller
@@ -59,7 +60,8 @@ private:
     struct Score;
 
     Score score() const noexcept;
-    void climb(ImproveOptions const& options, Index power, Index most_steps, Score& highest, ImproveReport& report) noexcept;
+    void climb(ImproveOptions const& options, Index power, Index most_steps, Score& highest,
+               ImproveReport& report) noexcept;
     bool begin_near_poor(Real enough, Index layers) noexcept;
     void assemble(Index power) const noexcept;
     Real energy_of(Span<const Vec2> points, Index power) const noexcept;

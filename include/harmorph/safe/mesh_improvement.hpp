@@ -21,8 +21,8 @@ struct MeshImprovement {
     // better ones; may be `from`.
     // The tops of the first layer (the ends of the edges that leave walls most normal to them) are put where the wall
     // carries them, at the height and the angle that they had, as far as no cell inverts, and held there; only a top of
-    // a cell that has less than half of its quality then may move on. If the smallest quality ends below that of `from`,
-    // all is done again with the tops where they are in `from`. The plan's distances are left at the reference.
+    // a cell that has less than half of its quality then may move on. If the smallest quality ends below that of
+    // `from`, all is done again with the tops where they are in `from`. The plan's distances are left at the reference.
     void run(Plan& plan, ImproveOptions const& options, Points reference, Points from, MutablePoints to,
              ImproveReport& report) noexcept;
 

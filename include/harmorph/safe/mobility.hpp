@@ -8,9 +8,9 @@
 namespace harmorph {
 
 // Points inside move anywhere, sliding points along their lines and curves, points of a cut or a periodic pair as one,
-// those of a rotation pair as one that is turned. Points on walls, on fixed and on free boundaries are held: where a free
-// boundary goes, the operator alone says. Sliding points that are not on their curves, or that others are joined to, are
-// held, too.
+// those of a rotation pair as one that is turned. Points on walls, on fixed and on free boundaries are held: where a
+// free boundary goes, the operator alone says. Sliding points that are not on their curves, or that others are joined
+// to, are held, too.
 struct Mobility {
     Span<Index> representative;
     Span<std::uint8_t> held;

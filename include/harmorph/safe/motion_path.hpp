@@ -8,13 +8,13 @@ namespace harmorph {
 // r^t for t in 0..1, along the shorter way round 0. By square roots alone.
 Vec2 complex_power(Vec2 r, Real t) noexcept;
 
-// Control points that curves connect turn and scale together: the similarity z -> c + d + r (z - c) that fits their movement
-// best is gone through along r^t, and what is left of the movement grows linearly in the turning frame:
+// Control points that curves connect turn and scale together: the similarity z -> c + d + r (z - c) that fits their
+// movement best is gone through along r^t, and what is left of the movement grows linearly in the turning frame:
 //     P_i(t) = c + t d + r^t (P_i - c + t D_i),   D_i = (P_i + dP_i - c - d) / r - (P_i - c).
-// A rotation is then a rotation all the way, where a straight line would shrink the body. Rigid bodies likewise. Three things
-// go straight, r = 1: whatever has functions with real values, which cannot turn anything; walls that end on another
-// boundary, which stay on it, or where it holds them, only on a straight line; combined functions and modes, which do not
-// know how to turn, unless a mode has a ModeWay. All curves round one body turn as one.
+// A rotation is then a rotation all the way, where a straight line would shrink the body. Rigid bodies likewise. Three
+// things go straight, r = 1: whatever has functions with real values, which cannot turn anything; walls that end on
+// another boundary, which stay on it, or where it holds them, only on a straight line; combined functions and modes,
+// which do not know how to turn, unless a mode has a ModeWay. All curves round one body turn as one.
 struct MovementPath {
     // The amplitude of a mode is r^t (start + t drift) - start, with the drift that leads to its target.
     struct ModeWay {
@@ -31,7 +31,8 @@ struct MovementPath {
 
     Span<Index> group_of;     // [functions]
     Span<Group> groups;       // [functions] at most
-    Span<Vec2> start, drift;  // [functions] P_i - c and D_i; of a rigid body's turn 1 and 0; what goes straight: P_i and dP_i
+    Span<Vec2> start, drift;  // [functions] P_i - c and D_i; of a rigid body's turn 1 and 0; what goes straight: P_i
+                              // and dP_i
     Span<Real> target;        // [2 * functions] dP
     Span<const ModeWay> mode_ways;  // [modes], or empty: all modes go straight
 
@@ -46,7 +47,8 @@ struct MovementPath {
 
     // movement [2 * functions] from the start to t in 0..1; at 1 the target itself.
     void at(Real t, Span<Real> movement) const noexcept;
-    // The derivative of that by the target, with the similarities held: dP_i(t) = weight (dP_i), a complex number; t r^(t-1).
+    // The derivative of that by the target, with the similarities held: dP_i(t) = weight (dP_i), a complex number;
+    // t r^(t-1).
     Vec2 weight(Index function, Real t) const noexcept;
     // The group whose similarity a point of the wall follows.
     Index group_of_slot(Basis const& basis, Index slot) const noexcept {

@@ -20,7 +20,8 @@ struct MovingMesh {
     Span<Index> representative;             // [n_points] of points that a cut joins: the one that stands for all
     Span<std::uint8_t> held;                // [n_points] 1: on the boundary, wherever the step takes it
     Span<SlipCurves::Place> slid;           // [slots of slip curves] where sliding points are after that step
-    Span<const Vec2> given;                 // [given points] their whole displacement, bit by bit; or empty: as modes say
+    Span<const Vec2> given;                 // [given points] their whole displacement, bit by bit; or empty: as modes
+                                            // say
 
     void lay_out(Arena& arena, Plan const& plan, BasisCounts const& counts) noexcept;
     // Before init(): displacements of given points, and the ways of the modes that carry them.
@@ -37,9 +38,10 @@ struct MovingMesh {
     Points ahead() const noexcept { return {ahead_x.data(), ahead_y.data(), 1}; }
     MutablePoints to_ahead() const noexcept { return {ahead_x.data(), ahead_y.data(), 1}; }
 
-    // Looks ahead to a time, by functions that were solved on the mesh as it is now. Returns how much of that displacement
-    // is admissible. Points of walls are where the B-spline, the rigid body, or the modes, and what is carried put them from
-    // the start, not from step to step: rounding does not add up. Points that slide along curves are on their curves.
+    // Looks ahead to a time, by functions that were solved on the mesh as it is now. Returns how much of that
+    // displacement is admissible. Points of walls are where the B-spline, the rigid body, or the modes, and what is
+    // carried put them from the start, not from step to step: rounding does not add up.
+    // Points that slide along curves are on their curves.
     AdmissibleStep look_ahead(Plan& plan, Basis const& basis, Basis const& by, Real to) noexcept;
     // Goes where it looked.
     void advance() noexcept;

@@ -61,8 +61,8 @@ private:
     void constrain_row(Tangle const& tangle, Region const& region, Index u) const noexcept;
 };
 
-// On one thread, cell after cell; on several, row by row, so that threads never meet: then a corner is looked at once for
-// each of its three points. Cells are in order in both, so that each row is the same sum, bit by bit.
+// On one thread, cell after cell; on several, row by row, so that threads never meet: then a corner is looked at once
+// for each of its three points. Cells are in order in both, so that each row is the same sum, bit by bit.
 template <class Visit>
 void NewtonSystem::assemble(Tangle const& tangle, Region const& region, Executor const& executor,
                             Visit const& visit) const noexcept {

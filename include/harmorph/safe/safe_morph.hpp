@@ -1,5 +1,5 @@
-// A morph that reaches the target with cells of good quality, or says how far it came and where cells are poor: strategies are
-// tried in the order of their cost, and the best mesh of all is kept.
+// A morph that reaches the target with cells of good quality, or says how far it came and where cells are poor:
+// strategies are tried in the order of their cost, and the best mesh of all is kept.
 #pragma once
 
 #include "harmorph/boundary/first_layer.hpp"
@@ -17,7 +17,8 @@ struct SafeOptions {
     Index most_resolves = 10;
     std::uint32_t skipped = 0;     // bit k: strategy k is not tried
     Span<const Basis> others;      // solved with other operators or exponents
-    bool solves_others = false;    // instead of `others`: solve with other operators at the start, as far as they are needed
+    bool solves_others = false;    // instead of `others`: solve with other operators at the start, as far as they are
+                                   // needed
     UntangleOptions untangle;
     ImproveOptions improve;
     Real heights = 0;              // 0..1: how much of the heights near walls is brought back at the end
@@ -74,11 +75,11 @@ struct SafeMorph {
     // For bases with these counts: those of the plan, or of what was derived from its basis.
     void lay_out(Arena& arena, Plan const& plan, BasisCounts const& counts) noexcept;
 
-    // The plan's mesh is the start; `basis` was solved on it. Points on the wall end where the B-spline, and what is carried of
-    // their offsets, put them. Refused at once: a target that is impossible (Status::crossing, see check_target).
-    // Status::short_of_target: not all of the way. Status::poor: all of it, but the quality asked for is missed.
-    // derivative: a basis like `basis`, or null; see hm_morph_safe. Where functions were solved again, the plan is left
-    // without a factor.
+    // The plan's mesh is the start; `basis` was solved on it. Points on the wall end where the B-spline, and what is
+    // carried of their offsets, put them. Refused at once: a target that is impossible (Status::crossing, see
+    // check_target). Status::short_of_target: not all of the way. Status::poor: all of it, but the quality asked for is
+    // missed. derivative: a basis like `basis`, or null; see hm_morph_safe. Where functions were solved again, the plan
+    // is left without a factor.
     Status run(Plan& plan, Basis const& basis, const Real* move, SafeOptions const& options, const Basis* derivative,
                SafeReport& report, Fault& fault) noexcept;
     Points result() const noexcept { return {best_x.data(), best_y.data(), 1}; }
@@ -94,7 +95,8 @@ private:
     void take_step(Work& work, Basis const& by) noexcept;
     void turn_sliding(Work const& work) const noexcept;
     void keep_if_better(Work& work) noexcept;
-    void keep(Work& work, Outcome const& outcome, Span<const Real> x, Span<const Real> y, Span<const Real> movement) noexcept;
+    void keep(Work& work, Outcome const& outcome, Span<const Real> x, Span<const Real> y,
+              Span<const Real> movement) noexcept;
     // The best mesh becomes the one ahead, which has the same movement: reached and derivative stay.
     void replace_inner_points(Work& work, Outcome const& outcome) noexcept;
     void measure(Work const& work, Points points, Outcome& outcome) const noexcept;

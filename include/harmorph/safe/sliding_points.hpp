@@ -1,5 +1,5 @@
-// Points that slide along curves while an optimisation moves mesh points: a step leads along their tangents, and they are
-// put back onto their curves.
+// Points that slide along curves while an optimisation moves mesh points: a step leads along their tangents, and they
+// are put back onto their curves.
 #pragma once
 
 #include "harmorph/base/range.hpp"

@@ -10,7 +10,8 @@ namespace harmorph {
 struct Target {
     OrientedMesh cells;
     Span<const Index> boundary_point, loop_start;
-    Span<const EndOf> ends;     // [n_points] `prescribed` for points of walls and fixed ones; inner points are `unknown`
+    // [n_points] `prescribed` for points of walls and fixed ones; inner points are `unknown`
+    Span<const EndOf> ends;
     Points start;
     Points at_target;           // where points are prescribed; where they slide, anywhere on their line
 };

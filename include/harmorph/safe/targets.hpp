@@ -11,13 +11,13 @@
 namespace harmorph {
 
 // The target of a cell is the cell of the reference mesh, with two exceptions:
-//   Thin cells along walls are stretched along the wall by 1 + thinness fade (stretch - 1). They must become longer where
-//   the wall does; so their targets keep the heights, instead of trading them for the shape.
+//   Thin cells along walls are stretched along the wall by 1 + thinness fade (stretch - 1). They must become longer
+//   where the wall does; so their targets keep the heights, instead of trading them for the shape.
 //       stretch    length of the nearest wall face, now divided by before;
 //       thinness   max(0, 1 - a), a the extent of the reference cell normal to that face divided by that along it;
 //       fade       max(0, 1 - d / reach), d the distance from the wall, reach a quarter of the extent of all walls.
-//   Of quadrilaterals that are not thin only the area and the angles matter, as in their quality, not the ratio of their
-//   sides.
+//   Of quadrilaterals that are not thin only the area and the angles matter, as in their quality, not the ratio of
+//   their sides.
 struct Targets {
     struct Cell {
         Vec2 along;       // unit tangent of the wall, before

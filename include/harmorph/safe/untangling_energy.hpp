@@ -23,8 +23,8 @@ struct Distortion {
 
     Real determinant(Triangle const& now) const noexcept { return map_.determinant(now); }
     Real energy(Triangle const& now, Real softness) const noexcept;
-    // Derivatives by the three points, see CornerMap. Curvatures below `least` times that of |J|^2 / chi are raised to it:
-    // from 0 on, no mode is negative.
+    // Derivatives by the three points, see CornerMap. Curvatures below `least` times that of |J|^2 / chi are raised to
+    // it: from 0 on, no mode is negative.
     void differentiate(Triangle const& now, Real softness, Real least, Vec2 (&gradient)[3],
                        CornerMode (&mode)[4]) const noexcept;
 
