@@ -1,0 +1,271 @@
+#include "formats/plot3d_reader.hpp"
+
+#include "formats/nmf.hpp"
+#include "formats/number_reader.hpp"
+#include "formats/places.hpp"
+#include "formats/tidy.hpp"
+#include "numbers.hpp"
+#include "one_cell_thick.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+namespace cli {
+
+namespace {
+
+constexpr double rounding_of_cuts = 1e-12; // of the largest coordinate: generators compute both sides of a cut
+
+class Plot3dReader {
+public:
+    Plot3dReader(Mesh& mesh, const Plot3dLayout& layout) : mesh_(mesh), layout_(layout) {}
+    void read();
+
+private:
+    using Index3 = std::array<std::int64_t, 3>;
+
+    void read_points();
+    void join_points();
+    int across(const Plot3dBlock& block) const;
+    bool is_on_side(const Plot3dBlock& block, const Index3& index) const;
+    std::int32_t point(std::size_t block, const Index3& index) const {
+        const Plot3dBlock& its = layout_.blocks[block];
+        const auto number = first_[block] + index[0] + its.n[0] * (index[1] + its.n[1] * index[2]);
+        return point_of_[static_cast<std::size_t>(number)];
+    }
+    std::vector<std::int32_t> corners(std::size_t block, const Index3& low, const Index3& high, int direction) const;
+    void build_cells(std::size_t block);
+    void build_sides(std::size_t block);
+    void add_side(const NmfPatch& side);
+
+    Mesh& mesh_;
+    const Plot3dLayout& layout_;
+    SpacePoints in_file_, points_;          // as the file has them; joined, each place on a side once
+    std::vector<SpaceCopy> copies_;
+    std::vector<std::int64_t> first_;       // point of each block in the file
+    std::vector<std::int32_t> point_of_;    // in points_, of those of the file
+    std::unique_ptr<OneCellThick> solid_;   // none: one plane
+    std::vector<NmfPatch> patches_;
+    std::int64_t blanked_ = 0;
+};
+
+void Plot3dReader::read() {
+    read_points();
+    const std::filesystem::path map = std::filesystem::path(mesh_.file.path()).replace_extension(".nmf");
+    if (std::filesystem::exists(map)) {
+        std::vector<Index3> sizes;
+        for (const Plot3dBlock& block : layout_.blocks) sizes.push_back(block.n);
+        patches_ = read_nmf(map.string(), sizes);
+    }
+    join_points();
+    const auto has_one_plane = [](const Plot3dBlock& block) {
+        return std::count(block.n.begin(), block.n.end(), 1) > 0;
+    };
+    if (std::all_of(layout_.blocks.begin(), layout_.blocks.end(), has_one_plane)) {
+        take_flat(mesh_, points_, copies_);
+    } else {
+        solid_ = std::make_unique<OneCellThick>(mesh_, std::move(points_));
+        for (const SpaceCopy& copy : copies_) solid_->add_copy(copy);
+    }
+    for (std::size_t block = 0; block < layout_.blocks.size(); ++block) {
+        build_cells(block);
+        build_sides(block);
+    }
+    if (solid_) solid_->finish();
+    drop_interior_faces(mesh_, false);
+    drop_empty_markers(mesh_);
+    if (blanked_ > 0) mesh_.remark(plural(blanked_, "point") + " with iblank 0: iblank is ignored (and kept)");
+}
+
+void Plot3dReader::read_points() {
+    NumberReader numbers(mesh_.file);
+    numbers.is_binary = !layout_.is_text;
+    numbers.swapped = mesh_.in_file.swapped = layout_.swapped;
+    if (!layout_.is_text) mesh_.in_file.kind = layout_.real_bytes == 8 ? NumberKind::real64 : NumberKind::real32;
+    numbers.jump(layout_.data);
+    std::int64_t total = 0;
+    for (const Plot3dBlock& block : layout_.blocks) total += block.points();
+    if (total > INT32_MAX) mesh_.file.fail(0, "more than 2147483647 points");
+    const auto dimensions = static_cast<std::size_t>(layout_.dimensions);
+    for (std::size_t d = 0; d < 3; ++d) {
+        in_file_.x[d].reserve(static_cast<std::size_t>(total));
+        in_file_.offset[d].reserve(static_cast<std::size_t>(total));
+    }
+    for (const Plot3dBlock& block : layout_.blocks) {
+        first_.push_back(in_file_.points());
+        if (!layout_.is_text) numbers.jump(block.data);
+        for (std::size_t d = 0; d < dimensions; ++d) {
+            for (std::int64_t i = 0; i < block.points(); ++i) {
+                in_file_.x[d].push_back(numbers.real("a coordinate", layout_.real_bytes));
+                in_file_.offset[d].push_back(numbers.number_offset());
+            }
+        }
+        for (std::size_t d = dimensions; d < 3; ++d) {
+            in_file_.x[d].resize(in_file_.x[0].size());
+            in_file_.offset[d].resize(in_file_.x[0].size());
+        }
+        for (std::int64_t i = 0; layout_.has_iblank && i < block.points(); ++i) {
+            if (numbers.whole("an iblank") == 0) ++blanked_;
+        }
+    }
+}
+
+// The direction from one plane of a block to the other, which has two points, or one where there is one plane; -1:
+// several directions have two, and only the whole mesh tells.
+int Plot3dReader::across(const Plot3dBlock& block) const {
+    for (const int d : {2, 1, 0}) {
+        if (block.n[static_cast<std::size_t>(d)] == 1) return d;
+    }
+    const auto found = std::find(block.n.begin(), block.n.end(), 2);
+    if (std::count(block.n.begin(), block.n.end(), 2) != 1) return -1;
+    return static_cast<int>(found - block.n.begin());
+}
+
+bool Plot3dReader::is_on_side(const Plot3dBlock& block, const Index3& index) const {
+    const int except = across(block);
+    for (int direction = 0; direction < 3; ++direction) {
+        const auto d = static_cast<std::size_t>(direction);
+        if (direction != except && (index[d] == 0 || index[d] + 1 == block.n[d])) return true;
+    }
+    return false;
+}
+
+// Points on the sides of blocks that are at one place become one.
+void Plot3dReader::join_points() {
+    double largest = 0;
+    for (const auto& values : in_file_.x) {
+        for (const double value : values) largest = std::max(largest, std::fabs(value));
+    }
+    Places on_sides(rounding_of_cuts * largest);
+    point_of_.reserve(in_file_.x[0].size());
+    for (std::size_t d = 0; d < 3; ++d) {
+        points_.x[d].reserve(in_file_.x[0].size());
+        points_.offset[d].reserve(in_file_.x[0].size());
+    }
+    for (const Plot3dBlock& block : layout_.blocks) {
+        Index3 index = {0, 0, 0};
+        for (index[2] = 0; index[2] < block.n[2]; ++index[2]) {
+            for (index[1] = 0; index[1] < block.n[1]; ++index[1]) {
+                for (index[0] = 0; index[0] < block.n[0]; ++index[0]) {
+                    const std::size_t k = point_of_.size();
+                    SpaceCopy its = {points_.points(), {}, {}};
+                    for (std::size_t d = 0; d < 3; ++d) {
+                        its.x[d] = in_file_.x[d][k];
+                        its.offset[d] = in_file_.offset[d][k];
+                    }
+                    if (is_on_side(block, index)) its.of = on_sides.find_or_add(its.x, its.of);
+                    point_of_.push_back(its.of);
+                    if (its.of < points_.points()) {
+                        copies_.push_back(its);
+                        continue;
+                    }
+                    for (std::size_t d = 0; d < 3; ++d) {
+                        points_.x[d].push_back(its.x[d]);
+                        points_.offset[d].push_back(its.offset[d]);
+                    }
+                }
+            }
+        }
+    }
+    in_file_ = {};
+}
+
+// Of a box of one cell, or of one of its sides: the points round it in the plane across `direction`, without those that
+// are the same as the one before.
+std::vector<std::int32_t> Plot3dReader::corners(std::size_t block, const Index3& low, const Index3& high,
+                                                int direction) const {
+    const auto u = static_cast<std::size_t>(direction == 0 ? 1 : 0),
+               v = static_cast<std::size_t>(direction == 2 ? 1 : 2);
+    std::vector<std::int32_t> found;
+    for (const auto& corner : {std::array<bool, 2>{false, false}, {true, false}, {true, true}, {false, true}}) {
+        Index3 index = low;
+        index[u] = corner[0] ? high[u] : low[u];
+        index[v] = corner[1] ? high[v] : low[v];
+        const std::int32_t its = point(block, index);
+        if (std::find(found.begin(), found.end(), its) == found.end()) found.push_back(its);
+    }
+    return found;
+}
+
+void Plot3dReader::build_cells(std::size_t block) {
+    const Plot3dBlock& its = layout_.blocks[block];
+    const int flat = solid_ ? -1 : across(its);
+    if (solid_ && std::count(its.n.begin(), its.n.end(), 2) == 0) {
+        const auto& offset = solid_->points().offset[0];
+        mesh_.file.fail(offset[static_cast<std::size_t>(point(block, {0, 0, 0}))],
+                        "the mesh has three dimensions and is not one cell thick: block " + std::to_string(block + 1) +
+                            " (" + std::to_string(its.n[0]) + " x " + std::to_string(its.n[1]) + " x " +
+                            std::to_string(its.n[2]) + ") has no direction of two points");
+    }
+    const auto cells_along = [&](std::size_t d) { return static_cast<int>(d) == flat ? 1 : its.n[d] - 1; };
+    Index3 low = {0, 0, 0};
+    for (low[2] = 0; low[2] < cells_along(2); ++low[2]) {
+        for (low[1] = 0; low[1] < cells_along(1); ++low[1]) {
+            for (low[0] = 0; low[0] < cells_along(0); ++low[0]) {
+                Index3 high = low;
+                for (std::size_t d = 0; d < 3; ++d) high[d] += static_cast<int>(d) == flat ? 0 : 1;
+                if (!solid_) {
+                    const std::vector<std::int32_t> cell = corners(block, low, high, flat);
+                    if (cell.size() >= 3) mesh_.add_cell(cell, mesh_.point_offset[static_cast<std::size_t>(cell[0])]);
+                    continue;
+                }
+                std::array<std::int32_t, 8> cell;
+                for (std::size_t c = 0; c < 8; ++c) { // round the lower side, then the upper
+                    const bool i = c % 4 == 1 || c % 4 == 2, j = c % 4 >= 2, k = c >= 4;
+                    cell[c] = point(block, {i ? high[0] : low[0], j ? high[1] : low[1], k ? high[2] : low[2]});
+                }
+                solid_->add_cell(cell.data(), 8, solid_->points().offset[0][static_cast<std::size_t>(cell[0])]);
+            }
+        }
+    }
+}
+
+// Face by face, with the name of a patch that has the face, else the side's.
+void Plot3dReader::build_sides(std::size_t block) {
+    const Plot3dBlock& its = layout_.blocks[block];
+    for (int direction = 0; direction < 3; ++direction) {
+        if (direction == across(its)) continue;
+        const std::size_t d = static_cast<std::size_t>(direction), u = d == 0 ? 1 : 0, v = d == 2 ? 1 : 2;
+        for (const bool at_end : {false, true}) {
+            const std::string name =
+                std::to_string(block + 1) + ":" + "ijk"[direction] + (at_end ? "max" : "min");
+            for (std::int64_t i = 0; i < std::max<std::int64_t>(its.n[u] - 1, 1); ++i) {
+                for (std::int64_t j = 0; j < std::max<std::int64_t>(its.n[v] - 1, 1); ++j) {
+                    NmfPatch face = {name, block, direction, at_end, {0, 0, 0}, {0, 0, 0}};
+                    face.low[d] = face.high[d] = at_end ? its.n[d] - 1 : 0;
+                    face.low[u] = i;
+                    face.low[v] = j;
+                    face.high[u] = std::min(i + 1, its.n[u] - 1);
+                    face.high[v] = std::min(j + 1, its.n[v] - 1);
+                    for (const NmfPatch& patch : patches_) {
+                        if (patch.block == block && patch.direction == direction && patch.at_end == at_end &&
+                            patch.low[u] <= face.low[u] && face.high[u] <= patch.high[u] &&
+                            patch.low[v] <= face.low[v] && face.high[v] <= patch.high[v]) {
+                            face.name = patch.name;
+                        }
+                    }
+                    add_side(face);
+                }
+            }
+        }
+    }
+}
+
+void Plot3dReader::add_side(const NmfPatch& side) {
+    const std::vector<std::int32_t> its = corners(side.block, side.low, side.high, side.direction);
+    if (its.size() < (solid_ ? 3 : 2)) return; // a pole
+    const auto first = static_cast<std::size_t>(its[0]);
+    if (solid_) {
+        solid_->add_side(its.data(), its.size(), side.name, solid_->points().offset[0][first]);
+    } else {
+        mesh_.add_face(its[0], its[1], mesh_.add_marker(side.name), mesh_.point_offset[first]);
+    }
+}
+
+} // namespace
+
+void read_plot3d_blocks(Mesh& mesh, const Plot3dLayout& layout) { Plot3dReader(mesh, layout).read(); }
+
+} // namespace cli
