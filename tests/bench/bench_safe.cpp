@@ -27,22 +27,11 @@ public:
 
     // From the mesh to the functions, in the same blocks each time.
     void solve() {
-        hm_condition condition{};
-        condition.struct_size = sizeof condition;
-        condition.marker = fixtures::body;
-        condition.kind = HM_ON_CURVE;
-        condition.n_curves = fit_.curves().n_curves;
-        hm_mesh const mesh = case_.mesh.view();
-        hm_problem problem{};
-        problem.struct_size = sizeof problem;
-        problem.mesh = &mesh;
-        problem.curves = &fit_.curves();
-        problem.n_conditions = 1;
-        problem.conditions = &condition;
+        Problem const problem(case_, fit_);
         std::size_t bytes = 0;
-        done(hm_analysis_size(&problem, &options_, &bytes, &error_), "hm_analysis_size");
+        done(hm_analysis_size(&problem.given, &options_, &bytes, &error_), "hm_analysis_size");
         void* block = analysis_block_.give(bytes);
-        done(hm_analysis_init(&analysis_, block, bytes, &problem, &options_, &error_), "hm_analysis_init");
+        done(hm_analysis_init(&analysis_, block, bytes, &problem.given, &options_, &error_), "hm_analysis_init");
         done(hm_plan_size(analysis_, &bytes, &error_), "hm_plan_size");
         block = plan_block_.give(bytes);
         done(hm_plan_init(&plan_, block, bytes, analysis_, &error_), "hm_plan_init");

@@ -96,6 +96,18 @@ Fit::Fit(Case const& its_case, Index n_control) {
     require(status, error, "hm_fit");
 }
 
+Problem::Problem(Case const& its_case, Fit const& fit) : mesh(its_case.mesh.view()) {
+    condition.struct_size = sizeof condition;
+    condition.marker = fixtures::body;
+    condition.kind = HM_ON_CURVE;
+    condition.n_curves = fit.curves().n_curves;
+    given.struct_size = sizeof given;
+    given.mesh = &mesh;
+    given.curves = &fit.curves();
+    given.n_conditions = 1;
+    given.conditions = &condition;
+}
+
 void require(hm_status status, hm_error const& error, const char* call) {
     if (status < 0) throw std::runtime_error(std::string(call) + ": " + hm_status_name(status) + ", " + error.text);
 }

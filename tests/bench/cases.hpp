@@ -42,6 +42,17 @@ private:
     hm_curves const* curves_ = nullptr;
 };
 
+// The airfoil moves with the fit's control points, the far field stays. `given` refers to the other members and to both
+// arguments.
+struct Problem {
+    Problem(Case const& its_case, Fit const& fit);
+    Problem(Problem const&) = delete;
+
+    hm_condition condition{};
+    hm_mesh mesh;
+    hm_problem given{};
+};
+
 // Throws what an hm_error says, unless the status is HM_OK or a warning.
 void require(hm_status status, hm_error const& error, const char* call);
 

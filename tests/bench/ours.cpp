@@ -38,18 +38,7 @@ Ours::Ours(Case const& its_case, Workspace& workspace, Index functions, hm_execu
       executor_(executor), kernel_(kernel), engine_(engine), precision_(precision), fit_(its_case, functions) {}
 
 Phases Ours::run() {
-    hm_condition condition{};
-    condition.struct_size = sizeof condition;
-    condition.marker = fixtures::body;
-    condition.kind = HM_ON_CURVE;
-    condition.n_curves = fit_.curves().n_curves;
-    hm_mesh const mesh = case_.mesh.view();
-    hm_problem problem{};
-    problem.struct_size = sizeof problem;
-    problem.mesh = &mesh;
-    problem.curves = &fit_.curves();
-    problem.n_conditions = 1;
-    problem.conditions = &condition;
+    Problem const problem(case_, fit_);
     Clock clock;
     hm_options options{};
     options.struct_size = sizeof options;
@@ -65,11 +54,11 @@ Phases Ours::run() {
     hm_error error{};
     auto done = [&](hm_status status, const char* call) { require(status, error, call); };
     std::size_t bytes = 0;
-    done(hm_analysis_size(&problem, &options, &bytes, &error), "hm_analysis_size");
+    done(hm_analysis_size(&problem.given, &options, &bytes, &error), "hm_analysis_size");
     hm_analysis* analysis = nullptr;
     analysis_bytes_ = static_cast<double>(bytes);
     void* block = workspace_.analysis.give(bytes);
-    done(hm_analysis_init(&analysis, block, bytes, &problem, &options, &error), "hm_analysis_init");
+    done(hm_analysis_init(&analysis, block, bytes, &problem.given, &options, &error), "hm_analysis_init");
 
     done(hm_basis_size(analysis, &bytes, &error), "hm_basis_size");
     block = basis_block_.give(bytes);
