@@ -64,7 +64,7 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
     return Status::ok;
 }
 
-Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept {
+Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault, Sealing sealing) noexcept {
     if (!factored) return fault.refuse(Status::bad_argument, "the plan has no factor: hm_plan_factor comes first");
     HARMORPH_TRY(check_fit(basis, fault));
     if (block_points * Offset{basis.row_length()} > static_cast<Offset>(rows_in_work.size())) {
@@ -88,7 +88,8 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
     HARMORPH_TRY(status);
     HARMORPH_TRY(progress.report(Phase::residual, 1, fault));
     basis.header->coordinates = coordinates;
-    basis.seal(0, executor);
+    basis.header->solved = 1;
+    if (sealing == Sealing::complete) basis.seal(0, executor);
     return judge(report, equations.method, fault);
 }
 

@@ -204,7 +204,7 @@ Status SafeMorph::solve_at_present(Work& work, Basis const& basis) noexcept {
     mesh.carried.forget();
     work.factored_again = true;
     Status status = work.plan.factor(mesh.now(), why);
-    if (!failed(status)) status = work.plan.solve(basis, solved, why);
+    if (!failed(status)) status = work.plan.solve(basis, solved, why, Sealing::skipped);
     if (status != Status::ok && (!failed(status) || status == Status::cancelled)) work.fault = why;
     HARMORPH_TRY(status);
     ++work.report.resolves;

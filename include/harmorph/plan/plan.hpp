@@ -8,6 +8,9 @@
 
 namespace harmorph {
 
+// Whether solved functions get a largest value and a checksum. Without, the adjoint and files must not see them.
+enum class Sealing { complete, skipped };
+
 struct Plan {
     // Numbers of modes at a point, beside those of the functions, that solve() has memory for.
     static constexpr Index most_mode_numbers = 1024;
@@ -36,7 +39,7 @@ struct Plan {
     Status factor(Points points, Fault& fault) noexcept;
     // Of combined functions and modes, which are solved already, the values on the wall stay, and those inside are
     // solved for again.
-    Status solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept;
+    Status solve(Basis const& basis, SolveReport& report, Fault& fault, Sealing sealing = Sealing::complete) noexcept;
     // cell_of [n_points]: merged cell of each point on a level of agglomeration, or none where it has no unknown.
     Status level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault& fault) const noexcept;
     // Refuses a basis that was made of a different analysis; an equal one is accepted, and what was derived from one.
