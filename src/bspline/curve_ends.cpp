@@ -3,8 +3,8 @@
 namespace harmorph {
 namespace {
 
-// Of the angle between the directions before and behind a base: about -cos 45 degrees,
-// so wedges up to 45 degrees have bases.
+// Of the angle between the directions before and behind a base: about -cos 45 degrees, so wedges up to 45
+// degrees have bases.
 constexpr Real cosine_of_return = -0.7;
 constexpr Real at_the_end = 0.95;        // of the chord: how far from the nose a base is at least
 constexpr Real blunt_turn = 1;           // 2 sin(angle / 2) of 60 degrees

@@ -102,8 +102,8 @@ void CutCoordinates::place(Graph const& graph, Points points, Executor const& ex
         Vec2 const p = points[graph.point(u)] - origin;
         largest = larger(largest, larger(absolute(p.x), absolute(p.y)));
     }
-    // Single precision ends at 1e38. Where all unknowns are in one place, or there is one only,
-    // nothing has to be scaled.
+    // Single precision ends at 1e38. Where all unknowns are in one place, or there is one only, nothing has to
+    // be scaled.
     Real const scale = largest > 0 && (largest > 1e30 || largest < 1e-30) ? 1 / largest : 1;
     executor.for_ranges(graph.n, least_unknowns, [&](Index begin, Index end) {
         for (Index u = begin; u < end; ++u) {

@@ -130,7 +130,8 @@ void dissect(Graph const& graph, Points points, DissectionWork const& work, Exec
     fill(work.cover.side.first(graph.n), Side::inside);
     Dissector const dissector(graph, work, order);
     executor.for_each(2, [&](Index search) {
-        search == 0 ? work.coordinates.find_layers(graph) : dissector.find_across();
+        if (search == 0) work.coordinates.find_layers(graph);
+        if (search == 1) dissector.find_across();
     });
     work.coordinates.keep_searches(graph, executor);
     for (Index u = 0; u < graph.n; ++u) order[u] = u;

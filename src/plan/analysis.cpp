@@ -112,7 +112,8 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     if (problem.method.bounded()) HARMORPH_TRY(triangulation.build(topology, fault));
     bool const kinds_are_final = tangent.empty() && !problem.demands.periodic();
     problem.executor.for_each(kinds_are_final ? 2 : 1, [&](Index part) {
-        part == 0 ? find_wall(fault) : graph.build(stencil(), kinds);
+        if (part == 0) find_wall(fault);
+        if (part == 1) graph.build(stencil(), kinds);
     });
     HARMORPH_TRY(fault.status);
     if (!tangent.empty()) {

@@ -1,5 +1,5 @@
-// The end of a safe morph: heights near walls brought back, the worst cells, the derivative,
-// and what the caller is told.
+// The end of a safe morph: heights near walls brought back, the worst cells, the derivative, and what the
+// caller is told.
 #include "harmorph/base/range.hpp"
 #include "harmorph/morph/weighted_sum.hpp"
 #include "safe_work.hpp"

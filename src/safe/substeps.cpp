@@ -21,8 +21,8 @@ struct SafeMorph::OperatorChoice {
 };
 
 // The basis's own operator, and those that may help where it is stuck. Conformal functions do not follow what shears
-// cells, as bodies that pass each other do; and their exponent decides what is kept: 1 bends far,
-// 2 keeps what is near the wall.
+// cells, as bodies that pass each other do; and their exponent decides what is kept: 1 bends far, 2 keeps
+// what is near the wall.
 struct SafeMorph::Operators {
     OperatorChoice list[4];
     Index count = 0, current = 0;
@@ -188,7 +188,7 @@ Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
 Basis SafeMorph::unsolved_copy(Basis const& basis) const noexcept {
     auto const begin = reinterpret_cast<const unsigned char*>(basis.header);
     auto const end = reinterpret_cast<const unsigned char*>(basis.value.data());
-    // With those on the wall
+    // The values of derived functions include those on the wall, which nothing else knows.
     Size const values = basis.header->counts.derived() ? basis.value.size() * sizeof(Real) : 0;
     std::memcpy(block.data(), begin, static_cast<Size>(end - begin) + values);
     Basis const copy = Basis::view(static_cast<void*>(block.data()));

@@ -152,9 +152,9 @@ TEST_CASE("the reach: within the radius of curvature and a quarter of the extent
     double largest = 0;
     for (Index slot = 0; slot < wall.count; ++slot) {
         Point const here = walls.mesh.point(wall.point[slot]);
-        if (std::hypot(here.x, here.y) < 0.002) CHECK(walls.heights.reach[slot] < 0.018);   // 1.1019 * 0.12^2 at the
-                                                                                            // nose
-        if (here.x == 1) CHECK(walls.heights.reach[slot] < 0.01);                           // the sharp edge
+        // 1.1019 * 0.12^2 at the nose
+        if (std::hypot(here.x, here.y) < 0.002) CHECK(walls.heights.reach[slot] < 0.018);
+        if (here.x == 1) CHECK(walls.heights.reach[slot] < 0.01);   // the sharp edge
         largest = std::fmax(largest, walls.heights.reach[slot]);
         Index const next = wall.slot[wall.next[slot]];
         double const step = std::fabs(walls.heights.reach[next] - walls.heights.reach[slot]);

@@ -56,8 +56,8 @@ constexpr bool failed(Status status) noexcept { return static_cast<std::int32_t>
 // `mesh_and_marker`, a point as `item` and a marker as `other`, whose number is the caller's own.
 enum class Counts : std::int32_t { from_zero, mesh, curves, mesh_and_marker };
 
-// Why a call was refused. In the sentence # stands for item, @ for other, ~ for value,
-// $ for the place and % for argument.
+// Why a call was refused. In the sentence # stands for item, @ for other, ~ for value, $ for the place and % for
+// argument.
 struct Fault {
     Status status = Status::ok;
     Counts counts = Counts::from_zero;

@@ -48,8 +48,7 @@ struct BoundaryFunctions {
 // Fingerprints of cells and markers of a mesh; coordinates do not enter.
 struct MeshFingerprint {
     std::uint64_t cells = 0;    // the points of each cell, in order
-    std::uint64_t markers = 0;  // which points are on which marker; in what order and layout faces are given does not
-                                // matter
+    std::uint64_t markers = 0;  // which points are on which marker, however the faces are ordered and laid out
 };
 
 constexpr bool operator==(MeshFingerprint const& a, MeshFingerprint const& b) noexcept {

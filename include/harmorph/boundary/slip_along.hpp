@@ -1,5 +1,4 @@
-// Boundaries along which points slide as a B-spline has it that is given for that,
-// instead of as their own points have it.
+// Boundaries along which points slide as a given B-spline has it, instead of as their own points have it.
 //
 // The curve is C(u) + e, e the offsets of the points from C, linear in u between two points: so points are on it where
 // they start. A point where an open curve ends, or where a closed one has its corner, is a corner of the boundary.
@@ -23,8 +22,8 @@ struct SlipAlong {
 
     // Adds the curve through the positions work.position [n + 1], of a closed line [n]: the one of the condition's
     // curves that is nearest. Refused (Status::bad_condition): positions that are farther from it than a twentieth of
-    // their line's length, and where it has a corner between them,
-    // or turns by more than 30 degrees in an eighth of a face.
+    // their line's length, and where it has a corner between them, or turns by more than 30 degrees in an eighth of a
+    // face.
     template <class PointOf>
     Status add(Condition const& condition, Index n, bool closed, PointOf const& point_of, SlipCurves& to,
                Fault& fault) const noexcept {

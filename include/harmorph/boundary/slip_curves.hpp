@@ -6,8 +6,8 @@
 // q - p. So straight parts are straight, and an arc between points of a circle is off the circle by 4.6e-6 of the
 // radius at 45 degrees, by a part in 64 of that at half the angle. Behind an open end the curve goes on straight.
 //
-// A curve that is given (slip_along.hpp) divides each of its segments into `parts`,
-// at places and with tangents of its own.
+// A curve that is given (slip_along.hpp) divides each of its segments into `parts`, at places and with
+// tangents of its own.
 #pragma once
 
 #include "harmorph/boundary/conditions.hpp"

@@ -82,10 +82,9 @@ struct Mesh {
     const Index* list_start = nullptr;
     const Index* list_points = nullptr;
     const Index* list_markers = nullptr;
-    Index n_given = 0;                   // pieces of polygons: how many polygons, and where the pieces and the guards
-                                         // of
-    const Index* piece_start = nullptr;  // each begin
-    const Index* guard_start = nullptr;
+    Index n_given = 0;                   // pieces of polygons: how many polygons
+    const Index* piece_start = nullptr;  // where the pieces of each begin
+    const Index* guard_start = nullptr;  // where the guards of each begin
     Index n_guards = 0;                  // triangles behind the cells whose areas must be positive, too
     const CornerKind* guard_kind = nullptr;  // [n_guards]
 

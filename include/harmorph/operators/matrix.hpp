@@ -77,8 +77,7 @@ struct Matrix {
                                  // dofs only
     Span<Real> fixed_value;
     Span<Real> fixed_imaginary;
-    Span<Vec2> frame;            // [n_points] direction of a point's first dof, where x and y are coupled or sides
-                                 // turned
+    Span<Vec2> frame;            // [n_points] of a point's first dof, where x and y are coupled or sides turned
     bool frames_change = false;  // with the coordinates: points slip along curves
 
     Index components() const noexcept { return kind == MatrixKind::coupled_xy ? 2 : 1; }

@@ -3,13 +3,13 @@
 // control points is split into the similarity r (z - c) that fits it best, which every point of the wall follows with
 // its own position, and the rest, which follows the curve:
 //     dx = d + (r - 1) (x - c) + sum_i N_i dP_i^rest = sum_i N_i dP_i + (r - 1) e.
-// So a body that turns keeps the shape that the mesh gives it,
-// and a movement that turns nothing moves as the B-spline does.
+// So a body that turns keeps the shape that the mesh gives it, and a movement that turns nothing moves as the B-spline
+// does.
 //
 // Inside the mesh the similarity is carried exactly near the wall and fades to what the functions make of it:
 //     dz = sum_i F_i dP_i + (rho - 1) fade(d / reach) (z - sum_i F_i P_i),
-// d the distance to the wall, P_i the control points, rho the part of r that the step makes;
-// on the wall the bracket is e.
+// d the distance to the wall, P_i the control points, rho the part of r that the step makes; on the wall the
+// bracket is e.
 #pragma once
 
 #include "harmorph/boundary/distance.hpp"

@@ -31,8 +31,7 @@ struct MovementPath {
 
     Span<Index> group_of;     // [functions]
     Span<Group> groups;       // [functions] at most
-    Span<Vec2> start, drift;  // [functions] P_i - c and D_i; of a rigid body's turn 1 and 0; what goes straight: P_i
-                              // and dP_i
+    Span<Vec2> start, drift;  // [functions] P_i - c and D_i; a rigid body's turn: 1 and 0; straight: P_i and dP_i
     Span<Real> target;        // [2 * functions] dP
     Span<const ModeWay> mode_ways;  // [modes], or empty: all modes go straight
 

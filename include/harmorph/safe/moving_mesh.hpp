@@ -20,8 +20,7 @@ struct MovingMesh {
     Span<Index> representative;             // [n_points] of points that a cut joins: the one that stands for all
     Span<std::uint8_t> held;                // [n_points] 1: on the boundary, wherever the step takes it
     Span<SlipCurves::Place> slid;           // [slots of slip curves] where sliding points are after that step
-    Span<const Vec2> given;                 // [given points] their whole displacement, bit by bit; or empty: as modes
-                                            // say
+    Span<const Vec2> given;                 // [given points] their whole displacement, bit by bit; empty: by modes
 
     void lay_out(Arena& arena, Plan const& plan, BasisCounts const& counts) noexcept;
     // Before init(): displacements of given points, and the ways of the modes that carry them.

@@ -17,8 +17,7 @@ struct SafeOptions {
     Index most_resolves = 10;
     std::uint32_t skipped = 0;     // bit k: strategy k is not tried
     Span<const Basis> others;      // solved with other operators or exponents
-    bool solves_others = false;    // instead of `others`: solve with other operators at the start, as far as they are
-                                   // needed
+    bool solves_others = false;    // instead of `others`: solve with other operators at the start, where needed
     UntangleOptions untangle;
     ImproveOptions improve;
     Real heights = 0;              // 0..1: how much of the heights near walls is brought back at the end

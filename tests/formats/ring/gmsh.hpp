@@ -9,12 +9,17 @@ namespace ring {
 inline int tag(int i, int j) { return 10 + 2 * point(i, j); }
 const char gmsh_names[] = "$PhysicalNames\n3\n1 1 \"body\"\n1 2 \"far\"\n2 3 \"fluid, all of it\"\n$EndPhysicalNames\n";
 
-inline std::string gmsh_2(bool binary, bool swapped) {
+inline Bytes gmsh_begin(const std::string& version, bool binary, bool swapped) {
     Bytes out{swapped};
-    out.text = binary ? "$MeshFormat\n2.2 1 8\n" : "$MeshFormat\n2.2 0 8\n";
+    out.text = "$MeshFormat\n" + version + (binary ? " 1 8\n" : " 0 8\n");
     if (binary) out.put(std::int32_t{1});
     out.text += binary ? "\n$EndMeshFormat\n" : "$EndMeshFormat\n";
     out.text += gmsh_names;
+    return out;
+}
+
+inline std::string gmsh_2(bool binary, bool swapped) {
+    Bytes out = gmsh_begin("2.2", binary, swapped);
     out.text += "$Nodes\n168\n";
     for (int k = 0; k < int(x.size()); ++k) {
         if (binary) {
@@ -46,11 +51,7 @@ inline std::string gmsh_2(bool binary, bool swapped) {
 }
 
 inline std::string gmsh_4(bool binary, bool swapped) {
-    Bytes out{swapped};
-    out.text = binary ? "$MeshFormat\n4.1 1 8\n" : "$MeshFormat\n4.1 0 8\n";
-    if (binary) out.put(std::int32_t{1});
-    out.text += binary ? "\n$EndMeshFormat\n" : "$EndMeshFormat\n";
-    out.text += gmsh_names;
+    Bytes out = gmsh_begin("4.1", binary, swapped);
     const auto size = [&](std::uint64_t value) {
         binary ? out.put(value) : void(out.text += std::to_string(value) + " ");
     };
