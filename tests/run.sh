@@ -79,7 +79,7 @@ steps() {
     step 1 "MPI" sh tests/mpi.sh "$BUILD"
     if pkg-config --exists petsc; then step 1 "PETSc" sh tests/petsc.sh "$BUILD"
     elif [ $doing = telling ]; then echo "== PETSc: not installed (Debian's petsc-dev), its tests are SKIPPED"; fi
-    step 2 "program" sh tests/cli.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
+    step 2 "program" sh tests/cli/run.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
     step 2 "faults of files" sh tests/faults.sh "$BUILD/harmorph" tests/meshes "$BUILD/faults"
     step 2 "given displacements on meshes" env CXX="$CXX" CXXFLAGS="$CXXFLAGS" MESHES="$MESHES" sh tests/given/run.sh \
         "$BUILD"

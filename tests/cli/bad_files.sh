@@ -1,0 +1,37 @@
+# Files of curves, movements and functions with something wrong: exit code 3, and the line.
+
+bad_curve() { # bad_curve NAME LINE TEXT CONTENT
+    printf "$4" >"$tmp/bad.curve"
+    refuses "$1" 3 "$tmp/bad.curve:$2: " solve "$ring" --curve body="$tmp/bad.curve" -o "$tmp/x"
+    check "$1: says '$3'" says "$3"
+}
+square='points 4\n1 1\n-1 1\n-1 -1\n1 -1\n' # lines 3 to 7
+bad_curve "curve: unknown word" 1 'degree' 'grade 3\n'
+bad_curve "curve: degree 9" 1 'between 1 and 5' 'degree 9\n'
+bad_curve "curve: closed maybe" 2 'periodic' 'degree 1\nclosed maybe\n'
+bad_curve "curve: a point of one number" 5 'point 2 of 4' 'degree 1\nclosed tied\npoints 4\n1 1\n2\n'
+bad_curve "curve: not a number" 4 "'nan'" 'degree 1\nclosed tied\npoints 4\n1 nan\n2 2\n'
+bad_curve "curve: too few knots" 8 'knots 7' "degree 1\nclosed tied\n${square}knots 6\n0 0 1 2 3 4\n"
+bad_curve "curve: file ends in the knots" 10 'knot 5 of 7' "degree 1\nclosed tied\n${square}knots 7\n0 0 1 2\n"
+line='knots 4\n0 0 1 1\n'
+bad_curve "curve: index out of range" 8 'between 1 and 4' "degree 1\nclosed open\n${square}indices 2\n1 5\n$line"
+bad_curve "curve: indices that do not close" 8 'closed tied' "degree 1\nclosed tied\n${square}indices 2\n1 2\n$line"
+printf "degree 1\nclosed tied\n${square}knots 7\n0 0 1 3 2 4 4\n" >"$tmp/bad.curve"
+refuses "curve: decreasing knots" 3 "$tmp/bad.curve" solve "$ring" --curve body="$tmp/bad.curve" -o "$tmp/x"
+
+bad_moves() { # bad_moves NAME LINE CONTENT
+    printf "$3" >"$tmp/bad.txt"
+    refuses "$1" 3 "$tmp/bad.txt:$2: " morph "$ring" "$basis" --move "$tmp/bad.txt" -o "$tmp/x"
+}
+bad_moves "moves: two numbers" 2 '# index dx dy\n1 2\n'
+bad_moves "moves: control point 0" 1 '0 1 1\n'
+bad_moves "moves: control point 13 of 12" 1 '13 1 1\n'
+bad_moves "moves: not a number" 2 '1 0 0\n2 nan 0\n'
+bad_moves "moves: a point twice" 2 '1 0 0\n1 1 0\n'
+
+bad_basis() { refuses "$1" 3 "$tmp/bad.basis" morph "$ring" "$tmp/bad.basis" --move "$no_moves" -o "$tmp/x"; }
+head -c 1000 "$basis" >"$tmp/bad.basis";                          bad_basis "basis: truncated"
+: >"$tmp/bad.basis";                                              bad_basis "basis: empty"
+cp "$ring" "$tmp/bad.basis";                                      bad_basis "basis: another kind of file"
+{ head -c 9000 "$basis"; echo oops; tail -c +9006 "$basis"; } >"$tmp/bad.basis";  bad_basis "basis: damaged"
+refuses "basis: of another mesh" 3 "$basis" morph "$meshes/naca0012.su2" "$basis" --move "$no_moves"

@@ -1,0 +1,16 @@
+# The demo on the shipped mesh.
+
+runs "demo" 0 demo "$tmp/demo" --mesh "$meshes/naca0012.su2"
+for file in mesh.su2 airfoil.curve airfoil.basis moves.txt morphed.su2 morphed.su2.curve morphed.vtu morph.svg \
+    function.svg far.txt far.su2 fine.su2 fine.basis report.html page.html; do
+    check "demo leaves $file" test -s "$tmp/demo/$file"
+done
+check "demo: the mesh as it is shipped" cmp "$tmp/demo/mesh.su2" "$meshes/naca0012.su2"
+runs "demo: far.txt is too far for one step" 1 morph "$tmp/demo/mesh.su2" "$tmp/demo/airfoil.basis" \
+    --move "$tmp/demo/far.txt"
+runs "demo: check of the fine mesh" 0 check "$tmp/demo/fine.su2" --json
+check "demo: the fine mesh has four times the cells" \
+    says "\"cells\": $((4 * $(sed -n 's/^NELEM= *//p' "$tmp/demo/mesh.su2" | tr -d '\r')))"
+runs "demo: the fine basis moves the fine mesh" 0 morph "$tmp/demo/fine.su2" "$tmp/demo/fine.basis" \
+    --move "$tmp/demo/moves.txt"
+refuses "demo without its mesh" 3 '--mesh' demo "$tmp/demo" --mesh "$tmp/nowhere.su2"

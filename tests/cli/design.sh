@@ -1,0 +1,61 @@
+# Measures and design variables, of the demo's curve; functions by table.
+
+airfoil=$tmp/demo/airfoil.curve mesh=$tmp/demo/mesh.su2
+[ -e "$airfoil" ] || makes demo "$tmp/demo" --mesh "$meshes/naca0012.su2"
+close_to() { awk -v a="$1" -v b="$2" -v e="$3" 'BEGIN { d = a - b; exit !(d < e && d > -e) }'; }
+runs "measures" 0 curve "$airfoil" --stations 0.3 --box 0.3,0 --json
+check "measures: the area of a NACA 0012" close_to "$(number area)" 0.0817 1e-4
+check "measures: its thickness" close_to "$(number max_thickness)" 0.12 1e-4
+check "measures: its thickness at its largest" close_to "$(number thickness_0.3)" 0.12 1e-4
+check "measures: the clearance of a point on the chord" close_to "$(number clearance)" 0.06 1e-3
+area=$(number area)
+runs "halved and elevated" 0 curve "$airfoil" --elevate --halve --insert 0.111 -o "$tmp/finer.curve" --json
+check "halved and elevated: more points" test "$(number points)" -gt 40
+runs "halved and elevated: measured" 0 curve "$tmp/finer.curve" --json
+check "halved and elevated: the same area" close_to "$(number area)" "$area" 1e-14
+runs "functions of the finer curve" 0 solve "$mesh" --curve airfoil="$tmp/finer.curve" \
+    -o "$tmp/finer.basis"
+refuses "a knot outside" 2 'not inside' curve "$airfoil" --insert 7
+refuses "no number" 2 'expects numbers' curve "$airfoil" --insert x
+refuses "three numbers for a chord" 2 'four numbers' curve "$airfoil" --chord 0,0,1
+refuses "a station outside" 2 'not between 0 and 1' curve "$airfoil" --stations 1.5
+for kind in "--cst 6,6" "--ffd 3,1" "--hicks-henne 2,2" "--naca 0.4"; do
+    runs "variables $kind" 0 variables "$airfoil" $kind -o "$tmp/map" --json
+    check "variables $kind: errors" test "$(grep -o rms_error "$tmp/out" | wc -l)" -ge 2
+    echo '2 0.01' >"$tmp/values"
+    runs "morph by $kind" 0 morph "$mesh" "$tmp/demo/airfoil.basis" --variables "$tmp/map" \
+        --move "$tmp/values" -o "$tmp/by.su2" --json
+    check "morph by $kind: on the B-spline" close_to "$(number boundary_error)" 0 1e-15
+done
+runs "thicker by NACA's mode" 0 curve "$tmp/by.su2.curve" --json
+check "thicker by NACA's mode: by 1 %" close_to "$(number max_thickness)" 0.13 1e-4
+refuses "two kinds of variables" 2 'one of --ffd' variables "$airfoil" --cst 6,6 --ffd 1,1
+refuses "a box beside the airfoil" 2 'moves no control point' variables "$airfoil" --ffd 1,1 --box 5,5,6,6
+refuses "variables of another curve" 3 'control points' morph "$mesh" "$tmp/finer.basis" \
+    --variables "$tmp/map" --move "$tmp/values"
+echo '7 1' >"$tmp/values"
+refuses "a variable that is none" 3 'between 1 and 2' morph "$mesh" "$tmp/demo/airfoil.basis" \
+    --variables "$tmp/map" --move "$tmp/values"
+
+# Functions by table: a mode moves the mesh as the same displacement does.
+awk '/^MARKER_TAG/ { on = $0 ~ /airfoil/ } on && $1 == 3 { seen[$2]; seen[$3] } END { for (p in seen) print p, 0, 1 }' \
+    "$mesh" >"$tmp/plunge"
+awk '{ print $1, 1, 0.5 }' "$tmp/plunge" | sort >"$tmp/surge"
+sed 's/ 0 1$/ 0.004 0.022/' "$tmp/plunge" >"$tmp/field"
+runs "functions by table" 0 solve "$mesh" --given airfoil --mode "$tmp/plunge" --mode "$tmp/surge" \
+    -o "$tmp/modes.basis"
+printf 'mode 1 0.02\nmode 2 0.004\n' >"$tmp/values"
+runs "moved by modes" 0 morph "$mesh" "$tmp/modes.basis" --move "$tmp/values" -o "$tmp/by-modes.su2"
+runs "displaced" 0 displace "$mesh" --given airfoil --wall "$tmp/field" -o "$tmp/displaced.su2"
+same_points() { paste -d ' ' "$1" "$2" | awk 'NF % 2 == 0 { for (i = 1; i <= NF / 2; i++) { d = $i - $(i + NF / 2)
+    if (d > 1e-12 || d < -1e-12) bad = 1 } ++n } END { exit bad || n < 1000 }'; }
+check "moved by modes: as displaced" same_points "$tmp/by-modes.su2" "$tmp/displaced.su2"
+refuses "modes without --given" 2 '--given' solve "$mesh" --mode "$tmp/plunge" -o "$tmp/x"
+sed 1d "$tmp/plunge" >"$tmp/fewer"
+refuses "a mode of fewer points" 3 'has not the points' solve "$mesh" --given airfoil \
+    --mode "$tmp/plunge" --mode "$tmp/fewer" -o "$tmp/x"
+sed 's/ 0 1$/ 0 0/' "$tmp/plunge" >"$tmp/zero"
+refuses "a mode that is zero" 2 'mode 0 (from 0) is zero' solve "$mesh" --given airfoil \
+    --mode "$tmp/zero" -o "$tmp/x"
+echo 'mode 3 1' >"$tmp/values"
+refuses "a mode that is none" 3 'between 1 and 2' morph "$mesh" "$tmp/modes.basis" --move "$tmp/values"

@@ -1,0 +1,47 @@
+# Wrong usage is exit code 2, a result that cannot be used 1, and what cannot be written 3.
+
+runs "--help" 0 --help
+check "--help names the commands" says 'harmorph COMMAND --help'
+runs "--version" 0 --version
+for command in fit solve morph displace export check transfer explore demo; do
+    runs "$command --help" 0 $command --help
+    check "$command --help has an example" says "  harmorph $command "
+done
+refuses "no command" 2 'command is missing'
+refuses "unknown command" 2 "'frobnicate'" frobnicate
+refuses "unknown option" 2 "'--colour'" check --colour "$ring"
+refuses "missing operand" 2 'MESH is missing' check
+refuses "operand too many" 2 'too many' check "$ring" "$ring"
+refuses "option without its value" 2 '--marker' fit "$ring" -o "$tmp/x" --marker
+refuses "missing -o" 2 '-o is missing' fit "$ring" --marker body
+refuses "a word for a number" 2 "'many'" fit "$ring" --marker body -o "$tmp/x" --points many
+refuses "degree out of range" 2 '--degree' fit "$ring" --marker body -o "$tmp/x" --degree 6
+refuses "unknown --closed" 2 '--closed' fit "$ring" --marker body -o "$tmp/x" --closed maybe
+refuses "more control points than points" 2 '--points' fit "$ring" --marker body -o "$tmp/x" --points 49
+refuses "unknown marker" 2 "'body', 'far'" fit "$ring" --marker wing -o "$tmp/x"
+refuses "two separate pieces of boundary" 2 'separate' fit "$ring" --marker body,far -o "$tmp/x"
+
+# A result that cannot be used.
+refuses "morph that inverts cells" 1 'admissible' morph "$ring" "$basis" --move "$tmp/large.txt" -o "$tmp/large.su2" \
+    --json
+leaves_nothing "morph that inverts cells: nothing written" "$tmp/large.su2"
+has_keys "morph that inverts cells: JSON all the same" \
+    inverted admissible_step self_crossing boundary_error min_quality mean_quality morph_seconds moved_curve
+runs "morph that inverts cells, --force" 1 morph "$ring" "$basis" --move "$tmp/large.txt" -o "$tmp/large.su2" --force
+check "--force writes" test -s "$tmp/large.su2"
+refuses "check counts inverted cells" 1 'inverted' check "$tmp/large.su2"
+refuses "solve refuses inverted cells" 3 "$tmp/large.su2:" solve "$tmp/large.su2" --curve body="$curve" -o "$tmp/x"
+refuses "not converged" 1 'not converged' solve "$ring" --curve body="$curve" -o "$tmp/loose.basis" --tol 1e-30
+leaves_nothing "not converged: nothing written" "$tmp/loose.basis"
+runs "not converged, --force" 1 solve "$ring" --curve body="$curve" -o "$tmp/loose.basis" --tol 1e-30 --force
+check "not converged, --force writes" test -s "$tmp/loose.basis"
+
+# Output that cannot be written.
+refuses "no such folder" 3 'no/such/folder' morph "$ring" "$basis" --move "$no_moves" -o "$tmp/no/such/folder/mesh.su2"
+if [ -c /dev/full ]; then
+    refuses "a full disk" 3 '/dev/full' morph "$ring" "$basis" --move "$no_moves" -o /dev/full
+    refuses "all files or none" 3 '/dev/full' morph "$ring" "$basis" --move "$no_moves" -o "$tmp/x" --vtu /dev/full
+    leaves_nothing "all files or none: none" "$tmp/x"
+    "$harmorph" check "$ring" >/dev/full 2>/dev/null
+    check "standard output on a full disk" test $? -eq 3
+fi
