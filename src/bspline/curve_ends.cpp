@@ -39,8 +39,13 @@ Index following(Span<const Index> corner, Index j) noexcept { return corner[j + 
 
 Index farthest_from(Outline const& outline, Vec2 from) noexcept {
     Index farthest = 0;
-    for (Index k = 1; k < outline.count(); ++k)
-        if (square(outline.points[k] - from) > square(outline.points[farthest] - from)) farthest = k;
+    Real most = 0;
+    for (Index k = 0; k < outline.count(); ++k) {
+        Real const distance = square(outline.points[k] - from);
+        if (!(distance > most)) continue;
+        most = distance;
+        farthest = k;
+    }
     return farthest;
 }
 

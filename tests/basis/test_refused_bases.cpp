@@ -3,8 +3,10 @@
 
 #include <fixtures/basis_copy.hpp>
 #include <fixtures/bodies.hpp>
+#include <fixtures/polygon_cases.hpp>
 
 using namespace fixtures;
+using harmorph::Index;
 
 TEST_CASE("a basis that is truncated, at any length, is refused with the reason") {
     Case its = tiny_case();
@@ -153,6 +155,30 @@ TEST_CASE("indices out of range and numbers that are not finite are found in a b
         }
     CHECK(accepted > 0);
     CHECK(accepted < 3 * n);
+}
+
+TEST_CASE("cells and guards of polygons that do not follow each other are found in a basis whose checksum is right") {
+    Case its = honeycomb_case();
+    its.mesh.cell_layout = HM_CELLS_POLYGONS;
+    Solved const solved(its);
+    hm_mesh const mesh = its.mesh.view();
+    BasisCopy copy(solved);
+    harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(copy.data()));
+    harmorph::Pieces const& pieces = basis.pieces;
+    REQUIRE(pieces.given());
+    auto const refuses = [&](Index& number, Index wrong) {
+        Index const right = number;
+        number = wrong;
+        basis.header->checksum = harmorph::checksum_of(*basis.header);
+        bool const is_refused = copy.attach(&mesh) == HM_BAD_BASIS && copy.says("pieces of its cells");
+        number = right;
+        return is_refused;
+    };
+    Index const cell = its.mesh.n_cells() / 2;
+    CHECK(refuses(pieces.start[cell], pieces.start[cell + 1]));   // a cell without a piece
+    CHECK(refuses(pieces.guard_start[cell], pieces.guard_start[cell + 1] + 1));
+    basis.header->checksum = harmorph::checksum_of(*basis.header);
+    CHECK(copy.attach(&mesh) == HM_OK);
 }
 
 TEST_CASE("a basis with another mesh is refused; the same mesh with other coordinates is a warning") {

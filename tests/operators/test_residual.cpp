@@ -102,6 +102,11 @@ TEST_CASE("points that slip: the residual of any values is b - A F, also where l
             dofs.wall(wall)[0] = uniform(random) - 0.5;
         std::vector<double> expected(static_cast<std::size_t>(matrix.n));
         auto const subtract = [&](Index row, double by) { expected[static_cast<std::size_t>(row)] -= by; };
+        for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall)
+            for (Index c = matrix.coupling_start[wall]; c < matrix.coupling_start[wall + 1]; ++c)
+                subtract(matrix.coupling_row[c], matrix.coupling_value[c] * dofs.wall(wall)[0]);
+        double right_hand_side = 0;
+        for (double const b : expected) right_hand_side += b * b;
         for (Index i = 0; i < matrix.n; ++i) {
             subtract(i, matrix.diagonal[i] * dofs.at(i)[0]);
             for (harmorph::Offset e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
@@ -109,9 +114,6 @@ TEST_CASE("points that slip: the residual of any values is b - A F, also where l
                 subtract(matrix.column[e], matrix.value[e] * dofs.at(i)[0]);
             }
         }
-        for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall)
-            for (Index c = matrix.coupling_start[wall]; c < matrix.coupling_start[wall + 1]; ++c)
-                subtract(matrix.coupling_row[c], matrix.coupling_value[c] * dofs.wall(wall)[0]);
         harmorph::Residual::Norms const norms = plan.refinement.residual.compute(matrix, dofs, 0, 1);
         double worst = 0, squares = 0;
         for (Index i = 0; i < matrix.n; ++i) {
@@ -121,6 +123,7 @@ TEST_CASE("points that slip: the residual of any values is b - A F, also where l
         }
         CHECK(worst < 1e-12 * std::sqrt(squares));
         CHECK(norms.rest[0] == doctest::Approx(squares).epsilon(1e-12));
+        CHECK(norms.right_hand_side[0] == doctest::Approx(right_hand_side).epsilon(1e-12));
     }
 }
 

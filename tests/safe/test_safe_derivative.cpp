@@ -53,6 +53,23 @@ TEST_CASE("the derivative is exact at wall points, elsewhere the steps' sum; hm_
         }
 }
 
+TEST_CASE("where untangling ends the way in a poor mesh, the derivative is that of the whole way") {
+    Case its = block_in_square(Cells::quads, 15);
+    hm_options const options = options_of(HM_CONFORMAL);
+    Safe safe(its, options);
+    safe.safe_options.skipped_strategies = without({HM_STRATEGY_SUBSTEPS, HM_STRATEGY_IMPROVED});
+    safe.safe_options.min_quality = 0.99;   // no mesh is as good as that
+    Attempt of;
+    REQUIRE(of.analyse(its.problem(), &options));
+    REQUIRE(of.prepare());
+    REQUIRE(safe.run(turn_of(its, 120), of.basis) == HM_POOR);
+    REQUIRE(safe.report.strategy == HM_STRATEGY_UNTANGLED);
+    std::vector<double> const further = some_move(4, 1, 3);
+    Field const by = displacement(of.basis, further), of_wall = displacement(safe.solved(), further);
+    for (std::int32_t const point : points_on(its.mesh, body))
+        CHECK(std::abs(by[static_cast<std::size_t>(point)] - of_wall[static_cast<std::size_t>(point)]) < 1e-13);
+}
+
 TEST_CASE("in one step the derivative is the basis; with real functions and straight ways, the mean of the steps'") {
     Case its = block_in_square(Cells::quads, 15);
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
