@@ -84,7 +84,12 @@ TEST_CASE("one wrong value leaves its column of the matrix") {
 }
 
 TEST_CASE("points that slip: the residual of any values is b - A F, also where lines meet at an angle") {
-    for (std::int32_t const kind : {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL}) {
+    struct Kind {
+        std::int32_t kind;
+        bool has_source;
+    };
+    for (auto const [kind, has_source] : {Kind{HM_LAPLACE, false}, Kind{HM_WEIGHTED, false}, Kind{HM_CONFORMAL, false},
+                                          Kind{HM_LAPLACE, true}, Kind{HM_CONFORMAL, true}}) {
         Case its = similar(two_body_case(Cells::hybrid, 5, 4), std::polar(1.0, 0.7), 0);
         its.conditions.clear();
         its.put_on_curves(body, 0);   // the other body is held
@@ -94,12 +99,15 @@ TEST_CASE("points that slip: the residual of any values is b - A F, also where l
         harmorph::Plan const& plan = inside(solved.plan);
         harmorph::Matrix const& matrix = plan.equations.matrix;
         harmorph::Basis const basis = in_rows(solved);
-        harmorph::DofValues const dofs{basis, plan.equations.dof_of, 2};
+        harmorph::DofValues dofs{basis, plan.equations.dof_of, 2};
         std::mt19937 random(5);
         fill(basis.value, 0.0);
+        std::vector<double> source(static_cast<std::size_t>(basis.value.count()));
+        for (double& one : source) one = uniform(random) - 0.5;
+        if (has_source) dofs.source = source.data();
         for (Index i = 0; i < matrix.n; ++i) dofs.at(i)[0] = uniform(random) - 0.5;
         for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall)
-            dofs.wall(wall)[0] = uniform(random) - 0.5;
+            dofs.wall(wall)[0] = has_source ? 0 : uniform(random) - 0.5;
         std::vector<double> expected(static_cast<std::size_t>(matrix.n));
         auto const subtract = [&](Index row, double by) { expected[static_cast<std::size_t>(row)] -= by; };
         for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall)
@@ -107,6 +115,10 @@ TEST_CASE("points that slip: the residual of any values is b - A F, also where l
                 subtract(matrix.coupling_row[c], matrix.coupling_value[c] * dofs.wall(wall)[0]);
         double right_hand_side = 0;
         for (double const b : expected) right_hand_side += b * b;
+        for (Index i = 0; i < matrix.n && has_source; ++i) {
+            subtract(i, -dofs.source_at(i)[0]);
+            right_hand_side += dofs.source_at(i)[0] * dofs.source_at(i)[0];
+        }
         for (Index i = 0; i < matrix.n; ++i) {
             subtract(i, matrix.diagonal[i] * dofs.at(i)[0]);
             for (harmorph::Offset e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
