@@ -4,6 +4,7 @@
 #include <fixtures/cascade.hpp>
 #include <fixtures/check.hpp>
 #include <fixtures/executors.hpp>
+#include <fixtures/polygons.hpp>
 #include <fixtures/traps.hpp>
 
 #include <complex>
@@ -85,9 +86,13 @@ TEST_CASE("hm_improve: better cells, the report is that of hm_quality, and walls
 }
 
 TEST_CASE("hm_improve: the first layer gets back the heights that a conformal morph has changed") {
-    for (Cells const kind : {Cells::quads, Cells::hybrid}) {
-        std::size_t const around = 48;
-        Case its = ring_case(12, static_cast<int>(around), 0.5, 2, kind);
+    std::size_t const around = 48;
+    Case with_hanging_nodes = ring_case(12, static_cast<int>(around), 0.5, 2);
+    // Points between those above the wall: the mesh is finer behind the first layer.
+    with_hanging_nodes.mesh = refined(with_hanging_nodes.mesh, [](Point p) { return std::hypot(p.x, p.y) > 0.62; });
+    with_hanging_nodes.mesh.cell_layout = HM_CELLS_POLYGONS;
+    for (Case const& its : {ring_case(12, static_cast<int>(around), 0.5, 2, Cells::quads),
+                            ring_case(12, static_cast<int>(around), 0.5, 2, Cells::hybrid), with_hanging_nodes}) {
         Morphed out(its, some_move(8, 0.12, 3));
         REQUIRE(out.improve() == HM_OK);
         double worst_before = 0, worst = 0;
