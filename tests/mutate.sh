@@ -2,13 +2,13 @@
 # Called by `make mutate`: how many small errors in the library the C++ tests find. Each mutant differs from the library
 # in one operator or one word of one source file; MUTANTS of these are drawn by SEED. Only that file is compiled; a
 # mutant that compiles to the same instructions is none. A mutant is caught if a check fails or the program crashes: in
-# the tests of its file, of its room, in random problems, or in the tests of rooms that may use it. What takes long
-# comes last. Processor time is limited to twice what the library itself takes; a mutant that needs more is mostly an
-# endless loop, and is counted apart. Those that survive are listed with the reason that tests/mutants.txt gives for the
-# line; the last line counts. At least 95 % of the mutants that end must be caught or have a reason. JOBS mutants are
-# judged at a time. FILES='src/safe/*.cpp': of these files. LIMIT=3600: seconds after which no further mutant is begun;
-# the next run goes on from there, as build/mutants remembers what became of each mutant of an unchanged file (of those
-# that survive, as long as the tests are the same, too).
+# the tests of its file, of its room, in random problems, or in the tests of other rooms. What takes long comes last.
+# Processor time is limited to twice what the library itself takes; a mutant that needs more is mostly an endless loop,
+# and is counted apart. Those that survive are listed with the reason that tests/mutants.txt gives for the line; the
+# last line counts. At least 95 % of the mutants that end must be caught or have a reason. JOBS mutants are judged at a
+# time. FILES='src/safe/*.cpp': of these files. LIMIT=3600: seconds after which no further mutant is begun; the next run
+# goes on from there, as build/mutants remembers what became of each mutant of an unchanged file (of those that survive,
+# as long as the tests are the same, too).
 : "${MAKE:=make}" "${BUILD:=build}" "${CXX:=c++}" "${MUTANTS:=200}" "${SEED:=1}" "${LIMIT:=1000000}" "${JOBS:=2}"
 dir=$BUILD/mutants
 known=tests/mutants.txt
@@ -21,8 +21,8 @@ candidates() {
     awk '
     function mutant(at, from, to) { printf "%s\t%d\t%d\t%s\t%s\t%s\n", FILENAME, FNR, at, from, to, $0 }
     function find(from, to,   start, at) {
-        for (start = 1; (at = index(substr(text, start), from)) > 0; start = start + at) mutant(start + at - 1, from,
-        to)
+        for (start = 1; (at = index(substr(text, start), from)) > 0; start = start + at)
+            mutant(start + at - 1, from, to)
     }
     {
         text = $0
@@ -82,25 +82,15 @@ LC_ALL=C awk '
 slow=$(LC_ALL=C awk -F'\t' '$2 > 0.5 { gsub(/,/, "?");
     printf "%s,", $3 }' "$dir/cases")   # a comma begins another pattern
 
-# What may find a mutant, the likeliest and quickest first. Of other rooms, those below in the table of src/README.md:
-# the rest cannot know of the file, but through the C interface, whose tests are among them.
-rooms="$(sed -n 's/^| `\([a-z]*\)` |.*/\1/p' src/README.md) c_api"
-from_room() {   # room: names of this and the rooms below; of the C interface, all
-    seen=no
-    for below in $rooms; do
-        if [ "$1" = c_api ] || [ $below = "$1" ]; then seen=yes; fi
-        if [ $seen = yes ]; then echo $below; fi
-    done
-}
-files_of() { for below in $(from_room "$1"); do printf '*tests/%s/*,' $below; done; }
+# What may find a mutant, the likeliest and quickest first. Tests of any room may find it, as they use the C interface.
 until_failure() { timeout 1800 "$@" -aa=1; }   # what waits for ever uses no processor time
 step() {   # which, folder of the programs, room, file
     case $1 in
     file) until_failure "$2/tests" -tce="$slow" -sf="*tests/$3/test_${4#harmorph_}.cpp" ;;
     room) until_failure "$2/tests" -tce="$slow" -sf="*tests/$3/*" ;;
     slow) until_failure "$2/tests" -tc="$slow" -sf="*tests/$3/*" ;;
-    others) until_failure "$2/tests" -tce="$slow" -sf="$(files_of "$3")" -sfe="*tests/$3/*" ;;
-    slow_others) until_failure "$2/tests" -tc="$slow" -sf="$(files_of "$3")" -sfe="*tests/$3/*" ;;
+    others) until_failure "$2/tests" -tce="$slow" -sfe="*tests/$3/*" ;;
+    slow_others) until_failure "$2/tests" -tc="$slow" -sfe="*tests/$3/*" ;;
     random)
         for run in "plane 400" "given 600" "parts 400" "basis 1000" "polygons 600" "sequence 1000" "problem 1000" \
             "shape 600"; do
@@ -116,10 +106,9 @@ seconds_of_random=$(tail -n 1 "$dir/out" | LC_ALL=C awk -F'[ms ]+' '{ print int(
 limit() {   # which, room
     case $1 in
     random) echo $((3 + 2 * seconds_of_random)) ;;
-    *) from_room "$2" | LC_ALL=C awk -F'\t' -v which="$1" -v room="$2" '
-        NR == FNR { below[$1]; next }
-        $1 in below && ($1 == room) == (which !~ /others/) && ($2 > 0.5) == (which ~ /slow/) { sum += $2 }
-        END { print 3 + int(2 * sum) }' - "$dir/cases" ;;
+    *) LC_ALL=C awk -F'\t' -v which="$1" -v room="$2" '
+        ($1 == room) == (which !~ /others/) && ($2 > 0.5) == (which ~ /slow/) { sum += $2 }
+        END { print 3 + int(2 * sum) }' "$dir/cases" ;;
     esac
 }
 # What becomes of the mutant in a step: "caught", "out of time", or nothing.
