@@ -22,7 +22,7 @@
 #   make amalgamation     the library in two files, build/amalgamation/harmorph.cpp and harmorph.h
 #   make bench            against CHOLMOD, MUMPS, SuperLU, Eigen and OpenBLAS, and gmsh (PARTS=files), as far as they
 #                         are there; see tests/bench/run.sh
-#   make bench-rows       measures what README says about speed, and prints the rows of its tables
+#   make bench-rows       measures what tests/bench/README.md says about speed, and prints the rows of its tables
 #   make deform           how far meshes follow large movements: tables and figures on a page; see tests/deform/run.sh
 #   make bench-petsc      functions by PETSc on parts of the mesh: time, iterations, memory, beside harmorph_mpi
 #   make bench-mpi        solve and morph on 1 and 2 processes

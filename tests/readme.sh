@@ -1,8 +1,9 @@
 #!/bin/sh
 # usage: readme.sh BUILD   (MAKE, CC, FC, ... from the environment)
-# The programs in README.md, saved as it says, beside the checkout and an empty home; then its shell lines, one block
-# after the other. The programs are also those of the examples.
-# The lines for several processes run inside readme_mpi.f90.
+# Every README.md of the sources. The programs of the first one are saved as it says, beside the checkout and an empty
+# home, and its shell lines run, one block after the other; then the shell lines of the other pages, in the same folder.
+# Lines of programs on all pages are those of the examples, or compile inside the programs readme_*. At the end, no
+# block of a page that names a language may have been passed over, and no link may lead to what is not in git.
 : "${MAKE:=make}" "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}" "${FFLAGS:=-O2}"
 : "${MPICC:=mpicc}" "${MPIFC:=mpifort}" "${MPIRUN:=mpirun}"
 build=$(cd "$1" && pwd)
@@ -10,16 +11,20 @@ source=$(pwd)
 dir=$build/readme
 topic=README log=$dir/log
 . "$(dirname "$0")/count.sh"
-block() {   # language, number: the fenced block
-    awk -v begin="\`\`\`$1" -v wanted="$2" '/^```/ && inside { inside = 0; next }
-        $0 == begin { inside = 1; ++n; next } inside && n == wanted' README.md
-}
 rm -rf "$dir"
 mkdir -p "$dir/home"
 ln -s "$source" "$dir/harmorph"
-block c 1 >"$dir/morph.c"
-block fortran 1 >"$dir/morph.f90"
-# What README calls make, cc and gfortran is what the tests are run with, in the tests' build directory.
+git ls-files >"$dir/sources" 2>/dev/null && [ -s "$dir/sources" ] ||
+    find . \( -name build -o -name .git \) -prune -o -type f -print | sed 's|^\./||' >"$dir/sources"
+pages=$(grep -E '(^|/)README\.md$' "$dir/sources")
+block() {   # page, language, number: the fenced block
+    echo "$1 $2 $3" >>"$dir/looked_at"
+    awk -v begin="\`\`\`$2" -v wanted="$3" '/^```/ && inside { inside = 0; next }
+        $0 == begin { inside = 1; ++n; next } inside && n == wanted' "$1"
+}
+block README.md c 1 >"$dir/morph.c"
+block README.md fortran 1 >"$dir/morph.f90"
+# What the pages call make, cc and gfortran is what the tests are run with, in the tests' build directory.
 cat >"$dir/tools" <<'END'
 HOME=$dir/home
 make() { command $MAKE "$@" BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS"; }
@@ -31,42 +36,42 @@ set -e
 cd "$dir"
 END
 export dir build MAKE CXX CXXFLAGS CC FC LDFLAGS
-path() {   # number, words that the program prints
-    { cat "$dir/tools"; block sh "$1"; } >"$dir/path.sh"
-    sh "$dir/path.sh" >"$dir/out" 2>&1 && grep -q "$2" "$dir/out" || { cat "$dir/out"; return 1; }
+path() {   # page, number, words that the program prints
+    { cat "$dir/tools"; block "$1" sh "$2"; } >"$dir/path.sh"
+    sh "$dir/path.sh" >"$dir/out" 2>&1 && grep -q "$3" "$dir/out" || { cat "$dir/out"; return 1; }
 }
 check "the C program is c_api/examples/morph.c" cmp "$dir/morph.c" c_api/examples/morph.c
 check "the Fortran program is fortran/examples/morph.f90" cmp "$dir/morph.f90" fortran/examples/morph.f90
 solver_lines() {   # as they stand in the example, up to indentation
-    block fortran 2 | sed '/^$/d' | sort >"$dir/shown"
+    block fortran/examples/README.md fortran 1 | sed '/^$/d' | sort >"$dir/shown"
     sed -n 's/ *!hm$//p' fortran/examples/inverse.f90 | sed 's/^ *//' | sort | diff - "$dir/shown"
 }
-example_lines() {   # language, number of the block, example: lines between README and end, up to indentation
-    block "$1" "$2" >"$dir/shown"
-    awk '/[!*] README:/ { inside = 1; next } /[!*] end/ { inside = 0 } inside' "$3" | sed '/^$/d; s/^    //' |
+example_lines() {   # page, language, number of the block, example: lines between README and end, up to indentation
+    block "$1" "$2" "$3" >"$dir/shown"
+    awk '/[!*] README:/ { inside = 1; next } /[!*] end/ { inside = 0 } inside' "$4" | sed '/^$/d; s/^    //' |
         diff - "$dir/shown"
 }
-check "the lines of c_api/examples/plane.c" example_lines c 3 c_api/examples/plane.c
-check "the lines of fortran/examples/plane.f90" example_lines fortran 3 fortran/examples/plane.f90
+check "the lines of c_api/examples/plane.c" example_lines src/space/README.md c 1 c_api/examples/plane.c
+check "the lines of fortran/examples/plane.f90" example_lines src/space/README.md fortran 1 fortran/examples/plane.f90
 check "the solver's lines are those of fortran/examples/inverse.f90" solver_lines
-check "from nothing to a running morph in C" path 1 "^0 inverted cells; the mesh could follow"
-check "from nothing to a running morph in Fortran" path 2 "^0 inverted cells; the mesh could follow"
-check "from the command line" path 3 "^inverted cells   0"
+check "from nothing to a running morph in C" path README.md 1 "^0 inverted cells; the mesh could follow"
+check "from nothing to a running morph in Fortran" path README.md 2 "^0 inverted cells; the mesh could follow"
+check "from the command line" path README.md 3 "^inverted cells   0"
 check "from the command line: morphed meshes are valid" sh -c \
     'for mesh in morphed far fine_morphed; do "$build/harmorph" check "$dir/case/$mesh.su2" || exit 1; done'
 from_python() {
     command $MAKE -s BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS" shared &&
-        block python 1 >"$dir/morph.py" &&
         (cd "$dir/case" && LD_LIBRARY_PATH=$build/shared python3 "$dir/morph.py") >"$dir/out" && cat "$dir/out" &&
         [ "$(grep -c . "$dir/morph.py")" = 15 ] && awk '/^largest displacement/ { d = $3 }
             END { exit !(d > 0.001 && d <= 0.01) }' "$dir/out"
 }
+block c_api/README.md python 1 >"$dir/morph.py"
 if command -v python3 >/dev/null && [ "$(uname -s)" = Linux ]; then
     check "from Python" from_python
 else
     skip "the call from Python" "it is not installed"
 fi
-check "design variables from the command line" path 4 "^inverted cells   0"
+check "design variables from the command line" path src/bspline/README.md 1 "^inverted cells   0"
 # The first block, where it lies: packages are there, and the tests are those that run.
 first_lines() {
     mkdir -p "$dir/bin" && printf '#!/bin/sh\n' >"$dir/bin/apt-get" && chmod +x "$dir/bin/apt-get" || return 1
@@ -79,17 +84,40 @@ first_lines() {
     grep -q 'make demo' "$dir/first.sh" && sh "$dir/first.sh" && ls "$build/demo/morph.svg"
 }
 check "the first two commands" first_lines
-# No other block holds commands: those of the program stand in blocks that are run.
-no_other_commands() {
-    ! awk '/^```/ { fenced = !fenced; here = fenced && $0 != "```sh"; next }
-        here && /^(harmorph|make|cc|gfortran|mpicc) /' README.md | grep .
-}
-check "commands stand in blocks that are run" no_other_commands
 
-# As README says it: harmorph_mpi.c by mpicc, harmorph_mpi.f90 by mpifort; see tests/mpi.sh.
+# Lines that no example has, inside programs that declare what the lines name.
+lines_of_c() {
+    block c_api/README.md c 1 >"$dir/readme_given.inc"
+    block c_api/README.md c 2 >"$dir/readme_threads.inc"
+    $CC -std=c99 -fopenmp -Wall -Werror -Ic_api -I"$dir" -c tests/readme_lines.c -o "$dir/readme_lines.o"
+}
+lines_of_fortran() {   # harmorph.mod is there from the program in Fortran
+    block fortran/README.md fortran 1 >"$dir/readme_nodes.inc"
+    block src/bspline/README.md fortran 1 >"$dir/readme_variables.inc"
+    cp tests/readme_lines.f90 "$dir" && (cd "$dir" && $FC $FFLAGS -O0 -c readme_lines.f90)
+}
+heads() {   # calls or subroutines, whether continued by & in column 6 or at the end: NAME and its number of arguments
+    awk '/^     &/ { sub(/&/, ""); printf "%s", $0; next } { if (!joined && NR > 1) print ""
+        joined = sub(/& *$/, ""); printf "%s", $0 } END { print "" }' | tr A-Z a-z |
+        sed -nE 's/^ *(call|subroutine) *(hm[a-z0-9]*) *(\([^)]*\)).*/\2 \3/p' |
+        awk '{ print $1, gsub(/,/, "") + 1 }' | sort -u
+}
+lines_of_fortran_77() {
+    block fortran/README.md fortran 2 >"$dir/readme_77.inc"
+    heads <"$build/harmorph77.f90" >"$dir/known"
+    heads <"$dir/readme_77.inc" >"$dir/shown"
+    [ "$(grep -c . "$dir/shown")" = "$(grep -c CALL "$dir/readme_77.inc")" ] &&
+        ! grep -vxF -f "$dir/known" "$dir/shown"
+}
+check "lines of C on other pages compile" lines_of_c
+check "lines of Fortran on other pages compile" lines_of_fortran
+check "lines of FORTRAN 77 have the arguments of what they call" lines_of_fortran_77
+
+# As the page says it: harmorph_mpi.c by mpicc, harmorph_mpi.f90 by mpifort; see tests/mpi.sh.
 . "$(dirname "$0")/processes.sh"
+block c_api/mpi/README.md fortran 1 >"$dir/readme_mpi.inc"
 several_processes() {
-    block fortran 4 >"$dir/readme_mpi.inc" && cp tests/readme_mpi.f90 "$dir" || return 1
+    cp tests/readme_mpi.f90 "$dir" || return 1
     (cd "$dir" && $MPICC $CFLAGS -I"$source/c_api" -c "$source/c_api/harmorph_mpi.c" -o harmorph_mpi_c.o &&
         for file in "$build/harmorph.f90" "$build/harmorph_mpi.f90" "$source/tests/o_mesh.f90" readme_mpi.f90; do
             $MPIFC $FFLAGS -O0 -c "$file" || exit 1   # optimised, the modules take most of the time
@@ -102,10 +130,47 @@ several_processes() {
 }
 partitioned_lines() {
     sed -n 's/ *!hm$//p' fortran/examples/partitioned.f90 | sed 's/^ *//' >"$dir/known"
-    block fortran 5 | grep -vxF -f "$dir/known" | grep . && return 1
-    block fortran 5 | grep -q system%solve
+    block c_api/petsc/README.md fortran 1 >"$dir/shown"
+    grep -vxF -f "$dir/known" "$dir/shown" && return 1
+    grep -q system%solve "$dir/shown"
 }
 check "the lines of fortran/examples/partitioned.f90" partitioned_lines
 if command -v $MPIFC >/dev/null; then check "the lines for several processes" several_processes; fi
+
+# Blocks with a language are programs; indented lines that begin as a command does would be run by nobody.
+not_looked_at() {
+    for page in $pages; do
+        awk -v page="$page" '/^```/ { inside = !inside; here = inside && $0 != "```"
+                if (here) print page, substr($0, 4), ++n[$0]
+                next }
+            !here && !(page == "README.md" && inside) && /^ *(harmorph|make|cc|gfortran|mpicc) [^.,:;]*$/ &&
+                (inside || /^    /) && !/^ *make unit / { print page ": " $0 }' "$page"
+    done | grep -vxF -f "$dir/looked_at"
+}
+is_empty "blocks and commands that no test looks at" "$(not_looked_at)"
+# Links are relative to their page; a folder is what files in git lie in, and a place on a page is a heading there.
+wrong_links() {
+    for page in $pages; do
+        folder=$(dirname "$page")
+        awk '/^```/ { inside = !inside } !inside { gsub(/`[^`]*`/, ""); print }' "$page" |
+            grep -o '\]([^)]*)' | sed 's/^](//; s/)$//' |
+            while IFS= read -r link; do
+                case $link in http*) continue ;; esac
+                file=${link%%#*} place=
+                case $link in *'#'*) place=${link#*#} ;; esac
+                if [ -n "$file" ]; then
+                    path=$(echo "$folder/$file" | sed 's|/$||; s|^\./||; :up
+                        s|[^/.][^/]*/\.\./||; t up')
+                else
+                    path=$page
+                fi
+                awk -v path="$path" '$0 == path || index($0, path "/") == 1 { found = 1 } END { exit !found }' \
+                    "$dir/sources" || { echo "$page: $link"; continue; }
+                [ -z "$place" ] || sed -n 's/^##* //p' "$path" | tr 'A-Z ' 'a-z-' | sed 's/[^a-z0-9_-]//g' |
+                    grep -qxF -e "$place" || echo "$page: $link"
+            done
+    done
+}
+is_empty "links that lead nowhere" "$(wrong_links)"
 
 finish "$dir"
