@@ -91,8 +91,8 @@ enum {
                                  possible */
     HM_BACKTRACKS = 4,        /* hm_fit: the curve runs backwards between two points; error.item: the first of them */
     HM_FAR_FROM_CURVE = 5,    /* hm_analysis_init: a point is farther from its curve than 5 % of the extent of the
-                                 curve; error.item: the point for which this part is largest, error.value: its
-                                 distance */
+                                 curve or of all points on curves, or lies beyond the end of its curve;
+                                 error.item: the point for which this part is largest, error.value: its distance */
     HM_POOR = 6,              /* hm_morph_safe: the mesh is valid and at the target, but cells are poorer, or heights of
                                  the first layer changed more, than was asked for; error.item: the cell, or the wall
                                  point */
@@ -517,9 +517,12 @@ typedef struct hm_condition {
     int32_t  marker;
     int32_t  kind;                 /* HM_ON_CURVE, ... */
     int32_t  first_curve, n_curves;/* on curve: each point lies on one of the curves first_curve ..
-                                      first_curve+n_curves-1. A point that is farther from its curve
-                                      than the control polygon is wide or high is refused: the
-                                      marker is another one's. Beyond 5 % of that: HM_FAR_FROM_CURVE.
+                                      first_curve+n_curves-1; n_curves has no default. A section with a blunt base has
+                                      two (hm_fit): n_curves is curves->n_curves. Refused: a point that lies on a curve
+                                      which the condition does not name; a point that is farther from its curve than
+                                      the control polygon, or all points on curves together, are wide or high: the
+                                      marker is another one's, or the curve has another unit. Beyond 5 % of that, and
+                                      beyond the end of a curve by more than a quarter of a face: HM_FAR_FROM_CURVE.
                                       slip: n_curves is the number of curves in `along` */
     int32_t  body;                 /* rigid: number of the body, from 0 without gaps; several markers may form one
                                       body */
@@ -908,9 +911,9 @@ HM_API hm_status hm_transfer(hm_basis *basis, void *block, size_t bytes, const h
  * [length], then for each rigid body two pairs: the translation dx,dy [length], and s - 1, where s = scale * (cos a,
  * sin a) and a is the counter-clockwise angle of rotation. The points z of the body move exactly to c + s (z - c) +
  * (dx, dy), c the centre of rotation. `to` may be the arrays of `from` with the same stride; otherwise `to` and `from`
- * must have no number in common. Points with a displacement of 0 keep their coordinates bit by bit. from NULL: taken as
- * 0, so that `to` receives displacements, or velocities if `move` contains velocities of the control points. executor
- * NULL: one thread. */
+ * must have no number in common (refused where the strides are equal). Points with a displacement of 0 keep their
+ * coordinates bit by bit. from NULL: taken as 0, so that `to` receives displacements, or velocities if `move` contains
+ * velocities of the control points. executor NULL: one thread. */
 HM_API hm_status hm_morph(const hm_basis *basis, const double *move, const hm_points *from, const hm_points_out *to,
                           const hm_executor *executor, hm_error *err);
 /* The transpose of hm_morph. dj: derivatives of an objective J with respect to the mesh points (x: dJ/dx_k, y:
@@ -1308,10 +1311,11 @@ typedef struct hm_safe_report {
 /* Working memory of hm_morph_safe with a basis like this one, NULL: as hm_basis_init makes it; space for such a basis,
  * several copies of the mesh points, and untangling. */
 HM_API hm_status hm_morph_safe_size(const hm_plan *plan, const hm_basis *basis, size_t *bytes, hm_error *err);
-/* Moves the mesh that the plan was made from, starting at the mesh's own coordinates, which must not have changed, by
- * `move` (see hm_morph). The basis may be a combined one (hm_combine) or have functions by table (hm_tabulate); they
- * move on straight lines, because their values on the wall cannot turn. `others` must then have the same functions.
- * `to` [n_points] may be the arrays of the mesh. Returns HM_OK: the whole movement; HM_NOT_CONVERGED: the same, but a
+/* Moves the mesh that the plan was made from, starting at the mesh's own coordinates, which must be those that the
+ * basis was solved on (else HM_BAD_MESH: after hm_morph in place, solve again, or restore them), by `move` (see
+ * hm_morph). The basis may be a combined one (hm_combine) or have functions by table (hm_tabulate); they move on
+ * straight lines, because their values on the wall cannot turn. `others` must then have the same functions. `to`
+ * [n_points] may be the arrays of the mesh. Returns HM_OK: the whole movement; HM_NOT_CONVERGED: the same, but a
  * solution on the way missed the tolerance; HM_POOR: the whole movement and a valid mesh, but options.min_quality or
  * options.max_height_change is missed; HM_SHORT: the best valid mesh, report.step_fraction of the movement. If the call
  * is refused or cancelled, `to` is unchanged. `to` never contains an inverted cell, and the boundary of `to` does not
@@ -1352,7 +1356,8 @@ typedef struct hm_improve_options {
     int32_t  max_iterations;       /* steps of Newton's method, 0 .. 10000; 0 means 60 */
     int32_t  reserved;             /* 0 */
     const hm_points *reference;    /* [n_points] coordinates before the movement: a valid mesh, whose cells are the
-                                      targets. NULL: the mesh's own, if they have not changed */
+                                      targets. NULL: the mesh's own, which must be those of the analysis: after a
+                                      morph in place, HM_BAD_MESH */
 } hm_improve_options;
 
 typedef struct hm_improve_report {

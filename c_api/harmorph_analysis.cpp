@@ -113,6 +113,10 @@ hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_markers, c
         if (capacity > 0) HARMORPH_TRY(require({{"points", points}}, fault));
         Piece found{piece, {points, static_cast<Size>(capacity)}};
         found.find(*of, {markers, static_cast<Size>(n_markers)});
+        if (found.n_pieces == 0) {
+            return fault.refuse(Status::bad_condition, "no boundary face has these markers; the first one is #",
+                                Counts::from_zero, markers[0]);
+        }
         if (piece < 0 || piece >= found.n_pieces) {
             return fault.refuse(Status::bad_condition,
                                 "these markers have # pieces of boundary, there is no piece @ (from 0)",

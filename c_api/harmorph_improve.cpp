@@ -6,6 +6,15 @@
 namespace harmorph {
 namespace {
 
+// The mesh's own coordinates are a reference as long as they are those of the analysis: of a mesh that was moved in
+// place, they are the mesh that is to become better.
+Status check_own_reference(Plan const& plan, Fault& fault) noexcept {
+    Points const own = plan.mesh.points;
+    if (coordinates_fingerprint(own, plan.mesh.n_points) == plan.equations.analysed_coordinates) return Status::ok;
+    return fault.refuse(Status::bad_mesh,
+                        "the mesh's coordinates have changed since the analysis: give those as the reference");
+}
+
 // reference: in, the mesh's own coordinates.
 Status view_improve_options(const hm_improve_options* given, ImproveOptions& options, Points& reference,
                             Fault& fault) noexcept {
@@ -70,6 +79,7 @@ hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* 
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(to, "to", after, fault));
         HARMORPH_TRY(view_improve_options(options, asked, reference, fault));
+        if (options == nullptr || options->reference == nullptr) HARMORPH_TRY(check_own_reference(*p, fault));
         MeshImprovement improvement;
         HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { improvement.lay_out(arena, *p); }));
         auto const quality_of = [&](Points points) {

@@ -3,6 +3,27 @@
 #include "harmorph/morph/adjoint.hpp"
 #include "harmorph/morph/morph.hpp"
 
+namespace harmorph {
+namespace {
+
+// Have two arrays of the same stride a number of points in common, though not of the same number?
+bool are_shifted(const double* a, const double* b, std::ptrdiff_t stride, Index n) noexcept {
+    std::uintptr_t const bytes = a < b ? reinterpret_cast<std::uintptr_t>(b) - reinterpret_cast<std::uintptr_t>(a)
+                                         : reinterpret_cast<std::uintptr_t>(a) - reinterpret_cast<std::uintptr_t>(b);
+    std::uintptr_t const step = static_cast<std::uintptr_t>(stride) * sizeof(double);
+    return bytes != 0 && bytes % step == 0 && bytes / step < static_cast<std::uintptr_t>(n);
+}
+
+Status check_apart(Points from, MutablePoints to, Index n, Fault& fault) noexcept {
+    if (from.x == nullptr || from.stride != to.stride) return Status::ok;
+    bool const apart = !are_shifted(from.x, to.x, to.stride, n) && !are_shifted(from.y, to.y, to.stride, n);
+    if (apart && from.x != to.y && from.y != to.x) return Status::ok;
+    return fault.refuse_argument("to", "% has numbers of `from`, but of other points");
+}
+
+}  // namespace
+}  // namespace harmorph
+
 using namespace harmorph;
 
 extern "C" {
@@ -19,6 +40,7 @@ hm_status hm_morph(const hm_basis* basis, const double* move, const hm_points* f
         HARMORPH_TRY(check_move(b, move, fault));
         HARMORPH_TRY(view_points_if(from, "from", before, fault));
         HARMORPH_TRY(view_points(to, "to", after, fault));
+        HARMORPH_TRY(check_apart(before, after, b.n_points(), fault));
         morph(b, move, before, after, threads);
         return Status::ok;
     });

@@ -97,6 +97,14 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     return filled;
 }
 
+// A safe morph begins where its functions were solved: curves and offsets are those of these coordinates.
+Status check_start(Plan const& plan, Basis const& basis, Fault& fault) noexcept {
+    if (basis.header->counts.functions() == 0) return Status::ok;
+    if (basis.header->coordinates == coordinates_fingerprint(plan.mesh.points, plan.mesh.n_points)) return Status::ok;
+    return fault.refuse(Status::bad_mesh,
+                        "the mesh has moved since the basis was solved: solve again, or put the points back");
+}
+
 // What both calls have in common.
 struct SafeCall {
     MutablePoints to;
@@ -173,6 +181,7 @@ hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move
         HARMORPH_TRY(call.open(to, options, report, {others, most_others}, fault));
         HARMORPH_TRY(check_move(b, move, fault));
         HARMORPH_TRY(p->check_fit(b, fault));
+        HARMORPH_TRY(check_start(*p, b, fault));
         SafeMorph safe;
         HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { safe.lay_out(arena, *p, b.header->counts); }));
         Status const status =
@@ -203,6 +212,7 @@ hm_status hm_displace_safe(hm_plan* plan, const hm_basis* basis, const double* m
         HARMORPH_TRY(open_plan_of_given(plan, p, basis, b, fault));
         if (move != nullptr) HARMORPH_TRY(check_move(b, move, fault));
         HARMORPH_TRY(view_given_list(*p, n, points, list, fault));
+        HARMORPH_TRY(check_start(*p, b, fault));
         HARMORPH_TRY(view_points(wall, "wall", displacement, fault));
         HARMORPH_TRY(call.open(to, options, report, {}, fault));
         call.options.solves_others = true;

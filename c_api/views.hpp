@@ -95,7 +95,11 @@ Status view_points(const Given* given, const char* name, View& points, Fault& fa
     if (given == nullptr) return fault.refuse_argument(name, "% is NULL");
     if (given->x == nullptr || given->y == nullptr) return fault.refuse_argument(name, "%.x or %.y is NULL");
     if (given->stride < 0) return fault.refuse_argument(name, "%.stride is negative");
-    points = {given->x, given->y, stride_of(given->stride)};
+    std::ptrdiff_t const stride = stride_of(given->stride);
+    if (given->y == given->x + stride || given->x == given->y + stride) {
+        return fault.refuse_argument(name, "%.x and %.y have numbers in common: the stride of x,y pairs is 2");
+    }
+    points = {given->x, given->y, stride};
     return Status::ok;
 }
 // NULL: points stay as they are.

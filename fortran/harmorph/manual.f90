@@ -22,7 +22,7 @@
 !     call basis%admissible_step(mesh, dx, dy, report);  call basis%quality(mesh, x, y, report);  assess: both
 !     call basis%morph(move, x, y)                 in place; also morph_to, morph_at, velocity, adjoint
 !     call plan%morph_safe(basis, move, x, y)      a movement of any size without inverted cells; it needs the plan
-!     call plan%improve(x, y)                      after a movement: inner points where cells are better; needs the plan
+!     call plan%improve(x, y, x0, y0)              after a movement from x0, y0: better cells inside; needs the plan
 !     call plan%displacement(wall, dx, dy)         displacements or velocities of wall points, wall(2,n), carried to all
 !                                                  mesh points: no curves, no basis; displace_adjoint: the transpose
 !     call plan%displace_safe(basis, wall, x, y)   of any size without inverted cells; basis: empty, or solved for curves
@@ -95,7 +95,8 @@
 ! curves%fit    B-spline by least squares through ordered points; loop: the last is joined to the first, which is not
 !               repeated. plan%boundary gives the points of a marker in this order. n_control (20), degree (3), closed.
 !               curves%control(2,n), weights, curve(k)%degree, knots, indices are plain data, to be read and changed.
-! Conditions    hm_condition(marker): on curve 1; first_curve=, n_curves= for others. hm_condition(marker, kind):
+! Conditions    hm_condition(marker): on curve 1; first_curve=, n_curves= for others. A section with a blunt base has two
+!               curves: n_curves=size(curves%curve); without that the call is refused. hm_condition(marker, kind):
 !               hm_fixed; hm_slip, along lines and smooth curves, or along=curves, a pointer to hm_curves that plan%analyse
 !               reads, along these (basis%conditions gives no curves: refused until along is set again, first_curve
 !               being 0); hm_free, with the Laplace and weighted operators; hm_rigid with body=, x=, y=; hm_periodic_pair with partner=; hm_rotation_pair with partner=, x=, y=,

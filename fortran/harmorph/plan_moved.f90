@@ -19,9 +19,10 @@ contains
 
     ! morph_safe(basis, move, x_new, y_new): however large move is, x_new has no inverted cell; hm_short: x_new has only
     ! a part of move; hm_poor: all of move, but cells are poorer than options ask for. The mesh's own coordinates are
-    ! the start, and x_new may be the same arrays. derivative: another basis for the step as a whole, made here if
-    ! empty; what the derivative neglects stands at hm_morph_safe in harmorph.h. others: bases to be tried where this
-    ! one would invert cells; the report counts them from 1, 0: none.
+    ! the start; they must be those that the basis was solved on (after basis%morph in place: plan%factor and solve).
+    ! x_new may be the same arrays. derivative: another basis for the step as a whole, made here if empty; what the
+    ! derivative neglects stands at hm_morph_safe in harmorph.h. others: bases to be tried where this one would invert
+    ! cells; the report counts them from 1, 0: none.
     subroutine morph_safe_@FORM@(self, basis, move, x_new, y_new, derivative, others, options, report, work, stat, err)
         class(hm_plan), intent(inout) :: self
         type(hm_basis), intent(in) :: basis
@@ -74,7 +75,8 @@ contains
     end subroutine
 
     ! improve(x, y [, x_ref, y_ref]): of a mesh after a movement, inner points go where cells are more like those of the mesh
-    ! before, x_ref, y_ref; without them, of the mesh as analysed, if its arrays still hold that. Then x, y are others.
+    ! before, x_ref, y_ref; without them, of the mesh as analysed, whose arrays must still hold that (x, y are others
+    ! then): after basis%morph in place the call is refused without x_ref, y_ref.
     subroutine improve_@FORM@(self, x, y, x_ref, y_ref, max_iterations, report, work, stat, err)
         class(hm_plan), intent(inout) :: self
         real(@KIND@), intent(inout), target :: x@SHAPE@, y@SHAPE@

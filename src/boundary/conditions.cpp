@@ -135,6 +135,11 @@ Status check_conditions(Span<const Condition> conditions, Index n_curves, Bounda
         any_wall = any_wall || condition.is_wall();
         if (condition.kind != ConditionKind::on_curve) continue;
         Offset const end = Offset{condition.first_curve} + condition.n_curves;
+        if (condition.n_curves == 0) {
+            return fault.refuse(Status::bad_condition,
+                                "condition # (from 0) is on a curve, but its n_curves is 0: there are @ curves",
+                                Counts::from_zero, i, n_curves);
+        }
         if (condition.first_curve < 0 || condition.n_curves < 1 || end > n_curves) {
             return fault.refuse(Status::bad_condition,
                                 "condition # (from 0) names curves that do not exist; there are @",

@@ -1,6 +1,7 @@
 #include "harmorph/boundary/moving_boundary.hpp"
 
 #include "harmorph/base/hash.hpp"
+#include "harmorph/boundary/wall_distances.hpp"
 
 namespace harmorph {
 namespace {
@@ -148,42 +149,6 @@ Status apply_given(GivenParameters const& given, Span<const Curve> curves, Span<
     return Status::ok;
 }
 
-// The larger of width and height of a curve's control polygon, in which the curve lies.
-Real extent_of(Curve const& curve) noexcept {
-    Vec2 low = curve.point(0), high = low;
-    for (Index k = 1; k < curve.n_indices; ++k) {
-        Vec2 const p = curve.point(k);
-        low = {smaller(low.x, p.x), smaller(low.y, p.y)};
-        high = {larger(high.x, p.x), larger(high.y, p.y)};
-    }
-    return larger(high.x - low.x, high.y - low.y);
-}
-
-// Of points far from their curves the one that is farthest, in parts of the extent of its curve. Beyond the extent the
-// boundary is another one: its marker is not the one that was meant.
-Status check_distances(Points points, Span<const Curve> curves, Wall const& wall, Fault& fault) noexcept {
-    constexpr Real far = 0.05;
-    Index farthest = none;
-    Real largest = far, distance = 0;
-    for (Index slot = 0; slot < wall.count; ++slot) {
-        if (wall.curve[slot] >= curves.count()) continue;  // on no curve
-        Curve const& curve = curves[wall.curve[slot]];
-        Real const its = length(curve_point(curve, wall.u[slot]) - points[wall.point[slot]]), extent = extent_of(curve);
-        Real const part = its == 0 ? 0 : extent > smallest_height ? its / extent : infinity;
-        if (!(part > largest)) continue;
-        largest = part;
-        distance = its;
-        farthest = slot;
-    }
-    if (farthest == none) return Status::ok;
-    bool const is_another = largest > 1;
-    return fault.refuse(is_another ? Status::bad_condition : Status::far_from_curve,
-                        is_another
-                            ? "point # is ~ from its curve, farther than that is large: is its marker another one?"
-                            : "point # is ~ from its curve, more than 5 % of the curve's extent: is the curve its own?",
-                        Counts::mesh, wall.point[farthest], none, distance);
-}
-
 }  // namespace
 
 void Wall::lay_out(Arena& arena, Mesh const& mesh) noexcept {
@@ -231,7 +196,7 @@ Status parametrise(Topology const& topology, Boundary const& boundary, Span<cons
         if (condition.kind == ConditionKind::given) parametriser.add(condition, curves.count() + all.bodies);
     }
     HARMORPH_TRY(apply_given(given, curves, topology.representative, work, wall, fault));
-    return check_distances(topology.mesh.points, curves, wall, fault);
+    return check_distances(topology.mesh.points, conditions, curves, wall, fault);
 }
 
 Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept {

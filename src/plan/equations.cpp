@@ -44,10 +44,10 @@ void Equations::init(Analysis const& analysis) noexcept {
     wall.translations = analysis.periodicity.translations;
     wall.rotation = analysis.periodicity.rotation;
     wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
+    analysed_coordinates = coordinates_fingerprint(cells.mesh.points, cells.mesh.n_points);
     if (!method.bounded()) return;
     Index n = 0;
     analysis.triangulation.for_each_edge([&](DelaunayEdge const& edge) { delaunay_edges[n++] = edge; });
-    analysed_coordinates = coordinates_fingerprint(cells.mesh.points, cells.mesh.n_points);
 }
 
 void Equations::build(Analysis const& analysis) noexcept {

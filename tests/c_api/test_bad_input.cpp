@@ -319,7 +319,7 @@ TEST_CASE("bad conditions and parameters") {
         {HM_BAD_ARGUMENT, "kind", 0, false, [](Case& c) { c.conditions[0].kind = HM_ROTATION_PAIR + 1; }},
         {HM_BAD_ARGUMENT, "struct_size", 0, false, [](Case& c) { c.conditions[0].struct_size = 0; }},
         {HM_BAD_CONDITION, "curves that do not exist", 0, false, [](Case& c) { c.conditions[0].n_curves = 2; }},
-        {HM_BAD_CONDITION, "curves that do not exist", 0, false, [](Case& c) { c.conditions[0].n_curves = 0; }},
+        {HM_BAD_CONDITION, "its n_curves is 0: there are 1", 0, false, [](Case& c) { c.conditions[0].n_curves = 0; }},
         {HM_BAD_CONDITION, "curves that do not exist", 0, false, [](Case& c) { c.conditions[0].first_curve = -1; }},
         {HM_BAD_CONDITION, "nothing moves", nobody, false, [](Case& c) { c.conditions.clear(), c.set_free(body); }},
         {HM_BAD_CONDITION, "does not exist", 48, true, [](Case& c) { c.give(48, 0); }},

@@ -62,7 +62,7 @@ TEST_CASE("arguments that every call checks") {
 TEST_CASE("room for fewer than there are, and numbers that there are not") {
     Objects o;
     std::int32_t n = 0, is_loop = 0;
-    std::int32_t const marker = body;
+    std::int32_t const marker = body, nobody = 77;
     auto const boundary = [&](std::int32_t n_markers, std::int32_t piece, hm_error* e) {
         return hm_analysis_boundary(o.solved.analysis, n_markers, &marker, piece, nullptr, 0, &n, &is_loop, e);
     };
@@ -77,6 +77,10 @@ TEST_CASE("room for fewer than there are, and numbers that there are not") {
          [&](hm_error* e) { return boundary(1, 0, e); }},
         {HM_BAD_CONDITION, "these markers have 1 pieces of boundary, there is no piece 1 (from 0)",
          [&](hm_error* e) { return boundary(1, 1, e); }},
+        {HM_BAD_CONDITION, "no boundary face has these markers; the first one is 77",
+         [&](hm_error* e) {
+             return hm_analysis_boundary(o.solved.analysis, 1, &nobody, 0, nullptr, 0, &n, &is_loop, e);
+         }},
         {HM_BAD_ARGUMENT, "n_markers is 0, capacity is 0: one is too small",
          [&](hm_error* e) { return boundary(0, 1, e); }},
         {HM_BAD_ARGUMENT, "curve has room for 0, the basis has 1",

@@ -16,7 +16,7 @@ struct Equations {
     Span<Index> dof_of;          // [n] dof of each position
     FaceDistance wall;            // faces that move
     Span<DelaunayEdge> delaunay_edges;       // bounded scheme only
-    std::uint64_t analysed_coordinates = 0;  // fingerprint of the coordinates that these edges belong to
+    std::uint64_t analysed_coordinates = 0;  // fingerprint of the coordinates at the analysis
     SlipCurves slip_curves;       // copies
     SlipFollowers slip_followers;
     Span<Real> conductivity;      // of weighted operators: [n_cells], or of Delaunay edges

@@ -1,0 +1,126 @@
+#include "harmorph/boundary/wall_distances.hpp"
+
+namespace harmorph {
+namespace {
+
+struct Box {
+    Vec2 low{infinity, infinity}, high{-infinity, -infinity};
+
+    void add(Vec2 p) noexcept {
+        low = {smaller(low.x, p.x), smaller(low.y, p.y)};
+        high = {larger(high.x, p.x), larger(high.y, p.y)};
+    }
+    Real extent() const noexcept { return larger(high.x - low.x, high.y - low.y); }
+};
+
+// A curve lies in the box of its control polygon.
+Real extent_of(Curve const& curve) noexcept {
+    Box box;
+    for (Index k = 0; k < curve.n_indices; ++k) box.add(curve.point(k));
+    return box.extent();
+}
+
+class DistanceCheck {
+public:
+    DistanceCheck(Points points, Span<const Condition> conditions, Span<const Curve> curves, Wall const& wall) noexcept
+        : points_(points), conditions_(conditions), curves_(curves), wall_(wall) {
+        Box box;
+        for (Index slot = 0; slot < wall.count; ++slot) {
+            if (wall.curve[slot] < curves.count()) box.add(points[wall.point[slot]]);
+        }
+        wall_extent_ = box.extent();
+    }
+
+    Status run(Fault& fault) noexcept {
+        for (Index slot = 0; slot < wall_.count; ++slot) {
+            if (wall_.curve[slot] < curves_.count()) HARMORPH_TRY(look_at(slot, fault));
+        }
+        if (farthest_ != none) return refuse_far(fault);
+        if (beyond_ == none) return Status::ok;
+        return fault.refuse(Status::far_from_curve,
+                            "point # is ~ beyond the end of its curve: points there move as one; is a curve missing?",
+                            Counts::mesh, wall_.point[beyond_], none, beyond_distance_);
+    }
+
+private:
+    Status look_at(Index slot, Fault& fault) noexcept {
+        Curve const& curve = curves_[wall_.curve[slot]];
+        Vec2 const point = points_[wall_.point[slot]];
+        Real const distance = length(curve_point(curve, wall_.u[slot]) - point);
+        if (distance == 0) return Status::ok;
+        Real const extent = smaller(extent_of(curve), wall_extent_);
+        Real const part = extent > smallest_height ? distance / extent : infinity;
+        if (part > largest_) {
+            largest_ = part;
+            largest_distance_ = distance;
+            farthest_ = slot;
+        }
+        if (!(distance > share_of_face * face_at(slot))) return Status::ok;
+        bool const at_end = wall_.u[slot] == curve.begin() || wall_.u[slot] == curve.end();
+        if (at_end && !is_periodic(curve) && distance > beyond_distance_) {
+            beyond_ = slot;
+            beyond_distance_ = distance;
+        }
+        for (Index other = 0; other < curves_.count(); ++other) {
+            if (named_together(wall_.curve[slot], other)) continue;
+            if (!(project(curves_[other], point).distance < much_nearer * distance)) continue;
+            return fault.refuse(Status::bad_condition,
+                                "point # is ~ from its curve, but on curve @ (from 0), which its condition does not "
+                                "name",
+                                Counts::mesh_and_marker, wall_.point[slot], other, distance);
+        }
+        return Status::ok;
+    }
+
+    // The length of the shorter face at the point. Neighbours along the wall have neighbouring slots.
+    Real face_at(Index slot) const noexcept {
+        Real least = infinity;
+        for (Index next = slot - 1; next <= slot + 1; next += 2) {
+            if (next < 0 || next >= wall_.count || wall_.curve[next] >= curves_.count()) continue;
+            least = smaller(least, length(points_[wall_.point[next]] - points_[wall_.point[slot]]));
+        }
+        return least;
+    }
+
+    bool named_together(Index a, Index b) const noexcept {
+        if (a == b) return true;
+        for (Condition const& condition : conditions_) {
+            auto const names = [&](Index curve) {
+                return curve >= condition.first_curve && curve < condition.first_curve + condition.n_curves;
+            };
+            if (condition.kind == ConditionKind::on_curve && names(a) && names(b)) return true;
+        }
+        return false;
+    }
+
+    Status refuse_far(Fault& fault) const noexcept {
+        bool const is_another = largest_ > 1;
+        return fault.refuse(is_another ? Status::bad_condition : Status::far_from_curve,
+                            is_another
+                                ? "point # is ~ from its curve, farther than that is large: is its marker another one?"
+                                : "point # is ~ from its curve, above .05 of the extent of curve or wall: is the curve "
+                                  "its own?",
+                            Counts::mesh, wall_.point[farthest_], none, largest_distance_);
+    }
+
+    static constexpr Real far = 0.05;             // of the extent
+    static constexpr Real share_of_face = 0.25;   // a fit that follows the faces is nearer
+    static constexpr Real much_nearer = 0.0625;
+
+    Points points_;
+    Span<const Condition> conditions_;
+    Span<const Curve> curves_;
+    Wall const& wall_;
+    Real wall_extent_ = 0;                        // of all points on curves
+    Index farthest_ = none, beyond_ = none;       // slots
+    Real largest_ = far, largest_distance_ = 0, beyond_distance_ = 0;
+};
+
+}  // namespace
+
+Status check_distances(Points points, Span<const Condition> conditions, Span<const Curve> curves, Wall const& wall,
+                       Fault& fault) noexcept {
+    return DistanceCheck(points, conditions, curves, wall).run(fault);
+}
+
+}  // namespace harmorph

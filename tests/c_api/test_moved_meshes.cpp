@@ -1,0 +1,104 @@
+// Calls that begin at the mesh's own coordinates, after the caller has moved the mesh in place.
+#include <doctest/doctest.h>
+
+#include <fixtures/bodies.hpp>
+#include <fixtures/operators.hpp>
+#include <fixtures/refused.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+// The arrays of the mesh are the caller's, and change.
+struct Moved {
+    Case its = airfoil_case();
+    std::vector<double> x = its.mesh.x, y = its.mesh.y;
+    hm_points own{x.data(), y.data(), 1};
+    hm_points_out in_place{x.data(), y.data(), 1};
+    hm_mesh mesh = its.mesh_view();
+    hm_options options = options_of(HM_CONFORMAL);
+    std::unique_ptr<Solved> solved;
+    std::vector<double> move, work;
+
+    Moved() {
+        mesh.points = own;
+        solved = std::make_unique<Solved>(its.problem(mesh), &options);
+        move.assign(its.curves.control.size(), 0);
+        for (std::size_t k = 0; k < move.size(); k += 2) move[k + 1] = 0.1 * its.curves.control[k];
+        std::size_t safe = 0, improve = 0;
+        REQUIRE(hm_morph_safe_size(solved->plan, solved->basis, &safe, nullptr) == HM_OK);
+        REQUIRE(hm_improve_size(solved->plan, &improve, nullptr) == HM_OK);
+        work.resize((safe > improve ? safe : improve) / 8 + 1);
+    }
+    hm_status go() { return hm_morph(solved->basis, move.data(), &own, &in_place, nullptr, nullptr); }
+    hm_status safe(hm_points_out const& to, hm_error* error) {
+        return hm_morph_safe(solved->plan, solved->basis, move.data(), &to, nullptr, work.data(), work.size() * 8,
+                             nullptr, nullptr, error);
+    }
+    hm_status improve(hm_points_out const& to, hm_improve_options const* asked, hm_improve_report* report,
+                      hm_error* error) {
+        return hm_improve(solved->plan, &own, &to, work.data(), work.size() * 8, asked, report, error);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a safe morph from a mesh that was moved in place is refused, until the basis is solved there") {
+    Moved o;
+    std::vector<double> x(o.x.size()), y(o.x.size());
+    hm_points_out const to{x.data(), y.data(), 1};
+    CHECK(o.safe(to, nullptr) == HM_OK);
+    REQUIRE(o.go() == HM_OK);
+    check_texts({{HM_BAD_MESH, "the mesh has moved since the basis was solved: solve again, or put the points back",
+                  [&](hm_error* e) { return o.safe(to, e); }}});
+    REQUIRE(hm_plan_factor(o.solved->plan, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_plan_solve(o.solved->plan, o.solved->basis, nullptr, nullptr) == HM_OK);
+    CHECK(o.safe(to, nullptr) == HM_OK);
+    o.x = o.its.mesh.x;   // the functions are those of the moved mesh now
+    o.y = o.its.mesh.y;
+    CHECK(o.safe(to, nullptr) == HM_BAD_MESH);
+}
+
+TEST_CASE("a mesh that was moved in place is improved with the reference of before, and not without") {
+    Moved o;
+    REQUIRE(o.go() == HM_OK);
+    std::vector<double> x(o.x.size()), y(o.x.size());
+    hm_points_out const to{x.data(), y.data(), 1};
+    check_texts({{HM_BAD_MESH, "the mesh's coordinates have changed since the analysis: give those as the reference",
+                  [&](hm_error* e) { return o.improve(to, nullptr, nullptr, e); }}});
+    hm_points const before{o.its.mesh.x.data(), o.its.mesh.y.data(), 1};
+    hm_improve_options asked{};
+    asked.struct_size = sizeof asked;
+    asked.reference = &before;
+    hm_improve_report report{};
+    report.struct_size = sizeof report;
+    CHECK(o.improve(to, &asked, &report, nullptr) == HM_OK);
+    CHECK(report.mean_quality > report.mean_quality_before);
+}
+
+TEST_CASE("a morph into arrays that share numbers of other points is refused, and changes nothing") {
+    Moved o;
+    std::int32_t const n = o.mesh.n_points;
+    std::vector<double> pairs(2 * o.x.size() + 4);
+    for (std::size_t k = 0; k < o.x.size(); ++k) {
+        pairs[2 * k] = o.x[k];
+        pairs[2 * k + 1] = o.y[k];
+    }
+    std::vector<double> const as_given = pairs;
+    double* const xy = pairs.data();
+    auto const morph = [&](hm_points from, hm_points_out to) {
+        return [&o, from, to](hm_error* e) {
+            return hm_morph(o.solved->basis, o.move.data(), &from, &to, nullptr, e);
+        };
+    };
+    check_texts({
+        {HM_BAD_ARGUMENT, "to.x and to.y have numbers in common: the stride of x,y pairs is 2",
+         morph({xy, xy + 1, 2}, {xy, xy + 1, 1})},
+        {HM_BAD_ARGUMENT, "from.x and from.y have numbers in common: the stride of x,y pairs is 2",
+         morph({xy + 1, xy, 0}, {xy, xy + 1, 2})},
+        {HM_BAD_ARGUMENT, "to has numbers of `from`, but of other points", morph({xy, xy + 1, 2}, {xy + 2, xy + 3, 2})},
+        {HM_BAD_ARGUMENT, "to has numbers of `from`, but of other points", morph({xy, xy + n, 1}, {xy + n, xy, 1})},
+    });
+    CHECK(pairs == as_given);
+    CHECK(morph({xy, xy + 1, 2}, {xy, xy + 1, 2})(nullptr) == HM_OK);
+}
