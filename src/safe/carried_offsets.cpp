@@ -17,11 +17,13 @@ void CarriedOffsets::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(x, counts.points);
     arena.take(y, counts.points);
     arena.take(group, counts.points);
+    arena.take(part, counts.points);
     arena.take(control, 2 * Offset{counts.functions()});
 }
 
 void CarriedOffsets::init(Basis const& basis, MovementPath const& path, Points start) noexcept {
     forget();
+    has_groups = false;
     Real largest = 0, extent = 0;
     for (Index slot = 0; slot < wall.count(); ++slot) {
         wall[slot] = {};
@@ -35,39 +37,47 @@ void CarriedOffsets::init(Basis const& basis, MovementPath const& path, Points s
     if (reach == 0) fill(wall, Vec2{});
 }
 
-void CarriedOffsets::find(Basis const& by, MovementPath const& path, Span<const Real> reached, Points now,
-                          FaceDistance& walls, Span<const Index> representative, Span<const std::uint8_t> held,
+void CarriedOffsets::find_groups(Basis const& basis, MovementPath const& path, Points start, FaceDistance& walls,
+                                 Span<const Index> representative, Span<const std::uint8_t> held,
+                                 Executor const& executor) noexcept {
+    if (reach == 0 || has_groups) return;
+    has_groups = true;
+    walls.build(start);
+    executor.for_ranges(group.count(), least_carried_points, [&](Index begin, Index end) {
+        Index nearest = 0;
+        for (Index k = begin; k < end; ++k) {
+            group[k] = none;
+            if (held[k] != 0 || representative[k] != k || !walls.may_reach(start[k], reach)) continue;
+            FaceDistance::Foot const foot = walls.foot(start[k], nearest);
+            if (foot.face == none) continue;
+            Index const slot = path.slot_of[walls.faces[foot.face].point[0]];
+            if (slot == none || !basis.is_on_curve(slot)) continue;
+            Index const its = path.group_of_slot(basis, slot);
+            part[k] = fade_of_offset(length(start[k] - walls.at(foot, start)) / reach);
+            if (part[k] > 0 && !path.groups[its].is_straight()) group[k] = its;
+        }
+    });
+    for (Index k = 0; k < group.count(); ++k) {
+        if (held[k] == 0) group[k] = group[representative[k]];
+    }
+}
+
+void CarriedOffsets::find(Basis const& by, Span<const Real> reached, Points now, Span<const Index> representative,
                           Executor const& executor) noexcept {
     if (reach == 0 || found_with == by.value.data()) return;
     found_with = by.value.data();
     Index const n_control = by.header->counts.control;
     for (Index i = 0; i < control.count(); ++i) control[i] = i < 2 * n_control ? by.control[i] + reached[i] : 0;
-    walls.build(now);
     morph(by, control.data(), {}, {x.data(), y.data(), 1}, executor);
-    executor.for_ranges(group.count(), least_carried_points, [&](Index begin, Index end) {
-        Index nearest = 0;
-        for (Index k = begin; k < end; ++k) {
-            group[k] = none;
-            if (held[k] != 0 || representative[k] != k || !walls.may_reach(now[k], reach)) continue;
-            FaceDistance::Foot const foot = walls.foot(now[k], nearest);
-            if (foot.face == none) continue;
-            Real const weight = fade_of_offset(length(now[k] - walls.at(foot, now)) / reach);
-            if (weight == 0) continue;
-            Index const slot = path.slot_of[walls.faces[foot.face].point[0]];
-            if (slot == none || !by.is_on_curve(slot)) continue;
-            Index const its = path.group_of_slot(by, slot);
-            if (path.groups[its].is_straight()) continue;
-            group[k] = its;
-            x[k] = weight * (now[k].x - x[k]);
-            y[k] = weight * (now[k].y - y[k]);
-        }
-    });
     for (Index k = 0; k < group.count(); ++k) {
-        Index const same = representative[k];
-        if (same == k || held[k] != 0) continue;
-        group[k] = group[same];
-        x[k] = x[same];
-        y[k] = y[same];
+        if (group[k] == none || representative[k] != k) continue;
+        x[k] = part[k] * (now[k].x - x[k]);
+        y[k] = part[k] * (now[k].y - y[k]);
+    }
+    for (Index k = 0; k < group.count(); ++k) {  // points of a cut or a pair move alike
+        if (group[k] == none) continue;
+        x[k] = x[representative[k]];
+        y[k] = y[representative[k]];
     }
 }
 

@@ -55,7 +55,8 @@ AdmissibleStep MovingMesh::look_ahead(Plan& plan, Basis const& basis, Basis cons
     path.at(to, aimed);
     for (Index i = 0; i < difference.count(); ++i) difference[i] = aimed[i] - reached[i];
     morph(by, difference.data(), {}, to_ahead(), executor);
-    carried.find(by, path, reached, now(), plan.equations.wall, representative, held, executor);
+    carried.find_groups(basis, path, plan.mesh.points, plan.equations.wall, representative, held, executor);
+    carried.find(by, reached, now(), representative, executor);
     carried.add(path, time, to, to_ahead(), executor);
     if (carried.reach > 0) for_wall(plan, basis, [&](Index k, Vec2 start, Vec2 moved) {
         to_ahead().set(k, start + moved - now()[k]);

@@ -109,8 +109,9 @@ TEST_CASE("inside, the similarity is carried near the wall and fades with the di
     for (std::size_t k = 0; k < n; ++k) representative[k] = static_cast<Index>(k);
     for (std::int32_t const marker : {std::int32_t{body}, std::int32_t{far_field}})
         for (std::int32_t const k : points_on(its.mesh, marker)) held[static_cast<std::size_t>(k)] = 1;
-    of.carried.find(of.basis, of.path, span(reached), of.plan.mesh.points, of.plan.equations.wall, span(representative),
-                    span(held), {});
+    harmorph::Points const start = of.plan.mesh.points;
+    of.carried.find_groups(of.basis, of.path, start, of.plan.equations.wall, span(representative), span(held), {});
+    of.carried.find(of.basis, span(reached), start, span(representative), {});
     of.carried.add(of.path, 0, 1, {dx.data(), dy.data(), 1}, {});
     Field const of_control = displacement(of.solved, its.curves.control);   // sum of F_i P_i
     int carried = 0;

@@ -8,7 +8,7 @@
 //
 // Inside the mesh the similarity is carried exactly near the wall and fades to what the functions make of it:
 //     dz = sum_i F_i dP_i + (rho - 1) fade(d / reach) (z - sum_i F_i P_i),
-// d the distance to the wall, P_i the control points, rho the part of r that the step makes; on the wall the
+// d the distance to the wall at the start, P_i the control points, rho the part of r that the step makes; on the wall the
 // bracket is e.
 #pragma once
 
@@ -24,8 +24,10 @@ struct CarriedOffsets {
     Span<Vec2> wall;          // [wall points] e
     Span<Real> x, y;          // [n_points] fade (z - sum F_i P_i) on the mesh at hand
     Span<Index> group;        // [n_points] that turns the point, or none
+    Span<Real> part;          // [n_points] fade, of points with a group that stand for themselves
     Span<Real> control;       // [2 * functions]
     Real reach = 0;           // 0: there is nothing to carry
+    bool has_groups = false;  // whether `group` and `part` have been found
     const void* found_with = nullptr;  // the functions that x and y were found with; null: not yet
 
     void lay_out(Arena& arena, BasisCounts const& counts) noexcept;
@@ -33,10 +35,14 @@ struct CarriedOffsets {
     void init(Basis const& basis, MovementPath const& path, Points start) noexcept;
     // The mesh or its functions have changed.
     void forget() noexcept { found_with = nullptr; }
-    // Unless they are known: x, y and group for the mesh at hand, to which `reached` [2 * functions] has led.
-    // representative, held [n_points]: see Tangle.
-    void find(Basis const& by, MovementPath const& path, Span<const Real> reached, Points now, FaceDistance& walls,
-              Span<const Index> representative, Span<const std::uint8_t> held, Executor const& executor) noexcept;
+    // Unless they are known: group and part of all points, from where they start. representative, held [n_points]: see
+    // Tangle.
+    void find_groups(Basis const& basis, MovementPath const& path, Points start, FaceDistance& walls,
+                     Span<const Index> representative, Span<const std::uint8_t> held,
+                     Executor const& executor) noexcept;
+    // Unless they are known: x and y for the mesh at hand, to which `reached` [2 * functions] has led.
+    void find(Basis const& by, Span<const Real> reached, Points now, Span<const Index> representative,
+              Executor const& executor) noexcept;
     // Adds what the step from one time of the path to another makes of them to displacements of inner points.
     void add(MovementPath const& path, Real from, Real to, MutablePoints displacement,
              Executor const& executor) const noexcept;
