@@ -82,8 +82,9 @@ void CarriedOffsets::find(Basis const& by, Span<const Real> reached, Points now,
 }
 
 Real CarriedOffsets::largest(Basis const& basis, MovementPath const& path, Real t) const noexcept {
+    TurnAt turn(path, t);
     Real most = 0;
-    for (Index slot = 0; slot < wall.count(); ++slot) most = larger(most, length(of_wall(basis, path, slot, t)));
+    for (Index slot = 0; slot < wall.count(); ++slot) most = larger(most, length(of_wall(basis, path, slot, turn)));
     return most;
 }
 
@@ -91,15 +92,11 @@ void CarriedOffsets::add(MovementPath const& path, Real from, Real to, MutablePo
                          Executor const& executor) const noexcept {
     if (reach == 0) return;
     executor.for_ranges(group.count(), least_carried_points, [&](Index begin, Index end) {
-        Index last = none;
-        Vec2 turn;
+        TurnAt before(path, from), after(path, to);
         for (Index k = begin; k < end; ++k) {
             if (group[k] == none) continue;
-            if (group[k] != last) {
-                last = group[k];
-                turn = quotient(path.turn(last, to), path.turn(last, from)) - Vec2{1, 0};
-            }
-            Vec2 const by = product(turn, {x[k], y[k]});
+            Vec2 const turn = quotient(after.of(group[k]), before.of(group[k]));
+            Vec2 const by = product(turn - Vec2{1, 0}, {x[k], y[k]});
             displacement.set(k, Vec2{displacement.x[k], displacement.y[k]} + by);
         }
     });

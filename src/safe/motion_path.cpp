@@ -181,8 +181,7 @@ void MovementPath::fit_group(Basis const& basis, Index group, bool straight) noe
 
 void MovementPath::at(Real t, Span<Real> movement) const noexcept {
     if (t >= 1) return copy(movement, Span<const Real>(target));
-    Index last = none;
-    Vec2 turn_of_last;
+    TurnAt turn(*this, t);
     for (Index i = 0; i < group_of.count(); ++i) {
         Group const& similarity = groups[group_of[i]];
         if (similarity.is_straight()) {
@@ -190,11 +189,7 @@ void MovementPath::at(Real t, Span<Real> movement) const noexcept {
             movement[2 * i + 1] = t * drift[i].y;
             continue;
         }
-        if (group_of[i] != last) {
-            last = group_of[i];
-            turn_of_last = turn(last, t);
-        }
-        Vec2 const turned = product(turn_of_last, start[i] + t * drift[i]);
+        Vec2 const turned = product(turn.of(group_of[i]), start[i] + t * drift[i]);
         Vec2 const moved = t * similarity.shift + (turned - start[i]);
         movement[2 * i] = moved.x;
         movement[2 * i + 1] = moved.y;

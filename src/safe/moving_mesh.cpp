@@ -101,19 +101,20 @@ void MovingMesh::advance() noexcept {
     carried.forget();
 }
 
-Vec2 MovingMesh::wall_move(Plan const& plan, Basis const& basis, Index slot) const noexcept {
+Vec2 MovingMesh::wall_move(Plan const& plan, Basis const& basis, Index slot, TurnAt& turn) const noexcept {
     if (basis.is_given(slot) && !given.empty() && aimed_time >= 1) return given[slot - plan.given.first_slot];
-    return basis.wall_move(slot, aimed.data()) + carried.of_wall(basis, path, slot, aimed_time);
+    return basis.wall_move(slot, aimed.data()) + carried.of_wall(basis, path, slot, turn);
 }
 
 template <class Visit>
 void MovingMesh::for_wall(Plan const& plan, Basis const& basis, Visit const& visit) const noexcept {
     Matrix const& matrix = plan.equations.matrix;
+    TurnAt turn(path, aimed_time);
     for (Index k = 0; k < plan.mesh.n_points; ++k) {
         Index const row = matrix.row_of[matrix.components() * k];
         if (!Matrix::is_wall(row)) continue;
         Index const slot = Matrix::wall(row) / matrix.components();
-        visit(k, plan.mesh.points[k], wall_move(plan, basis, slot));
+        visit(k, plan.mesh.points[k], wall_move(plan, basis, slot, turn));
     }
 }
 

@@ -71,7 +71,8 @@ TEST_CASE("offsets are those of the points from their curve, and turn with the b
         Complex const e = of.start(slot) - of.on_curve(slot);
         CHECK(std::abs(number(of.carried.wall[slot]) - e) < 1e-15);
         for (double const t : {0.0, 0.3, 1.0}) {
-            Complex const by = number(of.carried.of_wall(of.basis, of.path, slot, t));
+            harmorph::TurnAt turned(of.path, t);
+            Complex const by = number(of.carried.of_wall(of.basis, of.path, slot, turned));
             CHECK(std::abs(by - (std::pow(turn, t) - 1.0) * e) < 1e-14);
         }
         largest = std::fmax(largest, std::abs((turn - 1.0) * e));

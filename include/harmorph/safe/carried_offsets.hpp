@@ -47,9 +47,9 @@ struct CarriedOffsets {
     void add(MovementPath const& path, Real from, Real to, MutablePoints displacement,
              Executor const& executor) const noexcept;
     // Of a point of the wall, from the start.
-    Vec2 of_wall(Basis const& basis, MovementPath const& path, Index slot, Real t) const noexcept {
+    Vec2 of_wall(Basis const& basis, MovementPath const& path, Index slot, TurnAt& turn) const noexcept {
         if (wall[slot].x == 0 && wall[slot].y == 0) return {};
-        return product(path.turn(path.group_of_slot(basis, slot), t) - Vec2{1, 0}, wall[slot]);
+        return product(turn.of(path.group_of_slot(basis, slot)) - Vec2{1, 0}, wall[slot]);
     }
     // The largest of these lengths.
     Real largest(Basis const& basis, MovementPath const& path, Real t) const noexcept;

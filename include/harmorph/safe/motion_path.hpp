@@ -56,7 +56,6 @@ struct MovementPath {
         if (number >= counts.curves) return counts.shapes() + 2 * (number - counts.curves) + 1;
         return counts.combination != 0 ? 0 : group_of[basis.curve(number).control_point(0)];
     }
-    Vec2 turn(Index group, Real t) const noexcept { return complex_power(groups[group].ratio, t); }
 
 private:
     void find_groups(Basis const& basis) noexcept;
@@ -67,6 +66,24 @@ private:
     // One function by itself, from `from` with the similarity z -> ratio z.
     void set_alone(Index function, Vec2 from, Vec2 ratio, bool anchored) noexcept;
     void fit_group(Basis const& basis, Index group, bool straight) noexcept;
+};
+
+// What the groups of a path have turned and scaled by at one time, r^t. The last group is remembered: points beside each
+// other mostly follow the same one.
+class TurnAt {
+public:
+    TurnAt(MovementPath const& path, Real t) noexcept : groups_(path.groups), t_(t) {}
+    Vec2 of(Index group) noexcept {
+        if (group != last_) turn_ = complex_power(groups_[group].ratio, t_);
+        last_ = group;
+        return turn_;
+    }
+
+private:
+    Span<const MovementPath::Group> groups_;
+    Real t_;
+    Index last_ = none;
+    Vec2 turn_;
 };
 
 }  // namespace harmorph

@@ -47,7 +47,7 @@ struct MovingMesh {
 
 private:
     void put_on_slip_curves(Plan const& plan) noexcept;
-    Vec2 wall_move(Plan const& plan, Basis const& basis, Index slot) const noexcept;
+    Vec2 wall_move(Plan const& plan, Basis const& basis, Index slot, TurnAt& turn) const noexcept;
     // visit(point, start, displacement from there at the time it looks to)
     template <class Visit>
     void for_wall(Plan const& plan, Basis const& basis, Visit const& visit) const noexcept;
