@@ -501,7 +501,8 @@ enum {                             /* hm_condition.kind; for a point on several 
                                       times as much as at a neighbouring point */
     HM_FREE = 4,                   /* zero normal derivative: points may also leave the boundary line */
     HM_PERIODIC_PAIR = 5,          /* this marker and its partner are translates of each other: their points move by
-                                      bitwise identical displacements */
+                                      bitwise identical displacements. A wall that moves may not have a point on them:
+                                      give its part next to them a marker of its own, fixed or sliding */
     HM_GIVEN = 6,                  /* the points move by displacements that are given from call to call (hm_displace).
                                       The functions of curves and rigid bodies are 0 there */
     HM_ROTATION_PAIR = 7           /* one passage of a cascade in an annulus: the partner is this marker, turned about
@@ -1297,7 +1298,8 @@ typedef struct hm_safe_report {
     double   min_quality, mean_quality; /* [0..1] of `to` with the start as the reference, see hm_quality */
     double   mean_angle_change, max_angle_change; /* [degrees] of the angles between the wall and the first-layer
                                                      edges */
-    double   mean_height_ratio, min_height_ratio, max_height_ratio; /* [-] first-layer height after / before */
+    double   mean_height_ratio, min_height_ratio, max_height_ratio; /* [-] first-layer height after / before; 1
+                                                                       where nothing moved, or without such edges */
     double   heights;              /* [0..1] the part of the distances that was restored */
     int32_t  angle_point;          /* where the angle changed most; -1: no wall point has a first-layer edge */
     int32_t  min_height_point, max_height_point;

@@ -77,9 +77,10 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     filled.mean_angle_change = safe.first_layer.mean_angle;
     filled.max_angle_change = safe.first_layer.largest_angle;
     filled.angle_point = numbered(safe.first_layer.largest_angle_point, base);
-    filled.mean_height_ratio = safe.first_layer.mean_ratio;
-    filled.min_height_ratio = safe.first_layer.min_ratio;
-    filled.max_height_ratio = safe.first_layer.max_ratio;
+    bool const has_heights = safe.first_layer.points > 0;  // none after a refusal, as nothing moved
+    filled.mean_height_ratio = has_heights ? safe.first_layer.mean_ratio : 1;
+    filled.min_height_ratio = has_heights ? safe.first_layer.min_ratio : 1;
+    filled.max_height_ratio = has_heights ? safe.first_layer.max_ratio : 1;
     filled.min_height_point = numbered(safe.first_layer.min_ratio_point, base);
     filled.max_height_point = numbered(safe.first_layer.max_ratio_point, base);
     filled.heights = safe.heights;

@@ -136,6 +136,9 @@ TEST_CASE("a boundary that crosses itself is refused at once, with the place, an
         CHECK(std::find(on_body.begin(), on_body.end(), point) != on_body.end());
     CHECK(safe.error.item == safe.report.crossing_points[0]);
     CHECK(safe.run(turn_of(its, 0, {0.45, 0.013})) == HM_CROSSING);   // through the side of the square
+    CHECK(safe.report.mean_height_ratio == 1);   // nothing moved
+    CHECK(safe.report.min_height_ratio == 1);
+    CHECK(safe.report.max_height_ratio == 1);
     CHECK(safe.untouched());
     hm_basis_info info{};
     info.struct_size = sizeof info;
