@@ -33,11 +33,12 @@ struct DisplaceCall {
     }
 
     template <class Given>
-    static Status view_fields(const Given* given, Index n_fields, const char* name, Fault& fault) noexcept {
+    static Status view_fields(const Given* given, Index n_fields, const char* name, Fault& fault,
+                              Index n_points = 2) noexcept {
         HARMORPH_TRY(require({{name, given}}, fault));
         for (Index field = 0; field < n_fields; ++field) {
             View<Given> unused;
-            HARMORPH_TRY(view_points(given + field, name, unused, fault));
+            HARMORPH_TRY(view_points(given + field, name, unused, fault, n_points));
         }
         return Status::ok;
     }
@@ -135,7 +136,7 @@ hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n
         DisplaceCall call;
         Points start;
         HARMORPH_TRY(call.open(plan, n, points, n_fields, work, bytes, report, fault));
-        HARMORPH_TRY(call.view_fields(wall, n_fields, "wall", fault));
+        HARMORPH_TRY(call.view_fields(wall, n_fields, "wall", fault, n));
         HARMORPH_TRY(view_points_if(from, "from", start, fault));
         HARMORPH_TRY(call.view_fields(to, n_fields, "to", fault));
         Displacement const& displacement = call.displacement;
@@ -165,7 +166,7 @@ hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* points, i
         DisplaceCall call;
         HARMORPH_TRY(call.open(plan, n, points, n_fields, work, bytes, report, fault));
         HARMORPH_TRY(call.view_fields(dj, n_fields, "dj", fault));
-        HARMORPH_TRY(call.view_fields(gradient, n_fields, "gradient", fault));
+        HARMORPH_TRY(call.view_fields(gradient, n_fields, "gradient", fault, n));
         Displacement const& displacement = call.displacement;
         HARMORPH_TRY(call.for_each_block(dj, n_fields, [&](Index first, Span<const Points> fields) {
             return displacement.set_derivatives(*call.plan, first, fields, fault);

@@ -38,8 +38,8 @@ hm_status hm_morph(const hm_basis* basis, const double* move, const hm_points* f
         HARMORPH_TRY(open_complete(basis, b, fault));
         HARMORPH_TRY(view_executor(executor, threads, fault));
         HARMORPH_TRY(check_move(b, move, fault));
-        HARMORPH_TRY(view_points_if(from, "from", before, fault));
-        HARMORPH_TRY(view_points(to, "to", after, fault));
+        HARMORPH_TRY(view_points_if(from, "from", before, fault, b.n_points()));
+        HARMORPH_TRY(view_points(to, "to", after, fault, b.n_points()));
         HARMORPH_TRY(check_apart(before, after, b.n_points(), fault));
         morph(b, move, before, after, threads);
         return Status::ok;
@@ -54,7 +54,7 @@ hm_status hm_adjoint(const hm_basis* basis, const hm_points* dj, double* gradien
         Points by_points;
         HARMORPH_TRY(require({{"gradient", gradient}}, fault));
         HARMORPH_TRY(open_complete(basis, b, fault));
-        HARMORPH_TRY(view_points(dj, "dj", by_points, fault));
+        HARMORPH_TRY(view_points(dj, "dj", by_points, fault, b.n_points()));
         HARMORPH_TRY(view_executor(executor, threads, fault));
         adjoint_morph(b, by_points, gradient, threads);
         return Status::ok;

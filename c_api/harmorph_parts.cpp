@@ -37,7 +37,8 @@ struct GradientCall {
 
     Status open(const hm_basis* handle, const hm_points* dj, const hm_executor* executor, CallFault& fault) noexcept {
         HARMORPH_TRY(open_complete(handle, basis, fault));
-        if (basis.n_points() > 0) HARMORPH_TRY(view_points(dj, "dj", points, fault));
+        Index const n = basis.n_points();
+        if (n > 0) HARMORPH_TRY(view_points(dj, "dj", points, fault, n));
         return view_executor(executor, threads, fault);
     }
 };

@@ -214,7 +214,7 @@ hm_status hm_displace_safe(hm_plan* plan, const hm_basis* basis, const double* m
         if (move != nullptr) HARMORPH_TRY(check_move(b, move, fault));
         HARMORPH_TRY(view_given_list(*p, n, points, list, fault));
         HARMORPH_TRY(check_start(*p, b, fault));
-        HARMORPH_TRY(view_points(wall, "wall", displacement, fault));
+        HARMORPH_TRY(view_points(wall, "wall", displacement, fault, n));
         HARMORPH_TRY(call.open(to, options, report, {}, fault));
         call.options.solves_others = true;
         SafeDisplacement made;

@@ -89,22 +89,23 @@ constexpr std::ptrdiff_t stride_of(std::int64_t given) noexcept {
 }
 inline Points points_of(hm_points const& given) noexcept { return {given.x, given.y, stride_of(given.stride)}; }
 
-// Coordinates that a call reads, or writes; `name` is the argument's in the header.
+// Coordinates of n points that a call reads, or writes; `name` is the argument's in the header. Meshes have several.
 template <class Given, class View>
-Status view_points(const Given* given, const char* name, View& points, Fault& fault) noexcept {
+Status view_points(const Given* given, const char* name, View& points, Fault& fault, Index n = 2) noexcept {
     if (given == nullptr) return fault.refuse_argument(name, "% is NULL");
     if (given->x == nullptr || given->y == nullptr) return fault.refuse_argument(name, "%.x or %.y is NULL");
     if (given->stride < 0) return fault.refuse_argument(name, "%.stride is negative");
     std::ptrdiff_t const stride = stride_of(given->stride);
-    if (given->y == given->x + stride || given->x == given->y + stride) {
+    if (n > 1 && (given->y == given->x + stride || given->x == given->y + stride)) {
         return fault.refuse_argument(name, "%.x and %.y have numbers in common: the stride of x,y pairs is 2");
     }
     points = {given->x, given->y, stride};
     return Status::ok;
 }
 // NULL: points stay as they are.
-inline Status view_points_if(const hm_points* given, const char* name, Points& points, Fault& fault) noexcept {
-    return given == nullptr ? Status::ok : view_points(given, name, points, fault);
+inline Status view_points_if(const hm_points* given, const char* name, Points& points, Fault& fault,
+                             Index n = 2) noexcept {
+    return given == nullptr ? Status::ok : view_points(given, name, points, fault, n);
 }
 
 Status view_mesh(const hm_mesh* given, Mesh& mesh, CallFault& fault) noexcept;

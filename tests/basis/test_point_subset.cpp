@@ -86,6 +86,26 @@ TEST_CASE("values, morph, curves and wall points of a subset are those of the wh
         }
 }
 
+TEST_CASE("the row of one point takes x and y side by side, with any stride") {
+    Case its = tiny_case();
+    Solved const solved(its);
+    std::vector<std::int32_t> one = {solved.info().curve_point[1]};
+    Rows const row(solved.basis, one);
+    REQUIRE(row.status == HM_OK);
+    Numbers const move = some_move(solved.info().functions, 0.05, 3);
+    double at[2] = {its.mesh.x[static_cast<std::size_t>(one[0])], its.mesh.y[static_cast<std::size_t>(one[0])]};
+    Moved const to = morphed(row.basis, move, {{at[0]}, {at[1]}});
+    Numbers gradient(move.size()), expected(move.size());
+    double const dj[2] = {0.3, -0.7};
+    REQUIRE(hm_adjoint(row.basis, points_in(dj, dj + 1, 2), expected.data(), nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_adjoint(row.basis, points_in(dj, dj + 1, 1), gradient.data(), nullptr, nullptr) == HM_OK);
+    CHECK(same_bits(gradient, expected));
+    REQUIRE(hm_morph(row.basis, move.data(), points_in(at, at + 1, 1), points_out(at, at + 1, 1), nullptr, nullptr) ==
+            HM_OK);
+    CHECK(at[0] == to.x[0]);
+    CHECK(at[1] == to.y[0]);
+}
+
 TEST_CASE("rows can be moved, saved and attached like any basis, and rows taken of rows") {
     Case its = two_body_case();
     Solved const solved(its);
