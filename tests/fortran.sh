@@ -19,22 +19,21 @@ if $FC --version 2>/dev/null | grep -q '^GNU'; then
 fi
 loose="-Wno-conversion -Wno-compare-reals"    # of the tests: numbers that must be equal
 quietly() { "$@" 2>&1 | tee "$dir/warnings"; test ! -s "$dir/warnings"; }
-tests="use places plane"
+# What the tests share, then the tests of each topic, then the program that calls them.
+shared="counts meshes body_mesh kept"
+topics=$(ls tests/fortran | sed 's/\.f90$//' | grep -vxE "use|$(echo $shared | tr ' ' '|')")
 build_and_run() {   # where, flags...: its own modules and objects in each place
     place=$dir/$1; shift
     mkdir -p "$place"
     check "module with $*" quietly $FC $strict $FFLAGS "$@" -J"$place" -c "$build/harmorph.f90" -o "$place/harmorph.o"
-    for test in use_meshes $tests; do
-        check "$test.f90 with $*" quietly $FC $strict $loose $FFLAGS "$@" -I"$place" -J"$place" -c tests/$test.f90 \
-            -o "$place/$test.o"
+    for test in $shared $topics use; do
+        check "$test.f90 with $*" quietly $FC $strict $loose $FFLAGS "$@" -I"$place" -J"$place" \
+            -c tests/fortran/$test.f90 -o "$place/$test.o"
     done
-    for test in $tests; do
-        check "link of $test with $*" $FC $FFLAGS "$@" "$place/$test.o" "$place/use_meshes.o" "$place/harmorph.o" \
-            "$build/libharmorph.a" -o "$place/$test"
-        (cd "$place" && ./$test) || fail "$place/$test"
-    done
+    check "link with $*" $FC $FFLAGS "$@" "$place"/*.o "$build/libharmorph.a" -o "$place/use"
+    (cd "$place" && ./use) || fail "$place/use"
 }
-stops() { ! "$dir/checked/$1" "$2" >"$dir/out" 2>&1 && grep -q "$3" "$dir/out"; }
+stops() { ! "$dir/checked/use" "$1" >"$dir/out" 2>&1 && grep -q "$2" "$dir/out"; }
 
 # Fortran 2008 is what the module needs (strict); later ones must take it, too.
 build_and_run checked -O0 -g $checks
@@ -45,12 +44,12 @@ for standard in f2018 gnu; do
             -fsyntax-only "$build/harmorph.f90"
     fi
 done
-while read -r program mode words; do check "stop: $words" stops $program $mode "$words"; done <<END
-use refused harmorph: basis%save: HM_BAD_ARGUMENT: the basis is empty: there is nothing to save
-use assign_mesh a mesh cannot be assigned
-use assign_plan a plan cannot be assigned
-use assign_basis a basis cannot be assigned
-places refused harmorph: mesh%points: HM_BAD_ARGUMENT: x and y are the same array
+while read -r mode words; do check "stop: $words" stops $mode "$words"; done <<END
+save_nothing harmorph: basis%save: HM_BAD_ARGUMENT: the basis is empty: there is nothing to save
+one_array_twice harmorph: mesh%points: HM_BAD_ARGUMENT: x and y are the same array
+assign_mesh a mesh cannot be assigned
+assign_plan a plan cannot be assigned
+assign_basis a basis cannot be assigned
 END
 if [ -n "$long" ]; then build_and_run long -O0 $long; fi
 if [ -n "$openmp" ]; then build_and_run openmp $openmp; fi

@@ -97,12 +97,11 @@ contains
         type(view) :: v
         real(c_double) :: its(size(gradient, 1), size(gradient, 2))
         v = view_of(dj_dx, dj_dy)
-        its = real(gradient, c_double)
         call check_pairs(self, its, done)
         call check_points(self, v, done)
         if (done%ok()) done%status = hm_c_adjoint(self%address(), c_points(v), its, &
             c_executor_of(executor, threads), done%error)
-        gradient = real(its, @KIND@)
+        if (done%status >= hm_ok) gradient = real(its, @KIND@)
         call v%drop()
         call done%finish("basis%adjoint", stat, err)
     end subroutine

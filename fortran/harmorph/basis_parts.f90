@@ -74,11 +74,10 @@ contains
         type(hm_error), intent(out), optional :: err
         type(outcome) :: done
         real(c_double) :: its(size(gradient, 1), size(gradient, 2))
-        its = real(gradient, c_double)
         call check_sums(self, sums, done)
         call check_pairs(self, its, done)
         if (done%ok()) done%status = hm_c_adjoint_finish(self%address(), int(scale, c_int32_t), sums, its, done%error)
-        gradient = real(its, @KIND@)
+        if (done%status >= hm_ok) gradient = real(its, @KIND@)
         call done%finish("basis%adjoint_finish", stat, err)
     end subroutine
 

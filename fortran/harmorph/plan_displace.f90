@@ -55,9 +55,10 @@ contains
         type(hm_error), intent(out), optional :: err
         type(outcome) :: done
         type(view) :: v
-        v = view_of(dx, dy)
+        v = space_for(dx, dy)
         call displace_points(self, real(wall, c_double), view(), v, points, report, done)
-        call v%put_back(dx, dy)
+        if (done%status >= hm_ok) call v%put_back(dx, dy)
+        call v%drop()
         call done%finish("plan%displacement", stat, err)
     end subroutine
 

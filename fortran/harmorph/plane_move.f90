@@ -49,10 +49,9 @@ contains
         type(hm_error), intent(out), optional :: err
         type(outcome) :: done
         real(c_double) :: its(size(gradient, 1), size(gradient, 2))
-        its = real(gradient, c_double)
         call check_space(self, shape(dj_dx), shape(dj_dy), shape(dj_dz), done)
         if (done%ok()) call adjoint_space_@KIND@(self, basis, size(dj_dx), dj_dx, dj_dy, dj_dz, its, executor, done)
-        gradient = real(its, @KIND@)
+        if (done%status >= hm_ok) gradient = real(its, @KIND@)
         call done%finish("plane%adjoint", stat, err)
     end subroutine
 
@@ -146,10 +145,12 @@ contains
         type(hm_executor), intent(in), optional :: executor
         type(outcome), intent(inout) :: done
         real(c_double), allocatable :: all(:, :)
-        allocate(all(n, 3))
-        all(:, 1) = real(x, c_double)
-        all(:, 2) = real(y, c_double)
-        all(:, 3) = real(z, c_double)
+        allocate(all(n, 3), source=0._c_double)
+        if (from_points) then                                   ! otherwise what they hold may be no number
+            all(:, 1) = real(x, c_double)
+            all(:, 2) = real(y, c_double)
+            all(:, 3) = real(z, c_double)
+        end if
         call move_space_c_double(self, basis, move, from_points, n, all(:, 1), all(:, 2), all(:, 3), executor, done)
         if (done%status < 0) return
         x = real(all(:, 1), c_float)

@@ -1,61 +1,60 @@
-! The Fortran module's planes: a mesh one cell thick, in arrays x(:), y(:), z(:) and x(:,:,:), of both kinds of reals.
-program plane_tests
-    use, intrinsic :: iso_c_binding, only: c_double, c_float, c_int32_t, c_int64_t
+! A mesh one cell thick, in arrays x(:), y(:), z(:) and x(:,:,:), of both kinds of reals, and the plane of it.
+module plane_tests
+    use, intrinsic :: iso_c_binding, only: c_float, c_int32_t, c_int64_t
     use harmorph
-    use use_meshes
+    use counts
+    use meshes
+    use body_mesh, only: x, y, cells, faces, markers
     implicit none
-    real(dp), target :: x(n_points), y(n_points)
-    integer(c_int32_t), target :: cells(4, n_cells), faces(2, 2 * around), markers(2 * around)
+    private
+    public :: planes
     integer(c_int32_t) :: sides(4, 2 * around)
     real(dp) :: sx(2 * n_points), sy(2 * n_points), sz(2 * n_points)
     type(hm_mesh) :: mesh
-    type(hm_curves) :: curves
-    type(hm_plan) :: plan
     type(hm_basis) :: basis
     type(hm_plane) :: plane
     type(hm_plane_info) :: info
-    type(hm_error) :: err
-    integer :: stat
-    integer(c_int32_t) :: k
-
-    call make_points(x, y)
-    call make_cells(cells, faces, markers)
-    sx = [x, x]                                 ! the plane x-z; the second layer follows the first
-    sz = [y, y]
-    sy = [(0._dp, k = 1, n_points), (0.25_dp, k = 1, n_points)]
-    sides(1:2, :) = faces
-    sides(3, :) = faces(2, :) + n_points
-    sides(4, :) = faces(1, :) + n_points
-
-    call plane%find(stat=stat, err=err)
-    call check(stat == hm_bad_argument .and. index(err%text, "points comes first") > 0, "find without points")
-    call plane%points(sx, sy, sz)
-    call plane%morph(basis, reshape([0._dp, 0._dp], [2, 1]), sx, sy, sz, stat=stat, err=err)
-    call check(stat == hm_bad_argument .and. index(err%text, "find comes first") > 0, "morph without find")
-    call plane%faces(cells)
-    call plane%sides(sides, markers)
-    call plane%find()
-    call plane%info(info)
-    call check(info%kind == hm_planes .and. info%points == n_points .and. info%layers == 2, "info")
-    call check(all(info%follows == [(k, k = 1, n_points), (k, k = 1, n_points)]), "who follows whom")
-    call check(all(info%space_point == [(k, k = 1, n_points)]), "points of the plane")
-    call check(all(abs(info%normal) <= [0, 1, 0]), "normal")
-    call check(info%max_distance <= 0 .and. info%max_distance_point == -1, "all are exact")
-
-    call plane%mesh(mesh)
-    call curves%fit(x(:around), y(:around), loop=.true., n_control=n_control)
-    call plan%analyse(mesh, curves, [hm_condition(body)])
-    call plan%factor()
-    call plan%solve(basis)
-    call vectors()
-    call blocks()
-    call single_precision()
-    call what_is_refused()
-
-    print "(i0, a, i0, a)", passed, " passed, ", failed, " failed"
-    if (failed > 0) error stop
 
 contains
+
+    subroutine planes()
+        type(hm_error) :: err
+        integer :: stat
+        type(hm_curves) :: curves
+        type(hm_plan) :: plan
+        integer(c_int32_t) :: k
+        sx = [x, x]                             ! the plane x-z; the second layer follows the first
+        sz = [y, y]
+        sy = [(0._dp, k = 1, n_points), (0.25_dp, k = 1, n_points)]
+        sides(1:2, :) = faces
+        sides(3, :) = faces(2, :) + n_points
+        sides(4, :) = faces(1, :) + n_points
+
+        call plane%find(stat=stat, err=err)
+        call check(stat == hm_bad_argument .and. index(err%text, "points comes first") > 0, "find without points")
+        call plane%points(sx, sy, sz)
+        call plane%morph(basis, reshape([0._dp, 0._dp], [2, 1]), sx, sy, sz, stat=stat, err=err)
+        call check(stat == hm_bad_argument .and. index(err%text, "find comes first") > 0, "morph without find")
+        call plane%faces(cells)
+        call plane%sides(sides, markers)
+        call plane%find()
+        call plane%info(info)
+        call check(info%kind == hm_planes .and. info%points == n_points .and. info%layers == 2, "info")
+        call check(all(info%follows == [(k, k = 1, n_points), (k, k = 1, n_points)]), "who follows whom")
+        call check(all(info%space_point == [(k, k = 1, n_points)]), "points of the plane")
+        call check(all(abs(info%normal) <= [0, 1, 0]), "normal")
+        call check(info%max_distance <= 0 .and. info%max_distance_point == -1, "all are exact")
+
+        call plane%mesh(mesh)
+        call curves%fit(x(:around), y(:around), loop=.true., n_control=n_control)
+        call plan%analyse(mesh, curves, [hm_condition(body)])
+        call plan%factor()
+        call plan%solve(basis)
+        call vectors()
+        call blocks()
+        call single_precision()
+        call what_is_refused()
+    end subroutine
 
     subroutine vectors()
         real(dp), dimension(2 * n_points) :: px, py, pz, dx, dy, dz, gx, gy, gz
@@ -112,7 +111,8 @@ contains
         type(hm_plane) :: narrow
         type(hm_plane_info) :: its
         real(c_float), dimension(2 * n_points) :: px, py, pz, gx
-        real(c_float) :: gradient(2, n_control), ax(n_points), ay(n_points)
+        real(c_float) :: gradient(2, n_control), ax(n_points), ay(n_points), dx(2 * n_points), dy(2 * n_points), &
+            dz(2 * n_points)
         real(dp) :: wx(2 * n_points), wy(2 * n_points), wz(2 * n_points)
         px = real(sx, c_float)
         py = real(sy, c_float)
@@ -128,7 +128,16 @@ contains
         call plane%morph(basis, real(some_move(), c_float), px, py, pz)
         call plane%morph(basis, real(real(some_move(), c_float), dp), wx, wy, wz)
         call check(all(px == real(wx, c_float)) .and. all(pz == real(wz, c_float)), "morph in single precision")
+        dx = signaling()
+        dy = signaling()
+        dz = signaling()
+        call plane%displacement(basis, real(some_move(), c_float), dx, dy, dz)
+        call check(all(abs(dx - (wx - sx)) < 1e-6_dp) .and. all(abs(dz - (wz - sz)) < 1e-6_dp) .and. all(abs(dy) <= 0), &
+            "displacement in single precision")
         gx = 1
+        gradient = signaling()
+        ax = signaling()
+        ay = signaling()
         call plane%adjoint(basis, gx, gx, gx, gradient)
         call plane%gather(gx, gx, gx, ax, ay)
         call check(all(abs(ax - 2) <= 0) .and. all(abs(gradient) < 1e4), "derivatives in single precision")
@@ -140,6 +149,8 @@ contains
     subroutine what_is_refused()
         type(hm_plane) :: other
         real(dp) :: px(2 * n_points)
+        type(hm_error) :: err
+        integer :: stat
         px = sx
         call other%points(sx, sy, sz(2:), stat=stat, err=err)
         call check(stat == hm_bad_argument, "arrays of different shapes")
@@ -166,4 +177,4 @@ contains
         call other%info(info, stat=stat)
         call check(stat == hm_bad_argument, "an empty plane")
     end subroutine
-end program
+end module

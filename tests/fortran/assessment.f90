@@ -1,0 +1,75 @@
+! The step and the quality that a displacement would have.
+module assessment_tests
+    use, intrinsic :: iso_c_binding, only: c_float
+    use body_mesh
+    implicit none
+    private
+    public :: assessments
+
+contains
+
+    ! assess says before the morph what admissible_step and quality say before and after it, in every layout.
+    subroutine assessments()
+        real(dp) :: move(2, n_control), x_new(n_points), y_new(n_points), dx(n_points), dy(n_points)
+        real(dp) :: block_x(around, rings), block_y(around, rings)
+        type(hm_step_report) :: step, its_step
+        type(hm_quality_report) :: quality, its_quality
+        integer :: stat
+        move = 5 * some_move()
+        call basis%displacement(move, dx, dy)
+        call basis%morph_to(move, x, y, x_new, y_new)
+        call basis%admissible_step(mesh, dx, dy, step)
+        call basis%quality(mesh, x_new, y_new, quality, x, y)
+        call basis%assess(mesh, dx, dy, its_step, its_quality)
+        call compare_assessment(step, its_step, quality, its_quality)
+        call check(its_step%cell == step%cell .and. its_quality%min_quality_cell == quality%min_quality_cell, "where")
+        block_x = reshape(dx, shape(block_x))
+        block_y = reshape(dy, shape(block_y))
+        call basis%assess(mesh, block_x, block_y, its_step, its_quality, executor=hm_openmp(2))
+        call compare_assessment(step, its_step, quality, its_quality)
+        call basis%assess(mesh, real(dx, c_float), real(dy, c_float), its_step, its_quality)
+        call compare_assessment(step, its_step, quality, its_quality)
+        call basis%assess(mesh, real(block_x, c_float), real(block_y, c_float), its_step, its_quality)
+        call compare_assessment(step, its_step, quality, its_quality)
+        call basis%assess(mesh, dx(2:), dy(2:), its_step, its_quality, stat=stat)
+        call check(stat == hm_bad_argument, "a displacement too few")
+        call starts_elsewhere(dx, dy, step, quality)
+    end subroutine
+
+    ! A mesh whose arrays hold other coordinates than those the movement starts from: it is judged from where it starts.
+    subroutine starts_elsewhere(dx, dy, step, quality)
+        real(dp), intent(in) :: dx(:), dy(:)
+        type(hm_step_report), intent(in) :: step
+        type(hm_quality_report), intent(in) :: quality
+        real(dp), target :: x_now(n_points), y_now(n_points)
+        type(hm_mesh) :: elsewhere
+        type(hm_step_report) :: its_step
+        type(hm_quality_report) :: its_quality
+        integer :: stat
+        x_now = x + 0.5_dp * step%admissible * dx
+        y_now = y + 0.5_dp * step%admissible * dy
+        call elsewhere%points(x_now, y_now)
+        call elsewhere%cells(cells)
+        call elsewhere%faces(faces, markers)
+        call basis%admissible_step(elsewhere, dx, dy, its_step, x, y)
+        call check(abs(its_step%admissible - step%admissible) <= 0, "the step from other coordinates")
+        call basis%assess(elsewhere, dx, dy, its_step, its_quality, x, y)
+        call check(abs(its_step%admissible - step%admissible) <= 0, "the assessed step from other coordinates")
+        call compare_assessment(step, its_step, quality, its_quality)
+        call basis%admissible_step(elsewhere, dx, dy, its_step)
+        call check(abs(its_step%admissible - 0.5_dp * step%admissible) < 1e-9_dp * step%admissible, &
+            "the step from the mesh's own coordinates")
+        call basis%admissible_step(elsewhere, dx, dy, its_step, x, stat=stat)
+        call check(stat == hm_bad_argument, "x without y")
+        call basis%assess(elsewhere, dx, dy, its_step, its_quality, x(2:), y(2:), stat=stat)
+        call check(stat == hm_bad_argument, "a start of one point too few")
+    end subroutine
+
+    subroutine compare_assessment(step, its_step, quality, its_quality)
+        type(hm_step_report), intent(in) :: step, its_step
+        type(hm_quality_report), intent(in) :: quality, its_quality
+        call check(abs(its_step%admissible / step%admissible - 1) < 1e-4_dp .and. &
+            abs(its_quality%mean_quality - quality%mean_quality) < 1e-5_dp .and. &
+            its_quality%inverted == quality%inverted, "assessment")
+    end subroutine
+end module

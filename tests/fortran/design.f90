@@ -1,0 +1,122 @@
+! Finer curves, measures with derivatives, design variables, functions by table.
+module design_tests
+    use body_mesh
+    implicit none
+    private
+    public :: design, tables
+
+contains
+
+    ! More control points, measures with their gradients, variables that are not control points, and their functions.
+    subroutine design()
+        type(hm_curves) :: curves, finer, moved
+        type(hm_basis) :: few, again
+        type(hm_basis_info) :: info
+        type(hm_quantity) :: wanted(3)
+        type(hm_section) :: section
+        real(dp), allocatable :: matrix(:, :), error(:, :)
+        complex(dp), allocatable :: map(:, :)
+        real(dp), allocatable :: v(:, :), move(:, :), gradients(:, :, :), of_few(:, :), of_all(:, :)
+        real(dp) :: values(3), at(2, 3), up(3), down(3), xy_u(2, 0:0), same_u(2, 0:0), difference
+        real(dp), dimension(n_points) :: dx, dy, its_dx, its_dy
+        real(dp), parameter :: eps = 1e-5_dp
+        type(hm_error) :: err
+        integer :: stat
+        call basis%curves(curves)
+        call curves%refine(1, [0.3_dp, 0.6_dp], finer, matrix)
+        call check(size(finer%control, 2) == size(curves%control, 2) + 2, "two knots are two control points more")
+        call check(maxval(abs(matmul(curves%control, transpose(matrix)) - finer%control)) < 1e-14_dp, "the matrix of refine")
+        call curves%point(1, 0.45_dp, xy_u)
+        call finer%point(1, 0.45_dp, same_u)
+        call check(maxval(abs(xy_u - same_u)) < 1e-14_dp, "the same curve")
+        call curves%elevate(1, finer, matrix)
+        call finer%point(1, 0.45_dp, same_u)
+        call check(finer%curve(1)%degree == 4 .and. maxval(abs(xy_u - same_u)) < 1e-14_dp, "degree 4, the same curve")
+        call curves%refine(1, [7._dp], finer, stat=stat, err=err)
+        call check(stat == hm_bad_argument .and. index(err%text, "knot 1") == 1, "a knot outside: " // err%text)
+
+        section%nose = [minval(curves%control(1, :)), 0._dp]
+        section%edge = [maxval(curves%control(1, :)), 0._dp]
+        wanted(1) = hm_quantity(hm_area)
+        wanted(2) = hm_quantity(hm_thickness, 0.4_dp)
+        wanted(3) = hm_quantity(hm_clearance, polygon=reshape([0.3_dp, 0._dp, 0.4_dp, 0.01_dp], [2, 2]))
+        allocate(gradients(2, size(curves%control, 2), 3))
+        call curves%measure(wanted, values, at, gradients, section)
+        call check(values(1) > 0 .and. values(2) > 0, "area and thickness")
+        moved = curves
+        moved%control(2, 3) = curves%control(2, 3) + eps
+        call moved%measure(wanted, up, section=section)
+        moved%control(2, 3) = curves%control(2, 3) - eps
+        call moved%measure(wanted, down, section=section)
+        difference = maxval(abs((up - down) / (2 * eps) - gradients(2, 3, :)))
+        call check(difference < 1e-6_dp, "derivatives of the measures")
+        wanted(2)%station = 2
+        call curves%measure(wanted, values, section=section, stat=stat, err=err)
+        call check(stat == hm_bad_argument .and. err%item == 2, "a station outside: " // err%text)
+        wanted(2) = hm_quantity(hm_thickness, 1e-9_dp)
+        section%nose(1) = section%nose(1) - 1
+        call curves%measure(wanted, values, section=section, stat=stat, err=err)
+        call check(stat == hm_bad_curve .and. err%item == 2, "a station without section: " // err%text)
+        section%nose(1) = section%nose(1) + 1
+
+        call curves%map(hm_variables(hm_cst, n_upper=3, n_lower=2), map, error, section)
+        call check(all(shape(map) == [size(curves%control, 2), 5]) .and. all(error(1, :) <= error(2, :)), "a map")
+        call curves%map(hm_variables(hm_hicks_henne, n_upper=2, peaks=[0.3_dp]), map, stat=stat)
+        call check(stat == hm_bad_argument, "one peak for two bumps")
+        call curves%map(hm_variables(hm_cst, n_upper=3, n_lower=2), map, error, section)
+        call basis%combine(map, few)
+        call few%info(info)
+        call check(info%combined == 5 .and. info%functions == 5, "functions of five variables")
+        allocate(v(2, 5), move(2, size(map, 1)), of_few(2, 5), of_all(2, size(map, 1)))
+        v = 0
+        v(1, :) = [0.01_dp, -0.02_dp, 0.03_dp, 0.01_dp, -0.01_dp]
+        move(1, :) = real(matmul(map, cmplx(v(1, :), v(2, :), dp)), dp)
+        move(2, :) = aimag(matmul(map, cmplx(v(1, :), v(2, :), dp)))
+        call few%displacement(v, dx, dy)
+        call basis%displacement(move, its_dx, its_dy)
+        call check(maxval(abs(dx - its_dx)) < 1e-15_dp .and. maxval(abs(dy - its_dy)) < 1e-15_dp, "they move the mesh alike")
+        call few%adjoint(dx, dy, of_few)
+        call basis%adjoint(dx, dy, of_all)
+        call check(abs(sum(of_few * v) - sum(of_all * move)) < 1e-13_dp * sum(abs(of_all * move)), "and their gradients")
+        call few%moved_curves(v, moved)
+        call check(maxval(abs(moved%control - curves%control - move)) < 1e-15_dp, "moved curves")
+        call basis%combine(real(map, dp), again, stat=stat, err=err)
+        call check(stat == hm_bad_condition, "columns that are zero: " // err%text)
+        call basis%combine(aimag(map), again)
+        call again%info(info)
+        call check(info%combined == 5, "a real matrix")
+    end subroutine
+
+    ! The wall as a table of modes in place of the curve.
+    subroutine tables()
+        type(hm_plan) :: plan
+        type(hm_basis) :: none, two
+        type(hm_basis_info) :: info
+        complex(dp), allocatable :: modes(:, :)
+        integer, allocatable :: points(:)
+        real(dp), dimension(n_points) :: dx, dy
+        integer :: k
+        logical :: loop
+        type(hm_error) :: err
+        integer :: stat
+        call plan%analyse(mesh, conditions=[hm_condition(body, hm_given)], stat=stat, err=err)
+        call check(stat >= 0, "given displacements without curves: " // err%text)
+        call plan%factor()
+        call plan%boundary([body], points, loop)
+        call none%init(plan)
+        allocate(modes(size(points), 2))
+        do k = 1, size(points)
+            modes(k, :) = [cmplx(x(points(k)), 0, dp), cmplx(0.5_dp, y(points(k)), dp)]
+        end do
+        call plan%tabulate(none, modes, two, points, stat=stat, err=err)
+        call check(stat >= 0, "functions by table: " // err%text)
+        call two%info(info)
+        call check(info%modes == 2 .and. info%functions == 2, "two modes")
+        call two%displacement(reshape([0.1_dp, 0._dp, 0._dp, 0.2_dp], [2, 2]), dx, dy)
+        call check(maxval(abs(dx(points) - 0.1_dp * x(points) + 0.2_dp * y(points))) < 1e-15_dp, "along x")
+        call check(maxval(abs(dy(points) - 0.1_dp)) < 1e-15_dp, "along y")
+        modes(:, 2) = 0
+        call plan%tabulate(none, modes, two, points, stat=stat, err=err)
+        call check(stat == hm_bad_condition .and. err%item == 2, "a mode that is zero: " // err%text)
+    end subroutine
+end module

@@ -1,0 +1,131 @@
+! What is refused, and the numbers in its errors.
+module refusals_tests
+    use, intrinsic :: iso_c_binding, only: c_int32_t, c_int64_t
+    use body_mesh
+    implicit none
+    private
+    public :: numbers_in_errors, refusals
+
+contains
+
+    ! Numbers in texts and items count from 1, whatever C says.
+    subroutine numbers_in_errors()
+        type(hm_curves) :: curves, copy
+        real(dp) :: move(2, n_control), its_x(around), its_y(around), nan
+        type(hm_error) :: err
+        integer :: stat
+        nan = transfer(9221120237041090560_c_int64_t, nan)
+        its_x = x(:around)
+        its_y = y(:around)
+        its_x(1) = nan
+        call curves%fit(its_x, its_y, .true., stat=stat, err=err)
+        call check(err%item == 1, "the first point of a fit")
+        call check(err%text == "point 1 is not finite", "in words: " // err%text)
+        its_x = x(:around)
+        its_x(11) = its_x(10)
+        its_y(11) = its_y(10)
+        call curves%fit(its_x, its_y, .true., stat=stat, err=err)
+        call check(err%text == "points 10 and 11 follow each other and coincide", "two points of a fit: " // err%text)
+        call check(err%item == 10, "the first of them")
+        call curves%set(reshape([0, 0, 1, 0, 2, 1, 3, 0] * 1._dp, [2, 4]))
+        call curves%add(1, [0, 0, 1, 1] * 1._dp, [1_c_int32_t, 2_c_int32_t])
+        call curves%add(2, [0, 0, 0, 2, 1, 1, 1] * 1._dp)
+        call curves%check(stat, err)
+        call check(err%text == "knot 5 of curve 2 is smaller than the one before it", "a knot: " // err%text)
+        call check(err%item == 5, "its number")
+        copy = curves
+        copy%curve(2)%knots = [0, 0, 0, 1, 2, 2, 2] * 1._dp
+        copy%control(1, 2) = nan
+        call copy%check(stat, err)
+        call check(err%text == "control point 2 of curve 1 is not finite", "a control point: " // err%text)
+        call check(err%item == 2, "control points count from 1 in C, too")
+        copy = curves
+        copy%curve(2)%degree = 0
+        copy%curve(2)%knots = [0, 0, 1, 1, 1] * 1._dp
+        call copy%check(stat, err)
+        call check(err%text == "curve 2 has degree 0; 1 to 5 are possible", "a degree: " // err%text)
+        call check(err%item == 2, "of the second curve")
+        move = 0
+        move(2, n_control) = nan
+        call basis%displacement(move, x, y, stat=stat, err=err)
+        call check(index(err%text, "movement of function 14 ") > 0, "a movement: " // err%text)
+        call check(err%item == n_control, "of the last function")
+    end subroutine
+
+    subroutine refusals()
+        type(hm_basis) :: empty
+        type(hm_plan) :: plan
+        real(dp) :: move(2, n_control), a(n_points), b(n_points), gradient(2, n_control), error
+        type(hm_quality_report) :: quality
+        type(hm_mesh) :: bad
+        type(hm_curves) :: curves
+        integer(c_int32_t), target :: five(5, 2)
+        type(hm_solve_report) :: report
+        type(hm_options) :: options
+        type(hm_error) :: err
+        integer :: stat
+        move = 0
+        five = 1
+        call empty%morph(move, a, b, stat=stat, err=err)
+        call check(stat == hm_bad_argument .and. err%code == stat, "an empty basis: " // err%text)
+        call basis%morph(move(:, 2:), x, y, stat=stat, err=err)
+        call check(stat == hm_bad_argument, "a control point too few: " // err%text)
+        call basis%morph(move, x(2:), y(2:), stat=stat, err=err)
+        call check(stat == hm_bad_argument, "a mesh point too few: " // err%text)
+        move(1, 1) = transfer(9218868437227405312_c_int64_t, move(1, 1))        ! infinite
+        a = x
+        b = y
+        call basis%morph(move, a, b, stat=stat, err=err)
+        call check(stat == hm_bad_argument .and. same(a, x), "a movement that is not finite: " // err%text)
+        call basis%adjoint(a, b(2:), gradient, stat=stat)
+        call check(stat == hm_bad_argument, "a gradient of different lengths")
+        call basis%boundary_error(some_move(), x, y, a(2:), b(2:), error, stat=stat)
+        call check(stat == hm_bad_argument, "another length")
+        call basis%quality(mesh, x, y, quality, x(2:), y(2:), stat=stat)
+        call check(stat == hm_bad_argument, "a reference of another length")
+        call basis%values(0, a, stat=stat)
+        call check(stat == hm_bad_argument, "there is no function 0")
+        call basis%values(1, a(2:), stat=stat)
+        call check(stat == hm_bad_argument, "too little room for values")
+        call plan%solve(empty, report, stat)
+        call check(stat == hm_bad_argument, "an empty plan")
+        call bad%cells(cells, stat, err)
+        call check(stat == hm_bad_argument, "cells before points: " // err%text)
+        call bad%points(x, y)
+        call bad%cells(five, stat)
+        call check(stat == hm_bad_argument, "cells of five points")
+        call bad%faces(faces, markers(2:), stat)
+        call check(stat == hm_bad_argument, "faces and markers do not fit")
+        call bad%lists(faces(:, 1), markers(:2), markers(:2), stat)
+        call check(stat == hm_bad_argument, "lists and markers do not fit")
+        call bad%points(x(:0), y(:0), stat=stat)
+        call check(stat == hm_bad_argument, "no points")
+        call bad%free()
+        call plan%analyse(bad, stat=stat, err=err)
+        call check(stat == hm_bad_argument .or. stat == hm_bad_mesh, "an empty mesh: " // err%text)
+        call basis%curves(curves)
+        call plan%analyse(mesh, curves, [hm_condition(1234)], stat=stat, err=err)
+        call check(stat == hm_bad_condition, "a marker that no face has: " // err%text)
+        call check(index(err%text, "condition 1 ") > 0, "it is of the first condition: " // err%text)
+        call check(err%item == 1234, "the item is the marker")
+        call plan%analyse(mesh, curves, [hm_condition(far_field, hm_fixed), hm_condition(body, first_curve=2)], &
+            stat=stat, err=err)
+        call check(stat == hm_bad_condition, "a curve that does not exist: " // err%text)
+        call check(index(err%text, "condition 2 ") > 0, "the text counts conditions from 1: " // err%text)
+        call check(err%item == 2, "and so does the item")
+        call plan%analyse(mesh, curves, [hm_condition(body), hm_condition(far_field, hm_fixed, body=2)], &
+            stat=stat, err=err)
+        call check(stat == hm_bad_condition .and. index(err%text, "body") > 0, "of another kind: " // err%text)
+        call plan%analyse(mesh, curves, [hm_condition(body), hm_condition(far_field, hm_fixed, first_curve=2)], &
+            stat=stat)
+        call check(stat == hm_bad_condition, "a fixed marker on a curve")
+        call plan%analyse(mesh, curves, stat=stat)
+        call check(stat == hm_bad_condition, "no condition")
+        options%engine = 77
+        call plan%analyse(mesh, curves, [hm_condition(body)], options=options, stat=stat)
+        call check(stat == hm_unsupported, "an engine to come")
+        deallocate(curves%curve(1)%knots)
+        call plan%analyse(mesh, curves, [hm_condition(body)], stat=stat)
+        call check(stat == hm_bad_argument, "a curve without knots")
+    end subroutine
+end module
