@@ -55,9 +55,10 @@ for file in c_api/cli/*.[ch]pp c_api/cli/formats/* c_api/cli/pictures/*; do
     is_empty "$file" "$(included "$file" | grep -E '/' | grep -vE '^(sys|formats|pictures)/')"
 done
 
-# Lines of the sources and scripts have at most 120 columns (Fortran is not checked).
+# Lines of the sources and scripts have at most 120 columns.
 is_empty "lines of more than 120 columns" "$(find c_api fortran include src tests -type f \
-    \( -name '*.cpp' -o -name '*.hpp' -o -name '*.[ch]' -o -name '*.sh' \) -exec \
+    \( -name '*.cpp' -o -name '*.hpp' -o -name '*.[ch]' -o -name '*.sh' \
+    -o -name '*.f90' -o -name '*.f' \) -exec \
     awk 'length($0) > 120 { print FILENAME ":" FNR }' {} +)"
 
 # What stands at the top; a test that leaves something there would have it committed one day.

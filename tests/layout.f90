@@ -62,11 +62,13 @@ program layout
         c_loc(curves%index_base), c_loc(curves%n_control), c_loc(curves%control), c_loc(curves%weights), &
         c_loc(curves%n_curves), c_loc(curves%curve)])
     call compare("hm_fit_options", 6, c_sizeof(fit_options), c_loc(fit_options), [c_loc(fit_options%struct_size), &
-        c_loc(fit_options%degree), c_loc(fit_options%n_control), c_loc(fit_options%closed), c_loc(fit_options%reserved)])
+        c_loc(fit_options%degree), c_loc(fit_options%n_control), c_loc(fit_options%closed), &
+        c_loc(fit_options%reserved)])
     call compare("hm_fit_report", 7, c_sizeof(fit_report), c_loc(fit_report), [c_loc(fit_report%struct_size), &
         c_loc(fit_report%max_error), c_loc(fit_report%rms_error), c_loc(fit_report%max_error_point), &
         c_loc(fit_report%closed), c_loc(fit_report%first_point), c_loc(fit_report%base_points), &
-        c_loc(fit_report%reason), c_loc(fit_report%corners), c_loc(fit_report%backtrack_point), c_loc(fit_report%reserved)])
+        c_loc(fit_report%reason), c_loc(fit_report%corners), c_loc(fit_report%backtrack_point), &
+        c_loc(fit_report%reserved)])
     call compare("hm_condition", 8, c_sizeof(condition), c_loc(condition), [c_loc(condition%struct_size), &
         c_loc(condition%marker), c_loc(condition%kind), c_loc(condition%first_curve), c_loc(condition%n_curves), &
         c_loc(condition%body), c_loc(condition%partner), c_loc(condition%x), c_loc(condition%y), &
@@ -181,9 +183,10 @@ program layout
         c_loc(space_mesh%axis_point), c_loc(space_mesh%axis), c_loc(space_mesh%tolerance)])
     call compare("hm_plane_info", 26, c_sizeof(plane_info), c_loc(plane_info), [c_loc(plane_info%struct_size), &
         c_loc(plane_info%kind), c_loc(plane_info%n_points), c_loc(plane_info%n_space_points), &
-        c_loc(plane_info%layers), c_loc(plane_info%origin), c_loc(plane_info%x_direction), c_loc(plane_info%y_direction), &
-        c_loc(plane_info%normal), c_loc(plane_info%max_distance), c_loc(plane_info%max_distance_point), &
-        c_loc(plane_info%reserved), c_loc(plane_info%follows), c_loc(plane_info%space_point)])
+        c_loc(plane_info%layers), c_loc(plane_info%origin), c_loc(plane_info%x_direction), &
+        c_loc(plane_info%y_direction), c_loc(plane_info%normal), c_loc(plane_info%max_distance), &
+        c_loc(plane_info%max_distance_point), c_loc(plane_info%reserved), c_loc(plane_info%follows), &
+        c_loc(plane_info%space_point)])
     call compare("hm_section", 27, c_sizeof(section), c_loc(section), [c_loc(section%struct_size), &
         c_loc(section%first_curve), c_loc(section%n_curves), c_loc(section%nose_x), c_loc(section%nose_y), &
         c_loc(section%edge_x), c_loc(section%edge_y)])
@@ -195,9 +198,9 @@ program layout
         c_loc(variables%y_max), c_loc(variables%peaks), c_loc(variables%nose_exponent), &
         c_loc(variables%edge_exponent), c_loc(variables%width)])
     call compare_numbers("constants", 30, int([hm_area, hm_centroid_x, hm_centroid_y, hm_moment_xx, hm_moment_yy, &
-        hm_moment_xy, hm_chord, hm_thickness, hm_camber, hm_max_thickness, hm_max_camber, hm_nose_radius, hm_edge_angle, &
-        hm_edge_gap, hm_min_radius, hm_curvature_variation, hm_clearance, hm_ffd, hm_cst, hm_hicks_henne, &
-        hm_naca4], c_int64_t))
+        hm_moment_xy, hm_chord, hm_thickness, hm_camber, hm_max_thickness, hm_max_camber, hm_nose_radius, &
+        hm_edge_angle, hm_edge_gap, hm_min_radius, hm_curvature_variation, hm_clearance, hm_ffd, hm_cst, &
+        hm_hicks_henne, hm_naca4], c_int64_t))
 
     print "(i0, a, i0, a)", passed, " passed, ", failed, " failed"
     if (failed > 0) error stop

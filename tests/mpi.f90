@@ -94,7 +94,8 @@ contains
     subroutine check_displacements()
         type(hm_plan) :: plan, whole
         integer, allocatable :: all_wall(:), own_wall(:), own(:)
-        real(dp), allocatable :: wall(:, :), own_field(:, :), dx(:), dy(:), own_dx(:), own_dy(:), gradient(:, :), own_gradient(:, :)
+        real(dp), allocatable :: wall(:, :), own_field(:, :), dx(:), dy(:), own_dx(:), own_dy(:)
+        real(dp), allocatable :: gradient(:, :), own_gradient(:, :)
         real(dp), allocatable, target :: all_x(:), all_y(:)
         real(dp), allocatable :: fields(:, :, :), fields_x(:, :), fields_y(:, :)
         real(dp) :: sums
@@ -132,7 +133,8 @@ contains
         call hm_mpi_displace_adjoint(plan, own_wall, dx(own), dy(own), own, own_gradient, mpi_comm_world, root)
         sums = sum(own_gradient * own_field)
         call mpi_allreduce(mpi_in_place, sums, 1, mpi_double_precision, mpi_sum, mpi_comm_world)
-        call check(abs(sums - sum(gradient * wall)) < 1e-13_dp * sum(abs(gradient * wall)), "the same work on all processes")
+        call check(abs(sums - sum(gradient * wall)) < 1e-13_dp * sum(abs(gradient * wall)), &
+            "the same work on all processes")
         ! Two fields at once: each as alone.
         allocate(fields_x(size(own), 2), fields_y(size(own), 2))
         fields = reshape([own_field, -2 * own_field], [2, size(own_wall), 2])

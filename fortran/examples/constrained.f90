@@ -3,7 +3,8 @@
 ! potential.f90. harmorph has the gradients of mesh and constraints by the variables.
 program constrained
     use harmorph
-    use potential, only: airfoil, cells, cp, cp_target, dp, faces, gradient, marks, np, objective, read_mesh, solve_flow, x, y
+    use potential, only: airfoil, cells, cp, cp_target, dp, faces, gradient, marks, np, objective, read_mesh, &
+        solve_flow, x, y
     implicit none
     integer, parameter :: n = 12, m = 3, most = 60
     type(hm_mesh) :: mesh
@@ -84,7 +85,8 @@ program constrained
         do tries = 1, 20
             call go_to(v + step * d)
             call evaluate(v + step * d)
-            if (j + penalty * sum(abs(c)) <= merit + 1e-4_dp * step * (dot_product(old_g, d) - penalty * sum(abs(c)))) exit
+            if (j + penalty * sum(abs(c)) <= &
+                merit + 1e-4_dp * step * (dot_product(old_g, d) - penalty * sum(abs(c)))) exit
             step = 0.5_dp * step
         end do
         v = v + step * d

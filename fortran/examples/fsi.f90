@@ -8,7 +8,8 @@ program fsi
     implicit none
     integer, parameter :: steps = 200
     real(dp), parameter :: dt = 0.03_dp, hinge = 0.6_dp
-    real(dp), parameter :: mass(2) = [0.02_dp, 0.005_dp], stiffness(2) = [1.5_dp, 3.0_dp], damping(2) = [0.05_dp, 0.03_dp]
+    real(dp), parameter :: mass(2) = [0.02_dp, 0.005_dp], stiffness(2) = [1.5_dp, 3.0_dp], &
+        damping(2) = [0.05_dp, 0.03_dp]
     real(dp), parameter :: calm = 0.035_dp, gust = 0.15_dp      ! incidence, and what a gust adds to it
     type(hm_mesh) :: mesh                                                               !hm
     type(hm_plan) :: plan                                                               !hm
@@ -92,8 +93,8 @@ program fsi
 
 contains
 
-    ! Of the discrete flow on all mesh points: the derivative of its kinetic energy with psi held, psi K psi / 2. Inside,
-    ! these forces are as small as the error of the discretisation; on the wall they are those of the pressure.
+    ! Of the discrete flow on all mesh points: the derivative of its kinetic energy with psi held, psi K psi / 2.
+    ! Inside, these forces are as small as the error of the discretisation; on the wall they are those of the pressure.
     subroutine forces_on_mesh()
         fx = 0
         fy = 0

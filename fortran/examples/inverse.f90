@@ -1,5 +1,6 @@
-! Inverse design: which airfoil has this pressure? The flow solver (potential.f90) knows its mesh and the gradient of its
-! objective by all mesh points; harmorph carries both between mesh and control points. Lines with !hm touch harmorph.
+! Inverse design: which airfoil has this pressure? The flow solver (potential.f90) knows its mesh and the gradient of
+! its objective by all mesh points; harmorph carries both between mesh and control points. Lines with !hm touch
+! harmorph.
 program inverse
     use harmorph                                                                        !hm
     use bfgs
@@ -61,7 +62,7 @@ program inverse
     do k = 0, most
         error(k) = sqrt(2 * j / sum(weight))
         call basis%quality(mesh, x, y, quality)                                         !hm
-        print "(i4, es16.4, f12.2, i10)", k, error(k), merge(limit%admissible, 0._dp, k > 0), quality%inverted          !hm
+        print "(i4, es16.4, f12.2, i10)", k, error(k), merge(limit%admissible, 0._dp, k > 0), quality%inverted     !hm
         if (quality%inverted > 0) error stop "the mesh is not valid"                     !hm
         if (error(k) < 1e-3_dp * error(0) .or. k == most) exit
         direction = -reshape(matmul(h, reshape(slope, [2 * n])), [2, n])

@@ -40,6 +40,7 @@ program morph
     call basis%admissible_step(mesh, dx, dy, step)
     call basis%morph(move, x, y)
     call basis%quality(mesh, x, y, quality)
-    print "(i0, a, f0.1, a)", quality%inverted, " inverted cells; the mesh could follow ", step%admissible, " times as far"
+    print "(i0, a, f0.1, a)", quality%inverted, " inverted cells; the mesh could follow ", step%admissible, &
+        " times as far"
     if (quality%inverted > 0) error stop
 end program

@@ -61,8 +61,8 @@ contains
         integer, intent(in) :: unit, k
         real(dp), intent(in) :: x(:), y(:)
         integer :: i
-        write(unit, "(5a)") '<polyline fill="none" stroke="', colour(k), '" stroke-width="', merge("4  ", "1.5", k == 1), &
-            '" points="'
+        write(unit, "(5a)") '<polyline fill="none" stroke="', colour(k), '" stroke-width="', &
+            merge("4  ", "1.5", k == 1), '" points="'
         write(unit, "(2(f0.2, 1x))") (x(i), y(i), i = 1, size(x))
         write(unit, "(a)") '"/>'
     end subroutine

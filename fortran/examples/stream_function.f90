@@ -152,8 +152,8 @@ contains
         end do
     end subroutine
 
-    ! Of the Lagrangian, by the coordinates: lambda K psi + the errors of the speeds + mu speed_difference, with the free
-    ! stream's psi, which depends on where the far field is.
+    ! Of the Lagrangian, by the coordinates: lambda K psi + the errors of the speeds + mu speed_difference, with the
+    ! free stream's psi, which depends on where the far field is.
     subroutine lagrangian_gradient(lambda, mu, by_speed, gx, gy)
         real(dp), intent(in) :: lambda(np), mu, by_speed(nw)
         real(dp), intent(out) :: gx(np), gy(np)
@@ -173,7 +173,8 @@ contains
         gy = gy + on_far * product * cos(alpha)
     end subroutine
 
-    ! Of lambda K psi. In each triangle it is (p r + q s) / (2 area2), with p = sum b psi, q = sum c psi, r, s of lambda.
+    ! Of lambda K psi. In each triangle it is (p r + q s) / (2 area2), with p = sum b psi, q = sum c psi, r, s of
+    ! lambda.
     subroutine add_matrix_gradient(lambda, gx, gy)
         real(dp), intent(in) :: lambda(np)
         real(dp), intent(inout) :: gx(np), gy(np)

@@ -128,7 +128,8 @@ contains
             conditions = [(hm_condition(int(list(k)%marker), int(list(k)%kind), int(list(k)%first_curve) + 1, &
                 int(list(k)%n_curves), int(list(k)%body) + 1, int(list(k)%partner), list(k)%x, list(k)%y, &
                 int(list(k)%piece), list(k)%near_x, list(k)%near_y), k = 1, int(n))]
-            where (conditions%kind == hm_slip .and. conditions%n_curves > 0) conditions%first_curve = 0  ! until `along` is set
+            where (conditions%kind == hm_slip .and. conditions%n_curves > 0) &
+                conditions%first_curve = 0                      ! until `along` is set
         end if
         call done%finish("basis%conditions", stat, err)
     end subroutine

@@ -17,8 +17,8 @@
             integer(c_size_t), intent(inout) :: bytes, work_bytes
             type(hm_c_error), intent(inout) :: err
         end function
-        integer(c_int32_t) function hm_c_tabulate(tabulated, block, bytes, plan, basis, n, points, n_modes, numbers, modes, &
-            work, work_bytes, report, err) bind(c, name="hm_tabulate")
+        integer(c_int32_t) function hm_c_tabulate(tabulated, block, bytes, plan, basis, n, points, n_modes, numbers, &
+            modes, work, work_bytes, report, err) bind(c, name="hm_tabulate")
             import
             type(c_ptr), intent(inout) :: tabulated
             type(c_ptr), value, intent(in) :: block, plan, basis, points, work
@@ -126,8 +126,8 @@
             type(hm_solve_report), intent(inout) :: report
             type(hm_c_error), intent(inout) :: err
         end function
-        integer(c_int32_t) function hm_c_displace_adjoint(plan, n, points, n_fields, dj, gradient, work, bytes, report, &
-            err) bind(c, name="hm_displace_adjoint")
+        integer(c_int32_t) function hm_c_displace_adjoint(plan, n, points, n_fields, dj, gradient, work, bytes, &
+            report, err) bind(c, name="hm_displace_adjoint")
             import
             type(c_ptr), value, intent(in) :: plan, points, work          ! points: null if there are none
             integer(c_int32_t), value, intent(in) :: n, n_fields
@@ -136,7 +136,8 @@
             type(hm_solve_report), intent(inout) :: report
             type(hm_c_error), intent(inout) :: err
         end function
-        integer(c_int32_t) function hm_c_displace_safe_size(plan, basis, bytes, err) bind(c, name="hm_displace_safe_size")
+        integer(c_int32_t) function hm_c_displace_safe_size(plan, basis, bytes, err) &
+            bind(c, name="hm_displace_safe_size")
             import
             type(c_ptr), value, intent(in) :: plan, basis
             integer(c_size_t), intent(inout) :: bytes
@@ -223,7 +224,8 @@
             type(hm_c_points), intent(in) :: from, to
             type(hm_c_error), intent(inout) :: err
         end function
-        integer(c_int32_t) function hm_c_slide_adjoint(analysis, from, dj, dj_from, err) bind(c, name="hm_slide_adjoint")
+        integer(c_int32_t) function hm_c_slide_adjoint(analysis, from, dj, dj_from, err) &
+            bind(c, name="hm_slide_adjoint")
             import
             type(c_ptr), value, intent(in) :: analysis
             type(hm_c_points), intent(in) :: from, dj, dj_from

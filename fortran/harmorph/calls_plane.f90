@@ -14,7 +14,8 @@
             type(hm_c_points), intent(in) :: to
             type(hm_c_error), intent(inout) :: err
         end function
-        integer(c_int32_t) function hm_c_blocks_scatter(mesh, first, n, from, blocks, err) bind(c, name="hm_blocks_scatter")
+        integer(c_int32_t) function hm_c_blocks_scatter(mesh, first, n, from, blocks, err) &
+            bind(c, name="hm_blocks_scatter")
             import
             type(hm_c_mesh), intent(in) :: mesh
             integer(c_int32_t), value, intent(in) :: first, n

@@ -32,8 +32,8 @@
     integer, parameter, public :: hm_agglomerate_auto = 0, hm_agglomerate_isotropic = 1, hm_agglomerate_directional = 2
     integer, parameter, public :: hm_double = 0, hm_single = 1
     integer, parameter, public :: hm_start_coarsest = 0, hm_start_zero = 1
-    integer, parameter, public :: hm_kernel_auto = 0, hm_kernel_baseline = 1, hm_kernel_avx2 = 2, hm_kernel_avx512 = 3, &
-        hm_kernel_neon = 4
+    integer, parameter, public :: hm_kernel_auto = 0, hm_kernel_baseline = 1, hm_kernel_avx2 = 2, &
+        hm_kernel_avx512 = 3, hm_kernel_neon = 4
     integer, parameter, public :: hm_phase_structure = 0, hm_phase_ordering = 1, hm_phase_symbolic = 2
     integer, parameter, public :: hm_phase_assembly = 3, hm_phase_factor = 4, hm_phase_solve = 5, hm_phase_residual = 6
     integer, parameter, public :: hm_strategy_linear = 0, hm_strategy_other = 1, hm_strategy_substeps = 2, &

@@ -11,7 +11,7 @@
 !     call mesh%cells(cells)                       (3,n), (4,n), or rows and their start; none for a block x(ni,nj)
 !     call mesh%polygons(cells, start)             instead of cells: rows of 3 to 1024 points, with hanging nodes
 !     call mesh%blocks(sizes, markers)             instead of cells: ni, nj of structured blocks, their sides' markers
-!     call mesh%add_block(x, y, markers)           instead of points and blocks: once for each block in arrays of its own
+!     call mesh%add_block(x, y, markers)           instead of points and blocks: once for each block in its own arrays
 !     call mesh%faces(face_points, markers)        or lists, point_types; line(...) for the sides of a block
 !     call plan%analyse(mesh)                      the mesh alone: plan%report, plan%boundary
 !     call curves%fit(x(wall), y(wall), loop)      or curves%set and curves%add
@@ -25,7 +25,7 @@
 !     call plan%improve(x, y, x0, y0)              after a movement from x0, y0: better cells inside; needs the plan
 !     call plan%displacement(wall, dx, dy)         displacements or velocities of wall points, wall(2,n), carried to all
 !                                                  mesh points: no curves, no basis; displace_adjoint: the transpose
-!     call plan%displace_safe(basis, wall, x, y)   of any size without inverted cells; basis: empty, or solved for curves
+!     call plan%displace_safe(basis, wall, x, y)   of any size without inverted cells; basis: empty, or for curves
 !     call plan%transfer(coarse, coarse_mesh, basis)      functions of a coarser mesh instead of factor and solve
 !     call basis%save(file);  call basis%load(file, mesh)
 !     call curves%measure([hm_quantity(hm_area), hm_quantity(hm_thickness, 0.25_dp)], values, gradients=g)
@@ -97,11 +97,12 @@
 !               curves%control(2,n), weights, curve(k)%degree, knots, indices are plain data, to be read and changed.
 ! Conditions    hm_condition(marker): on curve 1; first_curve=, n_curves= for others. A section with a blunt base has two
 !               curves: n_curves=size(curves%curve); without that the call is refused. hm_condition(marker, kind):
-!               hm_fixed; hm_slip, along lines and smooth curves, or along=curves, a pointer to hm_curves that plan%analyse
-!               reads, along these (basis%conditions gives no curves: refused until along is set again, first_curve
-!               being 0); hm_free, with the Laplace and weighted operators; hm_rigid with body=, x=, y=; hm_periodic_pair with partner=; hm_rotation_pair with partner=, x=, y=,
-!               one passage of an annulus; hm_given, points that move by displacements that are given from call to
-!               call. Of several markers of a point the first of these holds: on curve, rigid, given, fixed, slip, free.
+!               hm_fixed; hm_slip, along lines and smooth curves, or along=curves, a pointer to hm_curves that
+!               plan%analyse reads, along these (basis%conditions gives no curves: refused until along is set again,
+!               first_curve being 0); hm_free, with the Laplace and weighted operators; hm_rigid with body=, x=, y=;
+!               hm_periodic_pair with partner=; hm_rotation_pair with partner=, x=, y=, one passage of an annulus;
+!               hm_given, points that move by displacements that are given from call to call.
+!               Of several markers of a point the first of these holds: on curve, rigid, given, fixed, slip, free.
 !               piece=1, near_x=, near_y=: only the piece of the marker that is nearest to a point, as one of several
 !               bodies, or one side of a channel.
 ! hm_options    0 or null is the default of each: operator_kind hm_conformal (keeps angles; complex functions) or
@@ -153,9 +154,9 @@
 !
 ! Blocks        They are allocated here and freed by the type's finalisation or free(). Or give `work`, an array with
 !               TARGET of as many 8-byte numbers as the procedure whose name ends in _words says; it must stay while in
-!               use. Large blocks begin where huge pages of 2 MiB may begin. Where Linux gives such pages only on request
-!               (/sys/kernel/mm/transparent_hugepage/enabled: madvise), the C library of GNU requests them if the program
-!               runs with GLIBC_TUNABLES=glibc.malloc.hugetlb=1: morphs of large meshes are faster then.
+!               use. Large blocks begin where huge pages of 2 MiB may begin. Where Linux gives such pages only on
+!               request (/sys/kernel/mm/transparent_hugepage/enabled: madvise), the C library of GNU requests them if
+!               the program runs with GLIBC_TUNABLES=glibc.malloc.hugetlb=1: morphs of large meshes are faster then.
 ! Kept          As they lie: coordinates, work, the block of basis%attach, options%history. Procedures given as progress
 !               or executor must outlive the plan. Everything else is copied. A basis keeps nothing of mesh, curves or
 !               plan.

@@ -51,7 +51,8 @@ contains
         allocate(self%words(n), stat=failed)
         if (failed == 0) then
             skipped = 0
-            if (n >= 2 * huge_page) skipped = modulo(-transfer(c_loc(self%words(1)), 0_c_intptr_t) / 8, int(huge_page, c_intptr_t))
+            if (n >= 2 * huge_page) &
+                skipped = modulo(-transfer(c_loc(self%words(1)), 0_c_intptr_t) / 8, int(huge_page, c_intptr_t))
             self%start = c_loc(self%words(skipped + 1))
         else
             nullify(self%words)

@@ -88,7 +88,8 @@ contains
             n = max(abs(i_to - i_from), abs(j_to - j_from)) + 1
             i_step = sign(merge(1, 0, i_to /= i_from), i_to - i_from)
             j_step = sign(merge(1, 0, j_to /= j_from), j_to - j_from)
-            line = [(int(first + before + i_from - 1 + k * i_step + ni * (j_from - 1 + k * j_step), c_int32_t), k = 0, n - 1)]
+            line = [(int(first + before + i_from - 1 + k * i_step + ni * (j_from - 1 + k * j_step), c_int32_t), &
+                k = 0, n - 1)]
             call add_lists(self%arrays, line, int([first, first + n], c_int32_t), [int(marker, c_int32_t)], done)
         end if
         call done%finish("mesh%line", stat, err)

@@ -90,10 +90,11 @@ contains
         call done%finish("plan%displace_adjoint", stat, err)
     end subroutine
 
-    ! displace_safe(basis, wall, x_new, y_new): however large the displacements are, x_new has no inverted cell; hm_short:
-    ! only a part of the way; see morph_safe. basis: of the same plan, made here if empty; solved, where the problem has
-    ! curves or rigid bodies. move: what these move by in the same call. In the report, `other` is the operator_kind of
-    ! hm_strategy_other, -1: none. The mesh's own coordinates are the start, and x_new may be the same arrays.
+    ! displace_safe(basis, wall, x_new, y_new): however large the displacements are, x_new has no inverted cell;
+    ! hm_short: only a part of the way; see morph_safe. basis: of the same plan, made here if empty; solved, where the
+    ! problem has curves or rigid bodies. move: what these move by in the same call. In the report, `other` is the
+    ! operator_kind of hm_strategy_other, -1: none. The mesh's own coordinates are the start, and x_new may be the same
+    ! arrays.
     subroutine displace_safe_@FORM@(self, basis, wall, x_new, y_new, move, points, options, report, stat, err)
         class(hm_plan), intent(inout) :: self
         type(hm_basis), intent(inout) :: basis
@@ -189,8 +190,9 @@ contains
                 to(k) = hm_c_points(c_loc(gradient(1, 1, k)), c_loc(gradient(2, 1, k)), 2_c_int64_t)
                 dj(k) = hm_c_points(c_loc(dj_dx(1, k)), c_loc(dj_dy(1, k)), 1_c_int64_t)
             end do
-            done%status = hm_c_displace_adjoint(self%plan, call_of%n, call_of%points, int(size(gradient, 3), c_int32_t), dj, &
-                to, call_of%work%start, call_of%work%bytes, call_of%report, done%error)
+            done%status = hm_c_displace_adjoint(self%plan, call_of%n, call_of%points, &
+                int(size(gradient, 3), c_int32_t), dj, to, call_of%work%start, call_of%work%bytes, call_of%report, &
+                done%error)
         end if
         call end_displace(call_of, report)
         call done%finish("plan%displace_adjoints", stat, err)
@@ -238,10 +240,12 @@ contains
         type(displace_call), intent(inout) :: its
         type(outcome), intent(inout) :: done
         call done%refuse_if(.not. c_associated(self%plan), "the plan is empty: call factor first")
-        call done%refuse_if(extents(1) /= 2 .or. extents(2) < 1, "an array of wall points is empty, or its first extent is not 2")
+        call done%refuse_if(extents(1) /= 2 .or. extents(2) < 1, &
+            "an array of wall points is empty, or its first extent is not 2")
         its%n = int(extents(2), c_int32_t)
         if (present(points)) then
-            call done%refuse_if(size(points) /= extents(2), "points and the array of wall points have different lengths")
+            call done%refuse_if(size(points) /= extents(2), &
+                "points and the array of wall points have different lengths")
             allocate(its%list(size(points)))
             its%list = int(points, c_int32_t)
             if (size(points) > 0) its%points = c_loc(its%list(1))

@@ -74,9 +74,9 @@ contains
         call done%finish("plan%morph_safe", stat, err)
     end subroutine
 
-    ! improve(x, y [, x_ref, y_ref]): of a mesh after a movement, inner points go where cells are more like those of the mesh
-    ! before, x_ref, y_ref; without them, of the mesh as analysed, whose arrays must still hold that (x, y are others
-    ! then): after basis%morph in place the call is refused without x_ref, y_ref.
+    ! improve(x, y [, x_ref, y_ref]): of a mesh after a movement, inner points go where cells are more like those of the
+    ! mesh before, x_ref, y_ref; without them, of the mesh as analysed, whose arrays must still hold that (x, y are
+    ! others then): after basis%morph in place the call is refused without x_ref, y_ref.
     subroutine improve_@FORM@(self, x, y, x_ref, y_ref, max_iterations, report, work, stat, err)
         class(hm_plan), intent(inout) :: self
         real(@KIND@), intent(inout), target :: x@SHAPE@, y@SHAPE@
@@ -118,8 +118,8 @@ contains
         call done%finish("plan%improve", stat, err)
     end subroutine
 
-    ! slide(x, y): of a mesh after basis%morph or plan%displace, points that slide along curves are put onto these curves,
-    ! and the mesh follows. Needs the analysis.
+    ! slide(x, y): of a mesh after basis%morph or plan%displace, points that slide along curves are put onto these
+    ! curves, and the mesh follows. Needs the analysis.
     subroutine slide_@FORM@(self, x, y, stat, err)
         class(hm_plan), intent(in) :: self
         real(@KIND@), intent(inout), target :: x@SHAPE@, y@SHAPE@
@@ -134,8 +134,8 @@ contains
         call done%finish("plan%slide", stat, err)
     end subroutine
 
-    ! slide_adjoint(x, y, gx, gy): x, y is the mesh before slide. gx, gy: derivatives of an objective by the points after
-    ! slide; they become those by the points before.
+    ! slide_adjoint(x, y, gx, gy): x, y is the mesh before slide. gx, gy: derivatives of an objective by the points
+    ! after slide; they become those by the points before.
     subroutine slide_adjoint_@FORM@(self, x, y, gx, gy, stat, err)
         class(hm_plan), intent(in) :: self
         real(@KIND@), intent(in), target :: x@SHAPE@, y@SHAPE@
@@ -148,7 +148,8 @@ contains
         g = view_of(gx, gy)
         call check_analysed(self, v, done)
         call check_analysed(self, g, done)
-        if (done%ok()) done%status = hm_c_slide_adjoint(self%analysis, c_points(v), c_points(g), c_points(g), done%error)
+        if (done%ok()) done%status = hm_c_slide_adjoint(self%analysis, c_points(v), c_points(g), c_points(g), &
+            done%error)
         call v%drop()
         call g%put_back(gx, gy)
         call done%finish("plan%slide_adjoint", stat, err)

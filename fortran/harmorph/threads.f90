@@ -38,7 +38,7 @@
     type, public :: hm_executor
         procedure(hm_run), pointer, nopass :: run => null()     ! null: everything on the calling thread
         integer :: n_threads = 1                                ! 1 .. 256
-        integer :: kernel = hm_kernel_auto                      ! hm_best_kernel(), asked once; automatic: see harmorph.h
+        integer :: kernel = hm_kernel_auto                      ! hm_best_kernel(), asked once; auto: see harmorph.h
     end type
 
     type :: callback                          ! what C hands back as `user`

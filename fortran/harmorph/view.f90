@@ -2,9 +2,9 @@
 ! ---- Coordinates of one call -----------------------------------------------------------------------------------------
 !
 ! Calls come in four forms, _v8, _v4, _b8 and _b4: vectors x(:) or blocks x(:, :), of real(c_double) or real(c_float).
-! view_of makes one thing of them, put_back hands results to what had to be copied. space_for is the same for arrays that
-! only receive results: what they hold may be no number, and is not converted. Nothing of it outlives the call, so that the
-! arrays may be temporary copies of the compiler.
+! view_of makes one thing of them, put_back hands results to what had to be copied. space_for is the same for arrays
+! that only receive results: what they hold may be no number, and is not converted. Nothing of it outlives the call, so
+! that the arrays may be temporary copies of the compiler.
 
     type :: view
         type(c_ptr) :: x = c_null_ptr, y = c_null_ptr

@@ -120,8 +120,9 @@ contains
         integer(c_int32_t) :: status, n_wall
         n_wall = int(size(wall_points), c_int32_t)
         if (.not. fits .or. any(to%stride < 0) .or. size(wall) == 0) n_wall = -1
-        status = c_displace(plan%address(), n_wall, wall_points, int(max(size(wall), 1), c_int32_t), [wall, hm_c_points()], &
-            int(size(points), c_int32_t), points, from, [to, hm_c_points()], rank_of(root), comm, e)
+        status = c_displace(plan%address(), n_wall, wall_points, int(max(size(wall), 1), c_int32_t), &
+            [wall, hm_c_points()], int(size(points), c_int32_t), points, from, [to, hm_c_points()], &
+            rank_of(root), comm, e)
         call hm_finish(name, status, e, stat, err)
     end subroutine
 

@@ -8,15 +8,15 @@
 !     call basis%morph(move, x, y)                    the process's points, in the order of the list; no messages
 !     call hm_mpi_adjoint(basis, dj_dx, dj_dy, gradient, comm)
 !
-! Displacements given at wall points; only the process `root` (rank, 0 without) has the mesh and a factored plan, the plans
-! of the others are empty:
+! Displacements given at wall points; only the process `root` (rank, 0 without) has the mesh and a factored plan, the
+! plans of the others are empty:
 !
-!     call hm_mpi_displacement(plan, wall_points, wall, points, dx, dy, comm)        wall(2,:) of the process's wall points
-!     call hm_mpi_displace(plan, wall_points, wall, points, x, y, comm)              its points, in place
+!     call hm_mpi_displacement(plan, wall_points, wall, points, dx, dy, comm)    wall(2,:) of the process's wall points
+!     call hm_mpi_displace(plan, wall_points, wall, points, x, y, comm)          its points, in place
 !     call hm_mpi_displace_adjoint(plan, wall_points, dj_dx, dj_dy, points, gradient, comm)   gradient(2,:)
 !
-! Several fields at once, as the modes of a structure, are hardly dearer than one: wall(2,:,m), dx(:,m), dy(:,m), and for
-! the adjoint dj_dx(:,m), dj_dy(:,m), gradient(2,:,m).
+! Several fields at once, as the modes of a structure, are hardly dearer than one: wall(2,:,m), dx(:,m), dy(:,m), and
+! for the adjoint dj_dx(:,m), dj_dy(:,m), gradient(2,:,m).
 !
 ! All calls with comm are collective; comm is a type(MPI_Comm), or an integer of `use mpi` and mpif.h. points counts
 ! from 1, in the whole mesh; ghosts are allowed, and have dj_dx = dj_dy = 0. The bits are those of one process.

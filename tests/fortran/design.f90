@@ -25,7 +25,8 @@ contains
         call basis%curves(curves)
         call curves%refine(1, [0.3_dp, 0.6_dp], finer, matrix)
         call check(size(finer%control, 2) == size(curves%control, 2) + 2, "two knots are two control points more")
-        call check(maxval(abs(matmul(curves%control, transpose(matrix)) - finer%control)) < 1e-14_dp, "the matrix of refine")
+        call check(maxval(abs(matmul(curves%control, transpose(matrix)) - finer%control)) < 1e-14_dp, &
+            "the matrix of refine")
         call curves%point(1, 0.45_dp, xy_u)
         call finer%point(1, 0.45_dp, same_u)
         call check(maxval(abs(xy_u - same_u)) < 1e-14_dp, "the same curve")
@@ -74,10 +75,12 @@ contains
         move(2, :) = aimag(matmul(map, cmplx(v(1, :), v(2, :), dp)))
         call few%displacement(v, dx, dy)
         call basis%displacement(move, its_dx, its_dy)
-        call check(maxval(abs(dx - its_dx)) < 1e-15_dp .and. maxval(abs(dy - its_dy)) < 1e-15_dp, "they move the mesh alike")
+        call check(maxval(abs(dx - its_dx)) < 1e-15_dp .and. maxval(abs(dy - its_dy)) < 1e-15_dp, &
+            "they move the mesh alike")
         call few%adjoint(dx, dy, of_few)
         call basis%adjoint(dx, dy, of_all)
-        call check(abs(sum(of_few * v) - sum(of_all * move)) < 1e-13_dp * sum(abs(of_all * move)), "and their gradients")
+        call check(abs(sum(of_few * v) - sum(of_all * move)) < 1e-13_dp * sum(abs(of_all * move)), &
+            "and their gradients")
         call few%moved_curves(v, moved)
         call check(maxval(abs(moved%control - curves%control - move)) < 1e-15_dp, "moved curves")
         call basis%combine(real(map, dp), again, stat=stat, err=err)

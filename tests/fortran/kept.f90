@@ -1,5 +1,5 @@
-! What tests of the arrays that a mesh keeps share: the body's mesh in integers of the default kind, and whether functions
-! on another mesh are those of x and y.
+! What tests of the arrays that a mesh keeps share: the body's mesh in integers of the default kind, and whether
+! functions on another mesh are those of x and y.
 module kept
     use harmorph
     use counts

@@ -132,8 +132,8 @@ contains
         dy = signaling()
         dz = signaling()
         call plane%displacement(basis, real(some_move(), c_float), dx, dy, dz)
-        call check(all(abs(dx - (wx - sx)) < 1e-6_dp) .and. all(abs(dz - (wz - sz)) < 1e-6_dp) .and. all(abs(dy) <= 0), &
-            "displacement in single precision")
+        call check(all(abs(dx - (wx - sx)) < 1e-6_dp) .and. all(abs(dz - (wz - sz)) < 1e-6_dp) .and. &
+            all(abs(dy) <= 0), "displacement in single precision")
         gx = 1
         gradient = signaling()
         ax = signaling()

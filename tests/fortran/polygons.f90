@@ -21,7 +21,7 @@ contains
         integer :: stat
         allocate(rows(0))
         allocate(start(1), source=1)
-        do k = 0, around / 2 - 1                                ! the first ring in pairs of cells, the others as they are
+        do k = 0, around / 2 - 1                                ! the first ring in pairs of cells, the others alone
             a = 2 * k
             b = modulo(2 * k + 2, around)
             rows = [rows, a + 1, a + around + 1, a + around + 2, b + around + 1, b + 1, a + 2]

@@ -127,10 +127,11 @@ contains
         call check(stat == hm_bad_argument, "fewer steps than none")
         call plan%improve(x_other(2:), y_other(2:), stat=stat)
         call check(stat == hm_bad_argument, "an improvement of a point too few")
-        call plan%morph_safe(weighted, move, x_new, y_new, options=hm_safe_options(min_quality=0.999_dp), report=report, &
-            stat=stat, err=err)
-        call check(stat == hm_poor .and. report%n_worst == 5 .and. report%worst(1)%cell == report%min_quality_cell .and. &
-            err%item == report%worst(1)%cell .and. index(err%text, "(") > 0, "poorer than asked for: " // err%text)
+        call plan%morph_safe(weighted, move, x_new, y_new, options=hm_safe_options(min_quality=0.999_dp), &
+            report=report, stat=stat, err=err)
+        call check(stat == hm_poor .and. report%n_worst == 5 .and. report%worst(1)%cell == report%min_quality_cell &
+            .and. err%item == report%worst(1)%cell .and. index(err%text, "(") > 0, &
+            "poorer than asked for: " // err%text)
         call plan%morph_safe(weighted, move, x_new, y_new, options=hm_safe_options(min_quality=1.5_dp), stat=stat)
         call check(stat == hm_bad_argument, "a quality above 1")
         call plan%morph_safe(weighted, move(:, 2:), x_new, y_new, stat=stat)
