@@ -52,6 +52,9 @@ private:
     void publish(Points points) noexcept;
     void report_errors(Points points, Index n, FitReport& report) const noexcept;
     Index find_backtrack() const noexcept;
+    Index point_at(Index position) const noexcept {  // the caller's point at a position along the curve
+        return static_cast<Index>((static_cast<Offset>(course_.first) + position) % outline_.count());
+    }
 
     Vec2 centre_;       // unit lengths: (point - centre) / extent
     Real extent_ = 1;

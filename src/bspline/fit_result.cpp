@@ -1,0 +1,67 @@
+// What a fit has found: control points in the caller's units, errors, and where the curve runs back.
+#include "harmorph/bspline/fit.hpp"
+#include "harmorph/bspline/projection.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Real shortest_step = 1e-5;  // between points: below, digits of coordinates decide where it leads
+constexpr Real against = -0.25;       // cosine of the angle between curve and step where the curve runs back
+constexpr Index looks_per_step = 32;
+
+}  // namespace
+
+// Back to the caller's units; control points that a point was pinned to get its bits.
+void Fit::publish(Points points) noexcept {
+    Index const n_control = squares_.curve.n_control;
+    for (Index i = 0; i < n_control; ++i) {
+        Vec2 place = centre_ + extent_ * Vec2{control[2 * i], control[2 * i + 1]};
+        Index const position = best_pinned_[i];
+        if (position != none) place = points[point_at(position)];
+        control[2 * i] = place.x;
+        control[2 * i + 1] = place.y;
+    }
+    n_curves = 1;
+    curve[0] = squares_.curve;
+    curve[0].control = control.data();
+    if (course_.base_points == 0) return;
+    base_indices_[0] = n_control - 1;
+    base_indices_[1] = 0;
+    for (Index k = 0; k < 4; ++k) base_knots_[k] = k < 2 ? 0 : 1;
+    n_curves = 2;
+    curve[1] = {1, 2, 0, n_control, base_indices_.data(), base_knots_.data(), control.data(), nullptr};
+}
+
+void Fit::report_errors(Points points, Index n, FitReport& report) const noexcept {
+    report.closure = course_.closure;
+    report.reason = course_.reason;
+    report.first_point = course_.first;
+    report.base_points = course_.base_points;
+    Real sum = 0;
+    for (Index k = 0; k < n; ++k) {
+        Real distance = infinity;
+        for (Index c = 0; c < n_curves; ++c) distance = smaller(distance, project(curve[c], points[k]).distance);
+        sum += distance * distance;
+        if (k > 0 && distance <= report.max_error) continue;
+        report.max_error = distance;
+        report.max_error_point = k;
+    }
+    report.rms_error = square_root(sum / n);
+}
+
+// The point behind which the published curve runs against the step to the next point; or none.
+Index Fit::find_backtrack() const noexcept {
+    for (Index k = 0; k + 1 < course_.n_positions; ++k) {
+        Vec2 const step = along_[k + 1] - along_[k];
+        if (!(length(step) > shortest_step)) continue;
+        for (Index look = 0; look < looks_per_step; ++look) {
+            Real const share = (look + 0.5) / looks_per_step;
+            Vec2 c[2];
+            curve_point(curve[0], (1 - share) * best_u_[k] + share * best_u_[k + 1], 1, c);
+            if (dot(c[1], step) < against * length(c[1]) * length(step)) return point_at(k);
+        }
+    }
+    return none;
+}
+
+}  // namespace harmorph
