@@ -4,23 +4,20 @@ module safe_tests
     use body_mesh
     implicit none
     private
-    public :: safe_morphs
+    public :: safe_strategies, safe_heights, safe_steps
 
 contains
 
-    subroutine safe_morphs()
+    ! What is done depends on how large the movement is.
+    subroutine safe_strategies()
         type(hm_plan) :: plan
         type(hm_curves) :: curves
-        type(hm_basis) :: laplace, weighted, derivative, others(1)
+        type(hm_basis) :: laplace, others(1)
         type(hm_safe_report) :: report
-        type(hm_improve_report) :: improved
         type(hm_quality_report) :: quality
         real(dp), dimension(n_points) :: x_new, y_new, x_other, y_other
-        real(dp) :: move(2, n_control), error, ratio, block_x(around, rings), block_y(around, rings)
-        real(c_float) :: x4(n_points), y4(n_points), block_x4(around, rings), block_y4(around, rings)
-        real(dp), allocatable, target :: work(:)
+        real(dp) :: move(2, n_control), error
         real(dp), pointer, contiguous :: reached(:, :)
-        integer :: top
         type(hm_error) :: err
         integer :: stat
         call basis%curves(curves)
@@ -72,18 +69,37 @@ contains
         call laplace%quality(mesh, x_new, y_new, quality)
         call check(quality%inverted == 0 .and. report%cell >= 1 .and. report%resolves == 0, &
             "what was possible is valid")
+    end subroutine
 
-        ! A body that grows: conformal functions stretch the first layers, heights brings them back.
+    ! A body that grows: conformal functions stretch the first layers, heights brings them back.
+    subroutine safe_heights()
+        type(hm_plan) :: plan
+        type(hm_curves) :: curves
+        type(hm_safe_report) :: report
+        real(dp) :: x_new(n_points), y_new(n_points), ratio
+        call basis%curves(curves)
         call plan%analyse(mesh, curves, [hm_condition(body)])
         call plan%prepare()
-        call plan%morph_safe(others(1), 0.3_dp * curves%control, x_new, y_new, report=report)
+        call plan%morph_safe(basis, 0.3_dp * curves%control, x_new, y_new, report=report)
         ratio = report%mean_height_ratio
-        call plan%morph_safe(others(1), 0.3_dp * curves%control, x_new, y_new, options=hm_safe_options(heights=1._dp), &
+        call plan%morph_safe(basis, 0.3_dp * curves%control, x_new, y_new, options=hm_safe_options(heights=1._dp), &
             report=report)
         call check(report%heights > 0 .and. abs(report%mean_height_ratio - 1) < 0.8_dp * abs(ratio - 1), &
             "heights of first layers are brought back")
+    end subroutine
 
-        ! The derivative of several steps: on straight lines it times the movement is the movement.
+    ! The derivative of several steps: on straight lines it times the movement is the movement. Then the same movement
+    ! in other layouts, and what is refused.
+    subroutine safe_steps()
+        type(hm_plan) :: plan
+        type(hm_curves) :: curves
+        type(hm_basis) :: weighted, derivative
+        type(hm_safe_report) :: report
+        real(dp), dimension(n_points) :: x_new, y_new, x_other, y_other
+        real(dp) :: move(2, n_control)
+        type(hm_error) :: err
+        integer :: stat
+        call basis%curves(curves)
         call plan%analyse(mesh, curves, [hm_condition(body)], options=hm_options(operator_kind=hm_weighted))
         call plan%factor()
         call plan%solve(weighted)
@@ -96,8 +112,20 @@ contains
             "the derivative is the sum of the steps' functions")
         call plan%morph_safe(weighted, move, x_new, y_new, derivative=basis, stat=stat, err=err)
         call check(stat == hm_bad_basis, "a derivative of other functions: " // err%text)
+        call safe_layouts(plan, weighted, move, x_new, y_new)
+        call improvements(plan, x_new, y_new)
+        call safe_refusals(plan, weighted, curves, move, x_new, y_new)
+    end subroutine
 
-        ! Every layout, in own memory, on the spot.
+    ! Every layout, in own memory, on the spot: the mesh is x_new, y_new.
+    subroutine safe_layouts(plan, weighted, move, x_new, y_new)
+        type(hm_plan), intent(inout) :: plan
+        type(hm_basis), intent(in) :: weighted
+        real(dp), intent(in) :: move(:, :), x_new(:), y_new(:)
+        real(dp) :: x_other(n_points), y_other(n_points), block_x(around, rings), block_y(around, rings)
+        real(c_float) :: x4(n_points), y4(n_points), block_x4(around, rings), block_y4(around, rings)
+        real(dp), allocatable, target :: work(:)
+        integer :: stat
         allocate(work(plan%morph_safe_words()))
         block_x = 0
         block_y = 0
@@ -110,13 +138,22 @@ contains
         call plan%morph_safe(weighted, real(move, c_float), block_x4, block_y4)
         call check(all(abs(reshape(block_x4, shape(x4)) - x4) <= 0) .and. &
             all(abs(reshape(block_y4, shape(y4)) - y4) <= 0), "a block of default reals")
+    end subroutine
+
+    subroutine improvements(plan, x_new, y_new)
+        type(hm_plan), intent(inout) :: plan
+        real(dp), intent(in) :: x_new(:), y_new(:)
+        type(hm_improve_report) :: improved
+        type(hm_quality_report) :: quality
+        real(dp) :: x_other(n_points), y_other(n_points), block_x(around, rings), block_y(around, rings)
+        real(dp), allocatable, target :: work(:)
+        integer :: stat
         x_other = x_new
         y_other = y_new
         call plan%improve(x_other, y_other, report=improved)
         call check(improved%movable > 0 .and. improved%mean_quality >= improved%mean_quality_before, "an improvement")
         call basis%quality(mesh, x_other, y_other, quality, x, y)
         call check(abs(quality%min_quality - improved%min_quality) <= 0 .and. quality%inverted == 0, "and its report")
-        deallocate(work)
         allocate(work(plan%improve_words()))
         block_x = reshape(x_new, [around, rings])
         block_y = reshape(y_new, [around, rings])
@@ -127,6 +164,19 @@ contains
         call check(stat == hm_bad_argument, "fewer steps than none")
         call plan%improve(x_other(2:), y_other(2:), stat=stat)
         call check(stat == hm_bad_argument, "an improvement of a point too few")
+    end subroutine
+
+    subroutine safe_refusals(plan, weighted, curves, move, x_new, y_new)
+        type(hm_plan), intent(inout) :: plan
+        type(hm_basis), intent(in) :: weighted
+        type(hm_curves), intent(in) :: curves
+        real(dp), intent(in) :: move(:, :)
+        real(dp), intent(inout) :: x_new(:), y_new(:)
+        type(hm_safe_report) :: report
+        real(dp) :: far(2, n_control), x_other(n_points), y_other(n_points)
+        integer :: top
+        type(hm_error) :: err
+        integer :: stat
         call plan%morph_safe(weighted, move, x_new, y_new, options=hm_safe_options(min_quality=0.999_dp), &
             report=report, stat=stat, err=err)
         call check(stat == hm_poor .and. report%n_worst == 5 .and. report%worst(1)%cell == report%min_quality_cell &
@@ -138,11 +188,11 @@ contains
         call check(stat == hm_bad_argument, "a movement too few")
         call plan%morph_safe(weighted, move, x_new(2:), y_new(2:), stat=stat)
         call check(stat == hm_bad_argument, "a point too few")
-        move = 0
+        far = 0
         top = maxloc(curves%control(2, :), 1)
-        move(2, top) = -4 * curves%control(2, top)
+        far(2, top) = -4 * curves%control(2, top)
         x_other = x_new
-        call plan%morph_safe(weighted, move, x_new, y_new, report=report, stat=stat, err=err)
+        call plan%morph_safe(weighted, far, x_new, y_new, report=report, stat=stat, err=err)
         call check(stat == hm_crossing .and. same(x_new, x_other) .and. report%crossing_points(4) >= 1, &
             "a boundary that crosses itself: " // err%text)
         call make_points(x_other, y_other)
