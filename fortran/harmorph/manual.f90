@@ -95,8 +95,8 @@
 ! curves%fit    B-spline by least squares through ordered points; loop: the last is joined to the first, which is not
 !               repeated. plan%boundary gives the points of a marker in this order. n_control (20), degree (3), closed.
 !               curves%control(2,n), weights, curve(k)%degree, knots, indices are plain data, to be read and changed.
-! Conditions    hm_condition(marker): on curve 1; first_curve=, n_curves= for others. A section with a blunt base has two
-!               curves: n_curves=size(curves%curve); without that the call is refused. hm_condition(marker, kind):
+! Conditions    hm_condition(marker): on curve 1; first_curve=, n_curves= for others. A section with a blunt base has
+!               two curves: n_curves=size(curves%curve); without that the call is refused. hm_condition(marker, kind):
 !               hm_fixed; hm_slip, along lines and smooth curves, or along=curves, a pointer to hm_curves that
 !               plan%analyse reads, along these (basis%conditions gives no curves: refused until along is set again,
 !               first_curve being 0); hm_free, with the Laplace and weighted operators; hm_rigid with body=, x=, y=;
