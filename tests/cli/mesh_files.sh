@@ -16,6 +16,12 @@
     printf 'FFD_NBOX= 1\nFFD_CORNER_POINTS= 2\n0 0\n1 1\n\n'
 } | awk '{ printf "%s\r\n", $0 }' >"$tmp/odd.su2"
 
+# A format without markers loses them, and the program says so.
+runs "convert to VTK" 0 convert "$tmp/odd.su2" "$tmp/odd.vtu"
+check "convert to VTK: says what is not in the file" says 'without the 2 markers'
+runs "convert to Gmsh" 0 convert "$tmp/odd.su2" "$tmp/odd.msh"
+check "convert to Gmsh: the markers are in the file" says ', 2 markers'
+
 broken() { sed "$2" "$ring" >"$tmp/$1.su2"; } # broken NAME SED-SCRIPT: a mesh with one thing wrong
 
 # SU2 as other programs write it.

@@ -23,6 +23,7 @@ struct Format {
     bool (*probe)(const TextFile& file);                   // does the content look like it?
     void (*read)(Mesh& mesh, const ReadOptions& options);  // mesh.file is there; fills the rest, or throws a Failure
     void (*create)(std::ostream& out, const Mesh& mesh);   // a new file with points, cells, markers; NULL: not written
+    bool has_markers = true;
 };
 
 extern const Format cgns_format, fluent_format, gmsh_format, openfoam_format, plot3d_format, su2_format, ugrid_format,

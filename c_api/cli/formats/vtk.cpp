@@ -204,6 +204,6 @@ void create_vtk(std::ostream& out, const Mesh& mesh) {
 } // namespace
 
 const Format vtk_format = {"vtk",     ".vtk",   "VTK legacy unstructured grids, text and binary",
-                           probe_vtk, read_vtk, create_vtk};
+                           probe_vtk, read_vtk, create_vtk, false};
 
 } // namespace cli

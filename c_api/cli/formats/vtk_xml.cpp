@@ -237,6 +237,6 @@ void create_vtu(std::ostream& out, const Mesh& mesh) { write_vtu(out, mesh); }
 } // namespace
 
 const Format vtk_xml_format = {"vtu",  ".vtu", "VTK XML unstructured grids, text and appended raw data",
-                               probe_vtu,  read_vtu,   create_vtu};
+                               probe_vtu,  read_vtu,   create_vtu, false};
 
 } // namespace cli

@@ -33,7 +33,7 @@ std::vector<std::string> broken(const std::string& text, double font_size, doubl
     for (std::string word; words >> word;) {
         std::string& line = lines.back();
         const std::string longer = line.empty() ? word : line + " " + word;
-        if (line.empty() || .85 * width_of_text(longer, font_size) <= width) {
+        if (line.empty() || .9 * width_of_text(longer, font_size) <= width) {
             line = longer;
         } else {
             lines.push_back(word);
