@@ -8,8 +8,8 @@
 //
 // Inside the mesh the similarity is carried exactly near the wall and fades to what the functions make of it:
 //     dz = sum_i F_i dP_i + (rho - 1) fade(d / reach) (z - sum_i F_i P_i),
-// d the distance to the wall at the start, P_i the control points, rho the part of r that the step makes; on the wall the
-// bracket is e.
+// d the distance to the wall at the start, P_i the control points, rho the part of r that the step makes; on the wall
+// the bracket is e.
 #pragma once
 
 #include "harmorph/boundary/distance.hpp"

@@ -68,8 +68,8 @@ private:
     void fit_group(Basis const& basis, Index group, bool straight) noexcept;
 };
 
-// What the groups of a path have turned and scaled by at one time, r^t. The last group is remembered: points beside each
-// other mostly follow the same one.
+// What the groups of a path have turned and scaled by at one time, r^t. The last group is remembered: points beside
+// each other mostly follow the same one.
 class TurnAt {
 public:
     TurnAt(MovementPath const& path, Real t) noexcept : groups_(path.groups), t_(t) {}
