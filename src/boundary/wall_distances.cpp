@@ -3,7 +3,7 @@
 namespace harmorph {
 namespace {
 
-struct Extremes {
+struct WallBox {
     Vec2 low{infinity, infinity}, high{-infinity, -infinity};
 
     void add(Vec2 p) noexcept {
@@ -15,7 +15,7 @@ struct Extremes {
 
 // A curve lies in the box of its control polygon.
 Real extent_of(Curve const& curve) noexcept {
-    Extremes box;
+    WallBox box;
     for (Index k = 0; k < curve.n_indices; ++k) box.add(curve.point(k));
     return box.extent();
 }
@@ -24,7 +24,7 @@ class DistanceCheck {
 public:
     DistanceCheck(Points points, Span<const Condition> conditions, Span<const Curve> curves, Wall const& wall) noexcept
         : points_(points), conditions_(conditions), curves_(curves), wall_(wall) {
-        Extremes box;
+        WallBox box;
         for (Index slot = 0; slot < wall.count; ++slot) {
             if (wall.curve[slot] < curves.count()) box.add(points[wall.point[slot]]);
         }
