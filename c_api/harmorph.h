@@ -66,8 +66,8 @@
 #define HM_VERSION_MAJOR 0 /* semantic version; before 1.0.0 any minor version may change the interface */
 #define HM_VERSION_MINOR 2
 #define HM_VERSION_PATCH 0
-#define HM_ABI 3 /* hm_abi_version() returns this value if header and library belong together; the number of the shared
-                    library, libharmorph.so.HM_ABI */
+#define HM_ABI 3 /* hm_abi_version() returns this value if header and library belong together. The shared library has
+                    this number in its name: libharmorph.so.HM_ABI */
 
 #ifdef __cplusplus
 extern "C" {
@@ -84,32 +84,32 @@ typedef int32_t hm_status;
 enum {
     HM_OK = 0,
     HM_NOT_CONVERGED = 1,     /* solved, but a residual is above options.tolerance, or the iteration or the refinement
-                                 ended before the values were as accurate; error.value: the estimated error of the
-                                 values */
+                                 ended before the values were as accurate; error.value: their estimated error */
     HM_MOVED = 2,             /* attached, but the coordinates of the mesh are not those the basis was solved on */
-    HM_SHORT = 3,             /* hm_morph_safe, hm_displace_safe: the mesh is valid, but only a part of the movement was
-                                 possible */
+    HM_SHORT = 3,             /* hm_morph_safe, hm_displace_safe: the mesh is valid, but only a part of the movement
+                                 was possible */
     HM_BACKTRACKS = 4,        /* hm_fit: the curve runs backwards between two points; error.item: the first of them */
     HM_FAR_FROM_CURVE = 5,    /* hm_analysis_init: a point is farther from its curve than 5 % of the extent of the
                                  curve or of all points on curves, or lies beyond the end of its curve;
-                                 error.item: the point for which this part is largest, error.value: its distance */
+                                 error.item: the point for which this part is largest,
+                                 error.value: the distance of that point from the curve */
     HM_POOR = 6,              /* hm_morph_safe: the mesh is valid and at the target, but cells are poorer, or heights of
-                                 the first layer changed more, than was asked for; error.item: the cell, or the wall
-                                 point */
+                                 the first layer changed more, than was asked for;
+                                 error.item: the cell, or the wall point */
     HM_CANCELLED = -1,        /* the progress callback asked to stop; repeat the cancelled call to continue */
     HM_BAD_ARGUMENT = -2,     /* NULL, a size or number out of range, a struct_size that no such struct has */
     HM_BAD_MESH = -3,         /* index, repeated point, non-manifold edge, inverted cell, boundary, coordinate */
     HM_BAD_CURVE = -4,        /* degree, knots, indices, weights, control points, or a fit that is not determined */
-    HM_BAD_CONDITION = -5,    /* marker that no face has, curve that does not exist, field of another kind, nothing to
-                                 solve */
+    HM_BAD_CONDITION = -5,    /* marker that no face has, curve that does not exist, field of another kind,
+                                 nothing to solve */
     HM_BAD_BASIS = -6,        /* the block is not a basis, truncated (error.value: missing bytes, at least), damaged,
                                  of another mesh, or not solved yet */
     HM_BLOCK_TOO_SMALL = -7,  /* error.value: missing bytes */
     HM_NOT_POSITIVE = -8,     /* the matrix is not positive definite; error.item: the mesh point where this was found */
     HM_UNSUPPORTED = -9,      /* a combination of options that is not available */
     HM_CROSSING = -10         /* no mesh has the moved boundary: faces cross, a body leaves the domain, is inside
-                                 another one or inside out, or points on the boundary alone invert a cell; error.item: a
-                                 point of the boundary, or the cell */
+                                 another one or inside out, or points on the boundary alone invert a cell;
+                                 error.item: a point of the boundary, or the cell */
 };
 
 typedef struct hm_error {     /* 128 bytes for ever */
@@ -144,8 +144,8 @@ typedef struct hm_executor {
     uint64_t struct_size;
     hm_run   run;                  /* NULL: everything runs on the calling thread */
     void    *user;                 /* passed to run */
-    int32_t  n_threads;            /* how many tasks run at once, about; 1 .. 256; 0 means 1. The memory of a plan grows
-                                      with n_threads */
+    int32_t  n_threads;            /* about how many tasks run at once, 1 .. 256; 0 means 1.
+                                      The memory of a plan grows with n_threads */
     int32_t  kernel;               /* HM_KERNEL_...: hm_best_kernel(), asked once; the ready-made executors contain it.
                                       HM_KERNEL_AUTO: each call that has enough to do asks the processor, small ones
                                       take the baseline. Results of calls without hm_options (morph, adjoint, quality)
@@ -158,8 +158,8 @@ typedef struct hm_executor {
 
 /* Coordinates, displacements, velocities, or derivatives with respect to the coordinates. The numbers of point k, k
  * from 0, are x[k*stride] and y[k*stride]. Fortran's x(n), y(n): {x, y, 1}. Pairs xy(2,n): {xy, xy+1, 2}. xy(n,2): {xy,
- * xy+n, 1}. An array of structs s: {&s[0].x, &s[0].y, sizeof s[0] / sizeof(double)}. Nothing behind the last point is
- * read. */
+ * xy+n, 1}. An array of structs s: {&s[0].x, &s[0].y, sizeof s[0] / sizeof(double)}. Nothing is read
+ * behind the last point. */
 typedef struct hm_points {         /* input; 24 bytes for ever */
     const double *x, *y;
     int64_t stride;                /* [doubles] from one point to the next, >= 1; 0 means 1 */
@@ -182,10 +182,10 @@ enum {                        /* hm_mesh.cell_layout */
                                  cells from index_base + n_cells - n_quads on */
     HM_CELLS_BLOCKS = 5,      /* no list: structured blocks one after the other, points and cells of each as in
                                  HM_CELLS_STRUCTURED, behind those of the blocks before. Interfaces of blocks are cuts,
-                                 see below: their points exist once in each block, with equal coordinates. Blocks in
-                                 separate arrays: hm_blocks_gather */
-    HM_CELLS_POLYGONS = 6     /* cell_start, cell_points: compressed rows of 3 to 1024 points, hanging nodes among them;
-                                 see below */
+                                 see below: their points exist once in each block, with equal coordinates.
+                                 Blocks in separate arrays: hm_blocks_gather */
+    HM_CELLS_POLYGONS = 6     /* cell_start, cell_points: compressed rows of 3 to 1024 points, among them hanging nodes,
+                                 which are explained below */
 };
 enum { HM_NO_MARKER = INT32_MIN }; /* hm_mesh.block_markers: the side is an interface or a cut, or has faces or lists */
 
@@ -204,8 +204,8 @@ typedef struct hm_mesh {
     int32_t  n_faces;              /* boundary given as faces (0 if it is given as lists); both may be given */
     const int32_t *face_points;    /* [2*n_faces] */
     const int32_t *face_markers;   /* [n_faces] any integers */
-    int32_t  n_lists;              /* boundary given as ordered lists of points; a closed list repeats its first
-                                      point */
+    int32_t  n_lists;              /* boundary given as ordered lists of points;
+                                      a closed list repeats its first point */
     const int32_t *list_start;     /* [n_lists+1] counted from index_base */
     const int32_t *list_points;
     const int32_t *list_markers;   /* [n_lists] */
@@ -274,11 +274,11 @@ typedef struct hm_curve {          /* C(u) = sum_k N_k(u) P[indices[k]], u in [k
     uint64_t struct_size;          /* the same in all curves of one hm_curves */
     int32_t  degree;               /* 1..5 */
     int32_t  n_indices;            /* control points, repeated ones counted again; > degree */
-    const int32_t *indices;        /* [n_indices] NULL: the points in order. Repeated points close a curve: the first
-                                      `degree` points again at the end with periodic knots, or the first point again
-                                      with clamped knots */
-    const double  *knots;          /* [n_indices + degree + 1] non-decreasing, inner ones at most degree-fold,
-                                      up to 1e100 */
+    const int32_t *indices;        /* [n_indices] NULL: the points in order. Repeated points close a curve: with
+                                      periodic knots the first `degree` points stand again at the end, with clamped
+                                      knots the first point does */
+    const double  *knots;          /* [n_indices + degree + 1] non-decreasing, up to 1e100;
+                                      inner knots are at most degree-fold */
 } hm_curve;
 
 typedef struct hm_curves {         /* curves with common control points; a point used by two curves belongs to both */
@@ -342,8 +342,8 @@ typedef struct hm_fit_report {
     int32_t  first_point;          /* where the curve begins (the corner of a loop), from 0 */
     int32_t  base_points;          /* points on a blunt base including both ends; 0: no base */
     int32_t  reason;               /* HM_FIT_...: why the curve is closed in this way */
-    int32_t  corners;              /* points where the direction of the outline jumps, including the ends of the
-                                      curve */
+    int32_t  corners;              /* points where the direction of the outline jumps,
+                                      including the ends of the curve */
     int32_t  backtrack_point;      /* the curve runs backwards from this point (from 0) to the next one; -1: nowhere */
     int32_t  reserved;             /* 0 */
 } hm_fit_report;
@@ -393,8 +393,8 @@ typedef struct hm_section {        /* which curves are the outline of the sectio
     double   nose_x, nose_y, edge_x, edge_y; /* a chord line that does not move, from the leading to the trailing edge.
                                       All 0: the chord of the curves: the trailing edge is the midpoint of the two ends
                                       (without base) of the outline, the leading edge the point of the outline farthest
-                                      from there, and both move with the control points. Periodic curves have no ends:
-                                      their chord must be given */
+                                      from there, and both move with the control points.
+                                      Periodic curves have no ends: their chord must be given */
 } hm_section;
 
 enum {                             /* hm_quantity.kind */
@@ -450,8 +450,8 @@ enum {                             /* hm_variables.kind: how one unit of each va
                                       Bernstein polynomials; points outside do not move. (Sederberg, Parry 1986) */
     HM_CST = 1,                    /* class and shape functions: chord * t^nose_exponent (1-t)^edge_exponent B_k(t)
                                       normal to the chord, n_upper Bernstein polynomials of degree n_upper-1 of the
-                                      upper side, then n_lower of the lower one; t: station, 0 .. 1. (Kulfan, J.
-                                      Aircraft 45 (2008) 142) */
+                                      upper side, then n_lower of the lower one; t: station, 0 .. 1.
+                                      (Kulfan, J. Aircraft 45 (2008) 142) */
     HM_HICKS_HENNE = 2,            /* bumps chord * sin(pi t^(log .5 / log peak))^width normal to the chord, n_upper on
                                       the upper side, then n_lower. (Hicks, Henne, J. Aircraft 15 (1978) 407) */
     HM_NACA4 = 3                   /* NACA's four-digit sections: n_upper camber lines of 1 chord, each with its largest
@@ -500,33 +500,34 @@ enum {                             /* hm_condition.kind; for a point on several 
                                       the boundary jumps by more than 30 degrees, or by more than 1.1 degrees and 2.5
                                       times as much as at a neighbouring point */
     HM_FREE = 4,                   /* zero normal derivative: points may also leave the boundary line */
-    HM_PERIODIC_PAIR = 5,          /* this marker and its partner are translates of each other: their points move by
-                                      bitwise identical displacements. A wall that moves may not have a point on them:
-                                      give its part next to them a marker of its own, fixed or sliding */
+    HM_PERIODIC_PAIR = 5,          /* this marker and its partner are translates of each other:
+                                      their points move by bitwise identical displacements. A wall that moves may not
+                                      have a point on them: give its part next to them a marker of its own, fixed or
+                                      sliding */
     HM_GIVEN = 6,                  /* the points move by displacements that are given from call to call (hm_displace).
                                       The functions of curves and rigid bodies are 0 there */
     HM_ROTATION_PAIR = 7           /* one passage of a cascade in an annulus: the partner is this marker, turned about
                                       the centre (x, y) by an angle that is found from the points. The displacement of
                                       each point of the partner is that of its image on this marker, turned by the same
                                       angle: the mesh of all passages moves as one. A point on the centre does not
-                                      move. Several pairs turn about one centre by one angle, in either sense; not
-                                      beside HM_PERIODIC_PAIR */
+                                      move. Several pairs turn about one centre by one angle, in either sense.
+                                      Not beside HM_PERIODIC_PAIR */
 };
 
 typedef struct hm_condition {
     uint64_t struct_size;          /* the same in all conditions of one problem */
     int32_t  marker;
     int32_t  kind;                 /* HM_ON_CURVE, ... */
-    int32_t  first_curve, n_curves;/* on curve: each point lies on one of the curves first_curve ..
-                                      first_curve+n_curves-1; n_curves has no default. A section with a blunt base has
-                                      two (hm_fit): n_curves is curves->n_curves. Refused: a point that lies on a curve
-                                      which the condition does not name; a point that is farther from its curve than
-                                      the control polygon, or all points on curves together, are wide or high: the
-                                      marker is another one's, or the curve has another unit. Beyond 5 % of that, and
-                                      beyond the end of a curve by more than a quarter of a face: HM_FAR_FROM_CURVE.
-                                      slip: n_curves is the number of curves in `along` */
-    int32_t  body;                 /* rigid: number of the body, from 0 without gaps; several markers may form one
-                                      body */
+    int32_t  first_curve;          /* on curve: each point lies on one of the curves first_curve ..
+                                      first_curve+n_curves-1. Refused: a point that lies on a curve which the condition
+                                      does not name; a point that is farther from its curve than the control polygon,
+                                      or all points on curves together, are wide or high: the marker is another one's,
+                                      or the curve has another unit. Beyond 5 % of that, and beyond the end of a curve
+                                      by more than a quarter of a face: HM_FAR_FROM_CURVE */
+    int32_t  n_curves;             /* on curve: see first_curve; no default. A section with a blunt base has two curves
+                                      (hm_fit): n_curves is curves->n_curves. slip: the number of curves in `along` */
+    int32_t  body;                 /* rigid: number of the body, from 0 without gaps;
+                                      several markers may form one body */
     int32_t  partner;              /* pairs: the other marker of the pair, which has no condition of its own */
     double   x, y;                 /* rigid, rotation: the centre of rotation [length] */
     int32_t  piece;                /* 0: all faces of the marker that no other condition chooses as a piece.
@@ -547,8 +548,8 @@ typedef struct hm_condition {
                                       piece of the boundary, and a corner in the middle of a curve. Read by
                                       hm_analysis_size and hm_analysis_init, not needed afterwards. A basis does not
                                       keep these curves: hm_basis_conditions gives n_curves and NULL, which is refused
-                                      as a condition until `along` is set again. Not for meshes in parts
-                                      (HM_UNSUPPORTED) */
+                                      as a condition until `along` is set again.
+                                      Not for meshes in parts (HM_UNSUPPORTED) */
 } hm_condition;
 /* Fields that belong to another kind must be 0; otherwise HM_BAD_CONDITION, error.item: the condition, from 0. A marker
  * has at most one condition without a piece; pieces without any condition are fixed. Refused (HM_BAD_CONDITION): a
@@ -556,16 +557,16 @@ typedef struct hm_condition {
 
 typedef struct hm_problem {
     uint64_t struct_size;
-    const hm_mesh      *mesh;
-    const hm_curves    *curves;    /* NULL, no rigid body and no marker with HM_GIVEN: the analysis covers the mesh only
+    const hm_mesh *mesh;
+    const hm_curves *curves;       /* NULL, no rigid body and no marker with HM_GIVEN: the analysis covers the mesh only
                                       (hm_analysis_report, hm_analysis_boundary) */
-    int32_t             n_conditions;
-    const hm_condition *conditions;/* [n_conditions] at least one on a curve, rigid or given */
-    int32_t             n_given;   /* curve points with a given parameter; the parameters of the others are found by
-                                      projection */
-    const int32_t      *given_points;  /* [n_given] */
-    const int32_t      *given_curves;  /* [n_given] */
-    const double       *given_u;       /* [n_given] */
+    int32_t  n_conditions;         /* at least one condition is on a curve, rigid or given */
+    const hm_condition *conditions; /* [n_conditions] */
+    int32_t  n_given;              /* curve points with a given parameter;
+                                      the parameters of the others are found by projection */
+    const int32_t *given_points;   /* [n_given] */
+    const int32_t *given_curves;   /* [n_given] */
+    const double  *given_u;        /* [n_given] */
 } hm_problem;
 
 /* Available combinations (all others: HM_UNSUPPORTED). The value of a function at a point is a linear map of the plane:
@@ -623,31 +624,30 @@ enum {                             /* scheme: discretisation of the fluxes; all 
                                       1] by 0.3 on one mesh and grew without limit on another */
 };
 enum {                             /* engine */
-    HM_DIRECT = 0,                 /* nested dissection and multifrontal Cholesky factorisation; the fastest. With
-                                      HM_NODAL_GRADIENT the factor of the compact scheme preconditions BiCGStab, 3 to 13
-                                      steps on airfoil meshes */
+    HM_DIRECT = 0,                 /* nested dissection and multifrontal Cholesky factorisation; the fastest.
+                                      With HM_NODAL_GRADIENT the factor of the compact scheme preconditions BiCGStab:
+                                      3 to 13 steps on airfoil meshes */
     HM_MULTIGRID = 1,              /* conjugate gradients, preconditioned by agglomeration multigrid. 15 to 35
                                       iterations for any mesh size and any stretching. Plan and analysis take 730 bytes
-                                      per point, 500 with block_width 4; HM_DIRECT takes 840 for 10 000 points, 1090 for
-                                      a million */
+                                      per point, 500 with block_width 4; HM_DIRECT takes 840 bytes per point for
+                                      10 000 points, 1090 for a million */
     HM_FAS = 2                     /* the paper's iteration: pseudo-time stepping with an explicit four-stage
                                       Runge-Kutta scheme, local time steps and the full approximation scheme on
                                       agglomerated levels, started on the coarsest level (FMG-FAS); with one level:
                                       Runge-Kutta alone. The slowest engine; for comparison with the paper */
 };
 enum {                             /* agglomeration: which cells are merged */
-    HM_AGGLOMERATE_AUTO = 0,       /* along the strong couplings where the aspect ratio exceeds 2, otherwise in any
-                                      direction */
+    HM_AGGLOMERATE_AUTO = 0,       /* along the strong couplings where the aspect ratio exceeds 2,
+                                      otherwise in any direction */
     HM_AGGLOMERATE_ISOTROPIC = 1,  /* those with the most mesh edges between them, for any aspect ratio: for comparison.
                                       On viscous meshes HM_MULTIGRID may not converge: on one of two meshes the residual
-                                      was 3e-5 after 200 iterations, where the automatic rule needs 29; on the other 28
-                                      iterations against 22 */
+                                      was 3e-5 after 200 iterations, where the automatic rule needs 29 iterations;
+                                      on the other mesh this rule takes 28 iterations, the automatic one 22 */
     HM_AGGLOMERATE_DIRECTIONAL = 2 /* always the most strongly coupled ones */
 };
 
 enum {                             /* start of HM_FAS */
-    HM_START_COARSEST = 0,         /* the problem is solved on the coarsest level, then on the next finer one, ...
-                                      (FMG) */
+    HM_START_COARSEST = 0,         /* solved on the coarsest level, then on the next finer one, and so on (FMG) */
     HM_START_ZERO = 1
 };
 
@@ -665,8 +665,8 @@ enum {                             /* phases, in the order in which they are rep
     HM_PHASE_ASSEMBLY = 3, HM_PHASE_FACTOR = 4,                             /* hm_plan_factor */
     HM_PHASE_SOLVE = 5, HM_PHASE_RESIDUAL = 6                               /* hm_plan_solve */
 };
-/* Called at the start of each phase (fraction 0), sometimes in between, and at the end (1). A return value other than 0
- * stops the call: HM_CANCELLED. */
+/* Called at the start of each phase (fraction 0), sometimes in between, and at the end (1). A return value other than
+ * 0 stops the call: HM_CANCELLED. */
 typedef int32_t (*hm_progress)(void *user, int32_t phase, double fraction);
 
 typedef struct hm_options {
@@ -683,19 +683,19 @@ typedef struct hm_options {
                                       thin cells a small residual does not guarantee accurate values, and with very thin
                                       cells the residual may be large although the solution is accurate. HM_DIRECT
                                       therefore does not warn if, in every row, the residual is no more than rounding of
-                                      the fluxes of that row and refinement estimates an error below the tolerance (not
-                                      for HM_NODAL_GRADIENT) */
+                                      the fluxes of that row and refinement estimates an error below the tolerance;
+                                      HM_NODAL_GRADIENT is excepted */
     hm_progress progress;          /* NULL: none; always called on the thread that made the call */
     void    *progress_user;
-    const hm_executor *executor;   /* NULL: one thread. The struct is copied, but the object that executor.user points
-                                      to must exist as long as analysis and plan */
-    int32_t  exponent_quarters;    /* 4 q of the weight, 1 .. 16, or HM_NO_WEIGHT; 0 means 6 (conformal), 4
-                                      (weighted) */
+    const hm_executor *executor;   /* NULL: one thread. The struct is copied, but the object that executor.user
+                                      points to must exist as long as analysis and plan */
+    int32_t  exponent_quarters;    /* 4 q of the weight, 1 .. 16, or HM_NO_WEIGHT;
+                                      0 means 6 for HM_CONFORMAL, 4 for HM_WEIGHTED */
     int32_t  offset_correction;    /* 0 or 1; conformal only. 1: boundary functions N_i + e N_i' / C', e the offset of
                                       the mesh point from the curve, so that the offset rotates with the curve: rigid
                                       motions of all control points then move every wall point rigidly; other motions
-                                      add e dC' / C'. Omitted at corners and where |e| sum_i |N_i'| >= |C'|, for
-                                      instance where C' vanishes */
+                                      add e dC' / C'. Omitted at corners and where |e| sum_i |N_i'| >= |C'|,
+                                      for instance where C' vanishes */
     /* HM_MULTIGRID and HM_FAS only; with another engine a value other than 0 is HM_UNSUPPORTED: */
     int32_t  levels;               /* largest number of levels including the finest, 1 .. 20; 0: as many as possible,
                                       about 5 for 10 000 points, 9 for a million. HM_FAS does not solve the coarsest
@@ -706,8 +706,8 @@ typedef struct hm_options {
     int32_t  max_iterations;       /* then HM_NOT_CONVERGED (HM_FAS: also when a residual has grown by a factor of
                                       1000); 0 means 200; HM_FAS: 2000 cycles, or with one level 200000 steps */
     double  *history;              /* [history_length] largest relative residual of all functions before the first
-                                      iteration and after each, up to report.iterations; must exist as long as the plan.
-                                      NULL: not wanted */
+                                      iteration and after each, up to report.iterations. NULL: not wanted.
+                                      The array must exist as long as the plan */
     int32_t  history_length;
     int32_t  precision;            /* HM_DOUBLE (default) or HM_SINGLE: of the factor; HM_DIRECT only */
     int32_t  start;                /* HM_START_...: HM_FAS only */
@@ -725,8 +725,8 @@ typedef struct hm_mesh_report {
     int32_t  first_inverted;       /* the first inverted cell; -1: none */
     double   min_area;             /* [length^2] smallest signed corner area */
     double   min_quality, mean_quality; /* [0..1] skew quality, see hm_quality */
-    int32_t  polygons, reserved;   /* cells that are divided into triangles, see hm_mesh; they are in neither
-                                      `triangles` nor `quads` */
+    int32_t  polygons, reserved;   /* cells that are divided into triangles, see hm_mesh;
+                                      they are in neither `triangles` nor `quads` */
 } hm_mesh_report;
 
 /* Bytes from the counts alone (points, cells, faces, control points). options NULL: defaults. */
@@ -771,15 +771,15 @@ typedef struct hm_solve_report {
     double   boundary_error;       /* [-] largest |F_i - N_i(u)| on the curves, with N_i evaluated again */
     double   partition_defect;     /* [-] largest |sum_i F_i - 1| on the curves */
     double   min_value, max_value; /* [-] of all F_i of control points */
-    double   max_distance;         /* [length] largest distance of a curve point from the curve. The morph preserves
-                                      this offset between mesh and fit */
+    double   max_distance;         /* [length] largest distance of a curve point from the curve.
+                                      The morph preserves this offset between mesh and fit */
     int32_t  max_distance_point;
     int32_t  curve_points;         /* mesh points on curves */
     int32_t  refinements;          /* steps of iterative refinement, done because of the residual or of thin cells */
     int32_t  reserved;             /* 0 */
     int64_t  factor_entries;       /* numbers in the factor; 0: the engine has no factor */
-    int32_t  iterations;           /* iterative engines: largest number of all functions. HM_DIRECT: 0, or the steps of
-                                      BiCGStab for HM_NODAL_GRADIENT */
+    int32_t  iterations;           /* iterative engines: largest number of all functions.
+                                      HM_DIRECT: 0, or the steps of BiCGStab for HM_NODAL_GRADIENT */
     int32_t  levels;               /* of agglomeration */
     int32_t  fine_sweeps;          /* sweeps over the finest level, largest number of all functions: symmetric
                                       Gauss-Seidel sweeps or Runge-Kutta steps */
@@ -810,11 +810,11 @@ typedef struct hm_basis_info {
     int32_t  points, cells, functions, curves, curve_points; /* curve_points: including rigid and given ones */
     int32_t  numbers_per_value;    /* 1: real f; 2: complex a + i b; 4: matrix xx, xy, yx, yy */
     int32_t  operator_kind, scheme, engine;
-    int32_t  index_base;           /* of the mesh that the basis was solved on: first number of points and cells in
-                                      reports */
+    int32_t  index_base;           /* of the mesh that the basis was solved on:
+                                      the first number of points and cells in reports */
     const int32_t *curve_point;    /* [curve_points] mesh points on curves, counted from 0 */
-    const int32_t *point_curve;    /* [curve_points] the curve of each of them; curves + b: rigid body b; curves +
-                                      bodies: a point of a marker with HM_GIVEN */
+    const int32_t *point_curve;    /* [curve_points] the curve of each of them; curves + b: rigid body b;
+                                      curves + bodies: a point of a marker with HM_GIVEN */
     const double  *point_u;        /* [curve_points] the parameter of each of them */
     int32_t  exponent_quarters;    /* 0: no weight */
     int32_t  bodies;               /* rigid bodies; functions = control points + 2 * bodies, see also below */
@@ -888,8 +888,8 @@ typedef struct hm_transfer_report {
     int32_t  max_distance_point;   /* the point with that distance; -1: none is outside */
     int32_t  boundary_error_point; /* the point with the boundary error below */
     double   boundary_error;       /* [-] largest |F_i - N_i(u)| on the curves, with N_i evaluated again */
-    double   wall_correction;      /* [-] the same before N_i was restored: how well the coarse mesh resolves the
-                                      functions */
+    double   wall_correction;      /* [-] the same before N_i was restored:
+                                      how well the coarse mesh resolves the functions */
 } hm_transfer_report;
 
 /* Bytes of working memory. The fine analysis must have the curves, conditions and options of the coarse basis. */
@@ -1062,19 +1062,19 @@ typedef struct hm_space_mesh {
     int32_t  n_faces;              /* 1 .. 2^29: the faces in one symmetry plane, of 3 to 1024 points; they are the
                                       cells of the plane's mesh, in this order */
     const int32_t *face_start;     /* [n_faces+1] counted from index_base; NULL: each face has four entries */
-    const int32_t *face_points;    /* the points of each face in order; of four entries, a triangle repeats its last
-                                      point */
-    int32_t  n_sides;              /* faces of the boundary from one layer to the next; 0: none, then the caller adds
-                                      the boundary to the plane's mesh */
+    const int32_t *face_points;    /* the points of each face in order;
+                                      of four entries, a triangle repeats its last point */
+    int32_t  n_sides;              /* faces of the boundary from one layer to the next;
+                                      0: none, then the caller adds the boundary to the plane's mesh */
     const int32_t *side_points;    /* [4*n_sides] in order; a triangle, at the axis of a wedge, repeats a point */
     const int32_t *side_markers;   /* [n_sides] any integers: markers of the plane's mesh */
     double   axis_point[3];        /* wedge only: a point of the axis [length] */
-    double   axis[3];              /* wedge only: the direction of the axis, of any length; 0,0,0: found (two layers
-                                      only) */
+    double   axis[3];              /* wedge only: the direction of the axis, of any length;
+                                      0,0,0: found (two layers only) */
     double   tolerance;            /* [length] how far a point may be from the place of its plane point, and a point of
-                                      a face from the plane; 0 means 1e-5 of the extent of all points. A point that is
-                                      farther away than a quarter of the shortest edge at the plane point is refused in
-                                      any case */
+                                      a face from the plane; 0 means 1e-5 of the extent of all points. In any case a
+                                      point is refused that is farther away than a quarter of the shortest edge at the
+                                      plane point */
 } hm_space_mesh;
 
 typedef struct hm_plane hm_plane;
@@ -1100,10 +1100,10 @@ typedef struct hm_plane_info {
     double   max_distance;         /* [length] largest distance of a point from the place of its plane point */
     int32_t  max_distance_point;   /* the point with that distance; -1: all are exact */
     int32_t  reserved;             /* 0 */
-    const int32_t *follows;        /* [n_space_points] the plane point that each point follows, counted from
-                                      index_base */
-    const int32_t *space_point;    /* [n_points] the point of the faces that is each plane point, counted from
-                                      index_base: in increasing order */
+    const int32_t *follows;        /* [n_space_points] the plane point that each point follows,
+                                      counted from index_base */
+    const int32_t *space_point;    /* [n_points] the point of the faces that is each plane point,
+                                      counted from index_base: in increasing order */
 } hm_plane_info;
 HM_API hm_status hm_plane_info_get(const hm_plane *plane, hm_plane_info *info, hm_error *err);
 /* The mesh of the plane, for hm_problem.mesh: coordinates, cells, faces with markers. The arrays are inside the block
@@ -1195,9 +1195,9 @@ typedef struct hm_quality_report {
     double   min_area;             /* [length^2] smallest signed corner area */
     double   min_quality, mean_quality; /* [0..1] size-skew quality sqrt(f_size) f_skew; 0 for inverted cells */
     int32_t  min_quality_cell;
-    int32_t  self_crossing;        /* 1: the boundary crosses itself or another body, or faces coincide. The two sides
-                                      of a wall without thickness do not count, two walls that have come into contact
-                                      do */
+    int32_t  self_crossing;        /* 1: the boundary crosses itself or another body, or faces coincide.
+                                      Two walls that have come into contact count, the two sides of a wall without
+                                      thickness do not */
     int32_t  crossing_points[4];   /* first and last point of one face, then of the other; -1: none */
 } hm_quality_report;
 /* Quality of the mesh at the coordinates `at` (NULL: the mesh's own). f_size = min(t, 1/t), t the area of a cell
@@ -1258,19 +1258,19 @@ typedef struct hm_safe_options {
     int32_t  n_others;             /* 0 .. 64 */
     int32_t  reserved;             /* 0 */
     const hm_basis *const *others; /* [n_others] solved bases of the same mesh, curves, conditions and offset
-                                      correction. If a derivative is wanted, only those with the numbers_per_value of
-                                      the basis are tried */
+                                      correction. If a derivative is wanted, only those are tried that have the
+                                      numbers_per_value of the basis */
     double   heights;              /* [0..1] 0: off. Restores the initial distances between moving walls and the points
                                       near them, which angle-preserving functions scale with the stretch of the wall. A
                                       closed formula, applied at the end along the wall normals; it fades out where the
                                       curvature of the wall or another wall becomes important, and is reduced until no
                                       cell is inverted. Not part of the derivative */
-    double  *reached;              /* [2*functions] receives the movement that `to` has. If this is not the whole
-                                      movement, it differs from `move` times step_fraction, because bodies rotate on the
-                                      way. NULL: not wanted */
+    double  *reached;              /* [2*functions] receives the movement that `to` has; NULL: not wanted. If this is
+                                      not the whole movement, it differs from `move` times step_fraction, because bodies
+                                      rotate on the way */
     double   min_quality;          /* [0..1] smallest size-skew quality of the mesh at the target, relative to the
-                                      start, in parts of the smallest quality of the start; 0 means 0.05; negative: any
-                                      valid mesh */
+                                      start, in parts of the smallest quality of the start; 0 means 0.05;
+                                      negative: any valid mesh */
     double   max_height_change;    /* [-] > 1: heights of the first layer may grow and shrink by this factor at most;
                                       where they do by more, they are restored as far as that helps. 0: any */
 } hm_safe_options;
@@ -1287,8 +1287,8 @@ typedef struct hm_safe_report {
     int32_t  other;                /* which of `others`, from 0; -1: none */
     int32_t  steps, resolves;      /* of the mesh that is given; solutions of all strategies */
     double   step_fraction;        /* [0..1] part of the movement that was reached; 1: all of it */
-    double   admissible;           /* [-] admissible step of the last step that was tried, relative to that step; see
-                                      hm_step_report */
+    double   admissible;           /* [-] admissible step of the last step that was tried, relative to that step,
+                                      see hm_step_report */
     int32_t  cell, point;          /* what limits that step; -1: nothing */
     int32_t  untangled;            /* number of inverted cells before untangling */
     int32_t  iterations;           /* of untangling */
@@ -1296,10 +1296,9 @@ typedef struct hm_safe_report {
     int32_t  inverted;             /* inverted cells of `to`: always 0 */
     int32_t  min_quality_cell;
     double   min_quality, mean_quality; /* [0..1] of `to` with the start as the reference, see hm_quality */
-    double   mean_angle_change, max_angle_change; /* [degrees] of the angles between the wall and the first-layer
-                                                     edges */
-    double   mean_height_ratio, min_height_ratio, max_height_ratio; /* [-] first-layer height after / before; 1
-                                                                       where nothing moved, or without such edges */
+    double   mean_angle_change, max_angle_change; /* [degrees] of the angles between wall and first-layer edges */
+    /* [-] first-layer height after / before; 1 where nothing moved, or without such edges */
+    double   mean_height_ratio, min_height_ratio, max_height_ratio;
     double   heights;              /* [0..1] the part of the distances that was restored */
     int32_t  angle_point;          /* where the angle changed most; -1: no wall point has a first-layer edge */
     int32_t  min_height_point, max_height_point;
@@ -1366,8 +1365,7 @@ typedef struct hm_improve_report {
     uint64_t struct_size;
     int32_t  iterations;           /* steps of Newton's method */
     int32_t  movable;              /* points that could move */
-    double   min_quality_before, mean_quality_before; /* [0..1] of `from`, relative to the reference: see
-                                                         hm_quality */
+    double   min_quality_before, mean_quality_before; /* [0..1] of `from`, relative to the reference, see hm_quality */
     double   min_quality, mean_quality; /* [0..1] of `to` */
     int32_t  min_quality_cell_before, min_quality_cell;
 } hm_improve_report;
