@@ -43,8 +43,8 @@ function put(path,    line, name) {
 BEGIN {
     while ((getline line <"c_api/harmorph.h") > 0) if (line ~ /^#define HM_VERSION "/) version = line
     gsub(/^[^"]*"|"[^"]*$/, "", version)
-    print "// harmorph " version ", the library in one file: C++17, needs only harmorph.h beside this file." \
-        " See harmorph.h."
+    print "// harmorph " version ", the library in one file: C++17, needs only harmorph.h beside this file. " \
+        "See harmorph.h."
     print "// Made by `make amalgamation`. MIT licence. Compile with -O2 -fno-math-errno; where a C"
     print "// compiler links the program, also with -fno-exceptions -fno-rtti."
     print "#include \"harmorph.h\""

@@ -126,8 +126,7 @@ hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_markers, c
         *is_loop = found.is_loop ? 1 : 0;
         if (found.n_points <= capacity) return Status::ok;
         return fault.refuse(Status::bad_argument, "points has room for #, the boundary has @",
-                            Counts::from_zero, capacity,
-                            found.n_points);
+                            Counts::from_zero, capacity, found.n_points);
     });
 }
 

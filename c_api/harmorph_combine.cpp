@@ -24,9 +24,9 @@ Status check_matrix(Basis const& basis, Index n, Index numbers, const double* ma
     Offset const length = Offset{basis.header->counts.shapes()} * n * numbers;
     for (Offset k = 0; k < length; ++k) {
         if (is_finite(matrix[k])) continue;
+        Index const row = static_cast<Index>(k / (Offset{n} * numbers)), column = static_cast<Index>(k / numbers % n);
         return fault.refuse(Status::bad_argument, "the matrix is not finite in row # and column @ (from 0)",
-                            Counts::from_zero,
-                            static_cast<Index>(k / (Offset{n} * numbers)), static_cast<Index>(k / numbers % n));
+                            Counts::from_zero, row, column);
     }
     return Status::ok;
 }

@@ -13,26 +13,24 @@ Status view_quantity(const hm_quantity* array, Index number, Quantity& out, Faul
                             number);
     }
     if (q.kind < HM_AREA || q.kind > HM_CLEARANCE) {
-        return fault.refuse(Status::bad_argument, "quantity # (from 0) has the unknown kind @", Counts::from_zero,
-                            number,
-                            q.kind);
+        return fault.refuse(Status::bad_argument, "quantity # (from 0) has the unknown kind @",
+                            Counts::from_zero, number, q.kind);
     }
     out.kind = static_cast<QuantityKind>(q.kind);
     bool const has_station = out.kind == QuantityKind::thickness || out.kind == QuantityKind::camber;
     if (has_station ? !(is_finite(q.station) && q.station > 0 && q.station < 1) : q.station != 0) {
-        return fault.refuse(Status::bad_argument,
-                            has_station ? "quantity # (from 0): the station is ~, not between 0 and 1"
-                                        : "quantity # (from 0) has a station, which is of thickness and camber only",
-                            Counts::from_zero, number, none, q.station);
+        const char* const text = has_station
+                                     ? "quantity # (from 0): the station is ~, not between 0 and 1"
+                                     : "quantity # (from 0) has a station, which is of thickness and camber only";
+        return fault.refuse(Status::bad_argument, text, Counts::from_zero, number, none, q.station);
     }
     out.station = q.station;
     bool const has_polygon = out.kind == QuantityKind::clearance;
     constexpr Index most = Index{1} << 20;
     if (has_polygon ? q.n_polygon < 1 || q.n_polygon > most || q.polygon == nullptr : q.n_polygon != 0) {
-        return fault.refuse(Status::bad_argument,
-                            has_polygon ? "quantity # (from 0): the polygon is NULL, empty or longer than 2^20"
-                                        : "quantity # (from 0) has a polygon, which is of clearance only",
-                            Counts::from_zero, number);
+        const char* const text = has_polygon ? "quantity # (from 0): the polygon is NULL, empty or longer than 2^20"
+                                             : "quantity # (from 0) has a polygon, which is of clearance only";
+        return fault.refuse(Status::bad_argument, text, Counts::from_zero, number);
     }
     out.polygon = {q.polygon, has_polygon ? q.polygon + 1 : nullptr, 2};
     out.n_polygon = q.n_polygon;

@@ -50,8 +50,7 @@ Status check_numbers(hm_variables const& v, Fault& fault) noexcept {
     for (Index k = 0; v.peaks != nullptr && k < v.n_upper + v.n_lower; ++k) {
         if (is_finite(v.peaks[k]) && v.peaks[k] > 1e-6 && v.peaks[k] < 1 - 1e-6) continue;
         return fault.refuse(Status::bad_argument, "variables: peak # (from 0) is ~, not between 0 and 1",
-                            Counts::from_zero, k,
-                            none, v.peaks[k]);
+                            Counts::from_zero, k, none, v.peaks[k]);
     }
     return Status::ok;
 }
@@ -126,8 +125,7 @@ using namespace harmorph;
 extern "C" {
 
 hm_status hm_variables_size(const hm_curves* curves, const hm_section* section, const hm_variables* variables,
-                            int32_t* n,
-                            size_t* bytes, hm_error* err) {
+                            int32_t* n, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         VariablesTask task;
         HARMORPH_TRY(require({{"n", n}}, fault));
@@ -140,8 +138,7 @@ hm_status hm_variables_size(const hm_curves* curves, const hm_section* section, 
 }
 
 hm_status hm_variables_map(const hm_curves* curves, const hm_section* section, const hm_variables* variables,
-                           void* work,
-                           size_t bytes, double* matrix, double* error, hm_error* err) {
+                           void* work, size_t bytes, double* matrix, double* error, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         VariablesTask task;
         HARMORPH_TRY(require({{"work", work}, {"matrix", matrix}}, fault));

@@ -80,8 +80,7 @@ inline hm_condition struct_of(Condition const& condition) noexcept {
     bool const slips = condition.kind == ConditionKind::slip;  // along curves that are not known any more
     return {sizeof(hm_condition), condition.marker, static_cast<std::int32_t>(condition.kind),
             slips ? 0 : condition.first_curve, condition.n_curves, condition.body, condition.partner,
-            condition.centre.x, condition.centre.y,
-            condition.piece, 0, condition.near.x, condition.near.y, nullptr};
+            condition.centre.x, condition.centre.y, condition.piece, 0, condition.near.x, condition.near.y, nullptr};
 }
 
 constexpr std::ptrdiff_t stride_of(std::int64_t given) noexcept {

@@ -35,8 +35,9 @@ naca2412() { # naca2412 ORDER (selig, backwards, open, lednicer) SCALE DEGREES D
             y = m / q ^ 2 * (front ? 2 * p * x - x ^ 2 : 1 - 2 * p + 2 * p * x - x ^ 2)
             angle = atan2(2 * m / q ^ 2 * (p - x), 1)
             px = x - side * half * sin(angle); py = y + side * half * cos(angle)
-            at[side, k] = sprintf("%.7f %.7f", scale * (px * cos(turn) - py * sin(turn)) + dx,
-            scale * (px * sin(turn) + py * cos(turn)) + dy)
+            X = scale * (px * cos(turn) - py * sin(turn)) + dx
+            Y = scale * (px * sin(turn) + py * cos(turn)) + dy
+            at[side, k] = sprintf("%.7f %.7f", X, Y)
         }
         print "NACA 2412"
         if (order == "lednicer") {
@@ -64,7 +65,9 @@ distance_from_2412() {
         }
         END {
             for (side = -1; side <= 1; side += 2) for (k = 0; k <= 4000; k++) {
-            formula(.5 * (1 - cos(k * 3.141592653589793 / 4000)), side); sx[m] = fx; sy[m++] = fy }
+                formula(.5 * (1 - cos(k * 3.141592653589793 / 4000)), side)
+                sx[m] = fx; sy[m++] = fy
+            }
             for (k in on) {
                 least = 9
                 for (i = 0; i < m; i++) { d = (x[k] - sx[i]) ^ 2 + (y[k] - sy[i]) ^ 2; if (d < least) least = d }
@@ -93,9 +96,14 @@ done
 naca2412 selig 2.5 20 3 -1 >"$tmp/placed.dat"
 check "another chord, turned and moved" "$harmorph" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/placed.dat" \
     --on-chord -o "$tmp/placed.su2"
-edges_meet() { awk '/^NPOIN/ { inside = 1; n = 0; next } /^[A-Z]/ { inside = 0 } inside && n++ < 132 {
-    d = ($1 - 1) ^ 2 + $2 ^ 2; if (d > far) { far = d; x = $1; y = $2 } }
-    END { print x, y; exit !(x ^ 2 + y ^ 2 < 1e-6) }' "$1"; }
+edges_meet() {
+    awk '/^NPOIN/ { inside = 1; n = 0; next } /^[A-Z]/ { inside = 0 }
+        inside && n++ < 132 {
+            d = ($1 - 1) ^ 2 + $2 ^ 2
+            if (d > far) { far = d; x = $1; y = $2 }
+        }
+        END { print x, y; exit !(x ^ 2 + y ^ 2 < 1e-6) }' "$1"
+}
 check "another chord, turned and moved: the edges are where they were" edges_meet "$tmp/placed.su2"
 naca2412 selig 1 5 .1 -.05 >"$tmp/turned.dat"
 check "turned and moved" "$harmorph" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/turned.dat" --json
@@ -142,16 +150,20 @@ refuses "a curve that is not there" "--airfoil-curve" morph "$naca" "$tmp/airfoi
 # ---- Rational curves ------------------------------------------------------------------------------------------------
 
 # A circle as a rational B-spline of degree 2 (The NURBS Book, example 7.2) and a mesh round it. Control points are
-# scaled to an ellipse of half axes 1.2 and .8: so is the circle,
-# and all that leaves the program must be on the ellipse.
+# scaled to an ellipse of half axes 1.2 and .8: so is the circle, and all that leaves the program must be on the
+# ellipse.
 awk 'BEGIN {
     n = 48; m = 12; pi = atan2(0, -1)
     print "NDIME= 2\nNELEM= " n * m
-    for (j = 0; j < m; j++) for (i = 0; i < n; i++) { a = j * n + i; b = j * n + (i + 1) % n;
-    print 9, a, a + n, b + n, b }
+    for (j = 0; j < m; j++) for (i = 0; i < n; i++) {
+        a = j * n + i; b = j * n + (i + 1) % n
+        print 9, a, a + n, b + n, b
+    }
     print "NPOIN= " n * (m + 1)
-    for (j = 0; j <= m; j++) for (i = 0; i < n; i++) printf "%.17g %.17g\n", 4 ^ (j / m) * cos(2 * pi * i / n),
-    4 ^ (j / m) * sin(2 * pi * i / n)
+    for (j = 0; j <= m; j++) for (i = 0; i < n; i++) {
+        radius = 4 ^ (j / m); angle = 2 * pi * i / n
+        printf "%.17g %.17g\n", radius * cos(angle), radius * sin(angle)
+    }
     print "NMARK= 2\nMARKER_TAG= body\nMARKER_ELEMS= " n; for (i = 0; i < n; i++) print 3, i, (i + 1) % n
     print "MARKER_TAG= far\nMARKER_ELEMS= " n; for (i = 0; i < n; i++) print 3, m * n + i, m * n + (i + 1) % n
 }' >"$tmp/ring.su2"
@@ -165,14 +177,21 @@ for ending in curve igs step nml; do
     check "rational: morph, $ending" "$harmorph" morph "$tmp/ring.su2" "$tmp/circle.basis" --move "$tmp/ellipse.moves" \
         -o "$tmp/ellipse.su2" --curve-out "$tmp/ellipse.$ending"
 done
-on_ellipse() { awk '/^NPOIN/ { inside = 1; next } /^[A-Z]/ { inside = 0 } inside && n++ < 48 {
-    d = ($1 / 1.2) ^ 2 + ($2 / .8) ^ 2 - 1; if (d < 0) d = -d
-    if (d > worst) worst = d } END { print n, worst; exit !(n > 48 && worst < 1e-14) }' "$1"; }
+on_ellipse() {
+    awk '/^NPOIN/ { inside = 1; next } /^[A-Z]/ { inside = 0 }
+        inside && n++ < 48 {
+            d = ($1 / 1.2) ^ 2 + ($2 / .8) ^ 2 - 1
+            if (d < 0) d = -d
+            if (d > worst) worst = d
+        }
+        END { print n, worst; exit !(n > 48 && worst < 1e-14) }' "$1"
+}
 check "rational: the wall is on the ellipse" on_ellipse "$tmp/ellipse.su2"
 # What an independent reader found, evaluated by de Boor's algorithm in homogeneous coordinates.
 curve_is_ellipse() {
-    awk 'BEGIN { n = nt = 0 } $1 == "degree" { p = $2 } $1 == "knot" { t[nt++] = $2 } $1 == "x" { x[n] = $2 }
-        $1 == "y" { y[n] = $2 }
+    awk 'BEGIN { n = nt = 0 }
+        $1 == "degree" { p = $2 } $1 == "knot" { t[nt++] = $2 }
+        $1 == "x" { x[n] = $2 } $1 == "y" { y[n] = $2 }
         $1 == "weight" { w[n] = $2; ++n; rational += $2 < .9 }
         END {
             for (s = 0; s <= 200; s++) {
@@ -181,7 +200,8 @@ curve_is_ellipse() {
                 for (j = 0; j <= p; j++) { i = k - p + j; X[j] = x[i] * w[i]; Y[j] = y[i] * w[i]; W[j] = w[i] }
                 for (r = 1; r <= p; r++) for (j = p; j >= r; j--) {
                     i = k - p + j; a = (u - t[i]) / (t[i + p - r + 1] - t[i])
-                    X[j] = (1 - a) * X[j - 1] + a * X[j]; Y[j] = (1 - a) * Y[j - 1] + a * Y[j];
+                    X[j] = (1 - a) * X[j - 1] + a * X[j]
+                    Y[j] = (1 - a) * Y[j - 1] + a * Y[j]
                     W[j] = (1 - a) * W[j - 1] + a * W[j]
                 }
                 d = (X[p] / W[p] / 1.2) ^ 2 + (Y[p] / W[p] / .8) ^ 2 - 1; if (d < 0) d = -d
@@ -211,8 +231,8 @@ if $FC --version >/dev/null 2>&1; then
         done"
     "$tmp/read_namelist" <"$tmp/two.nml" >"$tmp/two.numbers" 2>"$tmp/log"
     awk -f "$here/read_curves.awk" "$tmp/two.curve" >"$tmp/two.wanted"
-    check "namelist: two bodies: the same numbers" awk 'FILENAME ~ /wanted/ { name[FNR] = $1; value[FNR] = $2;
-        n = FNR; next }
+    check "namelist: two bodies: the same numbers" awk '
+        FILENAME ~ /wanted/ { name[FNR] = $1; value[FNR] = $2; n = FNR; next }
         { d = $2 - value[FNR]; bad += $1 != name[FNR] || d > 1e-15 || d < -1e-15; ++m }
         END { print n, m, bad; exit !(n == m && n > 60 && !bad) }' \
         "$tmp/two.wanted" "$tmp/two.numbers"

@@ -26,8 +26,8 @@ check "the library" $ARM_CXX $processor -std=c++17 -fno-exceptions -fno-rtti -fn
 # A processor without atomic instructions, for which compilers would call a library: what shares out work among threads.
 for file in src/direct/multifrontal_solve.cpp src/ordering/nested_dissection.cpp; do
     check "$file for a Cortex-M0" $ARM_CXX -mcpu=cortex-m0 -mthumb -ffreestanding -O2 -ffp-contract=off -std=c++17 \
-        -fno-exceptions \
-        -fno-rtti -fno-threadsafe-statics -fno-math-errno -Wall -Wextra -Wconversion -Werror -Iinclude -Isrc -c \
+        -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno -Wall -Wextra -Wconversion -Werror \
+        -Iinclude -Isrc -c \
         -o "$dir/m0.o" $file
     check "$file without calls for atomic operations" sh -c '! ${0%g++}nm -u "$1" | grep -e atomic -e sync' "$ARM_CXX" \
         "$dir/m0.o"
@@ -53,7 +53,8 @@ else
 fi
 size=${ARM_CXX%g++}size
 if command -v $size >/dev/null; then
-    $size -A "$dir/cortex" | awk '$1 == ".text" { print $2 " bytes of code and constants" } $1 == ".basis" {
-        print $2 " bytes of basis" }'
+    $size -A "$dir/cortex" | awk '
+        $1 == ".text" { print $2 " bytes of code and constants" }
+        $1 == ".basis" { print $2 " bytes of basis" }'
 fi
 finish "$dir"

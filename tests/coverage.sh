@@ -66,8 +66,8 @@ done | awk -F: '
             if (!refusal[line]) print "refusal " line ": never reached:" of[line]
         }
         for (file in of_file) printf "file %s %d of %d\n", file, hit_of[file], of_file[file]
-        printf "%d of %d branches taken (%.1f %%), %d of %d refusals reached\n", hit, all, 100 * hit / all, seen,
-        refusals
+        printf "%d of %d branches taken (%.1f %%), ", hit, all, 100 * hit / all
+        printf "%d of %d refusals reached\n", seen, refusals
     }' | sort -V >"$dir/all"
 grep '^missed\|^refusal' "$dir/all" >"$dir/missed"
 sed -n 's/^file //p' "$dir/all" | awk '$2 < 0.95 * $4'

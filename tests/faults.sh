@@ -171,8 +171,8 @@ passes "lines that end with CR LF" $?
 tr -d '\r' <crlf_moved.su2 >without_cr
 passes "lines that end with CR LF: the same mesh" "$(cmp -s without_cr good/m.su2; echo $?)"
 if localedef -i de_DE -f UTF-8 ./de_DE.UTF-8 >/dev/null 2>&1; then
-    passes "the locale has a decimal comma" "$([ "$(LOCPATH=$PWD LC_ALL=de_DE.UTF-8 locale decimal_point)" = , ]; \
-        echo $?)"
+    decimal_point=$(LOCPATH=$PWD LC_ALL=de_DE.UTF-8 locale decimal_point)
+    passes "the locale has a decimal comma" "$([ "$decimal_point" = , ]; echo $?)"
     LOCPATH=$PWD LC_ALL=de_DE.UTF-8 run morph "$mesh" good/a.basis --move moves.txt -o comma.su2
     passes "a locale with a decimal comma" "$(cmp -s comma.su2 good/m.su2; echo $?)"
 else

@@ -115,8 +115,8 @@ missing() {
     for name in $(sed -n 's/^HM_API .*[ *]\(hm_[a-z_]*\)(.*/\1/p' c_api/harmorph.h); do
         grep -q "name=\"$name\"" "$build/harmorph.f90" || echo "$name"
     done
-    for name in $(sed -n '/^enum/,/};/p' c_api/harmorph.h | grep -o 'HM_[A-Z0-9_]* =' | tr A-Z a-z |
-        cut -d ' ' -f 1); do
+    constants=$(sed -n '/^enum/,/};/p' c_api/harmorph.h | grep -o 'HM_[A-Z0-9_]* =' | tr A-Z a-z | cut -d ' ' -f 1)
+    for name in $constants; do
         grep -q "\b$name = " "$build/harmorph.f90" && grep -qi "PUT($name)" tests/layout.c || echo "$name"
     done
 }

@@ -23,8 +23,9 @@ topic=MPI log=$dir/log
 . "$(dirname "$0")/count.sh"
 # Not optimised, which would take most of the time.
 fortran() { $MPIFC $strict $FFLAGS -O0 $checks -J"$dir" -I"$dir" -c "$1" -o "$dir/$(basename "$1" .f90)_f.o"; }
-c() { $MPICC -std=c99 -D_XOPEN_SOURCE=700 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers $CFLAGS \
-    "$@"; }
+c() {
+    $MPICC -std=c99 -D_XOPEN_SOURCE=700 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers $CFLAGS "$@"
+}
 
 check "harmorph_mpi.c" c -Ic_api -c c_api/harmorph_mpi.c -o "$dir/harmorph_mpi.o"
 check "harmorph_mpi.c, as it is installed" c -Ic_api -c "$build/harmorph_mpi.c" -o "$dir/harmorph_mpi.o"

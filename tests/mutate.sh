@@ -79,8 +79,8 @@ link_fuzzer() {
 LC_ALL=C awk '
     /^(\.\/)?tests\/.*:$/ { room = $0; sub(/.*tests\//, "", room); sub(/\/.*/, "", room) }
     /^[0-9.]+ s: / { seconds = $1 + 0; sub(/^[^:]*: /, ""); print room "\t" seconds "\t" $0 }' "$dir/out" >"$dir/cases"
-slow=$(LC_ALL=C awk -F'\t' '$2 > 0.5 { gsub(/,/, "?");
-    printf "%s,", $3 }' "$dir/cases")   # a comma begins another pattern
+# A comma begins another pattern.
+slow=$(LC_ALL=C awk -F'\t' '$2 > 0.5 { gsub(/,/, "?"); printf "%s,", $3 }' "$dir/cases")
 
 # What may find a mutant, the likeliest and quickest first. Tests of any room may find it, as they use the C interface.
 until_failure() { timeout 1800 "$@" -aa=1; }   # what waits for ever uses no processor time
@@ -98,8 +98,11 @@ step() {   # which, folder of the programs, room, file
         done ;;
     esac
 }
-(step random "$BUILD" && times) >"$dir/out" 2>&1 || { cat "$dir/out"; echo "random problems fail without a mutant"; \
-    exit 1; }
+(step random "$BUILD" && times) >"$dir/out" 2>&1 || {
+    cat "$dir/out"
+    echo "random problems fail without a mutant"
+    exit 1
+}
 seconds_of_random=$(tail -n 1 "$dir/out" | LC_ALL=C awk -F'[ms ]+' '{ print int(60 * $1 + $2) }')
 
 # Seconds of processor time that a step may take: twice what it takes without a mutant, and three.
@@ -131,8 +134,8 @@ fate() {   # folder, file, line, column, from, to, steps, otherwise: what become
         compile "$2" "$1" && mv "$1/mutant.o" "$original" || exit 1
     fi
     awk -v line="$3" -v column="$4" -v from="$5" -v to="$6" '
-        NR == line { $0 = substr($0, 1, column - 1) to substr($0, column + length(from)) } { print }' "$2" \
-            >"$1/mutant.cpp"
+        NR == line { $0 = substr($0, 1, column - 1) to substr($0, column + length(from)) }
+        { print }' "$2" >"$1/mutant.cpp"
     compile "$2" "$1" || { echo "no C++"; return; }
     if cmp -s "$1/mutant.o" "$original"; then echo "the same instructions"; return; fi
     room=$(basename "$(dirname "$2")") file=$(basename "$2" .cpp)
@@ -187,8 +190,9 @@ while IFS='	' read -r file line column from to; do
     case $known_fate in
     "" | hidden) left=$((left + 1)) ;;
     caught) built=$((built + 1)) caught=$((caught + 1)) ;;
-    "out of time") built=$((built + 1)) endless=$((endless + 1))
-    echo "out of time: $file:$line: '$from' becomes '$to'" ;;
+    "out of time")
+        built=$((built + 1)) endless=$((endless + 1))
+        echo "out of time: $file:$line: '$from' becomes '$to'" ;;
     survives)
         built=$((built + 1))
         text=$(sed -n "${line}s/^ *//p" "$file")

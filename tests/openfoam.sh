@@ -42,8 +42,9 @@ done
 check "airFoil2D: checkMesh: the same verdict" cmp "$tmp/given.verdict" "$tmp/moved.verdict"
 check "airFoil2D: checkMesh: a verdict" test -s "$tmp/moved.verdict"
 # The residuals of the pressure are those of a run that converges, and not those of the given mesh.
-residual() { awk '/Solving for p,/ { sub(/.*Initial residual = /, ""); sub(/,.*/, ""); r = $0 }
-    END { print r }' "$tmp/$1.log"; }
+residual() {
+    awk '/Solving for p,/ { sub(/.*Initial residual = /, ""); sub(/,.*/, ""); r = $0 } END { print r }' "$tmp/$1.log"
+}
 check "airFoil2D: the residual falls" awk -v r="`residual moved`" 'BEGIN { exit !(r > 0 && r < .2) }'
 check "airFoil2D: another flow" test "`residual given`" != "`residual moved`"
 finish

@@ -92,8 +92,10 @@ page() { # page CASE MESH BASIS PIXELS OPTIONS...: drag a point down by so many 
         { ++n; dx = off($3, x[$2]); dy = off($4, y[$2]) }
         dx > $5 || dy > $6 { ++wrong; if (wrong == 1) print "point", $2, "is off by", dx, dy, "and may be by", $5, $6 }
         { if ($5 > 0 && dx / $5 > most) most = dx / $5; if ($6 > 0 && dy / $6 > most) most = dy / $6 }
-        END { print n, "points,", wrong + 0, "beyond the bound; at most", most, "of it"; exit !(n > 0 &&
-        wrong == 0) }' >"$tmp/log"
+        END {
+            print n, "points,", wrong + 0, "beyond the bound; at most", most, "of it"
+            exit !(n > 0 && wrong == 0)
+        }' >"$tmp/log"
     if [ $? -eq 0 ]; then ok; else fail "$case: $(cat "$tmp/log")"; fi
     frame=$(value frame_milliseconds)
     frame=${frame:+"; median frame of a drag $frame ms: morph $(value morph_milliseconds), \

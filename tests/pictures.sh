@@ -36,8 +36,8 @@ is_picture() { # is_picture FILE TITLE PANELS
         END {
             print titles, descriptions, open, closed, frames, x, y, last
             if (long || !width) exit 1
-            exit !(titles == 1 && descriptions == 1 && open == closed && frames == panels && x > 0 && y > 0 &&
-            last == "</svg>")
+            if (titles != 1 || descriptions != 1 || frames != panels) exit 1
+            exit !(open == closed && x > 0 && y > 0 && last == "</svg>")
         }' "$1"
 }
 check "check: mesh" "$harmorph" check "$bodies" --svg "$tmp/mesh.svg"
@@ -90,13 +90,18 @@ contours_are_true() {
         FILENAME ~ /su2$/ {
             if (/^NELEM/) inside = 1; else if (/^[A-Z]/) inside = 0; else if (inside) {
                 n = $1 == 5 ? 3 : 4
-                for (i = 0; i < n; i++) { a = $(2 + i); b = $(2 + (i + 1) % n); if (a + 0 > b + 0) { c = a; a = b;
-                b = c } edge[a " " b] = 1 }
+                for (i = 0; i < n; i++) {
+                    a = $(2 + i); b = $(2 + (i + 1) % n)
+                    edge[a + 0 > b + 0 ? b " " a : a " " b] = 1
+                }
             }
             next
         }
-        FNR > 1 { ++points; at[points] = $4 " " $5; value[points] = $2; levels[$2] = 1;
-        many[$2] += !seen[$2 " " $4 " " $5]++ }
+        FNR > 1 {
+            ++points
+            at[points] = $4 " " $5; value[points] = $2; levels[$2] = 1
+            many[$2] += !seen[$2 " " $4 " " $5]++
+        }
         END {
             size = 1e-9
             for (e in edge) {
@@ -111,14 +116,20 @@ contours_are_true() {
             }
             for (i = 1; i <= points; i++) {
                 split(at[i], p, " ")
-                if (!((value[i], sprintf("%.7f %.7f", p[1], p[2])) in expected)) { ++lost;
-                print "off:", value[i], at[i] }
-                multiple = value[i] / .05
-                if (multiple - int(multiple + .5) > 1e-9 || int(multiple + .5) - multiple > 1e-9) { ++odd;
-                print "not a multiple:", value[i] }
+                if (!((value[i], sprintf("%.7f %.7f", p[1], p[2])) in expected)) {
+                    ++lost
+                    print "off:", value[i], at[i]
+                }
+                multiple = value[i] / .05; off = multiple - int(multiple + .5)
+                if (off > 1e-9 || off < -1e-9) {
+                    ++odd
+                    print "not a multiple:", value[i]
+                }
             }
-            for (v in levels) if (many[v] != crossed[v]) { print "value", v, "crosses", crossed[v], "edges, and has",
-            many[v], "points"; ++missing }
+            for (v in levels) if (many[v] != crossed[v]) {
+                ++missing
+                print "value", v, "crosses", crossed[v], "edges, and has", many[v], "points"
+            }
             print points, lost + 0, odd + 0, missing + 0
             exit !(points > 100 && !lost && !odd && !missing)
         }' "$tmp/values.csv" "$bodies" "$tmp/contours.csv"
@@ -139,15 +150,21 @@ curves_are_true() {
     awk -F '[ ,]' '
         function off(a, b) { return a > b ? a - b : b - a }
         FILENAME ~ /moves/ { dx[$1] = $2; dy[$1] = $3; next }
-        FILENAME ~ /su2$/ { if (/^NPOIN/) { inside = 1; n = 0 } else if (/^[A-Z]/) inside = 0; else if (inside) {
-        x[n] = $1; y[n++] = $2 } next }
+        FILENAME ~ /su2$/ {
+            if (/^NPOIN/) { inside = 1; n = 0 }
+            else if (/^[A-Z]/) inside = 0
+            else if (inside) { x[n] = $1; y[n++] = $2 }
+            next
+        }
         $1 == "control" { ++controls; wrong += off($7 - $5, dx[$3]) > 1e-12 || off($8 - $6, dy[$3]) > 1e-12 }
         $1 == "mesh" { ++points; wrong += off($7, x[$3]) > 1e-9 || off($8, y[$3]) > 1e-9 }
         $1 == "curve" { ++samples; curves[$2] = 1; moved += $5 != $7 }
-        END { for (c in curves) ++n_curves; print controls, points, samples, n_curves, moved, wrong
-              exit !(controls == 20 && points > 100 && samples > 200 && n_curves == 2 && moved > 20 &&
-              moved < samples && wrong == 0) }' \
-        "$tmp/moves.txt" "$tmp/moved.su2" "$tmp/curves.csv"
+        END {
+            for (c in curves) ++n_curves
+            print controls, points, samples, n_curves, moved, wrong
+            if (controls != 20 || points <= 100 || samples <= 200 || n_curves != 2) exit 1
+            exit !(moved > 20 && moved < samples && wrong == 0)
+        }' "$tmp/moves.txt" "$tmp/moved.su2" "$tmp/curves.csv"
 }
 check "curves in the table are those of the morph" curves_are_true
 
@@ -189,12 +206,17 @@ check "large: edges are thinned" is_thinned "$tmp/large-mesh.svg" $((2 * 300 * 3
 check "large: edges of a morph are thinned" is_thinned "$tmp/large-morph.svg" 0
 # The rows of pixels cover as much of the frame as the mesh covers of the window.
 covers() {
-    awk '!frame && /^<rect x=.*stroke="#444"/ { split($0, part, "\""); frame = part[6] * part[8]; width = part[6];
-        height = part[8] }
+    awk '!width && /^<rect x=.*stroke="#444"/ { split($0, part, "\""); width = part[6]; height = part[8] }
         /shape-rendering="crispEdges"/ {
-        sub(/.* d="/, ""); n = split($0, run, "h"); for (i = 2; i <= n; i += 2) area += run[i] }
-        END { side = width < height ? width : height; print area, side * side * .96;
-        exit !(area > .95 * side * side && area < .97 * side * side) }' "$1"
+            sub(/.* d="/, "")
+            n = split($0, run, "h")
+            for (i = 2; i <= n; i += 2) area += run[i]
+        }
+        END {
+            side = width < height ? width : height
+            print area, side * side * .96
+            exit !(area > .95 * side * side && area < .97 * side * side)
+        }' "$1"
 }
 check "large: pixels cover the mesh, and not the hole" covers "$tmp/large-function.svg"
 check "large: the picture says that it is drawn pixel by pixel" grep -q 'drawn pixel by pixel' "$tmp/large-function.svg"

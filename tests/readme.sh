@@ -62,8 +62,8 @@ check "from the command line: morphed meshes are valid" sh -c \
 from_python() {
     command $MAKE -s BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS" shared &&
         (cd "$dir/case" && LD_LIBRARY_PATH=$build/shared python3 "$dir/morph.py") >"$dir/out" && cat "$dir/out" &&
-        [ "$(grep -c . "$dir/morph.py")" = 15 ] && awk '/^largest displacement/ { d = $3 }
-            END { exit !(d > 0.001 && d <= 0.01) }' "$dir/out"
+        [ "$(grep -c . "$dir/morph.py")" = 15 ] &&
+        awk '/^largest displacement/ { d = $3 } END { exit !(d > 0.001 && d <= 0.01) }' "$dir/out"
 }
 block c_api/README.md python 1 >"$dir/morph.py"
 if command -v python3 >/dev/null && [ "$(uname -s)" = Linux ]; then

@@ -34,8 +34,8 @@ bool attach(const hm_basis** basis, const Block& block, const hm_mesh* mesh, con
     if (status == HM_BAD_BASIS && error.value > 0) {
         const std::string found = std::to_string(block.size());
         const std::string expected = std::to_string(block.size() + static_cast<std::size_t>(error.value));
-        throw Failure(exit_file, path + ": the file is cut off: it has " + found + " bytes, at least " + expected +
-                                     " are expected");
+        const std::string text = "it has " + found + " bytes, at least " + expected + " are expected";
+        throw Failure(exit_file, path + ": the file is cut off: " + text);
     }
     if (status < 0) refuse(error, path);
     return status == HM_MOVED;
@@ -61,9 +61,7 @@ public:
     std::vector<std::string> names() {
         std::int32_t n = 0;
         if (!next_line() || !begins_with(title_of_names) || !parse(rest_behind(title_of_names), n) || n < 0) {
-            throw Failure(exit_file, path_ +
-                                         ": holds a basis without the names of its mesh's markers, so that it is not "
-                                         "known which are meant: solve it again with harmorph solve");
+            refuse("holds a basis without the names of its mesh's markers, so that it is not known which are meant");
         }
         std::vector<std::string> names;
         while (names.size() < static_cast<std::size_t>(n) && next_line() && !text_.eof()) names.push_back(line_);
@@ -104,10 +102,10 @@ private:
         return lines;
     }
     [[noreturn]] void refuse_slip_curves() const {
-        throw Failure(exit_file,
-                      path_ +
-                          ": the curves along which points slide are cut off or damaged: solve it again with "
-                          "harmorph solve");
+        refuse("the curves along which points slide are cut off or damaged");
+    }
+    [[noreturn]] void refuse(const char* text) const {
+        throw Failure(exit_file, path_ + ": " + text + ": solve it again with harmorph solve");
     }
 
     std::string path_;

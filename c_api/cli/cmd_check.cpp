@@ -86,8 +86,8 @@ const Command check_command = {
     "check",
     {"MESH"},
     "Checks a mesh and reports its size and quality",
-    "Refused with the line of the first offender: wrong indices, points repeated in a cell, "
-    "edges of more than two cells,\n"
+    "Refused with the line of the first offender: wrong indices, "
+    "points repeated in a cell, edges of more than two cells,\n"
     "faces that are not boundary edges, boundary edges on no marker. Inverted cells are counted (exit code 1).\n",
     {format_option,
      zone_option,

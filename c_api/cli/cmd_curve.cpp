@@ -40,10 +40,10 @@ Curves elevated(const std::string& path, const Curves& curves, std::int32_t curv
 // The middles of all knot spans, or of the longest where only some are wanted.
 std::vector<double> middles(const Curve& curve) {
     std::vector<double> found;
-    for (auto k = static_cast<std::size_t>(curve.degree); k +
-         1 < curve.knots.size() - static_cast<std::size_t>(curve.degree); ++k) {
-        if (curve.knots[k] < curve.knots[k + 1]) found.push_back(curve.knots[k] +
-                                                                 0.5 * (curve.knots[k + 1] - curve.knots[k]));
+    const auto degree = static_cast<std::size_t>(curve.degree);
+    for (std::size_t k = degree; k + 1 < curve.knots.size() - degree; ++k) {
+        const double begin = curve.knots[k], end = curve.knots[k + 1];
+        if (begin < end) found.push_back(begin + 0.5 * (end - begin));
     }
     return found;
 }
@@ -118,9 +118,8 @@ void print_measures(const Arguments& arguments, const Curves& curves) {
         } else if (status < 0) {
             std::printf("%-22s none: %s\n", wanted.text.c_str(), error.text);
         } else {
-            std::printf("%-22s %-12s at x = %s, y = %s\n", wanted.text.c_str(), brief(value).c_str(),
-                        brief(at[0]).c_str(),
-                        brief(at[1]).c_str());
+            std::printf("%-22s %-12s at x = %s, y = %s\n",
+                        wanted.text.c_str(), brief(value).c_str(), brief(at[0]).c_str(), brief(at[1]).c_str());
         }
     }
     if (arguments.has("--json")) std::printf("%s\n", object.text().c_str());
@@ -142,13 +141,13 @@ const Command curve_command = {
     "curve",
     {"CURVE"},
     "Measures a section; inserts knots into its curve, or raises the degree",
-    "Prints area, centroid, second moments, chord, thickness, camber, radii of curvature, and the angle and gap of "
-    "the\n"
-    "trailing edge, with the place of each. Lengths are in the unit of the file, angles in degrees. What a section "
-    "does\n"
+    "Prints area, centroid, second moments, chord, thickness, camber, "
+    "radii of curvature, and the angle and gap of the\n"
+    "trailing edge, with the place of each. Lengths are in the unit of the file, "
+    "angles in degrees. What a section does\n"
     "not have is printed as none with the reason, and left out with --json.\n"
-    "--elevate, --halve and --insert give the curve more control points without changing its shape; they are applied "
-    "in\n"
+    "--elevate, --halve and --insert give the curve more control points without changing its shape; "
+    "they are applied in\n"
     "this order.\n",
     {{"--stations", "S[,S..]", "also thickness and camber at these stations, 0 to 1 along the chord"},
      {"--box", "X,Y,X,Y,..", "also the distance between the outline and this polygon that is to fit inside"},

@@ -133,8 +133,9 @@ void run_demo(const Arguments& arguments) {
          {"morph", mesh, basis, "--move", moves, "-o", in_folder("morphed.su2"), "--vtu", in_folder("morphed.vtu"),
           "--svg", in_folder("morph.svg"), "--report", in_folder("report.html")});
     write_far_moves(mesh, curve, basis, far_moves);
-    step("farther than one step can go", {"morph", mesh, basis, "--move", far_moves, "--safe", "-o",
-                                          in_folder("far.su2"), "--svg", in_folder("far.svg")});
+    step("farther than one step can go",
+         {"morph", mesh, basis, "--move", far_moves, "--safe", "-o", in_folder("far.su2"),
+          "--svg", in_folder("far.svg")});
     write_fine_mesh(mesh, curve, fine);
     step("the same functions for a finer mesh", {"transfer", mesh, basis, fine, "-o", in_folder("fine.basis")});
     step("a page on which control points can be dragged", {"explore", mesh, basis, "-o", in_folder("page.html")});
@@ -149,8 +150,8 @@ const Command demo_command = {
     {"DIR"},
     "Goes the whole path on the shipped mesh and leaves all files in DIR",
     "Each step is printed as the command that does the same. In DIR are then, among others: mesh.su2, airfoil.curve,\n"
-    "airfoil.basis; moves.txt, a movement that one step follows, and far.txt, one that only --safe does; fine.su2, "
-    "the\n"
+    "airfoil.basis; moves.txt, a movement that one step follows, and far.txt, "
+    "one that only --safe does; fine.su2, the\n"
     "mesh with each cell divided in four. The commands that --help shows work on them.\n",
     {{"--mesh", "FILE", "mesh with a marker `airfoil` of chord 1 (default tests/meshes/naca0012.su2)"}},
     "  harmorph demo demo-output\n",

@@ -159,10 +159,11 @@ void print_json(const Displacement& found) {
 void print_for_people(const Displacement& found) {
     if (found.safe) print_target(*found.safe);
     std::printf("inverted cells   %d\n", found.quality.inverted);
-    if (!found.safe)
-        std::printf("admissible step  %s\n", std::isinf(found.step.admissible)
-                                                 ? "unlimited"
-                                                 : (brief(found.step.admissible) + " of this one").c_str());
+    if (!found.safe) {
+        const double step = found.step.admissible;
+        const std::string text = std::isinf(step) ? "unlimited" : brief(step) + " of this one";
+        std::printf("admissible step  %s\n", text.c_str());
+    }
     std::printf("quality          %s at least, %s on average (size and skew, relative to the mesh as it was)\n",
                 brief(found.quality.min_quality).c_str(), brief(found.quality.mean_quality).c_str());
     if (found.safe) print_worst_cells(*found.safe);
@@ -225,12 +226,12 @@ const Command displace_command = {
     "Moves the points of a wall as a file says, and the mesh with them",
     "FIELD is a text file with lines \"point dx dy\": all points of the markers of --given, "
     "each with its displacement. Points\n"
-    "are counted from 0 in the order of the mesh file, as SU2 files count them; `#` starts a comment. "
-    "They move by exactly\n"
+    "are counted from 0 in the order of the mesh file, as SU2 files count them; "
+    "`#` starts a comment. They move by exactly\n"
     "these displacements; the other points follow as they follow a curve in `harmorph morph`. "
     "Markers on curves (--curve) and\n"
-    "of rigid bodies (--rigid) move as the file of --move says; markers that are not named are fixed. "
-    "A mesh with inverted\n"
+    "of rigid bodies (--rigid) move as the file of --move says; "
+    "markers that are not named are fixed. A mesh with inverted\n"
     "cells is not written, and a wall that would cross itself is refused.\n",
     std::vector<Option>{
      {"--given", "A[,B..]", "markers whose displacements FIELD has (required; may be repeated)"},

@@ -61,10 +61,10 @@ const Command explore_command = {
     "Writes a page to drag control points on while the mesh follows",
     "One self-contained file for any browser, without a network: control points, "
     "rigid bodies and design variables to drag;\n"
-    "inverted cells, admissible step, quality, heights and angles at the wall, the section's thickness and area, "
-    "as they\n"
-    "become. It saves and loads MOVES as `harmorph morph` reads them. Points on the page are those of `harmorph "
-    "morph`\n"
+    "inverted cells, admissible step, quality, heights and angles at the wall, "
+    "the section's thickness and area, as they\n"
+    "become. It saves and loads MOVES as `harmorph morph` reads them. "
+    "Points on the page are those of `harmorph morph`\n"
     "within 2^-24 sum |F_i| |dP_i|: functions are in single precision there, all else in double precision.\n"
     "Points that slide along curves (--slip) move along the tangents on the page; "
     "`harmorph morph` puts them onto the curves.\n",

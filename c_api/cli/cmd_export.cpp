@@ -141,8 +141,8 @@ const Command export_command = {
     "export",
     {"MESH", "BASIS"},
     "Writes one function of a basis for other programs and as a picture",
-    "Functions are numbered from 1 as their control points are. With --level: the volumes that agglomeration merges "
-    "instead,\n"
+    "Functions are numbered from 1 as their control points are. With --level: "
+    "the volumes that agglomeration merges instead,\n"
     "for a basis solved with --engine multigrid or fas. Lists make pictures of several panels with one scale.\n",
     {format_option,
      zone_option,

@@ -69,8 +69,8 @@ Fit fit(const std::string& path, const Outline& outline, const hm_fit_options& o
     Block block(bytes);
     const hm_curves* curves = nullptr;
     const hm_points points = {outline.x.data(), outline.y.data(), 1};
-    call(path, hm_fit, &curves, block.data(), bytes, &points, outline.points(), std::int32_t{outline.is_loop}, &options,
-         &fit.report);
+    const std::int32_t is_loop = outline.is_loop;
+    call(path, hm_fit, &curves, block.data(), bytes, &points, outline.points(), is_loop, &options, &fit.report);
     fit.curves = copied(*curves);
     return fit;
 }
@@ -169,8 +169,8 @@ const Command fit_command = {
     "The points of the markers, which must form one piece of boundary, are approximated by least squares. The curve\n"
     "and its control points go to a small text file that `harmorph solve` reads. Errors are distances of the mesh's\n"
     "points from the curve: in chords (the boundary's largest extent) for people, in the mesh's unit with --json.\n"
-    "In place of MESH: a file .dat with an airfoil's coordinates in Selig's or Lednicer's order, or a file .curve, "
-    "as fit and\n"
+    "In place of MESH: a file .dat with an airfoil's coordinates in Selig's or "
+    "Lednicer's order, or a file .curve, as fit and\n"
     "morph write them, of which points are taken.\n",
     {{"--marker", "A[,B..]", "markers of the boundary (required with a mesh); A@X:Y: its piece nearest to (X, Y)"},
      {"--degree", "P", "degree of the curve, 1 to 5 (default 3)"},

@@ -136,12 +136,12 @@ const Command morph_command = {
     "Moves control points, and the mesh with them",
     "MOVES is a text file with lines \"index dx dy\": control point (from 1) and its movement; "
     "for bodies of solve --rigid\n"
-    "\"rigid MARKER dx dy degrees [scale]\", for tables of solve --mode \"mode K amplitude [amplitude y]\". "
-    "What is not\n"
+    "\"rigid MARKER dx dy degrees [scale]\", for tables of solve --mode \"mode "
+    "K amplitude [amplitude y]\". What is not\n"
     "named stays; `#` starts a comment. Points of the mesh on the curve move exactly as the B-spline does.\n"
     "A mesh with inverted cells or a boundary that crosses itself is not written.\n"
-    "The morphed mesh keeps the text of its file; only coordinates that changed are new. Beside it, in MESH.curve, "
-    "is the\n"
+    "The morphed mesh keeps the text of its file; only coordinates that changed are new. "
+    "Beside it, in MESH.curve, is the\n"
     "moved B-spline. With --safe --force the mesh may have moved less than MOVES says, "
     "and then not by a fraction of it, as\n"
     "bodies turn on the way: MESH.reached is the file of moves that it has.\n",

@@ -66,9 +66,9 @@ void print_for_people(const Solver& solver, const Stored& stored, const Mesh& me
         std::printf("mesh from curve  %s at most (point %d), kept by every morph\n", brief(report.max_distance).c_str(),
                     report.max_distance_point);
     }
+    const char* const preparation = report.factor_entries > 0 ? "factorisation" : "agglomeration";
     std::printf("seconds          %s set-up, %s %s, %s solution\n", brief(times.setup).c_str(),
-                brief(times.factor).c_str(),
-                report.factor_entries > 0 ? "factorisation" : "agglomeration", brief(times.solve).c_str());
+                brief(times.factor).c_str(), preparation, brief(times.solve).c_str());
     std::printf("megabytes        %s plan, %s basis%s\n",
                 brief(1e-6 * static_cast<double>(solver.plan_bytes())).c_str(),
                 brief(1e-6 * static_cast<double>(stored.bytes())).c_str(),
@@ -91,9 +91,9 @@ public:
         block_.resize(bytes);
         Block work(work_bytes);
         hm_basis* basis = nullptr;
-        call(paths_[0], hm_tabulate, &basis, static_cast<void *>(block_.data()), bytes, solver.plan(), solver.basis(),
-             n,
-             points_.data(), n_modes, 2, values_.data(), static_cast<void *>(work.data()), work_bytes, nullptr);
+        void *const block = block_.data(), *const working = work.data();
+        call(paths_[0], hm_tabulate, &basis, block, bytes, solver.plan(), solver.basis(), n, points_.data(), n_modes, 2,
+             values_.data(), working, work_bytes, nullptr);
         return basis;
     }
 
@@ -151,8 +151,9 @@ void run_solve(const Arguments& arguments) {
     const SolveTimes times = repeats > 1 ? repeat(solver, repeats) : solver.times();
     const Stored stored(arguments, mesh, modes.append_to(solver));
     OutputFiles files;
-    if (arguments.has("--history")) write_history(files.add(arguments.text("--history")), history,
-                                                  solver.report().iterations);
+    if (arguments.has("--history")) {
+        write_history(files.add(arguments.text("--history")), history, solver.report().iterations);
+    }
     if (converged || arguments.has("--force")) write_basis(files.add(path), stored.basis(), mesh, task.conditions);
     files.commit();
     if (arguments.has("--json")) {
@@ -169,18 +170,18 @@ const Command solve_command = {
     "solve",
     {"MESH"},
     "Solves the harmonic functions of all control points",
-    "Each control point's function has the values of its B-spline basis function on the curve and 0 on fixed "
-    "boundaries,\n"
-    "and is harmonic in between. Together they are the basis, from which `harmorph morph` moves the mesh. "
-    "Markers that are\n"
+    "Each control point's function has the values of its B-spline basis function "
+    "on the curve and 0 on fixed boundaries,\n"
+    "and is harmonic in between. Together they are the basis, "
+    "from which `harmorph morph` moves the mesh. Markers that are\n"
     "not named are fixed. Control points of a second --curve are numbered on after those of the first.\n"
     "\n"
-    "CURVE is a text file: `degree P`, `closed periodic|tied|open`, `points N` and N lines `x y`, "
-    "`knots K` and K numbers\n"
-    "(K: P + 1 more than the curve has control points, counted with their repeats: periodic N + P, tied N + 1, "
-    "open N);\n"
-    "where needed `indices M` and the M control points the curve uses in turn (from 1), `weights N` and N numbers, "
-    "and\n"
+    "CURVE is a text file: `degree P`, `closed periodic|tied|open`, "
+    "`points N` and N lines `x y`, `knots K` and K numbers\n"
+    "(K: P + 1 more than the curve has control points, counted with their repeats: "
+    "periodic N + P, tied N + 1, open N);\n"
+    "where needed `indices M` and the M control points the curve uses in turn (from 1), "
+    "`weights N` and N numbers, and\n"
     "`curve` before degree, closed, indices and knots of another curve over the same points. `#` starts a comment.\n",
     task_options() + engine_options() +
     std::vector<Option>{

@@ -139,8 +139,8 @@ const Command transfer_command = {
     "Interpolates solved functions to a denser mesh of the same domain",
     "Both meshes have the same markers; curves, conditions and operator are those of BASIS. "
     "Points on curves get their basis\n"
-    "functions themselves, so the fine mesh moves with the B-spline as exactly as the coarse one does, "
-    "and the points near\n"
+    "functions themselves, so the fine mesh moves with the B-spline as exactly "
+    "as the coarse one does, and the points near\n"
     "them move along. Points a little beyond a curved boundary take the nearest cell's functions; "
     "farther ones than half a\n"
     "cell's side are refused.\n",

@@ -41,8 +41,9 @@ hm_variables variables_of(const Arguments& arguments, std::vector<double>& peaks
     };
     if (is("--ffd", HM_FFD)) take_pair(arguments, "--ffd", variables.degree_x, variables.degree_y);
     if (is("--cst", HM_CST)) take_pair(arguments, "--cst", variables.n_upper, variables.n_lower);
-    if (is("--hicks-henne", HM_HICKS_HENNE)) take_pair(arguments, "--hicks-henne", variables.n_upper,
-                                                       variables.n_lower);
+    if (is("--hicks-henne", HM_HICKS_HENNE)) {
+        take_pair(arguments, "--hicks-henne", variables.n_upper, variables.n_lower);
+    }
     if (is("--naca", HM_NACA4)) {
         peaks = number_list(arguments, "--naca");
         variables.n_upper = static_cast<std::int32_t>(peaks.size());
@@ -82,8 +83,7 @@ void run_variables(const Arguments& arguments) {
     std::vector<double> error(2 * static_cast<std::size_t>(map.variables));
     Block work(bytes);
     call(path, hm_variables_map, view.get(), &section, &variables, static_cast<void*>(work.data()), bytes,
-         map.matrix.data(),
-         error.data());
+         map.matrix.data(), error.data());
     if (arguments.has("-o")) {
         OutputFiles files;
         write_variables(files.add(arguments.text("-o")), map);

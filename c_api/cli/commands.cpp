@@ -17,8 +17,8 @@ const Command* const commands[] = {&fit_command,    &solve_command, &morph_comma
                                    &convert_command, &curve_command, &variables_command, &demo_command};
 
 constexpr const char* introduction =
-    "harmorph morphs an airfoil and its mesh together: the airfoil is a B-spline, and its control points move every "
-    "point\n"
+    "harmorph morphs an airfoil and its mesh together: the airfoil is a B-spline, "
+    "and its control points move every point\n"
     "of the mesh through harmonic functions that are solved once.\n\n"
     "Usage: harmorph COMMAND ...\n\n"
     "Commands:\n";

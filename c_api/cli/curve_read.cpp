@@ -104,8 +104,8 @@ void CurveReader::read_indices() {
     curve_.indices = numbers<std::int32_t>(n, "index");
     for (std::int32_t& index : curve_.indices) {
         if (index < 1 || index > curves_.points()) {
-            file_.fail(indices_offset_, "expected indices between 1 and " + std::to_string(curves_.points()) +
-                                            ", found " + std::to_string(index));
+            const std::string last = std::to_string(curves_.points());
+            file_.fail(indices_offset_, "expected indices between 1 and " + last + ", found " + std::to_string(index));
         }
         --index;
     }
@@ -131,8 +131,8 @@ void CurveReader::finish_curve() {
     if (curve_.indices.empty()) {
         curve_.indices = default_indices(curves_.points(), curve_.degree, curve_.closed);
     } else if (!closes(curve_)) {
-        file_.fail(indices_offset_, std::string("these indices do not make the curve closed ") +
-                                        closed_name(curve_.closed) + " as the file says");
+        const std::string how = closed_name(curve_.closed);
+        file_.fail(indices_offset_, "these indices do not make the curve closed " + how + " as the file says");
     }
     const std::size_t n_knots = curve_.indices.size() + static_cast<std::size_t>(curve_.degree) + 1;
     if (curve_.knots.size() != n_knots) {

@@ -26,9 +26,10 @@ std::vector<Option> engine_options() {
 }
 
 void set_agglomeration(const Arguments& arguments, hm_options& options) {
-    options.agglomeration = arguments.choice("--agglomeration", {{"auto", HM_AGGLOMERATE_AUTO},
-                                                                 {"isotropic", HM_AGGLOMERATE_ISOTROPIC},
-                                                                 {"directional", HM_AGGLOMERATE_DIRECTIONAL}});
+    options.agglomeration =
+        arguments.choice("--agglomeration", {{"auto", HM_AGGLOMERATE_AUTO},
+                                             {"isotropic", HM_AGGLOMERATE_ISOTROPIC},
+                                             {"directional", HM_AGGLOMERATE_DIRECTIONAL}});
 }
 
 void set_engine(const Arguments& arguments, hm_options& options) {

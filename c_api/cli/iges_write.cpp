@@ -89,23 +89,20 @@ void write_iges(std::ostream& out, const Curves& curves) {
         entities.push_back(lines_of(parameters_of(curves, curve), parameter_columns));
         const auto n_lines = static_cast<std::int64_t>(entities.back().size());
         const std::string zeros = right(0, 8);
-        put_line(
-            out,
-            right(126, 8) + right(parameter_line, 8) + zeros + right(1, 8) + zeros + zeros + zeros + zeros + "00000000",
-            'D', directory_line);
+        const std::string type = right(126, 8), four_zeros = zeros + zeros + zeros + zeros;
         const std::int32_t form = is_straight(curve) ? 1 : 0; // a line, or what the data say
-        put_line(
-            out,
-            right(126, 8) + zeros + zeros + right(n_lines, 8) + right(form, 8) + padded("", 16) + padded("", 8) + zeros,
-            'D', directory_line + 1);
+        put_line(out, type + right(parameter_line, 8) + zeros + right(1, 8) + four_zeros + "00000000", 'D',
+                 directory_line);
+        put_line(out, type + zeros + zeros + right(n_lines, 8) + right(form, 8) + padded("", 24) + zeros, 'D',
+                 directory_line + 1);
         parameter_line += n_lines;
         directory_line += 2;
     }
     std::int64_t number = 1;
     for (std::size_t entity = 0; entity < entities.size(); ++entity) {
         for (const std::string& line : entities[entity]) {
-            put_line(out, padded(line, parameter_columns) + right(static_cast<std::int64_t>(2 * entity + 1), 8), 'P',
-                     number++);
+            const std::string directory = right(static_cast<std::int64_t>(2 * entity + 1), 8);
+            put_line(out, padded(line, parameter_columns) + directory, 'P', number++);
         }
     }
     put_line(out, "S" + right(1, 7) + "G" + right(static_cast<std::int64_t>(globals.size()), 7) + "D" +

@@ -29,10 +29,10 @@ std::string place_named_in(const std::string& sentence, const Mesh& mesh) {
     std::string kind, word;
     while (words >> word) {
         if (word.find_last_not_of(",.:;") != std::string::npos) word.resize(word.find_last_not_of(",.:;") + 1);
-        const std::vector<std::size_t>* const offsets = kind == "cell" || kind == "cells"     ? &mesh.cell_offset
-                                                        : kind == "face" || kind == "faces"   ? &mesh.face_offset
-                                                        : kind == "point" || kind == "points" ? &mesh.point_offset
-                                                                                              : nullptr;
+        const std::vector<std::size_t>* offsets = nullptr;
+        if (kind == "cell" || kind == "cells") offsets = &mesh.cell_offset;
+        if (kind == "face" || kind == "faces") offsets = &mesh.face_offset;
+        if (kind == "point" || kind == "points") offsets = &mesh.point_offset;
         std::int32_t number = -1;
         if (offsets != nullptr && parse(word, number) && number >= 0 &&
             static_cast<std::size_t>(number) < offsets->size()) {
@@ -65,8 +65,8 @@ void refuse(const hm_error& error, const std::string& path) {
 void refuse(const hm_error& error, const Mesh& mesh) {
     const bool of_the_mesh =
         error.code == HM_BAD_MESH || error.code == HM_NOT_POSITIVE || error.code == HM_BAD_CONDITION;
-    throw Failure(exit_code(error.code), (of_the_mesh ? place_named_in(error.text, mesh) + ": " : std::string()) +
-                                             name_markers(error.text, mesh.markers));
+    const std::string place = of_the_mesh ? place_named_in(error.text, mesh) + ": " : std::string();
+    throw Failure(exit_code(error.code), place + name_markers(error.text, mesh.markers));
 }
 
 } // namespace cli

@@ -48,10 +48,9 @@ void print_for_people(const Morph& morph, bool safe, const Companions& written) 
     if (morph.refusal.empty()) {
         std::printf("\n");
     } else {
-        std::printf(
-            ": the movement that the mesh has, which is not %s %% of each line of the file, as bodies turn on the "
-            "way\n",
-            brief(100 * morph.safe.step_fraction).c_str());
+        std::printf(": the movement that the mesh has, which is not %s %% of each line of the file, "
+                    "as bodies turn on the way\n",
+                    brief(100 * morph.safe.step_fraction).c_str());
     }
 }
 

@@ -100,11 +100,11 @@ void OneCellThick::find_planes(std::int32_t cell) {
         if (spread(face, plane, cells)) ++n;
     }
     if (n < 2) {
-        mesh_.file.fail(
-            cell_offset_[at(cell)],
-            "the mesh has three dimensions and is not one cell thick: there are no two planes in which each "
-            "cell has a face; cell " +
-                std::to_string(cell + 1) + " begins at " + place(cells_.faces[at(cells_.start[at(cell)])].points[0]));
+        const std::string where = place(cells_.faces[at(cells_.start[at(cell)])].points[0]);
+        mesh_.file.fail(cell_offset_[at(cell)],
+                        "the mesh has three dimensions and is not one cell thick: "
+                        "there are no two planes in which each cell has a face; "
+                        "cell " + std::to_string(cell + 1) + " begins at " + where);
     }
     bool swapped = false;
     if (is_first) { // the plane of the lower coordinates

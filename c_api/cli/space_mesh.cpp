@@ -26,9 +26,10 @@ public:
         } else if (direction.along[0] == 0 && direction.along[1] == 1 && same(value, mesh_.y[p])) {
             rule = takes_y;
         } else {
-            const auto known = numbers_.emplace(std::make_pair(direction.along[0], direction.along[1]),
-                                                static_cast<std::int32_t>(mesh_.in_file.directions.size()));
-            if (known.second) mesh_.in_file.directions.push_back(direction);
+            std::vector<Direction>& directions = mesh_.in_file.directions;
+            const auto next = static_cast<std::int32_t>(directions.size());
+            const auto known = numbers_.emplace(std::make_pair(direction.along[0], direction.along[1]), next);
+            if (known.second) directions.push_back(direction);
             rule = known.first->second;
         }
         mesh_.in_file.slots.push_back({offset, point, rule});
@@ -47,9 +48,9 @@ private:
     const auto item = static_cast<std::size_t>(error.item);
     const bool is_point = text.compare(0, 5, "point") == 0 && error.item >= 0 && item < space.points.x[0].size();
     const bool is_side = text.compare(0, 4, "side") == 0 && error.item >= 0 && item < space.side_offset.size();
-    const std::size_t offset = is_point  ? space.points.offset[0][item]
-                               : is_side ? space.side_offset[item]
-                                         : (space.face_offset.empty() ? 0 : space.face_offset[0]);
+    std::size_t offset = space.face_offset.empty() ? 0 : space.face_offset[0];
+    if (is_point) offset = space.points.offset[0][item];
+    if (is_side) offset = space.side_offset[item];
     mesh.file.fail(offset, "the mesh has three dimensions and is not one cell thick: " + text);
 }
 

@@ -71,9 +71,10 @@ void put_product(StepWriter& step, const std::string& set) {
     const std::string steradian = step.put("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
     const std::string accuracy =
         step.put("UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-9)," + metre + ",'distance_accuracy_value','')");
-    const std::string context = step.put("(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((" +
-                                         accuracy + "))GLOBAL_UNIT_ASSIGNED_CONTEXT((" + metre + "," + radian + "," +
-                                         steradian + "))REPRESENTATION_CONTEXT('',''))");
+    const std::string units = metre + "," + radian + "," + steradian;
+    const std::string context =
+        step.put("(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((" + accuracy +
+                 "))GLOBAL_UNIT_ASSIGNED_CONTEXT((" + units + "))REPRESENTATION_CONTEXT('',''))");
     const std::string shape =
         step.put("GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION('',(" + set + ")," + context + ")");
     const std::string application = step.put(

@@ -17,8 +17,8 @@ extern "C" {
 typedef struct su2_mesh {           /* arrays by malloc; points count from 0 */
     int32_t n_points, n_cells, n_faces, n_markers;
     double *x, *y;                  /* [n_points] */
-    int32_t *cell_start;            /* [n_cells+1] the points of cell k: cell_points[cell_start[k]] ..
-                                       [cell_start[k+1]-1] */
+    int32_t *cell_start;            /* [n_cells+1] the points of cell k are those of cell_points from
+                                       cell_start[k] to cell_start[k+1]-1 */
     int32_t *cell_points;
     int32_t *face_points;           /* [2*n_faces] */
     int32_t *face_markers;          /* [n_faces] numbers of names, from 0 */

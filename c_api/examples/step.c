@@ -93,8 +93,8 @@ int main(void) {
         if (fabs(missing) < 1e-10 * wanted) break;
 
         double move[2 * CONTROL], square = 0;
-        check(hm_adjoint(basis, &by_points, move, NULL, &error), &error);   /* the area's gradient by the control points
-                                                                               */
+        /* The area's gradient by the control points. */
+        check(hm_adjoint(basis, &by_points, move, NULL, &error), &error);
         for (int k = 0; k < 2 * CONTROL; ++k) square += move[k] * move[k];
         for (int k = 0; k < 2 * CONTROL; ++k) move[k] *= missing / square;
         check(hm_morph(basis, move, NULL, &to_displacement, NULL, &error), &error);

@@ -7,8 +7,8 @@ namespace harmorph {
 // As complex numbers: column b minus its part along column a, until b is normal to a to rounding.
 DependentColumn find_dependent_column(Span<Real> matrix, Index n, Index numbers) noexcept {
     constexpr Real smallest = 1e-12;  // of the length of a column: what is left of a dependent one is rounding
-    Index const rows = n > 0 ? static_cast<Index>(matrix.size() / (static_cast<Size>(n) * static_cast<Size>(numbers)))
-        : 0;
+    Size const row_length = static_cast<Size>(n) * static_cast<Size>(numbers);
+    Index const rows = n > 0 ? static_cast<Index>(matrix.size() / row_length) : 0;
     auto const at = [&](Index row, Index column) {
         const Real* const entry = matrix.data() + (Offset{row} * n + column) * numbers;
         return Vec2{entry[0], numbers == 2 ? entry[1] : 0};

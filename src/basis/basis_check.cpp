@@ -50,11 +50,13 @@ private:
     bool method_is_one() const noexcept {
         BasisHeader const& header = *basis_.header;
         Method const& method = header.method;
-        return is_within(header.index_base, 0, 2) && is_within(header.filled, 0, counts_.stored + 1) &&
+        return is_within(header.index_base, 0, 2) &&
+               is_within(header.filled, 0, counts_.stored + 1) &&
                is_within(static_cast<Index>(method.operator_kind), 0, 3) &&
-               is_within(static_cast<Index>(method.scheme), 0, 4) && is_within(static_cast<Index>(method.engine), 0,
-                                                                               3) &&
-               is_within(method.quarters, 0, 17) && is_within(method.offset_correction, 0, 2) &&
+               is_within(static_cast<Index>(method.scheme), 0, 4) &&
+               is_within(static_cast<Index>(method.engine), 0, 3) &&
+               is_within(method.quarters, 0, 17) &&
+               is_within(method.offset_correction, 0, 2) &&
                is_within(static_cast<Index>(method.precision), 0, 2);
     }
 
@@ -160,8 +162,9 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
         return fault.refuse(Status::bad_basis, "the basis has format version #, this library reads @: solve it again",
                             Counts::from_zero, static_cast<Index>(header.format), Index{BasisHeader::current_format});
     }
-    if (header.bytes > bytes) return refuse("the basis is truncated: ~ bytes are missing",
-                                            static_cast<Real>(header.bytes - bytes));
+    if (header.bytes > bytes) {
+        return refuse("the basis is truncated: ~ bytes are missing", static_cast<Real>(header.bytes - bytes));
+    }
     if (!counts_make_sense(header.counts) || Basis::bytes(header.counts) != header.bytes) {
         return refuse("the basis is damaged: its sizes contradict each other");
     }

@@ -136,9 +136,9 @@ private:
         Index n = 0;
         bool closed = false;
         auto const visit = [&](Index, Index point) { chain_[begin + n++] = point; };
-        Index const pieces = boundary_.for_each_piece([&](Index face) { return boundary_.marker[face] == marker; },
-                                                      visit,
-                                                      [&](Index, bool is_loop) { closed = closed || is_loop; });
+        auto const is_face = [&](Index face) { return boundary_.marker[face] == marker; };
+        auto const end_piece = [&](Index, bool is_loop) { closed = closed || is_loop; };
+        Index const pieces = boundary_.for_each_piece(is_face, visit, end_piece);
         return pieces == 1 && !closed ? n : 0;
     }
 

@@ -112,8 +112,8 @@ private:
         if (SlipAlong::is_along(its)) {
             for (Index k = 0; k < line.n + (line.closed ? 0 : 1); ++k)
                 along_.work.position[k] = points_[point_at(line, k)];
-            HARMORPH_TRY(along_.add(
-                *its, line.n, line.closed, [&](Index k) { return point_at(line, k); }, curves_, fault_));
+            auto const point = [&](Index k) { return point_at(line, k); };
+            HARMORPH_TRY(along_.add(*its, line.n, line.closed, point, curves_, fault_));
             put_tangents(line);
         } else if (line.closed || !is_straight(line)) {
             curves_.add(line.n, line.closed, [&](Index k) { return points_[point_at(line, k)]; },

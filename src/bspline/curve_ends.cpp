@@ -68,8 +68,9 @@ bool is_base(Outline const& outline, Index from, Index to) noexcept {
 // Which corner a base begins at; none if there is no base, or one at either end of the body. Of several at one end, as
 // a step makes them, the shortest.
 Index find_base(Outline const& outline, Span<const Index> corner) noexcept {
-    auto const middle = [&](Index j) { return 0.5 * (outline.points[corner[j]] + outline.points[following(corner,
-                                                                                                          j)]); };
+    auto const middle = [&](Index j) {
+        return 0.5 * (outline.points[corner[j]] + outline.points[following(corner, j)]);
+    };
     Index found = none;
     Real shortest = infinity;
     for (Index j = 0; j < corner.count(); ++j) {

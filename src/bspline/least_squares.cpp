@@ -94,8 +94,9 @@ void step_to_feet(LeastSquares const& fit) noexcept {
 // decrease, and the mean is the same from either end.
 void put_in_order(LeastSquares const& fit) noexcept {
     Index const n = fit.points.count();
-    for (Index k = 0; k < n; ++k) fit.largest_so_far[k] = k == 0 ? fit.u[0] : larger(fit.largest_so_far[k - 1],
-                                                                                     fit.u[k]);
+    for (Index k = 0; k < n; ++k) {
+        fit.largest_so_far[k] = k == 0 ? fit.u[0] : larger(fit.largest_so_far[k - 1], fit.u[k]);
+    }
     Real smallest = fit.u[n - 1];
     for (Index k = n - 1; k >= 0; --k) {
         smallest = smaller(smallest, fit.u[k]);

@@ -56,8 +56,8 @@ struct Closing {
     Vec2 a, b;
 
     explicit Closing(Section const& section) noexcept
-        : from(section.end_of(section.n_curves - 1, true)), to(section.end_of(0, false)), a(from.point()),
-            b(to.point()) {}
+        : from(section.end_of(section.n_curves - 1, true)), to(section.end_of(0, false)),
+          a(from.point()), b(to.point()) {}
 };
 
 Integrals integrals_of(Section const& section) noexcept {
@@ -128,9 +128,9 @@ void pull_area_moments(Section const& section, AreaMoments const& moments, AreaD
     });
     Closing const closing(section);
     Gauss10::for_each(0, 1, [&](Real t, Real weight) {
+        Vec2 const along = closing.b - closing.a;
         Vec2 by_point, by_derivative;
-        differentiate(w, closing.a + t * (closing.b - closing.a) - reference, closing.b - closing.a, by_point,
-                      by_derivative);
+        differentiate(w, closing.a + t * along - reference, along, by_point, by_derivative);
         gradient.add(closing.from, weight * ((1 - t) * by_point - by_derivative));
         gradient.add(closing.to, weight * (t * by_point + by_derivative));
     });

@@ -252,10 +252,9 @@ Status VariableMap::run(Section const& section, Variables const& variables, Faul
     copy(trial, Span<const Real>(wanted));
     DependentColumn const dependent = find_dependent_column(trial, n_, 2);
     if (dependent.column != none) {
-        return fault.refuse(Status::bad_condition,
-                            dependent.is_zero ? "variable # (from 0) moves no control point"
-                                              : "variable # (from 0) is a combination of those before",
-                            Counts::from_zero, dependent.column);
+        const char* const text = dependent.is_zero ? "variable # (from 0) moves no control point"
+                                                   : "variable # (from 0) is a combination of those before";
+        return fault.refuse(Status::bad_condition, text, Counts::from_zero, dependent.column);
     }
     Real total = 0;
     for_each_sample(section, variables, [&](CurvePlace const& place, Real weight) {

@@ -81,8 +81,7 @@ Offset ahead_of(Panel<Number> const& panel) noexcept {
 // body(columns, from, to, sums) for chunks of the columns behind those of a strip, the border last.
 template <class Front, class Number, class Body>
 void spread_columns(Executor const& executor, Front const& front, Index end, Offset multiplications_per_column,
-                    Number* sums,
-                    Body const& body) noexcept {
+                    Number* sums, Body const& body) noexcept {
     Index const own = pieces(front.panel.pivots - end, chunk), border = pieces(front.panel.border, chunk);
     spread(executor, multiplications_per_column * (front.panel.front() - end), own + border, [&](Index i) {
         bool const is_own = i < own;
@@ -105,26 +104,23 @@ Index factor(Kernel kernel, Panel<Number> const& panel, Number floor, Workers<Nu
             Offset const per_column = front.cost(end - first);
             front.add_diagonal(first, sums);  // before products are subtracted there
             if (first > 0) {
+                auto const subtract = [&](Slabs<Number> const& columns, Index from, Index to, Number*) {
+                    flushed<Number>(front.kernels.subtract_earlier, front.own, columns, first, end, from, to);
+                };
                 flushed<Number>(front.kernels.subtract_earlier, front.own, front.own, first, end, first, end);
-                spread_columns(executor, front, end, per_column * first, sums,
-                               [&](Slabs<Number> const& columns, Index from, Index to, Number*) {
-                                   flushed<Number>(front.kernels.subtract_earlier, front.own, columns, first, end, from,
-                                                   to);
-                               });
+                spread_columns(executor, front, end, per_column * first, sums, subtract);
             }
             TailSums<Number> tails;
-            spread_rows(executor, first, end, front.cost(panel.front() - end),
-                        [&](Index from, Index to) {
-                            flushed<Number>(front.kernels.sum_tails, panel, first, end, from, to, tails);
-                        });
+            spread_rows(executor, first, end, front.cost(panel.front() - end), [&](Index from, Index to) {
+                flushed<Number>(front.kernels.sum_tails, panel, first, end, from, to, tails);
+            });
             Index const bad = flushed<Number>(front.kernels.factor_diagonal, panel, first, end, sums, tails, floor,
                                               *workers.least_left);
             if (bad != none) return bad;
-            spread_columns(executor, front, end, per_column * strip / 2, sums,
-                           [&](Slabs<Number> const& columns, Index from, Index to, Number* column_sums) {
-                               flushed<Number>(front.kernels.finish_columns, panel, columns, first, end, from, to, sums,
-                                               column_sums);
-                           });
+            auto const finish = [&](Slabs<Number> const& columns, Index from, Index to, Number* column_sums) {
+                flushed<Number>(front.kernels.finish_columns, panel, columns, first, end, from, to, sums, column_sums);
+            };
+            spread_columns(executor, front, end, per_column * strip / 2, sums, finish);
         }
         return none;
     });
@@ -152,9 +148,8 @@ void solve_forward(Kernel kernel, Panel<Number> const& panel, Number* y, Index r
                 flushed<Number>(front.kernels.subtract_forward, front.own, first, end, y, y, row, from, to);
             });
             spread_rows(executor, 0, panel.border, per_row, [&](Index from, Index to) {
-                flushed<Number>(front.kernels.subtract_forward, front.border, first, end, y, front.border_rows(y, row),
-                                row, from,
-                                to);
+                flushed<Number>(front.kernels.subtract_forward, front.border, first, end,
+                                y, front.border_rows(y, row), row, from, to);
             });
         }
     });
@@ -169,8 +164,8 @@ void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index 
             Index const end = front.end_of(first);
             spread_rows(executor, first, end, front.cost(Offset{panel.front() - end} * row), [&](Index from, Index to) {
                 flushed<Number>(front.kernels.subtract_backward, front.own, end, y, y, row, from, to, ahead);
-                flushed<Number>(front.kernels.subtract_backward, front.border, 0, y, front.border_rows(y, row), row,
-                                from, to, ahead);
+                flushed<Number>(front.kernels.subtract_backward, front.border, 0,
+                                y, front.border_rows(y, row), row, from, to, ahead);
             });
             flushed<Number>(front.kernels.solve_strip_backward, front.own, first, end, y, row, ahead);
         }

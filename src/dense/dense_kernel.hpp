@@ -138,8 +138,7 @@ Index factor_diagonal(Panel<Number> const& panel, Index first, Index end, Number
 
 template <class Number, Index planes>
 void finish_columns(Panel<Number> const& panel, Slabs<Number> const& columns, Index first, Index end, Index from,
-                    Index to,
-                    Number* sums, Number* column_sums) noexcept {
+                    Index to, Number* sums, Number* column_sums) noexcept {
     Slabs<Number> const own = panel.own();
     for (Index c = from; c < to; c += tile_columns<planes, Number>) {
         Range const tile{c, smaller(to, c + tile_columns<planes, Number>)};
@@ -195,10 +194,9 @@ void solve_strip_forward(Slabs<Number> const& own, Index first, Index end, Numbe
 
 template <class Number, Index planes>
 void subtract_forward(Slabs<Number> const& columns, Index first, Index end, Number* y, Number* rest, Index row,
-                      Index from,
-                      Index to) noexcept {
-    subtract_from_rows<planes>(columns, sides<planes>(y, row, first), sides<planes>(rest, row, from), {first, end},
-                               {from, to});
+                      Index from, Index to) noexcept {
+    subtract_from_rows<planes>(columns, sides<planes>(y, row, first), sides<planes>(rest, row, from),
+                               {first, end}, {from, to});
 }
 
 template <class Number, Index planes>
@@ -223,21 +221,24 @@ void solve_strip_backward(Slabs<Number> const& own, Index first, Index end, Numb
 }
 
 template <class Number, Index planes>
-constexpr FrontKernels<Number, planes> front_kernels{subtract_earlier<Number, planes>,     sum_tails<Number, planes>,
-                                                     factor_diagonal<Number, planes>,      finish_columns<Number,
-                                                                                                          planes>,
-                                                     update_band<Number, planes>,          solve_strip_forward<Number,
-                                                                                                               planes>,
-                                                     subtract_forward<Number, planes>,     subtract_backward<Number,
-                                                                                                             planes>,
-                                                     solve_strip_backward<Number, planes>};
+constexpr FrontKernels<Number, planes> front_kernels{
+    subtract_earlier<Number, planes>,
+    sum_tails<Number, planes>,
+    factor_diagonal<Number, planes>,
+    finish_columns<Number, planes>,
+    update_band<Number, planes>,
+    solve_strip_forward<Number, planes>,
+    subtract_forward<Number, planes>,
+    subtract_backward<Number, planes>,
+    solve_strip_backward<Number, planes>,
+};
 
 }  // namespace
 }  // namespace harmorph::dense::HARMORPH_SET
 
 namespace harmorph::simd {
 template <class Number, Index planes>
-inline constexpr const dense::FrontKernels<Number, planes>* table<dense::FrontKernels<Number, planes>,
-                                                                  Kernel::HARMORPH_SET> =
-    &dense::HARMORPH_SET::front_kernels<Number, planes>;
+inline constexpr const dense::FrontKernels<Number, planes>*
+    table<dense::FrontKernels<Number, planes>, Kernel::HARMORPH_SET> =
+        &dense::HARMORPH_SET::front_kernels<Number, planes>;
 }  // namespace harmorph::simd

@@ -47,8 +47,8 @@ void add_front(Slabs<Number> const& from, const Index* target, Panel<Number> con
     Slabs<Number> const own = panel.own(), border = panel.of_border();
     Index j = 0;
     while (j < from.columns && target[j] < panel.pivots) {
-        Index const begin = target[j] / lanes<Number> * lanes<Number>, end = smaller(begin + lanes<Number>,
-                                                                                     panel.pivots);
+        Index const begin = target[j] / lanes<Number> * lanes<Number>;
+        Index const end = smaller(begin + lanes<Number>, panel.pivots);
         Index to = j + 1;
         while (to < from.columns && target[to] < end) ++to;
         add_column<planes>(Source<Number>(from, j, to, target, begin), target, {0, to}, own.at(0, begin));
@@ -157,7 +157,7 @@ template <class Number>
 inline constexpr const dense::MoveKernels<Number>* table<dense::MoveKernels<Number>, Kernel::HARMORPH_SET> =
     &dense::HARMORPH_SET::move_kernels<Number>;
 template <class Number, class Value>
-inline constexpr const dense::CopyKernels<Number, Value>* table<dense::CopyKernels<Number, Value>,
-                                                                Kernel::HARMORPH_SET> =
-    &dense::HARMORPH_SET::copy_kernels<Number, Value>;
+inline constexpr const dense::CopyKernels<Number, Value>*
+    table<dense::CopyKernels<Number, Value>, Kernel::HARMORPH_SET> =
+        &dense::HARMORPH_SET::copy_kernels<Number, Value>;
 }  // namespace harmorph::simd

@@ -137,8 +137,9 @@ struct Tile {
             for (Index k = 0; k < r; ++k) {
                 Vector<Number> const factor = all(inverse[r * slab + k]);
 #pragma GCC unroll 8
-                for (Index v = 0; v < vectors; ++v) row[r][v] = Registers<Number>::multiply_add(factor, row[k][v],
-                                                                                                row[r][v]);
+                for (Index v = 0; v < vectors; ++v) {
+                    row[r][v] = Registers<Number>::multiply_add(factor, row[k][v], row[r][v]);
+                }
             }
 #pragma GCC unroll 8
             for (Index v = 0; v < vectors; ++v) {
@@ -174,10 +175,9 @@ private:
                 Vector<Number> const imaginary = all(a[r * next_row + slab]);
 #pragma GCC unroll 8
                 for (Index v = 0; v < vectors; ++v) {
-                    if (adds) sum[1 - plane][r][v] = Registers<Number>::multiply_add(imaginary, factor[v],
-                                                                                     sum[1 - plane][r][v]);
-                    else sum[1 - plane][r][v] = Registers<Number>::multiply_subtract(imaginary, factor[v],
-                                                                                     sum[1 - plane][r][v]);
+                    Vector<Number>& other = sum[1 - plane][r][v];
+                    if (adds) other = Registers<Number>::multiply_add(imaginary, factor[v], other);
+                    else other = Registers<Number>::multiply_subtract(imaginary, factor[v], other);
                 }
             }
         }

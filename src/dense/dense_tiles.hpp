@@ -132,8 +132,9 @@ HARMORPH_INLINE void any_finish_tile(Index columns, const Number* a, InSlabs<Num
                                      const Number* inverse, InSlabs<Number, 1> const& d, const Number* y,
                                      Number* column_sums) noexcept {
     Index const vectors = vectors_of<1, Number>(columns);
-    auto const finish = vectors == 3 ? finish_tile<3, Number> : vectors == 2 ? finish_tile<2, Number>
-                                                                             : finish_tile<1, Number>;
+    auto const finish = vectors == 3   ? finish_tile<3, Number>
+                        : vectors == 2 ? finish_tile<2, Number>
+                                       : finish_tile<1, Number>;
     finish(a, b, depth, inverse, d, y, column_sums);
 }
 

@@ -21,8 +21,9 @@ void sort_few(Span<Edges::Side> sides) noexcept {
             key[i + 1] = high;
         }
     }
-    for (Size i = 0; i < n; ++i) sides[i] = {static_cast<Index>(key[i] >> 32),
-                                             static_cast<Index>(key[i] & 0xFFFFFFFFu)};
+    for (Size i = 0; i < n; ++i) {
+        sides[i] = {static_cast<Index>(key[i] >> 32), static_cast<Index>(key[i] & 0xFFFFFFFFu)};
+    }
 }
 
 // Most points begin up to four edges of two cells each.

@@ -41,8 +41,8 @@ bool is_right_of(Vec2 from, Vec2 to, Vec2 point) noexcept { return cross(to - fr
 
 void weigh(CellShape const& shape, Vec2 point, Real* weight) noexcept {
     if (shape.n == 3) return add_barycentric(shape, point, 0, 1, 2, 1, weight);
-    bool const beside_1 = is_right_of(shape.at[0], shape.at[2], point), beside_2 = is_right_of(shape.at[1], shape.at[3],
-                                                                                               point);
+    bool const beside_1 = is_right_of(shape.at[0], shape.at[2], point);
+    bool const beside_2 = is_right_of(shape.at[1], shape.at[3], point);
     add_barycentric(shape, point, 0, beside_1 ? 1 : 2, beside_1 ? 2 : 3, 0.5, weight);
     add_barycentric(shape, point, 1, beside_2 ? 2 : 3, beside_2 ? 3 : 0, 0.5, weight);
 }

@@ -48,8 +48,8 @@ struct Adder {
     void add(Span<Number> values, Index first_block, Index n_blocks, PerPoint<const Real> by,
              FixedSums& total) const noexcept {
         Offset const stride = Offset{basis.row_length()} * block_points;
-        ValueBlocks<Number> const blocks{values.data() + first_block * stride + Offset{part.first} * block_points,
-                                         stride, n_blocks, part.width};
+        Number* const first = values.data() + first_block * stride + Offset{part.first} * block_points;
+        ValueBlocks<Number> const blocks{first, stride, n_blocks, part.width};
         kernels.of(blocks).multiply_transposed(blocks, by, unit, total);
     }
     template <class Number>

@@ -39,16 +39,16 @@ AdmissibleStep admissible_step(OrientedMesh const& cells, Points points, Points 
                                Executor const& executor) noexcept {
     CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
     CellPlaces const places{points, displacement, {}};
-    AdmissibleStep of_all = reduce_ranges<AdmissibleStep>(cells.mesh.n_cells, executor,
-                                                          [&](Index begin, Index end, AdmissibleStep& result) {
-        AdmissibleStep limit;
-        for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
-            CellBounds const bounds = {limit.step};
-            std::uint64_t const triangles = kernels.triangles(batches.triangles, places, bounds, nullptr);
-            limit.add(cells, places, batches, triangles, kernels.quads(batches.quads, places, bounds, nullptr));
+    AdmissibleStep of_all = reduce_ranges<AdmissibleStep>(
+        cells.mesh.n_cells, executor, [&](Index begin, Index end, AdmissibleStep& result) {
+            AdmissibleStep limit;
+            for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
+                CellBounds const bounds = {limit.step};
+                std::uint64_t const triangles = kernels.triangles(batches.triangles, places, bounds, nullptr);
+                limit.add(cells, places, batches, triangles, kernels.quads(batches.quads, places, bounds, nullptr));
+            });
+            result = limit;
         });
-        result = limit;
-    });
     of_all.merge(reduce_cells<AdmissibleStep>(cells.mesh.n_guards, executor, [&](Index guard, AdmissibleStep& result) {
         Index const i = cells.mesh.n_cells + guard;
         CellShape const now = shape_of(cells, i, points);

@@ -35,8 +35,7 @@ BasisCounts tabulated_counts(Basis const& from, Index n, Index numbers) noexcept
 
 // Mode j as the displacement of the wall for the amplitude (1, 0), and of a matrix also for (0, 1).
 Status tabulate(Plan& plan, Basis const& from, PointList const& list, Modes const& modes, ModeWork const& work,
-                Basis const& to,
-                SolveReport& report, Fault& fault) noexcept {
+                Basis const& to, SolveReport& report, Fault& fault) noexcept {
     Displacement const& displacement = work.displacement;
     bool const matrices = from.kind() == ValueKind::matrix;
     displacement.clear(plan);

@@ -70,8 +70,8 @@ struct Chunk {
              Index first, Index n) noexcept {
         Offset const stride = Offset{row_length} * block_points;
         move.for_each_part([&](Index number, Index width, Movements const& by) {
-            ValueBlocks<Number> const blocks{values.data() + first * stride + Offset{number} * block_points, stride, n,
-                                             width};
+            Number* const first_value = values.data() + first * stride + Offset{number} * block_points;
+            ValueBlocks<Number> const blocks{first_value, stride, n, width};
             kernels.of(blocks).multiply(blocks, by, {x, y});
         });
     }
@@ -101,8 +101,8 @@ void morph_blocks(ProductKernels const& kernels, Span<Number> values, Basis cons
         move.for_each_part([&](Index, Index width, Movements const& by) {
             Offset const stride = Offset{width} * block_points;
             ValueBlocks<Number> const blocks{values.data() + begin * stride, stride, whole - begin, width};
-            PerPoint<const Real> const before = {from.given() ? from.x + point : nullptr,
-                                                 from.given() ? from.y + point : nullptr};
+            bool const given = from.given();
+            PerPoint<const Real> const before = {given ? from.x + point : nullptr, given ? from.y + point : nullptr};
             kernels.of(blocks).move(blocks, by, before, {to.x + point, to.y + point});
         });
         begin = whole;

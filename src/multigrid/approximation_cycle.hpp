@@ -35,8 +35,7 @@ template <Index W>
 class ApproximationCycles {
 public:
     ApproximationCycles(FullApproximation const& engine, FinestScheme<W> const& finest, Real* vectors,
-                        Rows const& values,
-                        Index first) noexcept
+                        Rows const& values, Index first) noexcept
         : engine_(engine), a_(engine.levels), finest_(finest), values_(values), first_(first),
           width_(smaller(W, values.width - first)) {
         for (Index l = 0; l < a_.count; ++l) {

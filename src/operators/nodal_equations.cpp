@@ -62,12 +62,12 @@ Residual::Norms NodalEquations::compute(Residual const& residual, DofValues cons
     };
     Residual::Norms norms;
     fill(residual.value, 0.0);
-    add_balances(
-        scheme, columns, [&](Index row) { return row < n ? zeros : rows.known(row); }, gradient, balance_of);
+    auto const known_value = [&](Index row) { return row < n ? zeros : rows.known(row); };
+    add_balances(scheme, columns, known_value, gradient, balance_of);
     squares(norms.right_hand_side);
     fill(residual.value, 0.0);
-    add_balances(
-        scheme, columns, [&](Index row) { return rows.any(row); }, gradient, balance_of);
+    auto const any_value = [&](Index row) { return rows.any(row); };
+    add_balances(scheme, columns, any_value, gradient, balance_of);
     squares(norms.rest);
     return norms;
 }

@@ -111,8 +111,7 @@ Status DirectEngine::examine(Equations const& equations, Span<Real> work, Fault&
 
 // For nodal gradients: the functions of the compact scheme, from which refinement starts.
 Status DirectEngine::solve(Equations const& equations, DofValues const& dofs, Progress const& progress,
-                           IterationReport&,
-                           Fault& fault) noexcept {
+                           IterationReport&, Fault& fault) noexcept {
     if (factor.precision == Precision::in_single) HARMORPH_TRY(check_right_hand_sides(equations, dofs, fault));
     Rows const rows = dofs.rows(equations.matrix);
     if (rows.width <= factor.padded_width) return factor.solve(rows, progress, fault);

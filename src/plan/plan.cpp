@@ -129,9 +129,8 @@ Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault
                             "the plan has no levels: they are made by hm_plan_factor of other engines");
     }
     if (level < 0 || level >= levels->count) {
-        return fault.refuse(Status::bad_argument, "there is no level # (from 0): the plan has @", Counts::from_zero,
-                            level,
-                            levels->count);
+        return fault.refuse(Status::bad_argument, "there is no level # (from 0): the plan has @",
+                            Counts::from_zero, level, levels->count);
     }
     Matrix const& matrix = equations.matrix;
     for (Index point = 0; point < mesh.n_points; ++point) {

@@ -153,8 +153,8 @@ private:
     Status correct(Index n, Index& iterations, Fault& fault) noexcept {
         Offset const row_length = Offset{matrix_.planes()} * residual_.width;
         auto const solve = [&](auto* rows) {
-            return engine_.correct(RowsOf<std::decay_t<decltype(*rows)>>{rows, nullptr, row_length, n, residual_.width},
-                                   fault);
+            using Value = std::decay_t<decltype(*rows)>;
+            return engine_.correct(RowsOf<Value>{rows, nullptr, row_length, n, residual_.width}, fault);
         };
         if (!residual_.single.empty()) return solve(residual_.single.data());
         if (!method_.nodal_gradients()) return solve(residual_.value.data());

@@ -98,11 +98,10 @@ Status SafeMorph::finish(Work& work) noexcept {
     if (best.fraction < 1) {
         Index const cell = work.mesh().number(report.limit.cell);
         Vec2 const at = cell != none ? centre_of(work.mesh(), cell, result()) : Vec2{};
-        return work.fault.refuse_at(at.x, at.y, Status::short_of_target,
-                                    cell != none
-                                        ? "the mesh could follow ~ of the movement; then cell # at $ stands in the way"
-                                        : "the mesh could follow ~ of the movement",
-                                    Counts::mesh, cell, none, best.fraction);
+        const char* const text = cell != none
+                                     ? "the mesh could follow ~ of the movement; then cell # at $ stands in the way"
+                                     : "the mesh could follow ~ of the movement";
+        return work.fault.refuse_at(at.x, at.y, Status::short_of_target, text, Counts::mesh, cell, none, best.fraction);
     }
     if (work.is_good(best)) return work.fault.status;
     if (best.min_quality < work.goal()) {

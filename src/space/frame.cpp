@@ -190,9 +190,9 @@ Status find_frame(SpaceMesh const& mesh, Span<const std::uint8_t> in_faces, Fram
     snap_to_coordinates(faces, frame.tolerance, flat);
     Index const outside = first_outside(faces, flat, frame.tolerance);
     if (outside != none) {
+        Real const distance = absolute(dot(mesh.points[outside] - flat.point, flat.normal));
         return fault.refuse(Status::bad_mesh, "point # of the faces is ~ outside the plane of the others",
-                            Counts::mesh, outside, none,
-                            absolute(dot(mesh.points[outside] - flat.point, flat.normal)));
+                            Counts::mesh, outside, none, distance);
     }
     Flat second = plane_through(others);
     bool const flat_too = second.exists && first_outside(others, second, frame.tolerance) == none;

@@ -120,11 +120,9 @@ Status PlaneSearch::follow(SpaceMesh const& mesh, Plane& plane, Fault& fault) no
         auto const squared = [&](Index p) { return square(place_of(plane, p) - its.place); };
         Nearest const near = tree.nearest(its.place, {}, squared);
         if (near.item == none || !(near.squared <= reach[near.item])) {
-            return fault.refuse(
-                Status::bad_mesh,
-                "point # is ~ away from being opposite to a point of the faces: the mesh is not a plane one, "
-                "extruded",
-                Counts::mesh, k, none, square_root(near.squared));
+            constexpr const char* text = "point # is ~ away from being opposite to a point of the faces: "
+                                         "the mesh is not a plane one, extruded";
+            return fault.refuse(Status::bad_mesh, text, Counts::mesh, k, none, square_root(near.squared));
         }
         Real const distance = square_root(near.squared);
         if (distance > plane.max_distance) {

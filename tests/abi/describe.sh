@@ -28,8 +28,11 @@ sed -n '/^HM_API/,/;/p' "$dir/header" | tr '\n' ' ' | sed 's/;/;\n/g' |
         }
         constants = 0; text = ""
     }
-    /^typedef struct [a-z_]+ {/ { type = $3; fields = "";
-    printf "    printf(\"struct %s: %%d bytes\\n\", (int)sizeof(%s));\n", type, type; next }
+    /^typedef struct [a-z_]+ {/ {
+        type = $3; fields = ""
+        printf "    printf(\"struct %s: %%d bytes\\n\", (int)sizeof(%s));\n", type, type
+        next
+    }
     type != "" && /^}/ {
         n = split(fields, one, ";")
         for (k = 1; k <= n; ++k) {

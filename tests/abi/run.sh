@@ -25,9 +25,10 @@ ends_with_a_field() {
     awk '/^struct / { name = $2; size = $3 }
         /^    [a-z_]+: / { if (name != "") end[name] = ($2 + 0) + $3 }
         /^struct / { size_of[name] = size }
-        END { for (name in end) if (end[name] != size_of[name]) { print name " has a gap at its end"; bad = 1 };
-        exit bad }' \
-        tests/abi/interface.txt
+        END {
+            for (name in end) if (end[name] != size_of[name]) { print name " has a gap at its end"; bad = 1 }
+            exit bad
+        }' tests/abi/interface.txt
 }
 # Sizes and places are those of 64-bit pointers.
 if [ "$(getconf LONG_BIT)" = 64 ]; then check "calls, structs and constants" same_interface; fi
@@ -35,8 +36,10 @@ check "structs without a gap at their end" ends_with_a_field
 
 shared=$build/shared/libharmorph.so.$abi
 exports() { objdump -T "$shared" | awk '$NF ~ /^_?hm_/ { print $(NF - 1), $NF }' | sort; }
-all_versioned() { sed -n "s/^symbol /HARMORPH_$abi /p" tests/abi/interface.txt | sort >"$dir/wanted"; exports |
-    diff "$dir/wanted" -; }
+all_versioned() {
+    sed -n "s/^symbol /HARMORPH_$abi /p" tests/abi/interface.txt | sort >"$dir/wanted"
+    exports | diff "$dir/wanted" -
+}
 only_libc() { ! objdump -p "$shared" | awk '$1 == "NEEDED" { print $2 }' | grep -v '^libc\.'; }
 runs_with_it() {
     $CC -std=c99 $CFLAGS -Ic_api -o "$dir/use" tests/use.c -L"$build/shared" -lharmorph &&

@@ -41,9 +41,12 @@ for mesh in $meshes; do
     size=$(wc -c <"$out/$mesh")
     ours=$(seconds "$harmorph" convert "$out/$mesh" "$out/converted.su2")
     peer=-
-    if command -v gmsh >/dev/null 2>&1 && [ $mesh != files-binary.p3d ]; then peer=$(seconds gmsh -0 -v 1 "$out/$mesh" \
-        -save -o "$out/peer.su2"); fi
-    echo "$mesh $size $ours $peer" | awk '{ printf "%-17s %10.1f %12.2f %10.0f %10s\n", $1, $2 / 1e6, $3,
-        $2 / 1e6 / $3, $4 }'
+    if command -v gmsh >/dev/null 2>&1 && [ $mesh != files-binary.p3d ]; then
+        peer=$(seconds gmsh -0 -v 1 "$out/$mesh" -save -o "$out/peer.su2")
+    fi
+    echo "$mesh $size $ours $peer" | awk '{
+        megabytes = $2 / 1e6
+        printf "%-17s %10.1f %12.2f %10.0f %10s\n", $1, megabytes, $3, megabytes / $3, $4
+    }'
 done
 rm -f "$out"/files.su2 "$out"/files-?.msh "$out"/files-*.p3d "$out/converted.su2" "$out/peer.su2"

@@ -44,8 +44,8 @@ objects=
 for source in $sources; do
     object=$out/$(basename "$source" .cpp).o
     objects="$objects $object"
-    if [ -f "$object" ] && [ -z "$(find "$source" $here/*.hpp tests/fixtures/*.hpp include/harmorph/*/*.hpp \
-        c_api/harmorph.h "$out/flags" -newer "$object")" ]; then continue; fi
+    needs="$source $here/*.hpp tests/fixtures/*.hpp include/harmorph/*/*.hpp c_api/harmorph.h"
+    if [ -f "$object" ] && [ -z "$(find $needs "$out/flags" -newer "$object")" ]; then continue; fi
     echo "$CXX $source"
     $command "-DBENCH_FLAGS=\"$CXXFLAGS\"" -c -o "$object" "$source"
 done

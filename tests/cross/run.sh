@@ -22,8 +22,11 @@ strict="-std=c99 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers
 mkdir -p "$dir/include"
 missing() { skip "$topic" "$1 is not installed (Debian: $2)"; }
 same_sums() { "$@" | tr -d '\r' | diff "$dir/sums" -; }
-refused_by_name() { "$@" >"$dir/said"; cat "$dir/said"; \
-    grep -q 'HM_BAD_BASIS: the basis was written with another byte order' "$dir/said"; }
+refused_by_name() {
+    "$@" >"$dir/said"
+    cat "$dir/said"
+    grep -q 'HM_BAD_BASIS: the basis was written with another byte order' "$dir/said"
+}
 same_use() { "$@" attach here.basis | tr -d '\r' | diff "$dir/use" -; }
 c_tests() {   # where, emulator or nothing, compiler...
     where=$1 by=$2; shift 2

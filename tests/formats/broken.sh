@@ -13,7 +13,6 @@ fi
 check "mutate is compiled" $CXX -std=c++17 -O0 $sanitize -I. -Ic_api -Ic_api/cli -o "$tmp/mutate" \
     tests/formats/mutate.cpp "$tmp/readers.cpp" "$library"
 for storage in text binary-64; do "$tmp/make_foam" "$tmp/broken-$storage" $storage wedge; done
-check "broken files are refused, or read: never more" sh -c "cd '$tmp' && ./mutate broken 120 \
-    $(cd "$tmp" && "./make_mesh" list | tr '\n' ' ') $(cd "$tmp" && ls broken-*/constant/polyMesh/[pfob]* |
-    tr '\n' ' ')"
+files=$(cd "$tmp" && { ./make_mesh list; ls broken-*/constant/polyMesh/[pfob]*; } | tr '\n' ' ')
+check "broken files are refused, or read: never more" sh -c "cd '$tmp' && ./mutate broken 120 $files"
 cat "$tmp/out"

@@ -42,9 +42,9 @@ END
     check "gmsh plot3d: no error" sh -c "! grep -E 'Error|Warning' '$tmp/out'"
     sed '1,/^\$Nodes/d; /^\$EndNodes/,$d' "$tmp/of-gmsh.msh" | awk 'NF == 4 { print $2, $3, $4 }' | sort >"$tmp/a"
     awk '{ for (k = 1; k <= NF; k++) word[n++] = $k }
-        END { for (k = 0; k < 350; k++) print word[4 + k] + 0, word[354 + k] + 0, word[704 + k] + 0 }' \
-            "$tmp/moved.p3d" |
-        sort >"$tmp/b"
+        END {
+            for (k = 0; k < 350; k++) print word[4 + k] + 0, word[354 + k] + 0, word[704 + k] + 0
+        }' "$tmp/moved.p3d" | sort >"$tmp/b"
     check "gmsh plot3d: 350 points" sh -c "test \$(wc -l <'$tmp/a') -eq 350"
     awk '{ x += $1; y += $2; z += $3 } END { print x, y, z }' "$tmp/a" >"$tmp/sum-a"
     awk '{ x += $1; y += $2; z += $3 } END { print x, y, z }' "$tmp/b" >"$tmp/sum-b"

@@ -19,9 +19,14 @@ refuses "plot3d: .nmf of other sizes" "text-k.nmf:3: expected the block's size b
     check "$tmp/text-k.p3d"
 rm "$tmp/text-k.nmf"
 # Runs of equal numbers in a line as n*number, and the sizes, too: the same mesh.
-tr '\n' ' ' <"$tmp/text-k.p3d" | awk '{ line = ""; for (k = 1; k <= NF; k += n) {
-    for (n = 1; k + n <= NF && $(k + n) == $k; n++); line = line " " (n > 1 ? n "*" $k : $k) } print line }' \
-        >"$tmp/repeats.p3d"
+tr '\n' ' ' <"$tmp/text-k.p3d" | awk '{
+    line = ""
+    for (k = 1; k <= NF; k += n) {
+        for (n = 1; k + n <= NF && $(k + n) == $k; n++);
+        line = line " " (n > 1 ? n "*" $k : $k)
+    }
+    print line
+}' >"$tmp/repeats.p3d"
 check "plot3d: repeat counts: there are some" grep -q '175\*' "$tmp/repeats.p3d"
 check "plot3d: repeat counts" "$harmorph" convert "$tmp/repeats.p3d" "$tmp/a.su2"
 check "plot3d: repeat counts: the mesh with all numbers" "$harmorph" convert "$tmp/text-k.p3d" "$tmp/b.su2"
@@ -41,14 +46,20 @@ refuses "plot3d: cut off records" \
     "$harmorph" check "$tmp/bad.p3d"
 sed '$d' "$tmp/text.p3d" >"$tmp/bad.p3d"
 refuses "plot3d: cut off text" 'the file would have 352 numbers, but it has' "$harmorph" check "$tmp/bad.p3d"
-awk 'BEGIN { print "3 3 3"
+awk 'BEGIN {
+    print "3 3 3"
     for (d = 0; d < 3; d++) for (k = 0; k < 3; k++) for (j = 0; j < 3; j++) for (i = 0; i < 3; i++) {
-        print d == 0 ? i : d == 1 ? j : k } }' >"$tmp/cube.p3d"
+        print d == 0 ? i : d == 1 ? j : k
+    }
+}' >"$tmp/cube.p3d"
 refuses "plot3d: three dimensions in earnest" 'the mesh has three dimensions and is not one cell thick' "$harmorph" \
     check "$tmp/cube.p3d"
-awk 'BEGIN { print "4 3 2"
+awk 'BEGIN {
+    print "4 3 2"
     for (d = 0; d < 3; d++) for (k = 0; k < 2; k++) for (j = 0; j < 3; j++) for (i = 0; i < 4; i++) {
-        print d == 0 ? i + .1 * (k == 1 && i == 2) : d == 1 ? j : k } }' >"$tmp/skew.p3d"
+        print d == 0 ? i + .1 * (k == 1 && i == 2) : d == 1 ? j : k
+    }
+}' >"$tmp/skew.p3d"
 refuses "plot3d: a point without a partner" 'point 14 is 1.00000e-1 away from being opposite to a point' "$harmorph" \
     check "$tmp/skew.p3d"
 # A C-mesh round a plate: both sides of the wake have the same coordinates; the corner i = 1 is a pole.

@@ -172,9 +172,13 @@ while read -r function x y; do
 done <"$out/cage.control"
 awk -F '[ ,]' 'FNR == 1 { ++file; if (file > 1) next }
     file == 1 { px[$1] = $2; py[$1] = $3; next }
-    { split(FILENAME, part, /cage-|[.]csv/); i = part[2]; x[$1] = $2; y[$1] = $3; sx[$1] += $4 * px[i];
-    sy[$1] += $4 * py[i] }
-    END { for (k in x) { d = (sx[k] - x[k]) ^ 2 + (sy[k] - y[k]) ^ 2; if (d > worst) worst = d }
-          printf "  largest |sum F_i P_i - x| over the mesh: %.2g (its file has ten digits)\n", sqrt(worst) }' \
-              "$out/cage.control" "$out"/cage-*.csv
+    {
+        split(FILENAME, part, /cage-|[.]csv/); i = part[2]
+        x[$1] = $2; y[$1] = $3
+        sx[$1] += $4 * px[i]; sy[$1] += $4 * py[i]
+    }
+    END {
+        for (k in x) { d = (sx[k] - x[k]) ^ 2 + (sy[k] - y[k]) ^ 2; if (d > worst) worst = d }
+        printf "  largest |sum F_i P_i - x| over the mesh: %.2g (its file has ten digits)\n", sqrt(worst)
+    }' "$out/cage.control" "$out"/cage-*.csv
 rm -f "$out"/cage-*.csv "$out/cage.control"

@@ -30,8 +30,8 @@ echo "table Harmonic against conformal functions: least and largest value of any
 printf '%-12s  %10s  %10s  %14s  %22s  %22s\n' functions least largest "reach [chords]" "control point 16, up" \
     "camber [chords]"
 for operator in laplace conformal; do
-    least=$(sed -n 's/.*"min_value": \([^,}]*\).*/\1/p' "$out/$operator.json") \
-        most=$(sed -n 's/.*"max_value": \([^,}]*\).*/\1/p' "$out/$operator.json")
+    least=$(sed -n 's/.*"min_value": \([^,}]*\).*/\1/p' "$out/$operator.json")
+    most=$(sed -n 's/.*"max_value": \([^,}]*\).*/\1/p' "$out/$operator.json")
     printf '%-12s  %10.3g  %10.3g  %14s  %22s  %22s\n' $operator "$least" "$most" "$(reach "$out/$operator.csv")" \
         "$(limit "$out/one.moves")" "$(limit "$out/camber.moves")"
 done

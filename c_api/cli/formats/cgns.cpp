@@ -23,10 +23,8 @@ bool probe_cgns(const TextFile& file) {
 void read_cgns(Mesh& mesh, const ReadOptions&) { read_cgns(mesh); }
 #else
 void read_cgns(Mesh& mesh, const ReadOptions&) {
-    mesh.file.fail(
-        0,
-        "this is an HDF5 or ADF file: CGNS files are read by programs made with `make CGNS=1`, where libcgns "
-        "is installed");
+    mesh.file.fail(0, "this is an HDF5 or ADF file: CGNS files are read by programs made with `make CGNS=1`, "
+                      "where libcgns is installed");
 }
 #endif
 

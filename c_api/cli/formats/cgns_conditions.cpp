@@ -64,9 +64,9 @@ void CgnsConditions::add_conditions(std::size_t z) {
         cgsize_t n = 0, list_size = 0;
         DataType_t list_type;
         int normal_index[3], n_data = 0;
-        cgns_(cg_boco_info(cgns_.file, cgns_base, number, c, name, &type, &set, &n, normal_index, &list_size,
-                           &list_type, &n_data),
-              in_zone(zones_[z]) + ", boundary condition " + std::to_string(c));
+        const int status = cg_boco_info(cgns_.file, cgns_base, number, c, name, &type, &set, &n, normal_index,
+                                        &list_size, &list_type, &n_data);
+        cgns_(status, in_zone(zones_[z]) + ", boundary condition " + std::to_string(c));
         cgns_(cg_boco_gridlocation_read(cgns_.file, cgns_base, number, c, &location));
         const std::size_t dimensions = zones_[z].is_structured ? static_cast<std::size_t>(cell_dimension_) : 1;
         std::vector<cgsize_t> items(static_cast<std::size_t>(n) * dimensions);
@@ -99,8 +99,9 @@ CgnsConditions::Points CgnsConditions::structured_points(const CgnsZone& zone, c
                            std::to_string(index[d]) + " of " + std::to_string(zone.n[d]));
             }
         }
-        points.insert(plane_point(static_cast<std::int32_t>(static_cast<std::int64_t>(zone.first) + index[0] - 1 +
-                                                            zone.n[0] * (index[1] - 1 + zone.n[1] * (index[2] - 1)))));
+        const std::int64_t line = index[1] - 1 + zone.n[1] * (index[2] - 1);
+        const std::int64_t point = static_cast<std::int64_t>(zone.first) + index[0] - 1 + zone.n[0] * line;
+        points.insert(plane_point(static_cast<std::int32_t>(point)));
     };
     std::array<std::int64_t, 3> low = {1, 1, 1}, high = {1, 1, 1};
     if (!is_range) {
@@ -148,8 +149,7 @@ void CgnsConditions::mark_element(const std::string& name, std::size_t z, cgsize
     const auto found = sides_.find({z, number});
     if (found == sides_.end()) {
         cgns_.fail(in_zone(zones_[z]) + ": the boundary condition " + in_quotes(name) + " names element " +
-                   std::to_string(number) +
-                   ", which is no face of the boundary");
+                   std::to_string(number) + ", which is no face of the boundary");
     }
     std::set<std::int32_t> ends;
     for (const std::int32_t its : found->second) ends.insert(plane_point(its));

@@ -73,8 +73,8 @@ private:
                 const double value = space_.x[d][k];
                 const float single = static_cast<float>(value);
                 if (!(value - value == 0)) cgns_.fail(place(zones_, n, (d * n + k)) + " is not finite");
-                std::memcpy(&numbers[(d * n + k) * bytes], all_single ? static_cast<const void*>(&single) : &value,
-                            bytes);
+                const void* const from = all_single ? static_cast<const void*>(&single) : &value;
+                std::memcpy(&numbers[(d * n + k) * bytes], from, bytes);
             }
         }
         for (std::size_t d = 0; d < 3; ++d) {
@@ -100,15 +100,15 @@ private:
 
     void add_structured(const CgnsZone& zone) {
         const auto at = [&zone](std::int64_t i, std::int64_t j, std::int64_t k) {
-            return static_cast<std::int32_t>(static_cast<std::int64_t>(zone.first) + i +
-                                             zone.n[0] * (j + zone.n[1] * k));
+            const std::int64_t line = j + zone.n[1] * k;
+            return static_cast<std::int32_t>(static_cast<std::int64_t>(zone.first) + i + zone.n[0] * line);
         };
         const bool solid = cell_dimension_ == 3;
         for (std::int64_t k = 0; k + 1 < zone.n[2] || (!solid && k == 0); ++k) {
             for (std::int64_t j = 0; j + 1 < zone.n[1]; ++j) {
                 for (std::int64_t i = 0; i + 1 < zone.n[0]; ++i) {
-                    std::vector<std::int32_t> cell = {at(i, j, k), at(i + 1, j, k), at(i + 1, j + 1, k),
-                                                      at(i, j + 1, k)};
+                    std::vector<std::int32_t> cell = {
+                        at(i, j, k), at(i + 1, j, k), at(i + 1, j + 1, k), at(i, j + 1, k)};
                     for (std::size_t c = 0; solid && c < 4; ++c) {
                         cell.push_back(cell[c] + static_cast<std::int32_t>(zone.n[0] * zone.n[1]));
                     }
@@ -135,9 +135,9 @@ private:
             ElementType_t type;
             cgsize_t begin = 0, end = 0, size = 0;
             int n_boundary = 0, has_parents = 0;
-            cgns_(
-                cg_section_read(cgns_.file, cgns_base, number, s, name, &type, &begin, &end, &n_boundary, &has_parents),
-                in_zone(zones_[z]) + ", section " + std::to_string(s));
+            cgns_(cg_section_read(cgns_.file, cgns_base, number, s, name, &type, &begin, &end, &n_boundary,
+                                  &has_parents),
+                  in_zone(zones_[z]) + ", section " + std::to_string(s));
             if (type == NODE) continue;
             const std::string where = in_zone(zones_[z]) + ", section " + in_quotes(name);
             cgns_(cg_ElementDataSize(cgns_.file, cgns_base, number, s, &size), where);

@@ -19,9 +19,16 @@ namespace cli {
 
 namespace {
 
-enum SectionType { dimension_section = 2, node_section = 10, cell_section = 12, face_section = 13,
-                   old_name_section = 39,
-                   name_section = 45, cell_tree_section = 58, face_tree_section = 59 };
+enum SectionType {
+    dimension_section = 2,
+    node_section = 10,
+    cell_section = 12,
+    face_section = 13,
+    old_name_section = 39,
+    name_section = 45,
+    cell_tree_section = 58,
+    face_tree_section = 59
+};
 constexpr std::int64_t first_binary_section = 2000; // 2010, 3010: nodes in single and double precision, and so on
 enum ZoneType { no_type = 0, interior = 2 };
 enum FaceType { mixed = 0, polygonal = 5 }; // those that have the number of nodes before each face
@@ -138,8 +145,8 @@ void FluentReader::read_nodes() {
         nodes_.push_back(node);
     }
     if (!numbers_.at_end()) {
-        mesh_.file.fail(numbers_.offset(), "the section has more numbers than x and y of " +
-                                               plural(last - first + 1, "node"));
+        const std::string nodes = plural(last - first + 1, "node");
+        mesh_.file.fail(numbers_.offset(), "the section has more numbers than x and y of " + nodes);
     }
 }
 
@@ -192,8 +199,8 @@ void FluentReader::add_points() {
     if (!std::is_sorted(nodes_.begin(), nodes_.end(), before)) std::stable_sort(nodes_.begin(), nodes_.end(), before);
     for (const Node& node : nodes_) {
         if (node.number != mesh_.points() + 1) {
-            mesh_.file.fail(node.x_offset, "expected node " + std::to_string(mesh_.points() + 1) + ", found node " +
-                                               std::to_string(node.number));
+            const std::string expected = std::to_string(mesh_.points() + 1), found = std::to_string(node.number);
+            mesh_.file.fail(node.x_offset, "expected node " + expected + ", found node " + found);
         }
         mesh_.add_point(node.x, node.y, node.x_offset, node.y_offset);
     }
@@ -209,8 +216,8 @@ void FluentReader::add_cells() {
     if (faces_.empty()) lacks("a section (13 ...) with faces");
     const auto n_faces = static_cast<std::int64_t>(faces_.size());
     if (largest_cell_ > n_faces) {
-        mesh_.file.fail(faces_[0].offset, "faces have cells up to " + std::to_string(largest_cell_) +
-                                              ", but there are " + plural(n_faces, "face"));
+        const std::string largest = std::to_string(largest_cell_), there = plural(n_faces, "face");
+        mesh_.file.fail(faces_[0].offset, "faces have cells up to " + largest + ", but there are " + there);
     }
     std::vector<Cell> list(static_cast<std::size_t>(largest_cell_), Cell{{}, faces_[0].offset});
     for (const Face& face : faces_) {
@@ -238,9 +245,8 @@ void FluentReader::add_cells() {
             if (points.empty()) break;
         }
         if (points.size() < 3) {
-            mesh_.file.fail(cell.offset, "the faces of " + cell_name(number) + " (" +
-                                             plural(static_cast<std::int64_t>(cell.sides.size()), "face") +
-                                             ") do not form a polygon");
+            const std::string its = plural(static_cast<std::int64_t>(cell.sides.size()), "face");
+            mesh_.file.fail(cell.offset, "the faces of " + cell_name(number) + " (" + its + ") do not form a polygon");
         }
         mesh_.add_cell(points, cell.offset);
     }

@@ -80,9 +80,9 @@ const Format& format_to_create(const std::string& name, const std::string& path)
         if (name.empty() ? ends_with(path, format->extension) : name == format->name) return *format;
         known += (known.empty() ? "" : ", ") + std::string(format->name) + " (" + format->extension + ")";
     }
-    throw Failure(exit_usage, (name.empty() ? path + ": no format has this extension" : "format " + in_quotes(name) +
-                                                                                         " is not written") +
-                                  "; new files are " + known);
+    const std::string why = name.empty() ? path + ": no format has this extension"
+                                         : "format " + in_quotes(name) + " is not written";
+    throw Failure(exit_usage, why + "; new files are " + known);
 }
 
 } // namespace cli

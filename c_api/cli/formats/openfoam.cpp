@@ -74,8 +74,8 @@ public:
         n_cells_ = owner_.empty() ? 0 : 1 + *std::max_element(owner_.begin(), owner_.end());
         for (const Patch& patch : patches_) {
             if (patch.start_face + patch.n_faces > n_faces()) {
-                boundary.fail(patch.offset, "the patch " + in_quotes(patch.name) + " ends behind face " +
-                                                std::to_string(n_faces() - 1) + ", the last");
+                const std::string name = in_quotes(patch.name), last = std::to_string(n_faces() - 1);
+                boundary.fail(patch.offset, "the patch " + name + " ends behind face " + last + ", the last");
             }
         }
         const std::vector<std::int64_t> plane = plane_faces(boundary);
@@ -89,9 +89,8 @@ private:
     TextFile beside(const char* name) const {
         const std::filesystem::path path = folder_ / name;
         if (!std::filesystem::exists(path)) {
-            throw_missing(path.string() + (std::filesystem::exists(path.string() + ".gz")
-                                               ? ".gz is compressed: gunzip it"
-                                               : " does not exist"));
+            const bool is_compressed = std::filesystem::exists(path.string() + ".gz");
+            throw_missing(path.string() + (is_compressed ? ".gz is compressed: gunzip it" : " does not exist"));
         }
         return TextFile(path.string());
     }
@@ -120,8 +119,8 @@ private:
             }
         }
         if (static_cast<std::int64_t>(owner_.size()) != n_faces()) {
-            owners.fail(owners.text().size(), "expected owners of " + plural(n_faces(), "face") + ", found " +
-                                                  std::to_string(owner_.size()));
+            const std::string faces_there = plural(n_faces(), "face"), found = std::to_string(owner_.size());
+            owners.fail(owners.text().size(), "expected owners of " + faces_there + ", found " + found);
         }
         for (const std::int64_t its : owner_) {
             if (its < 0 || its >= n_faces())
@@ -207,9 +206,9 @@ private:
             for (std::int64_t i = 0; i < patch.n_faces; ++i) {
                 const std::int64_t face = patch.start_face + i;
                 if (corners(face) > 4) {
-                    mesh_.file.fail(0,
-                                    "face " + std::to_string(face) + " of the patch " + in_quotes(patch.name) +
-                                        " does not reach from one plane to the other: the mesh is not one cell thick");
+                    const std::string place = "face " + std::to_string(face) + " of the patch " + in_quotes(patch.name);
+                    mesh_.file.fail(0, place + " does not reach from one plane to the other: "
+                                               "the mesh is not one cell thick");
                 }
                 for (std::int64_t k = 0; k < 4; ++k) {
                     space_.side_points.push_back(point(face, std::min(k, corners(face) - 1)));

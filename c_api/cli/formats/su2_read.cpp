@@ -256,8 +256,9 @@ const std::vector<std::int32_t>& Su2Reader::points_of(const Words& words, std::s
 
 void Su2Reader::check_complete() const {
     if (zones_ > 1 && zones_begun_ < zones_) {
-        mesh_.file.fail(zones_line_, "NZONE= announces " + std::to_string(zones_) + " zones, but the file has " +
-                                         plural(zones_begun_, "line") + " IZONE=");
+        const std::string announced = std::to_string(zones_), lines = plural(zones_begun_, "line");
+        mesh_.file.fail(zones_line_,
+                        "NZONE= announces " + announced + " zones, but the file has " + lines + " IZONE=");
     }
     for (const char* key : {"NDIME", "NELEM", "NPOIN"}) {
         if (seen_.count(key) == 0) lines_.expected(std::string(key) + "=");

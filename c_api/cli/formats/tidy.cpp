@@ -30,9 +30,9 @@ template <class Visit> void for_each_edge(const Mesh& mesh, Visit visit) { // vi
 void check_points(const Mesh& mesh) {
     const auto check = [&mesh](std::int32_t point, const std::vector<std::size_t>& offsets, std::size_t item) {
         if (point >= 0 && point < mesh.points()) return;
-        mesh.file.fail(item < offsets.size() ? offsets[item] : 0, "expected points between 0 and " +
-                                                                      std::to_string(mesh.points() - 1) + ", found " +
-                                                                      std::to_string(point));
+        const std::size_t offset = item < offsets.size() ? offsets[item] : 0;
+        const std::string last = std::to_string(mesh.points() - 1), found = std::to_string(point);
+        mesh.file.fail(offset, "expected points between 0 and " + last + ", found " + found);
     };
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
         for (std::int32_t i = mesh.cell_start[cell]; i < mesh.cell_start[cell + 1]; ++i) {
@@ -150,8 +150,8 @@ void name_open_boundary(Mesh& mesh, const std::string& name) {
         mesh.face_markers.push_back(mesh.add_marker(name + std::to_string(loop + 1)));
     }
     mesh.face_offset.resize(mesh.face_markers.size());
-    mesh.remark(plural(static_cast<std::int64_t>(open.size()), "boundary edge") + " without a marker: named " + name +
-                "1, ... loop by loop");
+    const std::string edges = plural(static_cast<std::int64_t>(open.size()), "boundary edge");
+    mesh.remark(edges + " without a marker: named " + name + "1, ... loop by loop");
 }
 
 } // namespace cli

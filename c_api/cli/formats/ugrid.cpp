@@ -72,9 +72,10 @@ Layout layout_of(const TextFile& file) {
         file.fail(0, "expected 7 counts in " + kind + " byte order, as the name says");
     const std::int64_t wanted = binary_size(n, layout.real_bytes);
     if (wanted > static_cast<std::int64_t>(file.text().size())) {
-        file.fail(file.text().size(), "of " + std::to_string(n[nodes]) + " nodes in " + kind +
-                                          " byte order the file would have " + std::to_string(wanted) +
-                                          " bytes, but it has " + std::to_string(file.text().size()));
+        const std::string announced = "of " + std::to_string(n[nodes]) + " nodes in " + kind + " byte order";
+        const std::string found = std::to_string(file.text().size());
+        file.fail(file.text().size(), announced + " the file would have " + std::to_string(wanted) +
+                                          " bytes, but it has " + found);
     }
     return layout;
 }

@@ -44,9 +44,8 @@ void VtkReader::read() {
         numbers_.is_binary = false;
         const std::string name(numbers_.word());
         if (name.empty()) {
-            numbers_.expected(!points_read_  ? "a section POINTS"
-                              : !cells_read_ ? "a section CELLS"
-                                             : "a section CELL_TYPES");
+            if (!points_read_) numbers_.expected("a section POINTS");
+            numbers_.expected(!cells_read_ ? "a section CELLS" : "a section CELL_TYPES");
         }
         read_section(name);
     }

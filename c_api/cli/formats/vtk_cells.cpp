@@ -29,8 +29,8 @@ void add_vtk_cells(Mesh& mesh, const VtkCells& cells) {
             const std::int64_t at = is_second_line ? begin + 5 - k : begin + k;
             const std::int64_t point = cells.points[static_cast<std::size_t>(at)];
             if (point < 0 || point >= mesh.points()) {
-                mesh.file.fail(offset, "expected points between 0 and " + std::to_string(mesh.points() - 1) +
-                                           ", found " + std::to_string(point));
+                const std::string last = std::to_string(mesh.points() - 1), found = std::to_string(point);
+                mesh.file.fail(offset, "expected points between 0 and " + last + ", found " + found);
             }
             cell.push_back(static_cast<std::int32_t>(point));
         }

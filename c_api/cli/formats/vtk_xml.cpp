@@ -220,9 +220,8 @@ void VtkXmlReader::read_wholes(const Array& array, const char* name, std::vector
 
 void VtkXmlReader::check_length(const Array& array, const char* name, std::size_t length) const {
     if (static_cast<std::int64_t>(length) == n_cells_) return;
-    mesh_.file.fail(array.tag.begin, "the array " + std::string(name) + " has " +
-                                         plural(static_cast<std::int64_t>(length), "number") + " for " +
-                                         plural(n_cells_, "cell"));
+    const std::string numbers = plural(static_cast<std::int64_t>(length), "number"), cells = plural(n_cells_, "cell");
+    mesh_.file.fail(array.tag.begin, "the array " + std::string(name) + " has " + numbers + " for " + cells);
 }
 
 bool probe_vtu(const TextFile& file) {

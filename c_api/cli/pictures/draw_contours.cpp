@@ -66,10 +66,10 @@ private:
         if (angle < -90) angle += 180;
         const std::string turn =
             "transform=\"rotate(" + pixels(angle) + " " + pixels(at.x) + " " + pixels(at.y) + ")\"";
-        plot_.svg().text({at.x, at.y}, text,
-                         "font-size=\"12\" fill=\"#111\" stroke=\"white\" stroke-width=\"3\" stroke-linejoin=\"round\" "
-                         "paint-order=\"stroke\" text-anchor=\"middle\" dy=\".35em\" " +
-                             turn);
+        const char* const style = "font-size=\"12\" fill=\"#111\" stroke=\"white\" stroke-width=\"3\" "
+                                  "stroke-linejoin=\"round\" paint-order=\"stroke\" text-anchor=\"middle\" "
+                                  "dy=\".35em\" ";
+        plot_.svg().text({at.x, at.y}, text, style + turn);
     }
 
     Plot& plot_;

@@ -60,9 +60,10 @@ std::vector<Edge> mesh_edges(const Mesh& mesh, const std::function<bool(Edge)>& 
         }
     }
     const auto key = [](const Edge& edge) { return std::tie(edge.a, edge.b); };
-    std::sort(edges.begin(), edges.end(), [&](const Edge& e, const Edge& f) { return key(e) < key(f); });
-    edges.erase(std::unique(edges.begin(), edges.end(), [&](const Edge& e, const Edge& f) { return key(e) == key(f); }),
-                edges.end());
+    const auto is_before = [&](const Edge& e, const Edge& f) { return key(e) < key(f); };
+    const auto is_same = [&](const Edge& e, const Edge& f) { return key(e) == key(f); };
+    std::sort(edges.begin(), edges.end(), is_before);
+    edges.erase(std::unique(edges.begin(), edges.end(), is_same), edges.end());
     return edges;
 }
 

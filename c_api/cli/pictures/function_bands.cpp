@@ -145,9 +145,8 @@ void draw_colour_bar(Sheet& sheet, const Bands& bands, const std::string& name) 
     }
     svg.rectangle(bar, "fill=\"none\" stroke=\"#444\" stroke-width=\"1\"");
     const Point at = {bar.high.x + 9 + widest + 18, bar.centre().y};
-    svg.text(at, name,
-             "font-size=\"14\" fill=\"#111\" text-anchor=\"middle\" transform=\"rotate(-90 " + pixels(at.x) + " " +
-                 pixels(at.y) + ")\"");
+    const std::string turn = "transform=\"rotate(-90 " + pixels(at.x) + " " + pixels(at.y) + ")\"";
+    svg.text(at, name, "font-size=\"14\" fill=\"#111\" text-anchor=\"middle\" " + turn);
 }
 
 } // namespace cli

@@ -53,10 +53,11 @@ Range range_of(const FunctionPanel& panel) {
 }
 
 std::string operator_name(const FunctionPanel& panel) {
-    static const char* const names[] = {"harmonic", "weighted harmonic", "conformal"};
-    return names[panel.basis->info().operator_kind == HM_LAPLACE    ? 0
-                 : panel.basis->info().operator_kind == HM_WEIGHTED ? 1
-                                                                    : 2];
+    switch (panel.basis->info().operator_kind) {
+    case HM_LAPLACE: return "harmonic";
+    case HM_WEIGHTED: return "weighted harmonic";
+    default: return "conformal";
+    }
 }
 
 std::string exponent(const FunctionPanel& panel) {

@@ -126,8 +126,8 @@ private:
             if (here == Raster::nothing) return -1;
             const bool ends_right = column + 1 < raster.columns() && raster.at(column + 1, row) != here;
             const bool ends_below = row + 1 < raster.rows() && raster.at(column, row + 1) != here;
-            return static_cast<int>(ends_right || ends_below ? side_shade
-                                                             : shade_of(static_cast<std::int32_t>(std::lround(here))));
+            const auto volume = static_cast<std::int32_t>(std::lround(here));
+            return static_cast<int>(ends_right || ends_below ? side_shade : shade_of(volume));
         });
     }
 

@@ -63,11 +63,12 @@ public:
 
     Status verify(Size given, Fault& fault) const noexcept {
         if (!overflown()) return Status::ok;
-        if (!placing()) return fault.refuse(Status::bad_argument,
-                                            "the problem is too large for this machine's addresses");
+        if (!placing()) {
+            return fault.refuse(Status::bad_argument, "the problem is too large for this machine's addresses");
+        }
+        Real const missing = static_cast<Real>(bytes() - given);
         return fault.refuse(Status::block_too_small, "the block is too small: ~ more bytes are needed",
-                            Counts::from_zero,
-                            none, none, static_cast<Real>(bytes() - given));
+                            Counts::from_zero, none, none, missing);
     }
 
 private:

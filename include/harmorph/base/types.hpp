@@ -69,8 +69,7 @@ struct Fault {
     Real place[2] = {0, 0};  // coordinates
 
     Status refuse(Status why, const char* text, Counts base = Counts::from_zero, Index first = none,
-                  Index second = none,
-                  Real found = 0) noexcept {
+                  Index second = none, Real found = 0) noexcept {
         *this = {why, base, first, second, found, text, "", {0, 0}};
         return why;
     }

@@ -10,8 +10,8 @@ namespace harmorph {
 struct WallPoints {
     Index count = 0;
     Span<Index> point;           // [most], of which `count` are used: mesh points
-    Span<Index> previous, next;  // [most] the neighbours of each on the wall as mesh points, or none where the wall
-                                 // ends
+    Span<Index> previous, next;  // [most] the neighbours of each on the wall as mesh points;
+                                 // none where the wall ends
     Span<Index> slot;            // [n_points] number of a mesh point in these lists, or none
 
     static Size most(Index n_points, Size max_faces) noexcept {

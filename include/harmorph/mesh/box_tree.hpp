@@ -56,8 +56,8 @@ struct BoxTree {
         for (Index leaf = 0; leaf < leaves; ++leaf) {
             Box& leaf_box = box[leaves + leaf];
             leaf_box = {};
-            for (Index k = begin(levels, leaf); k < begin(levels,
-                                                          leaf + 1); ++k) leaf_box.include(box_of(entry[k].item));
+            Index const end = begin(levels, leaf + 1);
+            for (Index k = begin(levels, leaf); k < end; ++k) leaf_box.include(box_of(entry[k].item));
         }
         unite();
     }

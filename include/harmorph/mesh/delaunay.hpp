@@ -60,8 +60,8 @@ template <class Visit>
 void Triangulation::for_each_edge(Visit visit) const noexcept {
     edges.for_each([&](Index edge, Index low, Index high) {
         Index const first = edges.first[edge].code, second = edges.second[edge];
-        Index const apex = apex_of(mesh, low, high, first), other = second < 0 ? none : apex_of(mesh, low, high,
-                                                                                                second);
+        Index const apex = apex_of(mesh, low, high, first);
+        Index const other = second < 0 ? none : apex_of(mesh, low, high, second);
         visit(runs_backwards(first) ? DelaunayEdge{high, low, apex, other} : DelaunayEdge{low, high, apex, other});
     });
 }

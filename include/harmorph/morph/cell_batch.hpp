@@ -101,9 +101,8 @@ void for_each_batch(OrientedMesh const& cells, Index begin, Index end,
                     void (*visit)(void* user, CellBatches const& batches), void* user) noexcept;
 template <class Visit>
 void for_each_batch(OrientedMesh const& cells, Index begin, Index end, Visit visit) noexcept {
-    for_each_batch(
-        cells, begin, end, [](void* user, CellBatches const& batches) { (*static_cast<Visit*>(user))(batches); },
-        &visit);
+    auto const call = [](void* user, CellBatches const& batches) { (*static_cast<Visit*>(user))(batches); };
+    for_each_batch(cells, begin, end, call, &visit);
 }
 
 }  // namespace harmorph

@@ -36,7 +36,6 @@ struct ModeWork {
 // `to` has been laid out for tabulated_counts, the work for the fields; the displacement's places have been found in
 // the list.
 Status tabulate(Plan& plan, Basis const& from, PointList const& list, Modes const& modes, ModeWork const& work,
-                Basis const& to,
-                SolveReport& report, Fault& fault) noexcept;
+                Basis const& to, SolveReport& report, Fault& fault) noexcept;
 
 }  // namespace harmorph

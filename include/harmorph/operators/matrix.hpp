@@ -73,8 +73,8 @@ struct Matrix {
     Span<Index> coupling_row;
     Span<Real> coupling_value;
     Span<Real> coupling_imaginary;
-    Span<Index> fixed_row;       // rows of unknowns beside fixed or turned points, increasing, some repeated; first
-                                 // dofs only
+    Span<Index> fixed_row;       // rows of unknowns beside fixed or turned points, increasing, some repeated;
+                                 // first dofs only
     Span<Real> fixed_value;
     Span<Real> fixed_imaginary;
     Span<Vec2> frame;            // [n_points] of a point's first dof, where x and y are coupled or sides turned
@@ -100,8 +100,8 @@ struct Matrix {
     // the elimination; position [n]: the inverse; tangent [n_points]: of slip lines, coupled x and y only. With a
     // rotation the matrix must be complex.
     void build(Span<const Index> representative, Graph const& graph, Span<const Index> order,
-               Span<const Index> position,
-               Span<const Index> slot, Span<const Vec2> tangent, Periodicity const& periodicity) noexcept;
+               Span<const Index> position, Span<const Index> slot, Span<const Vec2> tangent,
+               Periodicity const& periodicity) noexcept;
 
     void clear() const noexcept;
     void clear_rows(RowRange rows) const noexcept;  // diagonal, row sum and entries

@@ -23,8 +23,8 @@ struct PartEquations {
     Span<Vec2> tangent;           // [n_points] where there are slip lines
     Wall wall;
     Span<Index> slot;             // [n_points]
-    Span<Index> local;            // [points of the shared boundary] the first point of the part that each stands for,
-                                  // or none
+    Span<Index> local;            // [points of the shared boundary] the first point of the part
+                                  // that each stands for, or none
     FaceDistance faces;
     Span<Real> conductivity;      // [own cells] of weighted operators
     Span<Offset> name;            // [unknowns]

@@ -11,8 +11,8 @@ struct Equations {
     OrientedMesh cells;           // with a copy of the orientations and the pieces: the analysis may be gone
     Pieces pieces;                // of polygons
     Method method;                // the kernel is never automatic here
-    Span<PointKind> kinds;        // [n_points] a copy, like the orientations; of joined points that of the
-                                  // representative
+    Span<PointKind> kinds;        // [n_points] a copy, like the orientations;
+                                  // of joined points that of the representative
     Span<Index> dof_of;          // [n] dof of each position
     FaceDistance wall;            // faces that move
     Span<DelaunayEdge> delaunay_edges;       // bounded scheme only

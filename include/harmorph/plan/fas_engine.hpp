@@ -22,9 +22,8 @@ struct FasEngine : LevelEngine<FullApproximation> {
                  Fault& fault) noexcept {
         bool const nodal_gradients = equations.method.nodal_gradients();
         if (nodal_gradients) equations.nodal.set_right_hand_sides(dofs, dofs.columns(equations.matrix));
-        return iteration.solve(dofs.rows(equations.matrix), nodal_gradients ? &equations.nodal.scheme : nullptr,
-                               progress,
-                               report, fault);
+        NodalGradient const* const scheme = nodal_gradients ? &equations.nodal.scheme : nullptr;
+        return iteration.solve(dofs.rows(equations.matrix), scheme, progress, report, fault);
     }
 };
 

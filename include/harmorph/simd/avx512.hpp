@@ -46,8 +46,8 @@ struct Registers<double> : Register<double, 8> {
         __mmask8 present;
     };
     static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept {
-        __m512i const all = _mm512_maskz_cvtepi32_epi64(every,
-                                                        _mm256_loadu_si256(reinterpret_cast<const __m256i*>(picked)));
+        __m256i const narrow = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(picked));
+        __m512i const all = _mm512_maskz_cvtepi32_epi64(every, narrow);
         return {all, _mm512_cmpge_epi64_mask(all, _mm512_setzero_si512())};
     }
     static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
