@@ -39,7 +39,8 @@
  * Inverted         A cell is inverted if one of its corners has an area <= 0 in the positive orientation. The area of a
  *                  corner is half the cross product of the two edges that meet there. A quadrilateral that is not
  *                  convex is therefore inverted even if its total area is positive. For polygons (HM_CELLS_POLYGONS)
- *                  see hm_mesh. Areas are rounded: a corner with a sine of less than 5e-16 may count as either.
+ *                  see hm_mesh. Areas are rounded: a corner with a sine of less than 5e-16 may count as either. A cell
+ *                  with an area that is infinite or NaN is inverted, too.
  * Markers          A marker without a condition is fixed: the points on it do not move.
  * NULL             Allowed only where stated. hm_error may always be NULL.
  * Status           0: success. Positive: success with a warning, the result can be used. Negative: the call was
@@ -1174,7 +1175,9 @@ HM_API hm_status hm_adjoint_sums(const hm_basis *basis, const hm_points *dj, int
 HM_API hm_status hm_adjoint_finish(const hm_basis *basis, int32_t scale, const int64_t *sums, double *gradient,
                                    hm_error *err);
 
-/* ---- Validity and quality ---------------------------------------------------------------------------------------- */
+/* ---- Validity and quality ----------------------------------------------------------------------------------------
+ * The mesh must be that of the basis. Refused (HM_BAD_BASIS): other counts, or other points in one of 64 cells that are
+ * compared; hm_basis_attach compares all cells. */
 
 typedef struct hm_step_report {
     uint64_t struct_size;
@@ -1192,7 +1195,8 @@ HM_API hm_status hm_admissible_step(const hm_basis *basis, const hm_mesh *mesh, 
 typedef struct hm_quality_report {
     uint64_t struct_size;
     int32_t  inverted, first_inverted; /* number of inverted cells; the first one, or -1 */
-    double   min_area;             /* [length^2] smallest signed corner area */
+    double   min_area;             /* [length^2] smallest signed corner area; minus infinity where an area is
+                                      infinite or NaN */
     double   min_quality, mean_quality; /* [0..1] size-skew quality sqrt(f_size) f_skew; 0 for inverted cells */
     int32_t  min_quality_cell;
     int32_t  self_crossing;        /* 1: the boundary crosses itself or another body, or faces coincide.

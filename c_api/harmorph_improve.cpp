@@ -21,7 +21,7 @@ Status view_improve_options(const hm_improve_options* given, ImproveOptions& opt
     constexpr Index most_iterations = 10000;
     hm_improve_options o = {};
     if (given == nullptr) return Status::ok;
-    if (!read_struct(given, o)) return fault.refuse(Status::bad_argument, "improve options: struct_size is not set");
+    if (!read_struct(given, o)) return fault.refuse(Status::bad_argument, "improve options: struct_size is wrong");
     if (asks_for_more(given)) {
         return fault.refuse(Status::unsupported,
                             "improve options: fields are set that this version of the library does not know");

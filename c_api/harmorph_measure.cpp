@@ -9,7 +9,7 @@ namespace {
 Status view_quantity(const hm_quantity* array, Index number, Quantity& out, Fault& fault) noexcept {
     hm_quantity q;
     if (!read_struct(array, q) || !read_struct(element(array, number), q)) {
-        return fault.refuse(Status::bad_argument, "struct_size of quantity # (from 0) is not set", Counts::from_zero,
+        return fault.refuse(Status::bad_argument, "struct_size of quantity # (from 0) is wrong", Counts::from_zero,
                             number);
     }
     if (q.kind < HM_AREA || q.kind > HM_CLEARANCE) {

@@ -12,7 +12,7 @@ static_assert(sizeof(hm_edge) == sizeof(OpenEdge) && sizeof(hm_edge) == 56, "one
 Status view_part_mesh(const hm_part_mesh* given, PartMesh& part, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"mesh", given}}, fault));
     hm_part_mesh p;
-    if (!read_struct(given, p)) return fault.refuse(Status::bad_argument, "the struct_size of the part is not set");
+    if (!read_struct(given, p)) return fault.refuse(Status::bad_argument, "the struct_size of the part is wrong");
     HARMORPH_TRY(require({{"part.numbers", p.numbers}}, fault));
     HARMORPH_TRY(view_mesh(p.mesh, part.mesh, fault));
     part.number = p.numbers;

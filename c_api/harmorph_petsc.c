@@ -87,7 +87,7 @@ static hm_status check_system(const hm_petsc *system, MPI_Comm comm, hm_error *e
 
 static hm_status check_report(const hm_petsc_report *report, hm_error *err) {
     if (report == NULL || (report->struct_size >= 8 && report->struct_size <= 4096)) return HM_OK;
-    return refuse_argument(err, "report.struct_size is not set");
+    return refuse_argument(err, "report.struct_size is wrong");
 }
 
 hm_status hm_petsc_rows_size(const hm_petsc *system, size_t *bytes, hm_error *err) {
@@ -214,7 +214,7 @@ hm_status hm_petsc_assess(const hm_petsc *system, const hm_basis *rows, const hm
     status = check_system(system, comm, err);
     if (status >= 0 && (step == NULL || quality == NULL || step->struct_size < sizeof *step ||
                         quality->struct_size < sizeof *quality)) {
-        status = refuse_argument(err, "step or quality is NULL, or its struct_size is not set");
+        status = refuse_argument(err, "step or quality is NULL, or its struct_size is wrong");
     }
     if (status >= 0) status = hm_part_cells(system->part, &own, &cell, err);
     if (status >= 0) status = hm_assess(rows, &own, from, displacement, NULL, &found_step, &found, err);

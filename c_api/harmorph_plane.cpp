@@ -10,7 +10,7 @@ namespace {
 Status view_space(const hm_space_mesh* given, SpaceMesh& mesh, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"space", given}}, fault));
     hm_space_mesh m;
-    if (!read_struct(given, m)) return fault.refuse(Status::bad_argument, "space.struct_size is not set");
+    if (!read_struct(given, m)) return fault.refuse(Status::bad_argument, "space.struct_size is wrong");
     if (asks_for_more(given)) {
         return fault.refuse(Status::unsupported,
                             "space: fields are set that this version of the library does not know");

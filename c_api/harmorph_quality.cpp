@@ -7,7 +7,7 @@
 namespace harmorph {
 namespace {
 
-// Basis and mesh that belong together, as far as counts and layout tell.
+// Basis and mesh that belong together, as far as counts, layout and a sample of the cells tell.
 Status open_pair(const hm_basis* handle, const hm_mesh* given, Basis& basis, Mesh& mesh, OrientedMesh& cells,
                  CallFault& fault) noexcept {
     HARMORPH_TRY(open_basis(handle, basis, fault));
@@ -21,9 +21,12 @@ Status open_pair(const hm_basis* handle, const hm_mesh* given, Basis& basis, Mes
         return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has no polygons");
     }
     cells = basis.cells(mesh);
-    if (mesh.n_points == basis.n_points() && mesh.n_cells == basis.header->counts.cells) return Status::ok;
-    return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has # points and @ cells",
-                        Counts::from_zero, basis.n_points(), basis.header->counts.cells);
+    if (mesh.n_points != basis.n_points() || mesh.n_cells != basis.header->counts.cells) {
+        return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has # points and @ cells",
+                            Counts::from_zero, basis.n_points(), basis.header->counts.cells);
+    }
+    if (sample_of(mesh) == basis.header->topology.sample) return Status::ok;
+    return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: the cells differ");
 }
 
 // Coordinates of the mesh's points that the call gives; NULL: the mesh's own.

@@ -13,7 +13,7 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
                          Fault& fault) noexcept {
     hm_safe_options o = {};
     if (given != nullptr && !read_struct(given, o)) {
-        return fault.refuse(Status::bad_argument, "safe options: struct_size is not set");
+        return fault.refuse(Status::bad_argument, "safe options: struct_size is wrong");
     }
     if (given != nullptr && asks_for_more(given)) {
         return fault.refuse(Status::unsupported,

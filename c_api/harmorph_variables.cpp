@@ -73,7 +73,7 @@ void use_box(hm_variables const& v, CurvesView const& view, Variables& out) noex
 Status open_variables(const hm_variables* given, CurvesView const& view, Variables& out, Fault& fault) noexcept {
     HARMORPH_TRY(require({{"variables", given}}, fault));
     hm_variables v;
-    if (!read_struct(given, v)) return fault.refuse(Status::bad_argument, "variables.struct_size is not set");
+    if (!read_struct(given, v)) return fault.refuse(Status::bad_argument, "variables.struct_size is wrong");
     if (v.kind < HM_FFD || v.kind > HM_NACA4) {
         return fault.refuse(Status::bad_argument, "variables.kind is #, which is unknown", Counts::from_zero, v.kind);
     }

@@ -5,7 +5,7 @@ namespace harmorph {
 Status Request::read(const hm_problem* given, const hm_options* options, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"problem", given}}, fault));
     hm_problem p;
-    if (!read_struct(given, p)) return fault.refuse(Status::bad_argument, "problem.struct_size is not set");
+    if (!read_struct(given, p)) return fault.refuse(Status::bad_argument, "problem.struct_size is wrong");
     HARMORPH_TRY(view_mesh(p.mesh, problem.mesh, fault));
     return read_rest(p, options, fault);
 }
@@ -13,7 +13,7 @@ Status Request::read(const hm_problem* given, const hm_options* options, CallFau
 Status Request::read_without_mesh(const hm_problem* given, const hm_options* options, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"problem", given}}, fault));
     hm_problem p;
-    if (!read_struct(given, p)) return fault.refuse(Status::bad_argument, "problem.struct_size is not set");
+    if (!read_struct(given, p)) return fault.refuse(Status::bad_argument, "problem.struct_size is wrong");
     return read_rest(p, options, fault);
 }
 

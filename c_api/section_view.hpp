@@ -26,7 +26,7 @@ inline Status open_section(const hm_curves* curves, const hm_section* given, Cur
     hm_section asked = {};
     HARMORPH_TRY(view_curves(curves, view, fault));
     if (given != nullptr && !read_struct(given, asked)) {
-        return fault.refuse(Status::bad_argument, "section.struct_size is not set");
+        return fault.refuse(Status::bad_argument, "section.struct_size is wrong");
     }
     if (asked.first_curve == 0 && asked.n_curves == 0) asked.n_curves = view.count();
     if (asked.first_curve < 0 || asked.n_curves < 1 || asked.n_curves > view.count() - asked.first_curve) {

@@ -20,7 +20,7 @@ Index cells_of_blocks(hm_mesh const& mesh) noexcept {
 Status view_mesh(const hm_mesh* given, Mesh& mesh, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"mesh", given}}, fault));
     hm_mesh m;
-    if (!read_struct(given, m)) return fault.refuse(Status::bad_argument, "mesh.struct_size is not set");
+    if (!read_struct(given, m)) return fault.refuse(Status::bad_argument, "mesh.struct_size is wrong");
     if (m.cell_layout < HM_CELLS_ROWS || m.cell_layout > HM_CELLS_POLYGONS) {
         return fault.refuse(Status::bad_argument, "mesh.cell_layout # is unknown", Counts::from_zero, m.cell_layout);
     }
@@ -60,7 +60,7 @@ Status view_executor(const hm_executor* given, Executor& executor, Fault& fault)
     executor = Executor{};
     if (given == nullptr) return Status::ok;
     hm_executor e;
-    if (!read_struct(given, e)) return fault.refuse(Status::bad_argument, "executor.struct_size is not set");
+    if (!read_struct(given, e)) return fault.refuse(Status::bad_argument, "executor.struct_size is wrong");
     if (e.n_threads == 0) e.n_threads = 1;
     if (e.n_threads < 1 || e.n_threads > Executor::most_threads) {
         return fault.refuse(Status::bad_argument, "executor.n_threads must be between 1 and 256, not #",

@@ -43,7 +43,7 @@ template <class T>
 Status check_report(const T* to, Fault& fault) noexcept {
     if (to == nullptr) return fault.refuse(Status::bad_argument, "a struct to be filled is NULL");
     if (has_size(*to)) return Status::ok;
-    return fault.refuse(Status::bad_argument, "the struct_size of a struct to be filled is not set");
+    return fault.refuse(Status::bad_argument, "the struct_size of a struct to be filled is wrong");
 }
 
 // NULL: the report is not wanted.

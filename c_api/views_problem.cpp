@@ -122,7 +122,7 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
     problem.progress = Progress{};
     hm_options o = {};
     if (given != nullptr && !read_struct(given, o)) {
-        return fault.refuse(Status::bad_argument, "options.struct_size is not set");
+        return fault.refuse(Status::bad_argument, "options.struct_size is wrong");
     }
     if (given != nullptr && asks_for_more(given)) {
         return fault.refuse(Status::unsupported,
@@ -155,7 +155,7 @@ Status view_fit_options(const hm_fit_options* given, FitOptions& options, Fault&
     options = FitOptions{};
     if (given == nullptr) return Status::ok;
     hm_fit_options o;
-    if (!read_struct(given, o)) return fault.refuse(Status::bad_argument, "fit options: struct_size is not set");
+    if (!read_struct(given, o)) return fault.refuse(Status::bad_argument, "fit options: struct_size is wrong");
     if (o.closed < HM_CLOSED_AUTO || o.closed > HM_PERIODIC) {
         return fault.refuse(Status::bad_argument, "fit options: closed is #, which is unknown",
                             Counts::from_zero, o.closed);
@@ -169,7 +169,7 @@ Status view_fit_options(const hm_fit_options* given, FitOptions& options, Fault&
 
 Status view_curves(const hm_curves* given, CurvesView& view, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"curves", given}}, fault));
-    if (!read_struct(given, view.set)) return fault.refuse(Status::bad_argument, "curves.struct_size is not set");
+    if (!read_struct(given, view.set)) return fault.refuse(Status::bad_argument, "curves.struct_size is wrong");
     hm_curves const& set = view.set;
     fault.bases.curves = set.index_base;
     if (set.index_base != 0 && set.index_base != 1) {
@@ -193,7 +193,7 @@ Status view_curves(const hm_curves* given, CurvesView& view, CallFault& fault) n
 Status CurvesView::curve(Index number, Curve& out, Fault& fault) const noexcept {
     hm_curve c;
     if (!read_struct(set.curve, c) || !read_struct(element(set.curve, number), c)) {
-        return fault.refuse(Status::bad_argument, "struct_size of curve # (from 0) is not set",
+        return fault.refuse(Status::bad_argument, "struct_size of curve # (from 0) is wrong",
                             Counts::from_zero, number);
     }
     if (c.knots == nullptr) {
@@ -256,7 +256,7 @@ Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept 
 Status view_condition(const hm_condition* array, Index number, Condition& out, Fault& fault) noexcept {
     hm_condition c;
     if (!read_struct(array, c) || !read_struct(element(array, number), c)) {
-        return fault.refuse(Status::bad_argument, "struct_size of condition # (from 0) is not set",
+        return fault.refuse(Status::bad_argument, "struct_size of condition # (from 0) is wrong",
                             Counts::from_zero, number);
     }
     if (c.kind < HM_ON_CURVE || c.kind > HM_ROTATION_PAIR) {

@@ -34,7 +34,7 @@ static hm_status take_part(hm_petsc *system, const hm_part_mesh *part, hm_error 
     hm_status status;
     if (part == NULL || part->mesh == NULL || part->struct_size < sizeof *part || part->mesh->struct_size < 8 ||
         part->mesh->struct_size > 4096) {
-        return refuse_argument(err, "part or part.mesh is NULL, or a struct_size is not set");
+        return refuse_argument(err, "part or part.mesh is NULL, or a struct_size is wrong");
     }
     system->part_mesh = *part;
     memcpy(&system->mesh, part->mesh,

@@ -260,7 +260,25 @@ MeshFingerprint fingerprint_of(Mesh const& mesh) noexcept {
         sum += face_hash.value();
         return true;
     });
-    return {front.value(), sum};
+    return {front.value(), sum, sample_of(mesh)};
+}
+
+std::uint64_t sample_of(Mesh const& mesh) noexcept {
+    Index const n = smaller(Index{64}, mesh.n_cells);
+    Hash hash;
+    for (Index k = 0; k < n; ++k) {
+        Index const i = static_cast<Index>(Offset{k} * mesh.n_cells / n);
+        if (mesh.layout == CellLayout::polygons) {
+            for (Offset corner = mesh.cell_start[i]; corner < mesh.cell_start[i + 1]; ++corner) {
+                hash.add(pair(none, from_zero(mesh.cell_points[corner - mesh.index_base], mesh.index_base)));
+            }
+        } else {
+            Cell const cell = mesh.cell(i);
+            hash.add(pair(cell.point[0], cell.point[1]));
+            hash.add(pair(cell.point[2], cell.n == 4 ? cell.point[3] : none));
+        }
+    }
+    return hash.value();
 }
 
 std::uint64_t coordinates_fingerprint(Points points, Index n_points) noexcept {

@@ -37,8 +37,9 @@ void Quality::add(OrientedMesh const& mesh, CellPlaces const& places, CellBatche
         Real reference_area = 0;
         if (places.change.given()) reference_area = CellCorners(CellShape(cell, places.at, false)).cell_area(cell.n);
         else if (places.reference.given()) reference_area = cell_area(cell, places.reference);
-        Real const quality = CellMeasure(cell.n, CellCorners(places.displaced(cell))).quality(reference_area);
-        note(number, its.twice_smallest[i], quality);
+        CellMeasure const measure(cell.n, CellCorners(places.displaced(cell)));
+        Real const quality = measure.quality(reference_area);
+        note(number, measure.twice_smallest, quality);
         quality_sum += quality > 0 ? quality : 0;
     });
 }

@@ -85,7 +85,7 @@ TEST_CASE("sections: which curves, and an outline round nothing") {
         };
     };
     check_texts({
-        {HM_BAD_ARGUMENT, "section.struct_size is not set", measure(0, 0, 1)},
+        {HM_BAD_ARGUMENT, "section.struct_size is wrong", measure(0, 0, 1)},
         {HM_BAD_ARGUMENT, "section.first_curve and n_curves, 8 and 2, exceed the curves of the set",
          measure(sizeof section, 8, 2)},
         {HM_BAD_ARGUMENT, "section.first_curve and n_curves, -1 and 1, exceed the curves of the set",
@@ -164,7 +164,7 @@ TEST_CASE("design variables: fields of another kind, and numbers out of range") 
     check_texts({
         {HM_BAD_ARGUMENT, "variables is NULL",
          [&](hm_error* e) { return hm_variables_size(&its.set, nullptr, nullptr, &n, &bytes, e); }},
-        {HM_BAD_ARGUMENT, "variables.struct_size is not set", with(HM_FFD, [](auto& o) { o.struct_size = 0; })},
+        {HM_BAD_ARGUMENT, "variables.struct_size is wrong", with(HM_FFD, [](auto& o) { o.struct_size = 0; })},
         {HM_BAD_ARGUMENT, "variables.kind is 9, which is unknown", with(9, [](auto&) {})},
         {HM_BAD_ARGUMENT, "variables.kind is -1, which is unknown", with(-1, [](auto&) {})},
         {HM_BAD_ARGUMENT, "variables: degrees and box are of HM_FFD only",

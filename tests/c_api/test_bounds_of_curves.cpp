@@ -61,7 +61,7 @@ TEST_CASE("quantities of a section") {
     CHECK(hm_measure(&set.view(), nullptr, 0, two, values, nullptr, nullptr, &error) == HM_BAD_ARGUMENT);
     CHECK(std::string(error.text) == "n is 0: at least one quantity is measured");
     CHECK(hm_measure(&set.view(), nullptr, 2, two, values, nullptr, nullptr, &error) == HM_BAD_ARGUMENT);
-    CHECK(std::string(error.text) == "struct_size of quantity 1 (from 0) is not set");
+    CHECK(std::string(error.text) == "struct_size of quantity 1 (from 0) is wrong");
 }
 
 TEST_CASE("sections") {
@@ -209,7 +209,7 @@ TEST_CASE("curves: each field of the set and of a curve") {
         if (has_size) its_curves[1].struct_size = sizeof(hm_curve), its_curves[1].knots = nullptr;
         else its_curves[1].struct_size = 0;
         std::string const text =
-            has_size ? "knots of curve 1 (from 0) is NULL" : "struct_size of curve 1 (from 0) is not set";
+            has_size ? "knots of curve 1 (from 0) is NULL" : "struct_size of curve 1 (from 0) is wrong";
         std::size_t bytes = 0;
         double at[2];
         REQUIRE(hm_analysis_size(&problem, nullptr, &bytes, nullptr) == HM_OK);

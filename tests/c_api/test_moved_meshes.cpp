@@ -76,6 +76,35 @@ TEST_CASE("a mesh that was moved in place is improved with the reference of befo
     CHECK(report.mean_quality > report.mean_quality_before);
 }
 
+TEST_CASE("a mesh of other cells is refused, also with as many points and cells as the basis has") {
+    Moved o;
+    std::vector<double> const still(o.x.size());
+    hm_points const none{still.data(), still.data(), 1};
+    hm_quality_report quality{};
+    hm_step_report step{};
+    quality.struct_size = sizeof quality;
+    step.struct_size = sizeof step;
+    std::vector<std::int32_t> turned(o.its.mesh.cells);   // each point has the number of the next one
+    for (std::int32_t& point : turned) point = (point + 1) % o.mesh.n_points;
+    hm_mesh renumbered = o.mesh;
+    renumbered.cell_points = turned.data();
+    const char* const text = "the basis belongs to another mesh: the cells differ";
+    hm_basis* const basis = o.solved->basis;
+    auto const measure = [&](hm_mesh const& mesh, hm_error* e) {
+        return hm_quality(basis, &mesh, nullptr, nullptr, nullptr, &quality, e);
+    };
+    check_texts({
+        {HM_BAD_BASIS, text, [&](hm_error* e) { return measure(renumbered, e); }},
+        {HM_BAD_BASIS, text, [&](hm_error* e) {
+             return hm_admissible_step(basis, &renumbered, nullptr, &none, nullptr, &step, e);
+         }},
+        {HM_BAD_BASIS, text, [&](hm_error* e) {
+             return hm_assess(basis, &renumbered, nullptr, &none, nullptr, &step, &quality, e);
+         }},
+    });
+    CHECK(measure(o.mesh, nullptr) == HM_OK);
+}
+
 TEST_CASE("a morph into arrays that share numbers of other points is refused, and changes nothing") {
     Moved o;
     std::int32_t const n = o.mesh.n_points;

@@ -37,7 +37,7 @@ TEST_CASE("arguments that every call checks") {
     check_texts({
         {HM_BAD_ARGUMENT, "a struct to be filled is NULL",
          [&](hm_error* e) { return hm_basis_info_get(o.basis, nullptr, e); }},
-        {HM_BAD_ARGUMENT, "the struct_size of a struct to be filled is not set",
+        {HM_BAD_ARGUMENT, "the struct_size of a struct to be filled is wrong",
          [&](hm_error* e) { return hm_basis_info_get(o.basis, &info, e); }},
         {HM_BAD_ARGUMENT, "to is NULL",
          [&](hm_error* e) { return hm_morph(o.basis, o.move.data(), nullptr, nullptr, nullptr, e); }},
@@ -333,7 +333,7 @@ TEST_CASE("options of the safe morph and of better cells") {
     const char* const strategies =
         "safe options: skipped_strategies is 1048576, which names strategies there are not, or reserved is not 0";
     check_texts({
-        {HM_BAD_ARGUMENT, "safe options: struct_size is not set", morph([&] { safe.struct_size = 0; })},
+        {HM_BAD_ARGUMENT, "safe options: struct_size is wrong", morph([&] { safe.struct_size = 0; })},
         {HM_UNSUPPORTED, "safe options: fields are set that this version of the library does not know",
          [&](hm_error* e) {
              return hm_morph_safe(o.solved.plan, o.basis, o.move.data(), &o.out, nullptr, work.data(), work.size(),
@@ -368,7 +368,7 @@ TEST_CASE("options of the safe morph and of better cells") {
          morph([&] { safe.max_height_change = std::numeric_limits<double>::quiet_NaN(); })},
         {HM_BAD_ARGUMENT, "basis 0 (from 0) of others is NULL",
          morph([&] { safe.others = &nobody, safe.n_others = 1; })},
-        {HM_BAD_ARGUMENT, "improve options: struct_size is not set", improve([&] { better.struct_size = 0; })},
+        {HM_BAD_ARGUMENT, "improve options: struct_size is wrong", improve([&] { better.struct_size = 0; })},
         {HM_BAD_ARGUMENT, "improve options: max_iterations is 10001, not 0 .. 10000, or reserved is not 0",
          improve([&] { better.max_iterations = 10001; })},
         {HM_BAD_ARGUMENT, "improve options: max_iterations is -1, not 0 .. 10000, or reserved is not 0",

@@ -88,8 +88,8 @@ TEST_CASE("options that are out of range or unknown") {
          [](auto&, auto& o, auto&) { o.history_length = 3; }},
         {HM_BAD_ARGUMENT, "options.start is 7, which is unknown", [](auto&, auto& o, auto&) { o.start = 7; }},
         {HM_BAD_ARGUMENT, "options.start is -1, which is unknown", [](auto&, auto& o, auto&) { o.start = -1; }},
-        {HM_BAD_ARGUMENT, "options.struct_size is not set", [](auto&, auto& o, auto&) { o.struct_size = 0; }},
-        {HM_BAD_ARGUMENT, "options.struct_size is not set", [](auto&, auto& o, auto&) { o.struct_size = 5000; }},
+        {HM_BAD_ARGUMENT, "options.struct_size is wrong", [](auto&, auto& o, auto&) { o.struct_size = 0; }},
+        {HM_BAD_ARGUMENT, "options.struct_size is wrong", [](auto&, auto& o, auto&) { o.struct_size = 5000; }},
         {HM_UNSUPPORTED, "options.block_width goes with the engines multigrid and fas only",
          [](auto&, auto& o, auto&) { o.block_width = 4; }},
         {HM_UNSUPPORTED, "options.max_iterations goes with the engines multigrid and fas only",
@@ -108,7 +108,7 @@ TEST_CASE("options that are out of range or unknown") {
          [](auto&, auto& o, auto&) { o.tolerance = -2; }},
         {HM_UNSUPPORTED, "options.precision 3 is unknown", [](auto&, auto& o, auto&) { o.precision = 3; }},
         {HM_UNSUPPORTED, "options.precision -1 is unknown", [](auto&, auto& o, auto&) { o.precision = -1; }},
-        {HM_BAD_ARGUMENT, "executor.struct_size is not set", [](auto&, auto& o, auto&) { o.executor = &executor; }},
+        {HM_BAD_ARGUMENT, "executor.struct_size is wrong", [](auto&, auto& o, auto&) { o.executor = &executor; }},
         {HM_UNSUPPORTED, "executor.kernel is 99, which is unknown",
          [](auto&, auto& o, auto&) {
              executor.struct_size = sizeof executor;
@@ -127,7 +127,7 @@ TEST_CASE("options that are out of range or unknown") {
 TEST_CASE("counts and arrays of a problem and of the mesh") {
     static std::int32_t const sizes[] = {1, 5};
     check({
-        {HM_BAD_ARGUMENT, "problem.struct_size is not set", [](auto& p, auto&, auto&) { p.struct_size = 4; }},
+        {HM_BAD_ARGUMENT, "problem.struct_size is wrong", [](auto& p, auto&, auto&) { p.struct_size = 4; }},
         {HM_BAD_ARGUMENT, "mesh is NULL", [](auto& p, auto&, auto&) { p.mesh = nullptr; }},
         {HM_BAD_ARGUMENT, "n_conditions is negative, or conditions is NULL",
          [](auto& p, auto&, auto&) { p.n_conditions = -1; }},
@@ -137,7 +137,7 @@ TEST_CASE("counts and arrays of a problem and of the mesh") {
          [](auto& p, auto&, auto&) { p.n_conditions = 0; }},
         {HM_BAD_ARGUMENT, "given parameters: negative number, or an array is NULL",
          [](auto& p, auto&, auto&) { p.n_given = -1; }},
-        {HM_BAD_ARGUMENT, "mesh.struct_size is not set", [](auto&, auto&, auto& m) { m.struct_size = 0; }},
+        {HM_BAD_ARGUMENT, "mesh.struct_size is wrong", [](auto&, auto&, auto& m) { m.struct_size = 0; }},
         {HM_BAD_ARGUMENT, "mesh.cell_layout 99 is unknown", [](auto&, auto&, auto& m) { m.cell_layout = 99; }},
         {HM_BAD_ARGUMENT, "mesh.cell_layout -1 is unknown", [](auto&, auto&, auto& m) { m.cell_layout = -1; }},
         {HM_BAD_ARGUMENT, "mesh.index_base must be 0 or 1, not 2", [](auto&, auto&, auto& m) { m.index_base = 2; }},
@@ -189,7 +189,7 @@ TEST_CASE("arrays of curves, and the kinds of conditions") {
         return condition;
     };
     check({
-        {HM_BAD_ARGUMENT, "curves.struct_size is not set",
+        {HM_BAD_ARGUMENT, "curves.struct_size is wrong",
          [&](auto& p, auto&, auto&) { set(p), curves.struct_size = 1; }},
         {HM_BAD_ARGUMENT, "curves.index_base must be 0 or 1",
          [&](auto& p, auto&, auto&) { set(p), curves.index_base = 2; }},
@@ -211,7 +211,7 @@ TEST_CASE("arrays of curves, and the kinds of conditions") {
          }},
         {HM_BAD_ARGUMENT, "condition 0 (from 0) has the unknown kind 9",
          [&](auto& p, auto&, auto&) { change(p).kind = 9; }},
-        {HM_BAD_ARGUMENT, "struct_size of condition 0 (from 0) is not set",
+        {HM_BAD_ARGUMENT, "struct_size of condition 0 (from 0) is wrong",
          [&](auto& p, auto&, auto&) { change(p).struct_size = 0; }},
         {HM_BAD_CONDITION, "condition 0 (from 0) names rigid body -1 (from 0), which there cannot be",
          [&](auto& p, auto&, auto&) { change(p).kind = HM_RIGID, condition.body = -1; }},
@@ -308,7 +308,7 @@ TEST_CASE("a fit: options, and counts of points") {
     check_texts({
         {HM_BAD_CURVE, "points 1 (from 0) and 2 (from 0) follow each other and coincide", fit(twice, HM_OPEN)},
         {HM_BAD_CURVE, "only a loop of points can have a tied or periodic curve", fit(apart, HM_PERIODIC)},
-        {HM_BAD_ARGUMENT, "fit options: struct_size is not set",
+        {HM_BAD_ARGUMENT, "fit options: struct_size is wrong",
          [&](hm_error* e) { return options.struct_size = 0, hm_fit_size(20, &options, &bytes, e); }},
         {HM_BAD_ARGUMENT, "fit options: closed is 9, which is unknown",
          [&](hm_error* e) {

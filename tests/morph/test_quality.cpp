@@ -168,16 +168,20 @@ TEST_CASE("clockwise meshes are as good as counter-clockwise ones") {
     CHECK(seen.min_quality_cell == expected.min_quality_cell);
 }
 
-TEST_CASE("a coordinate that is not a number makes its cells invalid, whichever corner it is") {
+TEST_CASE("a coordinate that is not finite makes its cells invalid, whichever corner it is") {
     Untrapped const untrapped;
-    for (std::int32_t corner = 0; corner < 49; ++corner) {
-        Mesh mesh = square(6, Cells::hybrid);
-        mesh.x[static_cast<std::size_t>(corner)] = std::nan("");
-        Quality const seen = measure(mesh);
-        std::int32_t cells = 0;
-        for (std::int32_t const point : mesh.cells) cells += point == corner;
-        CHECK(seen.inverted == cells);
-        CHECK(seen.min_quality == 0);
+    for (double const bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+        for (std::int32_t corner = 0; corner < 49; ++corner) {
+            Mesh mesh = square(6, Cells::hybrid);
+            perturb(mesh, 0.2, 3);   // no side parallel to an axis: 0 times infinity is not what makes areas NaN
+            mesh.x[static_cast<std::size_t>(corner)] = bad;
+            Quality const seen = measure(mesh);
+            std::int32_t cells = 0;
+            for (std::int32_t const point : mesh.cells) cells += point == corner;
+            CHECK(seen.inverted == cells);
+            CHECK(seen.min_quality == 0);
+            CHECK(seen.min_area == -HUGE_VAL);
+        }
     }
 }
 

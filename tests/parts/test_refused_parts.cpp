@@ -146,7 +146,7 @@ TEST_CASE("calls with parts, equations and rows that do not go together") {
     check_texts({
         {HM_BAD_ARGUMENT, "part is NULL", [&](hm_error* e) { return hm_part_edges(nullptr, nullptr, 0, &none, e); }},
         {HM_BAD_ARGUMENT, "equations is NULL", [&](hm_error* e) { return hm_rows_size(nullptr, &bytes, e); }},
-        {HM_BAD_ARGUMENT, "the struct_size of the part is not set",
+        {HM_BAD_ARGUMENT, "the struct_size of the part is wrong",
          [&](hm_error* e) { return hm_part_size(&no_size, &bytes, e); }},
         {HM_BAD_ARGUMENT, room.c_str(),
          [&](hm_error* e) { return hm_part_edges(one.part, parted.edges.data(), n - 1, &none, e); }},

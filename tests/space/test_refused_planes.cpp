@@ -87,7 +87,7 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
         CHECK(std::string(its_plane.error.text) == text);
     };
     auto const bad_argument = [&](const char* text, auto change) { refused(HM_BAD_ARGUMENT, text, change); };
-    bad_argument("space.struct_size is not set", [](hm_space_mesh& s) { s.struct_size = 0; });
+    bad_argument("space.struct_size is wrong", [](hm_space_mesh& s) { s.struct_size = 0; });
     bad_argument("space.kind 3 is unknown", [](hm_space_mesh& s) { s.kind = 3; });
     bad_argument("space.kind -1 is unknown", [](hm_space_mesh& s) { s.kind = -1; });
     bad_argument("space.index_base must be 0 or 1, not 2", [](hm_space_mesh& s) { s.index_base = 2; });

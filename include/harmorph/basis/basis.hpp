@@ -49,6 +49,7 @@ struct BoundaryFunctions {
 struct MeshFingerprint {
     std::uint64_t cells = 0;    // the points of each cell, in order
     std::uint64_t markers = 0;  // which points are on which marker, however the faces are ordered and laid out
+    std::uint64_t sample = 0;   // the points of a few cells: see sample_of
 };
 
 constexpr bool operator==(MeshFingerprint const& a, MeshFingerprint const& b) noexcept {
@@ -57,7 +58,7 @@ constexpr bool operator==(MeshFingerprint const& a, MeshFingerprint const& b) no
 
 // The first bytes of the block. Everything else follows in the order of Basis::lay_out, which the counts determine.
 struct BasisHeader {
-    static constexpr std::uint32_t current_format = 8, native_order = 0x01020304;
+    static constexpr std::uint32_t current_format = 9, native_order = 0x01020304;
     static constexpr char expected_magic[8] = {'h', 'a', 'r', 'm', 'o', 'r', 'p', 'h'};
 
     char magic[8];
@@ -151,6 +152,8 @@ struct Basis {
 
 std::uint64_t checksum_of(BasisHeader const& header, Executor const& executor = {}) noexcept;
 MeshFingerprint fingerprint_of(Mesh const& mesh) noexcept;
+// Of 64 cells spread over the mesh: cheap enough for every call, and different for a mesh with other numbers.
+std::uint64_t sample_of(Mesh const& mesh) noexcept;
 std::uint64_t coordinates_fingerprint(Points points, Index n_points) noexcept;
 
 // Is the block a solved basis, whole, undamaged, and of this mesh (null: any)? Status::moved if only coordinates

@@ -32,10 +32,11 @@ struct CellCorners {
         for (Index k = 0; k < 4; ++k) side[k] = shape.at[(k + 1) & 3] - shape.at[k];
         for (Index k = 0; k < 4; ++k) twice_area[k] = cross(side[(k + 3) & 3], side[k]);
     }
-    // NaN if any corner's is: a minimum alone may lose it, the sum does not.
+    // NaN if any corner's is NaN or infinite: a minimum alone may lose that, the sum does not.
     Real smallest() const noexcept {
-        Real const sum = (twice_area[0] + twice_area[1]) + (twice_area[2] + twice_area[3]);
-        return sum == sum ? smaller(smaller(twice_area[0], twice_area[1]), smaller(twice_area[2], twice_area[3])) : sum;
+        Real const sum = (twice_area[0] + twice_area[1]) + (twice_area[2] + twice_area[3]), zero = sum - sum;
+        if (zero != 0) return zero;
+        return smaller(smaller(twice_area[0], twice_area[1]), smaller(twice_area[2], twice_area[3]));
     }
     // Of the sides: the square of the longest one.
     Real longest_square(Index n) const noexcept {

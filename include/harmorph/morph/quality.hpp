@@ -101,8 +101,9 @@ inline void Quality::add(Index cell, CellMeasure const& measure, Real reference_
 }
 
 inline void Quality::note(Index cell, Real twice_smallest, Real value) noexcept {
-    min_area = smaller(min_area, 0.5 * twice_smallest);
-    if (!(twice_smallest > 0) && inverted++ == 0) first_inverted = cell;  // NaN: a coordinate that is not finite
+    bool const is_number = twice_smallest == twice_smallest;  // not so where a coordinate is not finite
+    min_area = smaller(min_area, is_number ? 0.5 * twice_smallest : -infinity);
+    if (!(twice_smallest > 0) && inverted++ == 0) first_inverted = cell;
     if (!(value > 0)) value = 0;
     if (value < min_quality) {
         min_quality = value;
