@@ -1,4 +1,4 @@
-// The C interface: the basis as a block: attached, and what it holds. Nothing here needs a plan.
+// The C interface: what a basis holds. Nothing here needs a plan.
 #include "handles.hpp"
 
 namespace harmorph {
@@ -56,23 +56,6 @@ hm_curves curves_of(Basis const& basis, const double* control, hm_curve* curve) 
 using namespace harmorph;
 
 extern "C" {
-
-hm_status hm_basis_attach(const hm_basis** basis, const void* block, size_t bytes, const hm_mesh* mesh, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        HARMORPH_TRY(require({{"basis", basis}, {"block", block}}, fault));
-        if (reinterpret_cast<std::uintptr_t>(block) % 8 != 0) {
-            return fault.refuse(Status::bad_argument, "the block of a basis must be aligned to 8 bytes");
-        }
-        Mesh view;
-        if (mesh != nullptr) {
-            HARMORPH_TRY(view_mesh(mesh, view, fault));
-            HARMORPH_TRY(check_mesh(view, fault));
-        }
-        HARMORPH_TRY(check_basis(block, bytes, mesh != nullptr ? &view : nullptr, fault));
-        *basis = static_cast<const hm_basis*>(block);
-        return fault.status;
-    });
-}
 
 hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {

@@ -2,6 +2,9 @@
 
 #include <cstring>
 
+#include "harmorph/base/fixed_sum.hpp"
+#include "harmorph/base/parallel_reduce.hpp"
+
 namespace harmorph {
 
 BasisCounts BasisSource::counts() const noexcept {
@@ -78,6 +81,25 @@ void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const
     copy(basis.loop_start, Span<const Index>(source.boundary.loop_start.first(counts.loops + 1)));
     copy(basis.reversed, Span<const std::uint8_t>(source.topology.reversed));
     if (basis.pieces.given()) basis.pieces.copy_from(*source.pieces);
+}
+
+void Basis::seal(Real at_least, Executor const& executor) const noexcept {
+    Offset const length = block_points * Offset{row_length()};  // numbers of a block
+    Index const blocks = length > 0 ? static_cast<Index>(static_cast<Offset>(value.size()) / length) : 0;
+    auto const include = [&](Index begin, Index end, LargestMagnitude& largest) {
+        largest.include(Span<const Real>(value.from(begin * length, (end - begin) * length)));
+    };
+    LargestMagnitude largest = reduce_ranges<LargestMagnitude>(blocks, executor, include);
+    for (float const number : single) largest.include(static_cast<Real>(number));
+    largest.include(at_least);
+    header->largest = largest.value();
+    header->solved = 1;
+    header->checksum = checksum_of(*header, executor);
+}
+
+void Basis::unseal() const noexcept {
+    header->solved = 0;
+    header->checksum = 0;
 }
 
 }  // namespace harmorph

@@ -191,35 +191,71 @@ struct SumsIn<Of, false> {
 using Gradient = GradientIn<Registers>;
 using Sums = SumsIn<Registers>;
 
+// So much is done with each number that processors do not look far enough ahead for the numbers that come: they are
+// prefetched. Into the second cache, as requests of the first one hide the stream from the processor's own prefetch.
 template <class Number>
-void multiply_transposed(ValueBlocks<Number> const& blocks, PerPoint<const Real> by, BinaryScale::Factor unit,
-                         FixedSums& total) noexcept {
-    Index const n = blocks.n_numbers;
-    alignas(64) Sums sums[Movements::most];  // no vector in two cache lines
-    for (Index k = 0; k < n; ++k) sums[k] = Sums{};
-    for (Index block = 0; block < blocks.n_blocks; ++block) {
-        const Number* const values = blocks.values + block * blocks.stride;
-        Gradient gradient[vectors];
+HARMORPH_INLINE void prefetch_numbers(const Number* numbers) noexcept {
+    constexpr Index line = 64 / sizeof(Number);
+    for (Index i = 0; i < block_points; i += line) __builtin_prefetch(numbers + i, 0, 2);
+}
+
+// Adds the products of `width` blocks, from block `first` on. Each sum stays in registers for all of them; `ahead`:
+// how many numbers further on is what is needed soon.
+template <Index width, class Number>
+HARMORPH_INLINE void add_blocks(ValueBlocks<Number> const& blocks, Index first, PerPoint<const Real> by,
+                                BinaryScale::Factor unit, Offset ahead, Sums* sums) noexcept {
+    Gradient gradient[width * vectors];
 #pragma GCC unroll 4
-        for (Index v = 0; v < vectors; ++v) {
-            Index const point = block * block_points + v * lanes;
-            gradient[v].set(Registers::load(by.x + point) * unit.first * unit.second,
-                            Registers::load(by.y + point) * unit.first * unit.second);
-        }
-        for (Index k = 0; k < n; ++k) {
-            Sums sum = sums[k];
-#pragma GCC unroll 4
-            for (Index v = 0; v < vectors; ++v) {
-                sum.add(Registers::load(values + k * block_points + v * lanes), gradient[v]);
-            }
-            sums[k] = sum;
-        }
+    for (Index v = 0; v < width * vectors; ++v) {
+        Index const point = first * block_points + v * lanes;
+        gradient[v].set(Registers::load(by.x + point) * unit.first * unit.second,
+                        Registers::load(by.y + point) * unit.first * unit.second);
     }
+    constexpr Index written_out = lanes == 8 ? width : 1;  // blocks; the short loops of AVX-512 gain by that
+    const Number* const values = blocks.values + first * blocks.stride;
+    for (Index k = 0; k < blocks.n_numbers; ++k) {
+        Sums sum = sums[k];
+        for (Index from = 0; from < width; from += written_out) {
+#pragma GCC unroll 8
+            for (Index block = from; block < from + written_out; ++block) {
+                const Number* const its = values + block * blocks.stride + k * block_points;
+                prefetch_numbers(its + ahead);
+#pragma GCC unroll 4
+                for (Index v = 0; v < vectors; ++v) {
+                    sum.add(Registers::load(its + v * lanes), gradient[block * vectors + v]);
+                }
+            }
+        }
+        sums[k] = sum;
+    }
+}
+
+// Not inlined: one for both precisions of the values.
+__attribute__((noinline)) void add_settled(const Sums* sums, Index n, Index n_products, FixedSums& total) noexcept {
     for (Index k = 0; k < n; ++k) {
-        SettledSums const settled = sums[k].settled(blocks.n_blocks * block_points);
+        SettledSums const settled = sums[k].settled(n_products);
         total.x[k] += settled.x;
         total.y[k] += settled.y;
     }
+}
+
+template <class Number>
+void multiply_transposed(ValueBlocks<Number> const& blocks, PerPoint<const Real> by, BinaryScale::Factor unit,
+                         FixedSums& total) noexcept {
+    constexpr Index few = 64;    // sums of so many numbers leave room in the first cache; of more, they come and go
+    constexpr Index window = 8;  // blocks that share each coming and going
+    constexpr Offset near = 512 / sizeof(Number);
+    Index const n = blocks.n_numbers;
+    alignas(64) Sums sums[Movements::most];  // no vector in two cache lines
+    for (Index k = 0; k < n; ++k) sums[k] = Sums{};
+    Index block = 0;
+    if (n > few) {
+        for (; block + window <= blocks.n_blocks; block += window) {
+            add_blocks<window>(blocks, block, by, unit, window * blocks.stride, sums);
+        }
+    }
+    for (; block < blocks.n_blocks; ++block) add_blocks<1>(blocks, block, by, unit, near, sums);
+    add_settled(sums, n, blocks.n_blocks * block_points, total);
 }
 
 std::uint64_t largest_bits(const Real* numbers, Index n) noexcept {

@@ -11,12 +11,20 @@
 namespace bench {
 namespace {
 
+struct Operator {
+    char const* name;
+    Index kind;
+    Index numbers;   // of a value
+};
+constexpr Operator laplace{"Laplace", HM_LAPLACE, 1}, conformal{"conformal", HM_CONFORMAL, 2};
+
 class Product {
 public:
     // All arrays are in the same kind of pages.
     Product(Case const& its_case, hm_basis const* basis, Index functions, hm_executor const* executor,
-            Pages pages = Pages::huge)
-        : basis_(basis), executor_(executor), m_(at(functions)), n_(its_case.mesh.x.size()), pages_(pages), xy_(pages) {
+            Pages pages = Pages::huge, Operator const& its = laplace)
+        : case_(its_case), operator_(its), basis_(basis), executor_(executor), m_(at(functions)),
+          n_(its_case.mesh.x.size()), pages_(pages), xy_(pages) {
         x_ = xy_.numbers(2 * n_);
         std::copy(its_case.mesh.x.begin(), its_case.mesh.x.end(), x_);
         std::copy(its_case.mesh.y.begin(), its_case.mesh.y.end(), y());
@@ -81,13 +89,27 @@ public:
         return static_cast<double>(info.bytes);
     }
     double nodes() const { return static_cast<double>(n_); }
-    double morph_bytes(double number = 8) const { return nodes() * (number * static_cast<double>(m_) + 32); }
-    double adjoint_bytes(double number = 8) const { return nodes() * (number * static_cast<double>(m_) + 16); }
+    double morph_bytes(double number = 8) const { return nodes() * (number * numbers() + 32); }
+    double adjoint_bytes(double number = 8) const { return nodes() * (number * numbers() + 16); }
+
+    // Milliseconds and bytes of one product, against dgemm and against reading the basis, in turn with each.
+    void add_row(char const* what, double bytes, std::function<void()> const& work, Pair seconds, Limits const& limits,
+                 Table& table) const {
+        auto const read = [&] { limits.read_once(basis_, static_cast<std::size_t>(basis_bytes())); };
+        auto const with_reading = in_turn(work, read);
+        double const alone = least(with_reading.first), reading = basis_bytes() / least(with_reading.second);
+        table.add({what, case_.name(), operator_.name, count(static_cast<Index>(m_)),
+                   pages_ == Pages::huge ? "2 MiB" : "4 KiB", milliseconds(alone), {1e9 * alone / nodes(), "%.2f"},
+                   {1e-9 * bytes / alone, "%.1f"}, {1e-9 * reading, "%.1f"}, percent(bytes / alone / reading),
+                   milliseconds(seconds.theirs), ratio(seconds.theirs / seconds.ours)});
+    }
 
 private:
+    Case const& case_;
+    Operator operator_;
     hm_basis const* basis_;
     hm_executor const* executor_;
-    std::size_t m_, n_;
+    std::size_t m_, n_;   // functions, points
     Pages pages_;
     Block xy_;
     double* x_ = nullptr;   // all x, then all y
@@ -95,6 +117,7 @@ private:
     hm_error error_{};
 
     double* y() { return x_ + n_; }
+    double numbers() const { return static_cast<double>(m_) * operator_.numbers; }   // of a point
     void done(hm_status status, char const* call) const { require(status, error_, call); }
     static std::function<void()> fastest(std::vector<std::function<void()>> const& ways) {
         double best = not_measured;
@@ -119,22 +142,11 @@ private:
     }
 };
 
-// Milliseconds and bytes of one product, against dgemm and against reading the basis, in turn with each.
-void add_product(char const* what, Case const& its_case, Index functions, Pages pages, Product& product, double bytes,
-                 std::function<void()> const& work, Product::Pair seconds, hm_basis const* basis, Limits const& limits,
-                 Table& table) {
-    double const basis_bytes = product.basis_bytes();
-    auto const with_reading = in_turn(work, [&] { limits.read_once(basis, static_cast<std::size_t>(basis_bytes)); });
-    double const alone = least(with_reading.first), reading = basis_bytes / least(with_reading.second);
-    table.add({what, its_case.name(), count(functions), pages == Pages::huge ? "2 MiB" : "4 KiB", milliseconds(alone),
-               {1e9 * alone / product.nodes(), "%.2f"}, {1e-9 * bytes / alone, "%.1f"}, {1e-9 * reading, "%.1f"},
-               percent(bytes / alone / reading), milliseconds(seconds.theirs), ratio(seconds.theirs / seconds.ours)});
-}
-
-void add_products(Case const& its_case, Settings const& settings, Limits const& limits, Table& table) {
+void add_products(Case const& its_case, Operator const& its, Settings const& settings, Limits const& limits,
+                  Table& table) {
     for (Index const functions : settings.functions) {
         Workspace workspace;
-        Ours ours(its_case, workspace, functions, settings.executor, settings.kernel);
+        Ours ours(its_case, workspace, functions, settings.executor, settings.kernel, HM_DIRECT, HM_DOUBLE, its.kind);
         ours.run();
         for (Pages const pages : {Pages::plain, Pages::huge}) {
             hm_error error{};
@@ -145,13 +157,12 @@ void add_products(Case const& its_case, Settings const& settings, Limits const& 
             std::memcpy(block.give(info.bytes), ours.basis(), info.bytes);
             hm_basis const* basis = nullptr;
             require(hm_basis_attach(&basis, block.give(0), info.bytes, nullptr, &error), error, "hm_basis_attach");
-            Product product(its_case, basis, functions, settings.executor, pages);
+            Product product(its_case, basis, functions, settings.executor, pages, its);
             Product::Pairs pairs{{not_measured, not_measured}, {not_measured, not_measured}};
-            if (blas() != nullptr) pairs = product.against(*blas());
-            add_product("morph", its_case, functions, pages, product, product.morph_bytes(), [&] { product.morph(); },
-                        pairs.morph, basis, limits, table);
-            add_product("adjoint", its_case, functions, pages, product, product.adjoint_bytes(),
-                        [&] { product.adjoint(); }, pairs.adjoint, basis, limits, table);
+            if (blas() != nullptr && its.numbers == 1) pairs = product.against(*blas());
+            product.add_row("morph", product.morph_bytes(), [&] { product.morph(); }, pairs.morph, limits, table);
+            product.add_row("adjoint", product.adjoint_bytes(), [&] { product.adjoint(); }, pairs.adjoint, limits,
+                            table);
         }
     }
 }
@@ -230,8 +241,8 @@ void bench_morph(Settings const& settings, Limits const& limits, Report& report)
     for (Index const size : settings.sizes) largest = std::max(largest, size);
     largest = std::min(largest, Index{1000000});
     Table products{"Morph and adjoint [ms] (threads: " + std::to_string(settings.threads) + ")",
-                   {"what", "mesh", "functions", "pages", "ours", "ns/node", "GB/s", "reading", "% of reading", "dgemm",
-                    "ratio"},
+                   {"what", "mesh", "operator", "functions", "pages", "ours", "ns/node", "GB/s", "reading",
+                    "% of reading", "dgemm", "ratio"},
                    {}, {}};
     Table steps{"Admissible step and quality against a morph of 20 functions [ms]",
                 {"mesh", "cells", "morph", "step", "quality", "both at once", "ns/cell", "both / morph"}, {}, {}};
@@ -245,15 +256,17 @@ void bench_morph(Settings const& settings, Limits const& limits, Report& report)
         say(kind + " " + std::to_string(largest) + ": morph");
         Case const its_case = make_case(kind, largest);
         if (kind == settings.kinds[0]) {
-            add_products(make_case(kind, 5000), settings, limits, products);
-            add_products(its_case, settings, limits, products);
+            Case const small = make_case(kind, 5000);
+            for (Operator const& its : {laplace, conformal}) add_products(small, its, settings, limits, products);
+            for (Operator const& its : {laplace, conformal}) add_products(its_case, its, settings, limits, products);
             add_storage(its_case, settings, limits, storage);
         }
         add_step(its_case, settings, steps);
     }
     if (blas() == nullptr) products.notes.push_back("OpenBLAS: not installed (libopenblas-dev)");
     products.notes.push_back(
-        "Bytes: 8 m + 32 a node for the morph, in place; 8 m + 16 for the adjoint. Reading: of the basis "
+        "Bytes: 8 m + 32 a node for the morph, in place; 8 m + 16 for the adjoint; m: functions, or two numbers of "
+        "each where they are conformal. Reading: of the basis "
         "[GB/s], in turn with the product, in the same pages.");
     products.notes.push_back(
         "dgemm: the best of three ways to store F and the coordinates, in the same pages; the least of calls in turn.");

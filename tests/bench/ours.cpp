@@ -33,16 +33,16 @@ struct Ours::Clock {
 };
 
 Ours::Ours(Case const& its_case, Workspace& workspace, Index functions, hm_executor const* executor, int kernel,
-           Index engine, Index precision)
-    : case_(its_case), workspace_(workspace), functions_(functions),
-      executor_(executor), kernel_(kernel), engine_(engine), precision_(precision), fit_(its_case, functions) {}
+           Index engine, Index precision, Index operator_kind)
+    : case_(its_case), workspace_(workspace), functions_(functions), executor_(executor), kernel_(kernel),
+      engine_(engine), precision_(precision), operator_kind_(operator_kind), fit_(its_case, functions) {}
 
 Phases Ours::run() {
     Problem const problem(case_, fit_);
     Clock clock;
     hm_options options{};
     options.struct_size = sizeof options;
-    options.operator_kind = HM_LAPLACE;
+    options.operator_kind = operator_kind_;
     options.executor = executor_;
     options.kernel = kernel_;
     options.engine = engine_;

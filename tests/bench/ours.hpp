@@ -61,7 +61,7 @@ public:
     // precision: of the direct engine's factor. Engines that iterate: functions in blocks of 4.
     // Their report may say that they have not converged.
     Ours(Case const& its_case, Workspace& workspace, Index functions, hm_executor const* executor, int kernel,
-         Index engine = HM_DIRECT, Index precision = HM_DOUBLE);
+         Index engine = HM_DIRECT, Index precision = HM_DOUBLE, Index operator_kind = HM_LAPLACE);
     Ours(Ours const&) = delete;
 
     // From the beginning, in the same blocks each time: the first run is the warm-up.
@@ -82,7 +82,7 @@ private:
     Index functions_;
     hm_executor const* executor_;
     int kernel_;
-    Index engine_, precision_;
+    Index engine_, precision_, operator_kind_;
     Fit fit_;
     Block basis_block_;
     hm_basis* basis_ = nullptr;

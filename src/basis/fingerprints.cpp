@@ -1,0 +1,88 @@
+// What tells a basis from a damaged one, and its mesh from others.
+#include <cstddef>
+
+#include "harmorph/base/hash.hpp"
+#include "harmorph/basis/basis.hpp"
+
+namespace harmorph {
+namespace {
+
+// visit(i, part) for parts of four corners or fewer with all corners of a polygon: as one cell of so many if there are
+// no more.
+template <class Visit>
+void for_each_fan(Mesh const& mesh, Visit visit) noexcept {
+    for (Index i = 0; i < mesh.n_cells; ++i) {
+        const Index* const corner = mesh.cell_points + (Offset{mesh.cell_start[i]} - mesh.index_base);
+        Index const n = mesh.cell_start[i + 1] - mesh.cell_start[i];
+        auto const at = [&](Index k) { return from_zero(corner[k], mesh.index_base); };
+        for (Index k = 1; k + 1 < n; k += 2) {
+            visit(i, k + 2 < n ? Cell{4, {at(0), at(k), at(k + 1), at(k + 2)}} : Cell{3, {at(0), at(k), at(k + 1)}});
+        }
+    }
+}
+
+std::uint64_t pair(Index a, Index b) noexcept {
+    return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
+}
+
+}  // namespace
+
+std::uint64_t checksum_of(BasisHeader const& header, Executor const& executor) noexcept {
+    Size const covered_from = offsetof(BasisHeader, checksum) + sizeof header.checksum;
+    const unsigned char* const block = reinterpret_cast<const unsigned char*>(&header);
+    return hash_of_block(block + covered_from, static_cast<Size>(header.bytes) - covered_from, executor);
+}
+
+MeshFingerprint fingerprint_of(Mesh const& mesh) noexcept {
+    Hash front, back;
+    front.add(pair(mesh.n_points, mesh.n_cells));
+    auto const add = [&](Index, Cell const& cell) {
+        front.add(pair(cell.point[0], cell.point[1]));
+        back.add(pair(cell.point[2], cell.n == 4 ? cell.point[3] : none));
+    };
+    if (mesh.layout == CellLayout::polygons) {
+        for_each_fan(mesh, add);
+    } else {
+        mesh.for_each_cell(add);
+    }
+    front.add(back.value());
+    std::uint64_t sum = 0;  // does not depend on the order of the faces
+    mesh.for_each_face([&](BoundaryFace const& face, Index, Index) {
+        Hash face_hash;
+        face_hash.add(pair(smaller(face.begin, face.end), larger(face.begin, face.end)));
+        face_hash.add(static_cast<std::uint32_t>(face.marker));
+        sum += face_hash.value();
+        return true;
+    });
+    return {front.value(), sum, sample_of(mesh)};
+}
+
+std::uint64_t sample_of(Mesh const& mesh) noexcept {
+    Index const n = smaller(Index{64}, mesh.n_cells);
+    Hash hash;
+    for (Index k = 0; k < n; ++k) {
+        Index const i = static_cast<Index>(Offset{k} * mesh.n_cells / n);
+        if (mesh.layout == CellLayout::polygons) {
+            for (Offset corner = mesh.cell_start[i]; corner < mesh.cell_start[i + 1]; ++corner) {
+                hash.add(pair(none, from_zero(mesh.cell_points[corner - mesh.index_base], mesh.index_base)));
+            }
+        } else {
+            Cell const cell = mesh.cell(i);
+            hash.add(pair(cell.point[0], cell.point[1]));
+            hash.add(pair(cell.point[2], cell.n == 4 ? cell.point[3] : none));
+        }
+    }
+    return hash.value();
+}
+
+std::uint64_t coordinates_fingerprint(Points points, Index n_points) noexcept {
+    Hash x, y;
+    for (Index k = 0; k < n_points; ++k) {
+        x.add(bits_of(points[k].x));
+        y.add(bits_of(points[k].y));
+    }
+    x.add(y.value());
+    return x.value();
+}
+
+}  // namespace harmorph
