@@ -114,7 +114,9 @@ void run(Settings settings) {
 #endif
     if (blas() != nullptr) blas()->set_threads(settings.threads);
     cli::Threads const threads(settings.threads);
-    settings.executor = threads.executor();
+    hm_executor executor = *threads.executor();
+    if (settings.kernel != HM_KERNEL_AUTO) executor.kernel = settings.kernel;
+    settings.executor = &executor;
     Report report;
     report.fact("machine", processor() + ", " + std::to_string(sysconf(_SC_NPROCESSORS_ONLN)) + " processors");
     report.fact("date", date());
