@@ -14,10 +14,6 @@ Block inverse_of(Block const& block) noexcept {
     return {scale * d, -scale * b, -scale * c, scale * a};
 }
 
-Real inner_product(Index n, Span<const Vec2> a, Span<const Vec2> b, Executor const& executor) noexcept {
-    return reduce_cells<Sum>(n, executor, [&](Index u, Sum& sum) { sum.value += dot(a[u], b[u]); }).value;
-}
-
 }  // namespace
 
 void NewtonSystem::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
@@ -34,22 +30,6 @@ void NewtonSystem::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
 void NewtonSystem::clear_row(Region const& region, Index u) const noexcept {
     fill(hessian.from(region.start[u], region.of(u).size()), Block{});
     gradient[u] = {};
-}
-
-// To the row of the corner's point `own`.
-void NewtonSystem::add_to_row(Region const& region, Index own, CornerPoints const& point, const Vec2 (&by)[3],
-                              const CornerMode (&mode)[4]) const noexcept {
-    Index const u = region.unknown[point[own]];
-    Span<const Index> const neighbours = region.of(u);
-    Span<Block> const row = hessian.from(region.start[u], neighbours.size());
-    gradient[u] = gradient[u] + by[own];
-    for (Index other = 0; other < 3; ++other) {
-        Index const v = region.unknown[point[other]];
-        if (v == none) continue;
-        Size entry = 0;
-        while (neighbours[entry] != v) ++entry;
-        for (CornerMode const& its : mode) row[entry].add(its.curvature, its.at[own], its.at[other]);
-    }
 }
 
 // Of what moves the points of the row and its neighbours, only the parts along their lines are left. The diagonal block
@@ -82,47 +62,65 @@ void NewtonSystem::constrain_row(Tangle const& tangle, Region const& region, Ind
     inverse[u] = inverse_of(own);
 }
 
+// Each pass over the rows is one pass over the memory: sums of what it has computed are formed on the way.
 Index NewtonSystem::solve(Region const& region, Index most_products, Executor const& executor) const noexcept {
     Index const n = region.n;
-    auto const for_rows = [&](auto const& body) {
-        executor.for_ranges(n, least_rows, [&](Index begin, Index end) {
-            for (Index u = begin; u < end; ++u) body(u);
-        });
+    auto const sum_over_rows = [&](auto const& body) {
+        return reduce_cells<Sum>(n, executor, [&](Index u, Sum& sum) { sum.value += body(u); }).value;
     };
-    for_rows([&](Index u) {
+    Real size = sum_over_rows([&](Index u) {
         step[u] = {};
         rest[u] = -1 * gradient[u];
         search[u] = inverse[u] * rest[u];
+        return dot(rest[u], search[u]);
     });
-    Real size = inner_product(n, rest, search, executor);
     Real const least = enough * enough * size;
     Index products = 0;
     while (products < most_products && size > least) {
-        for_rows([&](Index u) {
-            Vec2 sum;
-            for (Offset entry = region.start[u]; entry < region.start[u + 1]; ++entry) {
-                sum = sum + hessian[entry] * search[region.neighbour[entry]];
-            }
-            image[u] = sum;
-        });
+        Real const curvature = reduce_ranges<Sum>(n, executor, [&](Index begin, Index end, Sum& sum) {
+            sum.value = multiply(region, begin, end, search, image);
+        }).value;
         ++products;
-        Real const curvature = inner_product(n, search, image, executor);
         if (!(curvature > 0)) break;
-        Real const length = size / curvature;
-        for_rows([&](Index u) {
+        Real const length = size / curvature, before = size;
+        size = sum_over_rows([&](Index u) {
             step[u] = step[u] + length * search[u];
             rest[u] = rest[u] - length * image[u];
             image[u] = inverse[u] * rest[u];
+            return dot(rest[u], image[u]);
         });
-        Real const before = size;
-        size = inner_product(n, rest, image, executor);
-        for_rows([&](Index u) { search[u] = image[u] + size / before * search[u]; });
+        executor.for_ranges(n, least_rows, [&](Index begin, Index end) {
+            for (Index u = begin; u < end; ++u) search[u] = image[u] + size / before * search[u];
+        });
     }
     return products;
 }
 
+Real NewtonSystem::multiply(Region const& region, Index begin, Index end, Span<const Vec2> v,
+                            Span<Vec2> to) const noexcept {
+    for (Index u = begin; u < end; ++u) to[u] = {};
+    for (Index u = begin; u < end; ++u) {
+        Vec2 const own = v[u];
+        Offset entry = region.start[u];
+        Vec2 sum = hessian[entry] * own;
+        for (++entry; entry < region.outer_start[u]; ++entry) {
+            Block const& block = hessian[entry];
+            Index const other = region.neighbour[entry];
+            sum = sum + block * v[other];
+            to[other] = to[other] + transpose(block) * own;
+        }
+        for (; entry < region.start[u + 1]; ++entry) sum = sum + hessian[entry] * v[region.neighbour[entry]];
+        to[u] = to[u] + sum;
+    }
+    Real product = 0;
+    for (Index u = begin; u < end; ++u) product += dot(v[u], to[u]);
+    return product;
+}
+
 Real NewtonSystem::slope(Region const& region, Executor const& executor) const noexcept {
-    return inner_product(region.n, gradient, step, executor);
+    return reduce_cells<Sum>(region.n, executor, [&](Index u, Sum& sum) {
+        sum.value += dot(gradient[u], step[u]);
+    }).value;
 }
 
 }  // namespace harmorph

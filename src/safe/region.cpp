@@ -1,5 +1,6 @@
 #include "harmorph/safe/region.hpp"
 
+#include "harmorph/base/parallel_reduce.hpp"
 #include "harmorph/base/sort.hpp"
 
 namespace harmorph {
@@ -26,6 +27,7 @@ void Region::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
     arena.take(point, n_points);
     arena.take(cell, counts.cells);
     arena.take(start, n_points + 1);
+    arena.take(outer_start, n_points);
     arena.take(neighbour, 2 * counts.pairs + n_points);
     arena.take(cell_start, n_points + 1);
     arena.take(cell_of, counts.cell_corners);
@@ -101,17 +103,28 @@ void Region::list_neighbours(Tangle const& tangle) noexcept {
     Span<Index> const seen_by = queue.first(n);
     fill(seen_by, none);
     Offset filled = 0;
-    for (Index u = 0; u < n; ++u) {
-        start[u] = filled;
-        neighbour[filled++] = u;
-        seen_by[u] = u;
-        for (Index const i : cells_of(point[u])) {
-            Cell const shape = tangle.cell(i);
-            for (Index k = 0; k < shape.n; ++k) {
-                Index const v = unknown[shape.point[k]];
-                if (v == none || seen_by[v] == u) continue;
-                seen_by[v] = u;
-                neighbour[filled++] = v;
+    for (Index range = 0; range < reduced_ranges; ++range) {
+        Index const begin = range_start(n, range), end = range_start(n, range + 1);
+        for (Index u = begin; u < end; ++u) {
+            start[u] = filled;
+            neighbour[filled++] = u;
+            outer_start[u] = filled;
+            seen_by[u] = u;
+            for (Index const i : cells_of(point[u])) {
+                Cell const shape = tangle.cell(i);
+                for (Index k = 0; k < shape.n; ++k) {
+                    Index const v = unknown[shape.point[k]];
+                    if (v == none || seen_by[v] == u) continue;
+                    seen_by[v] = u;
+                    bool const is_inner = v >= begin && v < end;
+                    if (is_inner && v < u) continue;
+                    neighbour[filled] = v;
+                    if (is_inner) {
+                        neighbour[filled] = neighbour[outer_start[u]];
+                        neighbour[outer_start[u]++] = v;
+                    }
+                    ++filled;
+                }
             }
         }
     }

@@ -69,12 +69,19 @@ struct System {
         }
         return sum;
     }
+    // In a row are the blocks above the diagonal and those of other ranges.
+    Block entry(Index u, Index v) const {
+        for (auto k = region.start[u]; k < region.start[u + 1]; ++k)
+            if (region.neighbour[k] == v) return newton.hessian[k];
+        for (auto k = region.start[v]; k < region.start[v + 1]; ++k)
+            if (region.neighbour[k] == u) return transpose(newton.hessian[k]);
+        return {};
+    }
     std::vector<Vec2> times(harmorph::Span<Vec2> v) const {
         std::vector<Vec2> out(static_cast<std::size_t>(region.n));
         for (Index u = 0; u < region.n; ++u)
-            for (auto k = region.start[u]; k < region.start[u + 1]; ++k)
-                out[static_cast<std::size_t>(u)] =
-                    out[static_cast<std::size_t>(u)] + newton.hessian[k] * v[region.neighbour[k]];
+            for (Index other = 0; other < region.n; ++other)
+                out[static_cast<std::size_t>(u)] = out[static_cast<std::size_t>(u)] + entry(u, other) * v[other];
         return out;
     }
 };
@@ -119,18 +126,13 @@ TEST_CASE("a valid mesh that is its own reference is at rest") {
 TEST_CASE("the Hessian is symmetric and positive definite; its diagonal blocks are inverted") {
     System its(some_mesh(), 0.2);
     its.assemble(0.1);
-    auto const entry = [&](Index u, Index v) {
-        for (auto k = its.region.start[u]; k < its.region.start[u + 1]; ++k)
-            if (its.region.neighbour[k] == v) return its.newton.hessian[k];
-        return Block{};
-    };
     for (Index u = 0; u < its.region.n; ++u) {
-        Block const own = entry(u, u), inverse = its.newton.inverse[u];
+        Block const own = its.entry(u, u), inverse = its.newton.inverse[u];
         CHECK(own.a * inverse.a + own.b * inverse.c == doctest::Approx(1).epsilon(1e-10));
         CHECK(own.c * inverse.b + own.d * inverse.d == doctest::Approx(1).epsilon(1e-10));
         double const scale = own.a + own.d;
         for (Index const v : its.region.of(u)) {
-            Block const there = entry(u, v), back = entry(v, u);
+            Block const there = its.entry(u, v), back = its.entry(v, u);
             CHECK(std::fabs(there.a - back.a) + std::fabs(there.d - back.d) < 1e-12 * scale);
             CHECK(std::fabs(there.b - back.c) + std::fabs(there.c - back.b) < 1e-12 * scale);
         }
@@ -143,6 +145,19 @@ TEST_CASE("the Hessian is symmetric and positive definite; its diagonal blocks a
         for (Index u = 0; u < its.region.n; ++u)
             curvature += dot(its.newton.search[u], image[static_cast<std::size_t>(u)]);
         CHECK(curvature > 0);
+        double product = 0, largest = 0, error = 0;
+        for (Index range = 0; range < harmorph::reduced_ranges; ++range) {
+            product += its.newton.multiply(its.region, harmorph::range_start(its.region.n, range),
+                                           harmorph::range_start(its.region.n, range + 1), its.newton.search,
+                                           its.newton.image);
+        }
+        for (Index u = 0; u < its.region.n; ++u) {
+            Vec2 const expected = image[static_cast<std::size_t>(u)];
+            largest = std::fmax(largest, length(expected));
+            error = std::fmax(error, length(its.newton.image[u] - expected));
+        }
+        CHECK(product == doctest::Approx(curvature).epsilon(1e-12));
+        CHECK(error < 1e-13 * largest);
     }
 }
 

@@ -5,18 +5,20 @@
 
 namespace harmorph {
 
+// Of 0 .. n-1, and where each of them begins.
+inline constexpr Index reduced_ranges = 16;
+inline Index range_start(Index n, Index i) noexcept { return static_cast<Index>(Offset{n} * i / reduced_ranges); }
+
 // add(begin, end, result) for ranges that are together 0 .. n-1; Result has merge(later).
 template <class Result, class Add>
 Result reduce_ranges(Index n, Executor const& executor, Add const& add) noexcept {
-    constexpr Index ranges = 16;
-    Result part[ranges];
-    auto const bound = [&](Index i) { return static_cast<Index>(Offset{n} * i / ranges); };
-    executor.for_each(ranges, [&](Index range) {
+    Result part[reduced_ranges];
+    executor.for_each(reduced_ranges, [&](Index range) {
         Result result;
-        add(bound(range), bound(range + 1), result);
+        add(range_start(n, range), range_start(n, range + 1), result);
         part[range] = result;
     });
-    for (Index range = 1; range < ranges; ++range) part[0].merge(part[range]);
+    for (Index range = 1; range < reduced_ranges; ++range) part[0].merge(part[range]);
     return part[0];
 }
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "harmorph/base/parallel_reduce.hpp"
-#include "harmorph/safe/corner_map.hpp"
+#include "harmorph/safe/cell_form.hpp"
+#include "harmorph/safe/corner_triangle.hpp"
 #include "harmorph/safe/region.hpp"
 
 namespace harmorph {
@@ -12,26 +13,13 @@ struct Sum {
     void merge(Sum const& later) noexcept { value += later.value; }
 };
 
-// Row by row, a b; c d.
-struct Block {
-    Real a = 0, b = 0, c = 0, d = 0;
-
-    constexpr Vec2 operator*(Vec2 v) const noexcept { return {a * v.x + b * v.y, c * v.x + d * v.y}; }
-    // + curvature u v^T
-    constexpr void add(Real curvature, Vec2 u, Vec2 v) noexcept {
-        a += curvature * u.x * v.x;
-        b += curvature * u.x * v.y;
-        c += curvature * u.y * v.x;
-        d += curvature * u.y * v.y;
-    }
-};
-
 // The unknowns are movements of points; of points that slide, along their lines.
 struct NewtonSystem {
     // Relative residual at which a direction is good enough: the energy changes in the next step anyway.
     static constexpr Real enough = 0.2;
 
-    Span<Block> hessian;     // rows as in region.neighbour, the diagonal block first; 0 across lines of sliding points
+    Span<Block> hessian;     // rows as in region.neighbour, so without the blocks below the diagonal that those above
+                             // stand for; 0 across lines of sliding points
     Span<Block> inverse;     // [n] of the diagonal blocks
     Span<Vec2> gradient;     // [n]
     Span<Vec2> step;         // [n]
@@ -39,12 +27,14 @@ struct NewtonSystem {
 
     void lay_out(Arena& arena, RegionCounts const& counts) noexcept;
     // visit(cell, points, add) calls add(gradient, mode) for each term of the energy of a corner: its cell, the numbers
-    // of its three points, and what CornerMap::differentiate gives; both are overwritten.
+    // of its three points, and what CornerMap::differentiate gives.
     template <class Visit>
     void assemble(Tangle const& tangle, Region const& region, Executor const& executor,
                   Visit const& visit) const noexcept;
     // step ~ -hessian^-1 gradient: a direction of descent. Returns the number of products.
     Index solve(Region const& region, Index most_products, Executor const& executor) const noexcept;
+    // In the rows begin .. end-1 of one range, see region.neighbour: to = hessian v; returns v . to.
+    Real multiply(Region const& region, Index begin, Index end, Span<const Vec2> v, Span<Vec2> to) const noexcept;
     // gradient . step
     Real slope(Region const& region, Executor const& executor) const noexcept;
 
@@ -55,9 +45,10 @@ private:
     void assemble_cells(Tangle const& tangle, Region const& region, Visit const& visit) const noexcept;
     template <class Visit>
     void assemble_row(Tangle const& tangle, Region const& region, Index u, Visit const& visit) const noexcept;
+    template <Index n, class IsWanted, class Visit>
+    void add_cell(Tangle const& tangle, Region const& region, Index i, IsWanted const& is_wanted,
+                  Visit const& visit) const noexcept;
     void clear_row(Region const& region, Index u) const noexcept;
-    void add_to_row(Region const& region, Index own, CornerPoints const& point, const Vec2 (&by)[3],
-                    const CornerMode (&mode)[4]) const noexcept;
     void constrain_row(Tangle const& tangle, Region const& region, Index u) const noexcept;
 };
 
@@ -72,36 +63,13 @@ void NewtonSystem::assemble(Tangle const& tangle, Region const& region, Executor
     });
 }
 
-// Derivatives by the points of a triangle with a turned side become those by its corner points.
-inline void pull_back(Vec2 turn, Vec2 (&by)[3]) noexcept {
-    if (turn.x == 1) return;
-    Vec2 const by_start = product(turn, by[0]);
-    by[1] = by[1] + by[0] - by_start;
-    by[0] = by_start;
-}
-
-// Derivatives by three points of a corner become those by the unknowns that move these points.
-inline void by_unknowns(Tangle const& tangle, CornerPoints const& point, Vec2 (&by)[3]) noexcept {
-    pull_back(point.turn, by);
-    for (Index k = 0; k < 3; ++k) by[k] = tangle.turned_to_unknown(point[k], by[k]);
-}
-
 template <class Visit>
 void NewtonSystem::assemble_cells(Tangle const& tangle, Region const& region, Visit const& visit) const noexcept {
+    auto const is_unknown = [](Index u) { return u != none; };
     for (Index u = 0; u < region.n; ++u) clear_row(region, u);
     for (Index const i : region.cell.first(region.n_cells)) {
-        CellTriangles const corners(tangle, i);
-        for (Index k = 0; k < corners.n; ++k) {
-            CornerPoints const& point = corners.point[k];
-            if (!region.can_move(point)) continue;
-            visit(i, point, [&](Vec2(&by)[3], CornerMode(&mode)[4]) {
-                by_unknowns(tangle, point, by);
-                for (CornerMode& its : mode) by_unknowns(tangle, point, its.at);
-                for (Index own = 0; own < 3; ++own) {
-                    if (region.unknown[point[own]] != none) add_to_row(region, own, point, by, mode);
-                }
-            });
-        }
+        if (tangle.mesh.cell(i).n == 3) add_cell<3>(tangle, region, i, is_unknown, visit);
+        else add_cell<4>(tangle, region, i, is_unknown, visit);
     }
     for (Index u = 0; u < region.n; ++u) constrain_row(tangle, region, u);
 }
@@ -109,28 +77,54 @@ void NewtonSystem::assemble_cells(Tangle const& tangle, Region const& region, Vi
 template <class Visit>
 void NewtonSystem::assemble_row(Tangle const& tangle, Region const& region, Index u,
                                 Visit const& visit) const noexcept {
+    auto const is_row = [u](Index v) { return v == u; };
     clear_row(region, u);
     for (Index const i : region.cells_of(region.point[u])) {
-        CellTriangles const corners(tangle, i);
-        for (Index k = 0; k < corners.n; ++k) {
-            CornerPoints const& point = corners.point[k];
-            auto const is_row = [&](Index corner) { return region.unknown[point[corner]] == u; };
-            if (!is_row(0) && !is_row(1) && !is_row(2)) continue;
-            visit(i, point, [&](Vec2(&by)[3], CornerMode(&mode)[4]) {
-                by_unknowns(tangle, point, by);
-                for (CornerMode& its : mode) by_unknowns(tangle, point, its.at);
-                for (Index own = 0; own < 3; ++own) {
-                    if (is_row(own)) add_to_row(region, own, point, by, mode);
-                }
-            });
-        }
+        if (tangle.mesh.cell(i).n == 3) add_cell<3>(tangle, region, i, is_row, visit);
+        else add_cell<4>(tangle, region, i, is_row, visit);
     }
     constrain_row(tangle, region, u);
 }
 
-inline Triangle triangle_of(CornerPoints const& point, Points at) noexcept {
-    return {{turned_start(at[point[0]], at[point[1]], point.turn), at[point[1]], at[point[2]]}};
+// To those rows that is_wanted(row) asks for. A corner adds nothing to rows of other points than its three.
+template <Index n, class IsWanted, class Visit>
+void NewtonSystem::add_cell(Tangle const& tangle, Region const& region, Index i, IsWanted const& is_wanted,
+                            Visit const& visit) const noexcept {
+    Cell const cell = tangle.cell(i);
+    Vec2 const turn = turn_of(tangle.mesh, i);
+    Index unknown[n];
+    bool wanted[n];
+    for (Index k = 0; k < n; ++k) {
+        unknown[k] = region.unknown[cell.point[k]];
+        wanted[k] = is_wanted(unknown[k]);
+    }
+    CellForm<n> sum;
+    for (Index k = n == 3 ? 1 : 0; k < (n == 3 ? 2 : 4); ++k) {
+        Index const before = k == 0 ? n - 1 : k - 1, after = k + 1 == n ? 0 : k + 1;
+        if (!wanted[before] && !wanted[k] && !wanted[after]) continue;
+        CornerForm corner;
+        CornerPoints const point{{cell.point[before], cell.point[k], cell.point[after]}, turn};
+        visit(i, point, [&](const Vec2(&by)[3], const CornerMode(&mode)[4]) { corner.add(by, mode); });
+        corner.turn_back_side(turn);
+        sum.add(before, k, after, corner);
+    }
+    if (!tangle.turn.empty()) sum.turn_back(tangle.turn, cell);
+    for (Index own = 0; own < n; ++own) {
+        Index const u = unknown[own];
+        if (!wanted[own]) continue;
+        Span<const Index> const neighbours = region.of(u);
+        Span<Block> const row = hessian.from(region.start[u], neighbours.size());
+        gradient[u] = gradient[u] + sum.by[own];
+        for (Index other = 0; other < n; ++other) {
+            Index const v = unknown[other];
+            if (v == none) continue;
+            Size entry = 0;
+            while (entry < neighbours.size() && neighbours[entry] != v) ++entry;  // none below the diagonal
+            if (entry < neighbours.size()) row[entry] = row[entry] + sum.hessian[own][other];
+        }
+    }
 }
+
 // Pairs of numbers as points.
 inline Points as_points(Span<const Vec2> at) noexcept { return {&at.data()->x, &at.data()->y, 2}; }
 

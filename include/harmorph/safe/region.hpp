@@ -71,7 +71,10 @@ struct Region {
     Span<Index> point;               // [n] representative of each unknown
     Span<Index> cell;                // [cells and guards] in order
     Span<Offset> start;              // [n + 1]
-    Span<Index> neighbour;           // unknowns that share a cell with each, itself first
+    Span<Offset> outer_start;        // [n]
+    // Unknowns that share a cell with each, from `start` on: itself first; then those with larger numbers in its range
+    // (range_start() in parallel_reduce.hpp says which these are); from outer_start on, all that are in other ranges.
+    Span<Index> neighbour;
     Span<Offset> cell_start;         // [n_points + 1]
     Span<Index> cell_of;             // all cells of each representative
     Span<std::uint8_t> reached;      // [n_points] working space
