@@ -20,14 +20,6 @@ Real extent_along(CellShape const& shape, Vec2 direction) noexcept {
     return high - low;
 }
 
-// Sides in the ratio of `now`: the area stays, and |J|^2 of the map from here to `now` is the smallest for all ratios.
-// So the derivatives of |J|^2 do not see that the target depends on `now`.
-Triangle with_ratio_of(Triangle const& now, Vec2 side, Vec2 next) noexcept {
-    Real const ratio = square(now.at[1] - now.at[0]) / square(side) * (square(next) / square(now.at[2] - now.at[1]));
-    Real const root = square_root(square_root(ratio));
-    return {{-root * side, {0, 0}, 1 / root * next}};
-}
-
 }  // namespace
 
 void Targets::find(OrientedMesh const& cells, FaceDistance const& walls, Points before, Points now,
@@ -68,28 +60,6 @@ void Targets::find_stretch(Cell& target, CellShape const& shape, FaceDistance co
     if (ratio < thin) target.any_ratio = false;
     target.along = along;
     target.more = (1 - ratio) * (1 - distance / reach) * (length(now[end[1]] - now[end[0]]) / size - 1);
-}
-
-Triangle Targets::of(Index its_cell, CornerPoints const& points, Triangle const& now) const noexcept {
-    Triangle triangle = triangle_of(points, reference);
-    Cell const& its = cell[its_cell];
-    if (its.any_ratio) return with_ratio_of(now, triangle.at[1] - triangle.at[0], triangle.at[2] - triangle.at[1]);
-    if (its.more == 0) return triangle;
-    for (Vec2& at : triangle.at) at = at + its.more * dot(its.along, at) * its.along;
-    return triangle;
-}
-
-Triangle Targets::ideal(Index its_cell, CornerPoints const& points, Triangle const& now) const noexcept {
-    constexpr Real height = 0.8660254037844386;  // of the equilateral triangle with sides of 1
-    Triangle const before = triangle_of(points, reference);
-    if (cell[its_cell].is_part) return before;
-    Real const twice_area = before.twice_area();
-    if (cell[its_cell].is_quad) {
-        Real const side = square_root(twice_area);
-        return with_ratio_of(now, {side, 0}, {0, side});
-    }
-    Real const side = square_root(twice_area / height);
-    return {{{0, 0}, {side, 0}, {0.5 * side, height * side}}};
 }
 
 Real Targets::quality(Index its_cell, CellShape const& now) const noexcept {

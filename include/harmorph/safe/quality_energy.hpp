@@ -31,4 +31,37 @@ private:
     Real scale_;
 };
 
+// Beyond `most` = room / max(s, 1) derivatives could overflow: up to 4 power energy max(s, 1) / d^2, divided by the
+// target's area.
+inline Real QualityEnergy::energy(Triangle const& now) const noexcept {
+    constexpr Real least_area = 1e-50, largest = 1e280;
+    Real const d = map_.determinant(now), s = square(map_.z(now)) + square(map_.w(now)), unit = larger(1.0, s);
+    if (!(d > least_area * unit) || !(d < 1 / least_area)) return infinity;
+    Real const per_d = 1 / d, shape = s * per_d, size = 0.5 * (d + per_d), base = scale_ * shape * shape * size;
+    Real const small = smaller(1.0, d), room = largest * smaller(1.0, map_.twice_area()) * small * small;
+    if (!(base * unit <= room)) return infinity;
+    Real const most_before = base > 1 && power_ > 1 ? room / unit / base : infinity;
+    Real product = base;
+    for (Index k = 1; k < power_; ++k) {
+        if (product > most_before) return infinity;
+        product *= base;
+    }
+    return product;
+}
+
+// Of the logarithm 2 ln s - 2 ln d + ln (d + 1/d) first, with s = p + q and d = p - q.
+inline void QualityEnergy::differentiate(Triangle const& now, Real weight, Real least, Vec2 (&gradient)[3],
+                                         CornerMode (&mode)[4]) const noexcept {
+    Real const d = map_.determinant(now), s = square(map_.z(now)) + square(map_.w(now));
+    Real const n = static_cast<Real>(power_), scale = weight * n * energy(now);
+    Real const square_of_d = d * d, per_d = 1 / d, per_below = per_d * (1 / (square_of_d + 1));
+    Real const by_s = 2 / s, by_ss = -0.5 * by_s * by_s;
+    Real const by_d = (square_of_d - 1) * per_below - 2 * per_d;
+    Real const by_dd = (1 + 4 * square_of_d - square_of_d * square_of_d) * per_below * per_below + 2 * per_d * per_d;
+    Real const by_p = by_s + by_d, by_q = by_s - by_d;
+    DensityDerivatives const by{scale * by_p, scale * by_q, scale * (by_ss + by_dd + n * by_p * by_p),
+                                scale * (by_ss + by_dd + n * by_q * by_q), scale * (by_ss - by_dd + n * by_p * by_q)};
+    map_.differentiate(now, by, least * 4 * scale, gradient, mode);
+}
+
 }  // namespace harmorph

@@ -5,8 +5,7 @@
 #include "harmorph/boundary/distance.hpp"
 #include "harmorph/mesh/cell_shape.hpp"
 #include "harmorph/mesh/topology.hpp"
-#include "harmorph/safe/corner_map.hpp"
-#include "harmorph/safe/region.hpp"
+#include "harmorph/safe/corner_triangle.hpp"
 
 namespace harmorph {
 
@@ -54,5 +53,35 @@ private:
     void find_stretch(Cell& target, CellShape const& shape, FaceDistance const& walls, Points now,
                       Index& group) const noexcept;
 };
+
+// Sides in the ratio of `now`: the area stays, and |J|^2 of the map from here to `now` is the smallest for all ratios.
+// So the derivatives of |J|^2 do not see that the target depends on `now`.
+inline Triangle with_ratio_of(Triangle const& now, Vec2 side, Vec2 next) noexcept {
+    Real const ratio = square(now.at[1] - now.at[0]) / square(now.at[2] - now.at[1]) * (square(next) / square(side));
+    Real const root = square_root(square_root(ratio));
+    return {{-root * side, {0, 0}, 1 / root * next}};
+}
+
+inline Triangle Targets::of(Index its_cell, CornerPoints const& points, Triangle const& now) const noexcept {
+    Triangle triangle = triangle_of(points, reference);
+    Cell const& its = cell[its_cell];
+    if (its.any_ratio) return with_ratio_of(now, triangle.at[1] - triangle.at[0], triangle.at[2] - triangle.at[1]);
+    if (its.more == 0) return triangle;
+    for (Vec2& at : triangle.at) at = at + its.more * dot(its.along, at) * its.along;
+    return triangle;
+}
+
+inline Triangle Targets::ideal(Index its_cell, CornerPoints const& points, Triangle const& now) const noexcept {
+    constexpr Real height = 0.8660254037844386;  // of the equilateral triangle with sides of 1
+    Triangle const before = triangle_of(points, reference);
+    if (cell[its_cell].is_part) return before;
+    Real const twice_area = before.twice_area();
+    if (cell[its_cell].is_quad) {
+        Real const side = square_root(twice_area);
+        return with_ratio_of(now, {side, 0}, {0, side});
+    }
+    Real const side = square_root(twice_area / height);
+    return {{{0, 0}, {side, 0}, {0.5 * side, height * side}}};
+}
 
 }  // namespace harmorph
