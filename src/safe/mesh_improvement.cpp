@@ -48,11 +48,13 @@ void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points refe
     auto const stay = [&] {
         for (Index k = 0; k < start.count(); ++k) start[k] = from[k];
     };
+    constexpr Real rounding = 1e-9;  // one and the same quality, found in two ways
     Real const given = smallest(from);
     carry_first_layer(reference, from);
     hold_first_layer(plan, reference);
-    improvement.run(options, result, result, report);
-    if (smallest(result) < given) {  // what the first layer gained is not worth that
+    bool const is_in_vain = smallest_held(plan, reference) < (1 - rounding) * given;
+    if (!is_in_vain) improvement.run(options, result, result, report);
+    if (is_in_vain || smallest(result) < given) {  // what the first layer gained is not worth that
         mobility.find(plan, from);
         stay();
         hold_first_layer(plan, reference);
@@ -60,6 +62,29 @@ void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points refe
         if (smallest(result) < given) stay();  // the targets' measure is another one than the reported quality
     }
     for (Index k = 0; k < start.count(); ++k) to.set(k, start[k]);
+}
+
+// Quality of the worst cell that no point of can move.
+Real MeshImprovement::smallest_held(Plan const& plan, Points reference) const noexcept {
+    OrientedMesh const& cells = plan.equations.cells;
+    Mesh const& mesh = cells.mesh;
+    auto const can_move = [&](Index i) {
+        Cell const cell = mesh.cell(i);
+        bool any = false;
+        for (Index k = 0; k < cell.n; ++k) any = any || mobility.held[mobility.representative[cell.point[k]]] == 0;
+        return any;
+    };
+    Real smallest = infinity;
+    for (Index number = 0; number < mesh.n_given_cells(); ++number) {
+        Index const begin = mesh.is_of_pieces() ? mesh.piece_start[number] : number;
+        Index const end = mesh.is_of_pieces() ? mesh.piece_start[number + 1] : number + 1;
+        bool any = false;
+        for (Index i = begin; i < end; ++i) any = any || can_move(i);
+        if (any) continue;
+        Real const before = measure_cell(cells, number, reference).area;
+        smallest = smaller(smallest, measure_cell(cells, number, as_points(start)).quality(before));
+    }
+    return smallest;
 }
 
 void MeshImprovement::carry_first_layer(Points reference, Points from) noexcept {

@@ -110,6 +110,17 @@ TEST_CASE("hm_improve: the first layer gets back the heights that a conformal mo
     }
 }
 
+TEST_CASE("hm_improve: a first layer whose heights would make a worse cell stays where it is, the others improve") {
+    int const around = 16;
+    for (unsigned const seed : {1u, 2u, 3u}) {
+        Morphed out(ring_case(12, around, 0.3, 2, Cells::triangles), some_move(8, 0.03, seed));
+        REQUIRE(out.improve() == HM_OK);
+        for (std::int32_t point = around; point < 2 * around; ++point) CHECK(out.stays(point));
+        CHECK(out.report.min_quality >= out.report.min_quality_before);
+        CHECK(out.report.mean_quality > 1.01 * out.report.mean_quality_before);
+    }
+}
+
 TEST_CASE("hm_improve: a mesh where it was does not move, with each kind of condition") {
     for (Case its : {airfoil_case(), cascade(Cells::hybrid), sliding_block()}) {
         Morphed out(its, std::vector<double>(its.curves.control.size(), 0.0));

@@ -22,7 +22,8 @@ struct MeshImprovement {
     // The tops of the first layer (the ends of the edges that leave walls most normal to them) are put where the wall
     // carries them, at the height and the angle that they had, as far as no cell inverts, and held there; only a top of
     // a cell that has less than half of its quality then may move on. If the smallest quality ends below that of
-    // `from`, all is done again with the tops where they are in `from`. The plan's distances are left at the reference.
+    // `from`, or must end there as a cell below it has no point that moves, all is done with the tops where they are in
+    // `from`. The plan's distances are left at the reference.
     void run(Plan& plan, ImproveOptions const& options, Points reference, Points from, MutablePoints to,
              ImproveReport& report) noexcept;
 
@@ -31,6 +32,7 @@ private:
     bool try_top(Index top, Vec2 at, Points from) noexcept;
     Vec2 position(Index point, Points from) const noexcept;
     void hold_first_layer(Plan const& plan, Points reference) noexcept;
+    Real smallest_held(Plan const& plan, Points reference) const noexcept;
 };
 
 }  // namespace harmorph
