@@ -1,6 +1,7 @@
 #include "harmorph/safe/improve.hpp"
 
 #include "harmorph/morph/admissible_step.hpp"
+#include "harmorph/morph/quality.hpp"
 #include "harmorph/safe/quality_energy.hpp"
 
 namespace harmorph {
@@ -12,6 +13,9 @@ constexpr Index most_halvings = 30;
 constexpr Real at_rest = 1e-12;            // a step that promises less, relative to the energy, is rounding
 // Newton's step lifts a cell of the worst by a small factor only where the power is large: then farther is better.
 constexpr Index most_doublings = 8;
+// A power that leaves less than this part of the smallest quality has sacrificed few cells to many; the next power
+// would begin there.
+constexpr Real part_kept = 0.9;
 
 struct Valid {
     bool all = true;
@@ -51,8 +55,10 @@ void Improvement::run(ImproveOptions const& options, Points from, MutablePoints 
     Score highest = score();
     for (Index const power : powers) {
         Index const left = options.most_iterations - report.iterations;
-        if (region.n == 0 || (power > 0 && score().smallest >= 1)) break;
+        Real const smallest = power > 0 ? score().smallest : 0;
+        if (region.n == 0 || smallest >= 1) break;
         climb(options, power, smaller(left, most_for_power), highest, report);
+        if (power > 0 && score().smallest < part_kept * smallest) break;
     }
     for (Index layers = least_layers; layers <= most_layers && begin_near_poor(options.enough, layers); layers *= 2) {
         highest = score();
@@ -148,6 +154,9 @@ Real Improvement::energy_of(Span<const Vec2> points, Index power) const noexcept
 }
 
 bool Improvement::is_valid(Span<const Vec2> points) const noexcept {
+    if (region.n_cells > tangle.mesh.n_checked() / 2) {  // the kernels are faster; other cells have not moved
+        return count_inverted({tangle.mesh, tangle.reversed}, as_points(points), executor) == 0;
+    }
     return reduce_cells<Valid>(region.n_cells, executor, [&](Index k, Valid& valid) {
         CellShape const shape = tangle.shape(region.cell[k], as_points(points));
         valid.all = valid.all && !is_inverted(shape) && !is_inverted_exactly(shape);

@@ -26,7 +26,8 @@ struct ImproveReport {
 // q is the size-skew quality relative to the target, Q the size-skew quality that the library reports, `least` what Q
 // should not fall below (see Targets). The first term alone (power 0) makes cells like their targets; a mesh that is
 // its own target is at rest. If a cell is below its least quality then, the second term joins, with powers that grow:
-// cells well above `least` do not feel it, and of cells below it the worst counts most.
+// cells well above `least` do not feel it, and of cells below it the worst counts most. The last power is one that
+// leaves the smallest Q / least clearly lower than it was.
 //
 // Newton's method. No step goes farther than a part of the exact admissible step, so that no cell inverts on the way,
 // and the energy falls in each. Walls do not move; points that slide stay on their lines and curves.
