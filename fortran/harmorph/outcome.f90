@@ -76,13 +76,16 @@ contains
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         type(hm_error) :: reason
+        logical :: is_done                                      ! all that was asked for, perhaps with a warning
+        is_done = status >= 0 .and. status /= hm_not_converged .and. status /= hm_short
         if (present(err)) err = hm_error_of(status, e)
         if (present(stat)) then
             stat = int(status)
-        else if (status < 0) then
+        else if (.not. is_done) then
             reason = hm_error_of(status, e)
             write(error_unit, "(7a)") "harmorph: ", call, ": ", hm_status_name(int(status)), ": ", trim(reason%text)
-            error stop "harmorph: refused"
+            if (status < 0) error stop "harmorph: refused"
+            error stop "harmorph: not all was done that was asked for"
         end if
     end subroutine
 

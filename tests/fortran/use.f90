@@ -103,8 +103,23 @@ contains
         type(hm_mesh) :: another_mesh
         type(hm_plan) :: plan, another_plan
         type(hm_basis) :: another_basis
+        type(hm_curves) :: curves
+        type(hm_options) :: options
         type(hm_error) :: err
+        real(dp) :: x_new(n_points), y_new(n_points)
+        options%operator_kind = hm_laplace
+        call basis%curves(curves)
         select case (what)
+        case ("one_iteration")
+            options%engine = hm_multigrid
+            options%max_iterations = 1
+            call solve(mesh, another_basis, options=options)
+        case ("part_of_the_way")
+            call plan%analyse(mesh, curves, [hm_condition(body)], options=options)
+            call plan%factor()
+            call plan%solve(another_basis)
+            call plan%morph_safe(another_basis, turn(curves%control, 40._dp), x_new, y_new, &
+                options=hm_safe_options(max_resolves=-1, skipped_strategies=2**hm_strategy_untangled))
         case ("save_nothing")
             call another_basis%save("nothing", err=err)
         case ("one_array_twice")
