@@ -14,8 +14,8 @@ fi
 awk '
 BEGIN { print "Rows of tests/bench/README.md; those with 20 functions also stand in README.md, What a call takes." }
 function row(    k, text) { text = "|"; for (k = 1; k <= n; ++k) text = text " " cell[k] " |"; print text }
-function cells(a, b, c, d, e, f, g, h) {
-    n = split(a "\t" b "\t" c "\t" d "\t" e "\t" f "\t" g "\t" h, cell, "\t")
+function cells(a, b, c, d, e, f, g, h, i) {
+    n = split(a "\t" b "\t" c "\t" d "\t" e "\t" f "\t" g "\t" h "\t" i, cell, "\t")
     while (n > 0 && cell[n] == "") --n
     row()
 }
@@ -33,7 +33,7 @@ function rule(    k, text) { text = "|"; for (k = 1; k <= n; ++k) text = text "-
 }
 /^Morph and adjoint/ {
     head("Morph and adjoint [ms]:")
-    cells("", "mesh", "functions", "pages", "time", "% of reading", "dgemm", "ratio"); rule(); next
+    cells("", "mesh", "operator", "functions", "pages", "time", "% of reading", "dgemm", "ratio"); rule(); next
 }
 /^Functions in single precision/ { head("Double against single precision [ms]:")
     cells("", "mesh", "functions", "double", "single", "ratio", "% of reading"); rule(); next }
@@ -46,6 +46,6 @@ section ~ /^Ordering/ && NF >= 14 {
     cells($1 " " $2, $3, $4, peer, $(NF - 5), $(NF - 4), $(NF - 3), $(NF - 2))
 }
 section ~ /^Structure/ && NF == 15 { cells($1 " " $2, $4, $(NF - 3)) }
-section ~ /^Morph/ && NF == 13 { cells($1, $2 " " $3, $4, $5 " " $6, $7, $11, $12, $13) }
+section ~ /^Morph/ && NF == 14 { cells($1, $2 " " $3, $4, $5, $6 " " $7, $8, $12, $13, $14) }
 section ~ /^Double/ && NF == 10 { cells($1, $2 " " $3, $4, $5, $6, $7, $10) }
 section ~ /^hm_adm/ && NF == 9 { cells($1 " " $2, $4, $5, $6, $7, $8, $9) }' "$FILE"
