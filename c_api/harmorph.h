@@ -847,8 +847,8 @@ HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, int32_
 /* ---- Functions in single precision ------------------------------------------------------------------------------ */
 
 /* A second basis with the same functions in single precision, in half the memory. hm_morph and hm_adjoint are
- * limited by reading the basis; if the basis fits in no cache, hm_morph is 1.6 to 1.8 times faster and hm_adjoint,
- * which computes more, 1.4 times, both with AVX-512; less with AVX2; hardly faster without either. The
+ * limited by reading the basis; if the basis fits in no cache, hm_morph is 1.5 to 1.9 times faster with AVX-512
+ * or AVX2, 1.4 times without either, and hm_adjoint, which computes more, 1.4 to 1.8 times with AVX-512 alone. The
  * first basis must be solved and have all functions (it may be an extract); it is no longer needed afterwards. Points
  * on curves and rigid bodies, and points joined to them by a cut, keep F in double precision: the wall moves bitwise as
  * with the first basis. Fixed points do not move. Elsewhere |F' - F| <= 2^-24 |F| for each number (below 2^-126:
