@@ -64,7 +64,7 @@ void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points refe
     for (Index k = 0; k < start.count(); ++k) to.set(k, start[k]);
 }
 
-// Quality of the worst cell that no point of can move.
+// The smallest quality of all cells without a movable point.
 Real MeshImprovement::smallest_held(Plan const& plan, Points reference) const noexcept {
     OrientedMesh const& cells = plan.equations.cells;
     Mesh const& mesh = cells.mesh;
