@@ -59,8 +59,8 @@ LOOPS = src/dense/dense.cpp src/operators/[!r]* src/operators/residual.cpp src/o
 	src/boundary/distance.cpp src/boundary/distance_tree.cpp src/mesh/control_volumes.cpp src/mesh/edges.cpp src/mesh/median_dual.cpp \
 	src/mesh/orientation.cpp src/morph/weighted_sum.cpp src/safe/improve.cpp src/safe/newton_system.cpp
 LEVEL_OF_CALLS = -Os
-CALLS = c_api/*.cpp c_api/cli/main.cpp src/basis/basis.cpp src/basis/basis_check.cpp src/bspline/[!bp]* src/space/* src/parts/* src/safe/safe_* \
-	src/safe/target* src/safe/mo*
+CALLS = c_api/*.cpp c_api/cli/main.cpp src/basis/basis.cpp src/basis/basis_check.cpp \
+	src/bspline/[!bp]* src/space/* src/parts/* src/safe/safe_* src/safe/target* src/safe/mo*
 CC = cc
 CFLAGS = -O2
 FC = gfortran

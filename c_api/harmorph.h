@@ -848,7 +848,7 @@ HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, int32_
 
 /* A second basis with the same functions in single precision, in half the memory. hm_morph and hm_adjoint are
  * limited by reading the basis; if the basis fits in no cache, hm_morph is 1.5 to 1.9 times faster with AVX-512
- * or AVX2, 1.4 times without either, and hm_adjoint, which computes more, 1.4 to 1.8 times with AVX-512 alone. The
+ * or AVX2, 1.4 times without either; hm_adjoint, which computes more, gains with AVX-512 only: 1.4 to 1.8 times. The
  * first basis must be solved and have all functions (it may be an extract); it is no longer needed afterwards. Points
  * on curves and rigid bodies, and points joined to them by a cut, keep F in double precision: the wall moves bitwise as
  * with the first basis. Fixed points do not move. Elsewhere |F' - F| <= 2^-24 |F| for each number (below 2^-126:
@@ -1176,8 +1176,9 @@ HM_API hm_status hm_adjoint_finish(const hm_basis *basis, int32_t scale, const i
                                    hm_error *err);
 
 /* ---- Validity and quality ----------------------------------------------------------------------------------------
- * The mesh must be that of the basis. Refused (HM_BAD_BASIS): other counts, or other points in one of 64 cells that are
- * compared; hm_basis_attach compares all cells. */
+ * The mesh must be that of the basis: the same cells with their points in the same order, in any layout, but
+ * HM_CELLS_POLYGONS only if the basis is of polygons. Refused (HM_BAD_BASIS): other counts, or other points in one of
+ * 64 cells that are compared; hm_basis_attach compares all cells. */
 
 typedef struct hm_step_report {
     uint64_t struct_size;

@@ -1,5 +1,5 @@
-// The C interface: a basis from a block that was saved. Alone here, as all that a solver may need besides is the morph
-// and its transpose.
+// The C interface: a basis from a block that was saved. In a file of its own: a solver that reads a saved basis links
+// this call, the morph and the adjoint, and little else.
 #include "handles.hpp"
 
 using namespace harmorph;

@@ -45,8 +45,8 @@ for standard in f2018 gnu; do
     fi
 done
 while read -r mode words; do check "stop: $words" stops $mode "$words"; done <<END
-one_iteration harmorph: plan%solve: HM_NOT_CONVERGED:
-part_of_the_way harmorph: plan%morph_safe: HM_SHORT:
+one_iteration harmorph: plan%solve: HM_NOT_CONVERGED: [a-z]
+part_of_the_way harmorph: plan%morph_safe: HM_SHORT: the mesh could follow
 save_nothing harmorph: basis%save: HM_BAD_ARGUMENT: the basis is empty: there is nothing to save
 one_array_twice harmorph: mesh%points: HM_BAD_ARGUMENT: x and y are the same array
 assign_mesh a mesh cannot be assigned

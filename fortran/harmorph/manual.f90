@@ -147,8 +147,8 @@
 !               hm_moved, hm_short, hm_poor, hm_backtracks, hm_far_from_curve); below 0 refused: the caller's arrays
 !               are as before; a plan or basis that was to be made anew is empty. err%code is stat, err%text one
 !               sentence, err%item the first offending point, cell, marker, ... (-1: none), err%value what was found.
-!               Without stat, a refused call prints its name and the reason, and stops the program; so does a call
-!               that has done less than it was asked for (hm_not_converged, hm_short). Other warnings are then not told.
+!               Without stat, a call that is refused, or returns hm_not_converged or hm_short, prints its name and
+!               the reason, and stops the program. Other warnings need stat to be seen.
 !
 ! MEMORY AND OWNERSHIP
 !

@@ -76,7 +76,7 @@ contains
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         type(hm_error) :: reason
-        logical :: is_done                                      ! all that was asked for, perhaps with a warning
+        logical :: is_done                                      ! perhaps with a warning about the input
         is_done = status >= 0 .and. status /= hm_not_converged .and. status /= hm_short
         if (present(err)) err = hm_error_of(status, e)
         if (present(stat)) then
@@ -85,7 +85,7 @@ contains
             reason = hm_error_of(status, e)
             write(error_unit, "(7a)") "harmorph: ", call, ": ", hm_status_name(int(status)), ": ", trim(reason%text)
             if (status < 0) error stop "harmorph: refused"
-            error stop "harmorph: not all was done that was asked for"
+            error stop "harmorph: not as asked"
         end if
     end subroutine
 

@@ -7,17 +7,16 @@
 namespace harmorph {
 namespace {
 
-// visit(i, part) for parts of four corners or fewer with all corners of a polygon: as one cell of so many if there are
-// no more.
+// visit(part) for parts of four corners or fewer with all corners of cell i, whatever the layout: the cell itself if it
+// has no more.
 template <class Visit>
-void for_each_fan(Mesh const& mesh, Visit visit) noexcept {
-    for (Index i = 0; i < mesh.n_cells; ++i) {
-        const Index* const corner = mesh.cell_points + (Offset{mesh.cell_start[i]} - mesh.index_base);
-        Index const n = mesh.cell_start[i + 1] - mesh.cell_start[i];
-        auto const at = [&](Index k) { return from_zero(corner[k], mesh.index_base); };
-        for (Index k = 1; k + 1 < n; k += 2) {
-            visit(i, k + 2 < n ? Cell{4, {at(0), at(k), at(k + 1), at(k + 2)}} : Cell{3, {at(0), at(k), at(k + 1)}});
-        }
+void for_each_part(Mesh const& mesh, Index i, Visit visit) noexcept {
+    if (mesh.layout != CellLayout::polygons) return visit(mesh.cell(i));
+    const Index* const corner = mesh.cell_points + (Offset{mesh.cell_start[i]} - mesh.index_base);
+    Index const n = mesh.cell_start[i + 1] - mesh.cell_start[i];
+    auto const at = [&](Index k) { return from_zero(corner[k], mesh.index_base); };
+    for (Index k = 1; k + 1 < n; k += 2) {
+        visit(k + 2 < n ? Cell{4, {at(0), at(k), at(k + 1), at(k + 2)}} : Cell{3, {at(0), at(k), at(k + 1)}});
     }
 }
 
@@ -36,14 +35,14 @@ std::uint64_t checksum_of(BasisHeader const& header, Executor const& executor) n
 MeshFingerprint fingerprint_of(Mesh const& mesh) noexcept {
     Hash front, back;
     front.add(pair(mesh.n_points, mesh.n_cells));
-    auto const add = [&](Index, Cell const& cell) {
+    auto const add = [&](Cell const& cell) {
         front.add(pair(cell.point[0], cell.point[1]));
         back.add(pair(cell.point[2], cell.n == 4 ? cell.point[3] : none));
     };
     if (mesh.layout == CellLayout::polygons) {
-        for_each_fan(mesh, add);
+        for (Index i = 0; i < mesh.n_cells; ++i) for_each_part(mesh, i, add);
     } else {
-        mesh.for_each_cell(add);
+        mesh.for_each_cell([&](Index, Cell const& cell) { add(cell); });
     }
     front.add(back.value());
     std::uint64_t sum = 0;  // does not depend on the order of the faces
@@ -61,16 +60,10 @@ std::uint64_t sample_of(Mesh const& mesh) noexcept {
     Index const n = smaller(Index{64}, mesh.n_cells);
     Hash hash;
     for (Index k = 0; k < n; ++k) {
-        Index const i = static_cast<Index>(Offset{k} * mesh.n_cells / n);
-        if (mesh.layout == CellLayout::polygons) {
-            for (Offset corner = mesh.cell_start[i]; corner < mesh.cell_start[i + 1]; ++corner) {
-                hash.add(pair(none, from_zero(mesh.cell_points[corner - mesh.index_base], mesh.index_base)));
-            }
-        } else {
-            Cell const cell = mesh.cell(i);
-            hash.add(pair(cell.point[0], cell.point[1]));
-            hash.add(pair(cell.point[2], cell.n == 4 ? cell.point[3] : none));
-        }
+        for_each_part(mesh, static_cast<Index>(Offset{k} * mesh.n_cells / n), [&](Cell const& part) {
+            hash.add(pair(part.point[0], part.point[1]));
+            hash.add(pair(part.point[2], part.n == 4 ? part.point[3] : none));
+        });
     }
     return hash.value();
 }

@@ -27,7 +27,8 @@ struct Corners {
         Vector const* const a = twice_area;
         Vector const sum = (a[0] + a[n_areas / 4]) + (a[n_areas / 2] + a[n_areas - 1]);
         Vector const least = least_of(least_of(a[0], a[n_areas / 4]), least_of(a[n_areas / 2], a[n_areas - 1]));
-        return sum == sum ? least : sum;
+        Vector const zero = sum - sum;
+        return zero == 0 ? least : zero;
     }
     HARMORPH_INLINE Vector area() const noexcept {
         return 0.5 * (n == 3 ? twice_area[0] : twice_area[0] + twice_area[n_areas / 2]);

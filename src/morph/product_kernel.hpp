@@ -192,15 +192,16 @@ using Gradient = GradientIn<Registers>;
 using Sums = SumsIn<Registers>;
 
 // So much is done with each number that processors do not look far enough ahead for the numbers that come: they are
-// prefetched. Into the second cache, as requests of the first one hide the stream from the processor's own prefetch.
+// prefetched. They go into the second cache only: requests of the first one hide the stream from the processor's own
+// prefetch.
 template <class Number>
 HARMORPH_INLINE void prefetch_numbers(const Number* numbers) noexcept {
     constexpr Index line = 64 / sizeof(Number);
     for (Index i = 0; i < block_points; i += line) __builtin_prefetch(numbers + i, 0, 2);
 }
 
-// Adds the products of `width` blocks, from block `first` on. Each sum stays in registers for all of them; `ahead`:
-// how many numbers further on is what is needed soon.
+// Adds the products of `width` blocks, from block `first` on. Each sum stays in registers for all of them. `ahead`:
+// distance of the numbers that are prefetched.
 template <Index width, class Number>
 HARMORPH_INLINE void add_blocks(ValueBlocks<Number> const& blocks, Index first, PerPoint<const Real> by,
                                 BinaryScale::Factor unit, Offset ahead, Sums* sums) noexcept {

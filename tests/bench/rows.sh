@@ -40,6 +40,7 @@ function rule(    k, text) { text = "|"; for (k = 1; k <= n; ++k) text = text "-
 /^Admissible step and quality/ { head("hm_admissible_step, hm_quality, hm_assess [ms]:")
     cells("mesh", "morph", "step", "quality", "both", "ns/cell", "both / morph"); rule(); next }
 $1 == "what" || $1 == "mesh" { next }
+/^  / { next }   # notes below a table
 /^[A-Z]/ || /^\.\.\./ { section = "" }
 section ~ /^Ordering/ && NF >= 14 {
     peer = $5; for (k = 6; k <= NF - 9; ++k) peer = peer " " $k

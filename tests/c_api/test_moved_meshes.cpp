@@ -86,8 +86,12 @@ TEST_CASE("a mesh of other cells is refused, also with as many points and cells 
     step.struct_size = sizeof step;
     std::vector<std::int32_t> turned(o.its.mesh.cells);   // each point has the number of the next one
     for (std::int32_t& point : turned) point = (point + 1) % o.mesh.n_points;
-    hm_mesh renumbered = o.mesh;
+    hm_mesh renumbered = o.mesh, other_cell = o.mesh;
     renumbered.cell_points = turned.data();
+    std::vector<std::int32_t> changed(o.its.mesh.cells);   // the last of the 64 cells that are compared
+    std::int32_t const first = o.its.mesh.cell_start[static_cast<std::size_t>(63LL * o.mesh.n_cells / 64)];
+    std::swap(changed[static_cast<std::size_t>(first)], changed[static_cast<std::size_t>(first) + 1]);
+    other_cell.cell_points = changed.data();
     const char* const text = "the basis belongs to another mesh: the cells differ";
     hm_basis* const basis = o.solved->basis;
     auto const measure = [&](hm_mesh const& mesh, hm_error* e) {
@@ -95,6 +99,7 @@ TEST_CASE("a mesh of other cells is refused, also with as many points and cells 
     };
     check_texts({
         {HM_BAD_BASIS, text, [&](hm_error* e) { return measure(renumbered, e); }},
+        {HM_BAD_BASIS, text, [&](hm_error* e) { return measure(other_cell, e); }},
         {HM_BAD_BASIS, text, [&](hm_error* e) {
              return hm_admissible_step(basis, &renumbered, nullptr, &none, nullptr, &step, e);
          }},

@@ -6,6 +6,27 @@
 
 using namespace fixtures;
 
+TEST_CASE("polygons with a coordinate that is not finite count as inverted, whichever corner it is") {
+    Untrapped const untrapped;
+    for (NamedCase& named : polygon_cases()) {
+        CAPTURE(named.name);
+        Case& its = named.its;
+        hm_mesh const view = in_polygons(its.mesh_view());
+        Solved const solved(its.problem(view));
+        for (double const bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+            for (std::int32_t point = 0; point < view.n_points; point += 7) {
+                std::vector<double> x = its.mesh.x;
+                x[static_cast<std::size_t>(point)] = bad;
+                std::int32_t cells = 0;
+                for (std::int32_t const corner : its.mesh.cells) cells += corner == point ? 1 : 0;
+                hm_quality_report const seen = quality_of(solved, view, x, its.mesh.y);
+                CHECK(seen.inverted == cells);
+                if (cells > 0) CHECK(seen.min_area == -HUGE_VAL);
+            }
+        }
+    }
+}
+
 TEST_CASE("polygons: the admissible step ends where a cell is no longer sound; quality and assessment agree") {
     for (NamedCase& named : polygon_cases()) {
         for (std::int32_t const base : {0, 1}) {

@@ -85,6 +85,7 @@ TEST_CASE("polygons: a mesh of triangles and quadrilaterals has the functions of
     // Either basis goes with the mesh as polygons or rows; cells are the same.
     const hm_basis* attached = nullptr;
     CHECK(hm_basis_attach(&attached, b.basis, static_cast<std::size_t>(b.info().bytes), &rows, nullptr) == HM_OK);
+    CHECK(quality_of(b, rows, its.mesh.x, its.mesh.y).inverted == 0);
     hm_quality_report const one = quality_of(a, rows, its.mesh.x, its.mesh.y);
     hm_quality_report const other = quality_of(b, polygons, its.mesh.x, its.mesh.y);
     CHECK(one.min_quality == other.min_quality);

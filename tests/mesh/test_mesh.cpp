@@ -36,6 +36,7 @@ void check_same(hm_mesh const& first, hm_mesh const& second) {
     CHECK(a.find_cell([&](Index i, harmorph::Cell const&) { return i == a.n_cells - 1; }) == a.n_cells - 1);
     CHECK(a.find_cell([](Index, harmorph::Cell const&) { return false; }) == harmorph::none);
     CHECK(fingerprint_of(a) == fingerprint_of(b));
+    CHECK(sample_of(a) == sample_of(b));
 }
 
 harmorph::Fault refusal(harmorph::Mesh const& mesh) {

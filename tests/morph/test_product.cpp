@@ -96,7 +96,7 @@ TEST_CASE("a point's products are added up in the order of the numbers: the same
 
 TEST_CASE("the transpose is right to the rounding of each product, and the same bits from every kernel") {
     for (Index numbers = 1; numbers <= Movements::most; numbers += numbers < 40 ? 1 : 11)
-        for (Index const blocks : {1, 2, 5}) {
+        for (Index const blocks : {1, 2, 5, 8, 19}) {
             Product const product(blocks, numbers, static_cast<unsigned>(numbers));
             INFO(numbers << " numbers, " << blocks << " blocks");
             std::vector<double> exact(2 * static_cast<std::size_t>(numbers));

@@ -185,6 +185,20 @@ TEST_CASE("a coordinate that is not finite makes its cells invalid, whichever co
     }
 }
 
+TEST_CASE("an infinite area counts beside a finite one that is negative") {
+    Untrapped const untrapped;
+    Mesh mesh = square(3, Cells::quads);
+    double const x[] = {0, 1, 2.1, 0.2}, y[] = {0, 1, 1.3, HUGE_VAL};   // three areas of +inf, the second one is -0.4
+    for (std::size_t k = 0; k < 4; ++k) {
+        std::size_t const point = static_cast<std::size_t>(mesh.cells[k]);
+        mesh.x[point] = x[k];
+        mesh.y[point] = y[k];
+    }
+    Quality const seen = measure(mesh);
+    CHECK(seen.first_inverted == 0);
+    CHECK(seen.min_area == -HUGE_VAL);
+}
+
 TEST_CASE("the report on a mesh says the same, in the caller's numbering") {
     Case its = tiny_case();
     its.index_base = 1;

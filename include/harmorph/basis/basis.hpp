@@ -152,7 +152,8 @@ struct Basis {
 
 std::uint64_t checksum_of(BasisHeader const& header, Executor const& executor = {}) noexcept;
 MeshFingerprint fingerprint_of(Mesh const& mesh) noexcept;
-// Of 64 cells spread over the mesh: cheap enough for every call, and different for a mesh with other numbers.
+// Of 64 cells spread over the mesh, whatever its layout: cheap enough for every call. A mesh with other numbers is told
+// apart if one of these cells differs.
 std::uint64_t sample_of(Mesh const& mesh) noexcept;
 std::uint64_t coordinates_fingerprint(Points points, Index n_points) noexcept;
 

@@ -68,7 +68,7 @@ inline Real resolved_height(CellShape const& shape) noexcept {
     return resolved_height(size);
 }
 
-// A corner has no positive area, or a coordinate is no number.
+// A corner has no positive area, or a coordinate is not finite.
 inline bool is_inverted(CellShape const& shape) noexcept { return !(CellCorners(shape).smallest() > 0); }
 
 // The same of finite coordinates, without rounding.

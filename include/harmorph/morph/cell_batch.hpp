@@ -74,7 +74,7 @@ struct CellBounds {
 // Quality of a list of cells, displaced if they are.
 struct ListQuality {
     static constexpr Real not_in_range = -1;
-    Real twice_smallest[CellBatches::most];  // corner area; NaN where a coordinate is NaN
+    Real twice_smallest[CellBatches::most];  // corner area; NaN where one of a quad is not finite
     // 0 where the cell is inverted; not_in_range: to be computed for this cell by itself, as products of its areas are
     // too large or too small for numbers.
     Real quality[CellBatches::most];

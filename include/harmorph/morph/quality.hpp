@@ -123,10 +123,11 @@ CellMeasure::CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of
         return;
     }
     auto const least = [this](Real twice_area) {  // NaN stays
-        if (!(twice_area >= twice_smallest)) twice_smallest = twice_area;
+        bool const is_number = twice_smallest == twice_smallest;
+        if (is_number && !(twice_area >= twice_smallest)) twice_smallest = twice_area;
     };
     for (Index piece = begin; piece < end; ++piece) {
-        Real const twice_area = CellCorners(shape_of(piece)).twice_area[0];
+        Real const twice_area = CellCorners(shape_of(piece)).smallest();  // of a triangle
         least(twice_area);
         area += 0.5 * twice_area;
     }
@@ -135,7 +136,7 @@ CellMeasure::CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of
     for (Index guard = mesh.guard_start[number]; guard < mesh.guard_start[number + 1]; ++guard) {
         CellCorners const corner(shape_of(guard));
         bool const is_convex = mesh.guard_kind[guard - mesh.n_cells] == CornerKind::convex;
-        if (is_convex || !(corner.twice_area[0] > 0)) least(corner.twice_area[0]);
+        if (is_convex || !(corner.smallest() > 0)) least(corner.smallest());
         if (!is_convex || !(twice_smallest > 0)) continue;
         sum += length(corner.side[0]) * length(corner.side[1]) / corner.twice_area[0];
         ++m;
