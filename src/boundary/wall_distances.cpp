@@ -44,11 +44,16 @@ public:
 
 private:
     Status look_at(Index slot, Fault& fault) noexcept {
-        Curve const& curve = curves_[wall_.curve[slot]];
+        Index const its_curve = wall_.curve[slot];
+        Curve const& curve = curves_[its_curve];
         Vec2 const point = points_[wall_.point[slot]];
         Real const distance = length(curve_point(curve, wall_.u[slot]) - point);
         if (distance == 0) return Status::ok;
-        Real const extent = smaller(extent_of(curve), wall_extent_);
+        if (measured_ != its_curve) {  // slots of a curve follow each other
+            measured_ = its_curve;
+            curve_extent_ = extent_of(curve);
+        }
+        Real const extent = smaller(curve_extent_, wall_extent_);
         Real const part = extent > smallest_height ? distance / extent : infinity;
         if (part > largest_) {
             largest_ = part;
@@ -62,7 +67,7 @@ private:
             beyond_distance_ = distance;
         }
         for (Index other = 0; other < curves_.count(); ++other) {
-            if (named_together(wall_.curve[slot], other)) continue;
+            if (named_together(its_curve, other)) continue;
             if (!(project(curves_[other], point).distance < much_nearer * distance)) continue;
             return fault.refuse(Status::bad_condition,
                                 "point # is ~ from its curve, but on curve @ (from 0), which its condition does not "
@@ -112,6 +117,8 @@ private:
     Span<const Curve> curves_;
     Wall const& wall_;
     Real wall_extent_ = 0;                        // of all points on curves
+    Index measured_ = none;                       // the curve with the extent below
+    Real curve_extent_ = 0;
     Index farthest_ = none, beyond_ = none;       // slots
     Real largest_ = far, largest_distance_ = 0, beyond_distance_ = 0;
 };

@@ -45,9 +45,15 @@ private:
     void assemble_cells(Tangle const& tangle, Region const& region, Visit const& visit) const noexcept;
     template <class Visit>
     void assemble_row(Tangle const& tangle, Region const& region, Index u, Visit const& visit) const noexcept;
-    template <Index n, class IsWanted, class Visit>
+    template <class IsWanted, class Visit>
     void add_cell(Tangle const& tangle, Region const& region, Index i, IsWanted const& is_wanted,
-                  Visit const& visit) const noexcept;
+                  Visit const& visit) const noexcept {
+        if (tangle.mesh.cell(i).n == 3) add_cell_of<3>(tangle, region, i, is_wanted, visit);
+        else add_cell_of<4>(tangle, region, i, is_wanted, visit);
+    }
+    template <Index n, class IsWanted, class Visit>
+    void add_cell_of(Tangle const& tangle, Region const& region, Index i, IsWanted const& is_wanted,
+                     Visit const& visit) const noexcept;
     void clear_row(Region const& region, Index u) const noexcept;
     void constrain_row(Tangle const& tangle, Region const& region, Index u) const noexcept;
 };
@@ -67,10 +73,7 @@ template <class Visit>
 void NewtonSystem::assemble_cells(Tangle const& tangle, Region const& region, Visit const& visit) const noexcept {
     auto const is_unknown = [](Index u) { return u != none; };
     for (Index u = 0; u < region.n; ++u) clear_row(region, u);
-    for (Index const i : region.cell.first(region.n_cells)) {
-        if (tangle.mesh.cell(i).n == 3) add_cell<3>(tangle, region, i, is_unknown, visit);
-        else add_cell<4>(tangle, region, i, is_unknown, visit);
-    }
+    for (Index const i : region.cell.first(region.n_cells)) add_cell(tangle, region, i, is_unknown, visit);
     for (Index u = 0; u < region.n; ++u) constrain_row(tangle, region, u);
 }
 
@@ -79,17 +82,14 @@ void NewtonSystem::assemble_row(Tangle const& tangle, Region const& region, Inde
                                 Visit const& visit) const noexcept {
     auto const is_row = [u](Index v) { return v == u; };
     clear_row(region, u);
-    for (Index const i : region.cells_of(region.point[u])) {
-        if (tangle.mesh.cell(i).n == 3) add_cell<3>(tangle, region, i, is_row, visit);
-        else add_cell<4>(tangle, region, i, is_row, visit);
-    }
+    for (Index const i : region.cells_of(region.point[u])) add_cell(tangle, region, i, is_row, visit);
     constrain_row(tangle, region, u);
 }
 
 // To those rows that is_wanted(row) asks for. A corner adds nothing to rows of other points than its three.
 template <Index n, class IsWanted, class Visit>
-void NewtonSystem::add_cell(Tangle const& tangle, Region const& region, Index i, IsWanted const& is_wanted,
-                            Visit const& visit) const noexcept {
+void NewtonSystem::add_cell_of(Tangle const& tangle, Region const& region, Index i, IsWanted const& is_wanted,
+                               Visit const& visit) const noexcept {
     Cell const cell = tangle.cell(i);
     Vec2 const turn = turn_of(tangle.mesh, i);
     Index unknown[n];
