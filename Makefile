@@ -21,9 +21,9 @@
 #   make compilers        all compilers that are installed, without a warning; LEVELS=-O2; see tests/compilers.sh
 #   make amalgamation     the library in two files, build/amalgamation/harmorph.cpp and harmorph.h
 #   make bench            against CHOLMOD, MUMPS, SuperLU, Eigen and OpenBLAS, and gmsh (PARTS=files), as far as they
-#                         are there; see tests/bench/run.sh
-#   make bench-rows       measures what tests/bench/README.md says about speed, and prints the rows of its tables
-#   make deform           how far meshes follow large movements: tables and figures on a page; see tests/deform/run.sh
+#                         are there; see tests/measure/bench/run.sh
+#   make bench-rows       measures what tests/measure/bench/README.md says about speed, and prints the rows of its tables
+#   make deform           how far meshes follow large movements: tables and figures on a page; see tests/measure/deform/run.sh
 #   make bench-petsc      functions by PETSc on parts of the mesh: time, iterations, memory, beside harmorph_mpi
 #   make bench-mpi        solve and morph on 1 and 2 processes
 #   make demo             fits, solves and morphs the shipped airfoil mesh; leaves pictures and a page
@@ -48,19 +48,10 @@ BUILD = build
 PREFIX = /usr/local
 DESTDIR =
 CXX = c++
-# Comes behind the level of optimisation of each file, so that CXXFLAGS="-O1 -g" is heard everywhere.
+# CXXFLAGS follow the level of optimisation of each file, which the file LEVELS states; so CXXFLAGS="-O1 -g" replaces
+# all levels.
 CXXFLAGS =
-# Where the time is spent in loops over points, cells, matrix entries. Everything else is at LEVEL; also kernels for
-# each instruction set and loops whose lengths are constants, which are written out in vectors: at -O3 they are up to seven
-# times as large and no faster. What runs once for a call or a problem is compiled for size.
-LEVEL = -O2
-LEVEL_OF_LOOPS = -O3
-LOOPS = src/dense/dense.cpp src/operators/[!r]* src/operators/residual.cpp src/operators/right* src/ordering/* \
-	src/boundary/distance.cpp src/boundary/distance_tree.cpp src/mesh/control_volumes.cpp src/mesh/edges.cpp src/mesh/median_dual.cpp \
-	src/mesh/orientation.cpp src/morph/weighted_sum.cpp src/safe/improve.cpp src/safe/newton_system.cpp
-LEVEL_OF_CALLS = -Os
-CALLS = c_api/*.cpp c_api/cli/main.cpp src/basis/basis.cpp src/basis/basis_check.cpp \
-	src/bspline/[!bp]* src/space/* src/parts/* src/safe/safe_* src/safe/target* src/safe/mo*
+LEVELS = src/levels
 CC = cc
 CFLAGS = -O2
 FC = gfortran
@@ -77,52 +68,54 @@ MPICC = mpicc
 WARNINGS = -Wall -Wextra -Wconversion -Wshadow
 # No C++ runtime, no errno, so that only mem* stay undefined; no contraction, so that compilers agree on bits. Callers may
 # trap floating-point exceptions: so -fno-trapping-math, which lets compilers divide where the program does not, is not here;
-# what clang needs for that is in include/harmorph/base/types.hpp.
+# what clang needs for that is in src/base/types.hpp.
 CORE = -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -ffp-contract=off \
 	-fno-threadsafe-statics -fno-stack-protector -fno-asynchronous-unwind-tables -U_FORTIFY_SOURCE \
 	-fvisibility=hidden -fPIC $(WARNINGS) -Iinclude -Isrc -Ic_api
-CLI = -std=c++17 -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) -I. -Ic_api -Ic_api/cli
+CLI = -std=c++17 -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) -I. -Iinclude -Ic_api/cli
 # CGNS=1: the program reads and writes CGNS files; it needs libcgns (Debian's libcgns-dev), the library does not.
 CGNS =
 # Tests are compiled for one run: what more of optimisation would take is not given back, nor exceptions caught in each check.
-UNIT = -std=c++17 -Og -DDOCTEST_CONFIG_SUPER_FAST_ASSERTS -ffp-contract=off $(WARNINGS) -Iinclude -I. -Ic_api -Itests
+UNIT = -std=c++17 -Og -DDOCTEST_CONFIG_SUPER_FAST_ASSERTS -ffp-contract=off $(WARNINGS) -Iinclude -Isrc -I. -Ic_api -Itests
 
 LIBRARY = $(BUILD)/libharmorph.a
 PROGRAM = $(BUILD)/harmorph
-# Silent, as the rules say in few words what they do; $(BUILD)/flags holds the whole commands.
-WITH_RULES = -s -j $(JOBS) -f Makefile -f $(BUILD)/rules.mk
+# Makes what follows by the generated rules: silently, as the rules say in few words what they do; $(BUILD)/flags holds
+# the whole commands. With the jobs of `make -j8`, or with JOBS.
+MAKE_BY_RULES = case " $$MAKEFLAGS" in *" -j"*) jobs= ;; *) jobs='-j $(JOBS)' ;; esac; \
+	$(MAKE) -s $$jobs -f Makefile -f $(BUILD)/rules.mk -f $(BUILD)/depends.mk
 
 all: rules
-	@$(MAKE) $(WITH_RULES) $(LIBRARY) $(PROGRAM)
+	+@$(MAKE_BY_RULES) $(LIBRARY) $(PROGRAM)
 
 # What is joined or generated from sources, and the rules of all objects and programs.
 rules:
 	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit $(BUILD)/objects/fuzz
-	@LEVEL='$(LEVEL)' LEVEL_OF_LOOPS='$(LEVEL_OF_LOOPS)' LOOPS='$(LOOPS)' LEVEL_OF_CALLS='$(LEVEL_OF_CALLS)' CALLS='$(CALLS)' \
-	    UNITS='$(UNITS)' FLAGS='$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' sh c_api/rules.sh $(BUILD)
+	@LEVELS='$(LEVELS)' UNITS='$(UNITS)' FLAGS='$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' \
+	    sh c_api/packaging/rules.sh $(BUILD)
 
 # The drivers of `make deform`; the tests build and run them, too.
 deform-driver: all
-	@$(MAKE) $(WITH_RULES) $(BUILD)/deform-driver $(BUILD)/deform-seeded
+	+@$(MAKE_BY_RULES) $(BUILD)/deform-driver $(BUILD)/deform-seeded
 
 library-only: rules
-	@$(MAKE) $(WITH_RULES) $(LIBRARY)
+	+@$(MAKE_BY_RULES) $(LIBRARY)
 
 tests-only: rules
-	@$(MAKE) $(WITH_RULES) $(BUILD)/tests
+	+@$(MAKE_BY_RULES) $(BUILD)/tests
 
 unit: all
 	@echo '#include <doctest/doctest.h>' | $(CXX) -x c++ -E - >/dev/null 2>&1 || \
 	    { echo "doctest/doctest.h not found: install Debian's doctest-dev"; exit 1; }
-	@$(MAKE) $(WITH_RULES) $(BUILD)/tests
+	+@$(MAKE_BY_RULES) $(BUILD)/tests
 	$(BUILD)/tests
 
 # All programs that the tests run.
 test-programs: rules
-	@$(MAKE) $(WITH_RULES) $(LIBRARY) $(PROGRAM) $(BUILD)/tests $(BUILD)/fuzzer $(BUILD)/deform-driver $(BUILD)/deform-seeded
+	+@$(MAKE_BY_RULES) $(LIBRARY) $(PROGRAM) $(BUILD)/tests $(BUILD)/fuzzer $(BUILD)/deform-driver $(BUILD)/deform-seeded
 
 fuzzer: rules
-	@$(MAKE) $(WITH_RULES) $(BUILD)/fuzzer
+	+@$(MAKE_BY_RULES) $(BUILD)/fuzzer
 
 fuzz:
 	@MAKE='$(MAKE)' BUILD='$(BUILD)' JOBS='$(JOBS)' FUZZ_SECONDS='$(SECONDS)' sh tests/fuzz/run.sh
@@ -138,13 +131,13 @@ sanitize:
 	@MAKE='$(MAKE)' BUILD='$(BUILD)' JOBS='$(JOBS)' CXX='$(CXX)' sh tests/sanitize.sh
 
 mpi: all
-	$(MPICC) $(CFLAGS) -Wall -Wextra -Wno-missing-field-initializers -fPIC -Ic_api -c -o $(BUILD)/objects/harmorph_mpi.o c_api/harmorph_mpi.c
+	$(MPICC) $(CFLAGS) -Wall -Wextra -Wno-missing-field-initializers -fPIC -Iinclude -Ic_api -c -o $(BUILD)/objects/harmorph_mpi.o c_api/mpi/harmorph_mpi.c
 	rm -f $(BUILD)/libharmorph_mpi.a
 	$(AR) rcs $(BUILD)/libharmorph_mpi.a $(BUILD)/objects/harmorph_mpi.o
 
 # The soname changes with HM_ABI only; symbols have the version HARMORPH_ABI.
-ABI = `sed -n 's/^\#define HM_ABI \([0-9]*\).*/\1/p' c_api/harmorph.h`
-VERSION = `sed -n 's/^\#define HM_VERSION "\(.*\)"/\1/p' c_api/harmorph.h`
+ABI = `sed -n 's/^\#define HM_ABI \([0-9]*\).*/\1/p' include/harmorph.h`
+VERSION = `sed -n 's/^\#define HM_VERSION "\(.*\)"/\1/p' include/harmorph.h`
 shared: all
 	@mkdir -p $(BUILD)/shared
 	@printf 'HARMORPH_%s { global: hm_*; local: *; };\n' $(ABI) >$(BUILD)/shared/symbols.map
@@ -160,7 +153,7 @@ manual: all
 
 dist:
 	@mkdir -p $(BUILD)
-	@sh c_api/dist.sh harmorph-$(VERSION) >$(BUILD)/harmorph-$(VERSION).tar.gz
+	@sh c_api/packaging/dist.sh harmorph-$(VERSION) >$(BUILD)/harmorph-$(VERSION).tar.gz
 	@echo $(BUILD)/harmorph-$(VERSION).tar.gz
 
 cross: all
@@ -172,8 +165,8 @@ compilers: all
 amalgamation:
 	@rm -rf $(BUILD)/amalgamation
 	@mkdir -p $(BUILD)/amalgamation
-	@sh c_api/amalgamate.sh >$(BUILD)/amalgamation/harmorph.cpp
-	@cp c_api/harmorph.h $(BUILD)/amalgamation/
+	@sh c_api/packaging/amalgamate.sh >$(BUILD)/amalgamation/harmorph.cpp
+	@cp include/harmorph.h $(BUILD)/amalgamation/
 
 check-link: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' sh tests/check_link.sh $(BUILD)
@@ -186,26 +179,26 @@ test-petsc: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' FFLAGS='$(FFLAGS)' MPICC='$(MPICC)' MESHES='$(MESHES)' sh tests/petsc.sh $(BUILD)
 
 bench-petsc: all
-	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/bench/petsc.sh
+	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/measure/bench/petsc.sh
 
 bench: all
 	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' SIZES='$(SIZES)' KINDS='$(KINDS)' \
 	    PARTS='$(PARTS)' FUNCTIONS='$(FUNCTIONS)' THREADS='$(THREADS)' REPEATS='$(REPEATS)' JSON='$(JSON)' \
-	    sh tests/bench/run.sh
+	    sh tests/measure/bench/run.sh
 
 bench-rows: all
-	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' FILE='$(FILE)' sh tests/bench/rows.sh
+	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' FILE='$(FILE)' sh tests/measure/bench/rows.sh
 
 deform: deform-driver
 	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' SEEDS='$(SEEDS)' sh tests/figures.sh '$(BUILD)/deform' 'Large movements of meshes' \
-	    sh tests/deform/run.sh
+	    sh tests/measure/deform/run.sh
 
 paper: all
 	@BUILD='$(BUILD)' CXX='$(CXX)' CC='$(CC)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' \
-	    sh tests/figures.sh '$(BUILD)/paper' 'The cases of the paper' sh tests/paper/run.sh
+	    sh tests/figures.sh '$(BUILD)/paper' 'The cases of the paper' sh tests/measure/paper/run.sh
 
 bench-mpi: all
-	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/bench/mpi.sh
+	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/measure/bench/mpi.sh
 
 demo: all
 	$(PROGRAM) demo $(BUILD)/demo
@@ -226,11 +219,11 @@ install: manual
 	cp $(PROGRAM) "$$to/bin/"; \
 	mkdir -p "$$to/share/man/man1"; \
 	cp $(BUILD)/harmorph.1 "$$to/share/man/man1/"; \
-	cp c_api/harmorph*.h "$$to/include/"; \
+	cp include/*.h "$$to/include/"; \
 	cp $(LIBRARY) "$$to/lib/"; \
-	version=`sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' c_api/harmorph.h`; \
-	sed "s|@UP@|../..|; s|@VERSION@|$$version|" c_api/harmorph.pc.in >"$$to/lib/pkgconfig/harmorph.pc"; \
-	cp c_api/harmorphConfig.cmake c_api/harmorphConfigVersion.cmake "$$to/lib/cmake/harmorph/"; \
+	version=`sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' include/harmorph.h`; \
+	sed "s|@UP@|../..|; s|@VERSION@|$$version|" c_api/packaging/harmorph.pc.in >"$$to/lib/pkgconfig/harmorph.pc"; \
+	cp c_api/packaging/harmorphConfig.cmake c_api/packaging/harmorphConfigVersion.cmake "$$to/lib/cmake/harmorph/"; \
 	mkdir -p "$$to/share/harmorph"; \
 	cp $(BUILD)/harmorph*.f90 $(BUILD)/harmorph_mpi.c $(BUILD)/harmorph_petsc.c fortran/*.f90 \
 	    c_api/examples/read_su2.c c_api/examples/read_su2.h tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fault_text.hpp"
-#include "harmorph/base/arena.hpp"
+#include "base/arena.hpp"
 
 namespace harmorph {
 

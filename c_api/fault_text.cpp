@@ -1,6 +1,6 @@
 #include "fault_text.hpp"
 
-#include "harmorph/base/scalar.hpp"
+#include "base/scalar.hpp"
 
 namespace harmorph {
 namespace {

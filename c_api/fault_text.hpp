@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph.h"
-#include "harmorph/base/types.hpp"
+#include "base/types.hpp"
 
 namespace harmorph {
 

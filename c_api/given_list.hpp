@@ -2,7 +2,7 @@
 #pragma once
 
 #include "handles.hpp"
-#include "harmorph/morph/displacement.hpp"
+#include "morph/displacement.hpp"
 
 namespace harmorph {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "call.hpp"
-#include "harmorph/basis/basis.hpp"
-#include "harmorph/plan/plan.hpp"
+#include "basis/basis.hpp"
+#include "plan/plan.hpp"
 #include "views.hpp"
 
 namespace harmorph {

@@ -1,6 +1,6 @@
 // The C interface: from a problem to its analysis, and what an analysis says about the mesh.
 #include "request.hpp"
-#include "harmorph/morph/quality.hpp"
+#include "morph/quality.hpp"
 
 namespace harmorph {
 namespace {

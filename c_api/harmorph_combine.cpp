@@ -1,6 +1,6 @@
 // The C interface: functions of design variables in place of those of control points.
 #include "handles.hpp"
-#include "harmorph/basis/combination.hpp"
+#include "basis/combination.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,8 +1,8 @@
 // The C interface: curves and their fit.
 #include "call.hpp"
-#include "harmorph/base/range.hpp"
-#include "harmorph/bspline/fit.hpp"
-#include "harmorph/bspline/projection.hpp"
+#include "base/range.hpp"
+#include "bspline/fit.hpp"
+#include "bspline/projection.hpp"
 #include "views.hpp"
 
 namespace harmorph {

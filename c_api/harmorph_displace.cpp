@@ -2,7 +2,7 @@
 #include <type_traits>
 
 #include "given_list.hpp"
-#include "harmorph/morph/mode_functions.hpp"
+#include "morph/mode_functions.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
 // The C interface: one field of given displacements in a part.
-#include "harmorph/base/range.hpp"
-#include "harmorph/operators/right_hand_sides.hpp"
+#include "base/range.hpp"
+#include "operators/right_hand_sides.hpp"
 #include "harmorph_distributed.h"
 #include "part_handles.hpp"
 #include "views.hpp"

@@ -1,6 +1,6 @@
 // The C interface: the same curves with more control points.
 #include "call.hpp"
-#include "harmorph/bspline/finer_curves.hpp"
+#include "bspline/finer_curves.hpp"
 #include "views.hpp"
 
 namespace harmorph {

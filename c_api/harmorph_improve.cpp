@@ -1,7 +1,7 @@
 // The C interface: better cells in a valid mesh.
 #include "handles.hpp"
-#include "harmorph/morph/quality.hpp"
-#include "harmorph/safe/mesh_improvement.hpp"
+#include "morph/quality.hpp"
+#include "safe/mesh_improvement.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,5 +1,5 @@
 // The C interface: the vector instructions of this processor.
 #include "harmorph.h"
-#include "harmorph/simd/cpu.hpp"
+#include "simd/cpu.hpp"
 
 extern "C" int32_t hm_best_kernel(void) { return static_cast<int32_t>(harmorph::best_kernel()); }

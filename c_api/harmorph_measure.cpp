@@ -1,6 +1,6 @@
 // The C interface: measures of a section.
-#include "harmorph/base/range.hpp"
-#include "harmorph/bspline/section_measures.hpp"
+#include "base/range.hpp"
+#include "bspline/section_measures.hpp"
 #include "section_view.hpp"
 
 namespace harmorph {

@@ -1,7 +1,7 @@
 // The C interface: movements of the mesh points, and the transpose.
 #include "handles.hpp"
-#include "harmorph/morph/adjoint.hpp"
-#include "harmorph/morph/morph.hpp"
+#include "morph/adjoint.hpp"
+#include "morph/morph.hpp"
 
 namespace harmorph {
 namespace {

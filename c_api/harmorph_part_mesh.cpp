@@ -1,5 +1,5 @@
 // The C interface: a part of a mesh that no process has as a whole, and the edges where parts end.
-#include "harmorph/parts/shared_boundary.hpp"
+#include "parts/shared_boundary.hpp"
 #include "harmorph_distributed.h"
 #include "part_handles.hpp"
 #include "views.hpp"

@@ -1,7 +1,7 @@
 // The C interface: meshes in parts. Rows of some points, shares of the functions, the sums of the adjoint.
 #include "handles.hpp"
-#include "harmorph/basis/packed_rows.hpp"
-#include "harmorph/morph/adjoint.hpp"
+#include "basis/packed_rows.hpp"
+#include "morph/adjoint.hpp"
 
 namespace harmorph {
 namespace {

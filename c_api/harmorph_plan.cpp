@@ -1,6 +1,6 @@
 // The C interface: the plan of an analysis and a basis for its solution; factorisation and solution.
 #include "handles.hpp"
-#include "harmorph/basis/basis_measures.hpp"
+#include "basis/basis_measures.hpp"
 
 namespace harmorph {
 namespace {

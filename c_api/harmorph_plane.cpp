@@ -1,8 +1,8 @@
 // The C interface: meshes of three dimensions that are one cell thick.
 #include "handles.hpp"
-#include "harmorph/morph/adjoint.hpp"
-#include "harmorph/morph/morph.hpp"
-#include "harmorph/space/plane_search.hpp"
+#include "morph/adjoint.hpp"
+#include "morph/morph.hpp"
+#include "space/plane_search.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,8 +1,8 @@
 // The C interface: is a mesh valid, how far may it move, how good are its cells, and is its wall where the curves are?
 #include "handles.hpp"
-#include "harmorph/basis/basis_measures.hpp"
-#include "harmorph/morph/assessment.hpp"
-#include "harmorph/morph/crossing.hpp"
+#include "basis/basis_measures.hpp"
+#include "morph/assessment.hpp"
+#include "morph/crossing.hpp"
 
 namespace harmorph {
 namespace {

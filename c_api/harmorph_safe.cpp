@@ -1,8 +1,8 @@
 // The C interface: large movements that stay valid, for which the functions are solved again on the way.
 #include "given_list.hpp"
-#include "harmorph/base/range.hpp"
-#include "harmorph/morph/quality.hpp"
-#include "harmorph/safe/safe_displacement.hpp"
+#include "base/range.hpp"
+#include "morph/quality.hpp"
+#include "safe/safe_displacement.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
 // The C interface: functions in single precision.
 #include "handles.hpp"
-#include "harmorph/basis/single_precision.hpp"
+#include "basis/single_precision.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,7 +1,7 @@
 // The C interface: points that slide along curves, back onto their curves.
 #include "handles.hpp"
-#include "harmorph/base/range.hpp"
-#include "harmorph/morph/slide.hpp"
+#include "base/range.hpp"
+#include "morph/slide.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,7 +1,7 @@
 // The C interface: from a coarse mesh to a fine one.
 #include "handles.hpp"
-#include "harmorph/basis/basis_measures.hpp"
-#include "harmorph/plan/transfer.hpp"
+#include "basis/basis_measures.hpp"
+#include "plan/transfer.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,7 +1,7 @@
 // The C interface: design variables as maps to the control points.
-#include "harmorph/base/range.hpp"
-#include "harmorph/bspline/section_area.hpp"
-#include "harmorph/bspline/variables.hpp"
+#include "base/range.hpp"
+#include "bspline/section_area.hpp"
+#include "bspline/variables.hpp"
 #include "section_view.hpp"
 
 namespace harmorph {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "handles.hpp"
-#include "harmorph/parts/part_equations.hpp"
+#include "parts/part_equations.hpp"
 
 namespace harmorph {
 

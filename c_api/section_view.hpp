@@ -1,8 +1,8 @@
 // A section of the caller's curves, checked and joined to an outline.
 #pragma once
 
-#include "harmorph/base/range.hpp"
-#include "harmorph/bspline/section.hpp"
+#include "base/range.hpp"
+#include "bspline/section.hpp"
 #include "views.hpp"
 
 namespace harmorph {

@@ -4,10 +4,10 @@
 #include <cstring>
 
 #include "call.hpp"
-#include "harmorph/base/executor.hpp"
-#include "harmorph/bspline/bspline.hpp"
-#include "harmorph/bspline/fit.hpp"
-#include "harmorph/plan/analysis.hpp"
+#include "base/executor.hpp"
+#include "bspline/bspline.hpp"
+#include "bspline/fit.hpp"
+#include "plan/analysis.hpp"
 
 namespace harmorph {
 

@@ -1,6 +1,6 @@
 // What a problem consists of beside the mesh, and the options of a fit. Apart from the other views, so that a program
 // which only moves meshes does not link them.
-#include "harmorph/base/range.hpp"
+#include "base/range.hpp"
 #include "views.hpp"
 
 namespace harmorph {

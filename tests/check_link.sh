@@ -25,14 +25,14 @@ is_empty "sections that run code before main" \
     "$(size -A "$merged" | awk '$1 ~ /^\.(init_array|ctors)/ && $2 > 0 { print $1 }')"
 is_empty "visible names without hm_" \
     "$(grep -E '^[0-9a-f]+ [gu]' "$build/symbols" | grep -v '\.hidden' | awk '{ print $NF }' | grep -v '^hm_')"
-if $CC -std=c99 -pedantic $CFLAGS -Ic_api -o "$build/use" tests/use.c "$build/libharmorph.a"; then
+if $CC -std=c99 -pedantic $CFLAGS -Iinclude -o "$build/use" tests/use.c "$build/libharmorph.a"; then
     ok
 else
     fail "tests/use.c does not link with $CC"
 fi
 # A program that attaches a basis, morphs and takes the adjoint links this much of the library; engines stay outside.
 most=65536
-$CC -std=c99 $CFLAGS -Ic_api -c -o "$build/small.o" tests/small.c && ld -r -o "$build/small_linked.o" "$build/small.o" \
+$CC -std=c99 $CFLAGS -Iinclude -c -o "$build/small.o" tests/small.c && ld -r -o "$build/small_linked.o" "$build/small.o" \
     "$build/libharmorph.a" || exit 1
 bytes=$(size "$build/small_linked.o" | awk 'NR == 2 { print $1 + $2 + $3 }')
 is_empty "bytes in a program that morphs, of at most $most" "$([ "$bytes" -le $most ] || echo "$bytes")"

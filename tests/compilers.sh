@@ -16,7 +16,7 @@ silent() { said=$("$@" 2>&1) && [ -z "$said" ] && return; echo "$said"; return 1
 missing() { skip "$1" "it is not installed"; }
 rm -rf "$dir"
 mkdir -p "$dir"
-sh c_api/amalgamate.sh >"$dir/harmorph.cpp" && cp c_api/harmorph.h "$dir/" || exit 1
+sh c_api/packaging/amalgamate.sh >"$dir/harmorph.cpp" && cp include/harmorph.h "$dir/" || exit 1
 for compiler in $COMPILERS; do
     command -v $compiler >/dev/null || { missing $compiler; continue; }
     for level in $LEVELS "-std=c++20 -fsyntax-only"; do
@@ -32,13 +32,13 @@ for header in harmorph.h harmorph_pages.h harmorph_distributed.h; do
             command -v $compiler >/dev/null || continue
             # C89 has no keyword inline, which harmorph_pages.h needs.
             case "$standard $header" in c89*pages*) continue ;; esac
-            check "$header, $compiler -std=$standard" silent $compiler -std=$standard -Wall -Wextra -Werror -Ic_api \
+            check "$header, $compiler -std=$standard" silent $compiler -std=$standard -Wall -Wextra -Werror -Iinclude \
                 -fsyntax-only "$dir/header.c"
         done
     done
     for compiler in tcc pcc; do
         command -v $compiler >/dev/null || { missing $compiler; continue; }
-        check "$header, $compiler" silent $compiler -Ic_api -c -o "$dir/header.o" "$dir/header.c"
+        check "$header, $compiler" silent $compiler -Iinclude -c -o "$dir/header.o" "$dir/header.c"
     done
 done
 

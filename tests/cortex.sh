@@ -17,10 +17,10 @@ if ! echo "$probe" | $ARM_CXX -x c++ -fsyntax-only - 2>/dev/null; then
 fi
 processor="-mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard -ffreestanding -Os -ffp-contract=off
     -ffunction-sections -fdata-sections"
-strict="-std=c99 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -ffp-contract=off -Ic_api"
+strict="-std=c99 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -ffp-contract=off -Iinclude"
 rm -rf "$dir"
 mkdir -p "$dir"
-sh c_api/amalgamate.sh >"$dir/harmorph.cpp" && cp c_api/harmorph.h "$dir/" || exit 1
+sh c_api/packaging/amalgamate.sh >"$dir/harmorph.cpp" && cp include/harmorph.h "$dir/" || exit 1
 check "the library" $ARM_CXX $processor -std=c++17 -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno \
     -Wall -Wextra -Wconversion -Werror -c -o "$dir/harmorph.o" "$dir/harmorph.cpp"
 # A processor without atomic instructions, for which compilers would call a library: what shares out work among threads.
@@ -38,7 +38,7 @@ check "attached here" "$dir/here" attach "$dir/basis"
 cp "$dir/log" "$dir/expected"
 printf '.section .basis, "a"\n.balign 64\n.global basis_begin, basis_end\nbasis_begin: .incbin "%s"\nbasis_end:\n' \
     "$dir/basis" >"$dir/basis.S"
-check "the program" $ARM_CXX $processor -x c -std=gnu99 -Wall -Wextra -Werror -Wno-missing-field-initializers -Ic_api \
+check "the program" $ARM_CXX $processor -x c -std=gnu99 -Wall -Wextra -Werror -Wno-missing-field-initializers -Iinclude \
     -c -o "$dir/cortex.o" tests/cross/cortex.c
 check "link" $ARM_CXX $processor -nostdlib -nostartfiles -T tests/cross/cortex.ld -Wl,--gc-sections \
     -o "$dir/cortex" "$dir/cortex.o" "$dir/basis.S" "$dir/harmorph.o" -lc -lgcc

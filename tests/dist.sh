@@ -9,7 +9,7 @@ topic=distribution log=$dir/log
 . "$(dirname "$0")/count.sh"
 rm -rf "$dir"
 mkdir -p "$dir/first" "$dir/second"
-name=harmorph-$(sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' c_api/harmorph.h)
+name=harmorph-$(sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' include/harmorph.h)
 if tar --version 2>/dev/null | grep -q GNU; then
     check "make dist" $MAKE -s BUILD="$dir/first" dist
     check "make dist, at another time and by another mask of permissions" sh -c 'umask 077; sleep 1; exec "$@"' sh \

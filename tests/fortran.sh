@@ -106,7 +106,7 @@ unmarked_numbers() {
 all_marked() { ! unmarked_numbers; }
 check "texts say which numbers count from 0" all_marked
 
-check "layout.c" $CC -std=c99 -pedantic -Wall -Wextra -Werror -Ic_api $CFLAGS -c tests/layout.c -o "$dir/layout_c.o"
+check "layout.c" $CC -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude $CFLAGS -c tests/layout.c -o "$dir/layout_c.o"
 check "layout.f90" quietly $FC $strict $FFLAGS $checks -I"$dir/checked" -J"$dir" -c tests/layout.f90 -o "$dir/layout.o"
 check "link of layout" $FC $FFLAGS "$dir/layout.o" "$dir/layout_c.o" "$dir/checked/harmorph.o" "$build/libharmorph.a" \
     -o "$dir/layout"
@@ -114,10 +114,10 @@ check "link of layout" $FC $FFLAGS "$dir/layout.o" "$dir/layout_c.o" "$dir/check
 
 # What the header has and the module has not: functions, then constants.
 missing() {
-    for name in $(sed -n 's/^HM_API .*[ *]\(hm_[a-z_]*\)(.*/\1/p' c_api/harmorph.h); do
+    for name in $(sed -n 's/^HM_API .*[ *]\(hm_[a-z_]*\)(.*/\1/p' include/harmorph.h); do
         grep -q "name=\"$name\"" "$build/harmorph.f90" || echo "$name"
     done
-    constants=$(sed -n '/^enum/,/};/p' c_api/harmorph.h | grep -o 'HM_[A-Z0-9_]* =' | tr A-Z a-z | cut -d ' ' -f 1)
+    constants=$(sed -n '/^enum/,/};/p' include/harmorph.h | grep -o 'HM_[A-Z0-9_]* =' | tr A-Z a-z | cut -d ' ' -f 1)
     for name in $constants; do
         grep -q "\b$name = " "$build/harmorph.f90" && grep -qi "PUT($name)" tests/layout.c || echo "$name"
     done

@@ -14,18 +14,16 @@ floor() {   # the height of a room; nothing if there is no such room
 
 pairs=$(mktemp)
 trap 'rm -f "$pairs"' EXIT
-for file in include/harmorph/* include/harmorph/*/* src/* src/*/*; do
+for file in src/* src/*/*; do
     [ -f "$file" ] || continue
-    case $file in *.md) continue ;; esac
+    case $file in *.md | src/levels) continue ;; esac
     room=$(basename "$(dirname "$file")") here=$(floor "$(basename "$(dirname "$file")")")
     if [ -z "$here" ]; then is_empty "$file" "is in no room of tests/includes.sh"; continue; fi
     wrong=
     for name in $(included "$file"); do
         case $name in
-        harmorph/*/*.hpp)
-            there=$(floor "$(basename "$(dirname "$name")")") header=include/$name ;;
-        *.hpp)   # private to a room: beside the file
-            there=$here header=src/$room/$name ;;
+        */*.hpp)
+            there=$(floor "${name%/*}") header=src/$name ;;
         *)
             if ! echo "$name" | grep -qxE "$freestanding"; then wrong="$wrong $name"; fi
             continue ;;
@@ -50,9 +48,10 @@ for directory in tests/*/; do
     is_empty "$directory" "$([ -n "$(floor "$room")" ] || echo "is no room of the core")"
 done
 
-# The program is a client of the C header alone.
-for file in c_api/cli/*.[ch]pp c_api/cli/formats/* c_api/cli/pictures/*; do
-    is_empty "$file" "$(included "$file" | grep -E '/' | grep -vE '^(sys|formats|pictures)/')"
+# The program is a client of the C header alone: its files include headers of its own rooms, and installed ones.
+rooms_of_program=$(ls -d c_api/cli/*/ | xargs -n 1 basename | tr '\n' '|')
+for file in c_api/cli/*.cpp c_api/cli/*/*.[ch]pp; do
+    is_empty "$file" "$(included "$file" | grep '/' | grep -vE "^(${rooms_of_program}sys)/")"
 done
 
 # Lines of the sources and scripts have at most 120 columns.

@@ -38,7 +38,7 @@ echo ./share/man/man1/harmorph.1 >>"$dir/expected"
 cat >"$dir/project/CMakeLists.txt" <<END
 cmake_minimum_required(VERSION 3.16)
 project(user C)
-find_package(harmorph $(sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' c_api/harmorph.h) REQUIRED)
+find_package(harmorph $(sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' include/harmorph.h) REQUIRED)
 add_executable(use $source/tests/use.c)
 target_link_libraries(use harmorph::harmorph)
 END

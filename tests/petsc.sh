@@ -19,14 +19,14 @@ topic=PETSc log=$dir/log
 . "$(dirname "$0")/count.sh"
 c() {
     $MPICC -std=c99 -D_XOPEN_SOURCE=700 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers \
-        -Wno-unused-function $CFLAGS $petsc_flags -Ic_api -Ic_api/examples "$@"
+        -Wno-unused-function $CFLAGS $petsc_flags -Iinclude -Ic_api -Ic_api/examples "$@"
 }
 compile_tests() {   # directory, what pkg-config knows PETSc by
     # PETSc's headers as those of the system: their warnings are not ours.
     petsc_flags=$(pkg-config --cflags "$2" | sed 's/-I/-isystem /g') petsc_libs=$(pkg-config --libs "$2")
-    check "harmorph_petsc.c" c -c c_api/harmorph_petsc.c -o "$1/harmorph_petsc.o"
+    check "harmorph_petsc.c" c -c c_api/petsc/harmorph_petsc.c -o "$1/harmorph_petsc.o"
     check "harmorph_petsc.c, as it is installed" c -c "$build/harmorph_petsc.c" -o "$1/harmorph_petsc.o"
-    check "harmorph_mpi.c" c -c c_api/harmorph_mpi.c -o "$1/harmorph_mpi.o"
+    check "harmorph_mpi.c" c -c c_api/mpi/harmorph_mpi.c -o "$1/harmorph_mpi.o"
     check "read_su2.c" $CC $CFLAGS -c c_api/examples/read_su2.c -o "$1/read_su2.o"
     check "link of the tests" c -o "$1/petsc" tests/petsc/*.c "$1/read_su2.o" "$1/harmorph_petsc.o" \
         "$1/harmorph_mpi.o" "$build/libharmorph.a" $petsc_libs -lm

@@ -89,7 +89,7 @@ check "the first two commands" first_lines
 lines_of_c() {
     block c_api/README.md c 1 >"$dir/readme_given.inc"
     block c_api/README.md c 2 >"$dir/readme_threads.inc"
-    $CC -std=c99 -fopenmp -Wall -Werror -Ic_api -I"$dir" -c tests/readme_lines.c -o "$dir/readme_lines.o"
+    $CC -std=c99 -fopenmp -Wall -Werror -Iinclude -I"$dir" -c tests/readme_lines.c -o "$dir/readme_lines.o"
 }
 lines_of_fortran() {   # harmorph.mod is there from the program in Fortran
     block fortran/README.md fortran 1 >"$dir/readme_nodes.inc"
@@ -118,7 +118,7 @@ check "lines of FORTRAN 77 have the arguments of what they call" lines_of_fortra
 block c_api/mpi/README.md fortran 1 >"$dir/readme_mpi.inc"
 several_processes() {
     cp tests/readme_mpi.f90 "$dir" || return 1
-    (cd "$dir" && $MPICC $CFLAGS -I"$source/c_api" -c "$source/c_api/harmorph_mpi.c" -o harmorph_mpi_c.o &&
+    (cd "$dir" && $MPICC $CFLAGS -I"$source/include" -I"$source/c_api" -c "$source/c_api/mpi/harmorph_mpi.c" -o harmorph_mpi_c.o &&
         for file in "$build/harmorph.f90" "$build/harmorph_mpi.f90" "$source/tests/o_mesh.f90" readme_mpi.f90; do
             $MPIFC $FFLAGS -O0 -c "$file" || exit 1   # optimised, the modules take most of the time
         done &&

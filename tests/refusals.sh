@@ -27,7 +27,7 @@ words() {   # of all strings in these files, one string a line; strings that sta
 list=${TMPDIR:-/tmp}/harmorph-refusals.$$
 trap 'rm -f "$list"' EXIT
 words tests/*/test_*.cpp tests/fixtures/*.hpp tests/*.c tests/*.sh tests/*/*.sh >"$list"
-words src/*/*.cpp src/*/*.hpp c_api/*.cpp c_api/*.hpp include/harmorph/*/*.hpp | sort -u | unseen=$unseen awk '
+words src/*/*.cpp src/*/*.hpp c_api/*.cpp c_api/*.hpp | sort -u | unseen=$unseen awk '
     BEGIN { unseen = ENVIRON["unseen"] }
     FNR == NR {
         for (k = 1; k <= NF; ++k) {

@@ -56,7 +56,7 @@ compile_and_run() {   # program, compiler with flags...
     "$@" -o "$program" && "$program"
 }
 # The header's way to begin a struct, {sizeof it}, leaves fields to be 0 by the language.
-strict="-pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -Ic_api"
+strict="-pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -Iinclude"
 
 stands_alone() { sh tests/check_link.sh "$BUILD" && sh tests/cortex.sh "$BUILD"; }
 steps() {
@@ -81,7 +81,7 @@ steps() {
     elif [ $doing = telling ]; then echo "== PETSc: not installed (Debian's petsc-dev), its tests are SKIPPED"; fi
     step 2 "program" sh tests/cli/run.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
     step 2 "faults of files" sh tests/faults.sh "$BUILD/harmorph" tests/meshes "$BUILD/faults"
-    step 2 "given displacements on meshes" env CXX="$CXX" CXXFLAGS="$CXXFLAGS" MESHES="$MESHES" sh tests/given/run.sh \
+    step 2 "given displacements on meshes" env CXX="$CXX" CXXFLAGS="$CXXFLAGS" MESHES="$MESHES" sh tests/measure/given/run.sh \
         "$BUILD"
     step 1 "mesh files" env CXX="$CXX" sh tests/formats.sh "$BUILD/harmorph" "$BUILD/formats"
     step 2 "moved shapes" sh tests/airfoils.sh "$BUILD/harmorph" tests/meshes "$BUILD/airfoils-test"

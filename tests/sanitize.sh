@@ -24,7 +24,7 @@ if wanted memory && echo 'int main(void) { return 0; }' >"$BUILD/probe.c" &&
     $CLANG -fsanitize=memory "$BUILD/probe.c" -o "$BUILD/probe" 2>/dev/null; then
     dir=$BUILD/memory
     $MAKE -s BUILD="$dir" JOBS="$JOBS" CXX="$CLANG++" CXXFLAGS="-O1 -g1 -fsanitize=memory" library-only || exit 1
-    $CLANG -std=c99 -O1 -g1 -fsanitize=memory -Ic_api tests/use.c "$dir/libharmorph.a" -lm -o "$dir/use" &&
+    $CLANG -std=c99 -O1 -g1 -fsanitize=memory -Iinclude tests/use.c "$dir/libharmorph.a" -lm -o "$dir/use" &&
         "$dir/use" >"$dir/log" 2>&1
     passes "memory sanitizer: tests/use.c" $? "$dir/log"
 elif wanted memory; then

@@ -1,6 +1,6 @@
 // The program harmorph. From here on upwards every error is an exception; here it becomes a sentence and an exit code.
-#include "commands.hpp"
-#include "failure.hpp"
+#include "commands/commands.hpp"
+#include "basics/failure.hpp"
 #include "harmorph.h"
 
 #include <cerrno>

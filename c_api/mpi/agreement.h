@@ -2,7 +2,7 @@
 #ifndef HARMORPH_MPI_AGREEMENT_H
 #define HARMORPH_MPI_AGREEMENT_H
 
-#include "../harmorph_mpi.h"
+#include "harmorph_mpi.h"
 
 #include <limits.h>
 #include <stdio.h>

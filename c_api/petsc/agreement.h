@@ -2,7 +2,7 @@
 #ifndef HARMORPH_PETSC_AGREEMENT_H
 #define HARMORPH_PETSC_AGREEMENT_H
 
-#include "../harmorph_petsc.h"
+#include "harmorph_petsc.h"
 
 #include <limits.h>
 #include <petscsys.h>

@@ -1,6 +1,6 @@
-#include "harmorph/base/dependent_column.hpp"
+#include "base/dependent_column.hpp"
 
-#include "harmorph/base/vec2.hpp"
+#include "base/vec2.hpp"
 
 namespace harmorph {
 

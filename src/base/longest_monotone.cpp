@@ -1,4 +1,4 @@
-#include "harmorph/base/longest_monotone.hpp"
+#include "base/longest_monotone.hpp"
 
 namespace harmorph {
 

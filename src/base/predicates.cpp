@@ -1,4 +1,4 @@
-#include "harmorph/base/predicates.hpp"
+#include "base/predicates.hpp"
 
 #include <cfloat>
 #include <climits>

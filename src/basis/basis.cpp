@@ -1,4 +1,4 @@
-#include "harmorph/basis/basis.hpp"
+#include "basis/basis.hpp"
 
 namespace harmorph {
 namespace {

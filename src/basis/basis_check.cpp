@@ -1,8 +1,8 @@
 // Blocks from outside: nothing of them is believed before it has been looked at.
 #include <cstring>
 
-#include "harmorph/basis/basis.hpp"
-#include "harmorph/base/fixed_sum.hpp"
+#include "basis/basis.hpp"
+#include "base/fixed_sum.hpp"
 
 namespace harmorph {
 namespace {

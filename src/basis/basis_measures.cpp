@@ -1,6 +1,6 @@
-#include "harmorph/basis/basis_measures.hpp"
+#include "basis/basis_measures.hpp"
 
-#include "harmorph/base/parallel_reduce.hpp"
+#include "base/parallel_reduce.hpp"
 
 namespace harmorph {
 namespace {

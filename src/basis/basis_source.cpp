@@ -1,9 +1,9 @@
-#include "harmorph/basis/basis_source.hpp"
+#include "basis/basis_source.hpp"
 
 #include <cstring>
 
-#include "harmorph/base/fixed_sum.hpp"
-#include "harmorph/base/parallel_reduce.hpp"
+#include "base/fixed_sum.hpp"
+#include "base/parallel_reduce.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
-#include "harmorph/basis/combination.hpp"
+#include "basis/combination.hpp"
 
-#include "harmorph/base/dependent_column.hpp"
-#include "harmorph/basis/derived_basis.hpp"
+#include "base/dependent_column.hpp"
+#include "basis/derived_basis.hpp"
 
 namespace harmorph {
 

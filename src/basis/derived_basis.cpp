@@ -1,4 +1,4 @@
-#include "harmorph/basis/derived_basis.hpp"
+#include "basis/derived_basis.hpp"
 
 #include <cstring>
 

@@ -1,8 +1,8 @@
 // What tells a basis from a damaged one, and its mesh from others.
 #include <cstddef>
 
-#include "harmorph/base/hash.hpp"
-#include "harmorph/basis/basis.hpp"
+#include "base/hash.hpp"
+#include "basis/basis.hpp"
 
 namespace harmorph {
 namespace {

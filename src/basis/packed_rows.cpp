@@ -1,4 +1,4 @@
-#include "harmorph/basis/packed_rows.hpp"
+#include "basis/packed_rows.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/basis/point_blocks.hpp"
+#include "basis/point_blocks.hpp"
 
 #include <cstring>
 

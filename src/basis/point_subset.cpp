@@ -1,6 +1,6 @@
-#include "harmorph/basis/point_subset.hpp"
+#include "basis/point_subset.hpp"
 
-#include "harmorph/base/sort.hpp"
+#include "base/sort.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/basis/single_precision.hpp"
+#include "basis/single_precision.hpp"
 
 #include <cstring>
 

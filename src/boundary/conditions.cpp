@@ -1,4 +1,4 @@
-#include "harmorph/boundary/conditions.hpp"
+#include "boundary/conditions.hpp"
 
 namespace harmorph {
 

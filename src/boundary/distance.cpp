@@ -1,7 +1,7 @@
-#include "harmorph/boundary/distance.hpp"
+#include "boundary/distance.hpp"
 
-#include "harmorph/base/sort.hpp"
-#include "distance_table.hpp"
+#include "base/sort.hpp"
+#include "boundary/distance_table.hpp"
 
 namespace harmorph {
 namespace {

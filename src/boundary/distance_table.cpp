@@ -1,7 +1,7 @@
-#include "distance_table.hpp"
+#include "boundary/distance_table.hpp"
 
 #define HARMORPH_KERNELS "boundary/distance_kernel.hpp"
-#include "harmorph/simd/for_each_set.hpp"
+#include "simd/for_each_set.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 // The searches of FaceDistance with one instruction set as a function table.
 #pragma once
 
-#include "harmorph/boundary/distance.hpp"
+#include "boundary/distance.hpp"
 
 namespace harmorph {
 

@@ -1,5 +1,5 @@
 // The tree of FaceDistance: how it is laid out and built.
-#include "harmorph/boundary/distance.hpp"
+#include "boundary/distance.hpp"
 
 namespace harmorph {
 namespace {

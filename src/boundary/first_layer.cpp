@@ -1,6 +1,6 @@
-#include "harmorph/boundary/first_layer.hpp"
+#include "boundary/first_layer.hpp"
 
-#include "harmorph/base/angle.hpp"
+#include "base/angle.hpp"
 
 namespace harmorph {
 

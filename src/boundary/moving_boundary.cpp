@@ -1,7 +1,7 @@
-#include "harmorph/boundary/moving_boundary.hpp"
+#include "boundary/moving_boundary.hpp"
 
-#include "harmorph/base/hash.hpp"
-#include "harmorph/boundary/wall_distances.hpp"
+#include "base/hash.hpp"
+#include "boundary/wall_distances.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
-#include "harmorph/boundary/periodic.hpp"
+#include "boundary/periodic.hpp"
 
-#include "harmorph/base/angle.hpp"
+#include "base/angle.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/boundary/slip.hpp"
+#include "boundary/slip.hpp"
 
 namespace harmorph {
 namespace {

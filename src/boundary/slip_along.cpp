@@ -1,4 +1,4 @@
-#include "harmorph/boundary/slip_along.hpp"
+#include "boundary/slip_along.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,7 +1,7 @@
-#include "harmorph/boundary/slip_curves.hpp"
+#include "boundary/slip_curves.hpp"
 
-#include "harmorph/base/angle.hpp"
-#include "harmorph/base/hash.hpp"
+#include "base/angle.hpp"
+#include "base/hash.hpp"
 
 namespace harmorph {
 namespace {

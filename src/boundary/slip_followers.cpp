@@ -1,4 +1,4 @@
-#include "harmorph/boundary/slip_followers.hpp"
+#include "boundary/slip_followers.hpp"
 
 namespace harmorph {
 namespace {

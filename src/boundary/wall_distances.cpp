@@ -1,4 +1,4 @@
-#include "harmorph/boundary/wall_distances.hpp"
+#include "boundary/wall_distances.hpp"
 
 namespace harmorph {
 namespace {

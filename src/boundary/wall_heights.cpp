@@ -1,6 +1,6 @@
-#include "harmorph/boundary/wall_heights.hpp"
+#include "boundary/wall_heights.hpp"
 
-#include "harmorph/base/angle.hpp"
+#include "base/angle.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
-#include "harmorph/bspline/bspline.hpp"
+#include "bspline/bspline.hpp"
 
-#include "harmorph/base/range.hpp"
+#include "base/range.hpp"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "harmorph/bspline/corners.hpp"
+#include "bspline/corners.hpp"
 
 namespace harmorph {
 namespace {

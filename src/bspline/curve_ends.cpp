@@ -1,4 +1,4 @@
-#include "harmorph/bspline/curve_ends.hpp"
+#include "bspline/curve_ends.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/bspline/envelope_cholesky.hpp"
+#include "bspline/envelope_cholesky.hpp"
 
 namespace harmorph {
 

@@ -1,6 +1,6 @@
-#include "harmorph/bspline/finer_curves.hpp"
+#include "bspline/finer_curves.hpp"
 
-#include "harmorph/base/range.hpp"
+#include "base/range.hpp"
 
 namespace harmorph {
 

@@ -1,4 +1,4 @@
-#include "harmorph/bspline/fit.hpp"
+#include "bspline/fit.hpp"
 
 #include <limits>
 

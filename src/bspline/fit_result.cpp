@@ -1,6 +1,6 @@
 // What a fit has found: control points in the caller's units, errors, and where the curve runs back.
-#include "harmorph/bspline/fit.hpp"
-#include "harmorph/bspline/projection.hpp"
+#include "bspline/fit.hpp"
+#include "bspline/projection.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/bspline/knots.hpp"
+#include "bspline/knots.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/bspline/least_squares.hpp"
+#include "bspline/least_squares.hpp"
 
 namespace harmorph {
 namespace {

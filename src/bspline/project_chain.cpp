@@ -1,6 +1,6 @@
 // Monotone parameters for points in order along a curve: project_chain of projection.hpp.
-#include "harmorph/base/longest_monotone.hpp"
-#include "harmorph/bspline/projection.hpp"
+#include "base/longest_monotone.hpp"
+#include "bspline/projection.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/bspline/projection.hpp"
+#include "bspline/projection.hpp"
 
 namespace harmorph {
 namespace {

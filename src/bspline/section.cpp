@@ -1,6 +1,6 @@
-#include "harmorph/bspline/section.hpp"
+#include "bspline/section.hpp"
 
-#include "harmorph/bspline/projection.hpp"
+#include "bspline/projection.hpp"
 
 namespace harmorph {
 

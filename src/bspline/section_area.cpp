@@ -1,6 +1,6 @@
-#include "harmorph/bspline/section_area.hpp"
+#include "bspline/section_area.hpp"
 
-#include "harmorph/bspline/quadrature.hpp"
+#include "bspline/quadrature.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,7 +1,7 @@
-#include "harmorph/bspline/section_clearance.hpp"
+#include "bspline/section_clearance.hpp"
 
-#include "harmorph/base/angle.hpp"
-#include "harmorph/bspline/projection.hpp"
+#include "base/angle.hpp"
+#include "bspline/projection.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,7 +1,7 @@
-#include "harmorph/bspline/section_curvature.hpp"
+#include "bspline/section_curvature.hpp"
 
-#include "harmorph/base/angle.hpp"
-#include "harmorph/bspline/quadrature.hpp"
+#include "base/angle.hpp"
+#include "bspline/quadrature.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,9 +1,9 @@
-#include "harmorph/bspline/section_measures.hpp"
+#include "bspline/section_measures.hpp"
 
-#include "harmorph/base/angle.hpp"
-#include "harmorph/bspline/section_clearance.hpp"
-#include "harmorph/bspline/section_curvature.hpp"
-#include "harmorph/bspline/section_stations.hpp"
+#include "base/angle.hpp"
+#include "bspline/section_clearance.hpp"
+#include "bspline/section_curvature.hpp"
+#include "bspline/section_stations.hpp"
 
 namespace harmorph {
 namespace {

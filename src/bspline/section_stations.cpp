@@ -1,6 +1,6 @@
-#include "harmorph/bspline/section_stations.hpp"
+#include "bspline/section_stations.hpp"
 
-#include "harmorph/base/angle.hpp"
+#include "base/angle.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,10 +1,10 @@
-#include "harmorph/bspline/variables.hpp"
+#include "bspline/variables.hpp"
 
-#include "harmorph/base/angle.hpp"
-#include "harmorph/base/dependent_column.hpp"
-#include "harmorph/base/elementary.hpp"
-#include "harmorph/bspline/projection.hpp"
-#include "harmorph/bspline/quadrature.hpp"
+#include "base/angle.hpp"
+#include "base/dependent_column.hpp"
+#include "base/elementary.hpp"
+#include "bspline/projection.hpp"
+#include "bspline/quadrature.hpp"
 
 namespace harmorph {
 namespace {

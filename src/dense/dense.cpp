@@ -1,7 +1,7 @@
-#include "harmorph/dense/dense.hpp"
+#include "dense/dense.hpp"
 
-#include "harmorph/base/flush_denormals.hpp"
-#include "dense_table.hpp"
+#include "base/flush_denormals.hpp"
+#include "dense/dense_table.hpp"
 
 namespace harmorph::dense {
 namespace {

@@ -1,6 +1,6 @@
 // Factorisation and substitution of a front with the registers of one instruction set; compiled for each by
 // dense_table.cpp.
-#include "dense_sums.hpp"
+#include "dense/dense_sums.hpp"
 
 namespace harmorph::dense::HARMORPH_SET {
 namespace {

@@ -1,6 +1,6 @@
 // Moves of numbers between fronts, and between fronts and the caller's rows, with the registers of one instruction set;
 // compiled for each by dense_table.cpp.
-#include "dense_kernel.hpp"
+#include "dense/dense_kernel.hpp"
 
 namespace harmorph::dense::HARMORPH_SET {
 namespace {

@@ -1,5 +1,5 @@
 // Sums of rows with the registers of one instruction set; compiled for each by dense_table.cpp.
-#include "dense_tiles.hpp"
+#include "dense/dense_tiles.hpp"
 
 namespace harmorph::dense::HARMORPH_SET {
 namespace {

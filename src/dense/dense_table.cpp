@@ -1,7 +1,7 @@
-#include "dense_table.hpp"
+#include "dense/dense_table.hpp"
 
 #define HARMORPH_KERNELS "dense/dense_moves.hpp"
-#include "harmorph/simd/for_each_set.hpp"
+#include "simd/for_each_set.hpp"
 
 namespace harmorph::dense {
 

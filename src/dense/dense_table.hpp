@@ -2,7 +2,7 @@
 // panel's own or its border's, of which from .. to-1 are wanted.
 #pragma once
 
-#include "harmorph/dense/dense.hpp"
+#include "dense/dense.hpp"
 
 namespace harmorph::dense {
 

@@ -1,6 +1,6 @@
 // Products of dense blocks with the registers of one instruction set; compiled for each by dense_table.cpp. All of them
 // are D -= op(A) B or D = op(A) B, with a tile of D at a time in registers.
-#include "dense_tile.hpp"
+#include "dense/dense_tile.hpp"
 
 namespace harmorph::dense::HARMORPH_SET {
 namespace {

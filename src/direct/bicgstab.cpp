@@ -1,4 +1,4 @@
-#include "harmorph/direct/bicgstab.hpp"
+#include "direct/bicgstab.hpp"
 
 namespace harmorph {
 

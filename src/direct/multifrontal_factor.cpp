@@ -1,4 +1,4 @@
-#include "harmorph/direct/multifrontal.hpp"
+#include "direct/multifrontal.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
-#include "harmorph/mesh/boundary.hpp"
+#include "mesh/boundary.hpp"
 
-#include "harmorph/base/sort.hpp"
+#include "base/sort.hpp"
 
 namespace harmorph {
 namespace {

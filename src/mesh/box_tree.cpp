@@ -1,6 +1,6 @@
-#include "harmorph/mesh/box_tree.hpp"
+#include "mesh/box_tree.hpp"
 
-#include "harmorph/base/sort.hpp"
+#include "base/sort.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/mesh/control_volumes.hpp"
+#include "mesh/control_volumes.hpp"
 
 namespace harmorph {
 

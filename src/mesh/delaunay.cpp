@@ -1,6 +1,6 @@
-#include "harmorph/mesh/delaunay.hpp"
+#include "mesh/delaunay.hpp"
 
-#include "harmorph/base/predicates.hpp"
+#include "base/predicates.hpp"
 
 namespace harmorph {
 namespace {

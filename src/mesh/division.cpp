@@ -1,5 +1,5 @@
 // Apart from the pieces themselves, so that a program which only moves meshes does not link it.
-#include "harmorph/mesh/pieces.hpp"
+#include "mesh/pieces.hpp"
 
 namespace harmorph {
 namespace {

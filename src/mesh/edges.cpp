@@ -1,6 +1,6 @@
-#include "harmorph/mesh/edges.hpp"
+#include "mesh/edges.hpp"
 
-#include "harmorph/base/sort.hpp"
+#include "base/sort.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/mesh/locate.hpp"
+#include "mesh/locate.hpp"
 
 namespace harmorph {
 namespace {

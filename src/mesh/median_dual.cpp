@@ -1,6 +1,6 @@
-#include "harmorph/mesh/median_dual.hpp"
+#include "mesh/median_dual.hpp"
 
-#include "harmorph/mesh/cell_shape.hpp"
+#include "mesh/cell_shape.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,7 +1,7 @@
-#include "harmorph/mesh/mesh.hpp"
+#include "mesh/mesh.hpp"
 
-#include "harmorph/base/parallel_reduce.hpp"
-#include "harmorph/base/range.hpp"
+#include "base/parallel_reduce.hpp"
+#include "base/range.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
-#include "harmorph/mesh/orientation.hpp"
+#include "mesh/orientation.hpp"
 
-#include "harmorph/mesh/cell_shape.hpp"
+#include "mesh/cell_shape.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/mesh/pieces.hpp"
+#include "mesh/pieces.hpp"
 
 namespace harmorph {
 

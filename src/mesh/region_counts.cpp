@@ -1,4 +1,4 @@
-#include "harmorph/mesh/region_counts.hpp"
+#include "mesh/region_counts.hpp"
 
 namespace harmorph {
 

@@ -1,6 +1,6 @@
-#include "harmorph/morph/adjoint.hpp"
+#include "morph/adjoint.hpp"
 
-#include "harmorph/morph/product.hpp"
+#include "morph/product.hpp"
 
 namespace harmorph {
 namespace {

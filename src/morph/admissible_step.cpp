@@ -1,6 +1,6 @@
-#include "harmorph/morph/admissible_step.hpp"
+#include "morph/admissible_step.hpp"
 
-#include "harmorph/base/parallel_reduce.hpp"
+#include "base/parallel_reduce.hpp"
 
 namespace harmorph {
 

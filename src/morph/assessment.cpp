@@ -1,6 +1,6 @@
-#include "harmorph/morph/assessment.hpp"
+#include "morph/assessment.hpp"
 
-#include "harmorph/base/parallel_reduce.hpp"
+#include "base/parallel_reduce.hpp"
 
 namespace harmorph {
 namespace {

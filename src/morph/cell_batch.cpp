@@ -1,7 +1,7 @@
-#include "harmorph/morph/cell_batch.hpp"
+#include "morph/cell_batch.hpp"
 
 #define HARMORPH_KERNELS "morph/cell_kernel.hpp"
-#include "harmorph/simd/for_each_set.hpp"
+#include "simd/for_each_set.hpp"
 
 namespace harmorph {
 namespace {

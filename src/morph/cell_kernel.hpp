@@ -1,7 +1,7 @@
 // Areas, quality and admissible steps of several cells at a time, with the registers of one instruction set;
 // cell_batch.cpp compiles this file for each of them. The formulas are those of mesh/cell_shape, morph/quality and
 // morph/admissible_step, in the same order of operations.
-#include "cell_places.hpp"
+#include "morph/cell_places.hpp"
 
 namespace harmorph::cell_looks::HARMORPH_SET {
 namespace {

@@ -1,6 +1,6 @@
-#include "harmorph/morph/crossing.hpp"
+#include "morph/crossing.hpp"
 
-#include "harmorph/base/predicates.hpp"
+#include "base/predicates.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,8 +1,8 @@
-#include "harmorph/morph/displacement.hpp"
+#include "morph/displacement.hpp"
 
-#include "harmorph/base/range.hpp"
-#include "harmorph/base/parallel_reduce.hpp"
-#include "harmorph/morph/crossing.hpp"
+#include "base/range.hpp"
+#include "base/parallel_reduce.hpp"
+#include "morph/crossing.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
-#include "harmorph/morph/mode_functions.hpp"
+#include "morph/mode_functions.hpp"
 
-#include "harmorph/basis/derived_basis.hpp"
+#include "basis/derived_basis.hpp"
 
 namespace harmorph {
 namespace {

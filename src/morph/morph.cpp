@@ -1,6 +1,6 @@
-#include "harmorph/morph/morph.hpp"
+#include "morph/morph.hpp"
 
-#include "harmorph/morph/product.hpp"
+#include "morph/product.hpp"
 
 namespace harmorph {
 namespace {

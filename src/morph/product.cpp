@@ -1,7 +1,7 @@
-#include "harmorph/morph/product.hpp"
+#include "morph/product.hpp"
 
 #define HARMORPH_KERNELS "morph/product_kernel.hpp"
-#include "harmorph/simd/for_each_set.hpp"
+#include "simd/for_each_set.hpp"
 
 namespace harmorph {
 

@@ -1,6 +1,6 @@
-#include "harmorph/morph/quality.hpp"
+#include "morph/quality.hpp"
 
-#include "harmorph/base/parallel_reduce.hpp"
+#include "base/parallel_reduce.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/morph/slide.hpp"
+#include "morph/slide.hpp"
 
 namespace harmorph {
 namespace {

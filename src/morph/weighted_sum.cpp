@@ -1,4 +1,4 @@
-#include "harmorph/morph/weighted_sum.hpp"
+#include "morph/weighted_sum.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
-#include "harmorph/multigrid/agglomeration.hpp"
+#include "multigrid/agglomeration.hpp"
 
-#include "harmorph/base/scalar.hpp"
+#include "base/scalar.hpp"
 
 namespace harmorph {
 namespace {

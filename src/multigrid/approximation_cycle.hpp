@@ -7,9 +7,9 @@
 
 #include <type_traits>
 
-#include "block_rows.hpp"
-#include "harmorph/multigrid/full_approximation.hpp"
-#include "harmorph/operators/nodal_balance.hpp"
+#include "multigrid/block_rows.hpp"
+#include "multigrid/full_approximation.hpp"
+#include "operators/nodal_balance.hpp"
 
 namespace harmorph::block {
 

@@ -3,8 +3,8 @@
 
 #include <type_traits>
 
-#include "harmorph/multigrid/iteration.hpp"
-#include "harmorph/base/scalar.hpp"
+#include "multigrid/iteration.hpp"
+#include "base/scalar.hpp"
 
 namespace harmorph {
 

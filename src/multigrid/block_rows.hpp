@@ -3,8 +3,8 @@
 // functions.
 #pragma once
 
-#include "harmorph/base/scalar.hpp"
-#include "harmorph/operators/symmetric_matrix.hpp"
+#include "base/scalar.hpp"
+#include "operators/symmetric_matrix.hpp"
 
 namespace harmorph::block {
 

@@ -1,7 +1,7 @@
-#include "harmorph/multigrid/full_approximation.hpp"
+#include "multigrid/full_approximation.hpp"
 
-#include "approximation_cycle.hpp"
-#include "block_iteration.hpp"
+#include "multigrid/approximation_cycle.hpp"
+#include "multigrid/block_iteration.hpp"
 
 namespace harmorph {
 

@@ -1,6 +1,6 @@
-#include "harmorph/multigrid/iteration.hpp"
+#include "multigrid/iteration.hpp"
 
-#include "harmorph/base/scalar.hpp"
+#include "base/scalar.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
-#include "harmorph/multigrid/multigrid.hpp"
+#include "multigrid/multigrid.hpp"
 
-#include "block_iteration.hpp"
-#include "multigrid_cycle.hpp"
+#include "multigrid/block_iteration.hpp"
+#include "multigrid/multigrid_cycle.hpp"
 
 namespace harmorph {
 

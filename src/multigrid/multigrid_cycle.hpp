@@ -1,8 +1,8 @@
 // The K-cycle for a block of W functions, and the conjugate gradients round it.
 #pragma once
 
-#include "block_rows.hpp"
-#include "harmorph/multigrid/multigrid.hpp"
+#include "multigrid/block_rows.hpp"
+#include "multigrid/multigrid.hpp"
 
 namespace harmorph::block {
 

@@ -1,4 +1,4 @@
-#include "harmorph/operators/bounded.hpp"
+#include "operators/bounded.hpp"
 
 namespace harmorph {
 namespace {

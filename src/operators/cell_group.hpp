@@ -2,7 +2,7 @@
 // found while the processor waits for the memory of another.
 #pragma once
 
-#include "harmorph/operators/matrix.hpp"
+#include "operators/matrix.hpp"
 
 namespace harmorph {
 

@@ -1,6 +1,6 @@
-#include "harmorph/operators/matrix.hpp"
+#include "operators/matrix.hpp"
 
-#include "matrix_cells.hpp"
+#include "operators/matrix_cells.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 // What cells add to the matrix, in a header so that the compiler can inline it: it is the inner loop of the assembly.
 #pragma once
 
-#include "cell_group.hpp"
+#include "operators/cell_group.hpp"
 
 namespace harmorph {
 

@@ -1,6 +1,6 @@
-#include "harmorph/operators/matrix.hpp"
+#include "operators/matrix.hpp"
 
-#include "harmorph/base/sort.hpp"
+#include "base/sort.hpp"
 
 namespace harmorph {
 namespace {

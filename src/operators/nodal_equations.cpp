@@ -1,6 +1,6 @@
-#include "harmorph/operators/nodal_equations.hpp"
+#include "operators/nodal_equations.hpp"
 
-#include "harmorph/operators/nodal_balance.hpp"
+#include "operators/nodal_balance.hpp"
 
 namespace harmorph {
 namespace {

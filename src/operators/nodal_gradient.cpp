@@ -1,6 +1,6 @@
-#include "harmorph/operators/nodal_gradient.hpp"
+#include "operators/nodal_gradient.hpp"
 
-#include "harmorph/operators/nodal_balance.hpp"
+#include "operators/nodal_balance.hpp"
 
 namespace harmorph {
 

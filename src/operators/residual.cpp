@@ -1,7 +1,7 @@
-#include "harmorph/operators/residual.hpp"
+#include "operators/residual.hpp"
 
-#include "residual_table.hpp"
-#include "turned_balances.hpp"
+#include "operators/residual_table.hpp"
+#include "operators/turned_balances.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,7 +1,7 @@
-#include "residual_table.hpp"
+#include "operators/residual_table.hpp"
 
 #define HARMORPH_KERNELS "operators/residual_kernel.hpp"
-#include "harmorph/simd/for_each_set.hpp"
+#include "simd/for_each_set.hpp"
 
 namespace harmorph {
 

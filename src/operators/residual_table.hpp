@@ -1,7 +1,7 @@
 // The residuals of all rows with one instruction set as a function table.
 #pragma once
 
-#include "harmorph/operators/residual.hpp"
+#include "operators/residual.hpp"
 
 namespace harmorph {
 

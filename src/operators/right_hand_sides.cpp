@@ -1,4 +1,4 @@
-#include "harmorph/operators/right_hand_sides.hpp"
+#include "operators/right_hand_sides.hpp"
 
 namespace harmorph {
 namespace {

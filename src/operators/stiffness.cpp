@@ -1,6 +1,6 @@
-#include "harmorph/operators/stiffness.hpp"
+#include "operators/stiffness.hpp"
 
-#include "matrix_cells.hpp"
+#include "operators/matrix_cells.hpp"
 
 namespace harmorph {
 namespace {

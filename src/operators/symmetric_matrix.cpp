@@ -1,7 +1,7 @@
-#include "harmorph/operators/symmetric_matrix.hpp"
+#include "operators/symmetric_matrix.hpp"
 
-#include "harmorph/base/scalar.hpp"
-#include "harmorph/base/sort.hpp"
+#include "base/scalar.hpp"
+#include "base/sort.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,4 +1,4 @@
-#include "turned_balances.hpp"
+#include "operators/turned_balances.hpp"
 
 namespace harmorph {
 namespace {

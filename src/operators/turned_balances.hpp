@@ -1,7 +1,7 @@
 // Residuals where x and y are coupled: two dofs a point, of which a slipping point has one.
 #pragma once
 
-#include "harmorph/operators/residual.hpp"
+#include "operators/residual.hpp"
 
 namespace harmorph {
 

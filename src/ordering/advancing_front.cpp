@@ -1,4 +1,4 @@
-#include "harmorph/ordering/advancing_front.hpp"
+#include "ordering/advancing_front.hpp"
 
 namespace harmorph {
 

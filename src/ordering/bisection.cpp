@@ -1,6 +1,6 @@
-#include "bisection.hpp"
+#include "ordering/bisection.hpp"
 
-#include "harmorph/base/sort.hpp"
+#include "base/sort.hpp"
 
 namespace harmorph {
 namespace {

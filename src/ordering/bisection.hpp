@@ -1,9 +1,9 @@
 // Recursive bisection: cuts parts of a graph in two by separators.
 #pragma once
 
-#include "cut_search.hpp"
+#include "ordering/cut_search.hpp"
 
-#include "harmorph/ordering/nested_dissection.hpp"
+#include "ordering/nested_dissection.hpp"
 
 namespace harmorph {
 

@@ -1,4 +1,4 @@
-#include "harmorph/ordering/cut_coordinates.hpp"
+#include "ordering/cut_coordinates.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
-#include "cut_search.hpp"
+#include "ordering/cut_search.hpp"
 
-#include "harmorph/base/scalar.hpp"
+#include "base/scalar.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,7 +1,7 @@
 // Where to cut a part in two.
 #pragma once
 
-#include "harmorph/ordering/cut_coordinates.hpp"
+#include "ordering/cut_coordinates.hpp"
 
 namespace harmorph {
 

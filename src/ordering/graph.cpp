@@ -1,6 +1,6 @@
-#include "harmorph/ordering/graph.hpp"
+#include "ordering/graph.hpp"
 
-#include "harmorph/base/sort.hpp"
+#include "base/sort.hpp"
 
 namespace harmorph {
 

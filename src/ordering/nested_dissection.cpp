@@ -1,8 +1,8 @@
-#include "harmorph/ordering/nested_dissection.hpp"
+#include "ordering/nested_dissection.hpp"
 
-#include "bisection.hpp"
+#include "ordering/bisection.hpp"
 
-#include "harmorph/base/shared_work.hpp"
+#include "base/shared_work.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
-#include "harmorph/ordering/subtrees.hpp"
+#include "ordering/subtrees.hpp"
 
-#include "harmorph/base/sort.hpp"
+#include "base/sort.hpp"
 
 namespace harmorph {
 namespace {

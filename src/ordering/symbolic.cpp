@@ -1,6 +1,6 @@
-#include "harmorph/ordering/symbolic.hpp"
+#include "ordering/symbolic.hpp"
 
-#include "harmorph/base/sort.hpp"
+#include "base/sort.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/ordering/vertex_cover.hpp"
+#include "ordering/vertex_cover.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
-#include "harmorph/parts/part.hpp"
+#include "parts/part.hpp"
 
-#include "harmorph/base/sort.hpp"
-#include "harmorph/mesh/guard_shape.hpp"
+#include "base/sort.hpp"
+#include "mesh/guard_shape.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,7 +1,7 @@
-#include "harmorph/parts/part_equations.hpp"
+#include "parts/part_equations.hpp"
 
-#include "harmorph/operators/right_hand_sides.hpp"
-#include "harmorph/operators/stiffness.hpp"
+#include "operators/right_hand_sides.hpp"
+#include "operators/stiffness.hpp"
 
 namespace harmorph {
 namespace {

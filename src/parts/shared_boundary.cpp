@@ -1,6 +1,6 @@
-#include "harmorph/parts/shared_boundary.hpp"
+#include "parts/shared_boundary.hpp"
 
-#include "harmorph/base/sort.hpp"
+#include "base/sort.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
-#include "harmorph/plan/analysis.hpp"
+#include "plan/analysis.hpp"
 
-#include "harmorph/mesh/guard_shape.hpp"
+#include "mesh/guard_shape.hpp"
 
 namespace harmorph {
 

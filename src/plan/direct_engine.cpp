@@ -1,4 +1,4 @@
-#include "harmorph/plan/direct_engine.hpp"
+#include "plan/direct_engine.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,7 +1,7 @@
-#include "harmorph/plan/equations.hpp"
+#include "plan/equations.hpp"
 
-#include "harmorph/operators/bounded.hpp"
-#include "harmorph/operators/stiffness.hpp"
+#include "operators/bounded.hpp"
+#include "operators/stiffness.hpp"
 
 namespace harmorph {
 

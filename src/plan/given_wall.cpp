@@ -1,4 +1,4 @@
-#include "harmorph/plan/given_wall.hpp"
+#include "plan/given_wall.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/plan/plan.hpp"
+#include "plan/plan.hpp"
 
 namespace harmorph {
 namespace {

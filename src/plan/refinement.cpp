@@ -1,4 +1,4 @@
-#include "harmorph/plan/refinement.hpp"
+#include "plan/refinement.hpp"
 
 #include <type_traits>
 

@@ -1,6 +1,6 @@
-#include "harmorph/plan/transfer.hpp"
+#include "plan/transfer.hpp"
 
-#include "harmorph/base/parallel_reduce.hpp"
+#include "base/parallel_reduce.hpp"
 
 namespace harmorph {
 namespace {

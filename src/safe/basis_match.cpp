@@ -1,4 +1,4 @@
-#include "basis_match.hpp"
+#include "safe/basis_match.hpp"
 
 namespace harmorph {
 namespace {

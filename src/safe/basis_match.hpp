@@ -1,7 +1,7 @@
 // Bases that can be used in one safe morph together.
 #pragma once
 
-#include "harmorph/plan/plan.hpp"
+#include "plan/plan.hpp"
 
 namespace harmorph {
 

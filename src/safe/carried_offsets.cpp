@@ -1,6 +1,6 @@
-#include "harmorph/safe/carried_offsets.hpp"
+#include "safe/carried_offsets.hpp"
 
-#include "harmorph/morph/morph.hpp"
+#include "morph/morph.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,8 +1,8 @@
-#include "harmorph/safe/improve.hpp"
+#include "safe/improve.hpp"
 
-#include "harmorph/morph/admissible_step.hpp"
-#include "harmorph/morph/quality.hpp"
-#include "harmorph/safe/quality_energy.hpp"
+#include "morph/admissible_step.hpp"
+#include "morph/quality.hpp"
+#include "safe/quality_energy.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,5 +1,5 @@
 // The strategies of a safe morph that place inner points: untangling at the target, and improvement there.
-#include "safe_work.hpp"
+#include "safe/safe_work.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
-#include "harmorph/safe/mesh_improvement.hpp"
+#include "safe/mesh_improvement.hpp"
 
-#include "harmorph/base/angle.hpp"
-#include "harmorph/morph/quality.hpp"
+#include "base/angle.hpp"
+#include "morph/quality.hpp"
 
 namespace harmorph {
 namespace {

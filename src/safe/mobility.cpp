@@ -1,4 +1,4 @@
-#include "harmorph/safe/mobility.hpp"
+#include "safe/mobility.hpp"
 
 namespace harmorph {
 

@@ -1,6 +1,6 @@
-#include "harmorph/safe/motion_path.hpp"
+#include "safe/motion_path.hpp"
 
-#include "harmorph/safe/similarity.hpp"
+#include "safe/similarity.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
-#include "harmorph/safe/moving_mesh.hpp"
+#include "safe/moving_mesh.hpp"
 
-#include "harmorph/morph/morph.hpp"
+#include "morph/morph.hpp"
 
 namespace harmorph {
 

@@ -1,4 +1,4 @@
-#include "harmorph/safe/newton_system.hpp"
+#include "safe/newton_system.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,7 +1,7 @@
-#include "harmorph/safe/region.hpp"
+#include "safe/region.hpp"
 
-#include "harmorph/base/parallel_reduce.hpp"
-#include "harmorph/base/sort.hpp"
+#include "base/parallel_reduce.hpp"
+#include "base/sort.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
-#include "harmorph/safe/safe_displacement.hpp"
+#include "safe/safe_displacement.hpp"
 
-#include "harmorph/safe/similarity.hpp"
+#include "safe/similarity.hpp"
 
 namespace harmorph {
 namespace {

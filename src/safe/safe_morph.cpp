@@ -1,10 +1,10 @@
-#include "harmorph/safe/safe_morph.hpp"
+#include "safe/safe_morph.hpp"
 
-#include "basis_match.hpp"
-#include "harmorph/base/range.hpp"
-#include "harmorph/morph/weighted_sum.hpp"
-#include "harmorph/safe/target.hpp"
-#include "safe_work.hpp"
+#include "safe/basis_match.hpp"
+#include "base/range.hpp"
+#include "morph/weighted_sum.hpp"
+#include "safe/target.hpp"
+#include "safe/safe_work.hpp"
 
 namespace harmorph {
 

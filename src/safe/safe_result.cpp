@@ -1,8 +1,8 @@
 // The end of a safe morph: heights near walls brought back, the worst cells, the derivative, and what the
 // caller is told.
-#include "harmorph/base/range.hpp"
-#include "harmorph/morph/weighted_sum.hpp"
-#include "safe_work.hpp"
+#include "base/range.hpp"
+#include "morph/weighted_sum.hpp"
+#include "safe/safe_work.hpp"
 
 namespace harmorph {
 namespace {

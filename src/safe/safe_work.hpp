@@ -1,7 +1,7 @@
 // What the strategies of a safe morph have in common: the arguments, the attempt at hand, and what is asked for.
 #pragma once
 
-#include "harmorph/safe/safe_morph.hpp"
+#include "safe/safe_morph.hpp"
 
 namespace harmorph {
 

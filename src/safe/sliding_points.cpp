@@ -1,4 +1,4 @@
-#include "harmorph/safe/sliding_points.hpp"
+#include "safe/sliding_points.hpp"
 
 namespace harmorph {
 

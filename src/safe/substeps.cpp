@@ -1,6 +1,6 @@
 // A safe morph in several steps: the functions are solved again on the mesh as it moves, by another operator where the
 // one at hand is stuck.
-#include "safe_work.hpp"
+#include "safe/safe_work.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,7 +1,7 @@
-#include "harmorph/safe/target.hpp"
+#include "safe/target.hpp"
 
-#include "harmorph/base/predicates.hpp"
-#include "harmorph/mesh/guard_shape.hpp"
+#include "base/predicates.hpp"
+#include "mesh/guard_shape.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,7 +1,7 @@
-#include "harmorph/safe/targets.hpp"
+#include "safe/targets.hpp"
 
-#include "harmorph/morph/quality.hpp"
-#include "harmorph/safe/newton_system.hpp"
+#include "morph/quality.hpp"
+#include "safe/newton_system.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/safe/untangle.hpp"
+#include "safe/untangle.hpp"
 
 namespace harmorph {
 namespace {

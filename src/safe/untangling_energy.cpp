@@ -1,4 +1,4 @@
-#include "harmorph/safe/untangling_energy.hpp"
+#include "safe/untangling_energy.hpp"
 
 namespace harmorph {
 

@@ -1,4 +1,4 @@
-#include "harmorph/simd/cpu.hpp"
+#include "simd/cpu.hpp"
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <cpuid.h>

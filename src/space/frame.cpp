@@ -1,4 +1,4 @@
-#include "harmorph/space/frame.hpp"
+#include "space/frame.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/space/plane.hpp"
+#include "space/plane.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
-#include "harmorph/space/plane_search.hpp"
+#include "space/plane_search.hpp"
 
-#include "harmorph/base/sort.hpp"
+#include "base/sort.hpp"
 
 namespace harmorph {
 namespace {

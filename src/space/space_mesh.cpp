@@ -1,6 +1,6 @@
-#include "harmorph/space/space_mesh.hpp"
+#include "space/space_mesh.hpp"
 
-#include "harmorph/mesh/mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace harmorph {
 namespace {

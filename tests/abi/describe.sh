@@ -5,7 +5,7 @@
 # nothing of them can be forgotten here.
 : "${CC:=cc}"
 library=$1 dir=$2
-headers=$(grep -l '^HM_API' c_api/*.h)
+headers=$(grep -l '^HM_API' include/*.h)
 without_comments() { cat $headers | tr '\n' '~' | sed 's|/\*[^*]*\**\([^/*][^*]*\**\)*\*/||g' | tr '~' '\n'; }
 mkdir -p "$dir" && without_comments >"$dir/header" || exit 1
 nm -g --defined-only "$library" | awk 'NF == 3 && $3 ~ /^_?hm_/ { print "symbol " $3 }' | LC_ALL=C sort
@@ -13,7 +13,7 @@ nm -g --defined-only "$library" | awk 'NF == 3 && $3 ~ /^_?hm_/ { print "symbol 
 sed -n '/^HM_API/,/;/p' "$dir/header" | tr '\n' ' ' | sed 's/;/;\n/g' |
     sed -n 's/  */ /g; s/^ *HM_API \(.*\);$/call \1/p' | LC_ALL=C sort
 {
-    for header in $headers; do echo "#include <${header#c_api/}>"; done
+    for header in $headers; do echo "#include <${header#include/}>"; done
     echo '#include <stdio.h>'
     echo 'int main(void) {'
     awk '
@@ -56,4 +56,4 @@ sed -n '/^HM_API/,/;/p' "$dir/header" | tr '\n' ' ' | sed 's/;/;\n/g' |
 }
 END
 } >"$dir/describe.c"
-$CC -std=c99 -Ic_api -o "$dir/describe" "$dir/describe.c" && "$dir/describe"
+$CC -std=c99 -Iinclude -o "$dir/describe" "$dir/describe.c" && "$dir/describe"

@@ -11,7 +11,7 @@ topic="binary interface" log=$dir/log
 . "$(dirname "$0")/../count.sh"
 rm -rf "$dir"
 mkdir -p "$dir"
-abi=$(sed -n 's/^#define HM_ABI \([0-9]*\).*/\1/p' c_api/harmorph.h)
+abi=$(sed -n 's/^#define HM_ABI \([0-9]*\).*/\1/p' include/harmorph.h)
 
 same_interface() {
     sh tests/abi/describe.sh "$build/libharmorph.a" "$dir" >"$dir/interface.txt" &&
@@ -42,7 +42,7 @@ all_versioned() {
 }
 only_libc() { ! objdump -p "$shared" | awk '$1 == "NEEDED" { print $2 }' | grep -v '^libc\.'; }
 runs_with_it() {
-    $CC -std=c99 $CFLAGS -Ic_api -o "$dir/use" tests/use.c -L"$build/shared" -lharmorph &&
+    $CC -std=c99 $CFLAGS -Iinclude -o "$dir/use" tests/use.c -L"$build/shared" -lharmorph &&
         objdump -p "$dir/use" | grep "NEEDED.*libharmorph.so.$abi" && LD_LIBRARY_PATH=$build/shared "$dir/use"
 }
 case $(uname -s) in

@@ -18,7 +18,7 @@ units="tests/base/test_arena.cpp tests/base/test_elementary.cpp tests/base/test_
     tests/morph/test_adjoint.cpp tests/c_api/test_struct_size.cpp"
 core="-std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -fno-threadsafe-statics -fno-stack-protector
     -ffp-contract=off"
-strict="-std=c99 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -O2 -ffp-contract=off -Ic_api"
+strict="-std=c99 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -O2 -ffp-contract=off -Iinclude"
 mkdir -p "$dir/include"
 missing() { skip "$topic" "$1 is not installed (Debian: $2)"; }
 same_sums() { "$@" | tr -d '\r' | diff "$dir/sums" -; }
@@ -39,7 +39,7 @@ c_tests() {   # where, emulator or nothing, compiler...
 for folder in /usr/include /usr/local/include; do
     if [ -e "$folder/doctest/doctest.h" ]; then ln -sfn "$folder/doctest" "$dir/include/doctest"; fi
 done
-sh c_api/amalgamate.sh >"$dir/harmorph.cpp" && cp c_api/harmorph.h "$dir/" || exit 1
+sh c_api/packaging/amalgamate.sh >"$dir/harmorph.cpp" && cp include/harmorph.h "$dir/" || exit 1
 archive=$build/libharmorph.a suffix= topic=here
 $CC $strict -o "$dir/morphs" tests/cross/morphs.c "$archive" -lm && "$dir/morphs" >"$dir/sums" &&
     "$dir/morphs" save "$dir/here.basis" && "$dir/morphs" attach "$dir/here.basis" >"$dir/use" || exit 1
@@ -84,7 +84,7 @@ checksums_there() {
 tests_there() {
     c_tests "$here" "$emulator" $c $flags -static
     ls $units tests/main.cpp >"$here/sources"   # no pipe: check would count in a shell of its own
-    check "unit tests: compilation" compile -isystem "$dir/include" -Iinclude -Ic_api -Itests <"$here/sources"
+    check "unit tests: compilation" compile -isystem "$dir/include" -Iinclude -Isrc -Ic_api -Itests <"$here/sources"
     check "unit tests: link" $cxx $flags -static -o "$here/tests$suffix" "$here"/objects/*.o "$archive"
     check "unit tests" $emulator "$here/tests$suffix"
 }
@@ -94,7 +94,7 @@ program_sources() {   # in the groups of `make`
 }
 demo_there() {
     program_sources >"$here/sources"
-    check "program: compilation" compile -pthread -I. -Ic_api -Ic_api/cli <"$here/sources"
+    check "program: compilation" compile -pthread -I. -Iinclude -Ic_api/cli <"$here/sources"
     check "program: link" $cxx $flags -static -pthread -o "$here/harmorph$suffix" "$here"/objects/*.o "$archive"
     check "demo" $emulator "$here/harmorph$suffix" demo "$here/demo" --mesh tests/meshes/naca0012.su2
     check "the demo's mesh" $emulator "$here/harmorph$suffix" check "$here/demo/morphed.su2"

@@ -1,7 +1,7 @@
 # Damaged files are refused, or read: never more. (A part of tests/formats.sh.)
 # As one file, so that the headers that they share are read once.
-for source in c_api/cli/formats/*.cpp c_api/cli/text_file.cpp c_api/cli/numbers.cpp c_api/cli/mesh.cpp \
-    c_api/cli/one_cell_thick.cpp c_api/cli/cell_faces.cpp c_api/cli/space_mesh.cpp c_api/cli/vtu.cpp; do
+for source in c_api/cli/formats/*.cpp c_api/cli/basics/text_file.cpp c_api/cli/basics/numbers.cpp c_api/cli/mesh/mesh.cpp \
+    c_api/cli/mesh/one_cell_thick.cpp c_api/cli/mesh/cell_faces.cpp c_api/cli/mesh/space_mesh.cpp c_api/cli/formats/vtu.cpp; do
     echo "#include \"$source\""
 done >"$tmp/readers.cpp"
 library=$(dirname "$harmorph")/libharmorph.a
@@ -10,7 +10,7 @@ if echo 'int main() {}' | $CXX $sanitize -x c++ - -o "$tmp/empty" 2>/dev/null &&
     echo "the compiler has no sanitizers: broken files are read without"
     sanitize=
 fi
-check "mutate is compiled" $CXX -std=c++17 -O0 $sanitize -I. -Ic_api -Ic_api/cli -o "$tmp/mutate" \
+check "mutate is compiled" $CXX -std=c++17 -O0 $sanitize -I. -Iinclude -Ic_api/cli -o "$tmp/mutate" \
     tests/formats/mutate.cpp "$tmp/readers.cpp" "$library"
 for storage in text binary-64; do "$tmp/make_foam" "$tmp/broken-$storage" $storage wedge; done
 files=$(cd "$tmp" && { ./make_mesh list; ls broken-*/constant/polyMesh/[pfob]*; } | tr '\n' ' ')

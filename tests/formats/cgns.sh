@@ -3,7 +3,7 @@ if echo '#include <cgnslib.h>' | $CXX -x c++ -E - >/dev/null 2>&1 && command -v 
     # What `make CGNS=1` makes: the same objects but for some, which are compiled with libcgns.
     with_cgns=$tmp/harmorph-cgns build=`dirname "$harmorph"`
     objects="`sed 's/[^ ]*formats-cgns[^ ]*//g' "$build/objects/program.list"` $build/objects/cli/c_api-cli-main.o"
-    check "a program with CGNS is made" $CXX -std=c++17 -O0 -pthread -DHARMORPH_CGNS -Ic_api -Ic_api/cli \
+    check "a program with CGNS is made" $CXX -std=c++17 -O0 -pthread -DHARMORPH_CGNS -Iinclude -Ic_api/cli \
         -o "$with_cgns" c_api/cli/formats/cgns*.cpp $objects "$build/libharmorph.a" -lcgns
     check "make_cgns is compiled" ${CC:-cc} -O0 -o "$tmp/make_cgns" tests/formats/make_cgns.c -lcgns -lm
     for kind in plane planes block cells polygons solid; do

@@ -4,7 +4,7 @@
 //   mutate SCRATCH TIMES FILES...
 //
 // A file of an OpenFOAM case is changed where it is, as the others are read beside it.
-#include "failure.hpp"
+#include "basics/failure.hpp"
 #include "formats/format.hpp"
 
 #include <cstdio>

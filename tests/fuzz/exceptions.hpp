@@ -5,7 +5,7 @@
 
 #include <cfenv>
 
-#ifdef __clang__   // what a test computes stays on its side of clear(); see include/harmorph/base/types.hpp
+#ifdef __clang__   // what a test computes stays on its side of clear(); see src/base/types.hpp
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wignored-pragmas"
 #pragma float_control(except, on)

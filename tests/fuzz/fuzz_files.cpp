@@ -1,11 +1,11 @@
 // Files through the readers of the program: meshes of all formats, curves, movements, bases. A file is read, or refused
 // with its name and a reason. What a mesh was read from is written again with other coordinates. Most files are one of
 // the small ones below, damaged; some are the bytes of the case as they are, which libFuzzer shapes.
-#include "basis_file.hpp"
-#include "curve_file.hpp"
+#include "mesh/basis_file.hpp"
+#include "curves/curve_file.hpp"
 #include "failure.hpp"
 #include "formats/format.hpp"
-#include "moves_file.hpp"
+#include "curves/moves_file.hpp"
 #include "target.hpp"
 
 #include <harmorph.h>

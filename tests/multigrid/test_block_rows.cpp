@@ -4,7 +4,7 @@
 #include <fixtures/agglomerated.hpp>
 #include <fixtures/traps.hpp>
 
-#include "src/multigrid/block_rows.hpp"
+#include "multigrid/block_rows.hpp"
 
 #include <harmorph/multigrid/iteration.hpp>
 

@@ -9,7 +9,7 @@
 
 #include <harmorph/multigrid/multigrid.hpp>
 
-#include "src/multigrid/multigrid_cycle.hpp"
+#include "multigrid/multigrid_cycle.hpp"
 
 using namespace fixtures;
 using harmorph::Index;

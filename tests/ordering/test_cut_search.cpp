@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "src/ordering/cut_search.hpp"
+#include "ordering/cut_search.hpp"
 
 using namespace fixtures;
 using harmorph::Cut;

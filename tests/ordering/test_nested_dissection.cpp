@@ -7,7 +7,7 @@
 
 #include <cstring>
 
-#include "src/ordering/bisection.hpp"
+#include "ordering/bisection.hpp"
 
 using namespace fixtures;
 using harmorph::Index;

@@ -1,7 +1,7 @@
 // Movements that are possible, on meshes with traits that have made them look impossible; and impossible ones.
 #include <doctest/doctest.h>
 
-#include "deform/seeds.hpp"
+#include "measure/deform/seeds.hpp"
 
 #include <fixtures/channels.hpp>
 #include <fixtures/safe.hpp>

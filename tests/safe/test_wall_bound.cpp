@@ -1,7 +1,7 @@
 // The bound by which seeded movements are left out: no mesh is better, and the best one attains it.
 #include <doctest/doctest.h>
 
-#include "deform/wall_bound.hpp"
+#include "measure/deform/wall_bound.hpp"
 
 #include <random>
 

@@ -1,6 +1,6 @@
 #include "formats/bytes.hpp"
 
-#include "numbers.hpp"
+#include "basics/numbers.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Numbers at a place of a file, in text or binary.
 #pragma once
 
-#include "mesh.hpp"
+#include "mesh/mesh.hpp"
 
 #include <cstring>
 

@@ -1,7 +1,7 @@
 #include "formats/cgns_conditions.hpp"
 
 #ifdef HARMORPH_CGNS
-#include "numbers.hpp"
+#include "basics/numbers.hpp"
 
 #include <algorithm>
 

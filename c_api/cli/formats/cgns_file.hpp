@@ -2,8 +2,8 @@
 #pragma once
 
 #ifdef HARMORPH_CGNS
-#include "failure.hpp"
-#include "mesh.hpp"
+#include "basics/failure.hpp"
+#include "mesh/mesh.hpp"
 
 #include <cgnslib.h>
 

@@ -2,8 +2,8 @@
 
 #ifdef HARMORPH_CGNS
 #include "formats/cgns_conditions.hpp"
-#include "numbers.hpp"
-#include "one_cell_thick.hpp"
+#include "basics/numbers.hpp"
+#include "mesh/one_cell_thick.hpp"
 
 #include <algorithm>
 #include <cstring>

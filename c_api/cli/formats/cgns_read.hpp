@@ -2,7 +2,7 @@
 #pragma once
 
 #ifdef HARMORPH_CGNS
-#include "mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace cli {
 

@@ -8,7 +8,7 @@
 
 #include "formats/fluent_sections.hpp"
 #include "formats/number_reader.hpp"
-#include "numbers.hpp"
+#include "basics/numbers.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // The sections (NUMBER (HEAD) (BODY)) or (NUMBER HEAD) of a Fluent mesh file, one after another.
 #pragma once
 
-#include "text_file.hpp"
+#include "basics/text_file.hpp"
 
 #include <cstdint>
 

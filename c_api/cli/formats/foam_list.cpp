@@ -1,7 +1,7 @@
 #include "formats/foam_list.hpp"
 
 #include "formats/bytes.hpp"
-#include "numbers.hpp"
+#include "basics/numbers.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // OpenFOAM's files: a header that says how numbers are stored, then one list, in text or binary.
 #pragma once
 
-#include "mesh.hpp"
+#include "mesh/mesh.hpp"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 // Formats of mesh files. Each has a file here that defines one `Format`, and a row in the table of formats.cpp.
 #pragma once
 
-#include "mesh.hpp"
+#include "mesh/mesh.hpp"
 
 #include <functional>
 #include <iosfwd>

@@ -1,7 +1,7 @@
 // The table of formats, and what all of them have in common.
 #include "formats/format.hpp"
 
-#include "failure.hpp"
+#include "basics/failure.hpp"
 #include "formats/tidy.hpp"
 
 #include <filesystem>

@@ -4,7 +4,7 @@
 #include "formats/format.hpp"
 
 #include "formats/gmsh_content.hpp"
-#include "numbers.hpp"
+#include "basics/numbers.hpp"
 
 #include <ostream>
 

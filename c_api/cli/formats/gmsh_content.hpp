@@ -1,7 +1,7 @@
 // What a Gmsh file holds, between reading and the mesh: nodes and elements by their tags.
 #pragma once
 
-#include "mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace cli {
 

@@ -6,7 +6,7 @@
 #include "formats/gmsh_content.hpp"
 
 #include "formats/tidy.hpp"
-#include "numbers.hpp"
+#include "basics/numbers.hpp"
 
 #include <algorithm>
 #include <unordered_map>

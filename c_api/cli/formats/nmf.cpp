@@ -1,7 +1,7 @@
 #include "formats/nmf.hpp"
 
-#include "numbers.hpp"
-#include "text_file.hpp"
+#include "basics/numbers.hpp"
+#include "basics/text_file.hpp"
 
 #include <algorithm>
 

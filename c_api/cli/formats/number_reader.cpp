@@ -1,7 +1,7 @@
 #include "formats/number_reader.hpp"
 
 #include "formats/bytes.hpp"
-#include "numbers.hpp"
+#include "basics/numbers.hpp"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 // Every error names the line, or the byte, and what was expected there.
 #pragma once
 
-#include "text_file.hpp"
+#include "basics/text_file.hpp"
 
 #include <cstdint>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "formats/number_reader.hpp"
-#include "numbers.hpp"
+#include "basics/numbers.hpp"
 
 #include <cmath>
 

@@ -4,8 +4,8 @@
 #include "formats/format.hpp"
 
 #include "formats/foam_list.hpp"
-#include "numbers.hpp"
-#include "space_mesh.hpp"
+#include "basics/numbers.hpp"
+#include "mesh/space_mesh.hpp"
 
 #include <algorithm>
 #include <filesystem>

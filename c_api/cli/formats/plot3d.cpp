@@ -11,7 +11,7 @@
 #include "formats/plot3d_layout.hpp"
 #include "formats/plot3d_reader.hpp"
 #include "formats/repeats.hpp"
-#include "numbers.hpp"
+#include "basics/numbers.hpp"
 
 #include <filesystem>
 

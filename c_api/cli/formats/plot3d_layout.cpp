@@ -2,7 +2,7 @@
 
 #include "formats/bytes.hpp"
 #include "formats/number_reader.hpp"
-#include "numbers.hpp"
+#include "basics/numbers.hpp"
 
 #include <algorithm>
 

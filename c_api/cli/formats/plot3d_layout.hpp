@@ -2,7 +2,7 @@
 // for.
 #pragma once
 
-#include "text_file.hpp"
+#include "basics/text_file.hpp"
 
 #include <array>
 #include <cstdint>

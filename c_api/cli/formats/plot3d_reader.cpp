@@ -4,8 +4,8 @@
 #include "formats/number_reader.hpp"
 #include "formats/places.hpp"
 #include "formats/tidy.hpp"
-#include "numbers.hpp"
-#include "one_cell_thick.hpp"
+#include "basics/numbers.hpp"
+#include "mesh/one_cell_thick.hpp"
 
 #include <algorithm>
 #include <cmath>

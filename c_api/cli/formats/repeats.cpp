@@ -1,6 +1,6 @@
 #include "formats/repeats.hpp"
 
-#include "numbers.hpp"
+#include "basics/numbers.hpp"
 
 #include <cstdint>
 #include <cstring>

@@ -3,7 +3,7 @@
 
 #include "formats/bytes.hpp"
 #include "formats/number_style.hpp"
-#include "numbers.hpp"
+#include "basics/numbers.hpp"
 
 #include <algorithm>
 #include <cmath>

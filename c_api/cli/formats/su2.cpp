@@ -1,7 +1,7 @@
 // SU2 mesh files (https://su2code.github.io/docs_v7/Mesh-File): two dimensions, triangles and quadrilaterals.
 #include "formats/su2.hpp"
 
-#include "text_out.hpp"
+#include "basics/text_out.hpp"
 
 #include <ostream>
 

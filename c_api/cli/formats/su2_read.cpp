@@ -5,8 +5,8 @@
 // or after. Of several zones (NZONE, IZONE) one is read; lines of the others are passed over, and stay.
 #include "formats/su2.hpp"
 
-#include "failure.hpp"
-#include "numbers.hpp"
+#include "basics/failure.hpp"
+#include "basics/numbers.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,6 +1,6 @@
 #include "formats/tidy.hpp"
 
-#include "numbers.hpp"
+#include "basics/numbers.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,7 +1,7 @@
 // What is done with a mesh of any format once it has been read.
 #pragma once
 
-#include "mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace cli {
 

@@ -5,8 +5,8 @@
 
 #include "formats/bytes.hpp"
 #include "formats/number_reader.hpp"
-#include "numbers.hpp"
-#include "one_cell_thick.hpp"
+#include "basics/numbers.hpp"
+#include "mesh/one_cell_thick.hpp"
 
 #include <filesystem>
 #include <map>

@@ -6,7 +6,7 @@
 #include "formats/number_reader.hpp"
 #include "formats/one_plane.hpp"
 #include "formats/vtk_cells.hpp"
-#include "numbers.hpp"
+#include "basics/numbers.hpp"
 
 #include <ostream>
 

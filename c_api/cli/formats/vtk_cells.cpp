@@ -1,7 +1,7 @@
 #include "formats/vtk_cells.hpp"
 
 #include "formats/tidy.hpp"
-#include "numbers.hpp"
+#include "basics/numbers.hpp"
 
 namespace cli {
 

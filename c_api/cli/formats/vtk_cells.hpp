@@ -1,7 +1,7 @@
 // Cells as VTK's files of both kinds have them.
 #pragma once
 
-#include "mesh.hpp"
+#include "mesh/mesh.hpp"
 
 namespace cli {
 

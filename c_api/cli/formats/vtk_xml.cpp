@@ -7,8 +7,8 @@
 #include "formats/one_plane.hpp"
 #include "formats/vtk_cells.hpp"
 #include "formats/xml.hpp"
-#include "numbers.hpp"
-#include "vtu.hpp"
+#include "basics/numbers.hpp"
+#include "formats/vtu.hpp"
 
 namespace cli {
 

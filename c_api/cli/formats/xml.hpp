@@ -1,7 +1,7 @@
 // The tags of an XML file, one after another, as far as mesh files need them: no entities, no sections CDATA.
 #pragma once
 
-#include "text_file.hpp"
+#include "basics/text_file.hpp"
 
 #include <string_view>
 #include <utility>

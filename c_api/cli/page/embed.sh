@@ -23,7 +23,7 @@ literals() {
         /^<link href=/ { put("<style>"); put_file(between_quotes($0)); put("</style>"); next }
         { put($0) }' "$1"
 }
-printf '// Made by c_api/cli/page/embed.sh.\n#include "cli/page_text.hpp"\n\nconst char cli::page_head[] =\n'
+printf '// Made by c_api/cli/page/embed.sh.\n#include "page/page_text.hpp"\n\nconst char cli::page_head[] =\n'
 literals head.html || exit 1
 echo ';'
 for page in explore report; do

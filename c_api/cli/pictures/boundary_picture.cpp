@@ -1,7 +1,7 @@
-#include "pictures.hpp"
+#include "pictures/pictures.hpp"
 
-#include "draw_curves.hpp"
-#include "numbers.hpp"
+#include "pictures/draw_curves.hpp"
+#include "basics/numbers.hpp"
 
 namespace cli {
 

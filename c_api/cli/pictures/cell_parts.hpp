@@ -2,8 +2,8 @@
 // sides and its barycentre.
 #pragma once
 
-#include "geometry.hpp"
-#include "mesh.hpp"
+#include "basics/geometry.hpp"
+#include "mesh/mesh.hpp"
 
 #include <array>
 #include <vector>

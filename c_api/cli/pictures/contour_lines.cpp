@@ -1,6 +1,6 @@
-#include "contour_lines.hpp"
+#include "pictures/contour_lines.hpp"
 
-#include "triangles.hpp"
+#include "pictures/triangles.hpp"
 
 #include <algorithm>
 #include <cmath>

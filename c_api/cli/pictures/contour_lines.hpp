@@ -1,8 +1,8 @@
 // Lines on which a function has a given value.
 #pragma once
 
-#include "mesh.hpp"
-#include "geometry.hpp"
+#include "mesh/mesh.hpp"
+#include "basics/geometry.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
-#include "draw_contours.hpp"
+#include "pictures/draw_contours.hpp"
 
-#include "numbers.hpp"
+#include "basics/numbers.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Contour lines in pictures, with their values written on some of them.
 #pragma once
 
-#include "contour_lines.hpp"
-#include "plot.hpp"
+#include "pictures/contour_lines.hpp"
+#include "pictures/plot.hpp"
 
 namespace cli {
 

@@ -1,6 +1,6 @@
-#include "draw_curves.hpp"
+#include "pictures/draw_curves.hpp"
 
-#include "library.hpp"
+#include "basics/library.hpp"
 
 #include <algorithm>
 #include <cmath>

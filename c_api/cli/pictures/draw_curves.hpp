@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph.h"
-#include "plot.hpp"
+#include "pictures/plot.hpp"
 
 namespace cli {
 

@@ -1,4 +1,4 @@
-#include "edge_chains.hpp"
+#include "pictures/edge_chains.hpp"
 
 #include <algorithm>
 #include <tuple>

@@ -1,8 +1,8 @@
 // The edges of a mesh, strung together: a chain of points takes half the space of separate edges.
 #pragma once
 
-#include "geometry.hpp"
-#include "mesh.hpp"
+#include "basics/geometry.hpp"
+#include "mesh/mesh.hpp"
 
 #include <functional>
 #include <vector>

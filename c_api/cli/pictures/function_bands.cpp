@@ -1,9 +1,9 @@
-#include "function_bands.hpp"
+#include "pictures/function_bands.hpp"
 
-#include "colour_map.hpp"
-#include "numbers.hpp"
-#include "raster.hpp"
-#include "triangles.hpp"
+#include "pictures/colour_map.hpp"
+#include "basics/numbers.hpp"
+#include "pictures/raster.hpp"
+#include "pictures/triangles.hpp"
 
 #include <algorithm>
 #include <array>

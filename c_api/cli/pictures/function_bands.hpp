@@ -1,8 +1,8 @@
 // A function in colours: what lies between two neighbouring multiples of a step has one colour.
 #pragma once
 
-#include "mesh.hpp"
-#include "plot.hpp"
+#include "mesh/mesh.hpp"
+#include "pictures/plot.hpp"
 
 #include <string>
 

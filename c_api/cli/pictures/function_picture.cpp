@@ -1,11 +1,11 @@
-#include "pictures.hpp"
+#include "pictures/pictures.hpp"
 
-#include "draw_contours.hpp"
-#include "draw_curves.hpp"
-#include "function_bands.hpp"
-#include "mesh_lines.hpp"
-#include "numbers.hpp"
-#include "triangles.hpp"
+#include "pictures/draw_contours.hpp"
+#include "pictures/draw_curves.hpp"
+#include "pictures/function_bands.hpp"
+#include "pictures/mesh_lines.hpp"
+#include "basics/numbers.hpp"
+#include "pictures/triangles.hpp"
 
 #include <algorithm>
 #include <cmath>

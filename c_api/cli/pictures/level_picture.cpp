@@ -1,10 +1,10 @@
-#include "pictures.hpp"
+#include "pictures/pictures.hpp"
 
-#include "cell_parts.hpp"
-#include "draw_curves.hpp"
-#include "numbers.hpp"
-#include "place.hpp"
-#include "raster.hpp"
+#include "pictures/cell_parts.hpp"
+#include "pictures/draw_curves.hpp"
+#include "basics/numbers.hpp"
+#include "basics/place.hpp"
+#include "pictures/raster.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
-#include "mesh_lines.hpp"
+#include "pictures/mesh_lines.hpp"
 
-#include "edge_chains.hpp"
-#include "numbers.hpp"
-#include "place.hpp"
+#include "pictures/edge_chains.hpp"
+#include "basics/numbers.hpp"
+#include "basics/place.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // The edges of a mesh in pictures.
 #pragma once
 
-#include "mesh.hpp"
-#include "plot.hpp"
+#include "mesh/mesh.hpp"
+#include "pictures/plot.hpp"
 
 #include <string>
 

@@ -1,8 +1,8 @@
-#include "pictures.hpp"
+#include "pictures/pictures.hpp"
 
-#include "draw_curves.hpp"
-#include "mesh_lines.hpp"
-#include "numbers.hpp"
+#include "pictures/draw_curves.hpp"
+#include "pictures/mesh_lines.hpp"
+#include "basics/numbers.hpp"
 
 #include <array>
 

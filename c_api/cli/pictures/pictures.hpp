@@ -1,8 +1,8 @@
 // The pictures of the program, as SVG documents. A window that is not wished shows what the picture is about.
 #pragma once
 
-#include "geometry.hpp"
-#include "morph.hpp"
+#include "basics/geometry.hpp"
+#include "commands/morph.hpp"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
-#include "plot.hpp"
+#include "pictures/plot.hpp"
 
-#include "numbers.hpp"
+#include "basics/numbers.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // y, what is drawn inside the frames, legend and notes below.
 #pragma once
 
-#include "svg.hpp"
+#include "pictures/svg.hpp"
 
 #include <deque>
 #include <string>

@@ -1,4 +1,4 @@
-#include "raster.hpp"
+#include "pictures/raster.hpp"
 
 #include <algorithm>
 #include <cmath>

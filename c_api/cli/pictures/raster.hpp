@@ -2,7 +2,7 @@
 // equal neighbours in a row become one rectangle.
 #pragma once
 
-#include "svg.hpp"
+#include "pictures/svg.hpp"
 
 #include <array>
 #include <limits>

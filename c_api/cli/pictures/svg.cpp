@@ -1,4 +1,4 @@
-#include "svg.hpp"
+#include "pictures/svg.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SVG documents: shapes in pixels, y downwards.
 #pragma once
 
-#include "geometry.hpp"
+#include "basics/geometry.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-#include "triangles.hpp"
+#include "pictures/triangles.hpp"
 
 #include <algorithm>
 

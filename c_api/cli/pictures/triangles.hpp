@@ -1,8 +1,8 @@
 // The cells of a mesh as triangles, and what a function that is linear on each of them has where.
 #pragma once
 
-#include "geometry.hpp"
-#include "mesh.hpp"
+#include "basics/geometry.hpp"
+#include "mesh/mesh.hpp"
 
 #include <array>
 #include <vector>

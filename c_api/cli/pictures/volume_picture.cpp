@@ -1,8 +1,8 @@
-#include "pictures.hpp"
+#include "pictures/pictures.hpp"
 
-#include "cell_parts.hpp"
-#include "mesh_lines.hpp"
-#include "numbers.hpp"
+#include "pictures/cell_parts.hpp"
+#include "pictures/mesh_lines.hpp"
+#include "basics/numbers.hpp"
 
 #include <algorithm>
 

@@ -1,0 +1,66 @@
+#include "basics/numbers.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace cli {
+
+namespace {
+
+std::string print(const char* format, double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+} // namespace
+
+bool parse(std::string_view word, std::int32_t& value) {
+    const char* end = word.data() + word.size();
+    const auto result = std::from_chars(word.data(), end, value);
+    return result.ec == std::errc() && result.ptr == end;
+}
+
+bool parse(std::string_view word, std::int64_t& value) {
+    const char* end = word.data() + word.size();
+    const auto result = std::from_chars(word.data(), end, value);
+    return result.ec == std::errc() && result.ptr == end;
+}
+
+// strtod wants a terminated string, and a D of Fortran as an e.
+static bool parse_slowly(std::string_view word, double& value) {
+    char text[64];
+    if (word.empty() || word.size() >= sizeof text) return false;
+    std::memcpy(text, word.data(), word.size());
+    text[word.size()] = '\0';
+    for (char* c = text; *c; ++c) {
+        if (*c == 'd' || *c == 'D') *c = 'e';
+        if (*c == 'x' || *c == 'X') return false;
+    }
+    char* end = nullptr;
+    value = std::strtod(text, &end);
+    return end == text + word.size() && std::isfinite(value);
+}
+
+bool parse(std::string_view word, double& value) {
+#if defined(__cpp_lib_to_chars) // several times as fast, but some C++17 libraries lack it for real numbers
+    const char* end = word.data() + word.size();
+    const auto result = std::from_chars(word.data(), end, value);
+    if (result.ec == std::errc() && result.ptr == end) return std::isfinite(value);
+#endif
+    return parse_slowly(word, value);
+}
+
+std::string exact(double value) { return print("%.17g", value); }
+std::string scientific(double value) { return print("%.16E", value); }
+
+std::string brief(double value) { return print("%.4g", value); }
+
+std::string plural(std::int64_t count, std::string_view noun) {
+    return (std::to_string(count) + " ").append(noun) + (count == 1 ? "" : "s");
+}
+
+} // namespace cli

@@ -1,0 +1,32 @@
+// Listens to the library's progress: seconds of each phase, and a bar.
+#pragma once
+
+#include "harmorph.h"
+#include "basics/progress_bar.hpp"
+#include "basics/stopwatch.hpp"
+
+#include <array>
+
+namespace cli {
+
+class Progress {
+public:
+    Progress() = default;
+    Progress(const Progress&) = delete;
+
+    void listen(hm_options& options);
+    void wipe() { bar_.wipe(); } // takes the bar away
+    double seconds(std::int32_t phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
+
+private:
+    static constexpr std::int32_t n_phases = HM_PHASE_RESIDUAL + 1;
+
+    static std::int32_t on_progress(void* self, std::int32_t phase, double fraction);
+    void report(std::int32_t phase, double fraction);
+
+    std::array<double, n_phases> seconds_ = {}; // of each phase's latest run
+    Stopwatch phase_watch_;
+    ProgressBar bar_;
+};
+
+} // namespace cli

@@ -1,0 +1,145 @@
+#include "basics/text_file.hpp"
+
+#include "basics/failure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+#include <memory>
+
+namespace cli {
+
+namespace {
+
+std::string read_whole(const std::string& path) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    std::string text;
+    std::size_t filled = 0;
+    // The size as a guess, as pipes have none.
+    const long size = file && std::fseek(file.get(), 0, SEEK_END) == 0 ? std::ftell(file.get()) : 0;
+    if (file) std::rewind(file.get());
+    while (file && !std::feof(file.get()) && !std::ferror(file.get())) {
+        const bool first = filled == 0 && size > 0 && size < std::numeric_limits<long>::max();
+        text.resize(first ? static_cast<std::size_t>(size) + 1 : std::max<std::size_t>(2 * filled, 1 << 16));
+        filled += std::fread(&text[filled], 1, text.size() - filled, file.get());
+    }
+    if (!file || std::ferror(file.get())) {
+        throw Failure(exit_file, path + ": cannot be read: " + std::strerror(errno));
+    }
+    text.resize(filled);
+    return text;
+}
+
+// What each byte is to a reader of lines.
+enum : unsigned char { part_of_word, blank, end_of_line };
+
+constexpr auto kinds_of_bytes() {
+    std::array<unsigned char, 256> kind_of_byte = {};
+    for (const char c : {' ', '\t', '\v', '\f'}) kind_of_byte[static_cast<unsigned char>(c)] = blank;
+    for (const char c : {'\r', '\n'}) kind_of_byte[static_cast<unsigned char>(c)] = end_of_line;
+    return kind_of_byte;
+}
+constexpr std::array<unsigned char, 256> kind_of_byte = kinds_of_bytes();
+unsigned char kind(char c) { return kind_of_byte[static_cast<unsigned char>(c)]; }
+
+} // namespace
+
+TextFile::TextFile(const std::string& path) : path_(path), text_(read_whole(path)) {}
+
+std::string TextFile::place(std::size_t offset) const {
+    if (name_of_place_) return path_ + ": " + name_of_place_(offset);
+    std::size_t line = 1;
+    for (std::size_t i = 0; i < offset && i < text_.size(); ++i) {
+        const bool lone_return = text_[i] == '\r' && (i + 1 == text_.size() || text_[i + 1] != '\n');
+        if (text_[i] == '\n' || lone_return) ++line;
+        if (text_[i] == '\0') return path_ + ": byte " + std::to_string(offset);
+    }
+    return path_ + ":" + std::to_string(line);
+}
+
+void TextFile::fail(std::size_t offset, std::string_view message) const {
+    throw Failure(exit_file, (place(offset) + ": ").append(message));
+}
+
+void TextFile::listen(std::function<void(double)> listener) {
+    listener_ = std::move(listener);
+    next_mark_ = listener_ ? 0 : std::numeric_limits<std::size_t>::max();
+}
+
+void TextFile::report(std::size_t offset) const {
+    next_mark_ = offset + text_.size() / 100 + 1;
+    listener_(std::min(1.0, static_cast<double>(offset) / static_cast<double>(text_.size() + 1)));
+}
+
+LineReader::LineReader(const TextFile& file, char comment) : file_(file), comment_(comment) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (std::string_view(file.text()).substr(0, 3) == byte_order_mark) next_ = byte_order_mark.size();
+}
+
+// One pass over the line's bytes finds its end, its comment and where it begins and ends without blanks.
+bool LineReader::next() {
+    const char* const text = file_.text().data();
+    const std::size_t size = file_.text().size();
+    file_.passed(next_);
+    while (next_ < size) {
+        std::size_t at = next_;
+        while (at < size && kind(text[at]) == blank) ++at;
+        const std::size_t begin = at;
+        std::size_t end = at; // behind the last byte that is no blank
+        for (; at < size && kind(text[at]) != end_of_line && text[at] != comment_; ++at) {
+            if (kind(text[at]) == part_of_word) end = at + 1;
+        }
+        while (at < size && kind(text[at]) != end_of_line) ++at;
+        next_ = at + (at < size ? 1 : 0) + (at + 1 < size && text[at] == '\r' && text[at + 1] == '\n' ? 1 : 0);
+        line_ = std::string_view(text + begin, end - begin);
+        if (!line_.empty()) return true;
+    }
+    line_ = std::string_view(text + size, 0);
+    return false;
+}
+
+const std::vector<std::string_view>& LineReader::words() {
+    words_.clear();
+    for (const char *at = line_.data(), *const end = at + line_.size(); at != end;) {
+        const char* const begin = at;
+        while (at != end && kind(*at) == part_of_word) ++at;
+        words_.emplace_back(begin, static_cast<std::size_t>(at - begin));
+        while (at != end && kind(*at) != part_of_word) ++at;
+    }
+    return words_;
+}
+
+std::size_t LineReader::offset(std::string_view part) const {
+    return static_cast<std::size_t>(part.data() - file_.text().data());
+}
+
+void LineReader::fail(std::string_view message) const { file_.fail(offset(), message); }
+
+void LineReader::expected(std::string_view what) const { expected(what, line_); }
+
+void LineReader::expected(std::string_view what, std::string_view found) const {
+    fail("expected " + std::string(what) + ", found " + (found.empty() ? "the end of the file" : in_quotes(found)));
+}
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
+    text.remove_prefix(begin);
+    return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
+bool ends_with(std::string_view text, std::string_view end) {
+    return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+std::string in_quotes(std::string_view text) {
+    constexpr std::size_t longest = 48;
+    std::string result = "'";
+    for (const char c : text.substr(0, longest)) result += std::iscntrl(static_cast<unsigned char>(c)) ? '?' : c;
+    return result + (text.size() > longest ? "...'" : "'");
+}
+
+} // namespace cli

@@ -1,0 +1,107 @@
+// harmorph check: is a mesh well formed, and how good is it?
+#include "commands/commands.hpp"
+#include "curves/curve_file.hpp"
+#include "basics/json.hpp"
+#include "mesh/mesh_analysis.hpp"
+#include "basics/numbers.hpp"
+#include "basics/output_file.hpp"
+#include "pictures/pictures.hpp"
+#include "commands/window_option.hpp"
+
+#include <cstdio>
+#include <ostream>
+
+namespace cli {
+
+namespace {
+
+void print_json(const hm_mesh_report& report, const Mesh& mesh) {
+    std::vector<JsonObject> markers;
+    for (std::size_t marker = 0; marker < mesh.markers.size(); ++marker) {
+        markers.emplace_back();
+        markers.back().add("name", mesh.markers[marker]).add("faces", mesh.faces(static_cast<std::int32_t>(marker)));
+    }
+    JsonObject object;
+    object.add("points", report.points).add("cells", report.cells);
+    object.add("triangles", report.triangles).add("quads", report.quads).add("polygons", report.polygons);
+    object.add("inverted", report.inverted);
+    object.add("min_area", report.min_area).add("min_quality", report.min_quality);
+    object.add("mean_quality", report.mean_quality).add("markers", markers);
+    std::printf("%s\n", object.text().c_str());
+}
+
+void print_for_people(const hm_mesh_report& report, const Mesh& mesh) {
+    std::printf("points        %d, %d of them in cells\n", report.points, report.used_points);
+    const std::string polygons = report.polygons == 0 ? "" : ", " + plural(report.polygons, "polygon");
+    std::printf("cells         %d: %s, %s%s\n", report.cells, plural(report.triangles, "triangle").c_str(),
+                plural(report.quads, "quad").c_str(), polygons.c_str());
+    std::printf("edges         %d, %d of them boundary in %s\n", report.edges, report.boundary_edges,
+                plural(report.boundary_loops, "loop").c_str());
+    for (std::size_t marker = 0; marker < mesh.markers.size(); ++marker) {
+        std::printf("marker        %s: %s\n", mesh.markers[marker].c_str(),
+                    plural(mesh.faces(static_cast<std::int32_t>(marker)), "face").c_str());
+    }
+    std::printf("corner areas  %s at least\n", brief(report.min_area).c_str());
+    std::printf("skew quality  %s at least, %s on average\n", brief(report.min_quality).c_str(),
+                brief(report.mean_quality).c_str());
+    std::printf("inverted      %d\n", report.inverted);
+}
+
+// The mesh, or volumes round some of its points.
+void write_picture(const Arguments& arguments, const Mesh& mesh) {
+    const std::optional<Box> window = window_of(arguments);
+    OutputFiles files;
+    std::ostream& out = files.add(arguments.text("--svg"));
+    const auto points = [&](const char* option) { return arguments.whole_list(option, 0, mesh.points() - 1); };
+    if (arguments.has("--dual-volumes")) {
+        out << volume_picture(mesh, points("--dual-volumes"), Volume::dual, window);
+    } else if (arguments.has("--gradient-volumes")) {
+        out << volume_picture(mesh, points("--gradient-volumes"), Volume::gradient, window);
+    } else {
+        Curves curves;
+        for (const std::string& path : arguments.all("--curve")) curves.append(read_curves(path));
+        out << mesh_picture(mesh, arguments.has("--boundaries"), *CurvesView(curves).get(), window);
+    }
+    files.commit();
+}
+
+void run_check(const Arguments& arguments) {
+    const Mesh mesh = read_mesh(arguments, 0);
+    const hm_mesh_report report = MeshAnalysis(mesh).report();
+    if (arguments.has("--json")) {
+        print_json(report, mesh);
+    } else {
+        print_for_people(report, mesh);
+    }
+    if (arguments.has("--svg")) write_picture(arguments, mesh);
+    if (report.inverted == 0) return;
+    const std::size_t first = mesh.cell_offset[static_cast<std::size_t>(report.first_inverted)];
+    throw Failure(exit_unusable, mesh.file.place(first) + ": cell " + std::to_string(report.first_inverted) +
+                                     " is inverted, the first of " + std::to_string(report.inverted));
+}
+
+} // namespace
+
+const Command check_command = {
+    "check",
+    {"MESH"},
+    "Checks a mesh and reports its size and quality",
+    "Refused with the line of the first offender: wrong indices, "
+    "points repeated in a cell, edges of more than two cells,\n"
+    "faces that are not boundary edges, boundary edges on no marker. Inverted cells are counted (exit code 1).\n",
+    {format_option,
+     zone_option,
+     {"--svg", "FILE", "picture of the mesh, its markers in colours"},
+     {"--boundaries", nullptr, "--svg shows the boundaries alone"},
+     {"--curve", "CURVE", "--svg also shows these B-splines with their control points (may be repeated)"},
+     {"--window", "X,Y,X,Y", "lower left and upper right corner of what --svg shows (default: all of the mesh)"},
+     {"--dual-volumes", "P[,Q..]",
+      "--svg shows the control volumes (median dual) round these points, numbered from 0 as in the file"},
+     {"--gradient-volumes", "P[,Q..]",
+      "--svg shows the cells round these points, over which gradients at points are formed"},
+     {"--json", nullptr, "print one JSON object: points, cells, triangles, quads, polygons, inverted, min_area,\n"
+                         "min_quality, mean_quality, markers (name, faces)"}},
+    "  harmorph check naca0012.su2\n",
+    run_check};
+
+} // namespace cli

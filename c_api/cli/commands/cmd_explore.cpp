@@ -1,0 +1,81 @@
+// harmorph explore: one page to drag control points on, for any browser.
+#include "commands/commands.hpp"
+#include "curves/moves_file.hpp"
+#include "basics/numbers.hpp"
+#include "basics/output_file.hpp"
+#include "page/page_data.hpp"
+#include "page/page_text.hpp"
+
+#include <cstdio>
+#include <ostream>
+
+namespace cli {
+
+namespace {
+
+// The page measures how far a valid mesh goes.
+void refuse_inverted_cells(const Mesh& mesh, const Basis& basis) {
+    const hm_mesh view = mesh.view();
+    auto quality = sized<hm_quality_report>();
+    call(mesh, hm_quality, basis.get(), &view, nullptr, nullptr, nullptr, &quality);
+    if (quality.inverted == 0) return;
+    const std::size_t line = mesh.cell_offset[static_cast<std::size_t>(quality.first_inverted)];
+    throw Failure(exit_unusable, mesh.file.path() + " has " + plural(quality.inverted, "inverted cell") +
+                                     ", the first at " + mesh.file.place(line));
+}
+
+void run_explore(const Arguments& arguments) {
+    const std::string path = arguments.text("-o");
+    const std::int32_t most = arguments.whole("--points", 20000, 100, 2000000);
+    const Mesh mesh = read_mesh(arguments, 0);
+    const Basis basis(arguments.operand(1), mesh);
+    refuse_inverted_cells(mesh, basis);
+    std::string moves;
+    if (arguments.has("--move")) {
+        read_moves(arguments.text("--move"), basis, mesh); // refuses what the page would not understand
+        moves = TextFile(arguments.text("--move")).text();
+    }
+    const hm_basis_info& info = basis.info();
+    const std::vector<std::int32_t> body(info.curve_point, info.curve_point + info.curve_points);
+    const PageSelection selection = select_for_page(mesh, body, most);
+    OutputFiles files;
+    std::ostream& out = files.add(path);
+    out << page_head << explore_page.before_data << "<script>\nconst page_data = ";
+    write_page_data(out, mesh, basis, selection, moves);
+    out << ";\n</script>\n" << explore_page.after_data;
+    const double megabytes = static_cast<double>(out.tellp()) / 1e6;
+    files.commit();
+    std::printf("%s: %s megabytes; open it in a browser\n", path.c_str(), brief(megabytes).c_str());
+    const auto n_cells = static_cast<std::int32_t>(selection.cells.size());
+    if (n_cells < mesh.cells()) {
+        std::printf("left out: %d of %d cells, far from what moves, are drawn thinned and not judged (see --points)\n",
+                    mesh.cells() - n_cells, mesh.cells());
+    }
+}
+
+} // namespace
+
+const Command explore_command = {
+    "explore",
+    {"MESH", "BASIS"},
+    "Writes a page to drag control points on while the mesh follows",
+    "One self-contained file for any browser, without a network: control points, "
+    "rigid bodies and design variables to drag;\n"
+    "inverted cells, admissible step, quality, heights and angles at the wall, "
+    "the section's thickness and area, as they\n"
+    "become. It saves and loads MOVES as `harmorph morph` reads them. "
+    "Points on the page are those of `harmorph morph`\n"
+    "within 2^-24 sum |F_i| |dP_i|: functions are in single precision there, all else in double precision.\n"
+    "Points that slide along curves (--slip) move along the tangents on the page; "
+    "`harmorph morph` puts them onto the curves.\n",
+    {{"-o", "PAGE", "page to write, HTML (required)"},
+     {"--points", "N",
+      "how many points nearest to the body are shown with all their cells; farther away the mesh is thinned\n"
+      "for drawing (default 20000)"},
+     {"--move", "MOVES", "movement of the control points to begin with"},
+     format_option,
+     zone_option},
+    "  harmorph explore naca0012.su2 airfoil.basis -o page.html\n",
+    run_explore};
+
+} // namespace cli

@@ -1,0 +1,165 @@
+// harmorph export: one function of a basis as a table, for ParaView, or as a picture.
+#include "mesh/basis_file.hpp"
+#include "commands/commands.hpp"
+#include "basics/csv.hpp"
+#include "basics/numbers.hpp"
+#include "commands/engine.hpp"
+#include "basics/output_file.hpp"
+#include "pictures/pictures.hpp"
+#include "commands/solver.hpp"
+#include "formats/vtu.hpp"
+#include "commands/window_option.hpp"
+
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <utility>
+
+namespace cli {
+
+namespace {
+
+// The numbers of a function's value: a real one, a complex one or a 2 x 2 matrix.
+std::vector<Column> columns_of(const Basis& basis, const Mesh& mesh, std::int32_t function) {
+    static const std::vector<std::string> complex = {"value", "imaginary"}, matrix = {"xx", "xy", "yx", "yy"};
+    const std::int32_t numbers = basis.info().numbers_per_value;
+    std::vector<Column> columns;
+    for (std::int32_t number = 0; number < numbers; ++number) {
+        const auto& names = numbers == 4 ? matrix : complex;
+        columns.push_back({names[static_cast<std::size_t>(number)], basis.values(function, number, mesh)});
+    }
+    return columns;
+}
+
+PointData point_data(const std::vector<Column>& columns) {
+    PointData data = {"function", columns.size(), {}};
+    for (std::size_t point = 0; point < columns[0].values.size(); ++point) {
+        for (const Column& column : columns) data.values.push_back(column.values[point]);
+    }
+    return data;
+}
+
+// The levels are made once more, as the basis does not keep them.
+std::vector<Level> levels_of(const Arguments& arguments, const Mesh& mesh, const Basis& basis) {
+    Task task = task_of(basis);
+    if (task.options.engine == HM_DIRECT)
+        arguments.refuse("--level: the basis was solved by the direct engine, without levels");
+    set_agglomeration(arguments, task.options);
+    task.options.levels = 20;
+    const Threads threads(1);
+    Solver solver(mesh, task, threads);
+    solver.prepare();
+    call(mesh, hm_plan_factor, solver.plan(), nullptr);
+    std::vector<Level> levels;
+    for (const std::int32_t number : arguments.whole_list("--level", 0, 19)) {
+        levels.emplace_back();
+        levels.back().number = number;
+        levels.back().cells.resize(mesh.x.size());
+        call(mesh, hm_plan_level, solver.plan(), number, levels.back().cells.data(), &levels.back().n_cells);
+    }
+    return levels;
+}
+
+void export_levels(const Arguments& arguments) {
+    const std::string path = arguments.text("--svg");
+    const Mesh mesh = read_mesh(arguments, 0);
+    const Basis basis(arguments.operand(1), mesh);
+    const std::optional<Box> window = window_of(arguments);
+    OutputFiles files;
+    files.add(path) << level_picture(mesh, basis.curves(), levels_of(arguments, mesh, basis),
+                                     window ? *window : function_window(mesh, basis));
+    files.commit();
+}
+
+// The functions of one basis, numbers of each in turn.
+void add_panels(const Arguments& arguments, const Basis& basis, const Mesh& mesh, std::vector<FunctionPanel>& panels) {
+    const std::int32_t numbers = basis.info().numbers_per_value;
+    std::vector<std::int32_t> shown = {1};
+    if (arguments.has("--number")) shown = arguments.whole_list("--number", 1, 4);
+    for (const std::int32_t function : arguments.whole_list("--function", 1, basis.functions())) {
+        for (const std::int32_t number : shown) {
+            if (number <= numbers)
+                panels.push_back({&basis, function - 1, number - 1, basis.values(function - 1, number - 1, mesh)});
+        }
+    }
+}
+
+void write_pictures(const Arguments& arguments, const Mesh& mesh, const Basis& basis, OutputFiles& files) {
+    std::vector<std::unique_ptr<Basis>> others;
+    std::vector<FunctionPanel> panels;
+    add_panels(arguments, basis, mesh, panels);
+    for (const std::string& path : arguments.all("--beside")) {
+        others.push_back(std::make_unique<Basis>(path, mesh));
+        add_panels(arguments, *others.back(), mesh, panels);
+    }
+    if (panels.empty()) arguments.refuse("--number " + arguments.text("--number") + ": no value has so many numbers");
+    const std::optional<Box> window = window_of(arguments);
+    if (arguments.has("--contour-csv")) {
+        const Box its = window ? *window : function_window(mesh, basis);
+        const double step = contour_step(mesh, panels, its);
+        std::vector<std::vector<ContourLine>> lines;
+        for (const FunctionPanel& panel : panels) lines.push_back(contour_lines(mesh, panel.values, step, its));
+        write_contours_csv(files.add(arguments.text("--contour-csv")), lines, step);
+    }
+    if (arguments.has("--svg")) files.add(arguments.text("--svg")) << function_picture(mesh, std::move(panels), window);
+}
+
+void run_export(const Arguments& arguments) {
+    if (arguments.has("--level")) return export_levels(arguments);
+    arguments.text("--function"); // there is no default
+    if (!arguments.has("--csv") && !arguments.has("--vtu") && !arguments.has("--svg") &&
+        !arguments.has("--contour-csv")) {
+        arguments.refuse("nothing to write: name a file after --csv, --vtu, --svg or --contour-csv");
+    }
+    const Mesh mesh = read_mesh(arguments, 0);
+    const Basis basis(arguments.operand(1), mesh);
+    if (basis.mesh_has_moved()) warn("the mesh is not where it was when the basis was solved");
+    const std::vector<std::int32_t> functions = arguments.whole_list("--function", 1, basis.functions());
+    const bool has_table = arguments.has("--csv") || arguments.has("--vtu");
+    if (arguments.has("--number") && !arguments.has("--beside")) {
+        const std::int32_t numbers = basis.info().numbers_per_value;
+        if (arguments.whole_list("--number", 1, 4)[0] > numbers) {
+            arguments.refuse("--number " + arguments.text("--number") + ": a value of these functions has " +
+                             plural(numbers, "number"));
+        }
+    }
+    if (has_table && functions.size() > 1) arguments.refuse("--csv and --vtu take one --function");
+    OutputFiles files;
+    if (has_table) {
+        const std::vector<Column> columns = columns_of(basis, mesh, functions[0] - 1);
+        if (arguments.has("--csv")) write_csv(files.add(arguments.text("--csv")), mesh, columns);
+        if (arguments.has("--vtu"))
+            write_vtu(files.add(arguments.text("--vtu")), mesh, mesh.x, mesh.y, point_data(columns));
+    }
+    if (arguments.has("--svg") || arguments.has("--contour-csv")) write_pictures(arguments, mesh, basis, files);
+    files.commit();
+}
+
+} // namespace
+
+const Command export_command = {
+    "export",
+    {"MESH", "BASIS"},
+    "Writes one function of a basis for other programs and as a picture",
+    "Functions are numbered from 1 as their control points are. With --level: "
+    "the volumes that agglomeration merges instead,\n"
+    "for a basis solved with --engine multigrid or fas. Lists make pictures of several panels with one scale.\n",
+    {format_option,
+     zone_option,
+     {"--function", "I[,J..]", "which functions (required without --level)"},
+     {"--csv", "FILE",
+      "table with the columns point,x,y and value (real), value,imaginary (complex: conformal) or\n"
+      "xx,xy,yx,yy (matrix: with slip); points as numbered in the mesh file"},
+     {"--vtu", "FILE", "mesh and function for ParaView, its numbers as components"},
+     {"--svg", "FILE", "picture: colours and labelled contour lines, a panel for each function"},
+     {"--contour-csv", "FILE", "these contour lines as a table: panel, value, line, x, y"},
+     window_option,
+     {"--number", "K[,L..]", "which numbers the picture shows, in the order of the table (default 1)"},
+     {"--beside", "BASIS", "the picture also shows the functions of this basis of the same mesh (may be repeated)"},
+     {"--level", "L[,M..]", "picture of levels of agglomeration; 0: the mesh's own control volumes"},
+     agglomeration_option},
+    "  harmorph export naca0012.su2 airfoil.basis --function 7 --svg function.svg\n"
+    "  harmorph export naca0012.su2 airfoil.basis --function 5,7,9,11 --svg functions.svg\n",
+    run_export};
+
+} // namespace cli

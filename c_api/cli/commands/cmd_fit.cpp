@@ -1,0 +1,193 @@
+// harmorph fit: from a marker of the mesh to a B-spline in a file.
+#include "commands/commands.hpp"
+#include "curves/curve_file.hpp"
+#include "basics/json.hpp"
+#include "mesh/mesh_analysis.hpp"
+#include "basics/numbers.hpp"
+#include "basics/output_file.hpp"
+#include "curves/section.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace cli {
+
+namespace {
+
+struct Fit {
+    Curves curves;
+    hm_fit_report report = sized<hm_fit_report>();
+};
+
+// Points in order: of a piece of the mesh's boundary, or of a file with a section.
+struct Outline {
+    std::vector<std::int32_t> numbers; // of the points in the mesh, or in the file
+    std::vector<double> x, y;
+    bool is_loop;
+
+    Outline(const Mesh& mesh, const BoundaryPiece& piece) : numbers(piece.points), is_loop(piece.is_loop) {
+        for (const std::int32_t point : piece.points) {
+            x.push_back(mesh.x[static_cast<std::size_t>(point)]);
+            y.push_back(mesh.y[static_cast<std::size_t>(point)]);
+        }
+    }
+    explicit Outline(const Section& section) : x(section.x), y(section.y), is_loop(section.is_loop) {
+        for (std::size_t k = 0; k < x.size(); ++k) numbers.push_back(static_cast<std::int32_t>(k));
+    }
+    std::int32_t points() const { return static_cast<std::int32_t>(x.size()); }
+    double chord() const { return std::max(extent(x), extent(y)); }
+
+private:
+    static double extent(const std::vector<double>& values) {
+        const auto range = std::minmax_element(values.begin(), values.end());
+        return *range.second - *range.first;
+    }
+};
+
+std::int32_t closed_option(const Arguments& arguments) {
+    if (!arguments.has("--closed")) return HM_CLOSED_AUTO;
+    const std::string closed = arguments.text("--closed");
+    if (closed == "auto") return HM_CLOSED_AUTO;
+    if (closed == "periodic") return HM_PERIODIC;
+    if (closed == "tied") return HM_TIED;
+    arguments.refuse("--closed expects auto, periodic or tied, found " + in_quotes(closed));
+}
+
+hm_fit_options fit_options(const Arguments& arguments) {
+    auto options = sized<hm_fit_options>();
+    options.degree = arguments.whole("--degree", 3, 1, 5);
+    options.n_control = arguments.whole("--points", 20, options.degree + 1, INT32_MAX);
+    options.closed = closed_option(arguments);
+    return options;
+}
+
+// path: where the points come from.
+Fit fit(const std::string& path, const Outline& outline, const hm_fit_options& options) {
+    Fit fit;
+    std::size_t bytes = 0;
+    call(path, hm_fit_size, outline.points(), &options, &bytes);
+    Block block(bytes);
+    const hm_curves* curves = nullptr;
+    const hm_points points = {outline.x.data(), outline.y.data(), 1};
+    const std::int32_t is_loop = outline.is_loop;
+    call(path, hm_fit, &curves, block.data(), bytes, &points, outline.points(), is_loop, &options, &fit.report);
+    fit.curves = copied(*curves);
+    return fit;
+}
+
+const char* reason_name(std::int32_t reason) {
+    static const char* const names[] = {"asked for", "the boundary is not closed", "no corner", "corner", "blunt base"};
+    return names[reason];
+}
+
+std::string reason_for_people(const Fit& fit, const Outline& outline) {
+    const auto first = static_cast<std::size_t>(fit.report.first_point);
+    const std::string at = "x = " + brief(outline.x[first]) + ", y = " + brief(outline.y[first]);
+    switch (fit.report.reason) {
+    case HM_FIT_BASE:
+        return "there is a straight blunt base of " + plural(fit.report.base_points, "point") + " from " + at;
+    case HM_FIT_CORNER: return plural(fit.report.corners, "corner") + " and no blunt base; it begins at " + at;
+    case HM_FIT_NO_CORNER: return "no corner was found";
+    default: return reason_name(fit.report.reason);
+    }
+}
+
+void warn_if_it_backtracks(const Fit& fit, const Outline& outline) {
+    if (fit.report.backtrack_point < 0) return;
+    const auto from = static_cast<std::size_t>(fit.report.backtrack_point), to = (from + 1) % outline.x.size();
+    warn("between points " + std::to_string(outline.numbers[from]) + " and " + std::to_string(outline.numbers[to]) +
+         " (x = " + brief(outline.x[from]) + ", y = " + brief(outline.y[from]) +
+         ") the curve runs back: fewer control points or a lower degree help");
+}
+
+void print_for_people(const Fit& fit, const Outline& outline, const std::string& from, const std::string& path) {
+    const double chord = outline.chord();
+    const auto worst = static_cast<std::size_t>(fit.report.max_error_point);
+    std::printf("%s: degree %d, through %s of %s\n", plural(fit.curves.points(), "control point").c_str(),
+                fit.curves.curves[0].degree, plural(outline.points(), "point").c_str(), from.c_str());
+    std::printf("closed         %s: %s\n", closed_name(fit.report.closed), reason_for_people(fit, outline).c_str());
+    std::printf("largest error  %s chord, at x = %s, y = %s\n", brief(fit.report.max_error / chord).c_str(),
+                brief(outline.x[worst]).c_str(), brief(outline.y[worst]).c_str());
+    std::printf("rms error      %s chord (chord: %s)\n", brief(fit.report.rms_error / chord).c_str(),
+                brief(chord).c_str());
+    std::printf("written        %s\n", path.c_str());
+}
+
+void print_json(const Fit& fit) {
+    JsonObject object;
+    object.add("points", fit.curves.points()).add("degree", fit.curves.curves[0].degree);
+    object.add("closed", std::string(closed_name(fit.report.closed)));
+    object.add("reason", std::string(reason_name(fit.report.reason))).add("corners", fit.report.corners);
+    object.add("base_points", fit.report.base_points).add("backtracks", fit.report.backtrack_point >= 0);
+    object.add("max_error", fit.report.max_error).add("rms_error", fit.report.rms_error);
+    std::printf("%s\n", object.text().c_str());
+}
+
+Outline outline_of(const Arguments& arguments, const std::string& path) {
+    const bool is_section = ends_with(path, ".dat"), is_curve = ends_with(path, ".curve");
+    if (!is_section && !is_curve) {
+        const std::string tags = arguments.text("--marker");
+        const Mesh mesh = read_mesh(arguments, 0);
+        std::vector<std::int32_t> markers;
+        const std::vector<MarkerPiece> pieces = mesh.find_pieces(tags);
+        for (const MarkerPiece& piece : pieces) markers.push_back(piece.marker);
+        if (!pieces[0].is_piece) return Outline(mesh, MeshAnalysis(mesh).boundary(markers));
+        if (pieces.size() > 1) arguments.refuse("--marker takes one piece MARKER@X:Y, or whole markers");
+        const Point near = {pieces[0].x, pieces[0].y};
+        return Outline(mesh, MeshAnalysis(mesh).boundary(markers, &near));
+    }
+    if (arguments.has("--marker")) arguments.refuse("--marker goes with a mesh, and " + path + " is none");
+    return Outline(is_section ? read_section(path) : sampled(read_curves(path)));
+}
+
+void run_fit(const Arguments& arguments) {
+    const hm_fit_options options = fit_options(arguments);
+    const std::string path = arguments.text("-o"), from = arguments.operand(0);
+    const Outline outline = outline_of(arguments, from);
+    if (options.n_control > outline.points()) {
+        arguments.refuse("--points " + std::to_string(options.n_control) + ": the boundary itself has only " +
+                         plural(outline.points(), "point"));
+    }
+    const Fit result = fit(from, outline, options);
+    OutputFiles files;
+    write_curve_file(files, path, result.curves);
+    files.commit();
+    warn_if_it_backtracks(result, outline);
+    if (arguments.has("--json")) {
+        print_json(result);
+    } else {
+        print_for_people(result, outline, from, path);
+    }
+}
+
+} // namespace
+
+const Command fit_command = {
+    "fit",
+    {"MESH"},
+    "Fits a B-spline to a boundary of a mesh, or to an airfoil's coordinates",
+    "The points of the markers, which must form one piece of boundary, are approximated by least squares. The curve\n"
+    "and its control points go to a small text file that `harmorph solve` reads. Errors are distances of the mesh's\n"
+    "points from the curve: in chords (the boundary's largest extent) for people, in the mesh's unit with --json.\n"
+    "In place of MESH: a file .dat with an airfoil's coordinates in Selig's or "
+    "Lednicer's order, or a file .curve, as fit and\n"
+    "morph write them, of which points are taken.\n",
+    {{"--marker", "A[,B..]", "markers of the boundary (required with a mesh); A@X:Y: its piece nearest to (X, Y)"},
+     {"--degree", "P", "degree of the curve, 1 to 5 (default 3)"},
+     {"--points", "N", "number of control points (default 20)"},
+     {"--closed", "HOW",
+      "periodic: smooth all round; tied: both ends are one control point, for a sharp trailing edge;\n"
+      "auto (default): no corner: periodic; a straight blunt base between two corners at the end\n"
+      "away from the nose: open, with a second curve over the base; else tied at the sharpest corner"},
+     {"-o", "CURVE", "file to write (required)\n" CURVE_FORMATS},
+     format_option,
+     zone_option,
+     {"--json", nullptr,
+      "print one JSON object: points, degree, closed (open, tied, periodic), reason (asked for, the\n"
+      "boundary is not closed, no corner, corner, blunt base), corners, base_points,\n"
+      "backtracks (the curve runs back between two points), max_error, rms_error"}},
+    "  harmorph fit naca0012.su2 --marker airfoil --points 20 -o airfoil.curve\n"
+    "  harmorph fit rae2822.dat -o rae2822.curve\n",
+    run_fit};
+
+} // namespace cli

@@ -1,0 +1,157 @@
+// harmorph transfer: functions solved on one mesh, interpolated to a denser one of the same domain.
+#include "mesh/basis_file.hpp"
+#include "commands/commands.hpp"
+#include "basics/json.hpp"
+#include "basics/numbers.hpp"
+#include "basics/output_file.hpp"
+#include "basics/stopwatch.hpp"
+#include "commands/storage.hpp"
+#include "commands/task.hpp"
+#include "basics/threads.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace cli {
+
+namespace {
+
+// A marker of one mesh is the marker of the same tag in the other.
+std::int32_t same_marker(const Arguments& arguments, const Mesh& mesh, std::int32_t marker, const Mesh& fine) {
+    const std::string& tag = mesh.markers.at(static_cast<std::size_t>(marker));
+    const auto found = std::find(fine.markers.begin(), fine.markers.end(), tag);
+    if (found == fine.markers.end()) {
+        arguments.refuse(fine.file.path() + " has no marker " + in_quotes(tag) + ", which has a condition in " +
+                         mesh.file.path());
+    }
+    return static_cast<std::int32_t>(found - fine.markers.begin());
+}
+
+// What the basis was solved for, on the other mesh, which finds parameters of its own.
+Task task_on(const Arguments& arguments, const Basis& basis, const Mesh& mesh, const Mesh& fine) {
+    Task task = task_of(basis);
+    task.given_points.clear();
+    for (hm_condition& condition : task.conditions) {
+        condition.marker = same_marker(arguments, mesh, condition.marker, fine);
+        if (condition.kind == HM_PERIODIC_PAIR || condition.kind == HM_ROTATION_PAIR) {
+            condition.partner = same_marker(arguments, mesh, condition.partner, fine);
+        }
+    }
+    return task;
+}
+
+// The fine mesh's analysis and basis, and the transfer between them.
+class Transfer {
+public:
+    Transfer(const Mesh& fine, const Basis& basis, const Task& task, const Threads& threads) // all must outlive it
+        : fine_(fine), basis_(basis), view_(fine.view()), options_(task.options) {
+        options_.executor = threads.executor();
+        problem_.mesh = &view_;
+        problem_.curves = basis.curves().n_curves > 0 ? &basis.curves() : nullptr;
+        problem_.n_conditions = static_cast<std::int32_t>(task.conditions.size());
+        problem_.conditions = task.conditions.data();
+    }
+
+    void run(const Mesh& mesh) {
+        const Stopwatch watch;
+        std::size_t bytes = 0;
+        call(fine_, hm_analysis_size, &problem_, &options_, &bytes);
+        analysis_block_.resize(bytes);
+        call(fine_, hm_analysis_init, &analysis_, analysis_block_.data(), bytes, &problem_, &options_);
+        call(fine_, hm_basis_size, analysis_, &bytes);
+        basis_block_.resize(bytes);
+        call(fine_, hm_basis_init, &transferred_, basis_block_.data(), bytes, analysis_);
+        const hm_mesh view = mesh.view();
+        call(fine_, hm_transfer_size, analysis_, &view, &bytes);
+        block_.resize(bytes);
+        analysis_seconds_ = watch.seconds();
+        call(fine_, hm_transfer, transferred_, block_.data(), bytes, analysis_, basis_.get(), &view, &report_);
+        transfer_seconds_ = watch.seconds() - analysis_seconds_;
+    }
+
+    const hm_basis* transferred() const { return transferred_; }
+    const hm_transfer_report& report() const { return report_; }
+    double analysis_seconds() const { return analysis_seconds_; }
+    double transfer_seconds() const { return transfer_seconds_; }
+
+private:
+    const Mesh& fine_;
+    const Basis& basis_;
+    hm_mesh view_;
+    hm_options options_;
+    hm_problem problem_ = sized<hm_problem>();
+    Block analysis_block_, basis_block_, block_;
+    hm_analysis* analysis_ = nullptr;
+    hm_basis* transferred_ = nullptr;
+    hm_transfer_report report_ = sized<hm_transfer_report>();
+    double analysis_seconds_ = 0, transfer_seconds_ = 0;
+};
+
+void print_json(const Transfer& transfer, const Mesh& fine, const Basis& basis) {
+    const hm_transfer_report& report = transfer.report();
+    JsonObject object;
+    object.add("points", fine.points()).add("cells", fine.cells()).add("functions", basis.info().functions);
+    object.add("interpolated", report.points).add("outside", report.outside).add("max_distance", report.max_distance);
+    object.add("boundary_error", report.boundary_error).add("wall_correction", report.wall_correction);
+    object.add("analysis_seconds", transfer.analysis_seconds()).add("transfer_seconds", transfer.transfer_seconds());
+    std::printf("%s\n", object.text().c_str());
+}
+
+void print_for_people(const Transfer& transfer, const Mesh& fine, const Basis& basis) {
+    const hm_transfer_report& report = transfer.report();
+    std::printf("%s from %s to %s, %d of them interpolated\n", plural(basis.info().functions, "function").c_str(),
+                plural(basis.info().points, "point").c_str(), plural(fine.points(), "point").c_str(), report.points);
+    std::printf("outside          %d", report.outside);
+    if (report.outside > 0) {
+        std::printf(", by %s at most (point %d)", brief(report.max_distance).c_str(), report.max_distance_point);
+    }
+    std::printf("\nboundary error   %s; %s before the boundary functions were restored\n",
+                brief(report.boundary_error).c_str(), brief(report.wall_correction).c_str());
+    std::printf("seconds          %s analysis of the fine mesh, %s transfer\n",
+                brief(transfer.analysis_seconds()).c_str(), brief(transfer.transfer_seconds()).c_str());
+}
+
+void run_transfer(const Arguments& arguments) {
+    const std::string path = arguments.text("-o");
+    const Mesh mesh = read_mesh(arguments, 0);
+    const Basis basis(arguments.operand(1), mesh);
+    const Mesh fine = read_mesh(arguments, 2);
+    const Threads threads(threads_of(arguments));
+    const Task task = task_on(arguments, basis, mesh, fine);
+    Transfer transfer(fine, basis, task, threads);
+    transfer.run(mesh);
+    const Stored stored(arguments, fine, transfer.transferred());
+    OutputFiles files;
+    write_basis(files.add(path), stored.basis(), fine, task.conditions);
+    files.commit();
+    if (arguments.has("--json")) {
+        print_json(transfer, fine, basis);
+    } else {
+        print_for_people(transfer, fine, basis);
+    }
+}
+
+} // namespace
+
+const Command transfer_command = {
+    "transfer",
+    {"MESH", "BASIS", "FINE_MESH"},
+    "Interpolates solved functions to a denser mesh of the same domain",
+    "Both meshes have the same markers; curves, conditions and operator are those of BASIS. "
+    "Points on curves get their basis\n"
+    "functions themselves, so the fine mesh moves with the B-spline as exactly "
+    "as the coarse one does, and the points near\n"
+    "them move along. Points a little beyond a curved boundary take the nearest cell's functions; "
+    "farther ones than half a\n"
+    "cell's side are refused.\n",
+    {{"-o", "BASIS", "file to write, for FINE_MESH (required)"},
+     storage_option,
+     threads_option,
+     format_option,
+     zone_option,
+     {"--json", nullptr, "print one JSON object: points, cells, functions, interpolated, outside, max_distance,\n"
+                         "boundary_error, wall_correction, analysis_seconds, transfer_seconds"}},
+    "  harmorph transfer coarse.su2 coarse.basis fine.su2 -o fine.basis\n",
+    run_transfer};
+
+} // namespace cli

@@ -1,0 +1,94 @@
+#include "commands/commands.hpp"
+
+#include "formats/format.hpp"
+#include "harmorph.h"
+#include "basics/marker_names.hpp"
+#include "basics/progress_bar.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace cli {
+
+namespace {
+
+const Command* const commands[] = {&fit_command,    &solve_command, &morph_command, &displace_command,
+                                   &export_command, &check_command, &transfer_command, &explore_command,
+                                   &convert_command, &curve_command, &variables_command, &demo_command};
+
+constexpr const char* introduction =
+    "harmorph morphs an airfoil and its mesh together: the airfoil is a B-spline, "
+    "and its control points move every point\n"
+    "of the mesh through harmonic functions that are solved once.\n\n"
+    "Usage: harmorph COMMAND ...\n\n"
+    "Commands:\n";
+
+constexpr const char* conclusion =
+    "\n"
+    "  harmorph COMMAND --help   says more about a command\n"
+    "  harmorph --version        prints the version\n\n"
+    "Meshes are files of two dimensions, or one cell thick; a morphed mesh is the same file with other coordinates.\n"
+    "Exit codes: 0 done; 1 the result is not usable (inverted cells, not\n"
+    "converged) and was not written; 2 wrong usage; 3 a file cannot be read, understood or written.\n\n"
+    "Examples:\n"
+    "  harmorph demo demo-output\n"
+    "  harmorph fit   naca0012.su2 --marker airfoil -o airfoil.curve\n"
+    "  harmorph solve naca0012.su2 --curve airfoil=airfoil.curve -o airfoil.basis\n"
+    "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg morphed.svg\n";
+
+std::string program_help() {
+    std::string text = introduction;
+    for (const Command* command : commands) {
+        std::string name = std::string("  ") + command->name;
+        name.resize(12, ' ');
+        text += name + command->summary + '\n';
+    }
+    return text + conclusion + "\nFormats of meshes:\n" + format_table();
+}
+
+void print(const std::string& text) { std::fputs(text.c_str(), stdout); }
+
+const Command& find_command(const std::string& name) {
+    for (const Command* command : commands) {
+        if (name == command->name) return *command;
+    }
+    throw Failure(exit_usage, "unknown command " + in_quotes(name) + "\nTry: harmorph --help");
+}
+
+} // namespace
+
+void run_command(const std::vector<std::string>& words) {
+    if (words.empty()) throw Failure(exit_usage, "a command is missing\n\n" + program_help());
+    if (words[0] == "--help") return print(program_help());
+    if (words[0] == "--version") return print(std::string("harmorph ") + hm_version() + "\n");
+    const Command& command = find_command(words[0]);
+    const std::vector<std::string> rest(words.begin() + 1, words.end());
+    if (std::find(rest.begin(), rest.end(), "--help") != rest.end()) return print(help_text(command));
+    command.run(Arguments(command, rest));
+}
+
+Mesh read_mesh(const std::string& path, const ReadOptions& options) {
+    ProgressBar bar;
+    ReadOptions watched = options;
+    watched.progress = [&bar](double fraction) { bar.draw("reading", fraction); };
+    Mesh mesh = read_mesh_file(path, watched);
+    bar.wipe();
+    number_by_name(mesh);
+    for (const std::string& remark : mesh.remarks) warn(path + ": " + remark);
+    return mesh;
+}
+
+const Option format_option = {"--format", "NAME",
+                              "format of the mesh, if its content does not tell: `harmorph --help` has them"};
+const Option zone_option = {"--zone", "Z", "which zone of a file of several; the others stay as they are"};
+
+Mesh read_mesh(const Arguments& arguments, std::size_t operand) {
+    ReadOptions options;
+    if (arguments.has("--format")) options.format = arguments.text("--format");
+    if (arguments.has("--zone")) options.zone = arguments.text("--zone");
+    return read_mesh(arguments.operand(operand), options);
+}
+
+void warn(const std::string& message) { std::fprintf(stderr, "harmorph: warning: %s\n", message.c_str()); }
+
+} // namespace cli

@@ -1,0 +1,20 @@
+// Which engine solves, and its record: options of every command that solves.
+#pragma once
+
+#include "basics/arguments.hpp"
+#include "basics/library.hpp"
+
+#include <iosfwd>
+#include <vector>
+
+namespace cli {
+
+std::vector<Option> engine_options();
+extern const Option agglomeration_option;
+void set_engine(const Arguments& arguments, hm_options& options);
+void set_agglomeration(const Arguments& arguments, hm_options& options);
+
+// Lines of cycle and residual, from cycle 0 to the last.
+void write_history(std::ostream& out, const std::vector<double>& residuals, std::int32_t iterations);
+
+} // namespace cli

@@ -1,0 +1,157 @@
+#include "commands/morph.hpp"
+
+#include "formats/format.hpp"
+#include "commands/solver.hpp"
+#include "basics/stopwatch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cli {
+
+namespace {
+
+bool slips(const Task& task) {
+    return std::any_of(task.conditions.begin(), task.conditions.end(),
+                       [](const hm_condition& condition) { return condition.kind == HM_SLIP; });
+}
+
+void move_points(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, Field& to,
+                 const Threads& threads) {
+    const hm_points from = mesh.coordinates();
+    const hm_points_out result = to.write();
+    call(basis.path(), hm_morph, basis.get(), moves.data(), &from, &result, threads.executor());
+}
+
+double median_seconds(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, Field& to,
+                      std::int32_t repeats, const Threads& threads) {
+    std::vector<double> seconds;
+    for (std::int32_t i = 0; i < repeats; ++i) {
+        const Stopwatch watch;
+        move_points(basis, mesh, moves, to, threads);
+        seconds.push_back(watch.seconds());
+    }
+    return median(seconds);
+}
+
+} // namespace
+
+Field displacement(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, const Threads& threads) {
+    Field field(mesh.x.size());
+    const hm_points_out result = field.write();
+    call(basis.path(), hm_morph, basis.get(), moves.data(), nullptr, &result, threads.executor());
+    return field;
+}
+
+hm_step_report admissible_step(const Basis& basis, const Mesh& mesh, const Field& displacement,
+                               const Threads& threads) {
+    const hm_mesh view = mesh.view();
+    const hm_points along = displacement.read();
+    auto report = sized<hm_step_report>();
+    call(mesh, hm_admissible_step, basis.get(), &view, nullptr, &along, threads.executor(), &report);
+    return report;
+}
+
+Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& its_moves, std::int32_t repeats,
+             const Threads& threads)
+    : moves(its_moves), displacement(cli::displacement(basis, mesh, moves, threads)), moved(mesh.x.size()),
+      step(sized<hm_step_report>()), quality(sized<hm_quality_report>()), safe(sized<hm_safe_report>()) {
+    if (repeats > 1) move_points(basis, mesh, moves, moved, threads); // a warm-up
+    seconds = median_seconds(basis, mesh, moves, moved, repeats, threads);
+    slide(basis, mesh, threads);
+    judge(basis, mesh, threads);
+}
+
+Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target, hm_safe_options options,
+             const Threads& threads)
+    : moves(target.size()), displacement(mesh.x.size()), moved(mesh.x.size()), step(sized<hm_step_report>()),
+      quality(sized<hm_quality_report>()), safe(sized<hm_safe_report>()) {
+    const Stopwatch watch;
+    const Task task = task_of(basis);
+    Solver solver(mesh, task, threads);
+    solver.prepare();
+    std::size_t bytes = 0;
+    call(mesh, hm_morph_safe_size, solver.plan(), basis.get(), &bytes);
+    Block work(bytes);
+    moved.x = mesh.x;
+    moved.y = mesh.y;
+    options.reached = moves.data(); // stays 0 where the target is refused
+    const hm_points_out to = moved.write();
+    hm_error error = {};
+    const hm_status status = hm_morph_safe(solver.plan(), basis.get(), target.data(), &to, nullptr, work.data(), bytes,
+                                           &options, &safe, &error);
+    if (status < 0 && status != HM_CROSSING) refuse(error, mesh);
+    impossible = status == HM_CROSSING;
+    if (status == HM_POOR || status == HM_NOT_CONVERGED) {
+        warning = error.text;
+    } else if (status != HM_OK) {
+        refusal = error.text;
+    }
+    seconds = watch.seconds();
+    for (std::size_t point = 0; point < mesh.x.size(); ++point) {
+        displacement.x[point] = moved.x[point] - mesh.x[point];
+        displacement.y[point] = moved.y[point] - mesh.y[point];
+    }
+    judge(basis, mesh, threads);
+}
+
+std::vector<double> Morph::moved_control(const Basis& basis) const {
+    const hm_curves& before = basis.curves();
+    std::vector<double> control(before.control, before.control + 2 * before.n_control);
+    for (std::size_t i = 0; i < control.size(); ++i) control[i] += moves[i];
+    return control;
+}
+
+void Morph::improve(const Basis& basis, const Mesh& mesh, const Threads& threads) {
+    const Stopwatch watch;
+    const Task task = task_of(basis);
+    Solver solver(mesh, task, threads);
+    solver.prepare();
+    std::size_t bytes = 0;
+    call(mesh, hm_improve_size, solver.plan(), &bytes);
+    Block work(bytes);
+    // As rounded they may be beside their curves, where they are held.
+    if (slips(task)) solver.slide(moved, displacement);
+    const hm_points from = moved.read();
+    const hm_points_out to = moved.write();
+    call(mesh, hm_improve, solver.plan(), &from, &to, work.data(), bytes, nullptr, nullptr);
+    seconds += watch.seconds();
+    for (std::size_t point = 0; point < mesh.x.size(); ++point) {
+        displacement.x[point] = moved.x[point] - mesh.x[point];
+        displacement.y[point] = moved.y[point] - mesh.y[point];
+    }
+    const hm_step_report step_of_morph = step;
+    judge(basis, mesh, threads);
+    step = step_of_morph;
+}
+
+Curves Morph::moved_curves(const Basis& basis) const {
+    const auto n = static_cast<std::size_t>(basis.info().curves);
+    if (n == 0) return {};
+    std::vector<hm_curve> curve(n, sized<hm_curve>());
+    auto view = sized<hm_curves>();
+    std::vector<double> control(2 * static_cast<std::size_t>(basis.curves().n_control));
+    call(basis.path(), hm_moved_curves, basis.get(), moves.data(), control.data(), &view, curve.data(),
+         basis.info().curves);
+    return copied(view);
+}
+
+// Points that slide along curves are put onto them.
+void Morph::slide(const Basis& basis, const Mesh& mesh, const Threads& threads) {
+    const Task task = task_of(basis);
+    if (!slips(task)) return;
+    Solver solver(mesh, task, threads);
+    solver.slide(moved, displacement);
+}
+
+void Morph::judge(const Basis& basis, const Mesh& mesh, const Threads& threads) {
+    round_as_file(mesh, moved.x, moved.y); // what is judged is what can be written
+    const hm_mesh view = mesh.view();
+    const hm_points along = displacement.read(), to = moved.read();
+    call(mesh, hm_assess, basis.get(), &view, nullptr, &along, threads.executor(), &step, &quality);
+    std::int32_t worst_point = -1; // of no interest
+    call(mesh, hm_boundary_error, basis.get(), moves.data(), &view.points, &to, &boundary_error, &worst_point);
+    boundary_error = std::fabs(boundary_error - safe.turned_offset); // what is left beside the offsets that turned
+}
+
+} // namespace cli

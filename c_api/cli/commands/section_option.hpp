@@ -1,0 +1,27 @@
+// The section of a curve file and its chord: an option of commands that measure.
+#pragma once
+
+#include "basics/arguments.hpp"
+#include "basics/library.hpp"
+#include "basics/number_list.hpp"
+
+namespace cli {
+
+inline const Option chord_option = {
+    "--chord", "X,Y,X,Y",
+    "a chord line that does not move, from the leading to the trailing edge; needed for\n"
+    "periodic curves. Default: from the point farthest from the curve's ends to their midpoint"};
+
+inline hm_section section_of(const Arguments& arguments) {
+    auto section = sized<hm_section>();
+    if (!arguments.has("--chord")) return section;
+    const std::vector<double> chord = number_list(arguments, "--chord");
+    if (chord.size() != 4) arguments.refuse("--chord expects four numbers X,Y,X,Y");
+    section.nose_x = chord[0];
+    section.nose_y = chord[1];
+    section.edge_x = chord[2];
+    section.edge_y = chord[3];
+    return section;
+}
+
+} // namespace cli

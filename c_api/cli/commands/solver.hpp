@@ -1,0 +1,59 @@
+// Solves the harmonic functions of a mesh: the library's whole pipeline, in memory.
+#pragma once
+
+#include "basics/field.hpp"
+#include "basics/library.hpp"
+#include "basics/progress.hpp"
+#include "commands/task.hpp"
+#include "basics/threads.hpp"
+
+#include <vector>
+
+namespace cli {
+
+struct SolveTimes { // seconds
+    double setup = 0;   // structure of the mesh, operator
+    double factor = 0;  // ordering, symbolic and numeric factorisation
+    double solve = 0;   // all functions
+};
+
+class Solver {
+public:
+    Solver(const Mesh& mesh, const Task& task, const Threads& threads); // all must outlive it
+    Solver(const Solver&) = delete;
+
+    hm_status run(); // from the mesh to the basis; once more does the same in the same memory
+
+    void prepare();  // up to the plan, without numbers
+
+    // Puts points of a moved mesh that slide along curves onto these curves, and changes the displacement accordingly.
+    void slide(Field& moved, Field& displacement);
+
+    hm_plan* plan() { return plan_; }
+    const hm_basis* basis() const { return basis_; }
+    hm_basis* unsolved() { return basis_; } // after prepare()
+    const hm_solve_report& report() const { return report_; }
+    double found() const { return found_; } // where the last solution has not converged: hm_error.value
+    const SolveTimes& times() const { return times_; }
+    std::size_t plan_bytes() const { return plan_block_.size(); }
+
+private:
+    void analyse();
+    void lay_out();
+
+    const Mesh& mesh_;
+    hm_mesh mesh_view_;
+    CurvesView curves_view_;
+    hm_problem problem_;
+    hm_options options_;
+    Progress progress_;
+    Block analysis_block_, plan_block_, basis_block_;
+    hm_analysis* analysis_ = nullptr;
+    hm_plan* plan_ = nullptr;
+    hm_basis* basis_ = nullptr;
+    hm_solve_report report_;
+    double found_ = 0;
+    SolveTimes times_;
+};
+
+} // namespace cli

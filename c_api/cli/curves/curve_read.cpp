@@ -1,0 +1,195 @@
+#include "curves/curve_file.hpp"
+
+#include "basics/library.hpp"
+#include "basics/numbers.hpp"
+#include "basics/text_file.hpp"
+
+#include <utility>
+
+namespace cli {
+
+namespace {
+
+class CurveReader {
+public:
+    explicit CurveReader(TextFile&& file) : file_(std::move(file)), lines_(file_, '#') {}
+    Curves read();
+
+private:
+    void read_keyword();
+    void read_degree();
+    void read_closed();
+    void read_points();
+    void read_knots();
+    void read_indices();
+    void read_weights();
+    void finish_curve();
+
+    std::int32_t count(const char* keyword, std::int32_t smallest);
+    template <class Number> std::vector<Number> numbers(std::int32_t n, const char* what);
+    template <class Number> Number number(std::string_view word, const char* what) const;
+    void only_once(bool there_already) const;
+    void points_first() const;
+
+    TextFile file_;
+    LineReader lines_;
+    Curves curves_;
+    Curve curve_; // the one being read
+    bool has_closed_ = false;
+    std::size_t knots_offset_ = 0, indices_offset_ = 0;
+};
+
+Curves CurveReader::read() {
+    while (lines_.next()) read_keyword();
+    finish_curve();
+    call(file_.path(), hm_curves_check, CurvesView(curves_).get());
+    return std::move(curves_);
+}
+
+void CurveReader::read_keyword() {
+    const std::string_view keyword = lines_.words()[0];
+    if (keyword == "degree") return read_degree();
+    if (keyword == "closed") return read_closed();
+    if (keyword == "points") return read_points();
+    if (keyword == "knots") return read_knots();
+    if (keyword == "indices") return read_indices();
+    if (keyword == "weights") return read_weights();
+    if (keyword != "curve") lines_.expected("degree, closed, points, knots, indices, weights or curve");
+    finish_curve();
+}
+
+void CurveReader::read_degree() {
+    only_once(curve_.degree != 0);
+    curve_.degree = count("degree", 1);
+    if (curve_.degree > 5) lines_.expected("a degree between 1 and 5");
+}
+
+void CurveReader::read_closed() {
+    only_once(has_closed_);
+    const auto& words = lines_.words();
+    for (const std::int32_t closed : {HM_OPEN, HM_TIED, HM_PERIODIC}) {
+        if (words.size() == 2 && words[1] == closed_name(closed)) {
+            curve_.closed = closed;
+            has_closed_ = true;
+        }
+    }
+    if (!has_closed_) lines_.expected("closed periodic, closed tied or closed open");
+}
+
+void CurveReader::read_points() {
+    if (!curves_.control.empty()) lines_.fail("a second list of points: further curves use those of the first");
+    const std::int32_t n = count("points", 2);
+    for (std::int32_t point = 0; point < n; ++point) {
+        const bool found = lines_.next();
+        const auto& words = lines_.words();
+        if (!found || words.size() != 2) {
+            lines_.expected("x and y of point " + std::to_string(point + 1) + " of " + std::to_string(n));
+        }
+        for (const std::string_view word : words) curves_.control.push_back(number<double>(word, "a finite number"));
+    }
+}
+
+void CurveReader::read_knots() {
+    only_once(!curve_.knots.empty());
+    const std::int32_t n = count("knots", 4);
+    knots_offset_ = lines_.offset();
+    curve_.knots = numbers<double>(n, "knot");
+}
+
+void CurveReader::read_indices() {
+    only_once(!curve_.indices.empty());
+    points_first();
+    const std::int32_t n = count("indices", 2);
+    indices_offset_ = lines_.offset();
+    curve_.indices = numbers<std::int32_t>(n, "index");
+    for (std::int32_t& index : curve_.indices) {
+        if (index < 1 || index > curves_.points()) {
+            const std::string last = std::to_string(curves_.points());
+            file_.fail(indices_offset_, "expected indices between 1 and " + last + ", found " + std::to_string(index));
+        }
+        --index;
+    }
+}
+
+void CurveReader::read_weights() {
+    only_once(!curves_.weights.empty());
+    points_first();
+    const std::int32_t n = count("weights", 2);
+    if (n != curves_.points()) lines_.expected("weights " + std::to_string(curves_.points()) + ", one for each point");
+    const std::size_t offset = lines_.offset();
+    curves_.weights = numbers<double>(n, "weight");
+    for (const double weight : curves_.weights) {
+        if (weight <= 0) file_.fail(offset, "expected weights above 0, found " + brief(weight));
+    }
+}
+
+void CurveReader::finish_curve() {
+    if (curve_.degree == 0) lines_.expected("degree");
+    if (!has_closed_) lines_.expected("closed");
+    points_first();
+    if (curve_.knots.empty()) lines_.expected("knots");
+    if (curve_.indices.empty()) {
+        curve_.indices = default_indices(curves_.points(), curve_.degree, curve_.closed);
+    } else if (!closes(curve_)) {
+        const std::string how = closed_name(curve_.closed);
+        file_.fail(indices_offset_, "these indices do not make the curve closed " + how + " as the file says");
+    }
+    const std::size_t n_knots = curve_.indices.size() + static_cast<std::size_t>(curve_.degree) + 1;
+    if (curve_.knots.size() != n_knots) {
+        file_.fail(knots_offset_, "expected knots " + std::to_string(n_knots) + " (" +
+                                      plural(static_cast<std::int64_t>(curve_.indices.size()), "control point") +
+                                      " with repeats, degree " + std::to_string(curve_.degree) + "), found knots " +
+                                      std::to_string(curve_.knots.size()));
+    }
+    curves_.curves.push_back(std::exchange(curve_, Curve()));
+    has_closed_ = false;
+}
+
+std::int32_t CurveReader::count(const char* keyword, std::int32_t smallest) {
+    const auto& words = lines_.words();
+    std::int32_t value = 0;
+    if (words.size() != 2 || !parse(words[1], value) || value < smallest) {
+        lines_.expected(keyword + std::string(" and a whole number from ") + std::to_string(smallest));
+    }
+    return value;
+}
+
+// n numbers, in lines of any length.
+template <class Number> std::vector<Number> CurveReader::numbers(std::int32_t n, const char* what) {
+    std::vector<Number> values;
+    const auto wanted = static_cast<std::size_t>(n);
+    while (values.size() < wanted) {
+        const std::string next =
+            std::string(what) + " " + std::to_string(values.size() + 1) + " of " + std::to_string(n);
+        if (!lines_.next()) lines_.expected(next);
+        for (const std::string_view word : lines_.words()) {
+            values.push_back(number<Number>(word, next.c_str()));
+            if (values.size() > wanted) lines_.expected("no more than " + std::to_string(n) + " numbers", word);
+        }
+    }
+    return values;
+}
+
+template <class Number> Number CurveReader::number(std::string_view word, const char* what) const {
+    Number value = 0;
+    if (!parse(word, value)) lines_.expected(what, word);
+    return value;
+}
+
+void CurveReader::only_once(bool there_already) const {
+    if (there_already) lines_.fail(in_quotes(lines_.line()) + " stands here a second time for one curve");
+}
+
+void CurveReader::points_first() const {
+    if (curves_.control.empty()) lines_.expected("points");
+}
+
+} // namespace
+
+Curves read_curves(const std::string& path) { return CurveReader(TextFile(path)).read(); }
+
+Curves read_curves(const std::string& path, std::string text) {
+    return CurveReader(TextFile(path, std::move(text))).read();
+}
+
+} // namespace cli

@@ -1,0 +1,147 @@
+#include "mesh/mesh.hpp"
+
+#include "basics/failure.hpp"
+#include "basics/numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cli {
+
+namespace {
+
+std::int32_t find_marker(const Mesh& mesh, std::string_view tag) {
+    const auto found = std::find(mesh.markers.begin(), mesh.markers.end(), tag);
+    return found == mesh.markers.end() ? -1 : static_cast<std::int32_t>(found - mesh.markers.begin());
+}
+
+[[noreturn]] void refuse_tag(const Mesh& mesh, std::string_view tag) {
+    std::string known;
+    for (const std::string& name : mesh.markers) known += (known.empty() ? "" : ", ") + in_quotes(name);
+    throw Failure(exit_usage, mesh.file.path() + " has no marker " + in_quotes(tag) + ", but " +
+                                  (known.empty() ? "none at all" : known));
+}
+
+std::int32_t usable_marker(const Mesh& mesh, std::string_view tag) {
+    const std::int32_t marker = find_marker(mesh, tag);
+    if (marker < 0) refuse_tag(mesh, tag);
+    if (mesh.faces(marker) == 0) {
+        throw Failure(exit_usage, "marker " + in_quotes(tag) + " of " + mesh.file.path() + " has no faces");
+    }
+    return marker;
+}
+
+// "A@X:Y", where that is no marker itself.
+MarkerPiece piece_of(const Mesh& mesh, std::string_view text) {
+    const std::size_t at = text.rfind('@');
+    MarkerPiece piece;
+    if (find_marker(mesh, text) < 0 && at != std::string_view::npos) {
+        const std::string_view point = text.substr(at + 1);
+        const std::size_t colon = point.find(':');
+        piece.is_piece = colon != std::string_view::npos && parse(point.substr(0, colon), piece.x) &&
+                         parse(point.substr(colon + 1), piece.y);
+    }
+    piece.marker = usable_marker(mesh, piece.is_piece ? trimmed(text.substr(0, at)) : text);
+    return piece;
+}
+
+// visit(tag) for each of a list; a tag may hold commas if it stands alone.
+template <class Visit>
+void for_each_tag(const Mesh& mesh, const std::string& list, const Visit& visit) {
+    if (find_marker(mesh, list) >= 0) return visit(std::string_view(list));
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        visit(trimmed(std::string_view(list).substr(begin, end - begin)));
+        begin = end + 1;
+    }
+}
+
+} // namespace
+
+std::int32_t Mesh::faces(std::int32_t marker) const {
+    return static_cast<std::int32_t>(std::count(face_markers.begin(), face_markers.end(), marker));
+}
+
+hm_mesh Mesh::view() const {
+    hm_mesh mesh = {};
+    mesh.struct_size = sizeof mesh;
+    mesh.n_points = points();
+    mesh.points = coordinates();
+    mesh.cell_layout = has_polygons ? HM_CELLS_POLYGONS : HM_CELLS_ROWS;
+    mesh.n_cells = cells();
+    mesh.cell_start = cell_start.data();
+    mesh.cell_points = cell_points.data();
+    mesh.n_faces = faces();
+    mesh.face_points = face_points.data();
+    mesh.face_markers = face_markers.data();
+    return mesh;
+}
+
+std::vector<std::int32_t> Mesh::find_markers(const std::string& list) const {
+    std::vector<std::int32_t> found;
+    for_each_tag(*this, list, [&](std::string_view tag) { found.push_back(usable_marker(*this, tag)); });
+    return found;
+}
+
+std::vector<MarkerPiece> Mesh::find_pieces(const std::string& list) const {
+    std::vector<MarkerPiece> found;
+    for_each_tag(*this, list, [&](std::string_view tag) { found.push_back(piece_of(*this, tag)); });
+    return found;
+}
+
+std::int32_t Mesh::add_marker(std::string_view tag) {
+    const std::int32_t known = find_marker(*this, tag);
+    if (known >= 0) return known;
+    markers.emplace_back(tag);
+    return static_cast<std::int32_t>(markers.size()) - 1;
+}
+
+void Mesh::remark(const std::string& text) {
+    if (std::find(remarks.begin(), remarks.end(), text) == remarks.end()) remarks.push_back(text);
+}
+
+void Mesh::add_point(double its_x, double its_y, std::size_t x_offset, std::size_t y_offset) {
+    const std::int32_t point = points();
+    x.push_back(its_x);
+    y.push_back(its_y);
+    point_offset.push_back(x_offset);
+    in_file.slots.push_back({x_offset, point, takes_x});
+    in_file.slots.push_back({y_offset, point, takes_y});
+}
+
+void Mesh::refuse_polygons(const std::string& who) const {
+    for (std::size_t cell = 0; cell + 1 < cell_start.size(); ++cell) {
+        if (cell_start[cell + 1] - cell_start[cell] <= 4) continue;
+        throw Failure(exit_usage, file.path() + " has cells of more than four corners (the first is cell " +
+                                      std::to_string(cell) + "): " + who + " takes triangles and quadrilaterals only");
+    }
+}
+
+void Mesh::find_polygons() {
+    const auto at = [this](std::int32_t i) {
+        return static_cast<std::size_t>(cell_points[static_cast<std::size_t>(i)]);
+    };
+    for (std::size_t cell = 0; cell + 1 < cell_start.size() && !has_polygons; ++cell) {
+        const std::int32_t first = cell_start[cell], n = cell_start[cell + 1] - first;
+        has_polygons = n > 4;
+        double least = 0, most = 0; // sines of the turns at the corners
+        for (std::int32_t k = 0; k < n && n == 4; ++k) {
+            const std::size_t a = at(first + k), b = at(first + (k + 1) % n), c = at(first + (k + 2) % n);
+            const double ux = x[b] - x[a], uy = y[b] - y[a], vx = x[c] - x[b], vy = y[c] - y[b];
+            const double size = std::hypot(ux, uy) * std::hypot(vx, vy);
+            const double turn = size > 0 ? (ux * vy - uy * vx) / size : 0;
+            least = k == 0 ? turn : std::min(least, turn);
+            most = k == 0 ? turn : std::max(most, turn);
+        }
+        constexpr double flat = 1e-6;
+        has_polygons = has_polygons || (n == 4 && least < flat && most > -flat);
+    }
+}
+
+void Mesh::add_face(std::int32_t a, std::int32_t b, std::int32_t marker, std::size_t offset) {
+    face_points.insert(face_points.end(), {a, b});
+    face_markers.push_back(marker);
+    face_offset.push_back(offset);
+}
+
+} // namespace cli

@@ -1,0 +1,16 @@
+// A mesh made finer: each side is divided in two, each triangle or quadrilateral in four.
+#pragma once
+
+#include "basics/geometry.hpp"
+#include "mesh/mesh.hpp"
+
+#include <functional>
+#include <iosfwd>
+
+namespace cli {
+
+// Writes it as an SU2 file. on_boundary(marker, a, b): where the middle of a boundary face between two points is to be.
+void write_refined(std::ostream& out, const Mesh& mesh,
+                   const std::function<Point(std::int32_t, Point, Point)>& on_boundary);
+
+} // namespace cli

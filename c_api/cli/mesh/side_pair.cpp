@@ -1,0 +1,97 @@
+#include "mesh/side_pair.hpp"
+
+#include "basics/failure.hpp"
+#include "mesh/mesh_analysis.hpp"
+#include "basics/numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <optional>
+
+namespace cli {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double fits_within = 1e-6; // of the extent, as the library has it
+
+struct Sides {
+    std::vector<Complex> from, to; // images of each other, in order
+
+    double misfit(Complex turn, Complex shift) const {
+        double worst = 0;
+        for (std::size_t k = 0; k < from.size(); ++k) worst = std::max(worst, std::abs(to[k] - turn * from[k] - shift));
+        return worst;
+    }
+    bool fit(Complex turn, Complex shift) const {
+        double extent = 0;
+        for (std::size_t k = 0; k < from.size(); ++k) {
+            extent = std::max({extent, std::abs(from[k] - from[0]), std::abs(to[k] - from[k])});
+        }
+        return misfit(turn, shift) <= fits_within * extent;
+    }
+    Complex mean(const std::vector<Complex>& of) const {
+        Complex sum = 0;
+        for (const Complex z : of) sum += z;
+        return sum / static_cast<double>(of.size());
+    }
+    // The turn of least squares that takes `from`, seen from a, to `to`, seen from b.
+    Complex turn_about(Complex a, Complex b) const {
+        Complex sum = 0;
+        for (std::size_t k = 0; k < from.size(); ++k) sum += std::conj(from[k] - a) * (to[k] - b);
+        return std::abs(sum) > 0 ? sum / std::abs(sum) : Complex(1);
+    }
+};
+
+// Nothing where the markers are not one open piece each, with as many points.
+std::optional<Sides> sides_of(const Mesh& mesh, std::int32_t marker, std::int32_t partner) {
+    try {
+        const MeshAnalysis analysis(mesh);
+        const BoundaryPiece a = analysis.boundary({marker}), b = analysis.boundary({partner});
+        if (a.is_loop || b.is_loop || a.points.size() != b.points.size()) return {};
+        Sides sides;
+        const auto place = [&mesh](std::int32_t point) {
+            return Complex(mesh.x[static_cast<std::size_t>(point)], mesh.y[static_cast<std::size_t>(point)]);
+        };
+        // Both have the mesh on their left: they run against each other.
+        for (std::size_t k = 0; k < a.points.size(); ++k) {
+            sides.from.push_back(place(a.points[k]));
+            sides.to.push_back(place(b.points[b.points.size() - 1 - k]));
+        }
+        return sides;
+    } catch (const Failure&) { // the library says what is wrong when the problem is solved
+        return {};
+    }
+}
+
+} // namespace
+
+SidePair side_pair(const Mesh& mesh, std::int32_t marker, std::int32_t partner) {
+    SidePair out{sized<hm_condition>(), {}};
+    hm_condition& pair = out.condition;
+    pair.marker = marker;
+    pair.partner = partner;
+    pair.kind = HM_PERIODIC_PAIR;
+    const std::optional<Sides> sides = sides_of(mesh, marker, partner);
+    if (!sides) return out;
+    const Complex from = sides->mean(sides->from), to = sides->mean(sides->to);
+    if (sides->fit(1, to - from)) return out;
+    Complex turn = sides->turn_about(0, 0), centre = 0;
+    if (!sides->fit(turn, 0)) {
+        turn = sides->turn_about(from, to);
+        centre = (to - turn * from) / (1.0 - turn);
+        if (!sides->fit(turn, centre - turn * centre)) return out;
+    }
+    pair.kind = HM_ROTATION_PAIR;
+    pair.x = centre.real();
+    pair.y = centre.imag();
+    out.passage = "'" + mesh.markers[static_cast<std::size_t>(marker)] + "' to '" +
+                  mesh.markers[static_cast<std::size_t>(partner)] + "' turned by " +
+                  brief(180 / std::acos(-1.0) * std::arg(turn)) + " degrees about (" + brief(pair.x) + ", " +
+                  brief(pair.y) + ")";
+    return out;
+}
+
+} // namespace cli

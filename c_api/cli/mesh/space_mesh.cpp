@@ -1,0 +1,175 @@
+#include "mesh/space_mesh.hpp"
+
+#include "harmorph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <memory>
+
+namespace cli {
+
+namespace {
+
+// A number of the file moves by dx along[0] + dy along[1] with its point of the plane.
+class Slots {
+public:
+    explicit Slots(Mesh& mesh) : mesh_(mesh) {}
+
+    void add(std::size_t offset, double value, std::int32_t point, const Direction& direction) {
+        const auto p = static_cast<std::size_t>(point);
+        std::int32_t rule = 0;
+        if (direction.along[0] == 0 && direction.along[1] == 0) return;
+        if (direction.along[0] == 1 && direction.along[1] == 0 && same(value, mesh_.x[p])) {
+            rule = takes_x;
+        } else if (direction.along[0] == 0 && direction.along[1] == 1 && same(value, mesh_.y[p])) {
+            rule = takes_y;
+        } else {
+            std::vector<Direction>& directions = mesh_.in_file.directions;
+            const auto next = static_cast<std::int32_t>(directions.size());
+            const auto known = numbers_.emplace(std::make_pair(direction.along[0], direction.along[1]), next);
+            if (known.second) directions.push_back(direction);
+            rule = known.first->second;
+        }
+        mesh_.in_file.slots.push_back({offset, point, rule});
+    }
+
+private:
+    static bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+    Mesh& mesh_;
+    std::map<std::pair<double, double>, std::int32_t> numbers_;
+};
+
+// What the point of a refusal says, and where it stands.
+[[noreturn]] void refuse_space(const Mesh& mesh, const SpaceMesh& space, const hm_error& error) {
+    const std::string text = error.text;
+    const auto item = static_cast<std::size_t>(error.item);
+    const bool is_point = text.compare(0, 5, "point") == 0 && error.item >= 0 && item < space.points.x[0].size();
+    const bool is_side = text.compare(0, 4, "side") == 0 && error.item >= 0 && item < space.side_offset.size();
+    std::size_t offset = space.face_offset.empty() ? 0 : space.face_offset[0];
+    if (is_point) offset = space.points.offset[0][item];
+    if (is_side) offset = space.side_offset[item];
+    mesh.file.fail(offset, "the mesh has three dimensions and is not one cell thick: " + text);
+}
+
+// In a wedge that reaches to the axis, its edges there are a boundary of the plane, but no face of the file.
+void add_axis(Mesh& mesh) {
+    double largest = 0;
+    for (const double y : mesh.y) largest = std::max(largest, std::fabs(y));
+    const auto is_on_axis = [&](std::int32_t point) {
+        return std::fabs(mesh.y[static_cast<std::size_t>(point)]) <= 1e-12 * largest;
+    };
+    for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
+        const std::int32_t begin = mesh.cell_start[cell], end = mesh.cell_start[cell + 1];
+        for (std::int32_t k = begin; k < end; ++k) {
+            const std::int32_t a = mesh.cell_points[static_cast<std::size_t>(k)];
+            const std::int32_t b = mesh.cell_points[static_cast<std::size_t>(k + 1 < end ? k + 1 : begin)];
+            if (!is_on_axis(a) || !is_on_axis(b)) continue;
+            mesh.add_face(a, b, mesh.add_marker("axis"), mesh.cell_offset[cell]);
+        }
+    }
+}
+
+} // namespace
+
+void take_flat(Mesh& mesh, const SpacePoints& points, const std::vector<SpaceCopy>& copies) {
+    std::size_t normal = 3, offender = 0;
+    for (const std::size_t d : {2u, 1u, 0u}) {
+        const std::vector<double>& values = points.x[d];
+        std::size_t k = 1;
+        while (k < values.size() && values[k] == values[0]) ++k;
+        offender = std::max(offender, k);
+        if (normal == 3 && k >= values.size()) normal = d;
+    }
+    if (normal == 3) {
+        mesh.file.fail(points.offset[0][offender],
+                       "the points must lie in a plane x, y or z = constant, as cells of two "
+                       "dimensions do; point " +
+                           std::to_string(offender + 1) + " does not");
+    }
+    const std::size_t axes[2] = {normal == 0 ? 1u : 0u, normal == 2 ? 1u : 2u};
+    mesh.x = points.x[axes[0]];
+    mesh.y = points.x[axes[1]];
+    mesh.point_offset = points.offset[axes[0]];
+    Slots slots(mesh);
+    for (const std::size_t axis : {0u, 1u}) {
+        const Direction direction = {{axis == 0 ? 1.0 : 0.0, axis == 0 ? 0.0 : 1.0}};
+        const std::size_t d = axes[axis];
+        for (std::size_t k = 0; k < points.x[d].size(); ++k) {
+            slots.add(points.offset[d][k], points.x[d][k], static_cast<std::int32_t>(k), direction);
+        }
+        for (const SpaceCopy& copy : copies) slots.add(copy.offset[d], copy.x[d], copy.of, direction);
+    }
+}
+
+void take_plane(Mesh& mesh, const SpaceMesh& space) {
+    hm_space_mesh given = {};
+    given.struct_size = sizeof given;
+    given.n_points = space.points.points();
+    given.points = {space.points.x[0].data(), space.points.x[1].data(), space.points.x[2].data(), 1};
+    given.kind = space.kind;
+    given.n_faces = static_cast<std::int32_t>(space.face_start.size()) - 1;
+    given.face_start = space.face_start.data();
+    given.face_points = space.face_points.data();
+    given.n_sides = static_cast<std::int32_t>(space.side_markers.size());
+    given.side_points = space.side_points.data();
+    given.side_markers = space.side_markers.data();
+    hm_error error = {};
+    const auto accepted = [&](hm_status status) {
+        if (status < 0) refuse_space(mesh, space, error);
+    };
+    std::size_t bytes = 0;
+    accepted(hm_plane_size(&given, &bytes, &error));
+    const std::unique_ptr<unsigned char[]> block(new unsigned char[bytes]);
+    hm_plane* plane = nullptr;
+    accepted(hm_plane_init(&plane, block.get(), bytes, &given, &error));
+    hm_plane_info info = {};
+    info.struct_size = sizeof info;
+    hm_mesh found = {};
+    found.struct_size = sizeof found;
+    accepted(hm_plane_info_get(plane, &info, &error));
+    accepted(hm_plane_mesh(plane, &found, &error));
+
+    mesh.x.assign(found.points.x, found.points.x + found.n_points);
+    mesh.y.assign(found.points.y, found.points.y + found.n_points);
+    for (std::int32_t p = 0; p < found.n_points; ++p) {
+        mesh.point_offset.push_back(space.points.offset[0][static_cast<std::size_t>(info.space_point[p])]);
+    }
+    mesh.cell_start.assign(found.cell_start, found.cell_start + found.n_cells + 1);
+    mesh.cell_points.assign(found.cell_points, found.cell_points + mesh.cell_start.back());
+    mesh.cell_offset = space.face_offset;
+    mesh.face_points.assign(found.face_points, found.face_points + 2 * found.n_faces);
+    mesh.face_markers.assign(found.face_markers, found.face_markers + found.n_faces);
+    mesh.face_offset = space.side_offset;
+
+    if (info.kind == HM_WEDGE) add_axis(mesh);
+
+    // Where each point of space goes with a unit step of its point in the plane, along x and along y.
+    const auto n = static_cast<std::size_t>(info.n_space_points), m = static_cast<std::size_t>(info.n_points);
+    std::vector<double> steps[2], ones(m, 1.0), zeros(m, 0.0);
+    for (const int along : {0, 1}) {
+        std::vector<double>& step = steps[along];
+        step.resize(3 * n);
+        const hm_points unit = {along == 0 ? ones.data() : zeros.data(), along == 1 ? ones.data() : zeros.data(), 1};
+        const hm_space_points_out to = {step.data(), step.data() + n, step.data() + 2 * n, 1};
+        accepted(hm_plane_spread(plane, &unit, nullptr, &to, nullptr, &error));
+    }
+    for (const double* direction : {info.x_direction, info.y_direction}) {
+        const bool is_axis = direction[0] == 1 || direction[1] == 1 || direction[2] == 1;
+        mesh.in_file.is_computed = mesh.in_file.is_computed || !is_axis;
+    }
+    Slots slots(mesh);
+    const auto add = [&](std::size_t k, std::size_t d, std::size_t offset, double value) {
+        slots.add(offset, value, info.follows[k], {{steps[0][d * n + k], steps[1][d * n + k]}});
+    };
+    for (std::size_t k = 0; k < n; ++k) {
+        for (std::size_t d = 0; d < 3; ++d) add(k, d, space.points.offset[d][k], space.points.x[d][k]);
+    }
+    for (const SpaceCopy& copy : space.copies) {
+        for (std::size_t d = 0; d < 3; ++d) add(static_cast<std::size_t>(copy.of), d, copy.offset[d], copy.x[d]);
+    }
+}
+
+} // namespace cli

@@ -1,0 +1,240 @@
+#include "page/page_data.hpp"
+
+#include "basics/json.hpp"
+
+#include <cstring>
+#include <filesystem>
+#include <ostream>
+#include <type_traits>
+
+namespace cli {
+
+namespace {
+
+// Bytes of numbers, the lowest first whatever the processor's order, in base 64.
+class Base64 {
+public:
+    template <class Number> void add(Number number) {
+        using Bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
+        Bits bits;
+        std::memcpy(&bits, &number, sizeof bits);
+        for (std::size_t i = 0; i < sizeof bits; ++i) add_byte(static_cast<std::uint32_t>(bits >> (8 * i)) & 255u);
+    }
+    std::string text() && {
+        const std::size_t missing = (3 - pending_count_) % 3;
+        for (std::size_t i = 0; i < missing; ++i) add_byte(0);
+        text_.replace(text_.size() - missing, missing, missing, '=');
+        return std::move(text_);
+    }
+
+private:
+    void add_byte(std::uint32_t byte) {
+        constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+        pending_ = pending_ << 8 | byte;
+        if (++pending_count_ < 3) return;
+        for (int shift = 18; shift >= 0; shift -= 6) text_ += digits[pending_ >> shift & 63u];
+        pending_ = 0;
+        pending_count_ = 0;
+    }
+
+    std::string text_;
+    std::uint32_t pending_ = 0;
+    std::size_t pending_count_ = 0;
+};
+
+template <class Number> std::string base64(const Number* numbers, std::size_t n) {
+    Base64 result;
+    for (std::size_t i = 0; i < n; ++i) result.add(numbers[i]);
+    return std::move(result).text();
+}
+
+template <class Number> std::string base64(const std::vector<Number>& numbers) {
+    return base64(numbers.data(), numbers.size());
+}
+
+class Writer {
+public:
+    Writer(const Mesh& mesh, const Basis& basis, const PageSelection& selection)
+        : mesh_(mesh), basis_(basis), selection_(selection) {}
+
+    // All but what is asked for afterwards.
+    JsonObject& run() {
+        const auto name = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
+        object_.add("version", std::string(hm_version())).add("mesh", name(mesh_.file.path()));
+        object_.add("basis", name(basis_.path()));
+        object_.add("all_points", mesh_.points()).add("all_cells", mesh_.cells());
+        object_.add("points", static_cast<std::int64_t>(selection_.points.size())).add("in_cells", selection_.in_cells);
+        object_.add("cells", static_cast<std::int64_t>(selection_.cells.size()));
+        object_.add("operator", std::string(operator_name())).add("numbers", basis_.info().numbers_per_value);
+        add_points();
+        add_cells();
+        add_boundary();
+        add_curves();
+        add_bodies();
+        return object_;
+    }
+
+    // The points' values of the first number of the first function, of its second number, ..., of the next function.
+    void add_functions() {
+        Base64 all;
+        for (std::int32_t function = 0; function < basis_.functions(); ++function) {
+            for (std::int32_t number = 0; number < basis_.info().numbers_per_value; ++number) {
+                const std::vector<double> values = basis_.values(function, number, mesh_);
+                for (const std::int32_t point : selection_.points) {
+                    all.add(static_cast<float>(values[static_cast<std::size_t>(point)]));
+                }
+            }
+        }
+        object_.add("functions", std::move(all).text());
+    }
+
+    void add_displacement(const Field& displacement) {
+        std::vector<double> dx, dy;
+        for (const std::int32_t point : selection_.points) {
+            dx.push_back(displacement.x[static_cast<std::size_t>(point)]);
+            dy.push_back(displacement.y[static_cast<std::size_t>(point)]);
+        }
+        add_array("dx", dx);
+        add_array("dy", dy);
+    }
+
+private:
+    const char* operator_name() const {
+        static const char* const names[] = {"conformal", "harmonic", "weighted harmonic"};
+        return names[basis_.info().operator_kind];
+    }
+
+    template <class Number> void add_array(const char* key, const std::vector<Number>& numbers) {
+        object_.add(key, base64(numbers));
+    }
+
+    void add_points() {
+        std::vector<double> x, y;
+        for (const std::int32_t point : selection_.points) {
+            x.push_back(mesh_.x[static_cast<std::size_t>(point)]);
+            y.push_back(mesh_.y[static_cast<std::size_t>(point)]);
+        }
+        add_array("point", selection_.points);
+        add_array("x", x);
+        add_array("y", y);
+    }
+
+    void add_cells() {
+        std::vector<std::int32_t> slot(mesh_.x.size(), -1), start = {0}, points;
+        for (std::size_t k = 0; k < selection_.points.size(); ++k) {
+            slot[static_cast<std::size_t>(selection_.points[k])] = static_cast<std::int32_t>(k);
+        }
+        for (const std::int32_t cell : selection_.cells) {
+            const auto c = static_cast<std::size_t>(cell);
+            for (std::int32_t i = mesh_.cell_start[c]; i < mesh_.cell_start[c + 1]; ++i) {
+                const std::int32_t point = mesh_.cell_points[static_cast<std::size_t>(i)];
+                points.push_back(slot[static_cast<std::size_t>(point)]);
+            }
+            start.push_back(static_cast<std::int32_t>(points.size()));
+        }
+        add_array("cell", selection_.cells);
+        object_.add("has_polygons", mesh_.has_polygons);
+        add_array("cell_start", start);
+        add_array("cell_points", points);
+        std::vector<std::int32_t> faces, markers, edges;
+        for (const std::int32_t face : selection_.faces) {
+            for (std::int32_t end = 0; end < 2; ++end) {
+                const std::int32_t point = mesh_.face_points[static_cast<std::size_t>(2 * face + end)];
+                faces.push_back(slot[static_cast<std::size_t>(point)]);
+            }
+            markers.push_back(mesh_.face_markers[static_cast<std::size_t>(face)]);
+        }
+        for (const Edge edge : selection_.edges) edges.insert(edges.end(), {edge.a, edge.b});
+        add_array("face_points", faces);
+        add_array("face_markers", markers);
+        add_array("thin_edges", edges);
+    }
+
+    // Markers in the numbering of the faces: what is asked of each.
+    void add_boundary() {
+        static const char* const kinds[] = {"curve", "rigid", "fixed", "slip", "free", "periodic", "given", "rotation"};
+        std::vector<hm_condition> conditions(mesh_.markers.size());
+        for (hm_condition& condition : conditions) condition.kind = HM_FIXED;
+        for (const hm_condition& condition : basis_.conditions()) {
+            conditions[static_cast<std::size_t>(condition.marker)] = condition;
+        }
+        std::vector<JsonObject> markers;
+        for (std::size_t i = 0; i < conditions.size(); ++i) {
+            const hm_condition& its = conditions[i];
+            markers.emplace_back().add("name", mesh_.markers[i]).add("kind", std::string(kinds[its.kind]));
+            markers.back().add("first_curve", its.first_curve).add("n_curves", its.n_curves).add("body", its.body);
+        }
+        object_.add("markers", markers);
+    }
+
+    void add_curves() {
+        const hm_curves& curves = basis_.curves();
+        const auto n = static_cast<std::size_t>(curves.n_control);
+        object_.add("control", base64(curves.control, 2 * n));
+        object_.add("weights", curves.weights == nullptr ? std::string() : base64(curves.weights, n));
+        std::vector<JsonObject> list;
+        for (std::int32_t i = 0; i < curves.n_curves && n > 0; ++i) {
+            const hm_curve& curve = curves.curve[i];
+            std::vector<std::int32_t> indices;
+            for (std::int32_t k = 0; k < curve.n_indices; ++k) {
+                indices.push_back(curve.indices == nullptr ? k : curve.indices[k] - curves.index_base);
+            }
+            const auto n_knots = static_cast<std::size_t>(curve.n_indices + curve.degree + 1);
+            list.emplace_back().add("degree", curve.degree).add("indices", base64(indices));
+            list.back().add("knots", base64(curve.knots, n_knots));
+        }
+        object_.add("curves", list);
+    }
+
+    void add_bodies() {
+        std::vector<JsonObject> bodies(static_cast<std::size_t>(basis_.info().bodies));
+        std::vector<bool> named(bodies.size());
+        for (const hm_condition& condition : basis_.conditions()) {
+            if (condition.kind != HM_RIGID || named[static_cast<std::size_t>(condition.body)]) continue;
+            named[static_cast<std::size_t>(condition.body)] = true;
+            JsonObject& body = bodies[static_cast<std::size_t>(condition.body)];
+            body.add("marker", mesh_.markers[static_cast<std::size_t>(condition.marker)]);
+            body.add("x", condition.x).add("y", condition.y);
+        }
+        object_.add("bodies", bodies);
+    }
+
+    const Mesh& mesh_;
+    const Basis& basis_;
+    const PageSelection& selection_;
+    JsonObject object_;
+};
+
+// A tag of the mesh might end the script it stands in.
+std::string for_script(std::string json) {
+    for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) json.replace(at, 1, "\\u003c");
+    return json;
+}
+
+} // namespace
+
+void write_page_data(std::ostream& out, const Mesh& mesh, const Basis& basis, const PageSelection& selection,
+                     const std::string& moves) {
+    Writer writer(mesh, basis, selection);
+    JsonObject& object = writer.run();
+    writer.add_functions();
+    out << for_script(object.add("moves", moves).text());
+}
+
+void write_report_data(std::ostream& out, const Mesh& mesh, const Basis& basis, const PageSelection& selection,
+                       const Morph& morph, bool safe) {
+    Writer writer(mesh, basis, selection);
+    JsonObject& object = writer.run();
+    writer.add_displacement(morph.displacement);
+    object.add("functions", std::string()).add("moved", base64(morph.moves)).add("refusal", morph.refusal);
+    object.add("inverted", morph.quality.inverted).add("self_crossing", morph.quality.self_crossing != 0);
+    object.add("admissible_step", morph.step.admissible).add("limiting_cell", morph.step.cell);
+    object.add("min_quality", morph.quality.min_quality).add("mean_quality", morph.quality.mean_quality);
+    object.add("worst_cell", morph.quality.min_quality_cell).add("boundary_error", morph.boundary_error);
+    object.add("safe", safe).add("strategy", morph.safe.strategy).add("steps", morph.safe.steps);
+    object.add("resolves", morph.safe.resolves).add("step_fraction", morph.safe.step_fraction);
+    object.add("untangled", morph.safe.untangled);
+    out << for_script(object.text());
+}
+
+} // namespace cli

@@ -1,0 +1,18 @@
+#!/bin/sh
+# usage: join.sh FOLDER >harmorph_FOLDER.c   (in the top directory; FOLDER: mpi, petsc)
+# c_api/FOLDER/harmorph_FOLDER.c with its parts of the same folder in one file, which needs only installed headers: what users
+# compile.
+awk -v folder="$1" '
+function put(path,    line, name) {
+    while ((getline line <path) > 0) {
+        if (line ~ "^#include \"" folder "/") {
+            name = line
+            gsub(/^[^"]*"|"[^"]*$/, "", name)
+            print ""
+            put("c_api/" name)
+        } else if (line !~ /^#include "/) print line
+        else if (!included++) print "#include <harmorph_" folder ".h>"
+    }
+    close(path)
+}
+BEGIN { put("c_api/" folder "/harmorph_" folder ".c") }'

@@ -1,0 +1,104 @@
+#!/bin/sh
+# usage: rules.sh BUILD   (called by `make rules`, with LEVELS, UNITS and FLAGS in the environment)
+# Writes the files that are joined from several sources, and BUILD/rules.mk, the rules of all objects and programs: POSIX
+# make has no rules that lead from one directory to another, and a new source needs no edit. BUILD/depends.mk holds what
+# the compiler has said of the headers that each object includes. All objects depend on BUILD/flags, which changes when
+# the compiler or its flags do.
+#
+# Each file of the library is an object of its own, so that a program links what it calls. Files of the program and of
+# the tests are compiled in groups: the headers that they share, which take most of the time, are read once a group.
+# BUILD/objects/program.list and tests.list, for scripts that link objects to something else, have those of the program
+# without main, and those of the tests.
+set -e
+build=$1
+in_program=100 in_tests=6   # files a group
+
+# put FILE COMMAND...: what it writes takes its place in BUILD at once, if it is another text: several makes may run
+# beside each other.
+put() (
+    file=$build/$1; shift
+    ("$@") >"$file.$$" || { rm -f "$file.$$"; exit 1; }
+    cmp -s "$file.$$" "$file" || mv -f "$file.$$" "$file"
+    rm -f "$file.$$"
+)
+for module in harmorph harmorph77 harmorph_mpi; do put $module.f90 sh fortran/join.sh $module; done
+for part in mpi petsc; do put harmorph_$part.c sh c_api/packaging/join.sh $part; done
+put page_text.cpp sh c_api/cli/page/embed.sh
+put flags echo "$FLAGS $(cat "$LEVELS")"
+
+# level SOURCE: its flags in the file LEVELS
+level() {
+    case $1 in $build/*cli*) set -- c_api/cli/ ;; esac   # files of the program that are joined or generated
+    awk -v source="$1" '
+        $1 == source || (substr($1, length($1)) == "/" && index(source, $1) == 1) {
+            sub(/^[^ ]* /, ""); print; exit
+        }' "$LEVELS"
+}
+
+# object PART SOURCE: its rule; adds the object, src-mesh-edges.o of src/mesh/edges.cpp, to $list. The headers that the
+# source includes stand in depends.mk once the object has been made.
+object() {
+    name=${2%.cpp} name=${name#$build/} name=${name#objects/$1/}
+    name=$build/objects/$1/$(IFS=/; set -- $name; IFS=-; echo "$*").o
+    printf '%s: %s %s/flags\n\techo $(CXX) %s\n\t$(CXX) %s $(CXXFLAGS) %s -MMD -MP -c -o $@ %s\n' \
+        "$name" "$2" "$build" "$2" "$(level $2)" "$flags" "$2"
+    list="$list $name"
+}
+objects() { part=$1; shift; for source do object $part $source; done; }
+
+# groups PART SIZE HOW SOURCE...: one object for each SIZE sources, joined by HOW.
+groups() {
+    part=$1 size=$2 how=$3; shift 3
+    while [ $# -gt 0 ]; do
+        members= number=0 first=$(basename $1 .cpp)
+        while [ $# -gt 0 ] && [ $number -lt $size ]; do members="$members $1" number=$((number + 1)); shift; done
+        put objects/$part/${first}_and_$((number - 1)).cpp $how $members
+        object $part $build/objects/$part/${first}_and_$((number - 1)).cpp
+    done
+}
+in_turn() { for file do echo "#include \"$file\""; done; }
+# Tests use the same names for different things: each file is included in a namespace of its own, behind the headers of
+# all files of the group. Macros are in no namespace: files that define some are compiled alone.
+apart() {
+    grep -h '^#include' "$@" | sort -u
+    for file do printf 'namespace %s {\n#include "%s"\n}\n' $(echo ${file%.cpp} | tr / _) $file; done
+}
+
+program() {
+    printf '%s/%s:%s %s/libharmorph.a %s/rules.mk\n\techo $(CXX) $@\n' $build $1 "$list" $build $build
+    printf '\t$(CXX) $(CXXFLAGS) -pthread -o $@%s %s/libharmorph.a $(LDFLAGS) $(CGNS:1=-lcgns)\n' "$list" $build
+}
+
+all_rules() {
+    flags='$(CORE)' list=
+    objects core src/*/*.cpp c_api/*.cpp
+    printf '%s/libharmorph.a:%s\n\techo $(AR) $@\n\trm -f $@\n\t$(AR) rcs $@%s\n' $build "$list" "$list"
+
+    flags='$(UNIT)' list=
+    objects unit tests/main.cpp $(grep -l '^#define' $UNITS)
+    groups unit $in_tests apart $(grep -L '^#define' $UNITS)
+    program tests
+    put objects/tests.list echo $list
+
+    flags='$(CLI)' list=
+    objects cli $build/page_text.cpp c_api/cli/formats/cgns*.cpp
+    for rooms in "basics commands curves mesh page" "formats pictures"; do
+        groups cli $in_program in_turn $(for room in $rooms; do ls c_api/cli/$room/*.cpp; done | grep -v /cgns)
+    done
+    parts=$list
+    put objects/program.list echo $parts
+    objects cli c_api/cli/main.cpp
+    program harmorph
+    list=$parts
+    objects cli tests/measure/deform/deform.cpp
+    program deform-driver
+    list=$parts
+    objects cli tests/measure/deform/seeded.cpp
+    program deform-seeded
+
+    flags='$(UNIT) -Ic_api/cli' list=$parts
+    objects fuzz tests/fuzz/*.cpp
+    program fuzzer
+}
+put rules.mk all_rules
+put depends.mk find $build/objects -name '*.d' -exec cat {} +

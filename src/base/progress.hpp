@@ -1,0 +1,28 @@
+// The caller's callback: told where the work is, it may ask to stop.
+#pragma once
+
+#include "base/types.hpp"
+
+namespace harmorph {
+
+enum class Phase : std::int32_t {
+    structure = 0,
+    ordering = 1,
+    symbolic = 2,
+    assembly = 3,
+    factor = 4,
+    solve = 5,
+    residual = 6
+};
+
+struct Progress {
+    std::int32_t (*call)(void* user, std::int32_t phase, double fraction) = nullptr;
+    void* user = nullptr;
+
+    Status report(Phase phase, Real fraction, Fault& fault) const noexcept {
+        if (call == nullptr || call(user, static_cast<std::int32_t>(phase), fraction) == 0) return Status::ok;
+        return fault.refuse(Status::cancelled, "stopped by the progress callback");
+    }
+};
+
+}  // namespace harmorph

@@ -1,0 +1,46 @@
+// A view of contiguous elements, and copies and fills of them.
+#pragma once
+
+#include <cstring>
+
+#include "base/types.hpp"
+
+namespace harmorph {
+
+template <class T>
+class Span {
+public:
+    constexpr Span() noexcept = default;
+    constexpr Span(T* data, Size size) noexcept : data_(data), size_(size) {}
+    constexpr operator Span<const T>() const noexcept { return {data_, size_}; }
+
+    template <class I>
+    constexpr T& operator[](I i) const noexcept { return data_[i]; }
+    constexpr T* data() const noexcept { return data_; }
+    constexpr Size size() const noexcept { return size_; }
+    constexpr bool empty() const noexcept { return size_ == 0; }
+    constexpr Index count() const noexcept { return static_cast<Index>(size_); }
+    constexpr T* begin() const noexcept { return data_; }
+    constexpr T* end() const noexcept { return data_ + size_; }
+    template <class I>
+    constexpr Span first(I n) const noexcept { return {data_, static_cast<Size>(n)}; }
+    template <class I, class J>
+    constexpr Span from(I start, J n) const noexcept { return {data_ + start, static_cast<Size>(n)}; }
+
+private:
+    T* data_ = nullptr;
+    Size size_ = 0;
+};
+
+template <class T>
+void fill(Span<T> to, T value) noexcept {
+    for (T& element : to) element = value;
+}
+
+template <class T>
+void copy(Span<T> to, Span<const T> from) noexcept {
+    static_assert(__is_trivially_copyable(T), "copied as bytes");
+    if (from.size() != 0) std::memcpy(to.data(), from.data(), from.size() * sizeof(T));
+}
+
+}  // namespace harmorph

@@ -1,0 +1,59 @@
+// Points of the plane, signed areas, and a strided view of the caller's coordinates.
+#pragma once
+
+#include <cstddef>
+
+#include "base/scalar.hpp"
+
+namespace harmorph {
+
+struct Vec2 {
+    Real x = 0, y = 0;
+};
+
+constexpr Vec2 operator+(Vec2 a, Vec2 b) noexcept { return {a.x + b.x, a.y + b.y}; }
+constexpr Vec2 operator-(Vec2 a, Vec2 b) noexcept { return {a.x - b.x, a.y - b.y}; }
+constexpr Vec2 operator*(Real s, Vec2 a) noexcept { return {s * a.x, s * a.y}; }
+constexpr Real dot(Vec2 a, Vec2 b) noexcept { return a.x * b.x + a.y * b.y; }
+constexpr Real cross(Vec2 a, Vec2 b) noexcept { return a.x * b.y - a.y * b.x; }
+constexpr Real square(Vec2 a) noexcept { return dot(a, a); }
+
+// As complex numbers x + i y.
+constexpr Vec2 conjugate(Vec2 a) noexcept { return {a.x, -a.y}; }
+constexpr Vec2 product(Vec2 a, Vec2 b) noexcept { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
+constexpr Vec2 quotient(Vec2 a, Vec2 b) noexcept { return (1 / square(b)) * product(a, conjugate(b)); }
+
+constexpr Real largest_of(Vec2 a) noexcept { return larger(absolute(a.x), absolute(a.y)); }
+inline Real length(Vec2 a) noexcept { return square_root(square(a)); }
+
+// Coordinates that the arithmetic carries: third powers of them and of the smallest height of a cell are neither
+// infinite nor denormal, and nothing here multiplies more than three lengths before it divides.
+inline constexpr Real largest_coordinate = 1e100, smallest_height = 1e-100;
+// False for NaN.
+constexpr bool is_in_range(Vec2 p) noexcept {
+    return absolute(p.x) <= largest_coordinate && absolute(p.y) <= largest_coordinate;
+}
+
+// Area of triangle a, b, c; positive when it runs counter-clockwise.
+constexpr Real triangle_area(Vec2 a, Vec2 b, Vec2 c) noexcept { return 0.5 * cross(b - a, c - a); }
+
+// Coordinates as the caller keeps them: x of point k at x[k * stride].
+template <class T>
+struct StridedPoints {
+    T* x = nullptr;
+    T* y = nullptr;
+    std::ptrdiff_t stride = 1;
+
+    constexpr operator StridedPoints<const T>() const noexcept { return {x, y, stride}; }
+
+    bool given() const noexcept { return x != nullptr; }
+    Vec2 operator[](Index k) const noexcept { return {x[k * stride], y[k * stride]}; }
+    void set(Index k, Vec2 p) const noexcept {
+        x[k * stride] = p.x;
+        y[k * stride] = p.y;
+    }
+};
+using Points = StridedPoints<const Real>;
+using MutablePoints = StridedPoints<Real>;
+
+}  // namespace harmorph

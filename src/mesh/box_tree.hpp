@@ -1,0 +1,111 @@
+// Items by their bounding boxes in a balanced tree: which of them is nearest to a point?
+#pragma once
+
+#include "base/arena.hpp"
+#include "base/vec2.hpp"
+
+namespace harmorph {
+
+struct Box {
+    Vec2 low{infinity, infinity}, high{-infinity, -infinity};
+
+    void include(Vec2 p) noexcept {
+        low = {smaller(low.x, p.x), smaller(low.y, p.y)};
+        high = {larger(high.x, p.x), larger(high.y, p.y)};
+    }
+    void include(Box const& other) noexcept {
+        include(other.low);
+        include(other.high);
+    }
+    Vec2 centre() const noexcept { return 0.5 * low + 0.5 * high; }
+    Real squared_distance(Vec2 p) const noexcept {
+        Real const x = larger(larger(low.x - p.x, p.x - high.x), 0.0);
+        Real const y = larger(larger(low.y - p.y, p.y - high.y), 0.0);
+        return x * x + y * y;
+    }
+};
+
+struct Nearest {
+    Index item = none;
+    Real squared = infinity;  // the squared distance
+};
+
+// A complete binary tree: node 1 is the root, node k has the children 2k and 2k + 1. Node j of level l contains the
+// entries n j / 2^l .. n (j + 1) / 2^l - 1, so the structure follows from n alone, without pointers.
+struct BoxTree {
+    static constexpr Index most_levels = 31;
+
+    struct Entry {
+        Vec2 centre;
+        Index item;
+    };
+
+    Index n = 0, levels = 0;
+    Span<Entry> entry;  // [n] in the tree's order
+    Span<Box> box;      // [2^(levels + 1)]
+
+    void lay_out(Arena& arena, Index n_items) noexcept;
+    void set_count(Index n_items) noexcept;  // of a tree that was laid out for at least as many
+
+    // box_of(item) for items 0 .. n-1. Ranges are halved at the median of the centres, across their larger extent.
+    template <class BoxOf>
+    void build(BoxOf const& box_of) noexcept {
+        for (Index item = 0; item < n; ++item) entry[item] = {box_of(item).centre(), item};
+        halve();
+        Index const leaves = Index{1} << levels;
+        for (Index leaf = 0; leaf < leaves; ++leaf) {
+            Box& leaf_box = box[leaves + leaf];
+            leaf_box = {};
+            Index const end = begin(levels, leaf + 1);
+            for (Index k = begin(levels, leaf); k < end; ++k) leaf_box.include(box_of(entry[k].item));
+        }
+        unite();
+    }
+
+    // The nearest item by squared_distance(item), if it is nearer than `best`.
+    template <class SquaredDistance>
+    Nearest nearest(Vec2 point, Nearest best, SquaredDistance const& squared_distance) const noexcept;
+
+private:
+    Index begin(Index level, Index node) const noexcept { return static_cast<Index>((Offset{n} * node) >> level); }
+    void halve() noexcept;
+    void unite() noexcept;
+};
+
+template <class SquaredDistance>
+Nearest BoxTree::nearest(Vec2 point, Nearest best, SquaredDistance const& squared_distance) const noexcept {
+    struct Waiting {
+        Index node;
+        Real squared;
+    };
+    Waiting waiting[most_levels + 1];
+    Index const leaves = Index{1} << levels;
+    Index n_waiting = 0;
+    if (n > 0) waiting[n_waiting++] = {1, box[1].squared_distance(point)};
+    while (n_waiting > 0) {
+        Waiting const next = waiting[--n_waiting];
+        if (!(next.squared < best.squared)) continue;
+        Index node = next.node;
+        while (node < leaves) {
+            Waiting near{2 * node, box[2 * node].squared_distance(point)};
+            Waiting far{2 * node + 1, box[2 * node + 1].squared_distance(point)};
+            if (far.squared < near.squared) {
+                Waiting const exchanged = near;
+                near = far;
+                far = exchanged;
+            }
+            if (far.squared < best.squared) waiting[n_waiting++] = far;
+            if (!(near.squared < best.squared)) break;
+            node = near.node;
+        }
+        if (node < leaves) continue;
+        Index const leaf = node - leaves;
+        for (Index k = begin(levels, leaf); k < begin(levels, leaf + 1); ++k) {
+            Real const squared = squared_distance(entry[k].item);
+            if (squared < best.squared) best = {entry[k].item, squared};
+        }
+    }
+    return best;
+}
+
+}  // namespace harmorph

@@ -1,0 +1,22 @@
+// Assesses a displacement in one pass over the cells: the admissible step, and the quality of the displaced mesh.
+#pragma once
+
+#include "morph/admissible_step.hpp"
+#include "morph/quality.hpp"
+
+namespace harmorph {
+
+struct Assessment {
+    AdmissibleStep limit;
+    Quality quality;  // at points + displacement, relative to points
+
+    void merge(Assessment const& later) noexcept {
+        limit.merge(later.limit);
+        quality.merge(later.quality);
+    }
+};
+
+Assessment assess(OrientedMesh const& cells, Points points, Points displacement,
+                  Executor const& executor) noexcept;
+
+}  // namespace harmorph

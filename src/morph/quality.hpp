@@ -1,0 +1,158 @@
+// Mesh quality: signed corner areas, inverted cells, size-skew quality.
+#pragma once
+
+#include "base/elementary.hpp"
+#include "mesh/guard_shape.hpp"
+#include "morph/cell_batch.hpp"
+#include "base/executor.hpp"
+
+namespace harmorph {
+
+// A quality as a fraction that is divided last, together with another one. Each part, multiplied by an area for which
+// products of six are numbers, is a number.
+struct Fraction {
+    Real above, under;
+};
+
+// Skew quality in 0..1, 1 for an equilateral triangle and a rectangle, 0 if a corner has no positive area.
+// P. M. Knupp, Finite Elem. Anal. Des. 39 (2003) 217: f_skew of quads, f_shape of triangles.
+inline Fraction skew_fraction(Index n, CellCorners const& corners) noexcept {
+    if (!(corners.smallest() > 0)) return {0, 1};
+    const Real* const area = corners.twice_area;
+    Vec2 const (&side)[4] = corners.side;
+    Real const square_of[4] = {square(side[0]), square(side[1]), square(side[2]), n == 3 ? 0 : square(side[3])};
+    Real const squares = n == 3 ? square_of[0] + square_of[1] + square_of[2]  // = 2 (a.a + b.b - a.b)
+                                : (square_of[0] + square_of[2]) + (square_of[1] + square_of[3]);
+    bool const in_range = corners.smallest() > smallest_of_products && squares < largest_of_products;
+    if (n == 3) {
+        Real const above = 2 * 1.7320508075688772 * area[0];
+        return in_range ? Fraction{above, squares} : Fraction{above / squares, 1};
+    }
+    // 4 / (l0 l1 / A1 + l1 l2 / A2 + l2 l3 / A3 + l3 l0 / A0): over the common denominator, with three roots for the
+    // four products of lengths.
+    if (in_range) {
+        Real const opposite = square_of[1] * square_of[2], first = area[1] * area[2], last = area[3] * area[0];
+        Real const a = square_root(square_of[0] * square_of[1]), b = square_root(opposite);
+        Real const c = square_root(square_of[2] * square_of[3]);
+        return {4 * b * (first * last),
+                (a * b * area[2] + opposite * area[1]) * last + c * (b * area[0] + a * area[3]) * first};
+    }
+    Real length[4], sum = 0;
+    for (Index k = 0; k < 4; ++k) length[k] = square_root(square_of[k]);
+    for (Index k = 0; k < 4; ++k) sum += length[(k + 3) & 3] * length[k] / area[k];
+    return {4 / sum, 1};
+}
+inline Real skew_quality(Index n, CellCorners const& corners) noexcept {
+    Fraction const skew = skew_fraction(n, corners);
+    return skew.above / skew.under;
+}
+
+// One cell of the caller's: of a polygon, that of all its pieces and guards.
+struct CellMeasure {
+    Real twice_smallest;  // corner area
+    Fraction skew;        // quality
+    Real area;
+
+    CellMeasure(Index n, CellCorners const& corners) noexcept
+        : twice_smallest(corners.smallest()), skew(skew_fraction(n, corners)), area(corners.cell_area(n)) {}
+    // shape_of(i): the CellShape of a piece or a guard, counter-clockwise.
+    template <class ShapeOf>
+    CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of) noexcept;
+
+    // sqrt(f_size) f_skew: A. de Boer, M. S. van der Schoot, H. Bijl, Comput. Struct. 85 (2007) 784. reference_area:
+    // area of the cell in the mesh to compare with, or 0: skew quality alone. 0 where the cell is inverted.
+    Real quality(Real reference_area) const noexcept {
+        if (!(skew.above > 0)) return 0;
+        Real const size = absolute(reference_area), less = smaller(area, size), more = larger(area, size);
+        if (size == 0) return skew.above / skew.under;
+        bool const in_range = less > smallest_of_products && more < largest_of_products && size == size;
+        if (in_range) return skew.above * square_root(area * size) / (skew.under * more);
+        return skew.above / skew.under * square_root(less / more);
+    }
+};
+
+struct Quality {
+    Index inverted = 0, first_inverted = none;
+    Real min_area = infinity;
+    Real min_quality = infinity;
+    Index min_quality_cell = none;
+    Real quality_sum = 0;
+    Index cells = 0;
+
+    Real mean_quality() const noexcept { return quality_sum / static_cast<Real>(cells); }
+    // Adds a cell, compared with reference_area: CellMeasure::quality().
+    inline void add(Index cell, CellMeasure const& measure, Real reference_area) noexcept;
+    // Adds the cells of some batches that kernels have looked at.
+    void add(OrientedMesh const& mesh, CellPlaces const& places, CellBatches const& batches,
+             ListQuality const& triangles, ListQuality const& quads) noexcept;
+    // Of cells that come later.
+    void merge(Quality const& later) noexcept;
+
+private:
+    // A cell that may have the smallest area or quality, or may be inverted.
+    inline void note(Index cell, Real twice_smallest, Real value) noexcept;
+};
+
+inline void Quality::add(Index cell, CellMeasure const& measure, Real reference_area) noexcept {
+    Real const value = measure.quality(reference_area);
+    note(cell, measure.twice_smallest, value);
+    quality_sum += value > 0 ? value : 0;
+    ++cells;
+}
+
+inline void Quality::note(Index cell, Real twice_smallest, Real value) noexcept {
+    bool const is_number = twice_smallest == twice_smallest;  // not so where a coordinate is not finite
+    min_area = smaller(min_area, is_number ? 0.5 * twice_smallest : -infinity);
+    if (!(twice_smallest > 0) && inverted++ == 0) first_inverted = cell;
+    if (!(value > 0)) value = 0;
+    if (value < min_quality) {
+        min_quality = value;
+        min_quality_cell = cell;
+    }
+}
+
+// Of m convex corners with interior angles t: m / (sin(2 pi / m) sum 1 / sin t), as the header has it; for m = 4,
+// f_skew.
+template <class ShapeOf>
+CellMeasure::CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of) noexcept
+    : twice_smallest(infinity), skew{0, 1}, area(0) {
+    Index const begin = mesh.piece_start[number], end = mesh.piece_start[number + 1];
+    if (end - begin == 1) {
+        CellShape const shape = shape_of(begin);
+        *this = CellMeasure(shape.n, CellCorners(shape));
+        return;
+    }
+    auto const least = [this](Real twice_area) {  // NaN stays
+        bool const is_number = twice_smallest == twice_smallest;
+        if (is_number && !(twice_area >= twice_smallest)) twice_smallest = twice_area;
+    };
+    for (Index piece = begin; piece < end; ++piece) {
+        Real const twice_area = CellCorners(shape_of(piece)).smallest();  // of a triangle
+        least(twice_area);
+        area += 0.5 * twice_area;
+    }
+    Real sum = 0;
+    Index m = 0;
+    for (Index guard = mesh.guard_start[number]; guard < mesh.guard_start[number + 1]; ++guard) {
+        CellCorners const corner(shape_of(guard));
+        bool const is_convex = mesh.guard_kind[guard - mesh.n_cells] == CornerKind::convex;
+        if (is_convex || !(corner.smallest() > 0)) least(corner.smallest());
+        if (!is_convex || !(twice_smallest > 0)) continue;
+        sum += length(corner.side[0]) * length(corner.side[1]) / corner.twice_area[0];
+        ++m;
+    }
+    if (!(twice_smallest > 0)) return;
+    skew.above = m < 3 ? 1 : smaller(1.0, m / (sum * sine_of_pi(2.0 / m)));
+}
+
+// Of the caller's cell, whatever its layout.
+CellMeasure measure_cell(OrientedMesh const& cells, Index number, Points points) noexcept;
+
+// `reference` not given: the skew quality alone.
+Quality measure_quality(OrientedMesh const& cells, Points points, Points reference,
+                        Executor const& executor) noexcept;
+
+// Cells, and guards, of which a corner has no positive area exactly, or not as quality measures it.
+Index count_inverted(OrientedMesh const& cells, Points points, Executor const& executor) noexcept;
+
+}  // namespace harmorph

@@ -1,0 +1,32 @@
+// The direct engine of a plan: a multifrontal factor of the matrix, also used for iterative refinement.
+#pragma once
+
+#include "direct/multifrontal.hpp"
+#include "multigrid/iteration.hpp"
+#include "plan/equations.hpp"
+
+namespace harmorph {
+
+// See AnyEngine for what the members do.
+struct DirectEngine {
+    Multifrontal factor;
+    bool trusted = false;  // nothing cancelled in the factor: solutions need no refinement
+
+    void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept;
+    void init(Analysis const& analysis) noexcept;
+    void take_pattern(Analysis const&, Matrix const&) const noexcept {}
+    Status set_up(Equations const& equations, Points points, Progress const& progress, Fault& fault) noexcept;
+    // `work` [n] is overwritten; empty where the factor is in single precision, which is never trusted.
+    Status examine(Equations const& equations, Span<Real> work, Fault& fault) noexcept;
+    Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress, IterationReport& report,
+                 Fault& fault) noexcept;
+    template <class Number>
+    Status correct(RowsOf<Number> const& rows, Fault& fault) noexcept {
+        return factor.solve(rows, Progress{}, fault);
+    }
+    // Memory that only set_up() needs.
+    Offset idle_bytes() const noexcept;
+    const Agglomeration* levels() const noexcept { return nullptr; }
+};
+
+}  // namespace harmorph

@@ -1,0 +1,38 @@
+// The members that all engines on agglomerated levels have in common.
+#pragma once
+
+#include "multigrid/iteration.hpp"
+#include "plan/equations.hpp"
+
+namespace harmorph {
+
+// Iterative: a BlockIteration. It iterates to the given tolerance, so solutions are not refined.
+template <class Iterative>
+struct LevelEngine {
+    static constexpr bool trusted = true;
+
+    Iterative iteration;
+    Span<std::uint8_t> faces;  // [entries] which of the matrix's entries are mesh edges
+
+    void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
+        Index const n = analysis.graph.n;
+        Offset const entries = analysis.matrix.entries;
+        arena.take(faces, entries);
+        iteration.lay_out(arena, n, columns, analysis.problem.iteration, analysis.problem.executor);
+        Size const shared = arena.mark();
+        iteration.lay_out_work(arena, n, entries);
+        arena.release(shared);
+        iteration.lay_out_vectors(arena, n);
+        arena.release(shared);
+    }
+    void init(Analysis const&) const noexcept {}
+    void take_pattern(Analysis const& analysis,
+                      Matrix const& matrix) noexcept { matrix.mark_faces(analysis.topology.edges, faces); }
+    Status examine(Equations const&, Span<Real>, Fault&) const noexcept { return Status::ok; }
+    template <class Number>
+    Status correct(RowsOf<Number> const&, Fault&) const noexcept { return Status::ok; }
+    Offset idle_bytes() const noexcept { return 0; }
+    const Agglomeration* levels() const noexcept { return &iteration.levels; }
+};
+
+}  // namespace harmorph

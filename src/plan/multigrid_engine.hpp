@@ -1,0 +1,19 @@
+// The engine multigrid of a plan: conjugate gradients on agglomerated levels of the matrix.
+#pragma once
+
+#include "multigrid/multigrid.hpp"
+#include "plan/level_engine.hpp"
+
+namespace harmorph {
+
+struct MultigridEngine : LevelEngine<Multigrid> {
+    Status set_up(Equations const& equations, Points, Progress const&, Fault& fault) noexcept {
+        return iteration.set_up(equations.matrix.rows(faces), fault);
+    }
+    Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress, IterationReport& report,
+                 Fault& fault) noexcept {
+        return iteration.solve(dofs.rows(equations.matrix), progress, report, fault);
+    }
+};
+
+}  // namespace harmorph

@@ -1,0 +1,71 @@
+// Gradient and Hessian of the energy of one cell by its points, summed up from those of its corners.
+#pragma once
+
+#include "mesh/mesh.hpp"
+#include "safe/block.hpp"
+#include "safe/corner_map.hpp"
+
+namespace harmorph {
+
+// Of a corner with the points p0, p1, p2, by its sides p1 - p0 and p2 - p1: fewer numbers than by the three points.
+struct CornerForm {
+    Vec2 by_side, by_next;
+    Block side_side, side_next, next_next;  // of the Hessian: by the first and by the second one
+
+    // A term, as CornerMap::differentiate() gives it.
+    void add(const Vec2 (&gradient)[3], const CornerMode (&mode)[4]) noexcept {
+        by_side = by_side - gradient[0];
+        by_next = by_next + gradient[2];
+        for (CornerMode const& its : mode) {
+            Vec2 const side = -1 * its.at[0], next = its.at[2];
+            side_side.add(its.curvature, side, side);
+            side_next.add(its.curvature, side, next);
+            next_next.add(its.curvature, next, next);
+        }
+    }
+    // Derivatives by a side that is turned become those by the side itself.
+    void turn_back_side(Vec2 turn) noexcept {
+        if (turn.x == 1) return;
+        by_side = product(turn, by_side);
+        side_side = turned_columns(turn, turned_rows(turn, side_side));
+        side_next = turned_rows(turn, side_next);
+    }
+};
+
+// Of a cell of n points; the Hessian is symmetric.
+template <Index n>
+struct CellForm {
+    Vec2 by[n];
+    Block hessian[n][n];
+
+    // Of the corner at point `own`, from point `before` to point `after`.
+    void add(Index before, Index own, Index after, CornerForm const& its) noexcept {
+        by[before] = by[before] - its.by_side;
+        by[own] = by[own] + (its.by_side - its.by_next);
+        by[after] = by[after] + its.by_next;
+        Block const cross = its.side_next, turned = transpose(cross);
+        Block const side = its.side_side, next = its.next_next;
+        hessian[before][before] = hessian[before][before] + side;
+        hessian[before][own] = hessian[before][own] + (cross - side);
+        hessian[before][after] = hessian[before][after] - cross;
+        hessian[own][before] = hessian[own][before] + (turned - side);
+        hessian[own][own] = hessian[own][own] + (side - (cross + turned) + next);
+        hessian[own][after] = hessian[own][after] + (cross - next);
+        hessian[after][before] = hessian[after][before] - turned;
+        hessian[after][own] = hessian[after][own] + (turned - next);
+        hessian[after][after] = hessian[after][after] + next;
+    }
+    // Derivatives by points become those by the unknowns that move the points: see Tangle::turn.
+    void turn_back(Span<const Vec2> turn, Cell const& cell) noexcept {
+        for (Index own = 0; own < n; ++own) {
+            Vec2 const back = conjugate(turn[cell.point[own]]);
+            by[own] = product(back, by[own]);
+            for (Index other = 0; other < n; ++other) {
+                hessian[own][other] = turned_rows(back, hessian[own][other]);
+                hessian[other][own] = turned_columns(back, hessian[other][own]);
+            }
+        }
+    }
+};
+
+}  // namespace harmorph

@@ -1,0 +1,111 @@
+// Whatever the compiler may assume: SSE2 on x86-64, plain vectors elsewhere. The manual of Registers.
+#define HARMORPH_SET baseline
+#include "simd/begin.hpp"
+#if !defined(HARMORPH_REGISTERS_BASELINE)
+#define HARMORPH_REGISTERS_BASELINE
+#include "simd/register.hpp"
+
+namespace harmorph::simd::baseline {
+
+// One register of numbers and the operations of the instruction set; see Register in begin.hpp for the rest. + - * /
+// are the compiler's vector operators, which are never contracted to fused operations.
+template <class Of>
+struct Registers;
+
+template <>
+struct Registers<double> : Register<double, 2> {
+    static constexpr Index count = 16;  // of the processor
+
+    // Numbers in double or in single precision; load_part: the first n, 0 <= n < lanes, and zeros. No others are read.
+    using Register::load;
+    static HARMORPH_INLINE Vector load(const float* from) noexcept {
+#if defined(__SSE2__)
+        return Vector(_mm_cvtps_pd(_mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)))));
+#else
+        return Vector{static_cast<double>(from[0]), static_cast<double>(from[1])};
+#endif
+    }
+    static HARMORPH_INLINE Vector load_part(const double* from, Index n) noexcept {
+        return Vector{n > 0 ? *from : 0, 0};
+    }
+    static HARMORPH_INLINE Vector load_part(const float* from, Index n) noexcept {
+        return Vector{n > 0 ? static_cast<double>(*from) : 0, 0};
+    }
+
+    // Lane by lane; b where one of the two is NaN.
+    static HARMORPH_INLINE Vector larger(Vector a, Vector b) noexcept {
+#if defined(__SSE2__)
+        return Vector(_mm_max_pd(a, b));
+#else
+        return Vector{a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
+#endif
+    }
+    static HARMORPH_INLINE Vector smaller(Vector a, Vector b) noexcept {
+#if defined(__SSE2__)
+        return Vector(_mm_min_pd(a, b));
+#else
+        return Vector{a[0] < b[0] ? a[0] : b[0], a[1] < b[1] ? a[1] : b[1]};
+#endif
+    }
+    // A bit for each lane in which a < b, the first lane's lowest.
+    static HARMORPH_INLINE unsigned less(Vector a, Vector b) noexcept {
+#if defined(__SSE2__)
+        return static_cast<unsigned>(_mm_movemask_pd(_mm_cmplt_pd(a, b)));
+#else
+        return (a[0] < b[0] ? 1u : 0u) | (a[1] < b[1] ? 2u : 0u);
+#endif
+    }
+    static HARMORPH_INLINE Vector square_root(Vector v) noexcept {
+#if defined(__SSE2__)
+        return Vector(_mm_sqrt_pd(v));
+#else
+        return Vector{harmorph::square_root(v[0]), harmorph::square_root(v[1])};
+#endif
+    }
+
+    // Whether the set has round(v): to the nearest integers, in two's complement.
+    static constexpr bool rounds = false;
+
+    // c + a b and c - a b, with one rounding where the set has fused instructions.
+    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return c + a * b; }
+    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return c - a * b; }
+
+    // Numbers picked from two registers: lane k of the result is lane picked[k] of the first register, or lane
+    // picked[k] - lanes of the second, or 0 where picked[k] is none.
+    struct Picks {
+        Index from[lanes];
+    };
+    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept { return {{picked[0], picked[1]}}; }
+    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
+        Vector v = {};
+        for (Index lane = 0; lane < lanes; ++lane) {
+            Index const from = picks.from[lane];
+            if (from != none) v[lane] = from < lanes ? a[from] : b[from - lanes];
+        }
+        return v;
+    }
+};
+
+template <>
+struct Registers<float> : Register<float, 4> {
+    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return c + a * b; }
+    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return c - a * b; }
+
+    struct Picks {
+        Index from[lanes];
+    };
+    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept {
+        return {{picked[0], picked[1], picked[2], picked[3]}};
+    }
+    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
+        Vector v = {};
+        for (Index lane = 0; lane < lanes; ++lane) {
+            Index const from = picks.from[lane];
+            if (from != none) v[lane] = from < lanes ? a[from] : b[from - lanes];
+        }
+        return v;
+    }
+};
+
+}  // namespace harmorph::simd::baseline
+#endif

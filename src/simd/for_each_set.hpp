@@ -1,0 +1,42 @@
+// Compiles the kernels in the file HARMORPH_KERNELS once for each instruction set of the architecture, as
+// foreach_target of the library Highway does. The file stands in namespaces called HARMORPH_SET, uses
+// simd::HARMORPH_SET::Registers, whose manual is baseline.hpp, and specialises simd::table. Shared headers are included
+// before.
+//
+// A new instruction set is a header here that defines Registers, three lines below, a number in enum Kernel, a case in
+// table_of(), and the question to the processor in cpu.cpp.
+#if !defined(HARMORPH_KERNELS)
+#error "HARMORPH_KERNELS is the file of the kernels"
+#endif
+
+#include <type_traits>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#elif defined(__AARCH64EL__)
+#include <arm_neon.h>
+#endif
+
+#include "base/scalar.hpp"
+#include "simd/kernel_table.hpp"
+
+#include "simd/baseline.hpp"
+#include HARMORPH_KERNELS
+#include "simd/end.hpp"
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#include "simd/avx2.hpp"
+#include HARMORPH_KERNELS
+#include "simd/end.hpp"
+
+#include "simd/avx512.hpp"
+#include HARMORPH_KERNELS
+#include "simd/end.hpp"
+#endif
+
+#if defined(__AARCH64EL__)
+#include "simd/neon.hpp"
+#include HARMORPH_KERNELS
+#include "simd/end.hpp"
+#endif
+
+#undef HARMORPH_KERNELS

@@ -1,0 +1,29 @@
+// A family of kernels is a struct of function pointers; each instruction set has one such struct, the table of the set.
+#pragma once
+
+#include "simd/cpu.hpp"
+
+namespace harmorph::simd {
+
+// Specialised in the file of the kernels; null for an instruction set that this architecture does not have.
+template <class Kernels, Kernel set>
+inline constexpr const Kernels* table = nullptr;
+
+// To be called where the tables are specialised; `kernel` is one for which has_kernel() holds, automatic being the
+// baseline.
+template <class Kernels>
+Kernels const& table_of(Kernel kernel) noexcept {
+    constexpr const Kernels* baseline = table<Kernels, Kernel::baseline>;
+    static_assert(baseline != nullptr, "every family has kernels for the plain architecture");
+    const Kernels* found = nullptr;
+    switch (kernel) {
+        case Kernel::avx2: found = table<Kernels, Kernel::avx2>; break;
+        case Kernel::avx512: found = table<Kernels, Kernel::avx512>; break;
+        case Kernel::neon: found = table<Kernels, Kernel::neon>; break;
+        case Kernel::automatic:
+        case Kernel::baseline: break;
+    }
+    return found != nullptr ? *found : *baseline;
+}
+
+}  // namespace harmorph::simd

@@ -1,0 +1,39 @@
+// Finds the mesh of a plane, and which of its points each point of space follows.
+#pragma once
+
+#include "mesh/box_tree.hpp"
+#include "space/plane.hpp"
+
+namespace harmorph {
+
+// Working space, needed during the search only.
+struct PlaneSearch {
+    // A point that is opposite to a place where the plane has several points.
+    struct Ambiguous {
+        Index place;  // the first of these points
+        Index point;  // of space
+        Real across;
+    };
+
+    Span<std::uint8_t> in_faces;  // [n_space_points]
+    Span<Real> reach;             // [n_points] squared: how far a follower may be
+    Span<Index> first_at_place;   // [n_points] the first of the points with the same coordinates
+    Span<Index> next_at_place;    // [n_points] the next of them; none: there is no more
+    Span<Ambiguous> ambiguous;    // [n_space_points]
+    BoxTree tree;
+
+    void lay_out(Arena& arena, SpaceMesh const& mesh) noexcept;
+    Status run(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexcept;
+
+private:
+    void number_points(SpaceMesh const& mesh, Plane& plane) noexcept;
+    void copy_cells(SpaceMesh const& mesh, Plane& plane) noexcept;
+    void find_reach(Plane const& plane) noexcept;
+    void find_places(Plane const& plane) noexcept;
+    Status follow(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexcept;
+    void resolve(Plane& plane, Size n_ambiguous) noexcept;
+    Status list_followers(Plane& plane, Fault& fault) noexcept;
+    Status copy_sides(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexcept;
+};
+
+}  // namespace harmorph

@@ -1,0 +1,52 @@
+#!/bin/sh
+# `make bench PARTS=files`: a mesh of a million points from each format to SU2, by harmorph and, where it is installed,
+# by gmsh. Seconds of processor time (user and system), so that other work on the machine counts little;
+# MB/s of the file read.
+: "${BUILD:=build}" "${CC:=cc}" "${ROUND:=1000}" "${OUTWARDS:=1000}"
+out=$BUILD/bench harmorph=$BUILD/harmorph
+mkdir -p "$out" || exit 1
+awk -v n="$ROUND" -v m="$OUTWARDS" 'BEGIN {
+    pi = atan2(0, -1)
+    print "NDIME= 2\nNELEM= " n * m
+    for (j = 0; j < m; j++) for (i = 0; i < n; i++) {
+        a = j * n + i; b = j * n + (i + 1) % n
+        print 9, a, a + n, b + n, b, a
+    }
+    print "NPOIN= " n * (m + 1)
+    for (j = 0; j <= m; j++) for (i = 0; i < n; i++) {
+        r = exp(log(20) * j / m); t = 2 * pi * i / n
+        printf "%.16e\t%.16e\t%d\n", r * cos(t), r * sin(t), j * n + i
+    }
+    print "NMARK= 2\nMARKER_TAG= body\nMARKER_ELEMS= " n
+    for (i = 0; i < n; i++) print 3, i, (i + 1) % n
+    print "MARKER_TAG= far\nMARKER_ELEMS= " n
+    for (i = 0; i < n; i++) print 3, m * n + i, m * n + (i + 1) % n
+}' >"$out/files.su2"
+"$harmorph" convert "$out/files.su2" "$out/files-2.msh" >/dev/null || exit 1
+$CC -O2 -o "$out/make_plot3d" tests/measure/bench/make_plot3d.c -lm || exit 1
+"$out/make_plot3d" "$ROUND" "$OUTWARDS" "$out/files-text.p3d" "$out/files-binary.p3d" || exit 1
+meshes="files.su2 files-2.msh files-text.p3d files-binary.p3d"
+if command -v gmsh >/dev/null 2>&1; then
+    gmsh -0 -v 1 "$out/files-2.msh" -save -format msh41 -bin -o "$out/files-4.msh" && meshes="$meshes files-4.msh"
+    # It reads PLOT3D as text only.
+else
+    echo "gmsh is not installed: harmorph alone"
+fi
+seconds() { # the least of three runs
+    for run in 1 2 3; do { time -p "$@" >/dev/null; } 2>&1 | awk '/^(user|sys)/ { s += $2 } END { print s }'; done |
+        sort -n | head -n 1
+}
+printf '%-17s %10s %12s %10s %10s\n' "to SU2 from" MB "harmorph s" MB/s "gmsh s"
+for mesh in $meshes; do
+    size=$(wc -c <"$out/$mesh")
+    ours=$(seconds "$harmorph" convert "$out/$mesh" "$out/converted.su2")
+    peer=-
+    if command -v gmsh >/dev/null 2>&1 && [ $mesh != files-binary.p3d ]; then
+        peer=$(seconds gmsh -0 -v 1 "$out/$mesh" -save -o "$out/peer.su2")
+    fi
+    echo "$mesh $size $ours $peer" | awk '{
+        megabytes = $2 / 1e6
+        printf "%-17s %10.1f %12.2f %10.0f %10s\n", $1, megabytes, $3, megabytes / $3, $4
+    }'
+done
+rm -f "$out"/files.su2 "$out"/files-?.msh "$out"/files-*.p3d "$out/converted.su2" "$out/peer.su2"

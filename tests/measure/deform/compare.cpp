@@ -1,0 +1,275 @@
+// The comparison of `make deform`: the safe morph against linear elasticity, radial basis functions and inverse
+// distances, on the same movements by the same measures. Built only where Eigen is installed.
+//   compare FOLDER MESH:MARKER ...      airfoils of chord 1 from x = 0 to 1; the block of tests/meshes comes always
+#include "commands/commands.hpp"
+#include "mesh/basis_file.hpp"
+#include "curves/curve_file.hpp"
+#include "basics/failure.hpp"
+#include "commands/morph.hpp"
+#include "basics/numbers.hpp"
+#include "basics/output_file.hpp"
+#include "commands/solver.hpp"
+#include "bars.hpp"
+#include "elasticity.hpp"
+#include "inverse_distance.hpp"
+#include "measures.hpp"
+#include "movements.hpp"
+#include "radial_basis.hpp"
+#include "task.hpp"
+
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <set>
+
+namespace deform {
+namespace {
+
+constexpr int most_steps = 10;
+
+// Processor time: the machine may have other things to do.
+double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+Motion motion_of(const cli::Mesh& mesh, std::int32_t wall) {
+    Motion out;
+    out.cells = {mesh.cell_start, mesh.cell_points};
+    for (std::size_t k = 0; k < mesh.x.size(); ++k) out.start.emplace_back(mesh.x[k], mesh.y[k]);
+    for (std::int32_t cell = 0; cell < out.cells.count(); ++cell) {
+        const auto begin = out.cells.point.begin() + out.cells.start[cell], end = begin + out.cells.size(cell);
+        if (twice_area(out.start[begin[0]], out.start[begin[1]], out.start[begin[2]]) < 0) std::reverse(begin, end);
+    }
+    std::set<std::pair<std::int32_t, std::int32_t>> sides;  // as the cells go round
+    for (std::int32_t cell = 0; cell < out.cells.count(); ++cell)
+        for (std::int32_t k = 0; k < out.cells.size(cell); ++k)
+            sides.insert({out.cells.at(cell, k), out.cells.at(cell, k + 1)});
+    out.next.assign(mesh.x.size(), -1);
+    std::set<std::int32_t> on_wall, outside;
+    for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
+        std::int32_t a = mesh.face_points[2 * face], b = mesh.face_points[2 * face + 1];
+        if (sides.count({a, b}) == 0) std::swap(a, b);
+        std::set<std::int32_t>& points = mesh.face_markers[face] == wall ? on_wall : outside;
+        points.insert({a, b});
+        if (mesh.face_markers[face] == wall) out.next[a] = b;
+    }
+    out.wall.assign(on_wall.begin(), on_wall.end());
+    for (const std::int32_t point : outside)
+        if (on_wall.count(point) == 0) out.outer.push_back(point);
+    return out;
+}
+
+struct Row {
+    std::string name;
+    bool valid = false;
+    int steps = 1;
+    double seconds = 0;
+    Measures measures;
+};
+
+// In one step, or if that inverts cells in many on the mesh as it moves.
+template <class Method>
+Row run(const char* name, const Motion& motion) {
+    Row row;
+    row.name = name;
+    std::vector<Point> at;
+    for (row.steps = 1; row.steps <= most_steps; row.steps *= most_steps) {
+        const double begin = seconds();
+        at = motion.start;
+        for (int step = 1; step <= row.steps; ++step)
+            at = Method::step(motion, at, motion.wall_at(1.0 * step / row.steps));
+        row.seconds += seconds() - begin;
+        row.valid = motion.is_valid(at);
+        if (row.valid || row.steps == most_steps) break;
+    }
+    row.measures = measure(motion, at);
+    return row;
+}
+
+void print(const std::vector<Row>& rows) {
+    double min_quality = 0, mean_quality = 0, angle = 1e300, height = 1e300;
+    for (const Row& row : rows) {
+        if (!row.valid) continue;
+        min_quality = std::max(min_quality, row.measures.min_quality);
+        mean_quality = std::max(mean_quality, row.measures.mean_quality);
+        angle = std::min(angle, row.measures.angle);
+        height = std::min(height, row.measures.height_error);
+    }
+    // Within 2 % of the best: of quality, of a radian, and of the height.
+    for (const Row& row : rows) {
+        const Measures& its = row.measures;
+        const auto mark = [&](bool good) { return row.valid && good ? '*' : ' '; };
+        std::printf("  %-17s  %5d  %8s  %8.3f%c  %8.3f%c", row.name.c_str(), row.steps,
+                    row.valid ? "valid" : "inverted", its.min_quality, mark(its.min_quality >= .98 * min_quality),
+                    its.mean_quality, mark(its.mean_quality >= .98 * mean_quality));
+        std::printf("  %7.2f%c  %6.3f  %6.3f  %7.4f%c  %7.2f\n", its.angle, mark(its.angle <= angle + 1.15),
+                    its.min_height, its.max_height, its.height_error, mark(its.height_error <= height + .02),
+                    row.seconds);
+    }
+}
+
+// One mesh, its curve and the conditions of the safe morph.
+class Comparison {
+public:
+    Comparison(const cli::Mesh& mesh, const cli::Task& task, std::int32_t wall, const cli::Threads& threads,
+               const std::string& path)
+        : mesh_(mesh), motion_(motion_of(mesh, wall)), threads_(threads) {
+        cli::Solver solver(mesh, task, threads);
+        const double begin = seconds();
+        solver.run();
+        seconds_ = seconds() - begin;
+        cli::OutputFiles files;
+        cli::write_basis(files.add(path), solver.basis(), mesh, task.conditions);
+        files.commit();
+        basis_ = std::make_unique<cli::Basis>(path, mesh);
+    }
+    // moves(t): of the control points. All methods get the wall that the B-spline makes of them.
+    void compare(const std::string& what, const std::function<std::vector<double>(double)>& moves) {
+        motion_.wall_at = [&](double t) {
+            const cli::Field field = cli::displacement(*basis_, mesh_, moves(t), threads_);
+            std::vector<Point> out;
+            for (const std::int32_t k : motion_.wall) out.push_back(motion_.start[k] + Point(field.x[k], field.y[k]));
+            return out;
+        };
+        std::printf("  %s\n", what.c_str());
+        std::vector<Row> rows = {run<Elasticity>("elasticity 1/area", motion_),
+                                 run<RadialBasis>("RBF Wendland C2", motion_),
+                                 run<InverseDistance>("inverse distance", motion_)};
+        Row own;
+        own.name = "harmorph --safe";
+        const double begin = seconds();
+        auto options = cli::sized<hm_safe_options>();
+        options.heights = 1;
+        cli::Morph morph(*basis_, mesh_, moves(1), options, threads_);
+        if (morph.valid()) morph.improve(*basis_, mesh_, threads_);
+        own.seconds = seconds() - begin + seconds_;
+        own.steps = morph.safe.steps;
+        own.valid = morph.valid() && morph.refusal.empty();
+        std::vector<Point> at;
+        for (std::size_t k = 0; k < mesh_.x.size(); ++k) at.emplace_back(morph.moved.x[k], morph.moved.y[k]);
+        own.measures = measure(motion_, at);
+        rows.push_back(own);
+        print(rows);
+        count(rows);
+        bars_.groups.push_back({what, {}, {}});
+        bars_.methods.clear();
+        for (const Row& row : rows) {
+            bars_.methods.push_back(row.name);
+            bars_.groups.back().least.push_back(row.valid ? row.measures.min_quality : 0);
+            bars_.groups.back().mean.push_back(row.valid ? row.measures.mean_quality : 0);
+        }
+    }
+    // After the last movement.
+    void draw(const std::string& path, const std::string& mesh) const {
+        cli::OutputFiles files;
+        bars_.draw(files.add(path));
+        files.commit();
+        std::printf(
+            "\n"
+            "figure %s Size-skew quality on %s by method: full bars at least, outlines on average; no bar where cells "
+            "are inverted.\n",
+            std::filesystem::path(path).filename().c_str(), mesh.c_str());
+    }
+    static int best, columns;  // of the safe morph
+
+private:
+    static void count(const std::vector<Row>& rows) {
+        const Measures& own = rows.back().measures;
+        bool within[4] = {true, true, true, true};
+        for (const Row& row : rows) {
+            const Measures& its = row.measures;
+            if (!row.valid) continue;
+            within[0] = within[0] && own.min_quality >= .98 * its.min_quality;
+            within[1] = within[1] && own.mean_quality >= .98 * its.mean_quality;
+            within[2] = within[2] && own.angle <= its.angle + 1.15;
+            within[3] = within[3] && own.height_error <= its.height_error + .02;
+        }
+        for (const bool good : within) {
+            best += good && rows.back().valid ? 1 : 0;
+            ++columns;
+        }
+    }
+
+    const cli::Mesh& mesh_;
+    Motion motion_;
+    const cli::Threads& threads_;
+    double seconds_ = 0;
+    std::unique_ptr<cli::Basis> basis_;
+    Bars bars_;
+};
+int Comparison::best = 0, Comparison::columns = 0;
+
+void begin_table(const std::string& mesh, const char* remark) {
+    std::printf(
+        "\n"
+        "== Against other methods: %s\n"
+        "\n"
+        "table The same movements by other methods%s. Quality is size-skew; angle is the mean change [degrees] "
+        "between the wall and the first-layer edges; heights are ratios of first-layer heights, error the mean of "
+        "|ratio - 1|; a star: the best, or within 2 %% of the best valid one\n",
+        mesh.c_str(), remark);
+    std::printf("  %-17s  %5s  %8s  %9s  %9s  %8s  %6s  %6s  %8s  %7s\n", "method", "steps", "cells", "min q", "mean q",
+                "angle", "lowest", "highest", "error", "seconds");
+}
+
+void airfoil(const std::string& folder, const std::string& path, const std::string& marker,
+             const cli::Threads& threads) {
+    const std::string curve_path = folder + "/compared.curve";
+    std::printf("\n== The curve of the comparison: %s\n\ntable The curve through the airfoil's points\n  what  is\n",
+                path.c_str());
+    cli::run_command({"fit", path, "--marker", marker, "-o", curve_path});
+    begin_table(path, "");
+    const cli::Mesh mesh = cli::read_mesh(path);
+    const cli::Curves curves = cli::read_curves(curve_path);
+    const Movements movements{curves.control};
+    const std::int32_t wall = mesh.find_markers(marker)[0];
+    Comparison its(mesh, task_on(mesh, marker, curves), wall, threads, folder + "/compared.basis");
+    for (const double height : {.1, .3, .6})
+        its.compare("camber " + cli::brief(height), [&](double t) { return movements.camber(t * height); });
+    for (const double degrees : {20., 60., 120.})
+        its.compare("rotation " + cli::brief(degrees), [&](double t) { return movements.rotation(t * degrees); });
+    its.compare("bump .3", [&](double t) { return movements.bump(.3 * t); });
+    its.compare("flap 30", [&](double t) { return movements.flap(30 * t); });
+    const std::string name = std::filesystem::path(path).stem().string();
+    its.draw(folder + "/compared-" + name + ".svg", name);
+}
+
+void block(const std::string& folder, const cli::Threads& threads) {
+    const cli::Mesh mesh = cli::read_mesh("tests/meshes/block.su2");
+    const Movements movements{{.4, .48, .6, .48, .6, .52, .4, .52}};
+    begin_table("tests/meshes/block.su2", " (the outer sides slide in harmorph's mesh, and are fixed in the others)");
+    cli::Curves curves;
+    curves.control = movements.control;
+    curves.curves.push_back({1, HM_TIED, {0, 1, 2, 3, 0}, {0, 0, 1, 2, 3, 4, 4}});
+    cli::Task task = task_on(mesh, "block", curves);
+    auto condition = cli::sized<hm_condition>();
+    condition.marker = mesh.find_markers("outer")[0];
+    condition.kind = HM_SLIP;
+    task.conditions.push_back(condition);
+    Comparison its(mesh, task, mesh.find_markers("block")[0], threads, folder + "/compared.basis");
+    its.compare("60 degrees and (-.2, -.3)",
+                [&](double t) { return movements.rotation(60 * t, .5, .5, -.2 * t, -.3 * t); });
+    its.draw(folder + "/compared-block.svg", "the block");
+}
+
+}  // namespace
+}  // namespace deform
+
+int main(int argc, char** argv) {
+    try {
+        std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+        const std::string folder = argc > 1 ? argv[1] : ".";
+        std::filesystem::create_directories(folder);
+        const cli::Threads threads(1);
+        deform::block(folder, threads);
+        for (int i = 2; i < argc; ++i) {
+            const std::string word = argv[i];
+            const std::size_t colon = word.rfind(':');
+            deform::airfoil(folder, word.substr(0, colon), word.substr(colon + 1), threads);
+        }
+        std::printf("\nharmorph is best or within 2 %% of the best in %d of %d columns\n", deform::Comparison::best,
+                    deform::Comparison::columns);
+        return 0;
+    } catch (const cli::Failure& failure) {
+        std::fprintf(stderr, "compare: %s\n", failure.what());
+        return 2;
+    }
+}
