@@ -6,12 +6,14 @@
 
 namespace harmorph {
 
-// The fault of one call, and what the caller's arrays count from, which whoever reads the arrays writes here.
+// The fault of one call, and what the caller's arrays count from, which whoever reads the arrays
+// writes here.
 struct CallFault : Fault {
     Bases bases;
 };
 
-// An entry point: body(fault) returns the fault's status. The caller's error is filled here, and only here.
+// An entry point: body(fault) returns the fault's status. The caller's error is filled here, and
+// only here.
 template <class Body>
 hm_status guarded(hm_error* err, Body const& body) noexcept {
     CallFault fault;
@@ -52,7 +54,8 @@ Status place(void* block, Size bytes, Fault& fault, LayOut const& lay_out) noexc
     return arena.verify(bytes, fault);
 }
 
-// An object that stands in the block in front of its arrays: made beside the block, copied into it when it is complete.
+// An object that stands in the block in front of its arrays: made beside the block, copied into it
+// when it is complete.
 template <class Object>
 struct InBlock {
     Span<Object> in_block;

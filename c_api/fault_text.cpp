@@ -7,7 +7,9 @@ namespace {
 
 class Sentence {
 public:
-    Sentence(char* text, Size capacity) noexcept : text_(text), room_(capacity - 1) { text_[0] = '\0'; }
+    Sentence(char* text, Size capacity) noexcept : text_(text), room_(capacity - 1) {
+        text_[0] = '\0';
+    }
 
     void put(char c) noexcept {
         if (room_ == 0) return;
@@ -46,7 +48,8 @@ public:
         }
         put_integer(digits / 100000);
         put('.');
-        for (Offset unit = 10000; unit > 0; unit /= 10) put(static_cast<char>('0' + digits / unit % 10));
+        for (Offset unit = 10000; unit > 0; unit /= 10)
+            put(static_cast<char>('0' + digits / unit % 10));
         if (exponent == 0) return;
         put('e');
         put_integer(exponent);

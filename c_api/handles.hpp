@@ -8,7 +8,8 @@
 
 namespace harmorph {
 
-inline Status open_analysis(const hm_analysis* handle, const Analysis*& analysis, CallFault& fault) noexcept {
+inline Status open_analysis(const hm_analysis* handle, const Analysis*& analysis,
+                            CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"analysis", handle}}, fault));
     analysis = reinterpret_cast<const Analysis*>(handle);
     fault.bases.mesh = analysis->problem.mesh.index_base;
@@ -16,10 +17,12 @@ inline Status open_analysis(const hm_analysis* handle, const Analysis*& analysis
 }
 
 // One that a plan and a basis can be made of.
-inline Status open_complete(const hm_analysis* handle, const Analysis*& analysis, CallFault& fault) noexcept {
+inline Status open_complete(const hm_analysis* handle, const Analysis*& analysis,
+                            CallFault& fault) noexcept {
     HARMORPH_TRY(open_analysis(handle, analysis, fault));
     if (analysis->has_conditions()) return Status::ok;
-    return fault.refuse(Status::bad_argument, "the analysis is of the mesh alone: its problem had no conditions");
+    return fault.refuse(Status::bad_argument,
+                        "the analysis is of the mesh alone: its problem had no conditions");
 }
 
 // hm_plan and Plan, both const or neither.
@@ -54,13 +57,13 @@ inline Status open_complete(const hm_basis* handle, Basis& basis, CallFault& fau
     HARMORPH_TRY(open_solved(handle, basis, fault));
     BasisCounts const& counts = basis.header->counts;
     if (counts.complete()) return Status::ok;
-    return fault.refuse(Status::bad_basis, "the basis is a share: it has only # of the @ functions", Counts::from_zero,
-                        counts.stored, counts.functions());
+    return fault.refuse(Status::bad_basis, "the basis is a share: it has only # of the @ functions",
+                        Counts::from_zero, counts.stored, counts.functions());
 }
 
 // A new basis, with these functions of the analysis, not solved.
-inline Status make_basis(Analysis const& analysis, BasisCounts const& counts, void* block, Size bytes,
-                         hm_basis** handle, Fault& fault) noexcept {
+inline Status make_basis(Analysis const& analysis, BasisCounts const& counts, void* block,
+                         Size bytes, hm_basis** handle, Fault& fault) noexcept {
     Basis made;
     HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, counts); }));
     init_basis(made, counts, analysis.basis_source(), analysis.problem.executor);
@@ -73,8 +76,9 @@ inline Status check_move(Basis const& basis, const double* move, Fault& fault) n
     HARMORPH_TRY(require({{"move", move}}, fault));
     for (Index k = 0; k < 2 * basis.header->counts.functions(); ++k) {
         if (is_finite(move[k])) continue;
-        return fault.refuse(Status::bad_argument, "the movement of function # (from 0) is not finite",
-                            Counts::from_zero, k / 2);
+        return fault.refuse(Status::bad_argument,
+                            "the movement of function # (from 0) is not finite", Counts::from_zero,
+                            k / 2);
     }
     return Status::ok;
 }

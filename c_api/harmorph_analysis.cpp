@@ -7,7 +7,8 @@ namespace {
 
 hm_mesh_report report_of(Analysis const& analysis) noexcept {
     Mesh const& mesh = analysis.problem.mesh;
-    Quality const quality = measure_quality(analysis.topology, mesh.points, {}, analysis.problem.executor);
+    Quality const quality =
+        measure_quality(analysis.topology, mesh.points, {}, analysis.problem.executor);
     hm_mesh_report filled = {};
     filled.points = mesh.n_points;
     filled.used_points = analysis.count_used_points();
@@ -16,7 +17,8 @@ hm_mesh_report report_of(Analysis const& analysis) noexcept {
         if (!mesh.is_part(i)) ++(cell.n == 3 ? filled.triangles : filled.quads);
     });
     filled.polygons = filled.cells - filled.triangles - filled.quads;
-    filled.edges = analysis.topology.edges.count() - (mesh.n_cells - filled.cells);  // without diagonals
+    filled.edges =
+        analysis.topology.edges.count() - (mesh.n_cells - filled.cells);  // without diagonals
     filled.boundary_edges = analysis.boundary.count;
     filled.boundary_loops = analysis.boundary.n_loops;
     filled.inverted = quality.inverted;
@@ -30,10 +32,10 @@ hm_mesh_report report_of(Analysis const& analysis) noexcept {
 // One of the pieces of boundary that have one of the markers.
 struct Piece {
     Index number;
-    Span<Index> points;        // as many as there is room for
+    Span<Index> points;  // as many as there is room for
     Index n_points = 0;
     bool is_loop = false;
-    Index n_pieces = 0;        // of all
+    Index n_pieces = 0;  // of all
 
     void find(Analysis const& analysis, Span<const Index> markers) noexcept {
         Boundary const& boundary = analysis.boundary;
@@ -45,7 +47,8 @@ struct Piece {
         };
         auto const visit = [&](Index piece, Index point) {
             if (piece != number) return;
-            if (n_points < points.count()) points[n_points] = point + analysis.problem.mesh.index_base;
+            if (n_points < points.count())
+                points[n_points] = point + analysis.problem.mesh.index_base;
             ++n_points;
         };
         auto const close = [&](Index piece, bool loop) {
@@ -62,7 +65,8 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_analysis_size(const hm_problem* problem, const hm_options* options, size_t* bytes, hm_error* err) {
+hm_status hm_analysis_size(const hm_problem* problem, const hm_options* options, size_t* bytes,
+                           hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Request request;
         HARMORPH_TRY(request.read(problem, options, fault));
@@ -73,8 +77,8 @@ hm_status hm_analysis_size(const hm_problem* problem, const hm_options* options,
     });
 }
 
-hm_status hm_analysis_init(hm_analysis** analysis, void* block, size_t bytes, const hm_problem* problem,
-                           const hm_options* options, hm_error* err) {
+hm_status hm_analysis_init(hm_analysis** analysis, void* block, size_t bytes,
+                           const hm_problem* problem, const hm_options* options, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Request request;
         HARMORPH_TRY(require({{"analysis", analysis}}, fault));
@@ -83,7 +87,8 @@ hm_status hm_analysis_init(hm_analysis** analysis, void* block, size_t bytes, co
         HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) {
             made.lay_out(arena, request.problem, request.n_curves, request.n_conditions);
         }));
-        HARMORPH_TRY(request.copy_to(made.object.curves, made.object.slip_along, made.object.conditions, fault));
+        HARMORPH_TRY(request.copy_to(made.object.curves, made.object.slip_along,
+                                     made.object.conditions, fault));
         HARMORPH_TRY(made.object.run(request.problem, fault));
         made.give(analysis);
         return fault.status;
@@ -100,27 +105,31 @@ hm_status hm_analysis_report(const hm_analysis* analysis, hm_mesh_report* report
     });
 }
 
-hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_markers, const int32_t* markers, int32_t piece,
-                               int32_t* points, int32_t capacity, int32_t* n, int32_t* is_loop, hm_error* err) {
+hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_markers,
+                               const int32_t* markers, int32_t piece, int32_t* points,
+                               int32_t capacity, int32_t* n, int32_t* is_loop, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* of = nullptr;
         HARMORPH_TRY(open_analysis(analysis, of, fault));
         HARMORPH_TRY(require({{"markers", markers}, {"n", n}, {"is_loop", is_loop}}, fault));
         if (n_markers < 1 || capacity < 0) {
-            return fault.refuse(Status::bad_argument, "n_markers is #, capacity is @: one is too small",
+            return fault.refuse(Status::bad_argument,
+                                "n_markers is #, capacity is @: one is too small",
                                 Counts::from_zero, n_markers, capacity);
         }
         if (capacity > 0) HARMORPH_TRY(require({{"points", points}}, fault));
         Piece found{piece, {points, static_cast<Size>(capacity)}};
         found.find(*of, {markers, static_cast<Size>(n_markers)});
         if (found.n_pieces == 0) {
-            return fault.refuse(Status::bad_condition, "no boundary face has these markers; the first one is #",
+            return fault.refuse(Status::bad_condition,
+                                "no boundary face has these markers; the first one is #",
                                 Counts::from_zero, markers[0]);
         }
         if (piece < 0 || piece >= found.n_pieces) {
-            return fault.refuse(Status::bad_condition,
-                                "these markers have # pieces of boundary, there is no piece @ (from 0)",
-                                Counts::from_zero, found.n_pieces, piece);
+            return fault.refuse(
+                Status::bad_condition,
+                "these markers have # pieces of boundary, there is no piece @ (from 0)",
+                Counts::from_zero, found.n_pieces, piece);
         }
         *n = found.n_points;
         *is_loop = found.is_loop ? 1 : 0;

@@ -1,16 +1,18 @@
-// The C interface: a basis from a block that was saved. In a file of its own: a solver that reads a saved basis links
-// this call, the morph and the adjoint, and little else.
+// The C interface: a basis from a block that was saved. In a file of its own: a solver that reads a
+// saved basis links this call, the morph and the adjoint, and little else.
 #include "handles.hpp"
 
 using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_basis_attach(const hm_basis** basis, const void* block, size_t bytes, const hm_mesh* mesh, hm_error* err) {
+hm_status hm_basis_attach(const hm_basis** basis, const void* block, size_t bytes,
+                          const hm_mesh* mesh, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         HARMORPH_TRY(require({{"basis", basis}, {"block", block}}, fault));
         if (reinterpret_cast<std::uintptr_t>(block) % 8 != 0) {
-            return fault.refuse(Status::bad_argument, "the block of a basis must be aligned to 8 bytes");
+            return fault.refuse(Status::bad_argument,
+                                "the block of a basis must be aligned to 8 bytes");
         }
         Mesh view;
         if (mesh != nullptr) {
@@ -22,5 +24,4 @@ hm_status hm_basis_attach(const hm_basis** basis, const void* block, size_t byte
         return fault.status;
     });
 }
-
 }

@@ -33,21 +33,27 @@ hm_basis_info info_of(Basis const& basis) noexcept {
 }
 
 // The basis, and room for all of its curves.
-Status open_curves(const hm_basis* handle, hm_curves* out, const hm_curve* curve, Index capacity, Basis& basis,
-                   CallFault& fault) noexcept {
+Status open_curves(const hm_basis* handle, hm_curves* out, const hm_curve* curve, Index capacity,
+                   Basis& basis, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"curve", curve}}, fault));
     HARMORPH_TRY(check_report(out, fault));
     HARMORPH_TRY(open_basis(handle, basis, fault));
     Index const n = basis.header->counts.curves;
     if (capacity >= n) return Status::ok;
-    return fault.refuse(Status::bad_argument, "curve has room for #, the basis has @", Counts::from_zero, capacity, n);
+    return fault.refuse(Status::bad_argument, "curve has room for #, the basis has @",
+                        Counts::from_zero, capacity, n);
 }
 
 hm_curves curves_of(Basis const& basis, const double* control, hm_curve* curve) noexcept {
     Index const n = basis.header->counts.curves;
     for (Index i = 0; i < n; ++i) curve[i] = struct_of(basis.curve(i));
-    return {sizeof(hm_curves), 0, basis.header->counts.control, control,
-            basis.weights.empty() ? nullptr : basis.weights.data(), n, curve};
+    return {sizeof(hm_curves),
+            0,
+            basis.header->counts.control,
+            control,
+            basis.weights.empty() ? nullptr : basis.weights.data(),
+            n,
+            curve};
 }
 
 }  // namespace
@@ -67,7 +73,8 @@ hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, hm_error
     });
 }
 
-hm_status hm_basis_curves(const hm_basis* basis, hm_curves* out, hm_curve* curve, int32_t capacity, hm_error* err) {
+hm_status hm_basis_curves(const hm_basis* basis, hm_curves* out, hm_curve* curve, int32_t capacity,
+                          hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         HARMORPH_TRY(open_curves(basis, out, curve, capacity, b, fault));
@@ -76,8 +83,8 @@ hm_status hm_basis_curves(const hm_basis* basis, hm_curves* out, hm_curve* curve
     });
 }
 
-hm_status hm_moved_curves(const hm_basis* basis, const double* move, double* control, hm_curves* out, hm_curve* curve,
-                          int32_t capacity, hm_error* err) {
+hm_status hm_moved_curves(const hm_basis* basis, const double* move, double* control,
+                          hm_curves* out, hm_curve* curve, int32_t capacity, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         HARMORPH_TRY(require({{"control", control}}, fault));
@@ -93,7 +100,8 @@ hm_status hm_moved_curves(const hm_basis* basis, const double* move, double* con
     });
 }
 
-hm_status hm_basis_conditions(const hm_basis* basis, hm_condition* out, int32_t capacity, int32_t* n, hm_error* err) {
+hm_status hm_basis_conditions(const hm_basis* basis, hm_condition* out, int32_t capacity,
+                              int32_t* n, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         HARMORPH_TRY(require({{"n", n}}, fault));
@@ -102,8 +110,9 @@ hm_status hm_basis_conditions(const hm_basis* basis, hm_condition* out, int32_t 
         HARMORPH_TRY(open_basis(basis, b, fault));
         *n = b.conditions.count();
         if (*n > capacity) {
-            return fault.refuse(Status::bad_argument, "out has room for #, the basis has @ conditions",
-                                Counts::from_zero, capacity, *n);
+            return fault.refuse(Status::bad_argument,
+                                "out has room for #, the basis has @ conditions", Counts::from_zero,
+                                capacity, *n);
         }
         for (Index i = *n; i-- > 0;) {  // the first one tells the size of all
             hm_condition* const to = element(out, i);
@@ -114,19 +123,22 @@ hm_status hm_basis_conditions(const hm_basis* basis, hm_condition* out, int32_t 
     });
 }
 
-hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t number, double* values, hm_error* err) {
+hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t number, double* values,
+                          hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         HARMORPH_TRY(require({{"values", values}}, fault));
         HARMORPH_TRY(open_solved(basis, b, fault));
         Index const stored = function - b.header->counts.first_stored;
         if (function < 0 || stored < 0 || stored >= b.n_functions()) {
-            return fault.refuse(Status::bad_argument, "there is no function # (from 0); the basis has @",
+            return fault.refuse(Status::bad_argument,
+                                "there is no function # (from 0); the basis has @",
                                 Counts::from_zero, function, b.n_functions());
         }
         if (number < 0 || number >= numbers_of(b.kind())) {
-            return fault.refuse(Status::bad_argument, "values have no number # (from 0); they have @",
-                                Counts::from_zero, number, numbers_of(b.kind()));
+            return fault.refuse(Status::bad_argument,
+                                "values have no number # (from 0); they have @", Counts::from_zero,
+                                number, numbers_of(b.kind()));
         }
         b.column(number * b.n_functions() + stored, values);
         return Status::ok;

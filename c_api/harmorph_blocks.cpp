@@ -9,7 +9,8 @@ struct BlocksOfMesh {
     Mesh mesh;
     Index first = 0, n = 0;
 
-    Status open(const hm_mesh* given, std::int32_t from, std::int32_t count, CallFault& fault) noexcept {
+    Status open(const hm_mesh* given, std::int32_t from, std::int32_t count,
+                CallFault& fault) noexcept {
         HARMORPH_TRY(view_mesh(given, mesh, fault));
         if (mesh.layout != CellLayout::blocks) {
             return fault.refuse(Status::bad_argument,
@@ -18,9 +19,10 @@ struct BlocksOfMesh {
         HARMORPH_TRY(check_layout(mesh, fault));
         first = from;
         n = count;
-        if (first >= 0 && n >= 1 && n <= mesh.n_blocks && first <= mesh.n_blocks - n) return Status::ok;
-        return fault.refuse(Status::bad_argument, "first # and n @ are not blocks of the mesh", Counts::from_zero,
-                            first, n);
+        if (first >= 0 && n >= 1 && n <= mesh.n_blocks && first <= mesh.n_blocks - n)
+            return Status::ok;
+        return fault.refuse(Status::bad_argument, "first # and n @ are not blocks of the mesh",
+                            Counts::from_zero, first, n);
     }
 
     // visit(number among those of the call, block), until it returns true.
@@ -33,14 +35,16 @@ struct BlocksOfMesh {
         });
     }
 
-    // Numbers of one block, const or not. Distances that make two points one are refused where they are written.
+    // Numbers of one block, const or not. Distances that make two points one are refused where they
+    // are written.
     template <class Given>
     Status check(const Given* blocks, bool written, Fault& fault) const noexcept {
         HARMORPH_TRY(require({{"blocks", blocks}}, fault));
         each([&](Index k, GridBlock const& block) {
             Given const& of = blocks[k];
             if (of.x == nullptr || of.y == nullptr) {
-                fault.refuse(Status::bad_argument, "x or y of block # (from 0) is NULL", Counts::from_zero, first + k);
+                fault.refuse(Status::bad_argument, "x or y of block # (from 0) is NULL",
+                             Counts::from_zero, first + k);
                 return true;
             }
             std::int64_t const i = stride_of(of.stride), j = of.row == 0 ? i * block.ni : of.row;
@@ -48,8 +52,8 @@ struct BlocksOfMesh {
             bool const apart = j > (block.ni - 1) * i || i > (block.nj - 1) * j;
             if (i < 1 || j < 1 || i > largest || j > largest || (written && !apart)) {
                 fault.refuse(Status::bad_argument,
-                             "stride or row of block # (from 0) is not that of an array of points", Counts::from_zero,
-                             first + k);
+                             "stride or row of block # (from 0) is not that of an array of points",
+                             Counts::from_zero, first + k);
                 return true;
             }
             return false;
@@ -79,8 +83,8 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_blocks_gather(const hm_mesh* mesh, int32_t first, int32_t n, const hm_block_points* blocks,
-                           const hm_points_out* to, hm_error* err) {
+hm_status hm_blocks_gather(const hm_mesh* mesh, int32_t first, int32_t n,
+                           const hm_block_points* blocks, const hm_points_out* to, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         BlocksOfMesh its;
         MutablePoints all;

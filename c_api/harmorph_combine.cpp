@@ -5,11 +5,13 @@
 namespace harmorph {
 namespace {
 
-Status open_source(const hm_basis* handle, Index n, Index numbers, Basis& basis, CallFault& fault) noexcept {
+Status open_source(const hm_basis* handle, Index n, Index numbers, Basis& basis,
+                   CallFault& fault) noexcept {
     HARMORPH_TRY(open_complete(handle, basis, fault));
     HARMORPH_TRY(basis.require_double(fault));
     if (numbers != 1 && numbers != 2) {
-        return fault.refuse(Status::bad_argument, "numbers must be 1 or 2, not #", Counts::from_zero, numbers);
+        return fault.refuse(Status::bad_argument, "numbers must be 1 or 2, not #",
+                            Counts::from_zero, numbers);
     }
     Index const shapes = basis.header->counts.shapes();
     if (n >= 1 && n <= shapes) return Status::ok;
@@ -19,13 +21,16 @@ Status open_source(const hm_basis* handle, Index n, Index numbers, Basis& basis,
                         Counts::from_zero, n, shapes);
 }
 
-Status check_matrix(Basis const& basis, Index n, Index numbers, const double* matrix, Fault& fault) noexcept {
+Status check_matrix(Basis const& basis, Index n, Index numbers, const double* matrix,
+                    Fault& fault) noexcept {
     HARMORPH_TRY(require({{"matrix", matrix}}, fault));
     Offset const length = Offset{basis.header->counts.shapes()} * n * numbers;
     for (Offset k = 0; k < length; ++k) {
         if (is_finite(matrix[k])) continue;
-        Index const row = static_cast<Index>(k / (Offset{n} * numbers)), column = static_cast<Index>(k / numbers % n);
-        return fault.refuse(Status::bad_argument, "the matrix is not finite in row # and column @ (from 0)",
+        Index const row = static_cast<Index>(k / (Offset{n} * numbers)),
+                    column = static_cast<Index>(k / numbers % n);
+        return fault.refuse(Status::bad_argument,
+                            "the matrix is not finite in row # and column @ (from 0)",
                             Counts::from_zero, row, column);
     }
     return Status::ok;
@@ -38,23 +43,27 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_combine_size(const hm_basis* basis, int32_t n, int32_t numbers, size_t* bytes, hm_error* err) {
+hm_status hm_combine_size(const hm_basis* basis, int32_t n, int32_t numbers, size_t* bytes,
+                          hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis from, made;
         HARMORPH_TRY(open_source(basis, n, numbers, from, fault));
-        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, combined_counts(from, n, numbers)); });
+        return count_bytes(bytes, fault, [&](Arena& arena) {
+            made.lay_out(arena, combined_counts(from, n, numbers));
+        });
     });
 }
 
-hm_status hm_combine(hm_basis** combined, void* block, size_t bytes, const hm_basis* basis, int32_t n, int32_t numbers,
-                     const double* matrix, hm_error* err) {
+hm_status hm_combine(hm_basis** combined, void* block, size_t bytes, const hm_basis* basis,
+                     int32_t n, int32_t numbers, const double* matrix, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis from, made;
         HARMORPH_TRY(require({{"combined", combined}}, fault));
         HARMORPH_TRY(open_source(basis, n, numbers, from, fault));
         HARMORPH_TRY(check_matrix(from, n, numbers, matrix, fault));
-        HARMORPH_TRY(place(block, bytes, fault,
-                           [&](Arena& arena) { made.lay_out(arena, combined_counts(from, n, numbers)); }));
+        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) {
+            made.lay_out(arena, combined_counts(from, n, numbers));
+        }));
         HARMORPH_TRY(combine(from, n, numbers, matrix, made, fault));
         *combined = reinterpret_cast<hm_basis*>(made.header);
         return Status::ok;

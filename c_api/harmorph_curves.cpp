@@ -22,11 +22,12 @@ Status open_curve(const hm_curves* curves, Index number, Curve& curve, CallFault
 
 Status check_parameter(Curve const& curve, Real u, Index n_derivatives, Fault& fault) noexcept {
     if (n_derivatives < 0 || n_derivatives > max_degree) {
-        return fault.refuse(Status::bad_argument, "n_derivatives must be between 0 and 5, not #", Counts::from_zero,
-                            n_derivatives);
+        return fault.refuse(Status::bad_argument, "n_derivatives must be between 0 and 5, not #",
+                            Counts::from_zero, n_derivatives);
     }
     if (is_between(curve.begin(), u, curve.end())) return Status::ok;
-    return fault.refuse(Status::bad_argument, "the parameter ~ is outside the curve", Counts::from_zero, none, none, u);
+    return fault.refuse(Status::bad_argument, "the parameter ~ is outside the curve",
+                        Counts::from_zero, none, none, u);
 }
 
 // The block of a fit: the caller's structs, then the core's arrays.
@@ -42,7 +43,8 @@ struct FitBlock {
     }
     const hm_curves* present() const noexcept {
         for (Index i = 0; i < fit.n_curves; ++i) curve[i] = struct_of(fit.curve[i]);
-        set[0] = {sizeof(hm_curves), 0, fit.control.count() / 2, fit.control.data(), nullptr, fit.n_curves,
+        set[0] = {sizeof(hm_curves),  0,       fit.control.count() / 2,
+                  fit.control.data(), nullptr, fit.n_curves,
                   curve.data()};
         return set.data();
     }
@@ -82,8 +84,8 @@ hm_status hm_curves_check(const hm_curves* curves, hm_error* err) {
     });
 }
 
-hm_status hm_curve_basis(const hm_curves* curves, int32_t number, double u, int32_t n_derivatives, int32_t* control,
-                         double* values, hm_error* err) {
+hm_status hm_curve_basis(const hm_curves* curves, int32_t number, double u, int32_t n_derivatives,
+                         int32_t* control, double* values, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Curve curve;
         HARMORPH_TRY(require({{"control", control}, {"values", values}}, fault));
@@ -92,14 +94,15 @@ hm_status hm_curve_basis(const hm_curves* curves, int32_t number, double u, int3
         CurveBasis const basis = curve_basis(curve, u, n_derivatives);
         for (Index k = 0; k < basis.order; ++k) {
             control[k] = numbered(basis.control[k], curve.index_base);
-            for (Index d = 0; d <= n_derivatives; ++d) values[d * basis.order + k] = basis.value[d][k];
+            for (Index d = 0; d <= n_derivatives; ++d)
+                values[d * basis.order + k] = basis.value[d][k];
         }
         return Status::ok;
     });
 }
 
-hm_status hm_curve_point(const hm_curves* curves, int32_t number, double u, int32_t n_derivatives, double* xy,
-                         hm_error* err) {
+hm_status hm_curve_point(const hm_curves* curves, int32_t number, double u, int32_t n_derivatives,
+                         double* xy, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Curve curve;
         HARMORPH_TRY(require({{"xy", xy}}, fault));
@@ -115,13 +118,14 @@ hm_status hm_curve_point(const hm_curves* curves, int32_t number, double u, int3
     });
 }
 
-hm_status hm_curve_project(const hm_curves* curves, int32_t number, double x, double y, double* u, double* distance,
-                           hm_error* err) {
+hm_status hm_curve_project(const hm_curves* curves, int32_t number, double x, double y, double* u,
+                           double* distance, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Curve curve;
         HARMORPH_TRY(require({{"u", u}, {"distance", distance}}, fault));
         if (!is_coordinate({x, y})) {
-            return fault.refuse(Status::bad_argument, "the point to project is not finite, or beyond 1e100");
+            return fault.refuse(Status::bad_argument,
+                                "the point to project is not finite, or beyond 1e100");
         }
         HARMORPH_TRY(open_curve(curves, number, curve, fault));
         Projection const foot = project(curve, {x, y});
@@ -142,8 +146,9 @@ hm_status hm_fit_size(int32_t n, const hm_fit_options* options, size_t* bytes, h
     });
 }
 
-hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes, const hm_points* points, int32_t n,
-                 int32_t is_loop, const hm_fit_options* options, hm_fit_report* report, hm_error* err) {
+hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes, const hm_points* points,
+                 int32_t n, int32_t is_loop, const hm_fit_options* options, hm_fit_report* report,
+                 hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Points view;
         FitOptions asked;
@@ -154,7 +159,8 @@ hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes, const hm_p
         HARMORPH_TRY(check_fit(n, asked, fault));
         FitBlock made;
         FitReport fitted;
-        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, n, asked); }));
+        HARMORPH_TRY(
+            place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, n, asked); }));
         HARMORPH_TRY(made.fit.run(view, n, is_loop != 0, asked, fitted, fault));
         *curves = made.present();
         if (report != nullptr) write_struct(report_of(fitted), report);

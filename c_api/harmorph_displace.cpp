@@ -12,8 +12,8 @@ constexpr Index most_fields = Index{1} << 20;
 Status check_fields(Plan const& plan, Index n_fields, Fault& fault) noexcept {
     HARMORPH_TRY(require_given_points(plan, fault));
     if (n_fields >= 1 && n_fields <= most_fields) return Status::ok;
-    return fault.refuse(Status::bad_argument, "n_fields must be between 1 and 2^20, not #", Counts::from_zero,
-                        n_fields);
+    return fault.refuse(Status::bad_argument, "n_fields must be between 1 and 2^20, not #",
+                        Counts::from_zero, n_fields);
 }
 
 // What both calls have in common: the plan, the list of wall points, and working memory.
@@ -22,13 +22,14 @@ struct DisplaceCall {
     PointList list;
     Displacement displacement;
 
-    Status open(hm_plan* handle, Index n, const Index* points, Index n_fields, void* work, Size bytes,
-                const hm_solve_report* report, CallFault& fault) noexcept {
+    Status open(hm_plan* handle, Index n, const Index* points, Index n_fields, void* work,
+                Size bytes, const hm_solve_report* report, CallFault& fault) noexcept {
         HARMORPH_TRY(open_plan(handle, plan, fault));
         HARMORPH_TRY(check_fields(*plan, n_fields, fault));
         HARMORPH_TRY(check_report_if(report, fault));
         HARMORPH_TRY(view_given_list(*plan, n, points, list, fault));
-        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { displacement.lay_out(arena, *plan, n_fields); }));
+        HARMORPH_TRY(place(work, bytes, fault,
+                           [&](Arena& arena) { displacement.lay_out(arena, *plan, n_fields); }));
         return displacement.find_places(*plan, list, fault);
     }
 
@@ -50,7 +51,8 @@ struct DisplaceCall {
         for (Index first = 0; first < n_fields; first += GivenWall::fields_at_once) {
             Index const n = smaller(n_fields - first, GivenWall::fields_at_once);
             for (Index i = 0; i < n; ++i)
-                views[i] = {given[first + i].x, given[first + i].y, stride_of(given[first + i].stride)};
+                views[i] = {given[first + i].x, given[first + i].y,
+                            stride_of(given[first + i].stride)};
             HARMORPH_TRY(body(first, Span<const View<Given>>{views, static_cast<Size>(n)}));
         }
         return Status::ok;
@@ -91,11 +93,14 @@ struct TableCall {
         HARMORPH_TRY(check_fields(*plan, n_modes, fault));
         HARMORPH_TRY(plan->check_fit(basis, fault));
         if (numbers == 1 || numbers == 2) return Status::ok;
-        return fault.refuse(Status::bad_argument, "numbers must be 1 or 2, not #", Counts::from_zero, numbers);
+        return fault.refuse(Status::bad_argument, "numbers must be 1 or 2, not #",
+                            Counts::from_zero, numbers);
     }
 };
 
-MutablePoints points_of(hm_points_out const& given) noexcept { return {given.x, given.y, stride_of(given.stride)}; }
+MutablePoints points_of(hm_points_out const& given) noexcept {
+    return {given.x, given.y, stride_of(given.stride)};
+}
 
 }  // namespace
 }  // namespace harmorph
@@ -104,17 +109,20 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_given_points(const hm_plan* plan, int32_t* points, int32_t capacity, int32_t* n, hm_error* err) {
+hm_status hm_given_points(const hm_plan* plan, int32_t* points, int32_t capacity, int32_t* n,
+                          hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Plan* p = nullptr;
         HARMORPH_TRY(open_plan(plan, p, fault));
         HARMORPH_TRY(require({{"n", n}}, fault));
         if (capacity > 0) HARMORPH_TRY(require({{"points", points}}, fault));
         Span<const Index> const given = p->given.point;
-        for (Index k = 0; k < smaller(capacity, given.count()); ++k) points[k] = given[k] + p->mesh.index_base;
+        for (Index k = 0; k < smaller(capacity, given.count()); ++k)
+            points[k] = given[k] + p->mesh.index_base;
         *n = given.count();
         if (capacity >= *n) return Status::ok;
-        return fault.refuse(Status::bad_argument, "points has room for #, the displacements of @ points are given",
+        return fault.refuse(Status::bad_argument,
+                            "points has room for #, the displacements of @ points are given",
                             Counts::from_zero, capacity, *n);
     });
 }
@@ -129,9 +137,9 @@ hm_status hm_displace_size(const hm_plan* plan, int32_t n_fields, size_t* bytes,
     });
 }
 
-hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n_fields, const hm_points* wall,
-                      const hm_points* from, const hm_points_out* to, void* work, size_t bytes, hm_solve_report* report,
-                      hm_error* err) {
+hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n_fields,
+                      const hm_points* wall, const hm_points* from, const hm_points_out* to,
+                      void* work, size_t bytes, hm_solve_report* report, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         DisplaceCall call;
         Points start;
@@ -159,9 +167,9 @@ hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n
     });
 }
 
-hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* points, int32_t n_fields, const hm_points* dj,
-                              const hm_points_out* gradient, void* work, size_t bytes, hm_solve_report* report,
-                              hm_error* err) {
+hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* points, int32_t n_fields,
+                              const hm_points* dj, const hm_points_out* gradient, void* work,
+                              size_t bytes, hm_solve_report* report, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         DisplaceCall call;
         HARMORPH_TRY(call.open(plan, n, points, n_fields, work, bytes, report, fault));
@@ -181,8 +189,8 @@ hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* points, i
     });
 }
 
-hm_status hm_tabulate_size(const hm_plan* plan, const hm_basis* basis, int32_t n_modes, int32_t numbers, size_t* bytes,
-                           size_t* work_bytes, hm_error* err) {
+hm_status hm_tabulate_size(const hm_plan* plan, const hm_basis* basis, int32_t n_modes,
+                           int32_t numbers, size_t* bytes, size_t* work_bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Plan* p = nullptr;
         TableCall call;
@@ -202,9 +210,10 @@ hm_status hm_tabulate_size(const hm_plan* plan, const hm_basis* basis, int32_t n
     });
 }
 
-hm_status hm_tabulate(hm_basis** tabulated, void* block, size_t bytes, hm_plan* plan, const hm_basis* basis, int32_t n,
-                      const int32_t* points, int32_t n_modes, int32_t numbers, const double* modes, void* work,
-                      size_t work_bytes, hm_solve_report* report, hm_error* err) {
+hm_status hm_tabulate(hm_basis** tabulated, void* block, size_t bytes, hm_plan* plan,
+                      const hm_basis* basis, int32_t n, const int32_t* points, int32_t n_modes,
+                      int32_t numbers, const double* modes, void* work, size_t work_bytes,
+                      hm_solve_report* report, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         TableCall table;
         DisplaceCall call;
@@ -215,15 +224,17 @@ hm_status hm_tabulate(hm_basis** tabulated, void* block, size_t bytes, hm_plan* 
         HARMORPH_TRY(check_report_if(report, fault));
         HARMORPH_TRY(view_given_list(*call.plan, n, points, call.list, fault));
         if (n > 2 * call.plan->mesh.n_points) {
-            return fault.refuse(Status::bad_argument, "the list is longer than twice the mesh: # points",
+            return fault.refuse(Status::bad_argument,
+                                "the list is longer than twice the mesh: # points",
                                 Counts::from_zero, n);
         }
         Plan& its = *call.plan;
-        bool const moved =
-            table.basis.header->counts.functions() > 0 && table.basis.header->coordinates != its.coordinates;
+        bool const moved = table.basis.header->counts.functions() > 0 &&
+                           table.basis.header->coordinates != its.coordinates;
         if (moved)
-            return fault.refuse(Status::bad_basis,
-                                "the basis was solved on other coordinates than the plan was factored on");
+            return fault.refuse(
+                Status::bad_basis,
+                "the basis was solved on other coordinates than the plan was factored on");
         HARMORPH_TRY(place(work, work_bytes, fault, [&](Arena& arena) {
             rows.lay_out(arena, its, 2 * its.mesh.n_points, fields_of(table.basis, n_modes));
         }));

@@ -10,32 +10,40 @@ struct EquationsRequest : Request {
     const Part* part = nullptr;
     Index n_edges = 0;
 
-    Status read_all(const hm_part* of, Index edges, const hm_problem* given, const hm_options* options,
-                    CallFault& fault) noexcept {
+    Status read_all(const hm_part* of, Index edges, const hm_problem* given,
+                    const hm_options* options, CallFault& fault) noexcept {
         HARMORPH_TRY(open_part(of, part, fault));
         n_edges = edges;
         if (edges < 0 || edges > Mesh::max_points / 2) {
-            return fault.refuse(Status::bad_argument, "n_edges must be between 0 and 2^29, not #", Counts::from_zero,
-                                edges);
+            return fault.refuse(Status::bad_argument, "n_edges must be between 0 and 2^29, not #",
+                                Counts::from_zero, edges);
         }
         HARMORPH_TRY(read_without_mesh(given, options, fault));
         Method const& method = problem.method;
         const char* wrong = nullptr;
-        if (method.scheme != Scheme::compact) wrong = "meshes in parts go with the compact scheme only";
-        if (method.engine != Engine::direct) wrong = "meshes in parts: options.engine must be HM_DIRECT";
-        if (method.precision != Precision::in_double) wrong = "meshes in parts: options.precision must be HM_DOUBLE";
+        if (method.scheme != Scheme::compact)
+            wrong = "meshes in parts go with the compact scheme only";
+        if (method.engine != Engine::direct)
+            wrong = "meshes in parts: options.engine must be HM_DIRECT";
+        if (method.precision != Precision::in_double)
+            wrong = "meshes in parts: options.precision must be HM_DOUBLE";
         if (problem.demands.rotation) {
             wrong = "meshes in parts do not go with HM_ROTATION_PAIR; HM_PERIODIC_PAIR does";
         }
         if (problem.demands.slip_curves > 0) {
-            wrong = "meshes in parts do not go with curves that are given for sliding (hm_condition.along)";
+            wrong =
+                "meshes in parts do not go with curves that are given for sliding "
+                "(hm_condition.along)";
         }
         if (!problem.given.point.empty()) wrong = "meshes in parts: problem.n_given must be 0";
         if (wrong != nullptr) return fault.refuse(Status::unsupported, wrong);
         if (n_conditions > 0) return Status::ok;
-        return fault.refuse(Status::bad_condition, "there are no curves, no rigid bodies and no given displacements");
+        return fault.refuse(Status::bad_condition,
+                            "there are no curves, no rigid bodies and no given displacements");
     }
-    PartProblem asked() const noexcept { return {problem.method, problem.demands, problem.executor}; }
+    PartProblem asked() const noexcept {
+        return {problem.method, problem.demands, problem.executor};
+    }
     void lay_out(Arena& arena, InBlock<PartEquations>& made) const noexcept {
         made.lay_out(arena, *part, asked(), n_edges, n_curves, n_conditions, n_control());
     }
@@ -47,13 +55,14 @@ hm_equations_info info_of(PartEquations const& equations) noexcept {
     filled.unknowns = equations.matrix.n;
     filled.numbers = equations.numbers();
     filled.functions = counts.functions();
-    filled.columns = equations.matrix.is_complex()
-                         ? counts.functions()
-                         : numbers_of(counts.kind) * counts.functions() / equations.matrix.components();
+    filled.columns = equations.matrix.is_complex() ? counts.functions()
+                                                   : numbers_of(counts.kind) * counts.functions() /
+                                                         equations.matrix.components();
     filled.field_columns = equations.matrix.kind == MatrixKind::real ? 2 : 1;
     filled.unknown = equations.name.data();
     filled.own = equations.is_own.data();
-    equations.for_each_entry(0, equations.matrix.n, [&](Index, Index, Real, Real) { ++filled.entries; });
+    equations.for_each_entry(0, equations.matrix.n,
+                             [&](Index, Index, Real, Real) { ++filled.entries; });
     return filled;
 }
 
@@ -64,8 +73,8 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_equations_size(const hm_part* part, int32_t n_edges, const hm_problem* problem, const hm_options* options,
-                            size_t* bytes, hm_error* err) {
+hm_status hm_equations_size(const hm_part* part, int32_t n_edges, const hm_problem* problem,
+                            const hm_options* options, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         EquationsRequest request;
         HARMORPH_TRY(request.read_all(part, n_edges, problem, options, fault));
@@ -74,24 +83,29 @@ hm_status hm_equations_size(const hm_part* part, int32_t n_edges, const hm_probl
     });
 }
 
-hm_status hm_equations_init(hm_equations** equations, void* block, size_t bytes, const hm_part* part, int32_t n_edges,
-                            const hm_edge* edges, const hm_problem* problem, const hm_options* options, hm_error* err) {
+hm_status hm_equations_init(hm_equations** equations, void* block, size_t bytes,
+                            const hm_part* part, int32_t n_edges, const hm_edge* edges,
+                            const hm_problem* problem, const hm_options* options, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         EquationsRequest request;
         HARMORPH_TRY(require({{"equations", equations}}, fault));
         HARMORPH_TRY(request.read_all(part, n_edges, problem, options, fault));
         if (n_edges > 0) HARMORPH_TRY(require({{"edges", edges}}, fault));
         InBlock<PartEquations> made;
-        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { request.lay_out(arena, made); }));
-        HARMORPH_TRY(request.copy_to(made.object.shared.curves, {}, made.object.shared.conditions, fault));
-        Span<const OpenEdge> const all(reinterpret_cast<const OpenEdge*>(edges), static_cast<Size>(n_edges));
+        HARMORPH_TRY(
+            place(block, bytes, fault, [&](Arena& arena) { request.lay_out(arena, made); }));
+        HARMORPH_TRY(
+            request.copy_to(made.object.shared.curves, {}, made.object.shared.conditions, fault));
+        Span<const OpenEdge> const all(reinterpret_cast<const OpenEdge*>(edges),
+                                       static_cast<Size>(n_edges));
         HARMORPH_TRY(made.object.run(all, fault));
         made.give(equations);
         return fault.status;
     });
 }
 
-hm_status hm_equations_info_get(const hm_equations* equations, hm_equations_info* info, hm_error* err) {
+hm_status hm_equations_info_get(const hm_equations* equations, hm_equations_info* info,
+                                hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const PartEquations* of = nullptr;
         HARMORPH_TRY(open(equations, "equations", of, fault));
@@ -101,22 +115,26 @@ hm_status hm_equations_info_get(const hm_equations* equations, hm_equations_info
     });
 }
 
-hm_status hm_equations_entries(const hm_equations* equations, int32_t first, int32_t n, int32_t* row, int32_t* column,
-                               double* values, int64_t capacity, int64_t* n_entries, hm_error* err) {
+hm_status hm_equations_entries(const hm_equations* equations, int32_t first, int32_t n,
+                               int32_t* row, int32_t* column, double* values, int64_t capacity,
+                               int64_t* n_entries, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const PartEquations* of = nullptr;
         HARMORPH_TRY(open(equations, "equations", of, fault));
         HARMORPH_TRY(require({{"n_entries", n_entries}}, fault));
         if (first < 0 || n < 0 || n > of->matrix.n - first) {
-            return fault.refuse(Status::bad_argument, "from unknown # (from 0) on there are no @ unknowns",
+            return fault.refuse(Status::bad_argument,
+                                "from unknown # (from 0) on there are no @ unknowns",
                                 Counts::from_zero, first, n);
         }
         *n_entries = 0;
         of->for_each_entry(first, n, [&](Index, Index, Real, Real) { ++*n_entries; });
         if (capacity < *n_entries) {
-            return fault.refuse(Status::bad_argument, "there is room for fewer entries than there are");
+            return fault.refuse(Status::bad_argument,
+                                "there is room for fewer entries than there are");
         }
-        if (capacity > 0) HARMORPH_TRY(require({{"row", row}, {"column", column}, {"values", values}}, fault));
+        if (capacity > 0)
+            HARMORPH_TRY(require({{"row", row}, {"column", column}, {"values", values}}, fault));
         of->for_each_entry(first, n, [&](Index i, Index j, Real re, Real im) {
             *row++ = i;
             *column++ = j;

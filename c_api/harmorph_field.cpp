@@ -20,7 +20,11 @@ struct FieldCall {
         return Status::ok;
     }
     DofValues values() const noexcept {
-        return {rows, 0, 1, equations->dof_of, equations->wall.point.first(equations->wall.count),
+        return {rows,
+                0,
+                1,
+                equations->dof_of,
+                equations->wall.point.first(equations->wall.count),
                 equations->matrix.components()};
     }
     // body(column, its numbers among those of all columns)
@@ -39,8 +43,8 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_field_init(hm_equations* equations, const hm_points* displacement, double* work, double* right_hand_sides,
-                        hm_error* err) {
+hm_status hm_field_init(hm_equations* equations, const hm_points* displacement, double* work,
+                        double* right_hand_sides, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         FieldCall call;
         Points given;
@@ -54,27 +58,32 @@ hm_status hm_field_init(hm_equations* equations, const hm_points* displacement, 
             Index const point = of.wall.point[k];
             if (of.wall.curve[k] != kind) continue;
             if (!is_coordinate(given[point])) {
-                return fault.refuse(Status::bad_argument, "the displacement of point # is not finite, or beyond 1e100",
+                return fault.refuse(Status::bad_argument,
+                                    "the displacement of point # is not finite, or beyond 1e100",
                                     Counts::mesh, point);
             }
             call.rows[2 * Offset{point}] = given[point].x;
             call.rows[2 * Offset{point} + 1] = given[point].y;
         }
         subtract_couplings(of.matrix, call.values());
-        call.for_each_column(right_hand_sides, [&](Index column, double* to) { of.get(call.values(), column, to); });
+        call.for_each_column(right_hand_sides,
+                             [&](Index column, double* to) { of.get(call.values(), column, to); });
         return Status::ok;
     });
 }
 
-hm_status hm_field_residual(hm_equations* equations, double* work, const double* values, double* residuals,
-                            hm_error* err) {
+hm_status hm_field_residual(hm_equations* equations, double* work, const double* values,
+                            double* residuals, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         FieldCall call;
         HARMORPH_TRY(call.open_field(equations, work, fault));
         HARMORPH_TRY(require({{"values", values}, {"residuals", residuals}}, fault));
         PartEquations const& of = *call.equations;
-        call.for_each_column(values, [&](Index column, const double* from) { of.set(call.values(), column, from); });
-        call.for_each_column(residuals, [&](Index column, double* to) { of.find_residual(call.values(), column, to); });
+        call.for_each_column(
+            values, [&](Index column, const double* from) { of.set(call.values(), column, from); });
+        call.for_each_column(residuals, [&](Index column, double* to) {
+            of.find_residual(call.values(), column, to);
+        });
         return Status::ok;
     });
 }
@@ -88,7 +97,8 @@ hm_status hm_field_finish(hm_equations* equations, double* work, const double* v
         HARMORPH_TRY(require({{"values", values}}, fault));
         HARMORPH_TRY(view_points(displacement, "displacement", to, fault));
         PartEquations const& of = *call.equations;
-        call.for_each_column(values, [&](Index column, const double* from) { of.set(call.values(), column, from); });
+        call.for_each_column(
+            values, [&](Index column, const double* from) { of.set(call.values(), column, from); });
         of.finish(call.values());
         for (Index k = 0; k < of.part.own().n_points; ++k) {
             to.set(k, {call.rows[2 * Offset{k}], call.rows[2 * Offset{k} + 1]});

@@ -15,8 +15,8 @@ struct FinerTask {
     Status open(const hm_curves* curves, CallFault& fault) noexcept {
         HARMORPH_TRY(view_curves(curves, view, fault));
         if (refinement.curve < 0 || refinement.curve >= view.count()) {
-            return fault.refuse(Status::bad_argument, "there is no curve # (from 0); the set has @", Counts::from_zero,
-                                refinement.curve, view.count());
+            return fault.refuse(Status::bad_argument, "there is no curve # (from 0); the set has @",
+                                Counts::from_zero, refinement.curve, view.count());
         }
         for (Index i = 0; i < view.count(); ++i) {
             Curve curve;
@@ -32,7 +32,8 @@ struct FinerTask {
 Status view_knots(Index n, const double* u, CurveRefinement& refinement, Fault& fault) noexcept {
     constexpr Index most = Index{1} << 24;
     if (n < 0 || n > most) {
-        return fault.refuse(Status::bad_argument, "n must be between 0 and 2^24, not #", Counts::from_zero, n);
+        return fault.refuse(Status::bad_argument, "n must be between 0 and 2^24, not #",
+                            Counts::from_zero, n);
     }
     if (n > 0) HARMORPH_TRY(require({{"u", u}}, fault));
     refinement.knots = {u, static_cast<Size>(n)};
@@ -53,25 +54,28 @@ struct FinerBlock {
     const hm_curves* present(Index index_base) const noexcept {
         for (Index i = 0; i < curve.count(); ++i) curve[i] = struct_of(finer.curve[i]);
         const Real* const weights = finer.weights.empty() ? nullptr : finer.weights.data();
-        set[0] = {sizeof(hm_curves), index_base, finer.n_control, finer.control.data(), weights, curve.count(),
-                  curve.data()};
+        set[0] = {sizeof(hm_curves), index_base,    finer.n_control, finer.control.data(),
+                  weights,           curve.count(), curve.data()};
         return set.data();
     }
 };
 
-Status count_finer(FinerTask& task, const hm_curves* curves, size_t* bytes, CallFault& fault) noexcept {
+Status count_finer(FinerTask& task, const hm_curves* curves, size_t* bytes,
+                   CallFault& fault) noexcept {
     HARMORPH_TRY(task.open(curves, fault));
     FinerBlock made;
     return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, task.counts); });
 }
 
-Status make_finer(FinerTask& task, const hm_curves** finer, const double** matrix, void* block, Size bytes,
-                  const hm_curves* curves, CallFault& fault) noexcept {
+Status make_finer(FinerTask& task, const hm_curves** finer, const double** matrix, void* block,
+                  Size bytes, const hm_curves* curves, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"finer", finer}}, fault));
     HARMORPH_TRY(task.open(curves, fault));
     FinerBlock made;
-    HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, task.counts); }));
-    for (Index i = 0; i < task.view.count(); ++i) task.view.curve(i, made.finer.curve[i], fault);  // checked by open()
+    HARMORPH_TRY(
+        place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, task.counts); }));
+    for (Index i = 0; i < task.view.count(); ++i)
+        task.view.curve(i, made.finer.curve[i], fault);  // checked by open()
     HARMORPH_TRY(made.finer.run(task.refinement, fault));
     *finer = made.present(task.view.set.index_base);
     if (matrix != nullptr) *matrix = made.finer.matrix.data();
@@ -85,8 +89,8 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_refine_size(const hm_curves* curves, int32_t curve, int32_t n, const double* u, size_t* bytes,
-                         hm_error* err) {
+hm_status hm_refine_size(const hm_curves* curves, int32_t curve, int32_t n, const double* u,
+                         size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         FinerTask task;
         task.refinement.curve = curve;
@@ -95,8 +99,9 @@ hm_status hm_refine_size(const hm_curves* curves, int32_t curve, int32_t n, cons
     });
 }
 
-hm_status hm_refine(const hm_curves** finer, const double** matrix, void* block, size_t bytes, const hm_curves* curves,
-                    int32_t curve, int32_t n, const double* u, hm_error* err) {
+hm_status hm_refine(const hm_curves** finer, const double** matrix, void* block, size_t bytes,
+                    const hm_curves* curves, int32_t curve, int32_t n, const double* u,
+                    hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         FinerTask task;
         task.refinement.curve = curve;
@@ -114,8 +119,8 @@ hm_status hm_elevate_size(const hm_curves* curves, int32_t curve, size_t* bytes,
     });
 }
 
-hm_status hm_elevate(const hm_curves** finer, const double** matrix, void* block, size_t bytes, const hm_curves* curves,
-                     int32_t curve, hm_error* err) {
+hm_status hm_elevate(const hm_curves** finer, const double** matrix, void* block, size_t bytes,
+                     const hm_curves* curves, int32_t curve, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         FinerTask task;
         task.refinement.curve = curve;

@@ -6,38 +6,44 @@
 namespace harmorph {
 namespace {
 
-// The mesh's own coordinates are a reference as long as they are those of the analysis: of a mesh that was moved in
-// place, they are the mesh that is to become better.
+// The mesh's own coordinates are a reference as long as they are those of the analysis: of a mesh
+// that was moved in place, they are the mesh that is to become better.
 Status check_own_reference(Plan const& plan, Fault& fault) noexcept {
     Points const own = plan.mesh.points;
-    if (coordinates_fingerprint(own, plan.mesh.n_points) == plan.equations.analysed_coordinates) return Status::ok;
-    return fault.refuse(Status::bad_mesh,
-                        "the mesh's coordinates have changed since the analysis: give those as the reference");
+    if (coordinates_fingerprint(own, plan.mesh.n_points) == plan.equations.analysed_coordinates)
+        return Status::ok;
+    return fault.refuse(
+        Status::bad_mesh,
+        "the mesh's coordinates have changed since the analysis: give those as the reference");
 }
 
 // reference: in, the mesh's own coordinates.
-Status view_improve_options(const hm_improve_options* given, ImproveOptions& options, Points& reference,
-                            Fault& fault) noexcept {
+Status view_improve_options(const hm_improve_options* given, ImproveOptions& options,
+                            Points& reference, Fault& fault) noexcept {
     constexpr Index most_iterations = 10000;
     hm_improve_options o = {};
     if (given == nullptr) return Status::ok;
-    if (!read_struct(given, o)) return fault.refuse(Status::bad_argument, "improve options: struct_size is wrong");
+    if (!read_struct(given, o))
+        return fault.refuse(Status::bad_argument, "improve options: struct_size is wrong");
     if (asks_for_more(given)) {
-        return fault.refuse(Status::unsupported,
-                            "improve options: fields are set that this version of the library does not know");
+        return fault.refuse(
+            Status::unsupported,
+            "improve options: fields are set that this version of the library does not know");
     }
     if (o.max_iterations < 0 || o.max_iterations > most_iterations || o.reserved != 0) {
-        return fault.refuse(Status::bad_argument,
-                            "improve options: max_iterations is #, not 0 .. @, or reserved is not 0", Counts::from_zero,
-                            o.max_iterations, most_iterations);
+        return fault.refuse(
+            Status::bad_argument,
+            "improve options: max_iterations is #, not 0 .. @, or reserved is not 0",
+            Counts::from_zero, o.max_iterations, most_iterations);
     }
-    if (o.reference != nullptr) HARMORPH_TRY(view_points(o.reference, "reference", reference, fault));
+    if (o.reference != nullptr)
+        HARMORPH_TRY(view_points(o.reference, "reference", reference, fault));
     if (o.max_iterations != 0) options.most_iterations = o.max_iterations;
     return Status::ok;
 }
 
-hm_improve_report report_of(ImproveReport const& improved, Quality const& before, Quality const& after,
-                            Index base) noexcept {
+hm_improve_report report_of(ImproveReport const& improved, Quality const& before,
+                            Quality const& after, Index base) noexcept {
     hm_improve_report filled = {};
     filled.iterations = improved.iterations;
     filled.movable = improved.unknowns;
@@ -66,8 +72,9 @@ hm_status hm_improve_size(const hm_plan* plan, size_t* bytes, hm_error* err) {
     });
 }
 
-hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* to, void* work, size_t bytes,
-                     const hm_improve_options* options, hm_improve_report* report, hm_error* err) {
+hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* to, void* work,
+                     size_t bytes, const hm_improve_options* options, hm_improve_report* report,
+                     hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Plan* p = nullptr;
         Points before, reference;
@@ -79,9 +86,11 @@ hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* 
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(to, "to", after, fault));
         HARMORPH_TRY(view_improve_options(options, asked, reference, fault));
-        if (options == nullptr || options->reference == nullptr) HARMORPH_TRY(check_own_reference(*p, fault));
+        if (options == nullptr || options->reference == nullptr)
+            HARMORPH_TRY(check_own_reference(*p, fault));
         MeshImprovement improvement;
-        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { improvement.lay_out(arena, *p); }));
+        HARMORPH_TRY(
+            place(work, bytes, fault, [&](Arena& arena) { improvement.lay_out(arena, *p); }));
         auto const quality_of = [&](Points points) {
             return measure_quality(p->equations.cells, points, reference, p->executor);
         };
@@ -89,7 +98,8 @@ hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* 
         Quality const given = quality_of(before);
         ImproveReport improved;
         improvement.run(*p, asked, reference, before, after, improved);
-        if (report != nullptr) write_struct(report_of(improved, given, quality_of(after), p->mesh.index_base), report);
+        if (report != nullptr)
+            write_struct(report_of(improved, given, quality_of(after), p->mesh.index_base), report);
         return Status::ok;
     });
 }

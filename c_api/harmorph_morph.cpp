@@ -8,15 +8,17 @@ namespace {
 
 // Have two arrays of the same stride a number of points in common, though not of the same number?
 bool are_shifted(const double* a, const double* b, std::ptrdiff_t stride, Index n) noexcept {
-    std::uintptr_t const bytes = a < b ? reinterpret_cast<std::uintptr_t>(b) - reinterpret_cast<std::uintptr_t>(a)
-                                         : reinterpret_cast<std::uintptr_t>(a) - reinterpret_cast<std::uintptr_t>(b);
+    std::uintptr_t const bytes =
+        a < b ? reinterpret_cast<std::uintptr_t>(b) - reinterpret_cast<std::uintptr_t>(a)
+              : reinterpret_cast<std::uintptr_t>(a) - reinterpret_cast<std::uintptr_t>(b);
     std::uintptr_t const step = static_cast<std::uintptr_t>(stride) * sizeof(double);
     return bytes != 0 && bytes % step == 0 && bytes / step < static_cast<std::uintptr_t>(n);
 }
 
 Status check_apart(Points from, MutablePoints to, Index n, Fault& fault) noexcept {
     if (from.x == nullptr || from.stride != to.stride) return Status::ok;
-    bool const apart = !are_shifted(from.x, to.x, to.stride, n) && !are_shifted(from.y, to.y, to.stride, n);
+    bool const apart =
+        !are_shifted(from.x, to.x, to.stride, n) && !are_shifted(from.y, to.y, to.stride, n);
     if (apart && from.x != to.y && from.y != to.x) return Status::ok;
     return fault.refuse_argument("to", "% has numbers of `from`, but of other points");
 }
@@ -28,8 +30,8 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_morph(const hm_basis* basis, const double* move, const hm_points* from, const hm_points_out* to,
-                   const hm_executor* executor, hm_error* err) {
+hm_status hm_morph(const hm_basis* basis, const double* move, const hm_points* from,
+                   const hm_points_out* to, const hm_executor* executor, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         Executor threads;
@@ -46,8 +48,8 @@ hm_status hm_morph(const hm_basis* basis, const double* move, const hm_points* f
     });
 }
 
-hm_status hm_adjoint(const hm_basis* basis, const hm_points* dj, double* gradient, const hm_executor* executor,
-                     hm_error* err) {
+hm_status hm_adjoint(const hm_basis* basis, const hm_points* dj, double* gradient,
+                     const hm_executor* executor, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         Executor threads;

@@ -7,12 +7,14 @@
 namespace harmorph {
 namespace {
 
-static_assert(sizeof(hm_edge) == sizeof(OpenEdge) && sizeof(hm_edge) == 56, "one is read as the other");
+static_assert(sizeof(hm_edge) == sizeof(OpenEdge) && sizeof(hm_edge) == 56,
+              "one is read as the other");
 
 Status view_part_mesh(const hm_part_mesh* given, PartMesh& part, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"mesh", given}}, fault));
     hm_part_mesh p;
-    if (!read_struct(given, p)) return fault.refuse(Status::bad_argument, "the struct_size of the part is wrong");
+    if (!read_struct(given, p))
+        return fault.refuse(Status::bad_argument, "the struct_size of the part is wrong");
     HARMORPH_TRY(require({{"part.numbers", p.numbers}}, fault));
     HARMORPH_TRY(view_mesh(p.mesh, part.mesh, fault));
     part.number = p.numbers;
@@ -36,7 +38,8 @@ hm_status hm_part_size(const hm_part_mesh* mesh, size_t* bytes, hm_error* err) {
     });
 }
 
-hm_status hm_part_init(hm_part** part, void* block, size_t bytes, const hm_part_mesh* mesh, hm_error* err) {
+hm_status hm_part_init(hm_part** part, void* block, size_t bytes, const hm_part_mesh* mesh,
+                       hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         PartMesh view;
         HARMORPH_TRY(require({{"part", part}}, fault));
@@ -60,7 +63,8 @@ hm_status hm_part_cells(const hm_part* part, hm_mesh* own, const int32_t** cell,
         filled.index_base = mesh.index_base;
         filled.n_points = mesh.n_points;
         filled.points = {mesh.points.x, mesh.points.y, mesh.points.stride};
-        filled.cell_layout = mesh.layout == CellLayout::polygons ? HM_CELLS_POLYGONS : HM_CELLS_QUADS;
+        filled.cell_layout =
+            mesh.layout == CellLayout::polygons ? HM_CELLS_POLYGONS : HM_CELLS_QUADS;
         filled.n_cells = mesh.n_cells;
         filled.cell_start = mesh.cell_start;
         filled.cell_points = mesh.cell_points;
@@ -80,7 +84,8 @@ hm_status hm_part_points(const hm_part* part, uint8_t* role, hm_error* err) {
     });
 }
 
-hm_status hm_part_edges(const hm_part* part, hm_edge* edges, int32_t capacity, int32_t* n, hm_error* err) {
+hm_status hm_part_edges(const hm_part* part, hm_edge* edges, int32_t capacity, int32_t* n,
+                        hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Part* of = nullptr;
         HARMORPH_TRY(open_part(part, of, fault));
@@ -88,10 +93,12 @@ hm_status hm_part_edges(const hm_part* part, hm_edge* edges, int32_t capacity, i
         if (capacity > 0) HARMORPH_TRY(require({{"edges", edges}}, fault));
         *n = of->n_open;
         if (capacity < of->n_open) {
-            return fault.refuse(Status::bad_argument, "edges has room for #, the part has @", Counts::from_zero,
-                                capacity, of->n_open);
+            return fault.refuse(Status::bad_argument, "edges has room for #, the part has @",
+                                Counts::from_zero, capacity, of->n_open);
         }
-        of->for_each_open([&](OpenEdge const& edge) { std::memcpy(static_cast<void*>(edges++), &edge, sizeof edge); });
+        of->for_each_open([&](OpenEdge const& edge) {
+            std::memcpy(static_cast<void*>(edges++), &edge, sizeof edge);
+        });
         return Status::ok;
     });
 }
@@ -102,7 +109,8 @@ hm_status hm_match_edges(hm_edge* edges, int64_t* n, hm_error* err) {
         if (*n < 0) return fault.refuse(Status::bad_argument, "the number of edges is negative");
         if (*n > 0) HARMORPH_TRY(require({{"edges", edges}}, fault));
         Offset left = 0;
-        HARMORPH_TRY(match_edges({reinterpret_cast<OpenEdge*>(edges), static_cast<Size>(*n)}, left, fault));
+        HARMORPH_TRY(
+            match_edges({reinterpret_cast<OpenEdge*>(edges), static_cast<Size>(*n)}, left, fault));
         *n = left;
         return Status::ok;
     });

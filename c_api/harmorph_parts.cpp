@@ -1,4 +1,5 @@
-// The C interface: meshes in parts. Rows of some points, shares of the functions, the sums of the adjoint.
+// The C interface: meshes in parts. Rows of some points, shares of the functions, the sums of the
+// adjoint.
 #include "handles.hpp"
 #include "basis/packed_rows.hpp"
 #include "morph/adjoint.hpp"
@@ -6,17 +7,21 @@
 namespace harmorph {
 namespace {
 
-Status view_list(Basis const& basis, Index n, const Index* points, PointList& list, Fault& fault) noexcept {
+Status view_list(Basis const& basis, Index n, const Index* points, PointList& list,
+                 Fault& fault) noexcept {
     HARMORPH_TRY(PointList::check_length(n, fault));
-    if (n > 0 && points == nullptr) return fault.refuse(Status::bad_argument, "the list of points is NULL");
+    if (n > 0 && points == nullptr)
+        return fault.refuse(Status::bad_argument, "the list of points is NULL");
     list = {basis.header->index_base, {points, static_cast<Size>(n)}};
     return list.check(basis.n_points(), fault);
 }
 
-Status count_share(Analysis const& analysis, Index first, Index n, BasisCounts& counts, Fault& fault) noexcept {
+Status count_share(Analysis const& analysis, Index first, Index n, BasisCounts& counts,
+                   Fault& fault) noexcept {
     BasisCounts const all = analysis.basis_counts();
     if (first < 0 || n < 0 || n > all.functions() - first) {
-        return fault.refuse(Status::bad_argument, "from function # (from 0) on there are no @ functions",
+        return fault.refuse(Status::bad_argument,
+                            "from function # (from 0) on there are no @ functions",
                             Counts::from_zero, first, n);
     }
     counts = all.share(first, n);
@@ -35,7 +40,8 @@ struct GradientCall {
     Points points;
     Executor threads;
 
-    Status open(const hm_basis* handle, const hm_points* dj, const hm_executor* executor, CallFault& fault) noexcept {
+    Status open(const hm_basis* handle, const hm_points* dj, const hm_executor* executor,
+                CallFault& fault) noexcept {
         HARMORPH_TRY(open_complete(handle, basis, fault));
         Index const n = basis.n_points();
         if (n > 0) HARMORPH_TRY(view_points(dj, "dj", points, fault, n));
@@ -59,8 +65,8 @@ hm_status hm_extract_size(const hm_basis* basis, int32_t n, size_t* bytes, hm_er
     });
 }
 
-hm_status hm_extract_init(hm_basis** rows, void* block, size_t bytes, const hm_basis* basis, int32_t n,
-                          const int32_t* points, hm_error* err) {
+hm_status hm_extract_init(hm_basis** rows, void* block, size_t bytes, const hm_basis* basis,
+                          int32_t n, const int32_t* points, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis from;
         PointList list;
@@ -68,7 +74,8 @@ hm_status hm_extract_init(hm_basis** rows, void* block, size_t bytes, const hm_b
         HARMORPH_TRY(open_solved(basis, from, fault));
         HARMORPH_TRY(view_list(from, n, points, list, fault));
         Extract made;
-        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, from, list); }));
+        HARMORPH_TRY(
+            place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, from, list); }));
         made.init(from, list);
         if (from.header->counts.complete()) made.copy_rows(from, list);
         *rows = reinterpret_cast<hm_basis*>(made.basis.header);
@@ -76,8 +83,8 @@ hm_status hm_extract_init(hm_basis** rows, void* block, size_t bytes, const hm_b
     });
 }
 
-hm_status hm_share_of(const hm_analysis* analysis, int32_t part, int32_t n_parts, int32_t* first, int32_t* n,
-                      hm_error* err) {
+hm_status hm_share_of(const hm_analysis* analysis, int32_t part, int32_t n_parts, int32_t* first,
+                      int32_t* n, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* of = nullptr;
         HARMORPH_TRY(require({{"first", first}, {"n", n}}, fault));
@@ -93,7 +100,8 @@ hm_status hm_share_of(const hm_analysis* analysis, int32_t part, int32_t n_parts
     });
 }
 
-hm_status hm_share_size(const hm_analysis* analysis, int32_t first, int32_t n, size_t* bytes, hm_error* err) {
+hm_status hm_share_size(const hm_analysis* analysis, int32_t first, int32_t n, size_t* bytes,
+                        hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* of = nullptr;
         BasisCounts counts;
@@ -104,8 +112,8 @@ hm_status hm_share_size(const hm_analysis* analysis, int32_t first, int32_t n, s
     });
 }
 
-hm_status hm_share_init(hm_basis** share, void* block, size_t bytes, const hm_analysis* analysis, int32_t first,
-                        int32_t n, hm_error* err) {
+hm_status hm_share_init(hm_basis** share, void* block, size_t bytes, const hm_analysis* analysis,
+                        int32_t first, int32_t n, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* of = nullptr;
         BasisCounts counts;
@@ -128,7 +136,8 @@ hm_status hm_parcel_size(const hm_basis* share, int32_t n, int64_t* doubles, hm_
     });
 }
 
-hm_status hm_parcel_pack(const hm_basis* share, int32_t n, const int32_t* points, double* parcel, hm_error* err) {
+hm_status hm_parcel_pack(const hm_basis* share, int32_t n, const int32_t* points, double* parcel,
+                         hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis from;
         PointList list;
@@ -151,8 +160,8 @@ hm_status hm_parcel_unpack(hm_basis* rows, const double* parcel, int64_t doubles
     });
 }
 
-hm_status hm_adjoint_scale(const hm_basis* basis, const hm_points* dj, int32_t* scale, const hm_executor* executor,
-                           hm_error* err) {
+hm_status hm_adjoint_scale(const hm_basis* basis, const hm_points* dj, int32_t* scale,
+                           const hm_executor* executor, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         GradientCall call;
         HARMORPH_TRY(require({{"scale", scale}}, fault));
@@ -171,16 +180,16 @@ hm_status hm_adjoint_sums(const hm_basis* basis, const hm_points* dj, int32_t sc
         HARMORPH_TRY(check_scale(scale, fault));
         Index const least = adjoint_scale(call.basis, call.points, call.threads).exponent;
         if (scale < least) {
-            return fault.refuse(Status::bad_argument, "scale is #, these points alone need @", Counts::from_zero, scale,
-                                least);
+            return fault.refuse(Status::bad_argument, "scale is #, these points alone need @",
+                                Counts::from_zero, scale, least);
         }
         adjoint_sums(call.basis, call.points, {scale}, sums, call.threads);
         return Status::ok;
     });
 }
 
-hm_status hm_adjoint_finish(const hm_basis* basis, int32_t scale, const int64_t* sums, double* gradient,
-                            hm_error* err) {
+hm_status hm_adjoint_finish(const hm_basis* basis, int32_t scale, const int64_t* sums,
+                            double* gradient, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         HARMORPH_TRY(require({{"sums", sums}, {"gradient", gradient}}, fault));

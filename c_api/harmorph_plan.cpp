@@ -1,11 +1,13 @@
-// The C interface: the plan of an analysis and a basis for its solution; factorisation and solution.
+// The C interface: the plan of an analysis and a basis for its solution; factorisation and
+// solution.
 #include "handles.hpp"
 #include "basis/basis_measures.hpp"
 
 namespace harmorph {
 namespace {
 
-hm_solve_report report_of(SolveReport const& solved, Basis const& basis, Plan const& plan) noexcept {
+hm_solve_report report_of(SolveReport const& solved, Basis const& basis,
+                          Plan const& plan) noexcept {
     Mesh const& mesh = plan.mesh;
     BasisMeasures const measures = measure_basis(basis, mesh.points, plan.executor);
     hm_solve_report filled = {};
@@ -45,7 +47,8 @@ hm_status hm_plan_size(const hm_analysis* analysis, size_t* bytes, hm_error* err
     });
 }
 
-hm_status hm_plan_init(hm_plan** plan, void* block, size_t bytes, const hm_analysis* analysis, hm_error* err) {
+hm_status hm_plan_init(hm_plan** plan, void* block, size_t bytes, const hm_analysis* analysis,
+                       hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* of = nullptr;
         HARMORPH_TRY(require({{"plan", plan}}, fault));
@@ -63,11 +66,13 @@ hm_status hm_basis_size(const hm_analysis* analysis, size_t* bytes, hm_error* er
         const Analysis* of = nullptr;
         HARMORPH_TRY(open_complete(analysis, of, fault));
         Basis made;
-        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, of->basis_counts()); });
+        return count_bytes(bytes, fault,
+                           [&](Arena& arena) { made.lay_out(arena, of->basis_counts()); });
     });
 }
 
-hm_status hm_basis_init(hm_basis** basis, void* block, size_t bytes, const hm_analysis* analysis, hm_error* err) {
+hm_status hm_basis_init(hm_basis** basis, void* block, size_t bytes, const hm_analysis* analysis,
+                        hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* of = nullptr;
         HARMORPH_TRY(require({{"basis", basis}}, fault));
@@ -100,7 +105,8 @@ hm_status hm_plan_solve(hm_plan* plan, hm_basis* basis, hm_solve_report* report,
     });
 }
 
-hm_status hm_plan_points(const hm_plan* plan, int32_t* n_points, int32_t* index_base, hm_error* err) {
+hm_status hm_plan_points(const hm_plan* plan, int32_t* n_points, int32_t* index_base,
+                         hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Plan* p = nullptr;
         HARMORPH_TRY(open_plan(plan, p, fault));
@@ -111,7 +117,8 @@ hm_status hm_plan_points(const hm_plan* plan, int32_t* n_points, int32_t* index_
     });
 }
 
-hm_status hm_plan_level(const hm_plan* plan, int32_t level, int32_t* cells, int32_t* n_cells, hm_error* err) {
+hm_status hm_plan_level(const hm_plan* plan, int32_t level, int32_t* cells, int32_t* n_cells,
+                        hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Plan* p = nullptr;
         HARMORPH_TRY(open_plan(plan, p, fault));

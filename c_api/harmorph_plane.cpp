@@ -10,13 +10,15 @@ namespace {
 Status view_space(const hm_space_mesh* given, SpaceMesh& mesh, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"space", given}}, fault));
     hm_space_mesh m;
-    if (!read_struct(given, m)) return fault.refuse(Status::bad_argument, "space.struct_size is wrong");
+    if (!read_struct(given, m))
+        return fault.refuse(Status::bad_argument, "space.struct_size is wrong");
     if (asks_for_more(given)) {
         return fault.refuse(Status::unsupported,
                             "space: fields are set that this version of the library does not know");
     }
     if (m.kind < HM_SPACE_AUTO || m.kind > HM_WEDGE) {
-        return fault.refuse(Status::bad_argument, "space.kind # is unknown", Counts::from_zero, m.kind);
+        return fault.refuse(Status::bad_argument, "space.kind # is unknown", Counts::from_zero,
+                            m.kind);
     }
     mesh.index_base = fault.bases.mesh = m.index_base;
     mesh.n_points = m.n_points;
@@ -53,7 +55,8 @@ Status open_plane_mesh(Handle* handle, Object*& plane, CallFault& fault) noexcep
 }
 
 template <class Given, class View>
-Status view_space_points(const Given* given, const char* name, View& points, Fault& fault) noexcept {
+Status view_space_points(const Given* given, const char* name, View& points,
+                         Fault& fault) noexcept {
     if (given == nullptr) return fault.refuse_argument(name, "% is NULL");
     if (given->x == nullptr || given->y == nullptr || given->z == nullptr) {
         return fault.refuse_argument(name, "%.x, %.y or %.z is NULL");
@@ -64,11 +67,12 @@ Status view_space_points(const Given* given, const char* name, View& points, Fau
 }
 
 // All functions, of the plane's mesh.
-Status open_basis_of(Plane const& plane, const hm_basis* handle, Basis& basis, CallFault& fault) noexcept {
+Status open_basis_of(Plane const& plane, const hm_basis* handle, Basis& basis,
+                     CallFault& fault) noexcept {
     HARMORPH_TRY(open_complete(handle, basis, fault));
     if (basis.n_points() == plane.n_points) return Status::ok;
-    return fault.refuse(Status::bad_basis, "the basis has # points, but the plane @", Counts::from_zero,
-                        basis.n_points(), plane.n_points);
+    return fault.refuse(Status::bad_basis, "the basis has # points, but the plane @",
+                        Counts::from_zero, basis.n_points(), plane.n_points);
 }
 
 void put(Vec3 from, double (&to)[3]) noexcept {
@@ -93,7 +97,8 @@ hm_status hm_plane_size(const hm_space_mesh* space, size_t* bytes, hm_error* err
     });
 }
 
-hm_status hm_plane_init(hm_plane** plane, void* block, size_t bytes, const hm_space_mesh* space, hm_error* err) {
+hm_status hm_plane_init(hm_plane** plane, void* block, size_t bytes, const hm_space_mesh* space,
+                        hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         SpaceMesh mesh;
         PlaneBlock its;
@@ -152,8 +157,9 @@ hm_status hm_plane_mesh(const hm_plane* plane, hm_mesh* mesh, hm_error* err) {
     });
 }
 
-hm_status hm_plane_morph(hm_plane* plane, const hm_basis* basis, const double* move, const hm_space_points* from,
-                         const hm_space_points_out* to, const hm_executor* executor, hm_error* err) {
+hm_status hm_plane_morph(hm_plane* plane, const hm_basis* basis, const double* move,
+                         const hm_space_points* from, const hm_space_points_out* to,
+                         const hm_executor* executor, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Plane* its = nullptr;
         Basis b;
@@ -173,8 +179,8 @@ hm_status hm_plane_morph(hm_plane* plane, const hm_basis* basis, const double* m
     });
 }
 
-hm_status hm_plane_adjoint(hm_plane* plane, const hm_basis* basis, const hm_space_points* dj, double* gradient,
-                           const hm_executor* executor, hm_error* err) {
+hm_status hm_plane_adjoint(hm_plane* plane, const hm_basis* basis, const hm_space_points* dj,
+                           double* gradient, const hm_executor* executor, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Plane* its = nullptr;
         Basis b;
@@ -192,8 +198,9 @@ hm_status hm_plane_adjoint(hm_plane* plane, const hm_basis* basis, const hm_spac
     });
 }
 
-hm_status hm_plane_spread(const hm_plane* plane, const hm_points* displacement, const hm_space_points* from,
-                          const hm_space_points_out* to, const hm_executor* executor, hm_error* err) {
+hm_status hm_plane_spread(const hm_plane* plane, const hm_points* displacement,
+                          const hm_space_points* from, const hm_space_points_out* to,
+                          const hm_executor* executor, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Plane* its = nullptr;
         Executor threads;
@@ -210,8 +217,9 @@ hm_status hm_plane_spread(const hm_plane* plane, const hm_points* displacement, 
     });
 }
 
-hm_status hm_plane_gather(const hm_plane* plane, const hm_space_points* dj, const hm_points_out* plane_dj,
-                          const hm_executor* executor, hm_error* err) {
+hm_status hm_plane_gather(const hm_plane* plane, const hm_space_points* dj,
+                          const hm_points_out* plane_dj, const hm_executor* executor,
+                          hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Plane* its = nullptr;
         Executor threads;

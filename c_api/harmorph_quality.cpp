@@ -1,4 +1,5 @@
-// The C interface: is a mesh valid, how far may it move, how good are its cells, and is its wall where the curves are?
+// The C interface: is a mesh valid, how far may it move, how good are its cells, and is its wall
+// where the curves are?
 #include "handles.hpp"
 #include "basis/basis_measures.hpp"
 #include "morph/assessment.hpp"
@@ -8,21 +9,24 @@ namespace harmorph {
 namespace {
 
 // Basis and mesh that belong together, as far as counts, layout and a sample of the cells tell.
-Status open_pair(const hm_basis* handle, const hm_mesh* given, Basis& basis, Mesh& mesh, OrientedMesh& cells,
-                 CallFault& fault) noexcept {
+Status open_pair(const hm_basis* handle, const hm_mesh* given, Basis& basis, Mesh& mesh,
+                 OrientedMesh& cells, CallFault& fault) noexcept {
     HARMORPH_TRY(open_basis(handle, basis, fault));
     HARMORPH_TRY(view_mesh(given, mesh, fault));
     HARMORPH_TRY(check_layout(mesh, fault));
     if (basis.header->counts.cells == 0) {
-        return fault.refuse(Status::bad_basis,
-                            "the basis is of a list of points: it knows no cells and goes with no mesh");
+        return fault.refuse(
+            Status::bad_basis,
+            "the basis is of a list of points: it knows no cells and goes with no mesh");
     }
     if (mesh.layout == CellLayout::polygons && !basis.pieces.given()) {
-        return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has no polygons");
+        return fault.refuse(Status::bad_basis,
+                            "the basis belongs to another mesh: it has no polygons");
     }
     cells = basis.cells(mesh);
     if (mesh.n_points != basis.n_points() || mesh.n_cells != basis.header->counts.cells) {
-        return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has # points and @ cells",
+        return fault.refuse(Status::bad_basis,
+                            "the basis belongs to another mesh: it has # points and @ cells",
                             Counts::from_zero, basis.n_points(), basis.header->counts.cells);
     }
     if (sample_of(mesh) == basis.header->topology.sample) return Status::ok;
@@ -33,10 +37,12 @@ Status open_pair(const hm_basis* handle, const hm_mesh* given, Basis& basis, Mes
 Status view_coordinates(const hm_points* given, const char* name, Mesh const& mesh, Points& points,
                         Fault& fault) noexcept {
     hm_points const own = {mesh.points.x, mesh.points.y, mesh.points.stride};
-    return given != nullptr ? view_points(given, name, points, fault) : view_points(&own, "mesh.points", points, fault);
+    return given != nullptr ? view_points(given, name, points, fault)
+                            : view_points(&own, "mesh.points", points, fault);
 }
 
-hm_step_report report_of(AdmissibleStep const& limit, OrientedMesh const& cells, Index index_base) noexcept {
+hm_step_report report_of(AdmissibleStep const& limit, OrientedMesh const& cells,
+                         Index index_base) noexcept {
     hm_step_report filled = {};
     filled.admissible = limit.step;
     filled.cell = numbered(cells.mesh.number(limit.cell), index_base);
@@ -44,7 +50,8 @@ hm_step_report report_of(AdmissibleStep const& limit, OrientedMesh const& cells,
     return filled;
 }
 
-hm_quality_report report_of(Quality const& quality, Crossing const& crossing, Mesh const& mesh) noexcept {
+hm_quality_report report_of(Quality const& quality, Crossing const& crossing,
+                            Mesh const& mesh) noexcept {
     hm_quality_report filled = {};
     filled.inverted = quality.inverted;
     filled.first_inverted = numbered(quality.first_inverted, mesh.index_base);
@@ -68,8 +75,8 @@ using namespace harmorph;
 extern "C" {
 
 hm_status hm_admissible_step(const hm_basis* basis, const hm_mesh* mesh, const hm_points* from,
-                             const hm_points* displacement, const hm_executor* executor, hm_step_report* report,
-                             hm_error* err) {
+                             const hm_points* displacement, const hm_executor* executor,
+                             hm_step_report* report, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         Executor threads;
@@ -81,13 +88,16 @@ hm_status hm_admissible_step(const hm_basis* basis, const hm_mesh* mesh, const h
         HARMORPH_TRY(view_coordinates(from, "from", view, start, fault));
         HARMORPH_TRY(view_points(displacement, "displacement", change, fault));
         HARMORPH_TRY(view_executor(executor, threads, fault));
-        write_struct(report_of(admissible_step(cells, start, change, threads), cells, view.index_base), report);
+        write_struct(
+            report_of(admissible_step(cells, start, change, threads), cells, view.index_base),
+            report);
         return Status::ok;
     });
 }
 
-hm_status hm_quality(const hm_basis* basis, const hm_mesh* mesh, const hm_points* at, const hm_points* reference,
-                     const hm_executor* executor, hm_quality_report* report, hm_error* err) {
+hm_status hm_quality(const hm_basis* basis, const hm_mesh* mesh, const hm_points* at,
+                     const hm_points* reference, const hm_executor* executor,
+                     hm_quality_report* report, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         Executor threads;
@@ -106,8 +116,9 @@ hm_status hm_quality(const hm_basis* basis, const hm_mesh* mesh, const hm_points
     });
 }
 
-hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_points* from, const hm_points* displacement,
-                    const hm_executor* executor, hm_step_report* step, hm_quality_report* quality, hm_error* err) {
+hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_points* from,
+                    const hm_points* displacement, const hm_executor* executor,
+                    hm_step_report* step, hm_quality_report* quality, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         Executor threads;
@@ -128,8 +139,8 @@ hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_points*
     });
 }
 
-hm_status hm_boundary_error(const hm_basis* basis, const double* move, const hm_points* from, const hm_points* to,
-                            double* error, int32_t* point, hm_error* err) {
+hm_status hm_boundary_error(const hm_basis* basis, const double* move, const hm_points* from,
+                            const hm_points* to, double* error, int32_t* point, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         Points before, after;

@@ -16,17 +16,18 @@ struct RowsCall {
         HARMORPH_TRY(open(handle, "equations", equations, fault));
         HARMORPH_TRY(open_basis(rows, basis, fault));
         BasisCounts const counts = equations->basis_source().counts();
-        bool const same = basis.n_points() == counts.points && !basis.in_single() && basis.kind() == counts.kind &&
-                          basis.n_functions() == counts.functions();
+        bool const same = basis.n_points() == counts.points && !basis.in_single() &&
+                          basis.kind() == counts.kind && basis.n_functions() == counts.functions();
         if (!same) return fault.refuse(Status::bad_basis, "the rows were made of other equations");
         if (basis.header->solved == 0) return Status::ok;
-        return fault.refuse(Status::bad_basis, "the rows are finished: make new ones by hm_rows_init");
+        return fault.refuse(Status::bad_basis,
+                            "the rows are finished: make new ones by hm_rows_init");
     }
     Status check_column(Index column, Argument const& numbers, Fault& fault) const noexcept {
         HARMORPH_TRY(require({numbers}, fault));
         if (column >= 0 && column < equations->columns(basis)) return Status::ok;
-        return fault.refuse(Status::bad_argument, "there is no column # (from 0) of @", Counts::from_zero, column,
-                            equations->columns(basis));
+        return fault.refuse(Status::bad_argument, "there is no column # (from 0) of @",
+                            Counts::from_zero, column, equations->columns(basis));
     }
 };
 
@@ -42,18 +43,21 @@ hm_status hm_rows_size(const hm_equations* equations, size_t* bytes, hm_error* e
         const PartEquations* of = nullptr;
         HARMORPH_TRY(open(equations, "equations", of, fault));
         Basis made;
-        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, of->basis_source().counts()); });
+        return count_bytes(bytes, fault,
+                           [&](Arena& arena) { made.lay_out(arena, of->basis_source().counts()); });
     });
 }
 
-hm_status hm_rows_init(hm_basis** rows, void* block, size_t bytes, const hm_equations* equations, hm_error* err) {
+hm_status hm_rows_init(hm_basis** rows, void* block, size_t bytes, const hm_equations* equations,
+                       hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const PartEquations* of = nullptr;
         HARMORPH_TRY(require({{"rows", rows}}, fault));
         HARMORPH_TRY(open(equations, "equations", of, fault));
         BasisCounts const counts = of->basis_source().counts();
         Basis made;
-        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, counts); }));
+        HARMORPH_TRY(
+            place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, counts); }));
         init_basis(made, counts, of->basis_source());
         set_right_hand_sides(of->matrix, made, of->dofs(made));
         *rows = reinterpret_cast<hm_basis*>(made.header);
@@ -61,8 +65,8 @@ hm_status hm_rows_init(hm_basis** rows, void* block, size_t bytes, const hm_equa
     });
 }
 
-hm_status hm_rows_get(const hm_equations* equations, const hm_basis* rows, int32_t column, double* numbers,
-                      hm_error* err) {
+hm_status hm_rows_get(const hm_equations* equations, const hm_basis* rows, int32_t column,
+                      double* numbers, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         RowsCall call;
         HARMORPH_TRY(call.open_both(equations, rows, fault));
@@ -72,8 +76,8 @@ hm_status hm_rows_get(const hm_equations* equations, const hm_basis* rows, int32
     });
 }
 
-hm_status hm_rows_set(const hm_equations* equations, hm_basis* rows, int32_t column, const double* numbers,
-                      hm_error* err) {
+hm_status hm_rows_set(const hm_equations* equations, hm_basis* rows, int32_t column,
+                      const double* numbers, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         RowsCall call;
         HARMORPH_TRY(call.open_both(equations, rows, fault));
@@ -83,8 +87,8 @@ hm_status hm_rows_set(const hm_equations* equations, hm_basis* rows, int32_t col
     });
 }
 
-hm_status hm_rows_residual(hm_equations* equations, const hm_basis* rows, int32_t column, double* residual,
-                           hm_error* err) {
+hm_status hm_rows_residual(hm_equations* equations, const hm_basis* rows, int32_t column,
+                           double* residual, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         RowsCall call;
         HARMORPH_TRY(call.open_both(equations, rows, fault));
@@ -99,8 +103,9 @@ hm_status hm_rows_finish(hm_equations* equations, hm_basis* rows, double largest
         RowsCall call;
         HARMORPH_TRY(call.open_both(equations, rows, fault));
         if (!is_finite(largest) || largest < 0) {
-            return fault.refuse(Status::bad_argument, "largest must be finite and not negative, not ~",
-                                Counts::from_zero, none, none, largest);
+            return fault.refuse(Status::bad_argument,
+                                "largest must be finite and not negative, not ~", Counts::from_zero,
+                                none, none, largest);
         }
         call.equations->finish(call.basis, largest);
         return Status::ok;

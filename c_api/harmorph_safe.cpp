@@ -1,4 +1,5 @@
-// The C interface: large movements that stay valid, for which the functions are solved again on the way.
+// The C interface: large movements that stay valid, for which the functions are solved again on the
+// way.
 #include "given_list.hpp"
 #include "base/range.hpp"
 #include "morph/quality.hpp"
@@ -9,38 +10,47 @@ namespace {
 
 constexpr Index most_others = 64;
 
-Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeOptions& options, double*& reached,
-                         Fault& fault) noexcept {
+Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeOptions& options,
+                         double*& reached, Fault& fault) noexcept {
     hm_safe_options o = {};
     if (given != nullptr && !read_struct(given, o)) {
         return fault.refuse(Status::bad_argument, "safe options: struct_size is wrong");
     }
     if (given != nullptr && asks_for_more(given)) {
-        return fault.refuse(Status::unsupported,
-                            "safe options: fields are set that this version of the library does not know");
+        return fault.refuse(
+            Status::unsupported,
+            "safe options: fields are set that this version of the library does not know");
     }
-    if (o.skipped_strategies < 0 || o.skipped_strategies >= 2 << HM_STRATEGY_IMPROVED || o.reserved != 0) {
-        return fault.refuse(Status::bad_argument,
-                            "safe options: skipped_strategies is #, which names strategies there are not, or "
-                            "reserved is not 0", Counts::from_zero, o.skipped_strategies);
+    if (o.skipped_strategies < 0 || o.skipped_strategies >= 2 << HM_STRATEGY_IMPROVED ||
+        o.reserved != 0) {
+        return fault.refuse(
+            Status::bad_argument,
+            "safe options: skipped_strategies is #, which names strategies there are not, or "
+            "reserved is not 0",
+            Counts::from_zero, o.skipped_strategies);
     }
     if (o.n_others < 0 || o.n_others > others.count() || (o.n_others > 0 && o.others == nullptr)) {
-        return fault.refuse(Status::bad_argument, "safe options: others is NULL, or n_others is #, not 0 .. @",
+        return fault.refuse(Status::bad_argument,
+                            "safe options: others is NULL, or n_others is #, not 0 .. @",
                             Counts::from_zero, o.n_others, others.count());
     }
     if (o.max_resolves != 0) options.most_resolves = larger(o.max_resolves, Index{0});
     if (!is_between(0, o.heights, 1)) {
-        return fault.refuse(Status::bad_argument, "safe options: heights must be between 0 and 1, not ~",
+        return fault.refuse(Status::bad_argument,
+                            "safe options: heights must be between 0 and 1, not ~",
                             Counts::from_zero, none, none, o.heights);
     }
     options.heights = o.heights;
     if (o.min_quality != o.min_quality || o.min_quality > 1) {
-        return fault.refuse(Status::bad_argument, "safe options: min_quality must be at most 1, not ~",
-                            Counts::from_zero, none, none, o.min_quality);
+        return fault.refuse(Status::bad_argument,
+                            "safe options: min_quality must be at most 1, not ~", Counts::from_zero,
+                            none, none, o.min_quality);
     }
     if (o.min_quality != 0) options.min_quality = larger(o.min_quality, 0.0);
-    if (o.max_height_change != o.max_height_change || (o.max_height_change != 0 && o.max_height_change <= 1)) {
-        return fault.refuse(Status::bad_argument, "safe options: max_height_change must be 0 or above 1, not ~",
+    if (o.max_height_change != o.max_height_change ||
+        (o.max_height_change != 0 && o.max_height_change <= 1)) {
+        return fault.refuse(Status::bad_argument,
+                            "safe options: max_height_change must be 0 or above 1, not ~",
                             Counts::from_zero, none, none, o.max_height_change);
     }
     if (o.max_height_change != 0) options.most_height_change = o.max_height_change;
@@ -48,7 +58,8 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
     options.skipped = static_cast<std::uint32_t>(o.skipped_strategies);
     for (Index i = 0; i < o.n_others; ++i) {
         if (o.others[i] == nullptr) {
-            return fault.refuse(Status::bad_argument, "basis # (from 0) of others is NULL", Counts::from_zero, i);
+            return fault.refuse(Status::bad_argument, "basis # (from 0) of others is NULL",
+                                Counts::from_zero, i);
         }
         others[i] = Basis::view(static_cast<const void*>(o.others[i]));
     }
@@ -56,7 +67,8 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
     return Status::ok;
 }
 
-hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before, Points after) noexcept {
+hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before,
+                         Points after) noexcept {
     Index const base = plan.mesh.index_base;
     Quality const quality = measure_quality(plan.equations.cells, after, before, plan.executor);
     hm_safe_report filled = {};
@@ -93,17 +105,25 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     filled.n_worst = safe.n_worst;
     for (Index k = 0; k < safe.n_worst; ++k) {
         WorstCell const& worst = safe.worst[k];
-        filled.worst[k] = {numbered(worst.cell, base), 0, worst.quality, worst.before, worst.centre.x, worst.centre.y};
+        filled.worst[k] = {numbered(worst.cell, base),
+                           0,
+                           worst.quality,
+                           worst.before,
+                           worst.centre.x,
+                           worst.centre.y};
     }
     return filled;
 }
 
-// A safe morph begins where its functions were solved: curves and offsets are those of these coordinates.
+// A safe morph begins where its functions were solved: curves and offsets are those of these
+// coordinates.
 Status check_start(Plan const& plan, Basis const& basis, Fault& fault) noexcept {
     if (basis.header->counts.functions() == 0) return Status::ok;
-    if (basis.header->coordinates == coordinates_fingerprint(plan.mesh.points, plan.mesh.n_points)) return Status::ok;
-    return fault.refuse(Status::bad_mesh,
-                        "the mesh has moved since the basis was solved: solve again, or put the points back");
+    if (basis.header->coordinates == coordinates_fingerprint(plan.mesh.points, plan.mesh.n_points))
+        return Status::ok;
+    return fault.refuse(
+        Status::bad_mesh,
+        "the mesh has moved since the basis was solved: solve again, or put the points back");
 }
 
 // What both calls have in common.
@@ -114,17 +134,19 @@ struct SafeCall {
     double* reached_movement = nullptr;
     hm_safe_report* report = nullptr;
 
-    Status open(const hm_points_out* given, const hm_safe_options* asked, hm_safe_report* its_report,
-                Span<Basis> others, CallFault& fault) noexcept {
+    Status open(const hm_points_out* given, const hm_safe_options* asked,
+                hm_safe_report* its_report, Span<Basis> others, CallFault& fault) noexcept {
         report = its_report;
         HARMORPH_TRY(check_report_if(report, fault));
         HARMORPH_TRY(view_points(given, "to", to, fault));
         return view_safe_options(asked, others, options, reached_movement, fault);
     }
     // n_functions: of the caller's basis.
-    Status finish(Plan const& plan, SafeMorph const& safe, Size n_functions, Status status) const noexcept {
+    Status finish(Plan const& plan, SafeMorph const& safe, Size n_functions,
+                  Status status) const noexcept {
         if (failed(status) && status != Status::crossing) return status;
-        if (report != nullptr) write_struct(report_of(reached, plan, plan.mesh.points, safe.result()), report);
+        if (report != nullptr)
+            write_struct(report_of(reached, plan, plan.mesh.points, safe.result()), report);
         if (failed(status)) return status;
         safe.write(to);
         if (reached_movement != nullptr) {
@@ -134,7 +156,8 @@ struct SafeCall {
     }
 };
 
-// Plan and basis of given displacements: the basis is solved, if it has functions, and none of them is a mode.
+// Plan and basis of given displacements: the basis is solved, if it has functions, and none of them
+// is a mode.
 template <class Handle, class Object>
 Status open_plan_of_given(Handle* handle, Object*& plan, const hm_basis* given, Basis& basis,
                           CallFault& fault) noexcept {
@@ -144,8 +167,9 @@ Status open_plan_of_given(Handle* handle, Object*& plan, const hm_basis* given, 
     HARMORPH_TRY(require_given_points(*plan, fault));
     HARMORPH_TRY(plan->check_fit(basis, fault));
     if (basis.header->counts.modes == 0) return Status::ok;
-    return fault.refuse(Status::unsupported,
-                        "the basis has functions by table, which move the same points: hm_morph_safe");
+    return fault.refuse(
+        Status::unsupported,
+        "the basis has functions by table, which move the same points: hm_morph_safe");
 }
 
 }  // namespace
@@ -155,7 +179,8 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_morph_safe_size(const hm_plan* plan, const hm_basis* basis, size_t* bytes, hm_error* err) {
+hm_status hm_morph_safe_size(const hm_plan* plan, const hm_basis* basis, size_t* bytes,
+                             hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Plan* p = nullptr;
         Basis b;
@@ -168,15 +193,16 @@ hm_status hm_morph_safe_size(const hm_plan* plan, const hm_basis* basis, size_t*
     });
 }
 
-hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move, const hm_points_out* to,
-                        hm_basis* derivative, void* work, size_t bytes, const hm_safe_options* options,
-                        hm_safe_report* report, hm_error* err) {
+hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move,
+                        const hm_points_out* to, hm_basis* derivative, void* work, size_t bytes,
+                        const hm_safe_options* options, hm_safe_report* report, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Plan* p = nullptr;
         Basis b, sum, others[most_others];
         SafeCall call;
         HARMORPH_TRY(open_solved(basis, b, fault));
-        if (derivative == basis) return fault.refuse(Status::bad_argument, "derivative is the basis itself");
+        if (derivative == basis)
+            return fault.refuse(Status::bad_argument, "derivative is the basis itself");
         if (derivative != nullptr) sum = view_basis(derivative, fault);
         HARMORPH_TRY(open_plan(plan, p, fault));
         HARMORPH_TRY(call.open(to, options, report, {others, most_others}, fault));
@@ -184,14 +210,16 @@ hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move
         HARMORPH_TRY(p->check_fit(b, fault));
         HARMORPH_TRY(check_start(*p, b, fault));
         SafeMorph safe;
-        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { safe.lay_out(arena, *p, b.header->counts); }));
-        Status const status =
-            safe.run(*p, b, move, call.options, derivative != nullptr ? &sum : nullptr, call.reached, fault);
+        HARMORPH_TRY(place(work, bytes, fault,
+                           [&](Arena& arena) { safe.lay_out(arena, *p, b.header->counts); }));
+        Status const status = safe.run(*p, b, move, call.options,
+                                       derivative != nullptr ? &sum : nullptr, call.reached, fault);
         return call.finish(*p, safe, static_cast<Size>(b.header->counts.functions()), status);
     });
 }
 
-hm_status hm_displace_safe_size(const hm_plan* plan, const hm_basis* basis, size_t* bytes, hm_error* err) {
+hm_status hm_displace_safe_size(const hm_plan* plan, const hm_basis* basis, size_t* bytes,
+                                hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Plan* p = nullptr;
         Basis b;
@@ -201,9 +229,10 @@ hm_status hm_displace_safe_size(const hm_plan* plan, const hm_basis* basis, size
     });
 }
 
-hm_status hm_displace_safe(hm_plan* plan, const hm_basis* basis, const double* move, int32_t n, const int32_t* points,
-                           const hm_points* wall, const hm_points_out* to, void* work, size_t bytes,
-                           const hm_safe_options* options, hm_safe_report* report, hm_error* err) {
+hm_status hm_displace_safe(hm_plan* plan, const hm_basis* basis, const double* move, int32_t n,
+                           const int32_t* points, const hm_points* wall, const hm_points_out* to,
+                           void* work, size_t bytes, const hm_safe_options* options,
+                           hm_safe_report* report, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Plan* p = nullptr;
         Basis b;
@@ -219,7 +248,8 @@ hm_status hm_displace_safe(hm_plan* plan, const hm_basis* basis, const double* m
         call.options.solves_others = true;
         SafeDisplacement made;
         HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { made.lay_out(arena, *p, b); }));
-        Status const status = made.run(*p, b, move, list, displacement, call.options, call.reached, fault);
+        Status const status =
+            made.run(*p, b, move, list, displacement, call.options, call.reached, fault);
         return call.finish(*p, made.safe, static_cast<Size>(b.header->counts.functions()), status);
     });
 }

@@ -21,16 +21,19 @@ hm_status hm_single_size(const hm_basis* basis, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis from, made;
         HARMORPH_TRY(open_double(basis, from, fault));
-        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, single_counts(from)); });
+        return count_bytes(bytes, fault,
+                           [&](Arena& arena) { made.lay_out(arena, single_counts(from)); });
     });
 }
 
-hm_status hm_single_init(hm_basis** single, void* block, size_t bytes, const hm_basis* basis, hm_error* err) {
+hm_status hm_single_init(hm_basis** single, void* block, size_t bytes, const hm_basis* basis,
+                         hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis from, made;
         HARMORPH_TRY(require({{"single", single}}, fault));
         HARMORPH_TRY(open_double(basis, from, fault));
-        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, single_counts(from)); }));
+        HARMORPH_TRY(place(block, bytes, fault,
+                           [&](Arena& arena) { made.lay_out(arena, single_counts(from)); }));
         HARMORPH_TRY(store_single(from, made, fault));
         *single = reinterpret_cast<hm_basis*>(made.header);
         return Status::ok;

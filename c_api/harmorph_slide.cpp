@@ -13,7 +13,8 @@ Sliding sliding_of(Analysis const& analysis) noexcept {
 Status check_sliding(SlipCurves const& curves, Points points, Fault& fault) noexcept {
     curves.for_each([&](Index, Index point) {
         if (failed(fault.status) || is_coordinate(points[point])) return;
-        fault.refuse(Status::bad_mesh, "sliding point # has a coordinate that is not finite, or larger than 1e100",
+        fault.refuse(Status::bad_mesh,
+                     "sliding point # has a coordinate that is not finite, or larger than 1e100",
                      Counts::mesh, point);
     });
     return fault.status;
@@ -26,7 +27,8 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_slide(const hm_analysis* analysis, const hm_points* from, const hm_points_out* to, hm_error* err) {
+hm_status hm_slide(const hm_analysis* analysis, const hm_points* from, const hm_points_out* to,
+                   hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* of = nullptr;
         Points before;

@@ -7,19 +7,23 @@ namespace harmorph {
 namespace {
 
 // The coarse functions, whole and of this mesh.
-Status open_coarse(const hm_basis* handle, const hm_mesh* given, Basis& coarse, Mesh& mesh, CallFault& fault) noexcept {
+Status open_coarse(const hm_basis* handle, const hm_mesh* given, Basis& coarse, Mesh& mesh,
+                   CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"coarse", handle}}, fault));
     HARMORPH_TRY(view_mesh(given, mesh, fault));
     HARMORPH_TRY(check_mesh(mesh, fault));
     coarse = Basis::view(static_cast<const void*>(handle));
     HARMORPH_TRY(coarse.require_double(fault));
     HARMORPH_TRY(coarse.require_control_points(fault));
-    Status const status = check_basis(handle, static_cast<Size>(coarse.header->bytes), &mesh, fault);
+    Status const status =
+        check_basis(handle, static_cast<Size>(coarse.header->bytes), &mesh, fault);
     if (status != Status::moved) return status;
-    return fault.refuse(Status::bad_basis, "the coarse mesh's coordinates are not those its basis was solved on");
+    return fault.refuse(Status::bad_basis,
+                        "the coarse mesh's coordinates are not those its basis was solved on");
 }
 
-Status open_target(const hm_basis* handle, Analysis const& analysis, Basis& fine, CallFault& fault) noexcept {
+Status open_target(const hm_basis* handle, Analysis const& analysis, Basis& fine,
+                   CallFault& fault) noexcept {
     HARMORPH_TRY(open_basis(handle, fine, fault));
     HARMORPH_TRY(fine.require_double(fault));
     HARMORPH_TRY(fine.require_control_points(fault));
@@ -31,7 +35,8 @@ Status open_target(const hm_basis* handle, Analysis const& analysis, Basis& fine
     return fault.refuse(Status::bad_basis, "basis and analysis do not belong together");
 }
 
-hm_transfer_report report_of(TransferReport const& done, Basis const& fine, Mesh const& mesh) noexcept {
+hm_transfer_report report_of(TransferReport const& done, Basis const& fine,
+                             Mesh const& mesh) noexcept {
     BasisMeasures const measures = measure_basis(fine, mesh.points);
     hm_transfer_report filled = {};
     filled.points = done.points;
@@ -51,19 +56,22 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_transfer_size(const hm_analysis* analysis, const hm_mesh* coarse_mesh, size_t* bytes, hm_error* err) {
+hm_status hm_transfer_size(const hm_analysis* analysis, const hm_mesh* coarse_mesh, size_t* bytes,
+                           hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* fine = nullptr;
         Mesh mesh;
         HARMORPH_TRY(open_complete(analysis, fine, fault));
         HARMORPH_TRY(view_mesh(coarse_mesh, mesh, fault));
         Transfer transfer;
-        return count_bytes(bytes, fault, [&](Arena& arena) { transfer.lay_out(arena, *fine, mesh); });
+        return count_bytes(bytes, fault,
+                           [&](Arena& arena) { transfer.lay_out(arena, *fine, mesh); });
     });
 }
 
-hm_status hm_transfer(hm_basis* basis, void* block, size_t bytes, const hm_analysis* analysis, const hm_basis* coarse,
-                      const hm_mesh* coarse_mesh, hm_transfer_report* report, hm_error* err) {
+hm_status hm_transfer(hm_basis* basis, void* block, size_t bytes, const hm_analysis* analysis,
+                      const hm_basis* coarse, const hm_mesh* coarse_mesh,
+                      hm_transfer_report* report, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* fine_analysis = nullptr;
         Basis fine, source;
@@ -71,14 +79,16 @@ hm_status hm_transfer(hm_basis* basis, void* block, size_t bytes, const hm_analy
         HARMORPH_TRY(check_report_if(report, fault));
         HARMORPH_TRY(open_complete(analysis, fine_analysis, fault));
         HARMORPH_TRY(open_coarse(coarse, coarse_mesh, source, source_mesh, fault));
-        HARMORPH_TRY(open_target(basis, *fine_analysis, fine, fault));  // whose points errors name from here on
+        HARMORPH_TRY(open_target(basis, *fine_analysis, fine,
+                                 fault));  // whose points errors name from here on
         Transfer transfer;
         HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) {
             transfer.lay_out(arena, *fine_analysis, source_mesh);
         }));
         TransferReport done;
         HARMORPH_TRY(transfer.run(*fine_analysis, source_mesh, source, fine, done, fault));
-        if (report != nullptr) write_struct(report_of(done, fine, fine_analysis->problem.mesh), report);
+        if (report != nullptr)
+            write_struct(report_of(done, fine, fine_analysis->problem.mesh), report);
         return fault.status;
     });
 }

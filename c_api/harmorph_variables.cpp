@@ -12,8 +12,10 @@ Status check_fields(hm_variables const& v, Fault& fault) noexcept {
     const char* wrong = nullptr;
     bool const ffd = v.kind == HM_FFD;
     bool const box = !(v.x_min == 0 && v.y_min == 0 && v.x_max == 0 && v.y_max == 0);
-    if (!ffd && (v.degree_x != 0 || v.degree_y != 0 || box)) wrong = "variables: degrees and box are of HM_FFD only";
-    if (ffd && (v.n_upper != 0 || v.n_lower != 0)) wrong = "variables: n_upper and n_lower are not of HM_FFD";
+    if (!ffd && (v.degree_x != 0 || v.degree_y != 0 || box))
+        wrong = "variables: degrees and box are of HM_FFD only";
+    if (ffd && (v.n_upper != 0 || v.n_lower != 0))
+        wrong = "variables: n_upper and n_lower are not of HM_FFD";
     if (v.kind == HM_NACA4 && v.n_lower != 0) wrong = "variables: n_lower is not of HM_NACA4";
     if (v.peaks != nullptr && (ffd || v.kind == HM_CST)) {
         wrong = "variables: peaks are of HM_HICKS_HENNE and HM_NACA4 only";
@@ -21,7 +23,8 @@ Status check_fields(hm_variables const& v, Fault& fault) noexcept {
     if (v.kind != HM_CST && !(v.nose_exponent == 0 && v.edge_exponent == 0)) {
         wrong = "variables: the exponents are of HM_CST only";
     }
-    if (v.kind != HM_HICKS_HENNE && v.width != 0) wrong = "variables: the width is of HM_HICKS_HENNE only";
+    if (v.kind != HM_HICKS_HENNE && v.width != 0)
+        wrong = "variables: the width is of HM_HICKS_HENNE only";
     return wrong == nullptr ? Status::ok : fault.refuse(Status::bad_argument, wrong);
 }
 
@@ -30,14 +33,17 @@ Status check_numbers(hm_variables const& v, Fault& fault) noexcept {
         return fault.refuse(Status::bad_argument, why, Counts::from_zero, none, none, value);
     };
     Index const least = v.kind == HM_FFD || v.kind == HM_NACA4 ? 0 : 1;
-    if (v.n_upper < 0 || v.n_upper > Variables::most || v.n_lower < 0 || v.n_lower > Variables::most ||
-        v.n_upper + v.n_lower < least) {
-        return fault.refuse(Status::bad_argument,
-                            "variables: n_upper and n_lower are # and @; together 1 to 64 on each side",
-                            Counts::from_zero, v.n_upper, v.n_lower);
+    if (v.n_upper < 0 || v.n_upper > Variables::most || v.n_lower < 0 ||
+        v.n_lower > Variables::most || v.n_upper + v.n_lower < least) {
+        return fault.refuse(
+            Status::bad_argument,
+            "variables: n_upper and n_lower are # and @; together 1 to 64 on each side",
+            Counts::from_zero, v.n_upper, v.n_lower);
     }
-    if (v.degree_x < 0 || v.degree_x >= Variables::most || v.degree_y < 0 || v.degree_y >= Variables::most) {
-        return fault.refuse(Status::bad_argument, "variables: degree_x and degree_y are # and @, not 0 to 63",
+    if (v.degree_x < 0 || v.degree_x >= Variables::most || v.degree_y < 0 ||
+        v.degree_y >= Variables::most) {
+        return fault.refuse(Status::bad_argument,
+                            "variables: degree_x and degree_y are # and @, not 0 to 63",
                             Counts::from_zero, v.degree_x, v.degree_y);
     }
     if (!is_between(0, v.nose_exponent, 10)) {
@@ -46,10 +52,12 @@ Status check_numbers(hm_variables const& v, Fault& fault) noexcept {
     if (!is_between(0, v.edge_exponent, 10)) {
         return refuse("variables: edge_exponent is ~, not 0 to 10", v.edge_exponent);
     }
-    if (v.width != 0 && !is_between(1, v.width, 100)) return refuse("variables: the width is ~, not 1 to 100", v.width);
+    if (v.width != 0 && !is_between(1, v.width, 100))
+        return refuse("variables: the width is ~, not 1 to 100", v.width);
     for (Index k = 0; v.peaks != nullptr && k < v.n_upper + v.n_lower; ++k) {
         if (is_finite(v.peaks[k]) && v.peaks[k] > 1e-6 && v.peaks[k] < 1 - 1e-6) continue;
-        return fault.refuse(Status::bad_argument, "variables: peak # (from 0) is ~, not between 0 and 1",
+        return fault.refuse(Status::bad_argument,
+                            "variables: peak # (from 0) is ~, not between 0 and 1",
                             Counts::from_zero, k, none, v.peaks[k]);
     }
     return Status::ok;
@@ -70,12 +78,15 @@ void use_box(hm_variables const& v, CurvesView const& view, Variables& out) noex
     out.high = out.high + margin;
 }
 
-Status open_variables(const hm_variables* given, CurvesView const& view, Variables& out, Fault& fault) noexcept {
+Status open_variables(const hm_variables* given, CurvesView const& view, Variables& out,
+                      Fault& fault) noexcept {
     HARMORPH_TRY(require({{"variables", given}}, fault));
     hm_variables v;
-    if (!read_struct(given, v)) return fault.refuse(Status::bad_argument, "variables.struct_size is wrong");
+    if (!read_struct(given, v))
+        return fault.refuse(Status::bad_argument, "variables.struct_size is wrong");
     if (v.kind < HM_FFD || v.kind > HM_NACA4) {
-        return fault.refuse(Status::bad_argument, "variables.kind is #, which is unknown", Counts::from_zero, v.kind);
+        return fault.refuse(Status::bad_argument, "variables.kind is #, which is unknown",
+                            Counts::from_zero, v.kind);
     }
     HARMORPH_TRY(check_fields(v, fault));
     HARMORPH_TRY(check_numbers(v, fault));
@@ -93,7 +104,8 @@ Status open_variables(const hm_variables* given, CurvesView const& view, Variabl
     if (out.kind != VariableKind::ffd) return Status::ok;
     use_box(v, view, out);
     if (is_coordinate(out.low) && is_coordinate(out.high) && out.low.x < out.high.x &&
-        out.low.y < out.high.y) return Status::ok;
+        out.low.y < out.high.y)
+        return Status::ok;
     return fault.refuse(Status::bad_argument, "variables: the box is empty or not finite");
 }
 
@@ -124,8 +136,9 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_variables_size(const hm_curves* curves, const hm_section* section, const hm_variables* variables,
-                            int32_t* n, size_t* bytes, hm_error* err) {
+hm_status hm_variables_size(const hm_curves* curves, const hm_section* section,
+                            const hm_variables* variables, int32_t* n, size_t* bytes,
+                            hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         VariablesTask task;
         HARMORPH_TRY(require({{"n", n}}, fault));
@@ -137,8 +150,9 @@ hm_status hm_variables_size(const hm_curves* curves, const hm_section* section, 
     });
 }
 
-hm_status hm_variables_map(const hm_curves* curves, const hm_section* section, const hm_variables* variables,
-                           void* work, size_t bytes, double* matrix, double* error, hm_error* err) {
+hm_status hm_variables_map(const hm_curves* curves, const hm_section* section,
+                           const hm_variables* variables, void* work, size_t bytes, double* matrix,
+                           double* error, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         VariablesTask task;
         HARMORPH_TRY(require({{"work", work}, {"matrix", matrix}}, fault));
@@ -147,7 +161,8 @@ hm_status hm_variables_map(const hm_curves* curves, const hm_section* section, c
         HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { task.lay_out(arena, map); }));
         HARMORPH_TRY(map.run(task.section, task.variables, fault));
         copy(Span<Real>(matrix, map.wanted.size()), Span<const Real>(map.wanted));
-        if (error != nullptr) copy(Span<Real>(error, map.error.size()), Span<const Real>(map.error));
+        if (error != nullptr)
+            copy(Span<Real>(error, map.error.size()), Span<const Real>(map.error));
         return Status::ok;
     });
 }

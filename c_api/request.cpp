@@ -2,22 +2,27 @@
 
 namespace harmorph {
 
-Status Request::read(const hm_problem* given, const hm_options* options, CallFault& fault) noexcept {
+Status Request::read(const hm_problem* given, const hm_options* options,
+                     CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"problem", given}}, fault));
     hm_problem p;
-    if (!read_struct(given, p)) return fault.refuse(Status::bad_argument, "problem.struct_size is wrong");
+    if (!read_struct(given, p))
+        return fault.refuse(Status::bad_argument, "problem.struct_size is wrong");
     HARMORPH_TRY(view_mesh(p.mesh, problem.mesh, fault));
     return read_rest(p, options, fault);
 }
 
-Status Request::read_without_mesh(const hm_problem* given, const hm_options* options, CallFault& fault) noexcept {
+Status Request::read_without_mesh(const hm_problem* given, const hm_options* options,
+                                  CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"problem", given}}, fault));
     hm_problem p;
-    if (!read_struct(given, p)) return fault.refuse(Status::bad_argument, "problem.struct_size is wrong");
+    if (!read_struct(given, p))
+        return fault.refuse(Status::bad_argument, "problem.struct_size is wrong");
     return read_rest(p, options, fault);
 }
 
-Status Request::read_rest(hm_problem const& p, const hm_options* options, CallFault& fault) noexcept {
+Status Request::read_rest(hm_problem const& p, const hm_options* options,
+                          CallFault& fault) noexcept {
     HARMORPH_TRY(view_options(options, problem, fault));
     if (p.curves != nullptr) {
         HARMORPH_TRY(view_curves(p.curves, curves, fault));
@@ -25,10 +30,12 @@ Status Request::read_rest(hm_problem const& p, const hm_options* options, CallFa
     }
     HARMORPH_TRY(read_conditions(p, fault));
     if (p.n_given < 0 || (p.n_given > 0 && (!p.given_points || !p.given_curves || !p.given_u))) {
-        return fault.refuse(Status::bad_argument, "given parameters: negative number, or an array is NULL");
+        return fault.refuse(Status::bad_argument,
+                            "given parameters: negative number, or an array is NULL");
     }
     Size const n = static_cast<Size>(p.n_given);
-    problem.given = {problem.mesh.index_base, {p.given_points, n}, {p.given_curves, n}, {p.given_u, n}};
+    problem.given = {
+        problem.mesh.index_base, {p.given_points, n}, {p.given_curves, n}, {p.given_u, n}};
     return Status::ok;
 }
 
@@ -51,7 +58,8 @@ Status Request::copy_to(Span<Curve> to_curves, Span<Curve> to_slip, Span<Conditi
         HARMORPH_TRY(view_curves(along, set, fault));
         fault.bases = bases;
         to_conditions[i].first_curve = n_slip;
-        for (Index k = 0; k < set.count(); ++k) HARMORPH_TRY(set.curve(k, to_slip[n_slip++], fault));
+        for (Index k = 0; k < set.count(); ++k)
+            HARMORPH_TRY(set.curve(k, to_slip[n_slip++], fault));
         Index same = 0;
         while (along_of(same) != along) ++same;
         to_conditions[i].first_curve = to_conditions[same].first_curve;
@@ -61,17 +69,22 @@ Status Request::copy_to(Span<Curve> to_curves, Span<Curve> to_slip, Span<Conditi
 
 Status Request::check_rotation(Fault& fault) const noexcept {
     const char* wrong = nullptr;
-    if (problem.method.scheme != Scheme::compact) wrong = "rotation pairs go with the compact scheme only";
-    if (problem.method.engine != Engine::direct) wrong = "rotation pairs go with the direct engine only";
-    if (problem.demands.slip) wrong = "rotation pairs do not go with slipping boundaries; fixed and free ones do";
-    if (problem.demands.translation) wrong = "rotation pairs (HM_ROTATION_PAIR) do not go with HM_PERIODIC_PAIR";
+    if (problem.method.scheme != Scheme::compact)
+        wrong = "rotation pairs go with the compact scheme only";
+    if (problem.method.engine != Engine::direct)
+        wrong = "rotation pairs go with the direct engine only";
+    if (problem.demands.slip)
+        wrong = "rotation pairs do not go with slipping boundaries; fixed and free ones do";
+    if (problem.demands.translation)
+        wrong = "rotation pairs (HM_ROTATION_PAIR) do not go with HM_PERIODIC_PAIR";
     return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
 }
 
 // Without anything that moves nothing is to be solved, and conditions do not count.
 Status Request::read_conditions(hm_problem const& p, Fault& fault) noexcept {
     if (p.n_conditions < 0 || (p.n_conditions > 0 && p.conditions == nullptr)) {
-        return fault.refuse(Status::bad_argument, "n_conditions is negative, or conditions is NULL");
+        return fault.refuse(Status::bad_argument,
+                            "n_conditions is negative, or conditions is NULL");
     }
     for (Index i = 0; i < p.n_conditions; ++i) {
         Condition added;
@@ -80,27 +93,33 @@ Status Request::read_conditions(hm_problem const& p, Fault& fault) noexcept {
     }
     if (!problem.demands.any_wall(n_curves)) return Status::ok;
     if (p.n_conditions == 0) {
-        return fault.refuse(Status::bad_condition, "there are curves, but no condition that puts a marker on one");
+        return fault.refuse(Status::bad_condition,
+                            "there are curves, but no condition that puts a marker on one");
     }
     condition = p.conditions;
     n_conditions = p.n_conditions;
     if (problem.demands.slip && problem.method.bounded()) {
-        return fault.refuse(Status::unsupported, "the bounded scheme does not go with slipping boundaries");
+        return fault.refuse(Status::unsupported,
+                            "the bounded scheme does not go with slipping boundaries");
     }
     if (problem.demands.slip && problem.method.nodal_gradients()) {
-        return fault.refuse(Status::unsupported, "schemes of nodal gradients do not go with slipping boundaries");
+        return fault.refuse(Status::unsupported,
+                            "schemes of nodal gradients do not go with slipping boundaries");
     }
     if (problem.demands.given && problem.method.nodal_gradients()) {
-        return fault.refuse(Status::unsupported, "schemes of nodal gradients do not go with given displacements");
+        return fault.refuse(Status::unsupported,
+                            "schemes of nodal gradients do not go with given displacements");
     }
     if (problem.demands.slip && problem.method.engine == Engine::fas) {
-        return fault.refuse(Status::unsupported,
-                            "slipping boundaries go with the direct engine and with multigrid only");
+        return fault.refuse(
+            Status::unsupported,
+            "slipping boundaries go with the direct engine and with multigrid only");
     }
     if (problem.demands.rotation) HARMORPH_TRY(check_rotation(fault));
     if (!problem.demands.free || !problem.method.conformal()) return Status::ok;
-    return fault.refuse(Status::unsupported,
-                        "the conformal operator does not go with free boundaries; slipping ones do");
+    return fault.refuse(
+        Status::unsupported,
+        "the conformal operator does not go with free boundaries; slipping ones do");
 }
 
 }  // namespace harmorph

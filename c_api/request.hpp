@@ -1,4 +1,5 @@
-// A problem read from the caller's structs, before anything is laid out: what it asks, beside the mesh.
+// A problem read from the caller's structs, before anything is laid out: what it asks, beside the
+// mesh.
 #pragma once
 
 #include "handles.hpp"
@@ -12,10 +13,12 @@ struct Request {
     const hm_condition* condition = nullptr;
     Index n_conditions = 0;
 
-    // problem->mesh, options, curves and conditions. given parameters count from the mesh's index base.
+    // problem->mesh, options, curves and conditions. given parameters count from the mesh's index
+    // base.
     Status read(const hm_problem* given, const hm_options* options, CallFault& fault) noexcept;
     // Everything but the mesh.
-    Status read_without_mesh(const hm_problem* given, const hm_options* options, CallFault& fault) noexcept;
+    Status read_without_mesh(const hm_problem* given, const hm_options* options,
+                             CallFault& fault) noexcept;
     Index n_control() const noexcept { return n_curves > 0 ? curves.set.n_control : 0; }
     Status copy_to(Span<Curve> to_curves, Span<Curve> to_slip, Span<Condition> to_conditions,
                    CallFault& fault) const noexcept;

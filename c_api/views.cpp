@@ -6,7 +6,8 @@ namespace {
 // 0 where sizes or their sum are out of range.
 Index cells_of_blocks(hm_mesh const& mesh) noexcept {
     Offset n = 0;
-    for (Index b = 0; mesh.block_sizes != nullptr && b < smaller(mesh.n_blocks, Mesh::max_blocks); ++b) {
+    for (Index b = 0; mesh.block_sizes != nullptr && b < smaller(mesh.n_blocks, Mesh::max_blocks);
+         ++b) {
         Offset const ni = mesh.block_sizes[2 * b], nj = mesh.block_sizes[2 * b + 1];
         if (ni < 2 || nj < 2) return 0;
         n += (ni - 1) * (nj - 1);
@@ -20,9 +21,11 @@ Index cells_of_blocks(hm_mesh const& mesh) noexcept {
 Status view_mesh(const hm_mesh* given, Mesh& mesh, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"mesh", given}}, fault));
     hm_mesh m;
-    if (!read_struct(given, m)) return fault.refuse(Status::bad_argument, "mesh.struct_size is wrong");
+    if (!read_struct(given, m))
+        return fault.refuse(Status::bad_argument, "mesh.struct_size is wrong");
     if (m.cell_layout < HM_CELLS_ROWS || m.cell_layout > HM_CELLS_POLYGONS) {
-        return fault.refuse(Status::bad_argument, "mesh.cell_layout # is unknown", Counts::from_zero, m.cell_layout);
+        return fault.refuse(Status::bad_argument, "mesh.cell_layout # is unknown",
+                            Counts::from_zero, m.cell_layout);
     }
     mesh = Mesh{};
     mesh.index_base = fault.bases.mesh = m.index_base;
@@ -60,14 +63,17 @@ Status view_executor(const hm_executor* given, Executor& executor, Fault& fault)
     executor = Executor{};
     if (given == nullptr) return Status::ok;
     hm_executor e;
-    if (!read_struct(given, e)) return fault.refuse(Status::bad_argument, "executor.struct_size is wrong");
+    if (!read_struct(given, e))
+        return fault.refuse(Status::bad_argument, "executor.struct_size is wrong");
     if (e.n_threads == 0) e.n_threads = 1;
     if (e.n_threads < 1 || e.n_threads > Executor::most_threads) {
-        return fault.refuse(Status::bad_argument, "executor.n_threads must be between 1 and 256, not #",
+        return fault.refuse(Status::bad_argument,
+                            "executor.n_threads must be between 1 and 256, not #",
                             Counts::from_zero, e.n_threads);
     }
     if (e.kernel < HM_KERNEL_AUTO || e.kernel > HM_KERNEL_NEON) {
-        return fault.refuse(Status::unsupported, "executor.kernel is #, which is unknown", Counts::from_zero, e.kernel);
+        return fault.refuse(Status::unsupported, "executor.kernel is #, which is unknown",
+                            Counts::from_zero, e.kernel);
     }
     executor = {e.run, e.user, e.n_threads, static_cast<Kernel>(e.kernel)};
     return Status::ok;

@@ -1,4 +1,5 @@
-// From the caller's structs to the core's views, and from the core's reports to the caller's structs.
+// From the caller's structs to the core's views, and from the core's reports to the caller's
+// structs.
 #pragma once
 
 #include <cstring>
@@ -11,7 +12,8 @@
 
 namespace harmorph {
 
-// Has the caller set the size? Also the next struct of an array, that many bytes behind, has to be aligned.
+// Has the caller set the size? Also the next struct of an array, that many bytes behind, has to be
+// aligned.
 template <class T>
 bool has_size(T const& given) noexcept {
     constexpr std::uint64_t largest_ever = 4096;
@@ -24,7 +26,8 @@ template <class T>
 bool read_struct(const T* given, T& out) noexcept {
     out = T{};
     if (!has_size(*given)) return false;
-    std::memcpy(static_cast<void*>(&out), given, smaller<Size>(static_cast<Size>(given->struct_size), sizeof(T)));
+    std::memcpy(static_cast<void*>(&out), given,
+                smaller<Size>(static_cast<Size>(given->struct_size), sizeof(T)));
     return true;
 }
 
@@ -55,14 +58,16 @@ Status check_report_if(const T* to, Fault& fault) noexcept {
 template <class T>
 void write_struct(T filled, T* to) noexcept {
     filled.struct_size = to->struct_size;
-    std::memcpy(static_cast<void*>(to), &filled, smaller<Size>(static_cast<Size>(to->struct_size), sizeof(T)));
+    std::memcpy(static_cast<void*>(to), &filled,
+                smaller<Size>(static_cast<Size>(to->struct_size), sizeof(T)));
 }
 
 // Element i of an array of structs whose size the first one tells.
 template <class T>
 const T* element(const T* array, Index i) noexcept {
     const unsigned char* const bytes = reinterpret_cast<const unsigned char*>(array);
-    return reinterpret_cast<const T*>(bytes + static_cast<Size>(i) * static_cast<Size>(array->struct_size));
+    return reinterpret_cast<const T*>(bytes +
+                                      static_cast<Size>(i) * static_cast<Size>(array->struct_size));
 }
 
 template <class T>
@@ -71,32 +76,52 @@ T* element(T* array, Index i) noexcept {
 }
 
 // A point, cell or control point of a report, in the caller's numbering.
-constexpr Index numbered(Index item, Index index_base) noexcept { return item == none ? none : item + index_base; }
+constexpr Index numbered(Index item, Index index_base) noexcept {
+    return item == none ? none : item + index_base;
+}
 
 inline hm_curve struct_of(Curve const& curve) noexcept {
     return {sizeof(hm_curve), curve.degree, curve.n_indices, curve.indices, curve.knots};
 }
 inline hm_condition struct_of(Condition const& condition) noexcept {
-    bool const slips = condition.kind == ConditionKind::slip;  // along curves that are not known any more
-    return {sizeof(hm_condition), condition.marker, static_cast<std::int32_t>(condition.kind),
-            slips ? 0 : condition.first_curve, condition.n_curves, condition.body, condition.partner,
-            condition.centre.x, condition.centre.y, condition.piece, 0, condition.near.x, condition.near.y, nullptr};
+    bool const slips =
+        condition.kind == ConditionKind::slip;  // along curves that are not known any more
+    return {sizeof(hm_condition),
+            condition.marker,
+            static_cast<std::int32_t>(condition.kind),
+            slips ? 0 : condition.first_curve,
+            condition.n_curves,
+            condition.body,
+            condition.partner,
+            condition.centre.x,
+            condition.centre.y,
+            condition.piece,
+            0,
+            condition.near.x,
+            condition.near.y,
+            nullptr};
 }
 
 constexpr std::ptrdiff_t stride_of(std::int64_t given) noexcept {
     return given == 0 ? 1 : static_cast<std::ptrdiff_t>(given);
 }
-inline Points points_of(hm_points const& given) noexcept { return {given.x, given.y, stride_of(given.stride)}; }
+inline Points points_of(hm_points const& given) noexcept {
+    return {given.x, given.y, stride_of(given.stride)};
+}
 
-// Coordinates of n points that a call reads, or writes; `name` is the argument's in the header. Meshes have several.
+// Coordinates of n points that a call reads, or writes; `name` is the argument's in the header.
+// Meshes have several.
 template <class Given, class View>
-Status view_points(const Given* given, const char* name, View& points, Fault& fault, Index n = 2) noexcept {
+Status view_points(const Given* given, const char* name, View& points, Fault& fault,
+                   Index n = 2) noexcept {
     if (given == nullptr) return fault.refuse_argument(name, "% is NULL");
-    if (given->x == nullptr || given->y == nullptr) return fault.refuse_argument(name, "%.x or %.y is NULL");
+    if (given->x == nullptr || given->y == nullptr)
+        return fault.refuse_argument(name, "%.x or %.y is NULL");
     if (given->stride < 0) return fault.refuse_argument(name, "%.stride is negative");
     std::ptrdiff_t const stride = stride_of(given->stride);
     if (n > 1 && (given->y == given->x + stride || given->x == given->y + stride)) {
-        return fault.refuse_argument(name, "%.x and %.y have numbers in common: the stride of x,y pairs is 2");
+        return fault.refuse_argument(
+            name, "%.x and %.y have numbers in common: the stride of x,y pairs is 2");
     }
     points = {given->x, given->y, stride};
     return Status::ok;
@@ -117,7 +142,8 @@ struct CurvesView {
 };
 Status view_curves(const hm_curves* given, CurvesView& view, CallFault& fault) noexcept;
 
-Status view_condition(const hm_condition* array, Index number, Condition& out, Fault& fault) noexcept;
+Status view_condition(const hm_condition* array, Index number, Condition& out,
+                      Fault& fault) noexcept;
 // executor NULL: one thread.
 Status view_executor(const hm_executor* given, Executor& executor, Fault& fault) noexcept;
 Status view_options(const hm_options* given, Problem& problem, Fault& fault) noexcept;

@@ -1,5 +1,5 @@
-// What a problem consists of beside the mesh, and the options of a fit. Apart from the other views, so that a program
-// which only moves meshes does not link them.
+// What a problem consists of beside the mesh, and the options of a fit. Apart from the other views,
+// so that a program which only moves meshes does not link them.
 #include "base/range.hpp"
 #include "views.hpp"
 
@@ -9,21 +9,27 @@ namespace {
 // The header's table of what goes together; what does not is answered with what would.
 Status check_combination(hm_options const& o, Fault& fault) noexcept {
     if (o.operator_kind < HM_CONFORMAL || o.operator_kind > HM_WEIGHTED) {
-        return fault.refuse(Status::unsupported, "options.operator_kind is #, which is unknown", Counts::from_zero,
-                            o.operator_kind);
+        return fault.refuse(Status::unsupported, "options.operator_kind is #, which is unknown",
+                            Counts::from_zero, o.operator_kind);
     }
     if (o.scheme < HM_COMPACT || o.scheme > HM_NODAL_GRADIENT_PLAIN) {
-        return fault.refuse(Status::unsupported, "options.scheme is #, which is unknown", Counts::from_zero, o.scheme);
+        return fault.refuse(Status::unsupported, "options.scheme is #, which is unknown",
+                            Counts::from_zero, o.scheme);
     }
     if (o.engine < HM_DIRECT || o.engine > HM_FAS) {
-        return fault.refuse(Status::unsupported, "options.engine is #, which is unknown", Counts::from_zero, o.engine);
+        return fault.refuse(Status::unsupported, "options.engine is #, which is unknown",
+                            Counts::from_zero, o.engine);
     }
     bool const nodal = o.scheme == HM_NODAL_GRADIENT || o.scheme == HM_NODAL_GRADIENT_PLAIN;
     const char* wrong = nullptr;
     if (o.operator_kind == HM_CONFORMAL && o.scheme != HM_COMPACT) {
-        wrong = "the conformal operator goes with the compact scheme only; laplace goes with all schemes";
+        wrong =
+            "the conformal operator goes with the compact scheme only; laplace goes with all "
+            "schemes";
     } else if (o.operator_kind == HM_CONFORMAL && o.engine != HM_DIRECT) {
-        wrong = "the conformal operator goes with the direct engine only; laplace and weighted go with all";
+        wrong =
+            "the conformal operator goes with the direct engine only; laplace and weighted go with "
+            "all";
     } else if (nodal && o.operator_kind != HM_LAPLACE) {
         wrong = "nodal gradients go with the operator laplace only";
     } else if (o.scheme == HM_BOUNDED && o.engine != HM_DIRECT) {
@@ -40,24 +46,28 @@ Status check_combination(hm_options const& o, Fault& fault) noexcept {
 Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept {
     HARMORPH_TRY(check_combination(o, fault));
     if (o.exponent_quarters < HM_NO_WEIGHT || o.exponent_quarters > 16) {
-        return fault.refuse(Status::bad_argument, "options.exponent_quarters must be between -1 and 16, not #",
+        return fault.refuse(Status::bad_argument,
+                            "options.exponent_quarters must be between -1 and 16, not #",
                             Counts::from_zero, o.exponent_quarters);
     }
     method.operator_kind = static_cast<Operator>(o.operator_kind);
     method.scheme = static_cast<Scheme>(o.scheme);
     method.engine = static_cast<Engine>(o.engine);
     if (method.operator_kind == Operator::laplace && o.exponent_quarters > 0) {
-        return fault.refuse(Status::unsupported, "the Laplace operator has no weight; HM_WEIGHTED has one");
+        return fault.refuse(Status::unsupported,
+                            "the Laplace operator has no weight; HM_WEIGHTED has one");
     }
     if (o.offset_correction < 0 || o.offset_correction > 1) {
-        return fault.refuse(Status::bad_argument, "options.offset_correction must be 0 or 1, not #", Counts::from_zero,
-                            o.offset_correction);
+        return fault.refuse(Status::bad_argument, "options.offset_correction must be 0 or 1, not #",
+                            Counts::from_zero, o.offset_correction);
     }
     if (o.offset_correction != 0 && !method.conformal()) {
-        return fault.refuse(Status::unsupported, "the offset correction goes with the conformal operator only");
+        return fault.refuse(Status::unsupported,
+                            "the offset correction goes with the conformal operator only");
     }
     constexpr std::int32_t usual[] = {6, 0, 4};
-    method.quarters = o.exponent_quarters == 0 ? usual[o.operator_kind] : larger(o.exponent_quarters, Index{0});
+    method.quarters =
+        o.exponent_quarters == 0 ? usual[o.operator_kind] : larger(o.exponent_quarters, Index{0});
     method.offset_correction = o.offset_correction;
     return Status::ok;
 }
@@ -70,17 +80,23 @@ namespace {
 Status check_engine(hm_options const& o, Fault& fault) noexcept {
     const char* wrong = nullptr;
     if (o.engine == HM_DIRECT) {
-        if (o.levels != 0) wrong = "options.levels: the direct engine has no levels; multigrid and fas do";
+        if (o.levels != 0)
+            wrong = "options.levels: the direct engine has no levels; multigrid and fas do";
         if (o.agglomeration != HM_AGGLOMERATE_AUTO) {
-            wrong = "options.agglomeration: the direct engine merges no cells; multigrid and fas do";
+            wrong =
+                "options.agglomeration: the direct engine merges no cells; multigrid and fas do";
         }
-        if (o.block_width != 0) wrong = "options.block_width goes with the engines multigrid and fas only";
-        if (o.max_iterations != 0) wrong = "options.max_iterations goes with the engines multigrid and fas only";
-        if (o.history_length != 0) wrong = "options.history goes with the engines multigrid and fas only";
+        if (o.block_width != 0)
+            wrong = "options.block_width goes with the engines multigrid and fas only";
+        if (o.max_iterations != 0)
+            wrong = "options.max_iterations goes with the engines multigrid and fas only";
+        if (o.history_length != 0)
+            wrong = "options.history goes with the engines multigrid and fas only";
     } else if (o.precision != HM_DOUBLE) {
         wrong = "options.precision: only the direct engine has a factor to store in single";
     }
-    if (o.engine != HM_FAS && o.start != HM_START_COARSEST) wrong = "options.start goes with the engine fas only";
+    if (o.engine != HM_FAS && o.start != HM_START_COARSEST)
+        wrong = "options.start goes with the engine fas only";
     return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
 }
 
@@ -90,19 +106,23 @@ Status view_iteration(hm_options const& o, Iteration& iteration, Fault& fault) n
                             Counts::from_zero, o.levels);
     }
     if (o.agglomeration < HM_AGGLOMERATE_AUTO || o.agglomeration > HM_AGGLOMERATE_DIRECTIONAL) {
-        return fault.refuse(Status::bad_argument, "options.agglomeration is #, which is unknown", Counts::from_zero,
-                            o.agglomeration);
+        return fault.refuse(Status::bad_argument, "options.agglomeration is #, which is unknown",
+                            Counts::from_zero, o.agglomeration);
     }
     if (o.block_width != 0 && !Iteration::has_width(o.block_width)) {
-        return fault.refuse(Status::bad_argument, "options.block_width must be 0, 4, 8 or 16, not #", Counts::from_zero,
+        return fault.refuse(Status::bad_argument,
+                            "options.block_width must be 0, 4, 8 or 16, not #", Counts::from_zero,
                             o.block_width);
     }
-    if (o.max_iterations < 0 || o.history_length < 0 || (o.history_length > 0 && o.history == nullptr)) {
-        return fault.refuse(Status::bad_argument,
-                            "options: max_iterations or history_length is negative, or history is NULL");
+    if (o.max_iterations < 0 || o.history_length < 0 ||
+        (o.history_length > 0 && o.history == nullptr)) {
+        return fault.refuse(
+            Status::bad_argument,
+            "options: max_iterations or history_length is negative, or history is NULL");
     }
     if (o.start < HM_START_COARSEST || o.start > HM_START_ZERO) {
-        return fault.refuse(Status::bad_argument, "options.start is #, which is unknown", Counts::from_zero, o.start);
+        return fault.refuse(Status::bad_argument, "options.start is #, which is unknown",
+                            Counts::from_zero, o.start);
     }
     iteration.starts_from_zero = o.start == HM_START_ZERO;
     iteration.merging = {static_cast<Merging>(o.agglomeration), o.levels};
@@ -125,23 +145,28 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
         return fault.refuse(Status::bad_argument, "options.struct_size is wrong");
     }
     if (given != nullptr && asks_for_more(given)) {
-        return fault.refuse(Status::unsupported,
-                            "options: fields are set that this version of the library does not know");
+        return fault.refuse(
+            Status::unsupported,
+            "options: fields are set that this version of the library does not know");
     }
     if (o.reserved != 0) return fault.refuse(Status::bad_argument, "options.reserved must be 0");
     HARMORPH_TRY(view_operator(o, method, fault));
     HARMORPH_TRY(view_iteration(o, problem.iteration, fault));
     if (!is_finite(o.tolerance) || o.tolerance < 0 || o.tolerance >= 1) {
-        return fault.refuse(Status::bad_argument, "options.tolerance must be at least 0 and below 1, not ~",
+        return fault.refuse(Status::bad_argument,
+                            "options.tolerance must be at least 0 and below 1, not ~",
                             Counts::from_zero, none, none, o.tolerance);
     }
-    if (o.kernel < HM_KERNEL_AUTO || o.kernel > HM_KERNEL_NEON || !has_kernel(static_cast<Kernel>(o.kernel))) {
-        return fault.refuse(Status::unsupported, "options.kernel is #, which this processor does not have",
+    if (o.kernel < HM_KERNEL_AUTO || o.kernel > HM_KERNEL_NEON ||
+        !has_kernel(static_cast<Kernel>(o.kernel))) {
+        return fault.refuse(Status::unsupported,
+                            "options.kernel is #, which this processor does not have",
                             Counts::from_zero, o.kernel);
     }
     method.kernel = static_cast<Kernel>(o.kernel);
     if (o.precision < HM_DOUBLE || o.precision > HM_SINGLE) {
-        return fault.refuse(Status::unsupported, "options.precision # is unknown", Counts::from_zero, o.precision);
+        return fault.refuse(Status::unsupported, "options.precision # is unknown",
+                            Counts::from_zero, o.precision);
     }
     method.precision = static_cast<Precision>(o.precision);
     HARMORPH_TRY(check_engine(o, fault));
@@ -155,12 +180,14 @@ Status view_fit_options(const hm_fit_options* given, FitOptions& options, Fault&
     options = FitOptions{};
     if (given == nullptr) return Status::ok;
     hm_fit_options o;
-    if (!read_struct(given, o)) return fault.refuse(Status::bad_argument, "fit options: struct_size is wrong");
+    if (!read_struct(given, o))
+        return fault.refuse(Status::bad_argument, "fit options: struct_size is wrong");
     if (o.closed < HM_CLOSED_AUTO || o.closed > HM_PERIODIC) {
         return fault.refuse(Status::bad_argument, "fit options: closed is #, which is unknown",
                             Counts::from_zero, o.closed);
     }
-    if (o.reserved != 0) return fault.refuse(Status::bad_argument, "fit options: reserved must be 0");
+    if (o.reserved != 0)
+        return fault.refuse(Status::bad_argument, "fit options: reserved must be 0");
     if (o.degree != 0) options.degree = o.degree;
     if (o.n_control != 0) options.n_control = o.n_control;
     options.closure = static_cast<Closure>(o.closed);
@@ -169,7 +196,8 @@ Status view_fit_options(const hm_fit_options* given, FitOptions& options, Fault&
 
 Status view_curves(const hm_curves* given, CurvesView& view, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"curves", given}}, fault));
-    if (!read_struct(given, view.set)) return fault.refuse(Status::bad_argument, "curves.struct_size is wrong");
+    if (!read_struct(given, view.set))
+        return fault.refuse(Status::bad_argument, "curves.struct_size is wrong");
     hm_curves const& set = view.set;
     fault.bases.curves = set.index_base;
     if (set.index_base != 0 && set.index_base != 1) {
@@ -180,12 +208,12 @@ Status view_curves(const hm_curves* given, CurvesView& view, CallFault& fault) n
     }
     constexpr Index most = Index{1} << 24;
     if (set.n_control < 2 || set.n_control > most) {
-        return fault.refuse(Status::bad_curve, "curves.n_control must be between 2 and 2^24, not #", Counts::from_zero,
-                            set.n_control);
+        return fault.refuse(Status::bad_curve, "curves.n_control must be between 2 and 2^24, not #",
+                            Counts::from_zero, set.n_control);
     }
     if (set.n_curves < 1 || set.n_curves > most) {
-        return fault.refuse(Status::bad_curve, "curves.n_curves must be between 1 and 2^24, not #", Counts::from_zero,
-                            set.n_curves);
+        return fault.refuse(Status::bad_curve, "curves.n_curves must be between 1 and 2^24, not #",
+                            Counts::from_zero, set.n_curves);
     }
     return Status::ok;
 }
@@ -197,7 +225,8 @@ Status CurvesView::curve(Index number, Curve& out, Fault& fault) const noexcept 
                             Counts::from_zero, number);
     }
     if (c.knots == nullptr) {
-        return fault.refuse(Status::bad_argument, "knots of curve # (from 0) is NULL", Counts::from_zero, number);
+        return fault.refuse(Status::bad_argument, "knots of curve # (from 0) is NULL",
+                            Counts::from_zero, number);
     }
     out = Curve{};
     out.degree = c.degree;
@@ -218,42 +247,54 @@ Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept 
     bool const is_pair = c.kind == HM_PERIODIC_PAIR || c.kind == HM_ROTATION_PAIR;
     const char* wrong = nullptr;
     if (c.kind != HM_ON_CURVE && (c.first_curve != 0 || (c.n_curves != 0 && c.kind != HM_SLIP))) {
-        wrong = "condition # (from 0) has first_curve or n_curves, which are of HM_ON_CURVE only, but its kind is @";
+        wrong =
+            "condition # (from 0) has first_curve or n_curves, which are of HM_ON_CURVE only, but "
+            "its kind is @";
     } else if (c.kind != HM_SLIP && c.along != nullptr) {
-        wrong = "condition # (from 0) has curves along which to slide, which are of HM_SLIP only, but its kind is @";
+        wrong =
+            "condition # (from 0) has curves along which to slide, which are of HM_SLIP only, but "
+            "its kind is @";
     } else if (c.kind != HM_RIGID && c.body != 0) {
         wrong = "condition # (from 0) has body, which is of HM_RIGID only, but its kind is @";
     } else if (c.kind != HM_RIGID && c.kind != HM_ROTATION_PAIR && !(c.x == 0 && c.y == 0)) {
-        wrong = "condition # (from 0) has x or y, which are of HM_RIGID and HM_ROTATION_PAIR only, but its kind is @";
+        wrong =
+            "condition # (from 0) has x or y, which are of HM_RIGID and HM_ROTATION_PAIR only, but "
+            "its kind is @";
     } else if (c.piece < 0 || c.piece > 1 || c.reserved != 0) {
-        wrong = "condition # (from 0) has a piece that is neither 0 nor 1, or reserved is not 0; its kind is @";
+        wrong =
+            "condition # (from 0) has a piece that is neither 0 nor 1, or reserved is not 0; its "
+            "kind is @";
     } else if (is_pair && c.piece != 0) {
         wrong = "condition # (from 0) chooses a piece, which a periodic pair cannot; its kind is @";
     } else if (c.piece == 0 && !(c.near_x == 0 && c.near_y == 0)) {
         wrong = "condition # (from 0) has near_x or near_y, but chooses no piece; its kind is @";
     } else if (!is_pair && c.partner != 0) {
-        wrong = "condition # (from 0) has partner, which is of periodic pairs only, but its kind is @";
+        wrong =
+            "condition # (from 0) has partner, which is of periodic pairs only, but its kind is @";
     }
-    if (wrong != nullptr) return fault.refuse(Status::bad_condition, wrong, Counts::from_zero, number, c.kind);
+    if (wrong != nullptr)
+        return fault.refuse(Status::bad_condition, wrong, Counts::from_zero, number, c.kind);
     if (c.kind != HM_SLIP) return Status::ok;
     if (c.along == nullptr && c.n_curves != 0) {
-        return fault.refuse(
-            Status::bad_condition,
-            "condition # (from 0) slides along @ curves, but its `along` is NULL: a basis does not keep them",
-            Counts::from_zero, number, c.n_curves);
+        return fault.refuse(Status::bad_condition,
+                            "condition # (from 0) slides along @ curves, but its `along` is NULL: "
+                            "a basis does not keep them",
+                            Counts::from_zero, number, c.n_curves);
     }
     hm_curves set;
-    bool const fits =
-        c.along == nullptr || (read_struct(c.along, set) && set.n_curves == c.n_curves && set.n_curves >= 1);
+    bool const fits = c.along == nullptr || (read_struct(c.along, set) &&
+                                             set.n_curves == c.n_curves && set.n_curves >= 1);
     if (fits) return Status::ok;
-    return fault.refuse(Status::bad_condition,
-                        "condition # (from 0) has n_curves @, but that is not the number of curves in its `along`",
-                        Counts::from_zero, number, c.n_curves);
+    return fault.refuse(
+        Status::bad_condition,
+        "condition # (from 0) has n_curves @, but that is not the number of curves in its `along`",
+        Counts::from_zero, number, c.n_curves);
 }
 
 }  // namespace
 
-Status view_condition(const hm_condition* array, Index number, Condition& out, Fault& fault) noexcept {
+Status view_condition(const hm_condition* array, Index number, Condition& out,
+                      Fault& fault) noexcept {
     hm_condition c;
     if (!read_struct(array, c) || !read_struct(element(array, number), c)) {
         return fault.refuse(Status::bad_argument, "struct_size of condition # (from 0) is wrong",
@@ -265,18 +306,28 @@ Status view_condition(const hm_condition* array, Index number, Condition& out, F
     }
     constexpr Index most_bodies = Index{1} << 20;
     if (c.kind == HM_RIGID && (c.body < 0 || c.body >= most_bodies)) {
-        return fault.refuse(Status::bad_condition,
-                            "condition # (from 0) names rigid body @ (from 0), which there cannot be",
-                            Counts::from_zero, number, c.body);
+        return fault.refuse(
+            Status::bad_condition,
+            "condition # (from 0) names rigid body @ (from 0), which there cannot be",
+            Counts::from_zero, number, c.body);
     }
     HARMORPH_TRY(check_fields(c, number, fault));
     if (!is_coordinate({c.near_x, c.near_y})) {
-        return fault.refuse(Status::bad_condition,
-                            "near_x or near_y of condition # (from 0) is not finite, or larger than 1e100",
-                            Counts::from_zero, number);
+        return fault.refuse(
+            Status::bad_condition,
+            "near_x or near_y of condition # (from 0) is not finite, or larger than 1e100",
+            Counts::from_zero, number);
     }
-    out = {c.marker, static_cast<ConditionKind>(c.kind), c.first_curve, c.n_curves, c.body, c.partner, {c.x, c.y},
-           c.piece, 0, {c.near_x, c.near_y}};
+    out = {c.marker,
+           static_cast<ConditionKind>(c.kind),
+           c.first_curve,
+           c.n_curves,
+           c.body,
+           c.partner,
+           {c.x, c.y},
+           c.piece,
+           0,
+           {c.near_x, c.near_y}};
     return Status::ok;
 }
 

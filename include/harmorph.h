@@ -79,7 +79,7 @@ extern "C" {
 #define HM_API
 #endif
 
-/* ---- Status and error ------------------------------------------------------------------------------------------- */
+/* ---- Status and error ---- */
 
 typedef int32_t hm_status;
 enum {
@@ -124,7 +124,7 @@ HM_API int32_t     hm_abi_version(void);
 HM_API const char *hm_version(void);                      /* "major.minor.patch" of the library */
 HM_API const char *hm_status_name(hm_status status);      /* "HM_OK", ...; "unknown status" otherwise */
 
-/* ---- Vector instructions ---------------------------------------------------------------------------------------- */
+/* ---- Vector instructions ---- */
 
 enum {                             /* kernels: the library contains those of its architecture */
     HM_KERNEL_AUTO = 0,            /* the best that the processor has; the library asks the processor */
@@ -135,7 +135,7 @@ enum {                             /* kernels: the library contains those of its
  * than a morph of 5000 points. So ask once, and keep the answer in hm_executor.kernel. */
 HM_API int32_t hm_best_kernel(void);
 
-/* ---- Threads of the caller -------------------------------------------------------------------------------------- */
+/* ---- Threads of the caller ---- */
 
 /* Calls task(context, i) once for each i in 0 .. n_tasks-1, in any order, on any threads, and returns when all tasks
  * are done. No task waits for another task. Ready-made: harmorph_openmp.h, harmorph_pthreads.h. */
@@ -155,7 +155,7 @@ typedef struct hm_executor {
                                       instruction; a kernel of another architecture means the baseline */
 } hm_executor;
 
-/* ---- Points: two numbers for each point of a mesh, in the caller's arrays --------------------------------------- */
+/* ---- Points: two numbers for each point of a mesh, in the caller's arrays ---- */
 
 /* Coordinates, displacements, velocities, or derivatives with respect to the coordinates. The numbers of point k, k
  * from 0, are x[k*stride] and y[k*stride]. Fortran's x(n), y(n): {x, y, 1}. Pairs xy(2,n): {xy, xy+1, 2}. xy(n,2): {xy,
@@ -171,7 +171,7 @@ typedef struct hm_points_out {     /* output; the same layout */
     int64_t stride;
 } hm_points_out;
 
-/* ---- Mesh: a view of the caller's arrays ------------------------------------------------------------------------ */
+/* ---- Mesh: a view of the caller's arrays ---- */
 
 enum {                        /* hm_mesh.cell_layout */
     HM_CELLS_ROWS = 0,        /* cell_start, cell_points: compressed rows of 3 or 4 points */
@@ -238,7 +238,7 @@ typedef struct hm_mesh {
  * m / (sin(2 pi / m) sum_k |a_k| |b_k| / (2 A_k)), at most 1: 1 if all angles are equal, as for a rectangle with
  * hanging nodes; 0 if the cell is inverted. */
 
-/* ---- Structured blocks in arrays of their own -------------------------------------------------------------------- */
+/* ---- Structured blocks in arrays of their own ---- */
 
 /* Solvers with several blocks mostly have arrays for each of them, often with layers of ghost points around. The mesh
  * (HM_CELLS_BLOCKS) and all calls with points of it have the blocks one after the other: keep one pair of arrays
@@ -269,7 +269,7 @@ HM_API hm_status hm_blocks_gather(const hm_mesh *mesh, int32_t first, int32_t n,
 HM_API hm_status hm_blocks_scatter(const hm_mesh *mesh, int32_t first, int32_t n, const hm_points *from,
                                    const hm_block_points_out *blocks, hm_error *err);
 
-/* ---- Curves ----------------------------------------------------------------------------------------------------- */
+/* ---- Curves ---- */
 
 typedef struct hm_curve {          /* C(u) = sum_k N_k(u) P[indices[k]], u in [knots[degree], knots[n_indices]] */
     uint64_t struct_size;          /* the same in all curves of one hm_curves */
@@ -306,7 +306,7 @@ HM_API hm_status hm_curve_point(const hm_curves *curves, int32_t curve, double u
 HM_API hm_status hm_curve_project(const hm_curves *curves, int32_t curve, double x, double y,
                                   double *u, double *distance, hm_error *err);
 
-/* ---- Fit: a B-spline through the ordered points of a boundary --------------------------------------------------- */
+/* ---- Fit: a B-spline through the ordered points of a boundary ---- */
 
 enum {                             /* hm_fit_options.closed */
     HM_CLOSED_AUTO = 0,            /* for a loop without a corner: periodic; with a blunt base: open, plus a straight
@@ -359,7 +359,7 @@ HM_API hm_status hm_fit_size(int32_t n, const hm_fit_options *options, size_t *b
 HM_API hm_status hm_fit(const hm_curves **curves, void *block, size_t bytes, const hm_points *points, int32_t n,
                         int32_t is_loop, const hm_fit_options *options, hm_fit_report *report, hm_error *err);
 
-/* ---- More control points for the same shape ---------------------------------------------------------------------- */
+/* ---- More control points for the same shape ---- */
 
 /* Coarse-to-fine design: the same curves with more control points. hm_refine inserts n knots u [n] into one curve, in
  * any order, a value as often as its knot is to be repeated; hm_elevate raises the degree of one curve by 1. Both are
@@ -383,7 +383,7 @@ HM_API hm_status hm_elevate_size(const hm_curves *curves, int32_t curve, size_t 
 HM_API hm_status hm_elevate(const hm_curves **finer, const double **matrix, void *block, size_t bytes,
                             const hm_curves *curves, int32_t curve, hm_error *err);
 
-/* ---- Measures of a section, with derivatives by the control points ----------------------------------------------- */
+/* ---- Measures of a section, with derivatives by the control points ---- */
 
 typedef struct hm_section {        /* which curves are the outline of the section, and its chord */
     uint64_t struct_size;
@@ -443,7 +443,7 @@ HM_API hm_status hm_measure(const hm_curves *curves, const hm_section *section, 
                             const hm_quantity *quantities, double *values, double *at, double *gradients,
                             hm_error *err);
 
-/* ---- Design variables: maps to the control points ---------------------------------------------------------------- */
+/* ---- Design variables: maps to the control points ---- */
 
 enum {                             /* hm_variables.kind: how one unit of each variable moves the outline */
     HM_FFD = 0,                    /* free-form deformation: variable i + (degree_x+1) j is the node i, j of a box,
@@ -487,7 +487,7 @@ HM_API hm_status hm_variables_size(const hm_curves *curves, const hm_section *se
 HM_API hm_status hm_variables_map(const hm_curves *curves, const hm_section *section, const hm_variables *variables,
                                   void *work, size_t bytes, double *matrix, double *error, hm_error *err);
 
-/* ---- Problem: what is to be solved ------------------------------------------------------------------------------ */
+/* ---- Problem: what is to be solved ---- */
 
 enum {                             /* hm_condition.kind; for a point on several markers the first of these kinds holds:
                                       on curve, rigid, given, fixed, slip, free */
@@ -715,7 +715,7 @@ typedef struct hm_options {
     int32_t  reserved;             /* 0 */
 } hm_options;
 
-/* ---- Analysis: everything that does not depend on numerical values ---------------------------------------------- */
+/* ---- Analysis: everything that does not depend on numerical values ---- */
 
 typedef struct hm_analysis hm_analysis;
 
@@ -745,7 +745,7 @@ HM_API hm_status hm_analysis_boundary(const hm_analysis *analysis, int32_t n_mar
                                       int32_t piece, int32_t *points, int32_t capacity, int32_t *n, int32_t *is_loop,
                                       hm_error *err);
 
-/* ---- Plan and basis ---------------------------------------------------------------------------------------------- */
+/* ---- Plan and basis ---- */
 
 typedef struct hm_plan hm_plan;
 typedef struct hm_basis hm_basis;
@@ -844,7 +844,7 @@ HM_API hm_status hm_basis_conditions(const hm_basis *basis, hm_condition *out, i
 HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, int32_t number, double *values,
                                  hm_error *err);
 
-/* ---- Functions in single precision ------------------------------------------------------------------------------ */
+/* ---- Functions in single precision ---- */
 
 /* A second basis with the same functions in single precision, in half the memory. hm_morph and hm_adjoint are
  * limited by reading the basis; if the basis fits in no cache, hm_morph is 1.5 to 1.9 times faster with AVX-512
@@ -861,7 +861,7 @@ HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, int32_
 HM_API hm_status hm_single_size(const hm_basis *basis, size_t *bytes, hm_error *err);
 HM_API hm_status hm_single_init(hm_basis **single, void *block, size_t bytes, const hm_basis *basis, hm_error *err);
 
-/* ---- Combined functions: one for each design variable ------------------------------------------------------------ */
+/* ---- Combined functions: one for each design variable ---- */
 
 /* A second basis with n functions F M, n >= 1: function j carries variable j, which moves control point i by M_ij times
  * itself. matrix [controls * n * numbers] with the n values of control point 0 first; controls = functions - 2 * bodies
@@ -907,7 +907,7 @@ HM_API hm_status hm_transfer(hm_basis *basis, void *block, size_t bytes, const h
                              const hm_basis *coarse, const hm_mesh *coarse_mesh, hm_transfer_report *report,
                              hm_error *err);
 
-/* ---- Morph ------------------------------------------------------------------------------------------------------- */
+/* ---- Morph ---- */
 
 /* to = from + sum_i F_i (dx, dy)_i at each point. move [2*functions] contains the dx,dy pairs of the control points
  * [length], then for each rigid body two pairs: the translation dx,dy [length], and s - 1, where s = scale * (cos a,
@@ -928,7 +928,7 @@ HM_API hm_status hm_adjoint(const hm_basis *basis, const hm_points *dj, double *
 HM_API hm_status hm_boundary_error(const hm_basis *basis, const double *move, const hm_points *from,
                                    const hm_points *to, double *error, int32_t *point, hm_error *err);
 
-/* ---- Points that slide along curves ------------------------------------------------------------------------------ */
+/* ---- Points that slide along curves ---- */
 
 /* On a straight line the functions keep sliding points (HM_SLIP) on the line. On a curve they move each point along its
  * tangent: hm_morph, hm_displace and their transposes stay linear, and a movement by d leaves the point about
@@ -950,7 +950,7 @@ HM_API hm_status hm_slide(const hm_analysis *analysis, const hm_points *from, co
 HM_API hm_status hm_slide_adjoint(const hm_analysis *analysis, const hm_points *from, const hm_points *dj,
                                   const hm_points_out *dj_from, hm_error *err);
 
-/* ---- Given displacements: wall points as a structural code, a CAD system or a table has them -------------------- */
+/* ---- Given displacements: wall points as a structural code, a CAD system or a table has them ---- */
 
 /* Points of markers with HM_GIVEN move as each call says; no functions are needed. The displacement of the mesh is one
  * substitution with the factor of the plan, so a time step costs a small part of hm_plan_factor: factor once, displace
@@ -999,7 +999,7 @@ HM_API hm_status hm_displace_adjoint(hm_plan *plan, int32_t n, const int32_t *po
                                      const hm_points *dj, const hm_points_out *gradient, void *work, size_t bytes,
                                      hm_solve_report *report, hm_error *err);
 
-/* ---- Functions by table: modes given at wall points -------------------------------------------------------------- */
+/* ---- Functions by table: modes given at wall points ---- */
 
 /* A second basis: the functions of `basis`, and behind them n_modes functions with given values at the points of the
  * markers with HM_GIVEN: structural modes, modes of a proper orthogonal decomposition, anything linear. They are solved
@@ -1021,7 +1021,7 @@ HM_API hm_status hm_tabulate(hm_basis **tabulated, void *block, size_t bytes, hm
                              int32_t n, const int32_t *points, int32_t n_modes, int32_t numbers, const double *modes,
                              void *work, size_t work_bytes, hm_solve_report *report, hm_error *err);
 
-/* ---- Three-dimensional codes with two-dimensional meshes --------------------------------------------------------- */
+/* ---- Three-dimensional codes with two-dimensional meshes ---- */
 
 /* For solvers that have three dimensions only, and meshes one cell thick. The library finds the mesh of one symmetry
  * plane, and which point of that plane each point follows; analysis, plan and basis are those of the plane's mesh.
@@ -1130,7 +1130,7 @@ HM_API hm_status hm_plane_spread(const hm_plane *plane, const hm_points *displac
 HM_API hm_status hm_plane_gather(const hm_plane *plane, const hm_space_points *dj, const hm_points_out *plane_dj,
                                  const hm_executor *executor, hm_error *err);
 
-/* ---- Distributed meshes: several processes, see harmorph_mpi.h -------------------------------------------------- */
+/* ---- Distributed meshes: several processes, see harmorph_mpi.h ---- */
 
 /* A basis for some points only, for instance those of one process. Point k of the new basis is points[k], counted from
  * the index_base of the mesh, in any order; ghosts and repeated points are allowed. hm_morph, hm_adjoint,
@@ -1217,7 +1217,7 @@ HM_API hm_status hm_assess(const hm_basis *basis, const hm_mesh *mesh, const hm_
                            const hm_points *displacement, const hm_executor *executor, hm_step_report *step,
                            hm_quality_report *quality, hm_error *err);
 
-/* ---- Large movements that stay valid ---------------------------------------------------------------------------- */
+/* ---- Large movements that stay valid ---- */
 
 /* Strategies are tried in this order until the mesh is at the target and as good as options.min_quality and
  * options.max_height_change ask for. The best mesh of all is given: the one nearest to the target, and of several at
@@ -1355,7 +1355,7 @@ HM_API hm_status hm_displace_safe(hm_plan *plan, const hm_basis *basis, const do
                                   const int32_t *points, const hm_points *wall, const hm_points_out *to, void *work,
                                   size_t bytes, const hm_safe_options *options, hm_safe_report *report, hm_error *err);
 
-/* ---- Better cells in a mesh that is valid ------------------------------------------------------------------------ */
+/* ---- Better cells in a mesh that is valid ---- */
 
 typedef struct hm_improve_options {
     uint64_t struct_size;

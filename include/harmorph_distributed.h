@@ -26,7 +26,7 @@
 extern "C" {
 #endif
 
-/* ---- A part of the mesh ----------------------------------------------------------------------------------------- */
+/* ---- A part of the mesh ---- */
 
 typedef struct hm_part hm_part;
 
@@ -71,7 +71,7 @@ HM_API hm_status hm_part_edges(const hm_part *part, hm_edge *edges, int32_t capa
  * Some edges may be in another order then. */
 HM_API hm_status hm_match_edges(hm_edge *edges, int64_t *n, hm_error *err);
 
-/* ---- Equations of a part ---------------------------------------------------------------------------------------- */
+/* ---- Equations of a part ---- */
 
 typedef struct hm_equations hm_equations;
 
@@ -115,7 +115,7 @@ HM_API hm_status hm_equations_entries(const hm_equations *equations, int32_t fir
                                       int32_t *column, double *values, int64_t capacity, int64_t *n_entries,
                                       hm_error *err);
 
-/* ---- Right-hand sides, values, residuals ------------------------------------------------------------------------ */
+/* ---- Right-hand sides, values, residuals ---- */
 
 /* A basis for the points of the part, in the order of the part. Until hm_rows_finish the basis counts as not solved;
  * its memory holds the right-hand sides, then the values. hm_rows_init sets values on the wall, which are exact, and
@@ -134,7 +134,7 @@ HM_API hm_status hm_rows_residual(hm_equations *equations, const hm_basis *rows,
  * number in all parts hm_adjoint_scale does not depend on the partition. */
 HM_API hm_status hm_rows_finish(hm_equations *equations, hm_basis *rows, double largest, hm_error *err);
 
-/* ---- Given displacements ---------------------------------------------------------------------------------------- */
+/* ---- Given displacements ---- */
 
 /* As hm_displace, one field at a time: displacement [points of the part] holds at points of markers with HM_GIVEN what
  * is given, and receives the rest. work: 2 * points doubles, which the calls of one field share.

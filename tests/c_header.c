@@ -1,5 +1,5 @@
-/* The header as strict C99 and as C++ see it: included twice, every struct and every kind of constant used, and the
- * sizes and places that other languages rely on. */
+/* The header as strict C99 and as C++ see it: included twice, every struct and every kind of
+ * constant used, and the sizes and places that other languages rely on. */
 #include <harmorph.h>
 #include <harmorph.h>
 
@@ -8,7 +8,7 @@
 
 static int passed, failed;
 
-static void check(int holds, const char *what) {
+static void check(int holds, const char* what) {
     if (holds) {
         ++passed;
     } else {
@@ -18,15 +18,17 @@ static void check(int holds, const char *what) {
 }
 
 #define SIZE(type, bytes) check(sizeof(type) == (bytes), "size of " #type)
-#define PLACE(type, field, bytes) check(offsetof(type, field) == (bytes), "place of " #type "." #field)
-#define HAS_SIZE_FIRST(type) \
-    do { \
-        type object = {sizeof object}; \
-        PLACE(type, struct_size, 0); \
-        check(sizeof object % sizeof(void *) == 0 && object.struct_size == sizeof(type), "struct_size of " #type); \
+#define PLACE(type, field, bytes) \
+    check(offsetof(type, field) == (bytes), "place of " #type "." #field)
+#define HAS_SIZE_FIRST(type)                                                            \
+    do {                                                                                \
+        type object = {sizeof object};                                                  \
+        PLACE(type, struct_size, 0);                                                    \
+        check(sizeof object % sizeof(void*) == 0 && object.struct_size == sizeof(type), \
+              "struct_size of " #type);                                                 \
     } while (0)
 
-static int32_t never_cancel(void *user, int32_t phase, double fraction) {
+static int32_t never_cancel(void* user, int32_t phase, double fraction) {
     (void)user;
     return phase < HM_PHASE_STRUCTURE || phase > HM_PHASE_RESIDUAL || fraction < 0 || fraction > 1;
 }
@@ -36,10 +38,11 @@ int main(void) {
     hm_error error;
     hm_options options = {sizeof options};
     hm_status status = HM_OK;
-    /* A pointer of each opaque type, and one function's address, are all a caller ever needs to name. */
-    hm_analysis *analysis = NULL;
-    hm_plan *plan = NULL;
-    hm_basis *basis = NULL;
+    /* A pointer of each opaque type, and one function's address, are all a caller ever needs to
+     * name. */
+    hm_analysis* analysis = NULL;
+    hm_plan* plan = NULL;
+    hm_basis* basis = NULL;
 
     SIZE(hm_status, 4);
     SIZE(hm_error, 128);
@@ -71,7 +74,7 @@ int main(void) {
     HAS_SIZE_FIRST(hm_plane_info);
     HAS_SIZE_FIRST(hm_improve_options);
     HAS_SIZE_FIRST(hm_improve_report);
-    if (sizeof(void *) == 8) {
+    if (sizeof(void*) == 8) {
         SIZE(hm_points, 24);
         SIZE(hm_points_out, 24);
         SIZE(hm_space_points, 32);
@@ -91,14 +94,18 @@ int main(void) {
     /* Zero is the default everywhere. */
     check(HM_CELLS_ROWS == 0 && HM_CLOSED_AUTO == 0, "defaults are 0");
     check(HM_CONFORMAL == 0 && HM_COMPACT == 0 && HM_DIRECT == 0, "defaults of the options are 0");
-    check(HM_AGGLOMERATE_AUTO == 0 && HM_KERNEL_AUTO == 0 && HM_DOUBLE == 0, "more defaults of the options");
-    check(HM_OK == 0 && HM_NOT_CONVERGED > 0 && HM_MOVED > 0 && HM_SHORT > 0, "warnings are positive");
+    check(HM_AGGLOMERATE_AUTO == 0 && HM_KERNEL_AUTO == 0 && HM_DOUBLE == 0,
+          "more defaults of the options");
+    check(HM_OK == 0 && HM_NOT_CONVERGED > 0 && HM_MOVED > 0 && HM_SHORT > 0,
+          "warnings are positive");
     check(HM_CANCELLED < 0 && HM_UNSUPPORTED < 0 && HM_CROSSING < 0, "what is refused is negative");
-    check(HM_ON_CURVE < HM_RIGID && HM_RIGID < HM_FIXED && HM_FIXED < HM_SLIP && HM_SLIP < HM_FREE
-              && HM_FREE < HM_PERIODIC_PAIR && HM_PERIODIC_PAIR < HM_GIVEN
-              && HM_GIVEN < HM_ROTATION_PAIR, "order of conditions");
-    check(HM_STRATEGY_LINEAR < HM_STRATEGY_OTHER && HM_STRATEGY_OTHER < HM_STRATEGY_SUBSTEPS
-              && HM_STRATEGY_SUBSTEPS < HM_STRATEGY_UNTANGLED, "order of strategies");
+    check(HM_ON_CURVE < HM_RIGID && HM_RIGID < HM_FIXED && HM_FIXED < HM_SLIP &&
+              HM_SLIP < HM_FREE && HM_FREE < HM_PERIODIC_PAIR && HM_PERIODIC_PAIR < HM_GIVEN &&
+              HM_GIVEN < HM_ROTATION_PAIR,
+          "order of conditions");
+    check(HM_STRATEGY_LINEAR < HM_STRATEGY_OTHER && HM_STRATEGY_OTHER < HM_STRATEGY_SUBSTEPS &&
+              HM_STRATEGY_SUBSTEPS < HM_STRATEGY_UNTANGLED,
+          "order of strategies");
     check(HM_ABI >= 1, "number of the binary interface");
     sprintf(version, "%d.%d.%d", HM_VERSION_MAJOR, HM_VERSION_MINOR, HM_VERSION_PATCH);
     check(strcmp(version, HM_VERSION) == 0, "version in words and in numbers");
@@ -106,7 +113,8 @@ int main(void) {
     options.progress = never_cancel;
     check(options.progress(options.progress_user, HM_PHASE_SOLVE, 0.5) == 0, "progress callback");
     memset(&error, 0, sizeof error);
-    check(error.code == status && analysis == NULL && plan == NULL && basis == NULL, "opaque types");
+    check(error.code == status && analysis == NULL && plan == NULL && basis == NULL,
+          "opaque types");
 
     printf("%d passed, %d failed\n", passed, failed);
     return failed != 0;

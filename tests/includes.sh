@@ -54,11 +54,18 @@ for file in c_api/cli/*.cpp c_api/cli/*/*.[ch]pp; do
     is_empty "$file" "$(included "$file" | grep '/' | grep -vE "^(${rooms_of_program}sys)/")"
 done
 
-# Lines of the sources and scripts have at most 120 columns.
-is_empty "lines of more than 120 columns" "$(find c_api fortran include src tests -type f \
+# At most 100 columns, laid out as .clang-format has it.
+is_empty "lines of more than 100 columns" "$(find c_api fortran include src tests -type f \
     \( -name '*.cpp' -o -name '*.hpp' -o -name '*.[ch]' -o -name '*.sh' \
-    -o -name '*.f90' -o -name '*.f' \) -exec \
-    awk 'length($0) > 120 { print FILENAME ":" FNR }' {} +)"
+    -o -name '*.f90' -o -name '*.f90.in' -o -name '*.f' \) -exec \
+    awk 'length($0) > 100 { print FILENAME ":" FNR }' {} +)"
+if command -v clang-format >/dev/null; then
+    is_empty "files that clang-format would change" "$(find c_api include src tests \
+        \( -name '*.cpp' -o -name '*.hpp' -o -name '*.[ch]' \) -exec \
+        clang-format --dry-run {} + 2>&1 | sed -n 's/^\([^:]*\):.*warning: .*/\1/p' | sort -u)"
+else
+    skip "the layout of the sources" "clang-format is not installed"
+fi
 
 # What stands at the top; a test that leaves something there would have it committed one day.
 if tracked=$(git ls-files 2>/dev/null); then

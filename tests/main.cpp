@@ -1,5 +1,6 @@
-// All C++ tests. The processor traps floating-point exceptions, as in debug builds of flow solvers: a call that
-// succeeds may raise none but inexact and underflow. HARMORPH_TRAPS=0 in the environment turns the traps off.
+// All C++ tests. The processor traps floating-point exceptions, as in debug builds of flow solvers:
+// a call that succeeds may raise none but inexact and underflow. HARMORPH_TRAPS=0 in the
+// environment turns the traps off.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 
@@ -13,6 +14,7 @@ int main(int argc, char** argv) {
     doctest::Context context(argc, argv);
     const char* const wanted = std::getenv("HARMORPH_TRAPS");
     bool const off = wanted != nullptr && std::strcmp(wanted, "0") == 0;
-    if (!off && !traps::enable()) std::puts("skipped: floating-point exceptions, which cannot be trapped here");
+    if (!off && !traps::enable())
+        std::puts("skipped: floating-point exceptions, which cannot be trapped here");
     return context.run();
 }

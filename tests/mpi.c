@@ -1,4 +1,5 @@
-/* On any number of processes: what is solved in shares, exchanged, moved and summed up has the bits of one process. */
+/* On any number of processes: what is solved in shares, exchanged, moved and summed up has the bits
+ * of one process. */
 #include "mpi_case.h"
 
 #include <harmorph_pthreads.h>
@@ -7,7 +8,7 @@
 
 static int passed, failed, rank, size;
 
-static void check(int holds, const char *what) {
+static void check(int holds, const char* what) {
     if (holds) {
         ++passed;
     } else {
@@ -22,7 +23,8 @@ static uint32_t scrambled(uint32_t k) {
     return k ^ (k >> 16);
 }
 
-/* Points anywhere in the mesh, in the order of no one; the first n_own are the process's own, ghosts follow. */
+/* Points anywhere in the mesh, in the order of no one; the first n_own are the process's own,
+ * ghosts follow. */
 typedef struct part {
     int32_t *points, n, n_own;
 } part;
@@ -38,26 +40,32 @@ static part make_part(int32_t n_points) {
     its.n_own = its.n;
     for (k = 0; k < n_points; ++k) {
         const uint32_t its_number = scrambled((uint32_t)k);
-        if ((int)(its_number % (uint32_t)size) != rank && its_number / 1000 % 7 == 0) its.points[its.n++] = k;
+        if ((int)(its_number % (uint32_t)size) != rank && its_number / 1000 % 7 == 0)
+            its.points[its.n++] = k;
     }
     return its;
 }
 
-static int same_bits(const double *a, const double *b, int32_t n) { return memcmp(a, b, sizeof *a * (size_t)n) == 0; }
+static int same_bits(const double* a, const double* b, int32_t n) {
+    return memcmp(a, b, sizeof *a * (size_t)n) == 0;
+}
 
-static void check_blocks(const hm_basis *a, const hm_basis *b) {
+static void check_blocks(const hm_basis* a, const hm_basis* b) {
     hm_basis_info one = {sizeof one}, other = {sizeof other};
     hm_error error;
     need(hm_basis_info_get(a, &one, &error), &error);
     need(hm_basis_info_get(b, &other, &error), &error);
     check(one.solved == 1, "the rows are solved");
-    check(one.bytes == other.bytes && memcmp(a, b, (size_t)one.bytes) == 0, "rows as on one process, byte by byte");
+    check(one.bytes == other.bytes && memcmp(a, b, (size_t)one.bytes) == 0,
+          "rows as on one process, byte by byte");
 }
 
-static void check_morph(const hm_basis *whole, const hm_basis *rows, const part *mine, const problem_case *its) {
+static void check_morph(const hm_basis* whole, const hm_basis* rows, const part* mine,
+                        const problem_case* its) {
     const int32_t n = its->n_points;
-    double *move = room(2 * sizeof *move * (size_t)its->n_functions), *all = room(2 * sizeof *all * (size_t)n);
-    double *own = room(2 * sizeof *own * (size_t)mine->n);
+    double *move = room(2 * sizeof *move * (size_t)its->n_functions),
+           *all = room(2 * sizeof *all * (size_t)n);
+    double* own = room(2 * sizeof *own * (size_t)mine->n);
     hm_error error;
     int32_t k, wrong = 0;
     for (k = 0; k < 2 * its->n_functions; ++k) move[k] = 0.01 * cos(3.0 * k);
@@ -65,10 +73,12 @@ static void check_morph(const hm_basis *whole, const hm_basis *rows, const part 
         own[k] = its->x[mine->points[k]];
         own[mine->n + k] = its->y[mine->points[k]];
     }
-    need(hm_morph(whole, move, &(hm_points){its->x, its->y, 1}, &(hm_points_out){all, all + n, 1}, NULL,
-                  &error), &error);
-    need(hm_morph(rows, move, &(hm_points){own, own + mine->n, 1}, &(hm_points_out){own, own + mine->n, 1}, NULL,
-                  &error), &error);
+    need(hm_morph(whole, move, &(hm_points){its->x, its->y, 1}, &(hm_points_out){all, all + n, 1},
+                  NULL, &error),
+         &error);
+    need(hm_morph(rows, move, &(hm_points){own, own + mine->n, 1},
+                  &(hm_points_out){own, own + mine->n, 1}, NULL, &error),
+         &error);
     for (k = 0; k < mine->n; ++k) {
         wrong += memcmp(&own[k], &all[mine->points[k]], sizeof *own) != 0;
         wrong += memcmp(&own[mine->n + k], &all[n + mine->points[k]], sizeof *own) != 0;
@@ -79,34 +89,44 @@ static void check_morph(const hm_basis *whole, const hm_basis *rows, const part 
     free(own);
 }
 
-static void check_adjoint(const hm_basis *whole, const hm_basis *rows, const part *mine, const problem_case *its) {
+static void check_adjoint(const hm_basis* whole, const hm_basis* rows, const part* mine,
+                          const problem_case* its) {
     const int32_t n = its->n_points, n_gradient = 2 * its->n_functions;
     double *all = room(2 * sizeof *all * (size_t)n), *own = room(2 * sizeof *own * (size_t)mine->n);
-    double *expected = room(sizeof *expected * (size_t)n_gradient), *found = room(sizeof *found * (size_t)n_gradient);
+    double *expected = room(sizeof *expected * (size_t)n_gradient),
+           *found = room(sizeof *found * (size_t)n_gradient);
     hm_pthreads pool;
     hm_executor executor = hm_pthreads_start(&pool, 3);
     hm_error error;
     int32_t k, not_a_number = 0;
-    for (k = 0; k < 2 * n; ++k) all[k] = sin(1.7 * k) * pow(10.0, -(double)(scrambled((uint32_t)k) % 12));
+    for (k = 0; k < 2 * n; ++k)
+        all[k] = sin(1.7 * k) * pow(10.0, -(double)(scrambled((uint32_t)k) % 12));
     for (k = 0; k < mine->n; ++k) {
         own[k] = k < mine->n_own ? all[mine->points[k]] : 0;
         own[mine->n + k] = k < mine->n_own ? all[n + mine->points[k]] : 0;
     }
     need(hm_adjoint(whole, &(hm_points){all, all + n, 1}, expected, NULL, &error), &error);
-    need(hm_mpi_adjoint(rows, &(hm_points){own, own + mine->n, 1}, found, NULL, MPI_COMM_WORLD, &error), &error);
+    need(hm_mpi_adjoint(rows, &(hm_points){own, own + mine->n, 1}, found, NULL, MPI_COMM_WORLD,
+                        &error),
+         &error);
     check(same_bits(found, expected, n_gradient), "the gradient is that of one process");
     memset(found, 0, sizeof *found * (size_t)n_gradient);
-    need(hm_mpi_adjoint(rows, &(hm_points){own, own + mine->n, 1}, found, &executor, MPI_COMM_WORLD, &error), &error);
+    need(hm_mpi_adjoint(rows, &(hm_points){own, own + mine->n, 1}, found, &executor, MPI_COMM_WORLD,
+                        &error),
+         &error);
     check(same_bits(found, expected, n_gradient), "and on several threads of each");
     hm_pthreads_stop(&pool);
 
     if (rank == size - 1) own[0] = NAN;
-    need(hm_mpi_adjoint(rows, &(hm_points){own, own + mine->n, 1}, found, NULL, MPI_COMM_WORLD, &error), &error);
+    need(hm_mpi_adjoint(rows, &(hm_points){own, own + mine->n, 1}, found, NULL, MPI_COMM_WORLD,
+                        &error),
+         &error);
     for (k = 0; k < n_gradient; ++k) not_a_number += found[k] != found[k];
     check(not_a_number == n_gradient, "one NaN on one process: NaN on all");
 
-    check(hm_mpi_adjoint(rows, &(hm_points){own, own + mine->n, 1}, rank == 0 ? NULL : found, NULL, MPI_COMM_WORLD,
-                         &error) == HM_BAD_ARGUMENT, "what one process has wrong is refused by all");
+    check(hm_mpi_adjoint(rows, &(hm_points){own, own + mine->n, 1}, rank == 0 ? NULL : found, NULL,
+                         MPI_COMM_WORLD, &error) == HM_BAD_ARGUMENT,
+          "what one process has wrong is refused by all");
     check(rank == 0 || strstr(error.text, "another process") != NULL, "and told on");
     free(all);
     free(own);
@@ -132,8 +152,9 @@ static void check_operator(int32_t operator_kind, int32_t n_functions) {
     free_solver(&with);
     rows = extract(share, mine.n, mine.points, &rows_block);
 
-    check(hm_mpi_exchange(rows, rank == 0 ? NULL : share, mine.n, mine.points, MPI_COMM_WORLD, &error) ==
-              HM_BAD_ARGUMENT, "an exchange without a share on one process is refused by all");
+    check(hm_mpi_exchange(rows, rank == 0 ? NULL : share, mine.n, mine.points, MPI_COMM_WORLD,
+                          &error) == HM_BAD_ARGUMENT,
+          "an exchange without a share on one process is refused by all");
     check(rank == 0 || strstr(error.text, "another process") != NULL, "and told on");
     need(hm_mpi_exchange(rows, share, mine.n, mine.points, MPI_COMM_WORLD, &error), &error);
     free(share_block);
@@ -161,7 +182,8 @@ static void check_mixture(void) {
     need(hm_share_of(with.analysis, rank, size, &first, &n, &error), &error);
     share = solve_share(&with, first, n, &share_block);
     rows = extract(share, 2, points, &rows_block);
-    check(hm_mpi_exchange(rows, share, 2, points, MPI_COMM_WORLD, &error) == (size > 1 ? HM_BAD_BASIS : HM_OK),
+    check(hm_mpi_exchange(rows, share, 2, points, MPI_COMM_WORLD, &error) ==
+              (size > 1 ? HM_BAD_BASIS : HM_OK),
           "shares of different meshes");
     free_solver(&with);
     free(share_block);
@@ -174,14 +196,16 @@ static void check_mixture(void) {
     share = solve_share(&with, first, rank == size - 1 ? n - 1 : n, &share_block);
     free(rows_block);
     rows = extract(share, 2, points, &rows_block);
-    check(hm_mpi_exchange(rows, share, 2, points, MPI_COMM_WORLD, &error) == HM_BAD_BASIS, "shares that leave one out");
+    check(hm_mpi_exchange(rows, share, 2, points, MPI_COMM_WORLD, &error) == HM_BAD_BASIS,
+          "shares that leave one out");
     check(strstr(error.text, "not all functions") != NULL, "and why");
     free_solver(&with);
     free(share_block);
     free(rows_block);
 }
 
-/* Displacements of wall points that each process knows a part of: the bits of one process, and the exact transpose. */
+/* Displacements of wall points that each process knows a part of: the bits of one process, and the
+ * exact transpose. */
 static void check_displacements(int32_t operator_kind) {
     enum { FIELDS = 3 };
     problem_case its;
@@ -196,29 +220,32 @@ static void check_displacements(int32_t operator_kind) {
     int32_t *all_given, *own_wall;
     double *own_x, *own_y;
     size_t bytes;
-    void *work;
+    void* work;
 
     make_case(&its, 65, 25, 8, operator_kind);
     given.marker = WALL;
     given.kind = HM_GIVEN;
     its.problem.curves = NULL;
     its.problem.conditions = &given;
-    make_solver(&with, &its);   /* of one process: what is expected */
+    make_solver(&with, &its); /* of one process: what is expected */
     mine = make_part(its.n_points);
     hm_given_points(with.plan, NULL, 0, &n_given, NULL);
     all_given = room(sizeof *all_given * (size_t)n_given);
     need(hm_given_points(with.plan, all_given, n_given, &n_given, &error), &error);
     own_wall = room(sizeof *own_wall * (size_t)mine.n);
-    for (k = 0; k < mine.n; ++k) {   /* ghosts too: in several lists */
+    for (k = 0; k < mine.n; ++k) { /* ghosts too: in several lists */
         if (mine.points[k] < 65) own_wall[n_wall++] = mine.points[k];
     }
     own_x = room(2 * sizeof *own_x * (size_t)mine.n);
     own_y = own_x + mine.n;
     for (field = 0; field < FIELDS; ++field) {
-        double *a = room(2 * sizeof *a * (size_t)n_given), *b = room(2 * sizeof *b * (size_t)mine.n);
-        double *c = room(2 * sizeof *c * (size_t)its.n_points), *d = room(2 * sizeof *d * (size_t)its.n_points);
+        double *a = room(2 * sizeof *a * (size_t)n_given),
+               *b = room(2 * sizeof *b * (size_t)mine.n);
+        double *c = room(2 * sizeof *c * (size_t)its.n_points),
+               *d = room(2 * sizeof *d * (size_t)its.n_points);
         double *e = room(2 * sizeof *e * (size_t)mine.n), *f = room(2 * sizeof *f * (size_t)mine.n);
-        double *g = room(2 * sizeof *g * (size_t)mine.n), *h = room(2 * sizeof *h * (size_t)n_given);
+        double *g = room(2 * sizeof *g * (size_t)mine.n),
+               *h = room(2 * sizeof *h * (size_t)n_given);
         for (k = 0; k < n_given; ++k) {
             a[2 * k] = 0.01 * cos(its.x[all_given[k]] + field);
             a[2 * k + 1] = 0.01 * sin(3 * its.y[all_given[k]]);
@@ -246,9 +273,11 @@ static void check_displacements(int32_t operator_kind) {
     }
     need(hm_displace_size(with.plan, FIELDS, &bytes, &error), &error);
     work = room(bytes);
-    need(hm_displace(with.plan, n_given, NULL, FIELDS, wall, NULL, to, work, bytes, NULL, &error), &error);
-    need(hm_mpi_displace(rank == root ? with.plan : NULL, n_wall, own_wall, FIELDS, on_wall, mine.n, mine.points, NULL,
-                         own_to, root, MPI_COMM_WORLD, &error), &error);
+    need(hm_displace(with.plan, n_given, NULL, FIELDS, wall, NULL, to, work, bytes, NULL, &error),
+         &error);
+    need(hm_mpi_displace(rank == root ? with.plan : NULL, n_wall, own_wall, FIELDS, on_wall, mine.n,
+                         mine.points, NULL, own_to, root, MPI_COMM_WORLD, &error),
+         &error);
     for (field = 0; field < FIELDS; ++field) {
         for (k = 0; k < mine.n; ++k) {
             wrong += memcmp(&own_to[field].x[k], &to[field].x[mine.points[k]], sizeof(double)) != 0;
@@ -257,14 +286,18 @@ static void check_displacements(int32_t operator_kind) {
     }
     check(wrong == 0, "displacements as on one process");
 
-    need(hm_displace_adjoint(with.plan, n_given, NULL, FIELDS, dj, all_gradient, work, bytes, NULL, &error), &error);
-    need(hm_mpi_displace_adjoint(rank == root ? with.plan : NULL, n_wall, own_wall, FIELDS, own_dj, mine.n, mine.points,
-                                 gradient, root, MPI_COMM_WORLD, &error), &error);
+    need(hm_displace_adjoint(with.plan, n_given, NULL, FIELDS, dj, all_gradient, work, bytes, NULL,
+                             &error),
+         &error);
+    need(hm_mpi_displace_adjoint(rank == root ? with.plan : NULL, n_wall, own_wall, FIELDS, own_dj,
+                                 mine.n, mine.points, gradient, root, MPI_COMM_WORLD, &error),
+         &error);
     for (field = 0; field < FIELDS; ++field) {
         double sums[130] = {0}, of_all[130] = {0};
         double size_of_it = 0;
         for (k = 0; k < n_wall; ++k) {
-            const int32_t at = own_wall[k] == 64 ? 0 : own_wall[k];   /* the two sides of the cut move together */
+            const int32_t at =
+                own_wall[k] == 64 ? 0 : own_wall[k]; /* the two sides of the cut move together */
             sums[2 * at] += gradient[field].x[k];
             sums[2 * at + 1] += gradient[field].y[k];
         }
@@ -280,16 +313,17 @@ static void check_displacements(int32_t operator_kind) {
         check(wrong == 0, "gradients of all processes together are those of one process");
     }
 
-    for (k = 0; k < mine.n; ++k) {   /* in place, with coordinates */
+    for (k = 0; k < mine.n; ++k) { /* in place, with coordinates */
         own_x[k] = its.x[mine.points[k]];
         own_y[k] = its.y[mine.points[k]];
     }
     to[0] = (hm_points_out){to[0].x, to[0].y, 1};
-    need(hm_displace(with.plan, n_given, NULL, 1, wall, &(hm_points){its.x, its.y, 1}, to, work, bytes, NULL, &error),
+    need(hm_displace(with.plan, n_given, NULL, 1, wall, &(hm_points){its.x, its.y, 1}, to, work,
+                     bytes, NULL, &error),
          &error);
-    need(hm_mpi_displace(rank == root ? with.plan : NULL, n_wall, own_wall, 1, on_wall, mine.n, mine.points,
-                         &(hm_points){own_x, own_y, 1}, &(hm_points_out){own_x, own_y, 1}, root,
-                         MPI_COMM_WORLD, &error),
+    need(hm_mpi_displace(rank == root ? with.plan : NULL, n_wall, own_wall, 1, on_wall, mine.n,
+                         mine.points, &(hm_points){own_x, own_y, 1},
+                         &(hm_points_out){own_x, own_y, 1}, root, MPI_COMM_WORLD, &error),
          &error);
     for (wrong = 0, k = 0; k < mine.n; ++k) {
         wrong += memcmp(&own_x[k], &to[0].x[mine.points[k]], sizeof(double)) != 0;
@@ -299,43 +333,51 @@ static void check_displacements(int32_t operator_kind) {
 
     /* Each by name, and by all processes; nothing is written. */
     {
-        double *const b = (double *)(size_t)on_wall[0].x, before = n_wall > 0 ? b[0] : 0;
-        double *const kept = room(2 * sizeof *kept * (size_t)mine.n);
-        hm_plan *const plan = rank == root ? with.plan : NULL;
+        double *const b = (double*)(size_t)on_wall[0].x, before = n_wall > 0 ? b[0] : 0;
+        double* const kept = room(2 * sizeof *kept * (size_t)mine.n);
+        hm_plan* const plan = rank == root ? with.plan : NULL;
         memcpy(kept, own_x, 2 * sizeof *kept * (size_t)mine.n);
-        #define REFUSED(status, plan, n_wall, list, n_fields, n, points, root) \
-            check(hm_mpi_displace(plan, n_wall, list, n_fields, on_wall, n, points, NULL, \
-                                  &(hm_points_out){own_x, own_y, 1}, root, MPI_COMM_WORLD, &error) == status, \
-                  "refused: " #status ", " #plan ", " #n_wall)
+#define REFUSED(status, plan, n_wall, list, n_fields, n, points, root)             \
+    check(hm_mpi_displace(plan, n_wall, list, n_fields, on_wall, n, points, NULL,  \
+                          &(hm_points_out){own_x, own_y, 1}, root, MPI_COMM_WORLD, \
+                          &error) == status,                                       \
+          "refused: " #status ", " #plan ", " #n_wall)
         if (rank == 0 && n_wall > 0) b[0] = NAN;
         REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, 1, mine.n, mine.points, root);
         if (n_wall > 0) b[0] = before;
-        REFUSED(HM_BAD_CONDITION, plan, rank == 0 ? n_wall / 2 : 0, own_wall, 1, mine.n, mine.points, root);
+        REFUSED(HM_BAD_CONDITION, plan, rank == 0 ? n_wall / 2 : 0, own_wall, 1, mine.n,
+                mine.points, root);
         check(rank == root ? strstr(error.text, "not in the list") != NULL
                            : strstr(error.text, "that has the plan") != NULL,
               "a list that leaves points out, and why");
         REFUSED(HM_BAD_ARGUMENT, NULL, n_wall, own_wall, 1, mine.n, mine.points, root);
-        REFUSED(HM_BAD_ARGUMENT, plan, n_wall, rank == 0 ? NULL : own_wall, 1, mine.n, mine.points, root);
-        REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, 1, rank == 0 ? -1 : mine.n, mine.points, root);
+        REFUSED(HM_BAD_ARGUMENT, plan, n_wall, rank == 0 ? NULL : own_wall, 1, mine.n, mine.points,
+                root);
+        REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, 1, rank == 0 ? -1 : mine.n, mine.points,
+                root);
         REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, 0, mine.n, mine.points, root);
         REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, 1, mine.n, mine.points, size);
-        if (size > 1) REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, rank == 0 ? 2 : 1, mine.n, mine.points, root);
+        if (size > 1)
+            REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, rank == 0 ? 2 : 1, mine.n, mine.points,
+                    root);
         own_wall[0] = rank == 0 ? 70 : own_wall[0];
         REFUSED(HM_BAD_CONDITION, plan, n_wall, own_wall, 1, mine.n, mine.points, root);
         mine.points[0] = rank == 0 ? its.n_points : mine.points[0];
         REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, 1, mine.n, mine.points, root);
-        check(hm_mpi_displace(plan, n_wall, own_wall, 1, on_wall, rank == 0 ? 0 : mine.n, mine.points,
-                              &(hm_points){own_x, own_y, 1}, &(hm_points_out){own_x, own_y, 1}, root, MPI_COMM_WORLD,
-                              &error) == HM_BAD_ARGUMENT, "a point of the mesh that is in no list");
+        check(
+            hm_mpi_displace(plan, n_wall, own_wall, 1, on_wall, rank == 0 ? 0 : mine.n, mine.points,
+                            &(hm_points){own_x, own_y, 1}, &(hm_points_out){own_x, own_y, 1}, root,
+                            MPI_COMM_WORLD, &error) == HM_BAD_ARGUMENT,
+            "a point of the mesh that is in no list");
         check(memcmp(kept, own_x, 2 * sizeof *kept * (size_t)mine.n) == 0, "nothing is written");
         free(kept);
-        #undef REFUSED
+#undef REFUSED
     }
     for (field = 0; field < FIELDS; ++field) {
-        free((void *)(size_t)wall[field].x);
-        free((void *)(size_t)on_wall[field].x);
-        free((void *)(size_t)dj[field].x);
-        free((void *)(size_t)own_dj[field].x);
+        free((void*)(size_t)wall[field].x);
+        free((void*)(size_t)on_wall[field].x);
+        free((void*)(size_t)dj[field].x);
+        free((void*)(size_t)own_dj[field].x);
         free(to[field].x);
         free(own_to[field].x);
         free(gradient[field].x);
@@ -349,7 +391,7 @@ static void check_displacements(int32_t operator_kind) {
     free_solver(&with);
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     int own[2], all[2];
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);

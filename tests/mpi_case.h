@@ -1,5 +1,5 @@
-/* A problem that every process makes for itself: an O-mesh round an ellipse, its wall on a periodic cubic; and the way
- * to a basis. Whatever is refused ends all processes with the reason. */
+/* A problem that every process makes for itself: an O-mesh round an ellipse, its wall on a periodic
+ * cubic; and the way to a basis. Whatever is refused ends all processes with the reason. */
 #ifndef MPI_CASE_H
 #define MPI_CASE_H
 
@@ -17,25 +17,26 @@ typedef struct problem_case {
     int32_t *lists, start[3], markers[2];
     hm_mesh mesh;
     hm_fit_options fit;
-    const hm_curves *curves;
+    const hm_curves* curves;
     hm_condition on_curve;
     hm_problem problem;
     hm_options options;
 } problem_case;
 
-static void need(hm_status status, const hm_error *error) {
+static void need(hm_status status, const hm_error* error) {
     if (status >= 0) return;
     fprintf(stderr, "%s: %s\n", hm_status_name(status), error->text);
     MPI_Abort(MPI_COMM_WORLD, 1);
 }
 
-static void *room(size_t bytes) {
-    void *block = malloc(bytes > 0 ? bytes : 1);
+static void* room(size_t bytes) {
+    void* block = malloc(bytes > 0 ? bytes : 1);
     if (block == NULL) MPI_Abort(MPI_COMM_WORLD, 1);
     return block;
 }
 
-static void make_case(problem_case *its, int32_t ni, int32_t nj, int32_t n_functions, int32_t operator_kind) {
+static void make_case(problem_case* its, int32_t ni, int32_t nj, int32_t n_functions,
+                      int32_t operator_kind) {
     hm_mesh mesh = {sizeof mesh};
     hm_fit_options fit = {sizeof fit};
     hm_condition on_curve = {sizeof on_curve};
@@ -51,7 +52,8 @@ static void make_case(problem_case *its, int32_t ni, int32_t nj, int32_t n_funct
     its->lists = room(sizeof *its->lists * 2 * (size_t)ni);
     for (j = 0; j < nj; ++j) {
         for (i = 0; i < ni; ++i) {
-            const double angle = 6.283185307179586 * (i % (ni - 1)) / (ni - 1), r = exp(3.0 * j / (nj - 1));
+            const double angle = 6.283185307179586 * (i % (ni - 1)) / (ni - 1),
+                         r = exp(3.0 * j / (nj - 1));
             its->x[i + ni * j] = (r + 0.6 / r) * cos(angle);
             its->y[i + ni * j] = (r - 0.6 / r) * sin(angle);
         }
@@ -80,8 +82,9 @@ static void make_case(problem_case *its, int32_t ni, int32_t nj, int32_t n_funct
     fit.closed = HM_PERIODIC;
     its->fit = fit;
     need(hm_fit_size(ni - 1, &fit, &bytes, &error), &error);
-    need(hm_fit(&its->curves, room(bytes), bytes, &(hm_points){its->x, its->y, 1}, ni - 1, 1, &fit, NULL,
-                &error), &error);
+    need(hm_fit(&its->curves, room(bytes), bytes, &(hm_points){its->x, its->y, 1}, ni - 1, 1, &fit,
+                NULL, &error),
+         &error);
     on_curve.marker = WALL;
     on_curve.kind = HM_ON_CURVE;
     on_curve.n_curves = 1;
@@ -98,18 +101,20 @@ static void make_case(problem_case *its, int32_t ni, int32_t nj, int32_t n_funct
 /* The stages before the solution, and their blocks. */
 typedef struct solver {
     void *analysis_block, *plan_block;
-    hm_analysis *analysis;
-    hm_plan *plan;
+    hm_analysis* analysis;
+    hm_plan* plan;
     size_t bytes; /* of both */
 } solver;
 
-static void make_solver(solver *its, const problem_case *of) {
+static void make_solver(solver* its, const problem_case* of) {
     hm_error error;
     size_t bytes;
     need(hm_analysis_size(&of->problem, &of->options, &bytes, &error), &error);
     its->bytes = bytes;
     its->analysis_block = room(bytes);
-    need(hm_analysis_init(&its->analysis, its->analysis_block, bytes, &of->problem, &of->options, &error), &error);
+    need(hm_analysis_init(&its->analysis, its->analysis_block, bytes, &of->problem, &of->options,
+                          &error),
+         &error);
     need(hm_plan_size(its->analysis, &bytes, &error), &error);
     its->bytes += bytes;
     its->plan_block = room(bytes);
@@ -117,15 +122,15 @@ static void make_solver(solver *its, const problem_case *of) {
     need(hm_plan_factor(its->plan, NULL, &error), &error);
 }
 
-static void free_solver(solver *its) {
+static void free_solver(solver* its) {
     free(its->analysis_block);
     free(its->plan_block);
 }
 
 /* Functions first .. first+n-1, solved, in a block of their own. */
-static hm_basis *solve_share(solver *with, int32_t first, int32_t n, void **block) {
+static hm_basis* solve_share(solver* with, int32_t first, int32_t n, void** block) {
     hm_error error;
-    hm_basis *share = NULL;
+    hm_basis* share = NULL;
     size_t bytes;
     need(hm_share_size(with->analysis, first, n, &bytes, &error), &error);
     *block = room(bytes);
@@ -134,9 +139,9 @@ static hm_basis *solve_share(solver *with, int32_t first, int32_t n, void **bloc
     return share;
 }
 
-static hm_basis *extract(const hm_basis *from, int32_t n, const int32_t *points, void **block) {
+static hm_basis* extract(const hm_basis* from, int32_t n, const int32_t* points, void** block) {
     hm_error error;
-    hm_basis *rows = NULL;
+    hm_basis* rows = NULL;
     size_t bytes;
     need(hm_extract_size(from, n, &bytes, &error), &error);
     *block = room(bytes);

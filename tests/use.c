@@ -1,30 +1,35 @@
-/* A whole life of a basis in C99, from a mesh made here to a morphed one: what a solver written in C would do. Needs
- * nothing but the library, not even -lm. */
+/* A whole life of a basis in C99, from a mesh made here to a morphed one: what a solver written in
+ * C would do. Needs nothing but the library, not even -lm. */
 #include "use_case.h"
 
-/* The body's points in order, by an analysis of the mesh alone; then a periodic cubic through them. */
-static const hm_curves *fit_body(const hm_mesh *mesh, void **block) {
+/* The body's points in order, by an analysis of the mesh alone; then a periodic cubic through them.
+ */
+static const hm_curves* fit_body(const hm_mesh* mesh, void** block) {
     hm_error error = {HM_OK};
     hm_problem problem = {sizeof problem};
     hm_mesh_report report = {sizeof report};
     hm_fit_options options = {sizeof options};
     hm_fit_report fit = {sizeof fit};
-    hm_analysis *analysis = NULL;
-    const hm_curves *curves = NULL;
+    hm_analysis* analysis = NULL;
+    const hm_curves* curves = NULL;
     const int32_t marker = BODY;
     int32_t points[AROUND], n = 0, is_loop = 0, k;
     double body_x[AROUND], body_y[AROUND];
     size_t bytes = 0;
 
     problem.mesh = mesh;
-    require(hm_analysis_size(&problem, NULL, &bytes, &error), "size of the mesh's analysis", &error);
+    require(hm_analysis_size(&problem, NULL, &bytes, &error), "size of the mesh's analysis",
+            &error);
     *block = block_of(bytes);
-    require(hm_analysis_init(&analysis, *block, bytes, &problem, NULL, &error), "analysis of the mesh", &error);
+    require(hm_analysis_init(&analysis, *block, bytes, &problem, NULL, &error),
+            "analysis of the mesh", &error);
     require(hm_analysis_report(analysis, &report, &error), "report on the mesh", &error);
-    check(report.points == POINTS && report.cells == CELLS && report.quads == CELLS, "counts", &error);
+    check(report.points == POINTS && report.cells == CELLS && report.quads == CELLS, "counts",
+          &error);
     check(report.boundary_edges == 2 * AROUND && report.boundary_loops == 2, "boundaries", &error);
     check(report.inverted == 0 && report.min_area > 0, "validity", &error);
-    require(hm_analysis_boundary(analysis, 1, &marker, 0, points, AROUND, &n, &is_loop, &error), "its points", &error);
+    require(hm_analysis_boundary(analysis, 1, &marker, 0, points, AROUND, &n, &is_loop, &error),
+            "its points", &error);
     check(n == AROUND && is_loop == 1, "the body is one loop", &error);
     for (k = 0; k < n; ++k) {
         body_x[k] = x[points[k] - 1];
@@ -35,42 +40,46 @@ static const hm_curves *fit_body(const hm_mesh *mesh, void **block) {
     options.n_control = CONTROL;
     require(hm_fit_size(n, &options, &bytes, &error), "size of the fit", &error);
     *block = block_of(bytes);
-    require(hm_fit(&curves, *block, bytes, &(hm_points){body_x, body_y, 1}, n, is_loop, &options, &fit,
-                   &error), "the fit", &error);
-    check(fit.closed == HM_PERIODIC && curves->n_control == CONTROL, "a smooth body gets a periodic curve", &error);
+    require(hm_fit(&curves, *block, bytes, &(hm_points){body_x, body_y, 1}, n, is_loop, &options,
+                   &fit, &error),
+            "the fit", &error);
+    check(fit.closed == HM_PERIODIC && curves->n_control == CONTROL,
+          "a smooth body gets a periodic curve", &error);
     check(fit.max_error < 2e-3 && fit.rms_error <= fit.max_error, "the fit is close", &error);
     require(hm_curves_check(curves, &error), "the fitted curves are well formed", &error);
     return curves;
 }
 
-static int32_t cancel(void *user, int32_t phase, double fraction) {
+static int32_t cancel(void* user, int32_t phase, double fraction) {
     (void)fraction;
-    return phase == *(const int32_t *)user;
+    return phase == *(const int32_t*)user;
 }
 
-/* The functions, in a block that holds them and nothing else; the analysis and the plan are given back. */
-static hm_basis *solve(const hm_problem *problem, void **block) {
+/* The functions, in a block that holds them and nothing else; the analysis and the plan are given
+ * back. */
+static hm_basis* solve(const hm_problem* problem, void** block) {
     hm_error error = {HM_OK};
     hm_options options = {sizeof options};
     hm_solve_report report = {sizeof report};
-    hm_analysis *analysis = NULL;
-    hm_plan *plan = NULL;
-    hm_basis *basis = NULL;
+    hm_analysis* analysis = NULL;
+    hm_plan* plan = NULL;
+    hm_basis* basis = NULL;
     void *analysis_block, *plan_block;
     size_t analysis_bytes = 0, plan_bytes = 0, basis_bytes = 0;
     int32_t stop_in = HM_PHASE_SOLVE;
 
     options.progress = cancel;
     options.progress_user = &stop_in;
-    require(hm_analysis_size(problem, &options, &analysis_bytes, &error), "size of the analysis", &error);
+    require(hm_analysis_size(problem, &options, &analysis_bytes, &error), "size of the analysis",
+            &error);
     analysis_block = block_of(analysis_bytes);
-    check(hm_analysis_init(&analysis, analysis_block, analysis_bytes - 1, problem, &options, &error) ==
-                  HM_BLOCK_TOO_SMALL &&
+    check(hm_analysis_init(&analysis, analysis_block, analysis_bytes - 1, problem, &options,
+                           &error) == HM_BLOCK_TOO_SMALL &&
               error.value >= 1,
           "a block that is a byte too small is refused", &error);
     error.code = HM_OK;
-    require(hm_analysis_init(&analysis, analysis_block, analysis_bytes, problem, &options, &error), "the analysis",
-            &error);
+    require(hm_analysis_init(&analysis, analysis_block, analysis_bytes, problem, &options, &error),
+            "the analysis", &error);
     require(hm_plan_size(analysis, &plan_bytes, &error), "size of the plan", &error);
     require(hm_basis_size(analysis, &basis_bytes, &error), "size of the basis", &error);
     plan_block = block_of(plan_bytes);
@@ -80,18 +89,22 @@ static hm_basis *solve(const hm_problem *problem, void **block) {
     free(analysis_block);
 
     require(hm_plan_factor(plan, NULL, &error), "the factor", &error);
-    check(hm_plan_solve(plan, basis, &report, &error) == HM_CANCELLED, "the callback cancels the solution", &error);
+    check(hm_plan_solve(plan, basis, &report, &error) == HM_CANCELLED,
+          "the callback cancels the solution", &error);
     stop_in = -1;
     error.code = HM_OK;
     require(hm_plan_solve(plan, basis, &report, &error), "the solution after that", &error);
-    check(report.functions == CONTROL && report.curve_points == AROUND, "counts of the solution", &error);
-    check(report.residual <= 1e-12 && report.boundary_error <= 1e-12, "residual and boundary error", &error);
-    check(report.partition_defect <= 1e-12 && report.max_value < 1.5 && report.min_value > -0.5, "values", &error);
+    check(report.functions == CONTROL && report.curve_points == AROUND, "counts of the solution",
+          &error);
+    check(report.residual <= 1e-12 && report.boundary_error <= 1e-12, "residual and boundary error",
+          &error);
+    check(report.partition_defect <= 1e-12 && report.max_value < 1.5 && report.min_value > -0.5,
+          "values", &error);
     free(plan_block);
     return basis;
 }
 
-static void morph(const hm_basis *basis, const hm_mesh *mesh) {
+static void morph(const hm_basis* basis, const hm_mesh* mesh) {
     hm_error error = {HM_OK};
     hm_step_report step = {sizeof step};
     hm_quality_report quality = {sizeof quality};
@@ -101,41 +114,51 @@ static void morph(const hm_basis *basis, const hm_mesh *mesh) {
     int k;
 
     require(hm_morph(basis, move, &(hm_points){x, y, 1}, &(hm_points_out){x_new, y_new, 1}, NULL,
-                     &error), "a movement of nothing", &error);
-    check(memcmp(x, x_new, sizeof x) == 0 && memcmp(y, y_new, sizeof y) == 0, "it keeps all bits", &error);
+                     &error),
+            "a movement of nothing", &error);
+    check(memcmp(x, x_new, sizeof x) == 0 && memcmp(y, y_new, sizeof y) == 0, "it keeps all bits",
+          &error);
 
     for (k = 0; k < 2 * CONTROL; ++k) move[k] = 0.01 * noise();
-    require(hm_morph(basis, move, NULL, &(hm_points_out){dx, dy, 1}, NULL, &error), "displacements alone", &error);
-    require(hm_admissible_step(basis, mesh, NULL, &(hm_points){dx, dy, 1}, NULL, &step,
-                               &error), "the admissible step", &error);
-    check(step.admissible > 0 && step.cell >= 1 && step.cell <= CELLS, "somewhere a cell sets the limit", &error);
+    require(hm_morph(basis, move, NULL, &(hm_points_out){dx, dy, 1}, NULL, &error),
+            "displacements alone", &error);
+    require(hm_admissible_step(basis, mesh, NULL, &(hm_points){dx, dy, 1}, NULL, &step, &error),
+            "the admissible step", &error);
+    check(step.admissible > 0 && step.cell >= 1 && step.cell <= CELLS,
+          "somewhere a cell sets the limit", &error);
     for (k = 0; k < 2 * CONTROL; ++k) move[k] *= step.admissible < 2 ? 0.5 * step.admissible : 1;
     require(hm_morph(basis, move, &(hm_points){x, y, 1}, &(hm_points_out){x_new, y_new, 1}, NULL,
-                     &error), "half the admissible step", &error);
-    require(hm_boundary_error(basis, move, &(hm_points){x, y, 1}, &(hm_points){x_new, y_new, 1}, &boundary_error,
-                              &point, &error), "its check", &error);
+                     &error),
+            "half the admissible step", &error);
+    require(hm_boundary_error(basis, move, &(hm_points){x, y, 1}, &(hm_points){x_new, y_new, 1},
+                              &boundary_error, &point, &error),
+            "its check", &error);
     check(boundary_error <= 1e-12, "the wall moves as the B-spline does", &error);
-    require(hm_quality(basis, mesh, &(hm_points){x_new, y_new, 1}, &(hm_points){x, y, 1}, NULL, &quality,
-                       &error), "quality", &error);
-    check(quality.inverted == 0 && quality.min_area > 0 && quality.self_crossing == 0, "the morphed mesh is valid",
-          &error);
-    check(quality.min_quality > 0 && quality.min_quality <= quality.mean_quality, "least and mean quality", &error);
+    require(hm_quality(basis, mesh, &(hm_points){x_new, y_new, 1}, &(hm_points){x, y, 1}, NULL,
+                       &quality, &error),
+            "quality", &error);
+    check(quality.inverted == 0 && quality.min_area > 0 && quality.self_crossing == 0,
+          "the morphed mesh is valid", &error);
+    check(quality.min_quality > 0 && quality.min_quality <= quality.mean_quality,
+          "least and mean quality", &error);
 
     /* <g, F m> = <F^T g, m> */
-    require(hm_morph(basis, move, NULL, &(hm_points_out){dx, dy, 1}, NULL,
-                     &error), "displacements of this step", &error);
+    require(hm_morph(basis, move, NULL, &(hm_points_out){dx, dy, 1}, NULL, &error),
+            "displacements of this step", &error);
     for (k = 0; k < POINTS; ++k) {
         dj_dx[k] = noise();
         dj_dy[k] = noise();
         here += dj_dx[k] * dx[k] + dj_dy[k] * dy[k];
     }
-    require(hm_adjoint(basis, &(hm_points){dj_dx, dj_dy, 1}, gradient, NULL, &error), "the adjoint", &error);
+    require(hm_adjoint(basis, &(hm_points){dj_dx, dj_dy, 1}, gradient, NULL, &error), "the adjoint",
+            &error);
     for (k = 0; k < 2 * CONTROL; ++k) there += gradient[k] * move[k];
     check(absolute(here - there) <= 1e-13 * POINTS * 0.01, "the adjoint is the transpose", &error);
 }
 
-/* Twice as thick and far away: what would invert cells at once is done in steps, for which the plan is needed. */
-static void morph_safely(const hm_problem *problem, const hm_basis *basis) {
+/* Twice as thick and far away: what would invert cells at once is done in steps, for which the plan
+ * is needed. */
+static void morph_safely(const hm_problem* problem, const hm_basis* basis) {
     hm_error error = {HM_OK};
     hm_options options = {sizeof options};
     hm_step_report step = {sizeof step};
@@ -146,9 +169,9 @@ static void morph_safely(const hm_problem *problem, const hm_basis *basis) {
     hm_curves curves = {sizeof curves};
     hm_curve curve;
     hm_condition condition = {sizeof condition};
-    hm_analysis *analysis = NULL;
-    hm_plan *plan = NULL;
-    hm_basis *laplace = NULL;
+    hm_analysis* analysis = NULL;
+    hm_plan* plan = NULL;
+    hm_basis* laplace = NULL;
     void *analysis_block, *plan_block, *laplace_block, *work;
     static double dx[POINTS], dy[POINTS], values[POINTS];
     double move[2 * CONTROL], boundary_error = 1;
@@ -157,23 +180,29 @@ static void morph_safely(const hm_problem *problem, const hm_basis *basis) {
     int k;
 
     require(hm_basis_info_get(basis, &info, &error), "what the basis is", &error);
-    check(info.operator_kind == HM_CONFORMAL && info.numbers_per_value == 2, "the default is conformal", &error);
+    check(info.operator_kind == HM_CONFORMAL && info.numbers_per_value == 2,
+          "the default is conformal", &error);
     require(hm_basis_values(basis, 3, 1, values, &error), "its imaginary parts", &error);
-    check(hm_basis_values(basis, 3, 2, values, &error) == HM_BAD_ARGUMENT, "complex values are two numbers", &error);
+    check(hm_basis_values(basis, 3, 2, values, &error) == HM_BAD_ARGUMENT,
+          "complex values are two numbers", &error);
     require(hm_basis_conditions(basis, &condition, 1, &n, &error), "its conditions", &error);
-    check(n == 1 && condition.marker == BODY && condition.kind == HM_ON_CURVE, "they are those of the problem", &error);
+    check(n == 1 && condition.marker == BODY && condition.kind == HM_ON_CURVE,
+          "they are those of the problem", &error);
     require(hm_basis_curves(basis, &curves, &curve, 1, &error), "its curve", &error);
 
     options.operator_kind = HM_LAPLACE;
-    require(hm_analysis_size(problem, &options, &bytes, &error), "size of Laplace's analysis", &error);
+    require(hm_analysis_size(problem, &options, &bytes, &error), "size of Laplace's analysis",
+            &error);
     analysis_block = block_of(bytes);
-    require(hm_analysis_init(&analysis, analysis_block, bytes, problem, &options, &error), "its analysis", &error);
+    require(hm_analysis_init(&analysis, analysis_block, bytes, problem, &options, &error),
+            "its analysis", &error);
     require(hm_plan_size(analysis, &bytes, &error), "size of Laplace's plan", &error);
     plan_block = block_of(bytes);
     require(hm_plan_init(&plan, plan_block, bytes, analysis, &error), "Laplace's plan", &error);
     require(hm_basis_size(analysis, &bytes, &error), "size of Laplace's basis", &error);
     laplace_block = block_of(bytes);
-    require(hm_basis_init(&laplace, laplace_block, bytes, analysis, &error), "Laplace's basis", &error);
+    require(hm_basis_init(&laplace, laplace_block, bytes, analysis, &error), "Laplace's basis",
+            &error);
     require(hm_plan_factor(plan, NULL, &error), "Laplace's factor", &error);
     require(hm_plan_solve(plan, laplace, NULL, &error), "Laplace's functions", &error);
     free(analysis_block);
@@ -182,32 +211,42 @@ static void morph_safely(const hm_problem *problem, const hm_basis *basis) {
         move[2 * k] = 0.3;
         move[2 * k + 1] = curves.control[2 * k + 1] + 0.3;
     }
-    require(hm_morph(laplace, move, NULL, &(hm_points_out){dx, dy, 1}, NULL, &error), "a large displacement", &error);
+    require(hm_morph(laplace, move, NULL, &(hm_points_out){dx, dy, 1}, NULL, &error),
+            "a large displacement", &error);
     require(hm_assess(laplace, problem->mesh, NULL, &(hm_points){dx, dy, 1}, NULL, &step, &quality,
-                      &error), "its assessment", &error);
+                      &error),
+            "its assessment", &error);
     check(step.admissible < 1 && quality.inverted > 0, "at once, cells are inverted", &error);
     require(hm_morph_safe_size(plan, laplace, &bytes, &error), "size of a safe morph", &error);
     work = block_of(bytes);
-    require(hm_morph_safe(plan, laplace, move, &(hm_points_out){x_new, y_new, 1}, NULL, work, bytes, NULL, &report,
-                          &error), "it", &error);
-    check(report.step_fraction >= 1 && report.strategy >= HM_STRATEGY_SUBSTEPS && report.inverted == 0, "all of it",
-          &error);
-    require(hm_quality(laplace, problem->mesh, &(hm_points){x_new, y_new, 1}, &(hm_points){x, y, 1}, NULL, &quality,
-                       &error), "quality", &error);
+    require(hm_morph_safe(plan, laplace, move, &(hm_points_out){x_new, y_new, 1}, NULL, work, bytes,
+                          NULL, &report, &error),
+            "it", &error);
+    check(report.step_fraction >= 1 && report.strategy >= HM_STRATEGY_SUBSTEPS &&
+              report.inverted == 0,
+          "all of it", &error);
+    require(hm_quality(laplace, problem->mesh, &(hm_points){x_new, y_new, 1}, &(hm_points){x, y, 1},
+                       NULL, &quality, &error),
+            "quality", &error);
     check(quality.inverted == 0 && quality.self_crossing == 0, "no cell is inverted", &error);
-    require(hm_boundary_error(laplace, move, &(hm_points){x, y, 1}, &(hm_points){x_new, y_new, 1}, &boundary_error,
-                              &point, &error), "its wall", &error);
+    require(hm_boundary_error(laplace, move, &(hm_points){x, y, 1}, &(hm_points){x_new, y_new, 1},
+                              &boundary_error, &point, &error),
+            "its wall", &error);
     check(boundary_error <= 1e-12, "the wall is where the B-spline is", &error);
     free(work);
     require(hm_improve_size(plan, &bytes, &error), "size of an improvement", &error);
     work = block_of(bytes);
-    require(hm_improve(plan, &(hm_points){x_new, y_new, 1}, &(hm_points_out){dx, dy, 1}, work, bytes, NULL, &improved,
-                       &error), "an improvement", &error);
-    check(improved.min_quality_before == report.min_quality && improved.mean_quality_before == report.mean_quality,
+    require(hm_improve(plan, &(hm_points){x_new, y_new, 1}, &(hm_points_out){dx, dy, 1}, work,
+                       bytes, NULL, &improved, &error),
+            "an improvement", &error);
+    check(improved.min_quality_before == report.min_quality &&
+              improved.mean_quality_before == report.mean_quality,
           "it begins where the safe morph ended", &error);
-    require(hm_quality(laplace, problem->mesh, &(hm_points){dx, dy, 1}, &(hm_points){x, y, 1}, NULL, &quality, &error),
+    require(hm_quality(laplace, problem->mesh, &(hm_points){dx, dy, 1}, &(hm_points){x, y, 1}, NULL,
+                       &quality, &error),
             "its quality", &error);
-    check(quality.min_quality == improved.min_quality && quality.inverted == 0, "it is what the report says", &error);
+    check(quality.min_quality == improved.min_quality && quality.inverted == 0,
+          "it is what the report says", &error);
     check(improved.mean_quality > improved.mean_quality_before, "the mesh is better", &error);
     free(work);
     free(laplace_block);
@@ -215,26 +254,28 @@ static void morph_safely(const hm_problem *problem, const hm_basis *basis) {
 }
 
 /* A basis is a block of bytes: copied, it is the same; cut short or changed, it is refused. */
-static void attach(const hm_basis *basis, const hm_mesh *mesh) {
+static void attach(const hm_basis* basis, const hm_mesh* mesh) {
     hm_error error = {HM_OK};
     hm_basis_info info = {sizeof info};
-    const hm_basis *copy = NULL;
+    const hm_basis* copy = NULL;
     static double first[POINTS], second[POINTS];
-    unsigned char *bytes;
+    unsigned char* bytes;
 
     require(hm_basis_info_get(basis, &info, &error), "what the basis is", &error);
-    check(info.solved == 1 && info.points == POINTS && info.functions == CONTROL, "its counts", &error);
+    check(info.solved == 1 && info.points == POINTS && info.functions == CONTROL, "its counts",
+          &error);
     bytes = block_of((size_t)info.bytes);
     memcpy(bytes, basis, (size_t)info.bytes);
-    require(hm_basis_attach(&copy, bytes, (size_t)info.bytes, mesh, &error), "a copy is attached", &error);
+    require(hm_basis_attach(&copy, bytes, (size_t)info.bytes, mesh, &error), "a copy is attached",
+            &error);
     require(hm_basis_values(basis, 3, 0, first, &error), "values of the basis", &error);
     require(hm_basis_values(copy, 3, 0, second, &error), "values of the copy", &error);
     check(memcmp(first, second, sizeof first) == 0, "they are the same", &error);
-    check(hm_basis_attach(&copy, bytes, (size_t)info.bytes - 8, mesh, &error) == HM_BAD_BASIS, "cut short: refused",
-          &error);
+    check(hm_basis_attach(&copy, bytes, (size_t)info.bytes - 8, mesh, &error) == HM_BAD_BASIS,
+          "cut short: refused", &error);
     bytes[info.bytes / 2] ^= 1;
-    check(hm_basis_attach(&copy, bytes, (size_t)info.bytes, mesh, &error) == HM_BAD_BASIS, "a bit changed: refused",
-          &error);
+    check(hm_basis_attach(&copy, bytes, (size_t)info.bytes, mesh, &error) == HM_BAD_BASIS,
+          "a bit changed: refused", &error);
     free(bytes);
 }
 
@@ -243,21 +284,24 @@ static void two_arrays(hm_mesh mesh) {
     hm_error error = {HM_OK};
     hm_problem problem = {sizeof problem};
     hm_mesh_report report = {sizeof report};
-    hm_analysis *analysis = NULL;
-    void *block;
+    hm_analysis* analysis = NULL;
+    void* block;
     size_t bytes = 0;
 
     problem.mesh = &mesh;
-    require(hm_analysis_size(&problem, NULL, &bytes, &error), "size of the analysis of both kinds of cells", &error);
+    require(hm_analysis_size(&problem, NULL, &bytes, &error),
+            "size of the analysis of both kinds of cells", &error);
     block = block_of(bytes);
-    require(hm_analysis_init(&analysis, block, bytes, &problem, NULL, &error), "the analysis of both kinds", &error);
+    require(hm_analysis_init(&analysis, block, bytes, &problem, NULL, &error),
+            "the analysis of both kinds", &error);
     require(hm_analysis_report(analysis, &report, &error), "the report on both kinds", &error);
     check(report.triangles == 2 * AROUND, "triangles of both kinds", &error);
     check(report.quads == CELLS - AROUND, "quads of both kinds", &error);
     check(report.boundary_loops == 2 && report.inverted == 0, "they are one mesh", &error);
     mesh.n_cells = 2 * AROUND;
     mesh.n_quads = 0;
-    check(hm_analysis_init(&analysis, block, bytes, &problem, NULL, &error) == HM_BAD_MESH, "triangles alone", &error);
+    check(hm_analysis_init(&analysis, block, bytes, &problem, NULL, &error) == HM_BAD_MESH,
+          "triangles alone", &error);
     check(strstr(error.text, "edge of no cell") != NULL && error.item == 1 + (RINGS - 1) * AROUND,
           "the first edge without a cell is named", &error);
     free(block);
@@ -266,12 +310,13 @@ static void two_arrays(hm_mesh mesh) {
 int main(void) {
     hm_error none = {HM_OK};
     const hm_mesh mesh = make_mesh();
-    hm_condition on_body = {sizeof on_body};   /* the far field, which is not named, is fixed */
+    hm_condition on_body = {sizeof on_body}; /* the far field, which is not named, is fixed */
     hm_problem problem = {sizeof problem};
-    hm_basis *basis;
+    hm_basis* basis;
     void *curves_block = NULL, *basis_block = NULL;
 
-    check(hm_abi_version() == HM_ABI && strcmp(hm_version(), HM_VERSION) == 0, "header and library fit", &none);
+    check(hm_abi_version() == HM_ABI && strcmp(hm_version(), HM_VERSION) == 0,
+          "header and library fit", &none);
     problem.mesh = &mesh;
     problem.curves = fit_body(&mesh, &curves_block);
     problem.n_conditions = 1;

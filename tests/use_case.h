@@ -8,27 +8,34 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { AROUND = 96, RINGS = 33, POINTS = AROUND * RINGS, CELLS = AROUND * (RINGS - 1), CONTROL = 14 };
-enum { BODY = 7, FAR_FIELD = 9 };   /* markers are any integers */
+enum {
+    AROUND = 96,
+    RINGS = 33,
+    POINTS = AROUND * RINGS,
+    CELLS = AROUND * (RINGS - 1),
+    CONTROL = 14
+};
+enum { BODY = 7, FAR_FIELD = 9 }; /* markers are any integers */
 
 static double x[POINTS], y[POINTS], x_new[POINTS], y_new[POINTS];
 static int32_t cells[4 * CELLS], faces[4 * AROUND], markers[2 * AROUND];
 
 static int passed, failed;
 
-static void check(int holds, const char *what, const hm_error *error) {
+static void check(int holds, const char* what, const hm_error* error) {
     if (holds) {
         ++passed;
         return;
     }
     ++failed;
     printf("use: %s", what);
-    if (error->code != HM_OK) printf(" (%s: %s, item %d)", hm_status_name(error->code), error->text, (int)error->item);
+    if (error->code != HM_OK)
+        printf(" (%s: %s, item %d)", hm_status_name(error->code), error->text, (int)error->item);
     printf("\n");
 }
 
 /* What cannot go on without. */
-static void require(hm_status status, const char *what, const hm_error *error) {
+static void require(hm_status status, const char* what, const hm_error* error) {
     check(status == HM_OK, what, error);
     if (status != HM_OK) {
         printf("%d passed, %d failed\n", passed, failed);
@@ -36,8 +43,8 @@ static void require(hm_status status, const char *what, const hm_error *error) {
     }
 }
 
-static void *block_of(size_t bytes) {
-    void *block = malloc(bytes);
+static void* block_of(size_t bytes) {
+    void* block = malloc(bytes);
     if (block == NULL) exit(1);
     return block;
 }
@@ -51,8 +58,9 @@ static double noise(void) {
     return (double)(state >> 8) / 8388608.0 - 1;
 }
 
-/* Rings round a body that Joukowski's mapping makes of a circle: round in front, slender and rounded behind, chord
- * about 1. Cells are quads; points count from 1, as a Fortran code would have them. */
+/* Rings round a body that Joukowski's mapping makes of a circle: round in front, slender and
+ * rounded behind, chord about 1. Cells are quads; points count from 1, as a Fortran code would have
+ * them. */
 static hm_mesh make_mesh(void) {
     /* cos and sin of 2 pi / AROUND, by which the unit vector turns from column to column */
     const double turn_x = 0.99785892323860348, turn_y = 0.065403129230143069;
@@ -102,12 +110,13 @@ static hm_mesh make_mesh(void) {
     return mesh;
 }
 
-/* Cells of both kinds, in two arrays: the same mesh with the quads of the innermost ring split into triangles. */
+/* Cells of both kinds, in two arrays: the same mesh with the quads of the innermost ring split into
+ * triangles. */
 static hm_mesh with_triangles(hm_mesh mesh) {
     static int32_t triangles[6 * AROUND];
     int k;
     for (k = 0; k < AROUND; ++k) {
-        const int32_t *const quad = cells + 4 * k;
+        const int32_t* const quad = cells + 4 * k;
         const int32_t halves[6] = {quad[0], quad[1], quad[2], quad[0], quad[2], quad[3]};
         memcpy(triangles + 6 * k, halves, sizeof halves);
     }

@@ -1,4 +1,5 @@
-// The program harmorph. From here on upwards every error is an exception; here it becomes a sentence and an exit code.
+// The program harmorph. From here on upwards every error is an exception; here it becomes a
+// sentence and an exit code.
 #include "commands/commands.hpp"
 #include "basics/failure.hpp"
 #include "harmorph.h"
@@ -23,11 +24,12 @@ void run(const std::vector<std::string>& words) {
         throw Failure(exit_unusable, "the program and its library are of different versions");
     run_command(words);
     if (std::fflush(stdout) != 0) {
-        throw Failure(exit_file, std::string("standard output cannot be written: ") + std::strerror(errno));
+        throw Failure(exit_file,
+                      std::string("standard output cannot be written: ") + std::strerror(errno));
     }
 }
 
-} // namespace
+}  // namespace
 
 int main(int argc, char** argv) {
     try {

@@ -1,26 +1,36 @@
-/* usage: coupling MESH.su2 MARKER <DISPLACEMENTS   The mesh follows displacements of wall points, one set for each time
- * step, as a coupling library hands them over: here as text, see bend.awk. */
+/* usage: coupling MESH.su2 MARKER <DISPLACEMENTS   The mesh follows displacements of wall points,
+ * one set for each time step, as a coupling library hands them over: here as text, see bend.awk. */
 #include "read_su2.h"
 #include <harmorph.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 static hm_error error;
-static void check(hm_status status) { if (status < 0) exit((fprintf(stderr, "%s\n", error.text), 1)); }
+static void check(hm_status status) {
+    if (status < 0) exit((fprintf(stderr, "%s\n", error.text), 1));
+}
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     su2_mesh file;
     char message[256] = "usage: coupling MESH.su2 MARKER <DISPLACEMENTS";
     if (argc != 3 || read_su2(argv[1], &file, message)) exit((fprintf(stderr, "%s\n", message), 2));
-    hm_mesh mesh = {.struct_size = sizeof mesh, .n_points = file.n_points, .points = {file.x, file.y, 1},
-                    .cell_layout = HM_CELLS_ROWS, .n_cells = file.n_cells, .cell_start = file.cell_start,
-                    .cell_points = file.cell_points, .n_faces = file.n_faces, .face_points = file.face_points,
+    hm_mesh mesh = {.struct_size = sizeof mesh,
+                    .n_points = file.n_points,
+                    .points = {file.x, file.y, 1},
+                    .cell_layout = HM_CELLS_ROWS,
+                    .n_cells = file.n_cells,
+                    .cell_start = file.cell_start,
+                    .cell_points = file.cell_points,
+                    .n_faces = file.n_faces,
+                    .face_points = file.face_points,
                     .face_markers = file.face_markers};
-    hm_condition given = {.struct_size = sizeof given, .marker = su2_marker(&file, argv[2]), .kind = HM_GIVEN};
-    hm_problem problem = {.struct_size = sizeof problem, .mesh = &mesh, .n_conditions = 1, .conditions = &given};
-    hm_analysis *analysis;
-    hm_plan *plan;
-    hm_basis *judge;   /* has no functions: it knows the cells, for their quality */
+    hm_condition given = {
+        .struct_size = sizeof given, .marker = su2_marker(&file, argv[2]), .kind = HM_GIVEN};
+    hm_problem problem = {
+        .struct_size = sizeof problem, .mesh = &mesh, .n_conditions = 1, .conditions = &given};
+    hm_analysis* analysis;
+    hm_plan* plan;
+    hm_basis* judge; /* has no functions: it knows the cells, for their quality */
     size_t bytes;
     check(hm_analysis_size(&problem, NULL, &bytes, &error));
     check(hm_analysis_init(&analysis, malloc(bytes), bytes, &problem, NULL, &error));
@@ -31,11 +41,13 @@ int main(int argc, char **argv) {
     check(hm_plan_factor(plan, NULL, &error));
     check(hm_displace_size(plan, 1, &bytes, &error));
 
-    int n, k = 0, steps = 0;   /* the points of the wall, then dx and dy of each, step by step */
-    if (scanf("%d", &n) != 1 || n < 1 || n > mesh.n_points) exit((fprintf(stderr, "no number of points\n"), 1));
-    int32_t *points = calloc((size_t)n, sizeof *points);
-    double *wall = calloc(2 * (size_t)n, sizeof *wall), *x = malloc(2 * sizeof *x * (size_t)mesh.n_points), worst = 1;
-    void *work = malloc(bytes);
+    int n, k = 0, steps = 0; /* the points of the wall, then dx and dy of each, step by step */
+    if (scanf("%d", &n) != 1 || n < 1 || n > mesh.n_points)
+        exit((fprintf(stderr, "no number of points\n"), 1));
+    int32_t* points = calloc((size_t)n, sizeof *points);
+    double *wall = calloc(2 * (size_t)n, sizeof *wall),
+           *x = malloc(2 * sizeof *x * (size_t)mesh.n_points), worst = 1;
+    void* work = malloc(bytes);
     for (int i = 0; i < n; ++i)
         if (scanf("%d", &points[i]) != 1) exit((fprintf(stderr, "point %d is missing\n", i), 1));
     for (; scanf("%lf", &wall[k]) == 1; k = (k + 1) % (2 * n)) {
@@ -43,11 +55,13 @@ int main(int argc, char **argv) {
         hm_quality_report quality = {.struct_size = sizeof quality};
         check(hm_displace(plan, n, points, 1, &(hm_points){wall, wall + 1, 2}, &mesh.points,
                           &(hm_points_out){x, x + mesh.n_points, 1}, work, bytes, NULL, &error));
-        check(hm_quality(judge, &mesh, &(hm_points){x, x + mesh.n_points, 1}, NULL, NULL, &quality, &error));
+        check(hm_quality(judge, &mesh, &(hm_points){x, x + mesh.n_points, 1}, NULL, NULL, &quality,
+                         &error));
         if (quality.min_quality < worst) worst = quality.min_quality;
-        if (quality.inverted > 0) break;   /* here a code would factor again on the last good mesh */
+        if (quality.inverted > 0) break; /* here a code would factor again on the last good mesh */
         ++steps;
     }
-    printf("coupling: %d steps, %d points of the wall, quality of at least %.2f\n", steps, n, worst);
-    return steps == 0 || k > 0;   /* k > 0: stopped within a step */
+    printf("coupling: %d steps, %d points of the wall, quality of at least %.2f\n", steps, n,
+           worst);
+    return steps == 0 || k > 0; /* k > 0: stopped within a step */
 }

@@ -1,17 +1,28 @@
-/* An airfoil that pitches about its quarter chord, as a time-dependent solver moves it: 1000 steps, two periods. Every
- * mesh is made from the first one, so nothing adds up: at angle 0 the first mesh is back, bit by bit. Mesh velocities
- * are the same product on the control points' velocities. */
+/* An airfoil that pitches about its quarter chord, as a time-dependent solver moves it: 1000 steps,
+ * two periods. Every mesh is made from the first one, so nothing adds up: at angle 0 the first mesh
+ * is back, bit by bit. Mesh velocities are the same product on the control points' velocities. */
 #include <harmorph.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { NI = 129, NJ = 49, N = NI * NJ, WALL = 1, FAR = 2, CONTROL = 16, STEPS = 1000, PERIOD = 500 };
-static const double two_pi = 6.283185307179586, amplitude = 10 * 6.283185307179586 / 360, pivot = -0.8;
-static double x_first[N], y_first[N], x[N], y[N], x_before[N], y_before[N], x_after[N], y_after[N], vx[N], vy[N];
+enum {
+    NI = 129,
+    NJ = 49,
+    N = NI * NJ,
+    WALL = 1,
+    FAR = 2,
+    CONTROL = 16,
+    STEPS = 1000,
+    PERIOD = 500
+};
+static const double two_pi = 6.283185307179586, amplitude = 10 * 6.283185307179586 / 360,
+                    pivot = -0.8;
+static double x_first[N], y_first[N], x[N], y[N], x_before[N], y_before[N], x_after[N], y_after[N],
+    vx[N], vy[N];
 
-static void check(hm_status status, const hm_error *error) {
+static void check(hm_status status, const hm_error* error) {
     if (status >= 0) return;
     fprintf(stderr, "%s: %s\n", hm_status_name(status), error->text);
     exit(1);
@@ -28,10 +39,13 @@ static void make_mesh(void) {
     }
 }
 
-static double angle_at(double step) { return amplitude * sin(two_pi * fmod(step, PERIOD) / PERIOD); }
+static double angle_at(double step) {
+    return amplitude * sin(two_pi * fmod(step, PERIOD) / PERIOD);
+}
 
-/* Control points turned by the angle, as movements from where they were; their velocities by the angle's. */
-static void turn(const double *control, double angle, double *move) {
+/* Control points turned by the angle, as movements from where they were; their velocities by the
+ * angle's. */
+static void turn(const double* control, double angle, double* move) {
     for (int i = 0; i < CONTROL; ++i) {
         double px = control[2 * i] - pivot, py = control[2 * i + 1];
         move[2 * i] = (cos(angle) - 1) * px + sin(angle) * py;
@@ -39,7 +53,7 @@ static void turn(const double *control, double angle, double *move) {
     }
 }
 
-static void velocity(const double *control, double angle, double rate, double *speed) {
+static void velocity(const double* control, double angle, double rate, double* speed) {
     for (int i = 0; i < CONTROL; ++i) {
         double px = control[2 * i] - pivot, py = control[2 * i + 1];
         speed[2 * i] = rate * (-sin(angle) * px + cos(angle) * py);
@@ -54,27 +68,39 @@ int main(void) {
         lists[i] = i;
         lists[NI + i] = i + NI * (NJ - 1);
     }
-    hm_mesh mesh = {.struct_size = sizeof mesh, .n_points = N, .points = {x_first, y_first, 1}, .ni = NI, .nj = NJ,
-                    .cell_layout = HM_CELLS_STRUCTURED, .n_lists = 2, .list_start = start, .list_points = lists,
+    hm_mesh mesh = {.struct_size = sizeof mesh,
+                    .n_points = N,
+                    .points = {x_first, y_first, 1},
+                    .ni = NI,
+                    .nj = NJ,
+                    .cell_layout = HM_CELLS_STRUCTURED,
+                    .n_lists = 2,
+                    .list_start = start,
+                    .list_points = lists,
                     .list_markers = markers};
     hm_fit_options fit = {.struct_size = sizeof fit, .n_control = CONTROL, .closed = HM_PERIODIC};
-    const hm_curves *curves;
+    const hm_curves* curves;
     hm_error error;
     size_t bytes;
     check(hm_fit_size(NI - 1, &fit, &bytes, &error), &error);
-    check(hm_fit(&curves, malloc(bytes), bytes, &mesh.points, NI - 1, 1, &fit, NULL, &error), &error);
+    check(hm_fit(&curves, malloc(bytes), bytes, &mesh.points, NI - 1, 1, &fit, NULL, &error),
+          &error);
 
-    hm_condition on_curve = {.struct_size = sizeof on_curve, .marker = WALL, .kind = HM_ON_CURVE, .n_curves = 1};
-    hm_problem problem = {.struct_size = sizeof problem, .mesh = &mesh, .curves = curves, .n_conditions = 1,
+    hm_condition on_curve = {
+        .struct_size = sizeof on_curve, .marker = WALL, .kind = HM_ON_CURVE, .n_curves = 1};
+    hm_problem problem = {.struct_size = sizeof problem,
+                          .mesh = &mesh,
+                          .curves = curves,
+                          .n_conditions = 1,
                           .conditions = &on_curve};
-    hm_analysis *analysis;
-    hm_plan *plan;
-    hm_basis *basis;
+    hm_analysis* analysis;
+    hm_plan* plan;
+    hm_basis* basis;
     check(hm_analysis_size(&problem, NULL, &bytes, &error), &error);
-    void *analysis_block = malloc(bytes);
+    void* analysis_block = malloc(bytes);
     check(hm_analysis_init(&analysis, analysis_block, bytes, &problem, NULL, &error), &error);
     check(hm_plan_size(analysis, &bytes, &error), &error);
-    void *plan_block = malloc(bytes);
+    void* plan_block = malloc(bytes);
     check(hm_plan_init(&plan, plan_block, bytes, analysis, &error), &error);
     check(hm_basis_size(analysis, &bytes, &error), &error);
     check(hm_basis_init(&basis, malloc(bytes), bytes, analysis, &error), &error);
@@ -89,12 +115,14 @@ int main(void) {
     double move[2 * CONTROL], least_quality = 1, rigid = 0, slip = 0;
     int returned = 0, inverted = 0;
     for (int step = 0; step <= STEPS; ++step) {
-        const double angle = angle_at(step), rate = amplitude * two_pi / PERIOD * cos(two_pi * step / PERIOD);
+        const double angle = angle_at(step),
+                     rate = amplitude * two_pi / PERIOD * cos(two_pi * step / PERIOD);
         turn(curves->control, angle, move);
         check(hm_morph(basis, move, &mesh.points, &to_now, NULL, &error), &error);
         velocity(curves->control, angle, rate, move);
         check(hm_morph(basis, move, NULL, &to_velocity, NULL, &error), &error);
-        /* Here a solver would take its time step, with (x, y) and the velocities (vx, vy) of the mesh. */
+        /* Here a solver would take its time step, with (x, y) and the velocities (vx, vy) of the
+         * mesh. */
 
         hm_quality_report quality = {.struct_size = sizeof quality};
         check(hm_quality(basis, &mesh, &now, &mesh.points, NULL, &quality, &error), &error);
@@ -113,11 +141,14 @@ int main(void) {
         turn(curves->control, angle_at(step + PERIOD - 0.5), move);
         check(hm_morph(basis, move, &mesh.points, &to_before, NULL, &error), &error);
         for (int k = 0; k < N; ++k) {
-            slip = fmax(slip, fabs(x_after[k] - x_before[k] - vx[k]) + fabs(y_after[k] - y_before[k] - vy[k]));
+            slip = fmax(slip, fabs(x_after[k] - x_before[k] - vx[k]) +
+                                  fabs(y_after[k] - y_before[k] - vy[k]));
         }
     }
-    printf("%d steps of +-10 degrees: %d inverted cells, least quality %.2f\n", STEPS, inverted, least_quality);
+    printf("%d steps of +-10 degrees: %d inverted cells, least quality %.2f\n", STEPS, inverted,
+           least_quality);
     printf("back at angle 0: the first mesh bit by bit, %d of 3 times\n", returned);
-    printf("wall: at most %.1e from a rigid motion; velocities: at most %.1e from differences\n", rigid, slip);
+    printf("wall: at most %.1e from a rigid motion; velocities: at most %.1e from differences\n",
+           rigid, slip);
     return !(inverted == 0 && returned == 3 && rigid < 1e-3 && slip < 1e-5);
 }

@@ -5,22 +5,23 @@
 #include <string.h>
 
 typedef struct reader {
-    FILE *file;
+    FILE* file;
     int line_number;
     int32_t markers, markers_said;
     char line[512];
-    char *message;   /* [256] the first error */
+    char* message; /* [256] the first error */
 } reader;
 
-static int refuse(reader *from, const char *reason, const char *name) {
+static int refuse(reader* from, const char* reason, const char* name) {
     if (from->message[0] != '\0') return 1;
-    if (from->line_number > 0) snprintf(from->message, 256, "line %d: %.80s%.136s", from->line_number, reason, name);
+    if (from->line_number > 0)
+        snprintf(from->message, 256, "line %d: %.80s%.136s", from->line_number, reason, name);
     else snprintf(from->message, 256, "%.80s%.136s", reason, name);
     return 1;
 }
 
 /* The next line that is neither empty nor a comment; 0 at the end of the file. */
-static int next_line(reader *from) {
+static int next_line(reader* from) {
     while (fgets(from->line, sizeof from->line, from->file) != NULL) {
         ++from->line_number;
         from->line[strcspn(from->line, "%\r\n")] = '\0';
@@ -29,7 +30,7 @@ static int next_line(reader *from) {
     return 0;
 }
 
-static int need_line(reader *from, const char *what, int32_t k, int32_t n) {
+static int need_line(reader* from, const char* what, int32_t k, int32_t n) {
     char text[136];
     if (next_line(from)) return 0;
     if (n > 0) snprintf(text, sizeof text, "%s: %ld of %ld", what, (long)k + 1, (long)n);
@@ -38,7 +39,7 @@ static int need_line(reader *from, const char *what, int32_t k, int32_t n) {
 }
 
 /* What stands behind "key =", or NULL if the line is of another key. */
-static const char *value_of(const char *line, const char *key) {
+static const char* value_of(const char* line, const char* key) {
     size_t length = strlen(key);
     line += strspn(line, " \t");
     if (strncmp(line, key, length) != 0) return NULL;
@@ -46,7 +47,7 @@ static const char *value_of(const char *line, const char *key) {
     return *line == '=' ? line + 1 : NULL;
 }
 
-static int read_count(reader *from, const char *value, int32_t *n) {
+static int read_count(reader* from, const char* value, int32_t* n) {
     long found;
     if (sscanf(value, "%ld", &found) != 1 || found < 0 || found > 1 << 30)
         return refuse(from, "expected a number behind =", "");
@@ -55,22 +56,26 @@ static int read_count(reader *from, const char *value, int32_t *n) {
 }
 
 /* `more` numbers of so many bytes behind the n that there are; never NULL unless memory ended. */
-static void *grown(void *array, size_t n, size_t more, size_t bytes) { return realloc(array, (n + more + 1) * bytes); }
+static void* grown(void* array, size_t n, size_t more, size_t bytes) {
+    return realloc(array, (n + more + 1) * bytes);
+}
 
-static int read_cells(reader *from, int32_t n, su2_mesh *mesh) {
+static int read_cells(reader* from, int32_t n, su2_mesh* mesh) {
     free(mesh->cell_start);
     free(mesh->cell_points);
     mesh->n_cells = n;
     mesh->cell_start = malloc(((size_t)n + 1) * sizeof *mesh->cell_start);
     mesh->cell_points = malloc((4 * (size_t)n + 1) * sizeof *mesh->cell_points);
-    if (mesh->cell_start == NULL || mesh->cell_points == NULL) return refuse(from, "no memory for so many cells", "");
+    if (mesh->cell_start == NULL || mesh->cell_points == NULL)
+        return refuse(from, "no memory for so many cells", "");
     int32_t used = 0;
     for (int32_t k = 0; k < n; ++k) {
         int kind, found, p[4];
         if (need_line(from, "cells", k, n)) return 1;
         found = sscanf(from->line, "%d %d %d %d %d", &kind, &p[0], &p[1], &p[2], &p[3]) - 1;
         if (found < 0 || (kind != 5 && kind != 9))
-            return refuse(from, "expected a triangle (5 and 3 points) or a quad (9 and 4 points)", "");
+            return refuse(from, "expected a triangle (5 and 3 points) or a quad (9 and 4 points)",
+                          "");
         int const m = kind == 5 ? 3 : 4;
         if (found < m) return refuse(from, "a cell has too few points", "");
         mesh->cell_start[k] = used;
@@ -80,7 +85,7 @@ static int read_cells(reader *from, int32_t n, su2_mesh *mesh) {
     return 0;
 }
 
-static int read_points(reader *from, int32_t n, su2_mesh *mesh) {
+static int read_points(reader* from, int32_t n, su2_mesh* mesh) {
     free(mesh->x);
     free(mesh->y);
     mesh->n_points = n;
@@ -96,9 +101,9 @@ static int read_points(reader *from, int32_t n, su2_mesh *mesh) {
 }
 
 /* The tag has been read; MARKER_ELEMS and the faces follow, in between perhaps SEND_TO. */
-static int read_marker(reader *from, const char *tag, su2_mesh *mesh) {
+static int read_marker(reader* from, const char* tag, su2_mesh* mesh) {
     char name[64] = "";
-    const char *value = NULL;
+    const char* value = NULL;
     char what[88];
     int32_t n = 0, kept = 0;
     sscanf(tag, "%63s", name);
@@ -111,11 +116,13 @@ static int read_marker(reader *from, const char *tag, su2_mesh *mesh) {
     }
     if (read_count(from, value, &n)) return 1;
     snprintf(what, sizeof what, "faces of marker %s", name);
-    void *points = grown(mesh->face_points, 2 * (size_t)mesh->n_faces, 2 * (size_t)n, sizeof *mesh->face_points);
+    void* points = grown(mesh->face_points, 2 * (size_t)mesh->n_faces, 2 * (size_t)n,
+                         sizeof *mesh->face_points);
     if (points != NULL) mesh->face_points = points;
-    void *markers = grown(mesh->face_markers, (size_t)mesh->n_faces, (size_t)n, sizeof *mesh->face_markers);
+    void* markers =
+        grown(mesh->face_markers, (size_t)mesh->n_faces, (size_t)n, sizeof *mesh->face_markers);
     if (markers != NULL) mesh->face_markers = markers;
-    void *names = grown(mesh->names, (size_t)mesh->n_markers, 1, sizeof *mesh->names);
+    void* names = grown(mesh->names, (size_t)mesh->n_markers, 1, sizeof *mesh->names);
     if (names != NULL) mesh->names = names;
     if (points == NULL || markers == NULL || names == NULL)
         return refuse(from, "no memory for the faces of marker ", name);
@@ -128,7 +135,8 @@ static int read_marker(reader *from, const char *tag, su2_mesh *mesh) {
         }
         found = sscanf(from->line, "%d %d %d", &kind, &p[0], &p[1]) - 1;
         if (found >= 0 && kind == 1) continue;
-        if (found < 0 || kind != 3) return refuse(from, "expected a line (3 and 2 points) of marker ", name);
+        if (found < 0 || kind != 3)
+            return refuse(from, "expected a line (3 and 2 points) of marker ", name);
         if (found < 2) return refuse(from, "a face has too few points", "");
         mesh->face_points[2 * (mesh->n_faces + kept)] = p[0];
         mesh->face_points[2 * (mesh->n_faces + kept) + 1] = p[1];
@@ -140,9 +148,9 @@ static int read_marker(reader *from, const char *tag, su2_mesh *mesh) {
     return 0;
 }
 
-static int read_sections(reader *from, su2_mesh *mesh) {
+static int read_sections(reader* from, su2_mesh* mesh) {
     while (next_line(from)) {
-        const char *value;
+        const char* value;
         int32_t n;
         if ((value = value_of(from->line, "NDIME")) != NULL) {
             if (read_count(from, value, &n)) return 1;
@@ -163,11 +171,12 @@ static int read_sections(reader *from, su2_mesh *mesh) {
     return 0;
 }
 
-static int check_points(reader *from, const su2_mesh *mesh) {
+static int check_points(reader* from, const su2_mesh* mesh) {
     from->line_number = 0;
     if (mesh->n_points == 0) return refuse(from, "the file has no points (NPOIN)", "");
     if (mesh->n_cells == 0) return refuse(from, "the file has no cells (NELEM)", "");
-    if (from->markers < from->markers_said) return refuse(from, "the file has fewer markers than NMARK says", "");
+    if (from->markers < from->markers_said)
+        return refuse(from, "the file has fewer markers than NMARK says", "");
     for (int32_t k = 0; k < mesh->cell_start[mesh->n_cells]; ++k)
         if (mesh->cell_points[k] < 0 || mesh->cell_points[k] >= mesh->n_points)
             return refuse(from, "a cell names a point that the file has not", "");
@@ -177,7 +186,7 @@ static int check_points(reader *from, const su2_mesh *mesh) {
     return 0;
 }
 
-int read_su2(const char *file, su2_mesh *mesh, char *message) {
+int read_su2(const char* file, su2_mesh* mesh, char* message) {
     reader from;
     memset(mesh, 0, sizeof *mesh);
     memset(&from, 0, sizeof from);
@@ -191,13 +200,13 @@ int read_su2(const char *file, su2_mesh *mesh, char *message) {
     return failed;
 }
 
-int32_t su2_marker(const su2_mesh *mesh, const char *name) {
+int32_t su2_marker(const su2_mesh* mesh, const char* name) {
     for (int32_t k = 0; k < mesh->n_markers; ++k)
         if (strcmp(mesh->names[k], name) == 0) return k;
     return -1;
 }
 
-void free_su2(su2_mesh *mesh) {
+void free_su2(su2_mesh* mesh) {
     free(mesh->x);
     free(mesh->y);
     free(mesh->cell_start);

@@ -1,10 +1,10 @@
-/* Reads two-dimensional meshes in SU2's format. Source to compile with your code, not a part of the library;
- * MIT licence.
+/* Reads two-dimensional meshes in SU2's format. Source to compile with your code, not a part of the
+ * library; MIT licence.
  *
- * Taken: NDIME= 2, NELEM with triangles (5) and quads (9), NPOIN, NMARK, MARKER_TAG, MARKER_ELEMS with lines (3), in
- * any order, comments (%), further numbers at the ends of lines. Left out: markers of single points (1), as
- * SEND_RECEIVE has them, and keywords of other kinds. Refused: three dimensions, several zones, what is cut off or
- * names points that the file has not. */
+ * Taken: NDIME= 2, NELEM with triangles (5) and quads (9), NPOIN, NMARK, MARKER_TAG, MARKER_ELEMS
+ * with lines (3), in any order, comments (%), further numbers at the ends of lines. Left out:
+ * markers of single points (1), as SEND_RECEIVE has them, and keywords of other kinds. Refused:
+ * three dimensions, several zones, what is cut off or names points that the file has not. */
 #ifndef READ_SU2_H
 #define READ_SU2_H
 
@@ -14,22 +14,22 @@
 extern "C" {
 #endif
 
-typedef struct su2_mesh {           /* arrays by malloc; points count from 0 */
+typedef struct su2_mesh { /* arrays by malloc; points count from 0 */
     int32_t n_points, n_cells, n_faces, n_markers;
-    double *x, *y;                  /* [n_points] */
-    int32_t *cell_start;            /* [n_cells+1] the points of cell k are those of cell_points from
-                                       cell_start[k] to cell_start[k+1]-1 */
-    int32_t *cell_points;
-    int32_t *face_points;           /* [2*n_faces] */
-    int32_t *face_markers;          /* [n_faces] numbers of names, from 0 */
-    char (*names)[64];              /* [n_markers] in the order of the file */
+    double *x, *y;       /* [n_points] */
+    int32_t* cell_start; /* [n_cells+1] the points of cell k are those of cell_points from
+                            cell_start[k] to cell_start[k+1]-1 */
+    int32_t* cell_points;
+    int32_t* face_points;  /* [2*n_faces] */
+    int32_t* face_markers; /* [n_faces] numbers of names, from 0 */
+    char (*names)[64];     /* [n_markers] in the order of the file */
 } su2_mesh;
 
 /* 0; or 1, with the reason in message [256] and an empty mesh. */
-int read_su2(const char *file, su2_mesh *mesh, char *message);
+int read_su2(const char* file, su2_mesh* mesh, char* message);
 /* The number of a marker; -1: there is none of this name. */
-int32_t su2_marker(const su2_mesh *mesh, const char *name);
-void free_su2(su2_mesh *mesh);
+int32_t su2_marker(const su2_mesh* mesh, const char* name);
+void free_su2(su2_mesh* mesh);
 
 #ifdef __cplusplus
 }

@@ -1,6 +1,7 @@
-/* One step of a shape optimisation, as an adjoint solver does it, and what goes round it: gradient by the mesh points
- * in, gradient by the control points out, the exact admissible step, the morph. The objective is one that needs no
- * flow: the body's area is to become 10 % larger, with the smallest movement of its control points. */
+/* One step of a shape optimisation, as an adjoint solver does it, and what goes round it: gradient
+ * by the mesh points in, gradient by the control points out, the exact admissible step, the morph.
+ * The objective is one that needs no flow: the body's area is to become 10 % larger, with the
+ * smallest movement of its control points. */
 #include <harmorph.h>
 #include <math.h>
 #include <stdio.h>
@@ -10,13 +11,14 @@ enum { NI = 128, NJ = 49, N = NI * NJ, CELLS = NI * (NJ - 1), WALL = 1, FAR = 2,
 static double x[N], y[N], dx[N], dy[N], gx[N], gy[N];
 static int32_t cells[4 * CELLS], faces[4 * NI], markers[2 * NI];
 
-static void check(hm_status status, const hm_error *error) {
+static void check(hm_status status, const hm_error* error) {
     if (status >= 0) return;
     fprintf(stderr, "%s: %s\n", hm_status_name(status), error->text);
     exit(1);
 }
 
-/* Quads round an ellipse, in a list of cells and a list of faces; points count from 1, as in a Fortran code. */
+/* Quads round an ellipse, in a list of cells and a list of faces; points count from 1, as in a
+ * Fortran code. */
 static void make_mesh(void) {
     for (int j = 0; j < NJ; ++j) {
         for (int i = 0; i < NI; ++i) {
@@ -39,7 +41,7 @@ static void make_mesh(void) {
 }
 
 /* Area inside the wall; its gradient by the mesh points, which is 0 away from the wall. */
-static double area(double *by_x, double *by_y) {
+static double area(double* by_x, double* by_y) {
     double sum = 0;
     for (int k = 0; k < N; ++k) by_x[k] = by_y[k] = 0;
     for (int i = 0; i < NI; ++i) {
@@ -53,27 +55,38 @@ static double area(double *by_x, double *by_y) {
 
 int main(void) {
     make_mesh();
-    hm_mesh mesh = {.struct_size = sizeof mesh, .index_base = 1, .n_points = N, .points = {x, y, 1}, .n_cells = CELLS,
-                    .cell_layout = HM_CELLS_QUADS, .cell_points = cells, .n_faces = 2 * NI, .face_points = faces,
+    hm_mesh mesh = {.struct_size = sizeof mesh,
+                    .index_base = 1,
+                    .n_points = N,
+                    .points = {x, y, 1},
+                    .n_cells = CELLS,
+                    .cell_layout = HM_CELLS_QUADS,
+                    .cell_points = cells,
+                    .n_faces = 2 * NI,
+                    .face_points = faces,
                     .face_markers = markers};
     hm_fit_options fit = {.struct_size = sizeof fit, .n_control = CONTROL, .closed = HM_PERIODIC};
-    const hm_curves *curves;
+    const hm_curves* curves;
     hm_error error;
     size_t bytes;
     check(hm_fit_size(NI, &fit, &bytes, &error), &error);
     check(hm_fit(&curves, malloc(bytes), bytes, &mesh.points, NI, 1, &fit, NULL, &error), &error);
 
-    hm_condition on_curve = {.struct_size = sizeof on_curve, .marker = WALL, .kind = HM_ON_CURVE, .n_curves = 1};
-    hm_problem problem = {.struct_size = sizeof problem, .mesh = &mesh, .curves = curves, .n_conditions = 1,
+    hm_condition on_curve = {
+        .struct_size = sizeof on_curve, .marker = WALL, .kind = HM_ON_CURVE, .n_curves = 1};
+    hm_problem problem = {.struct_size = sizeof problem,
+                          .mesh = &mesh,
+                          .curves = curves,
+                          .n_conditions = 1,
                           .conditions = &on_curve};
-    hm_analysis *analysis;
-    hm_plan *plan;
-    hm_basis *basis;
+    hm_analysis* analysis;
+    hm_plan* plan;
+    hm_basis* basis;
     check(hm_analysis_size(&problem, NULL, &bytes, &error), &error);
-    void *analysis_block = malloc(bytes);
+    void* analysis_block = malloc(bytes);
     check(hm_analysis_init(&analysis, analysis_block, bytes, &problem, NULL, &error), &error);
     check(hm_plan_size(analysis, &bytes, &error), &error);
-    void *plan_block = malloc(bytes);
+    void* plan_block = malloc(bytes);
     check(hm_plan_init(&plan, plan_block, bytes, analysis, &error), &error);
     check(hm_basis_size(analysis, &bytes, &error), &error);
     check(hm_basis_init(&basis, malloc(bytes), bytes, analysis, &error), &error);

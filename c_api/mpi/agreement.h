@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static hm_status refuse(hm_error *err, hm_status code, const char *sentence) {
+static hm_status refuse(hm_error* err, hm_status code, const char* sentence) {
     if (err != NULL) {
         memset(err, 0, sizeof *err);
         err->code = code;
@@ -19,7 +19,8 @@ static hm_status refuse(hm_error *err, hm_status code, const char *sentence) {
     return code;
 }
 
-static hm_status refuse_point(hm_error *err, const char *before, int32_t point, const char *behind) {
+static hm_status refuse_point(hm_error* err, const char* before, int32_t point,
+                              const char* behind) {
     char text[sizeof err->text];
     snprintf(text, sizeof text, "%s%d%s", before, (int)point, behind);
     refuse(err, HM_BAD_ARGUMENT, text);
@@ -27,28 +28,30 @@ static hm_status refuse_point(hm_error *err, const char *before, int32_t point, 
     return HM_BAD_ARGUMENT;
 }
 
-/* The worst status of all processes. If another process has it, the reason is in that process's error. */
-static hm_status worst(hm_status own, hm_status of_all, hm_error *err) {
+/* The worst status of all processes. If another process has it, the reason is in that process's
+ * error. */
+static hm_status worst(hm_status own, hm_status of_all, hm_error* err) {
     if (of_all >= 0 || own < 0) return own < 0 ? of_all : own;
     return refuse(err, of_all, "another process refused; its error has the reason");
 }
 
-static hm_status agree(hm_status own, MPI_Comm comm, hm_error *err) {
+static hm_status agree(hm_status own, MPI_Comm comm, hm_error* err) {
     hm_status of_all = own;
     MPI_Allreduce(&own, &of_all, 1, MPI_INT32_T, MPI_MIN, comm);
     return worst(own, of_all, err);
 }
 
 /* Asks for at least one byte, so that NULL always means that there is no memory. */
-static void *room_for(size_t n, size_t size) { return calloc(n > 0 ? n : 1, size); }
+static void* room_for(size_t n, size_t size) { return calloc(n > 0 ? n : 1, size); }
 
-/* Of each process: a length, and the start of that part when all parts are put one after the other. */
+/* Of each process: a length, and the start of that part when all parts are put one after the other.
+ */
 typedef struct lengths {
     int *count, *start;
     int64_t total;
 } lengths;
 
-static void set_starts(lengths *l, int n_processes) {
+static void set_starts(lengths* l, int n_processes) {
     int k;
     l->total = 0;
     for (k = 0; k < n_processes; ++k) {

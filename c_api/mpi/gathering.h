@@ -4,22 +4,23 @@
 
 #include "agreement.h"
 
-/* A list of points on each process, all of them on root, and fields at these points that go to root or come from there:
- * pairs x,y of all lists, one list after the other. */
+/* A list of points on each process, all of them on root, and fields at these points that go to root
+ * or come from there: pairs x,y of all lists, one list after the other. */
 typedef struct gathering {
     MPI_Comm comm;
     MPI_Datatype pair;
     int root, rank, n_processes;
     int32_t n;
     lengths lists;
-    int32_t *points; /* on root: the lists of all processes */
-    double *own;     /* [2 * n] */
-    double *all;     /* on root: [2 * lists.total] */
+    int32_t* points; /* on root: the lists of all processes */
+    double* own;     /* [2 * n] */
+    double* all;     /* on root: [2 * lists.total] */
 } gathering;
 
 static int64_t step_of(int64_t stride) { return stride > 0 ? stride : 1; }
 
-static hm_status gather_points(gathering *g, int32_t n, const int32_t *points, int root, MPI_Comm comm, hm_error *err) {
+static hm_status gather_points(gathering* g, int32_t n, const int32_t* points, int root,
+                               MPI_Comm comm, hm_error* err) {
     hm_status status = HM_OK;
     int own = n, *numbers;
     memset(g, 0, sizeof *g);
@@ -46,16 +47,18 @@ static hm_status gather_points(gathering *g, int32_t n, const int32_t *points, i
             g->all = room_for(2 * (size_t)g->lists.total, sizeof *g->all);
         }
         if (g->points == NULL || g->all == NULL) {
-            status = refuse(err, HM_BAD_ARGUMENT, "there is no memory for the lists of all processes");
+            status =
+                refuse(err, HM_BAD_ARGUMENT, "there is no memory for the lists of all processes");
         }
     }
     status = agree(status, comm, err);
     if (status < 0) return status;
-    MPI_Gatherv(points, n, MPI_INT32_T, g->points, g->lists.count, g->lists.start, MPI_INT32_T, root, comm);
+    MPI_Gatherv(points, n, MPI_INT32_T, g->points, g->lists.count, g->lists.start, MPI_INT32_T,
+                root, comm);
     return HM_OK;
 }
 
-static void end_gathering(gathering *g) {
+static void end_gathering(gathering* g) {
     if (g->n_processes == 0) return;
     MPI_Type_free(&g->pair);
     free(g->lists.count);
@@ -64,18 +67,20 @@ static void end_gathering(gathering *g) {
     free(g->all);
 }
 
-static void gather_field(const gathering *g, const hm_points *field) {
+static void gather_field(const gathering* g, const hm_points* field) {
     int32_t k;
     for (k = 0; k < g->n; ++k) {
         g->own[2 * k] = field->x[k * step_of(field->stride)];
         g->own[2 * k + 1] = field->y[k * step_of(field->stride)];
     }
-    MPI_Gatherv(g->own, g->n, g->pair, g->all, g->lists.count, g->lists.start, g->pair, g->root, g->comm);
+    MPI_Gatherv(g->own, g->n, g->pair, g->all, g->lists.count, g->lists.start, g->pair, g->root,
+                g->comm);
 }
 
-static void scatter_field(const gathering *g, const hm_points_out *field) {
+static void scatter_field(const gathering* g, const hm_points_out* field) {
     int32_t k;
-    MPI_Scatterv(g->all, g->lists.count, g->lists.start, g->pair, g->own, g->n, g->pair, g->root, g->comm);
+    MPI_Scatterv(g->all, g->lists.count, g->lists.start, g->pair, g->own, g->n, g->pair, g->root,
+                 g->comm);
     for (k = 0; k < g->n; ++k) {
         field->x[k * step_of(field->stride)] = g->own[2 * k];
         field->y[k * step_of(field->stride)] = g->own[2 * k + 1];

@@ -1,4 +1,5 @@
-/* The calls of harmorph_mpi.h, and, of the folder mpi, what they are made of: compile this file alone. */
+/* The calls of harmorph_mpi.h, and, of the folder mpi, what they are made of: compile this file
+ * alone. */
 #include "harmorph_mpi.h"
 
 #include "mpi/agreement.h"
@@ -6,14 +7,15 @@
 #include "mpi/rows.h"
 #include "mpi/whole_fields.h"
 
-/* ---- Exchange ------------------------------------------------------------------------------------------------- */
+/* ---- Exchange ---- */
 
-hm_status hm_mpi_exchange(hm_basis *rows, const hm_basis *share, int32_t n, const int32_t *points, MPI_Comm comm,
-                          hm_error *err) {
+hm_status hm_mpi_exchange(hm_basis* rows, const hm_basis* share, int32_t n, const int32_t* points,
+                          MPI_Comm comm, hm_error* err) {
     row_exchange exchange;
     hm_status status = begin(&exchange, comm, err);
     if (status >= 0 && (rows == NULL || share == NULL || n < 0 || (n > 0 && points == NULL))) {
-        status = refuse(err, HM_BAD_ARGUMENT, "an argument is NULL, or the number of points is negative");
+        status = refuse(err, HM_BAD_ARGUMENT,
+                        "an argument is NULL, or the number of points is negative");
     }
     status = agree(status, comm, err);
     if (status >= 0) status = exchange_rows(&exchange, rows, share, n, points, err);
@@ -21,19 +23,20 @@ hm_status hm_mpi_exchange(hm_basis *rows, const hm_basis *share, int32_t n, cons
     return status;
 }
 
-/* ---- Adjoint -------------------------------------------------------------------------------------------------- */
+/* ---- Adjoint ---- */
 
-hm_status hm_mpi_adjoint(const hm_basis *rows, const hm_points *dj, double *gradient,
-                         const hm_executor *executor, MPI_Comm comm, hm_error *err) {
+hm_status hm_mpi_adjoint(const hm_basis* rows, const hm_points* dj, double* gradient,
+                         const hm_executor* executor, MPI_Comm comm, hm_error* err) {
     hm_basis_info info = {sizeof info};
-    int64_t *sums = NULL;
+    int64_t* sums = NULL;
     int32_t own[2] = {0, 0}, of_all[2] = {0, 0}; /* scale; minus the status: reduced by MPI_MAX */
     int n = 0;
     hm_status status = hm_basis_info_get(rows, &info, err);
     if (status >= 0) {
         n = 4 * info.numbers_per_value * info.functions;
         sums = room_for((size_t)n, sizeof *sums);
-        if (sums == NULL) status = refuse(err, HM_BAD_ARGUMENT, "there is no memory for the adjoint's sums");
+        if (sums == NULL)
+            status = refuse(err, HM_BAD_ARGUMENT, "there is no memory for the adjoint's sums");
     }
     if (status >= 0 && gradient == NULL) status = refuse(err, HM_BAD_ARGUMENT, "gradient is NULL");
     if (status >= 0) status = hm_adjoint_scale(rows, dj, &own[0], executor, err);
@@ -50,18 +53,19 @@ hm_status hm_mpi_adjoint(const hm_basis *rows, const hm_points *dj, double *grad
     return status;
 }
 
-/* ---- Given displacements -------------------------------------------------------------------------------------- */
+/* ---- Given displacements ---- */
 
-hm_status hm_mpi_displace(hm_plan *plan, int32_t n_wall, const int32_t *wall_points, int32_t n_fields,
-                          const hm_points *wall, int32_t n, const int32_t *points, const hm_points *from,
-                          const hm_points_out *to, int32_t root, MPI_Comm comm, hm_error *err) {
+hm_status hm_mpi_displace(hm_plan* plan, int32_t n_wall, const int32_t* wall_points,
+                          int32_t n_fields, const hm_points* wall, int32_t n, const int32_t* points,
+                          const hm_points* from, const hm_points_out* to, int32_t root,
+                          MPI_Comm comm, hm_error* err) {
     whole_fields whole;
     const int given = have_arrays(wall, n_fields, n_wall) && have_arrays_out(to, n_fields, n) &&
                       (from == NULL || have_arrays(from, 1, n));
     int32_t field;
     int64_t k;
-    hm_status status = begin_whole(&whole, plan, n_wall, wall_points, n_fields, given, n, points, from != NULL, root,
-                                   comm, err);
+    hm_status status = begin_whole(&whole, plan, n_wall, wall_points, n_fields, given, n, points,
+                                   from != NULL, root, comm, err);
     if (status < 0) {
         free_whole(&whole);
         return status;
@@ -76,23 +80,25 @@ hm_status hm_mpi_displace(hm_plan *plan, int32_t n_wall, const int32_t *wall_poi
     if (is_root(&whole)) {
         hm_points start = {whole.from, whole.from + 1, 2};
         for (k = 0; from != NULL && k < whole.mesh.lists.total; ++k) {
-            memcpy(whole.from + 2 * (whole.mesh.points[k] - whole.index_base), whole.mesh.all + 2 * k,
-                   2 * sizeof(double));
+            memcpy(whole.from + 2 * (whole.mesh.points[k] - whole.index_base),
+                   whole.mesh.all + 2 * k, 2 * sizeof(double));
         }
         for (field = 0; field < n_fields; ++field) {
-            double *const given_here = field_of(whole.at_wall, whole.wall.lists.total, field);
-            double *const result = field_of(whole.at_points, whole.n_points, field);
+            double* const given_here = field_of(whole.at_wall, whole.wall.lists.total, field);
+            double* const result = field_of(whole.at_points, whole.n_points, field);
             whole.in[field] = (hm_points){given_here, given_here + 1, 2};
             whole.out[field] = (hm_points_out){result, result + 1, 2};
         }
-        status = hm_displace(plan, (int32_t)whole.wall.lists.total, whole.wall.points, n_fields, whole.in,
-                             from != NULL ? &start : NULL, whole.out, whole.work, whole.bytes, NULL, err);
+        status = hm_displace(plan, (int32_t)whole.wall.lists.total, whole.wall.points, n_fields,
+                             whole.in, from != NULL ? &start : NULL, whole.out, whole.work,
+                             whole.bytes, NULL, err);
     }
     status = as_root(&whole, status, err);
     for (field = 0; status >= 0 && field < n_fields; ++field) {
         for (k = 0; is_root(&whole) && k < whole.mesh.lists.total; ++k) {
             memcpy(whole.mesh.all + 2 * k,
-                   field_of(whole.at_points, whole.n_points, field) + 2 * (whole.mesh.points[k] - whole.index_base),
+                   field_of(whole.at_points, whole.n_points, field) +
+                       2 * (whole.mesh.points[k] - whole.index_base),
                    2 * sizeof(double));
         }
         scatter_field(&whole.mesh, &to[field]);
@@ -101,14 +107,16 @@ hm_status hm_mpi_displace(hm_plan *plan, int32_t n_wall, const int32_t *wall_poi
     return status;
 }
 
-hm_status hm_mpi_displace_adjoint(hm_plan *plan, int32_t n_wall, const int32_t *wall_points, int32_t n_fields,
-                                  const hm_points *dj, int32_t n, const int32_t *points, const hm_points_out *gradient,
-                                  int32_t root, MPI_Comm comm, hm_error *err) {
+hm_status hm_mpi_displace_adjoint(hm_plan* plan, int32_t n_wall, const int32_t* wall_points,
+                                  int32_t n_fields, const hm_points* dj, int32_t n,
+                                  const int32_t* points, const hm_points_out* gradient,
+                                  int32_t root, MPI_Comm comm, hm_error* err) {
     whole_fields whole;
     const int given = have_arrays(dj, n_fields, n) && have_arrays_out(gradient, n_fields, n_wall);
     int32_t field;
     int64_t k;
-    hm_status status = begin_whole(&whole, plan, n_wall, wall_points, n_fields, given, n, points, 0, root, comm, err);
+    hm_status status = begin_whole(&whole, plan, n_wall, wall_points, n_fields, given, n, points, 0,
+                                   root, comm, err);
     if (status < 0) {
         free_whole(&whole);
         return status;
@@ -116,7 +124,7 @@ hm_status hm_mpi_displace_adjoint(hm_plan *plan, int32_t n_wall, const int32_t *
     for (field = 0; field < n_fields; ++field) {
         gather_field(&whole.mesh, &dj[field]);
         for (k = 0; is_root(&whole) && k < whole.mesh.lists.total; ++k) {
-            double *const at = field_of(whole.at_points, whole.n_points, field) +
+            double* const at = field_of(whole.at_points, whole.n_points, field) +
                                2 * (whole.mesh.points[k] - whole.index_base);
             at[0] += whole.mesh.all[2 * k];
             at[1] += whole.mesh.all[2 * k + 1];
@@ -124,13 +132,14 @@ hm_status hm_mpi_displace_adjoint(hm_plan *plan, int32_t n_wall, const int32_t *
     }
     if (is_root(&whole)) {
         for (field = 0; field < n_fields; ++field) {
-            double *const by_points = field_of(whole.at_points, whole.n_points, field);
-            double *const result = field_of(whole.at_wall, whole.wall.lists.total, field);
+            double* const by_points = field_of(whole.at_points, whole.n_points, field);
+            double* const result = field_of(whole.at_wall, whole.wall.lists.total, field);
             whole.in[field] = (hm_points){by_points, by_points + 1, 2};
             whole.out[field] = (hm_points_out){result, result + 1, 2};
         }
-        status = hm_displace_adjoint(plan, (int32_t)whole.wall.lists.total, whole.wall.points, n_fields, whole.in,
-                                     whole.out, whole.work, whole.bytes, NULL, err);
+        status =
+            hm_displace_adjoint(plan, (int32_t)whole.wall.lists.total, whole.wall.points, n_fields,
+                                whole.in, whole.out, whole.work, whole.bytes, NULL, err);
     }
     status = as_root(&whole, status, err);
     for (field = 0; status >= 0 && field < n_fields; ++field) {
@@ -144,28 +153,30 @@ hm_status hm_mpi_displace_adjoint(hm_plan *plan, int32_t n_wall, const int32_t *
     return status;
 }
 
-/* ---- Fortran -------------------------------------------------------------------------------------------------- */
+/* ---- Fortran ---- */
 
-hm_status hm_mpi_exchange_f(hm_basis *rows, const hm_basis *share, int32_t n, const int32_t *points, MPI_Fint comm,
-                            hm_error *err) {
+hm_status hm_mpi_exchange_f(hm_basis* rows, const hm_basis* share, int32_t n, const int32_t* points,
+                            MPI_Fint comm, hm_error* err) {
     return hm_mpi_exchange(rows, share, n, points, MPI_Comm_f2c(comm), err);
 }
 
-hm_status hm_mpi_adjoint_f(const hm_basis *rows, const hm_points *dj, double *gradient,
-                           const hm_executor *executor, MPI_Fint comm, hm_error *err) {
+hm_status hm_mpi_adjoint_f(const hm_basis* rows, const hm_points* dj, double* gradient,
+                           const hm_executor* executor, MPI_Fint comm, hm_error* err) {
     return hm_mpi_adjoint(rows, dj, gradient, executor, MPI_Comm_f2c(comm), err);
 }
 
-hm_status hm_mpi_displace_f(hm_plan *plan, int32_t n_wall, const int32_t *wall_points, int32_t n_fields,
-                            const hm_points *wall, int32_t n, const int32_t *points, const hm_points *from,
-                            const hm_points_out *to, int32_t root, MPI_Fint comm, hm_error *err) {
-    return hm_mpi_displace(plan, n_wall, wall_points, n_fields, wall, n, points, from, to, root, MPI_Comm_f2c(comm),
-                           err);
+hm_status hm_mpi_displace_f(hm_plan* plan, int32_t n_wall, const int32_t* wall_points,
+                            int32_t n_fields, const hm_points* wall, int32_t n,
+                            const int32_t* points, const hm_points* from, const hm_points_out* to,
+                            int32_t root, MPI_Fint comm, hm_error* err) {
+    return hm_mpi_displace(plan, n_wall, wall_points, n_fields, wall, n, points, from, to, root,
+                           MPI_Comm_f2c(comm), err);
 }
 
-hm_status hm_mpi_displace_adjoint_f(hm_plan *plan, int32_t n_wall, const int32_t *wall_points, int32_t n_fields,
-                                    const hm_points *dj, int32_t n, const int32_t *points,
-                                    const hm_points_out *gradient, int32_t root, MPI_Fint comm, hm_error *err) {
-    return hm_mpi_displace_adjoint(plan, n_wall, wall_points, n_fields, dj, n, points, gradient, root,
-                                   MPI_Comm_f2c(comm), err);
+hm_status hm_mpi_displace_adjoint_f(hm_plan* plan, int32_t n_wall, const int32_t* wall_points,
+                                    int32_t n_fields, const hm_points* dj, int32_t n,
+                                    const int32_t* points, const hm_points_out* gradient,
+                                    int32_t root, MPI_Fint comm, hm_error* err) {
+    return hm_mpi_displace_adjoint(plan, n_wall, wall_points, n_fields, dj, n, points, gradient,
+                                   root, MPI_Comm_f2c(comm), err);
 }

@@ -8,17 +8,18 @@ typedef struct row_exchange {
     MPI_Comm comm;
     int n_processes;
     lengths lists, sent, received; /* numbers of points; of doubles sent and received */
-    int32_t *points;               /* the lists of all processes, one after the other */
+    int32_t* points;               /* the lists of all processes, one after the other */
     double *outgoing, *incoming;
 } row_exchange;
 
-static hm_status begin(row_exchange *exchange, MPI_Comm comm, hm_error *err) {
-    int *numbers;
+static hm_status begin(row_exchange* exchange, MPI_Comm comm, hm_error* err) {
+    int* numbers;
     memset(exchange, 0, sizeof *exchange);
     exchange->comm = comm;
     MPI_Comm_size(comm, &exchange->n_processes);
     numbers = room_for(6 * (size_t)exchange->n_processes, sizeof *numbers);
-    if (numbers == NULL) return refuse(err, HM_BAD_ARGUMENT, "there is no memory for the exchange of rows");
+    if (numbers == NULL)
+        return refuse(err, HM_BAD_ARGUMENT, "there is no memory for the exchange of rows");
     exchange->lists.count = numbers;
     exchange->lists.start = numbers + exchange->n_processes;
     exchange->sent.count = numbers + 2 * exchange->n_processes;
@@ -28,7 +29,7 @@ static hm_status begin(row_exchange *exchange, MPI_Comm comm, hm_error *err) {
     return HM_OK;
 }
 
-static void end(row_exchange *exchange) {
+static void end(row_exchange* exchange) {
     free(exchange->lists.count);
     free(exchange->points);
     free(exchange->outgoing);
@@ -36,7 +37,8 @@ static void end(row_exchange *exchange) {
 }
 
 /* Gathers the lists of points of all processes on every process. */
-static hm_status gather_lists(row_exchange *exchange, int32_t n, const int32_t *points, hm_error *err) {
+static hm_status gather_lists(row_exchange* exchange, int32_t n, const int32_t* points,
+                              hm_error* err) {
     hm_status status = HM_OK;
     int own = n;
     MPI_Allgather(&own, 1, MPI_INT, exchange->lists.count, 1, MPI_INT, exchange->comm);
@@ -49,29 +51,31 @@ static hm_status gather_lists(row_exchange *exchange, int32_t n, const int32_t *
     }
     status = agree(status, exchange->comm, err);
     if (status < 0) return status;
-    MPI_Allgatherv(points, n, MPI_INT32_T, exchange->points, exchange->lists.count, exchange->lists.start, MPI_INT32_T,
-                   exchange->comm);
+    MPI_Allgatherv(points, n, MPI_INT32_T, exchange->points, exchange->lists.count,
+                   exchange->lists.start, MPI_INT32_T, exchange->comm);
     return HM_OK;
 }
 
-static hm_status measure_parcels(row_exchange *exchange, const hm_basis *share, hm_error *err) {
+static hm_status measure_parcels(row_exchange* exchange, const hm_basis* share, hm_error* err) {
     int k;
     for (k = 0; k < exchange->n_processes; ++k) {
         int64_t doubles = 0;
         hm_status status = hm_parcel_size(share, exchange->lists.count[k], &doubles, err);
         if (status < 0) return status;
-        if (doubles > INT_MAX) return refuse(err, HM_UNSUPPORTED, "a message would have more than 2^31 numbers");
+        if (doubles > INT_MAX)
+            return refuse(err, HM_UNSUPPORTED, "a message would have more than 2^31 numbers");
         exchange->sent.count[k] = (int)doubles;
     }
     return HM_OK;
 }
 
-static hm_status pack(row_exchange *exchange, const hm_basis *share, hm_error *err) {
+static hm_status pack(row_exchange* exchange, const hm_basis* share, hm_error* err) {
     int k;
     set_starts(&exchange->sent, exchange->n_processes);
     set_starts(&exchange->received, exchange->n_processes);
     if (exchange->sent.total > INT_MAX || exchange->received.total > INT_MAX) {
-        return refuse(err, HM_UNSUPPORTED, "this process would send or receive more than 2^31 numbers");
+        return refuse(err, HM_UNSUPPORTED,
+                      "this process would send or receive more than 2^31 numbers");
     }
     exchange->outgoing = room_for((size_t)exchange->sent.total, sizeof *exchange->outgoing);
     exchange->incoming = room_for((size_t)exchange->received.total, sizeof *exchange->incoming);
@@ -79,39 +83,42 @@ static hm_status pack(row_exchange *exchange, const hm_basis *share, hm_error *e
         return refuse(err, HM_BAD_ARGUMENT, "there is no memory for the exchange of rows");
     }
     for (k = 0; k < exchange->n_processes; ++k) {
-        hm_status status = hm_parcel_pack(share, exchange->lists.count[k], exchange->points + exchange->lists.start[k],
+        hm_status status = hm_parcel_pack(share, exchange->lists.count[k],
+                                          exchange->points + exchange->lists.start[k],
                                           exchange->outgoing + exchange->sent.start[k], err);
         if (status < 0) return status;
     }
     return HM_OK;
 }
 
-/* Unpacks in the order of ranks, which is that of the functions. If the own share has all functions, the rows are
- * solved already, and nothing is unpacked. */
-static hm_status unpack(row_exchange *exchange, hm_basis *rows, hm_error *err) {
+/* Unpacks in the order of ranks, which is that of the functions. If the own share has all
+ * functions, the rows are solved already, and nothing is unpacked. */
+static hm_status unpack(row_exchange* exchange, hm_basis* rows, hm_error* err) {
     int k;
     hm_basis_info info = {sizeof info};
     hm_status status = hm_basis_info_get(rows, &info, err);
     for (k = 0; status >= 0 && k < exchange->n_processes && !info.solved; ++k) {
-        status = hm_parcel_unpack(rows, exchange->incoming + exchange->received.start[k], exchange->received.count[k],
-                                  err);
+        status = hm_parcel_unpack(rows, exchange->incoming + exchange->received.start[k],
+                                  exchange->received.count[k], err);
     }
     if (status >= 0) status = hm_basis_info_get(rows, &info, err);
     if (status < 0 || info.solved) return status;
     return refuse(err, HM_BAD_BASIS, "the shares of all processes together are not all functions");
 }
 
-static hm_status exchange_rows(row_exchange *exchange, hm_basis *rows, const hm_basis *share, int32_t n,
-                               const int32_t *points, hm_error *err) {
+static hm_status exchange_rows(row_exchange* exchange, hm_basis* rows, const hm_basis* share,
+                               int32_t n, const int32_t* points, hm_error* err) {
     hm_status status = gather_lists(exchange, n, points, err);
     if (status < 0) return status;
     status = agree(measure_parcels(exchange, share, err), exchange->comm, err);
     if (status < 0) return status;
-    MPI_Alltoall(exchange->sent.count, 1, MPI_INT, exchange->received.count, 1, MPI_INT, exchange->comm);
+    MPI_Alltoall(exchange->sent.count, 1, MPI_INT, exchange->received.count, 1, MPI_INT,
+                 exchange->comm);
     status = agree(pack(exchange, share, err), exchange->comm, err);
     if (status < 0) return status;
-    MPI_Alltoallv(exchange->outgoing, exchange->sent.count, exchange->sent.start, MPI_DOUBLE, exchange->incoming,
-                  exchange->received.count, exchange->received.start, MPI_DOUBLE, exchange->comm);
+    MPI_Alltoallv(exchange->outgoing, exchange->sent.count, exchange->sent.start, MPI_DOUBLE,
+                  exchange->incoming, exchange->received.count, exchange->received.start,
+                  MPI_DOUBLE, exchange->comm);
     return agree(unpack(exchange, rows, err), exchange->comm, err);
 }
 

@@ -4,23 +4,25 @@
 
 #include "gathering.h"
 
-/* What root has of all processes together: fields at the wall's points and at all points of the mesh, and memory. */
+/* What root has of all processes together: fields at the wall's points and at all points of the
+ * mesh, and memory. */
 typedef struct whole_fields {
     gathering wall, mesh;
     int32_t n_points, index_base, n_fields;
-    double *at_wall, *at_points, *from; /* [n_fields * 2 * wall points], [n_fields * 2 * n_points], [2 * n_points] */
-    hm_points *in;                      /* [n_fields] */
-    hm_points_out *out;
-    void *work;
+    double *at_wall, *at_points,
+        *from;     /* [n_fields * 2 * wall points], [n_fields * 2 * n_points], [2 * n_points] */
+    hm_points* in; /* [n_fields] */
+    hm_points_out* out;
+    void* work;
     size_t bytes;
 } whole_fields;
 
-static int is_root(const whole_fields *whole) { return whole->mesh.rank == whole->mesh.root; }
+static int is_root(const whole_fields* whole) { return whole->mesh.rank == whole->mesh.root; }
 
 /* On root: memory, and are all points of the lists points of the mesh? */
-static hm_status make_room(whole_fields *whole, const hm_plan *plan, int needs_all, hm_error *err) {
+static hm_status make_room(whole_fields* whole, const hm_plan* plan, int needs_all, hm_error* err) {
     const size_t n_fields = (size_t)whole->n_fields, n_wall = (size_t)whole->wall.lists.total;
-    unsigned char *seen;
+    unsigned char* seen;
     int64_t k, missing = -1, wrong = -1;
     hm_status status = hm_plan_points(plan, &whole->n_points, &whole->index_base, err);
     if (status >= 0) status = hm_displace_size(plan, whole->n_fields, &whole->bytes, err);
@@ -32,8 +34,8 @@ static hm_status make_room(whole_fields *whole, const hm_plan *plan, int needs_a
     whole->out = room_for(n_fields, sizeof *whole->out);
     whole->work = room_for(whole->bytes, 1);
     seen = room_for((size_t)whole->n_points, 1);
-    if (whole->at_wall == NULL || whole->at_points == NULL || (needs_all && whole->from == NULL) || whole->in == NULL ||
-        whole->out == NULL || whole->work == NULL || seen == NULL) {
+    if (whole->at_wall == NULL || whole->at_points == NULL || (needs_all && whole->from == NULL) ||
+        whole->in == NULL || whole->out == NULL || whole->work == NULL || seen == NULL) {
         free(seen);
         return refuse(err, HM_BAD_ARGUMENT, "there is no memory for the fields of all processes");
     }
@@ -48,12 +50,14 @@ static hm_status make_room(whole_fields *whole, const hm_plan *plan, int needs_a
     for (k = 0; k < whole->n_points && missing < 0; ++k) missing = seen[k] ? -1 : k;
     free(seen);
     if (wrong >= 0)
-        return refuse_point(err, "a process has point ", whole->mesh.points[wrong], ", which the mesh has not");
+        return refuse_point(err, "a process has point ", whole->mesh.points[wrong],
+                            ", which the mesh has not");
     if (!needs_all || missing < 0) return HM_OK;
-    return refuse_point(err, "point ", (int32_t)missing + whole->index_base, " is in the list of no process");
+    return refuse_point(err, "point ", (int32_t)missing + whole->index_base,
+                        " is in the list of no process");
 }
 
-static void free_whole(whole_fields *whole) {
+static void free_whole(whole_fields* whole) {
     free(whole->at_wall);
     free(whole->at_points);
     free(whole->from);
@@ -64,10 +68,12 @@ static void free_whole(whole_fields *whole) {
     end_gathering(&whole->mesh);
 }
 
-/* Arguments that all processes must have alike, and arrays that must be there. Then the lists, and memory on root. */
-static hm_status begin_whole(whole_fields *whole, hm_plan *plan, int32_t n_wall, const int32_t *wall_points,
-                             int32_t n_fields, int arrays_given, int32_t n, const int32_t *points, int has_from,
-                             int32_t root, MPI_Comm comm, hm_error *err) {
+/* Arguments that all processes must have alike, and arrays that must be there. Then the lists, and
+ * memory on root. */
+static hm_status begin_whole(whole_fields* whole, hm_plan* plan, int32_t n_wall,
+                             const int32_t* wall_points, int32_t n_fields, int arrays_given,
+                             int32_t n, const int32_t* points, int has_from, int32_t root,
+                             MPI_Comm comm, hm_error* err) {
     int32_t own[6] = {n_fields, -n_fields, root, -root, has_from, -has_from}, least[6];
     int rank, size;
     hm_status status = HM_OK;
@@ -77,13 +83,16 @@ static hm_status begin_whole(whole_fields *whole, hm_plan *plan, int32_t n_wall,
     MPI_Comm_size(comm, &size);
     MPI_Allreduce(own, least, 6, MPI_INT32_T, MPI_MIN, comm);
     if (least[0] != -least[1] || least[2] != -least[3] || least[4] != -least[5]) {
-        return refuse(err, HM_BAD_ARGUMENT, "n_fields, root, or whether `from` is NULL, differ between processes");
+        return refuse(err, HM_BAD_ARGUMENT,
+                      "n_fields, root, or whether `from` is NULL, differ between processes");
     }
     if (root < 0 || root >= size || n_fields < 1) {
         return refuse(err, HM_BAD_ARGUMENT, "root is not a rank, or n_fields is less than 1");
     }
-    if (n_wall < 0 || n < 0 || (n_wall > 0 && wall_points == NULL) || (n > 0 && points == NULL) || !arrays_given) {
-        status = refuse(err, HM_BAD_ARGUMENT, "an argument is NULL, or a number of points is negative");
+    if (n_wall < 0 || n < 0 || (n_wall > 0 && wall_points == NULL) || (n > 0 && points == NULL) ||
+        !arrays_given) {
+        status =
+            refuse(err, HM_BAD_ARGUMENT, "an argument is NULL, or a number of points is negative");
     } else if ((plan != NULL) != (rank == root)) {
         status = refuse(err, HM_BAD_ARGUMENT, "root must have a plan, and nobody else");
     }
@@ -95,10 +104,12 @@ static hm_status begin_whole(whole_fields *whole, hm_plan *plan, int32_t n_wall,
 }
 
 /* The arrays of one field of n points, pairs x,y. */
-static double *field_of(double *all, int64_t n, int32_t field) { return all + 2 * (size_t)n * (size_t)field; }
+static double* field_of(double* all, int64_t n, int32_t field) {
+    return all + 2 * (size_t)n * (size_t)field;
+}
 
 /* Root's status, a warning too, is that of all. */
-static hm_status as_root(const whole_fields *whole, hm_status own, hm_error *err) {
+static hm_status as_root(const whole_fields* whole, hm_status own, hm_error* err) {
     hm_status of_root = own;
     MPI_Bcast(&of_root, 1, MPI_INT32_T, whole->mesh.root, whole->mesh.comm);
     if (is_root(whole) || of_root == HM_OK) return of_root;
@@ -106,7 +117,7 @@ static hm_status as_root(const whole_fields *whole, hm_status own, hm_error *err
 }
 
 /* Are there n_fields fields with arrays, where there are points? */
-static int have_arrays(const hm_points *fields, int32_t n_fields, int32_t n) {
+static int have_arrays(const hm_points* fields, int32_t n_fields, int32_t n) {
     int32_t k;
     if (fields == NULL) return 0;
     for (k = 0; k < n_fields && n > 0; ++k) {
@@ -114,7 +125,7 @@ static int have_arrays(const hm_points *fields, int32_t n_fields, int32_t n) {
     }
     return 1;
 }
-static int have_arrays_out(const hm_points_out *fields, int32_t n_fields, int32_t n) {
+static int have_arrays_out(const hm_points_out* fields, int32_t n_fields, int32_t n) {
     int32_t k;
     if (fields == NULL) return 0;
     for (k = 0; k < n_fields && n > 0; ++k) {

@@ -17,7 +17,7 @@
         if (e != 0) return e;          \
     } while (0)
 
-static hm_status refuse(hm_error *err, hm_status code, int64_t item, const char *sentence) {
+static hm_status refuse(hm_error* err, hm_status code, int64_t item, const char* sentence) {
     if (err != NULL) {
         memset(err, 0, sizeof *err);
         err->code = code;
@@ -27,14 +27,14 @@ static hm_status refuse(hm_error *err, hm_status code, int64_t item, const char 
     return code;
 }
 
-static hm_status refuse_argument(hm_error *err, const char *sentence) {
+static hm_status refuse_argument(hm_error* err, const char* sentence) {
     return refuse(err, HM_BAD_ARGUMENT, -1, sentence);
 }
 
-static hm_status no_memory(hm_error *err) { return refuse_argument(err, "there is no memory"); }
+static hm_status no_memory(hm_error* err) { return refuse_argument(err, "there is no memory"); }
 
 /* The worst status of all processes; where another process has it, the error says so. */
-static hm_status agree(hm_status own, MPI_Comm comm, hm_error *err) {
+static hm_status agree(hm_status own, MPI_Comm comm, hm_error* err) {
     hm_status of_all = own;
     MPI_Allreduce(&own, &of_all, 1, MPI_INT32_T, MPI_MIN, comm);
     if (of_all >= 0) { /* warnings are positive */
@@ -46,8 +46,8 @@ static hm_status agree(hm_status own, MPI_Comm comm, hm_error *err) {
 }
 
 /* A failed call of PETSc: what PETSc says. */
-static hm_status petsc_status(PetscErrorCode code, hm_error *err) {
-    const char *text = NULL;
+static hm_status petsc_status(PetscErrorCode code, hm_error* err) {
+    const char* text = NULL;
     char sentence[112];
     if (code == 0) return HM_OK;
     PetscErrorMessage(code, &text, NULL);
@@ -56,6 +56,6 @@ static hm_status petsc_status(PetscErrorCode code, hm_error *err) {
 }
 
 /* Zeros; at least one byte, so that NULL always means that there is no memory. */
-static void *room_for(size_t n, size_t size) { return calloc(n > 0 ? n : 1, size); }
+static void* room_for(size_t n, size_t size) { return calloc(n > 0 ? n : 1, size); }
 
 #endif

@@ -1,4 +1,5 @@
-/* The calls of harmorph_petsc.h, and, of the folder petsc, what they are made of: compile this file alone. */
+/* The calls of harmorph_petsc.h, and, of the folder petsc, what they are made of: compile this file
+ * alone. */
 #include "harmorph_petsc.h"
 
 #include "petsc/agreement.h"
@@ -10,11 +11,11 @@
 #include "petsc/matrix.h"
 #include "petsc/solution.h"
 
-/* ---- Creation --------------------------------------------------------------------------------------------------- */
+/* ---- Creation ---- */
 
 /* What needs no message. */
-static hm_status begin_system(hm_petsc *made, hm_petsc **system, const hm_part_mesh *part, MPI_Comm comm,
-                              hm_error *err) {
+static hm_status begin_system(hm_petsc* made, hm_petsc** system, const hm_part_mesh* part,
+                              MPI_Comm comm, hm_error* err) {
     PetscBool running = PETSC_FALSE;
     if (made == NULL) return no_memory(err);
     if (system == NULL) return refuse_argument(err, "system is NULL");
@@ -27,14 +28,16 @@ static hm_status begin_system(hm_petsc *made, hm_petsc **system, const hm_part_m
 }
 
 /* The part and the equations; a warning where points are far from their curve. */
-static hm_status fill_system(hm_petsc *made, const hm_problem *problem, const hm_options *options, hm_error *err) {
+static hm_status fill_system(hm_petsc* made, const hm_problem* problem, const hm_options* options,
+                             hm_error* err) {
     hm_edge *edges = NULL, *all = NULL;
     int32_t n = 0;
     hm_status status = agree(take_edges(made, &edges, &n, err), made->comm, err), next;
     if (status >= 0) status = own_points(made, edges, n, err);
     if (status >= 0) status = gather_boundary(made, edges, n, &all, &made->boundary_edges, err);
     if (status >= 0) {
-        status = agree(make_equations(made, all, made->boundary_edges, problem, options, err), made->comm, err);
+        status = agree(make_equations(made, all, made->boundary_edges, problem, options, err),
+                       made->comm, err);
     }
     free(edges);
     free(all);
@@ -45,9 +48,9 @@ static hm_status fill_system(hm_petsc *made, const hm_problem *problem, const hm
     return next < 0 ? next : status;
 }
 
-hm_status hm_petsc_create(hm_petsc **system, const hm_part_mesh *part, const hm_problem *problem,
-                          const hm_options *options, MPI_Comm comm, hm_error *err) {
-    hm_petsc *made = NULL;
+hm_status hm_petsc_create(hm_petsc** system, const hm_part_mesh* part, const hm_problem* problem,
+                          const hm_options* options, MPI_Comm comm, hm_error* err) {
+    hm_petsc* made = NULL;
     hm_status status;
     if (comm == MPI_COMM_NULL) return refuse_argument(err, "the communicator is MPI_COMM_NULL");
     made = room_for(1, sizeof *made);
@@ -61,8 +64,8 @@ hm_status hm_petsc_create(hm_petsc **system, const hm_part_mesh *part, const hm_
     return status;
 }
 
-void hm_petsc_free(hm_petsc **system) {
-    hm_petsc *const old = system != NULL ? *system : NULL;
+void hm_petsc_free(hm_petsc** system) {
+    hm_petsc* const old = system != NULL ? *system : NULL;
     if (old == NULL) return;
     if (old->solver != NULL) KSPDestroy(&old->solver);
     if (old->matrix != NULL) MatDestroy(&old->matrix);
@@ -75,9 +78,9 @@ void hm_petsc_free(hm_petsc **system) {
     *system = NULL;
 }
 
-/* ---- Solution --------------------------------------------------------------------------------------------------- */
+/* ---- Solution ---- */
 
-static hm_status check_system(const hm_petsc *system, MPI_Comm comm, hm_error *err) {
+static hm_status check_system(const hm_petsc* system, MPI_Comm comm, hm_error* err) {
     int is_same = MPI_UNEQUAL;
     if (system == NULL) return refuse_argument(err, "system is NULL");
     MPI_Comm_compare(system->comm, comm, &is_same);
@@ -85,20 +88,20 @@ static hm_status check_system(const hm_petsc *system, MPI_Comm comm, hm_error *e
     return refuse_argument(err, "comm is not the communicator of hm_petsc_create");
 }
 
-static hm_status check_report(const hm_petsc_report *report, hm_error *err) {
+static hm_status check_report(const hm_petsc_report* report, hm_error* err) {
     if (report == NULL || (report->struct_size >= 8 && report->struct_size <= 4096)) return HM_OK;
     return refuse_argument(err, "report.struct_size is wrong");
 }
 
-hm_status hm_petsc_rows_size(const hm_petsc *system, size_t *bytes, hm_error *err) {
+hm_status hm_petsc_rows_size(const hm_petsc* system, size_t* bytes, hm_error* err) {
     if (system == NULL) return refuse_argument(err, "system is NULL");
     return hm_rows_size(system->equations, bytes, err);
 }
 
-hm_status hm_petsc_solve(hm_petsc *system, hm_basis **rows, void *block, size_t bytes, hm_petsc_report *report,
-                         MPI_Comm comm, hm_error *err) {
+hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, void* block, size_t bytes,
+                         hm_petsc_report* report, MPI_Comm comm, hm_error* err) {
     hm_petsc_report found = {sizeof found};
-    hm_basis *made = NULL;
+    hm_basis* made = NULL;
     columns of;
     hm_status status;
     if (comm == MPI_COMM_NULL) return refuse_argument(err, "the communicator is MPI_COMM_NULL");
@@ -120,8 +123,8 @@ hm_status hm_petsc_solve(hm_petsc *system, hm_basis **rows, void *block, size_t 
 }
 
 /* Right-hand sides of one field. */
-static hm_status begin_field(columns *of, const hm_points_out *displacement, hm_error *err) {
-    const hm_petsc *const system = of->system;
+static hm_status begin_field(columns* of, const hm_points_out* displacement, hm_error* err) {
+    const hm_petsc* const system = of->system;
     const size_t length = length_of_column(system) * (size_t)system->info.field_columns;
     hm_points given;
     if (displacement == NULL) return refuse_argument(err, "displacement is NULL");
@@ -136,8 +139,8 @@ static hm_status begin_field(columns *of, const hm_points_out *displacement, hm_
     return hm_field_init(system->equations, &given, of->work, of->numbers, err);
 }
 
-hm_status hm_petsc_displace(hm_petsc *system, const hm_points_out *displacement, hm_petsc_report *report,
-                            MPI_Comm comm, hm_error *err) {
+hm_status hm_petsc_displace(hm_petsc* system, const hm_points_out* displacement,
+                            hm_petsc_report* report, MPI_Comm comm, hm_error* err) {
     hm_petsc_report found = {sizeof found};
     columns of;
     hm_status status;
@@ -150,23 +153,24 @@ hm_status hm_petsc_displace(hm_petsc *system, const hm_points_out *displacement,
     status = agree(status, comm, err);
     if (status >= 0) status = solve_all(&of, &found, err);
     if (status >= 0) {
-        status = agree(hm_field_finish(system->equations, of.work, of.numbers, displacement, err), comm, err);
+        status = agree(hm_field_finish(system->equations, of.work, of.numbers, displacement, err),
+                       comm, err);
     }
     free(of.work);
     free(of.numbers);
     return status < 0 ? status : finish_report(system, &found, report, err);
 }
 
-/* ---- The whole mesh --------------------------------------------------------------------------------------------- */
+/* ---- The whole mesh ---- */
 
-hm_status hm_petsc_owned(const hm_petsc *system, uint8_t *owned, hm_error *err) {
+hm_status hm_petsc_owned(const hm_petsc* system, uint8_t* owned, hm_error* err) {
     if (system == NULL || owned == NULL) return refuse_argument(err, "system or owned is NULL");
     memcpy(owned, system->owned, (size_t)system->mesh.n_points);
     return HM_OK;
 }
 
 /* The smallest value of all processes, and which process has it. */
-static void find_least(double *value, int *rank, MPI_Comm comm) {
+static void find_least(double* value, int* rank, MPI_Comm comm) {
     struct {
         double value;
         int rank;
@@ -179,8 +183,8 @@ static void find_least(double *value, int *rank, MPI_Comm comm) {
 }
 
 /* Reports of this process become those of the whole mesh. */
-static void reduce_reports(hm_step_report *step, hm_quality_report *quality, int32_t n_cells, int ranks[2],
-                           MPI_Comm comm) {
+static void reduce_reports(hm_step_report* step, hm_quality_report* quality, int32_t n_cells,
+                           int ranks[2], MPI_Comm comm) {
     double sums[2];
     sums[0] = quality->mean_quality * n_cells;
     sums[1] = n_cells;
@@ -197,17 +201,17 @@ static void reduce_reports(hm_step_report *step, hm_quality_report *quality, int
 }
 
 /* The number of a cell in the caller's mesh. */
-static int32_t given_cell(const hm_mesh *own, const int32_t *cell, int32_t k) {
+static int32_t given_cell(const hm_mesh* own, const int32_t* cell, int32_t k) {
     return k < 0 || cell == NULL ? k : cell[k - own->index_base] + own->index_base;
 }
 
-hm_status hm_petsc_assess(const hm_petsc *system, const hm_basis *rows, const hm_points *from,
-                          const hm_points *displacement, hm_step_report *step, hm_quality_report *quality, int *rank,
-                          MPI_Comm comm, hm_error *err) {
+hm_status hm_petsc_assess(const hm_petsc* system, const hm_basis* rows, const hm_points* from,
+                          const hm_points* displacement, hm_step_report* step,
+                          hm_quality_report* quality, int* rank, MPI_Comm comm, hm_error* err) {
     hm_step_report found_step = {sizeof found_step};
     hm_quality_report found = {sizeof found};
     hm_mesh own = {sizeof own};
-    const int32_t *cell = NULL;
+    const int32_t* cell = NULL;
     int ranks[2];
     hm_status status;
     if (comm == MPI_COMM_NULL) return refuse_argument(err, "the communicator is MPI_COMM_NULL");
@@ -217,7 +221,8 @@ hm_status hm_petsc_assess(const hm_petsc *system, const hm_basis *rows, const hm
         status = refuse_argument(err, "step or quality is NULL, or its struct_size is wrong");
     }
     if (status >= 0) status = hm_part_cells(system->part, &own, &cell, err);
-    if (status >= 0) status = hm_assess(rows, &own, from, displacement, NULL, &found_step, &found, err);
+    if (status >= 0)
+        status = hm_assess(rows, &own, from, displacement, NULL, &found_step, &found, err);
     status = agree(status, comm, err);
     if (status < 0) return status;
     found_step.cell = given_cell(&own, cell, found_step.cell);
@@ -231,25 +236,26 @@ hm_status hm_petsc_assess(const hm_petsc *system, const hm_basis *rows, const hm
     return HM_OK;
 }
 
-/* ---- Fortran ---------------------------------------------------------------------------------------------------- */
+/* ---- Fortran ---- */
 
-hm_status hm_petsc_create_f(hm_petsc **system, const hm_part_mesh *part, const hm_problem *problem,
-                            const hm_options *options, MPI_Fint comm, hm_error *err) {
+hm_status hm_petsc_create_f(hm_petsc** system, const hm_part_mesh* part, const hm_problem* problem,
+                            const hm_options* options, MPI_Fint comm, hm_error* err) {
     return hm_petsc_create(system, part, problem, options, MPI_Comm_f2c(comm), err);
 }
 
-hm_status hm_petsc_solve_f(hm_petsc *system, hm_basis **rows, void *block, size_t bytes, hm_petsc_report *report,
-                           MPI_Fint comm, hm_error *err) {
+hm_status hm_petsc_solve_f(hm_petsc* system, hm_basis** rows, void* block, size_t bytes,
+                           hm_petsc_report* report, MPI_Fint comm, hm_error* err) {
     return hm_petsc_solve(system, rows, block, bytes, report, MPI_Comm_f2c(comm), err);
 }
 
-hm_status hm_petsc_displace_f(hm_petsc *system, const hm_points_out *displacement, hm_petsc_report *report,
-                              MPI_Fint comm, hm_error *err) {
+hm_status hm_petsc_displace_f(hm_petsc* system, const hm_points_out* displacement,
+                              hm_petsc_report* report, MPI_Fint comm, hm_error* err) {
     return hm_petsc_displace(system, displacement, report, MPI_Comm_f2c(comm), err);
 }
 
-hm_status hm_petsc_assess_f(const hm_petsc *system, const hm_basis *rows, const hm_points *from,
-                            const hm_points *displacement, hm_step_report *step, hm_quality_report *quality, int *rank,
-                            MPI_Fint comm, hm_error *err) {
-    return hm_petsc_assess(system, rows, from, displacement, step, quality, rank, MPI_Comm_f2c(comm), err);
+hm_status hm_petsc_assess_f(const hm_petsc* system, const hm_basis* rows, const hm_points* from,
+                            const hm_points* displacement, hm_step_report* step,
+                            hm_quality_report* quality, int* rank, MPI_Fint comm, hm_error* err) {
+    return hm_petsc_assess(system, rows, from, displacement, step, quality, rank,
+                           MPI_Comm_f2c(comm), err);
 }

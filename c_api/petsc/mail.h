@@ -7,24 +7,26 @@
 typedef struct mail {
     MPI_Comm comm;
     int size;
-    int *count, *start, *count_in, *start_in; /* [size] records that go to, and come from, each process */
+    int *count, *start, *count_in,
+        *start_in; /* [size] records that go to, and come from, each process */
     int64_t n, n_in;
-    int32_t *place; /* [n] where in the outgoing order a record stands */
+    int32_t* place; /* [n] where in the outgoing order a record stands */
     MPI_Datatype record;
 } mail;
 
-static void clear_mail(mail *post) {
+static void clear_mail(mail* post) {
     memset(post, 0, sizeof *post);
     post->record = MPI_DATATYPE_NULL;
 }
 
-static void end_mail(mail *post) {
+static void end_mail(mail* post) {
     free(post->count);
     free(post->place);
     if (post->record != MPI_DATATYPE_NULL) MPI_Type_free(&post->record);
 }
 
-/* The process that compares all records with this key: without a table, and evenly for numbers in any order. */
+/* The process that compares all records with this key: without a table, and evenly for numbers in
+ * any order. */
 static int process_of(uint64_t key, int size) {
     key = (key ^ (key >> 33)) * 0xff51afd7ed558ccdu;
     key = (key ^ (key >> 33)) * 0xc4ceb9fe1a85ec53u;
@@ -32,7 +34,7 @@ static int process_of(uint64_t key, int size) {
 }
 
 /* to [n]: the process that each record goes to. */
-static hm_status begin_mail(mail *post, MPI_Comm comm, int64_t n, const int *to, hm_error *err) {
+static hm_status begin_mail(mail* post, MPI_Comm comm, int64_t n, const int* to, hm_error* err) {
     int64_t k;
     int p;
     hm_status status = HM_OK;
@@ -61,9 +63,9 @@ static hm_status begin_mail(mail *post, MPI_Comm comm, int64_t n, const int *to,
 }
 
 /* Records [n] of `bytes` bytes, in the order of begin_mail; *in [n_in] is to be freed. */
-static hm_status deliver(mail *post, const void *records, size_t bytes, void **in, hm_error *err) {
+static hm_status deliver(mail* post, const void* records, size_t bytes, void** in, hm_error* err) {
     int64_t k;
-    char *const out = room_for((size_t)post->n, bytes);
+    char* const out = room_for((size_t)post->n, bytes);
     hm_status status;
     *in = room_for((size_t)post->n_in, bytes);
     status = agree(out == NULL || *in == NULL ? no_memory(err) : HM_OK, post->comm, err);
@@ -72,21 +74,23 @@ static hm_status deliver(mail *post, const void *records, size_t bytes, void **i
         MPI_Type_contiguous((int)bytes, MPI_BYTE, &post->record);
         MPI_Type_commit(&post->record);
         for (k = 0; k < post->n; ++k)
-            memcpy(out + (size_t)post->place[k] * bytes, (const char *)records + (size_t)k * bytes, bytes);
-        MPI_Alltoallv(out, post->count, post->start, post->record, *in, post->count_in, post->start_in, post->record,
-                      post->comm);
+            memcpy(out + (size_t)post->place[k] * bytes, (const char*)records + (size_t)k * bytes,
+                   bytes);
+        MPI_Alltoallv(out, post->count, post->start, post->record, *in, post->count_in,
+                      post->start_in, post->record, post->comm);
     }
     free(out);
     return status;
 }
 
-/* The way back: given [n_in], one answer for each record that came; answers [n] in the order of begin_mail. */
-static hm_status answer(mail *post, const int64_t *given, int64_t *answers, hm_error *err) {
+/* The way back: given [n_in], one answer for each record that came; answers [n] in the order of
+ * begin_mail. */
+static hm_status answer(mail* post, const int64_t* given, int64_t* answers, hm_error* err) {
     int64_t k, *in = room_for((size_t)post->n, sizeof *in);
     const hm_status status = agree(in == NULL ? no_memory(err) : HM_OK, post->comm, err);
     if (status >= 0) {
-        MPI_Alltoallv(given, post->count_in, post->start_in, MPI_INT64_T, in, post->count, post->start, MPI_INT64_T,
-                      post->comm);
+        MPI_Alltoallv(given, post->count_in, post->start_in, MPI_INT64_T, in, post->count,
+                      post->start, MPI_INT64_T, post->comm);
         for (k = 0; k < post->n; ++k) answers[k] = in[post->place[k]];
     }
     free(in);

@@ -5,14 +5,14 @@
 #include "scalars.h"
 
 typedef struct numbering {
-    int64_t *row;   /* [unknowns] of this process: in the whole matrix, counted in unknowns */
-    int64_t *owner; /* [unknowns] the process that has the row */
-    PetscInt *rows; /* [unknowns] row, as PETSc counts */
+    int64_t* row;   /* [unknowns] of this process: in the whole matrix, counted in unknowns */
+    int64_t* owner; /* [unknowns] the process that has the row */
+    PetscInt* rows; /* [unknowns] row, as PETSc counts */
 } numbering;
 
-static hm_status number_unknowns(hm_petsc *system, numbering *rows, hm_error *err) {
+static hm_status number_unknowns(hm_petsc* system, numbering* rows, hm_error* err) {
     const int32_t n = system->info.unknowns;
-    named *records = room_for((size_t)n, sizeof *records);
+    named* records = room_for((size_t)n, sizeof *records);
     directory names;
     int64_t k, own = 0, first = 0;
     hm_status status = agree(records == NULL ? no_memory(err) : HM_OK, system->comm, err);
@@ -30,7 +30,8 @@ static hm_status number_unknowns(hm_petsc *system, numbering *rows, hm_error *er
         MPI_Allreduce(&own, &system->unknowns, 1, MPI_INT64_T, MPI_SUM, system->comm);
         for (k = 0; k < n; ++k) rows->row[k] = rows->owner[k] == system->rank ? first++ : -1;
         if (system->unknowns > (int64_t)PETSC_MAX_INT / system->width) {
-            status = refuse(err, HM_UNSUPPORTED, -1, "more unknowns than PETSc's integers count: use 64-bit integers");
+            status = refuse(err, HM_UNSUPPORTED, -1,
+                            "more unknowns than PETSc's integers count: use 64-bit integers");
         } else {
             system->own_rows = (PetscInt)own * system->width;
         }
@@ -42,19 +43,20 @@ static hm_status number_unknowns(hm_petsc *system, numbering *rows, hm_error *er
     return status;
 }
 
-static PetscErrorCode make_scatter(hm_petsc *system, const numbering *rows) {
+static PetscErrorCode make_scatter(hm_petsc* system, const numbering* rows) {
     IS to;
     Vec global;
     TRY(VecCreateSeq(PETSC_COMM_SELF, system->info.unknowns * system->width, &system->local));
     TRY(VecCreateMPI(system->comm, system->own_rows, PETSC_DETERMINE, &global));
-    TRY(ISCreateBlock(system->comm, system->width, system->info.unknowns, rows->rows, PETSC_COPY_VALUES, &to));
+    TRY(ISCreateBlock(system->comm, system->width, system->info.unknowns, rows->rows,
+                      PETSC_COPY_VALUES, &to));
     TRY(VecScatterCreate(global, to, system->local, NULL, &system->to_local));
     TRY(ISDestroy(&to));
     return VecDestroy(&global);
 }
 
 /* The sums over all processes of what each has in system->local. */
-static PetscErrorCode sum_up(const hm_petsc *system, Vec sum) {
+static PetscErrorCode sum_up(const hm_petsc* system, Vec sum) {
     TRY(VecZeroEntries(sum));
     TRY(VecScatterBegin(system->to_local, system->local, sum, ADD_VALUES, SCATTER_REVERSE));
     return VecScatterEnd(system->to_local, system->local, sum, ADD_VALUES, SCATTER_REVERSE);
@@ -65,25 +67,26 @@ enum { WINDOW = 4096 };
 
 typedef struct window {
     int32_t *row, *column;
-    double *values;
+    double* values;
     int64_t n, capacity;
 } window;
 
-static void end_window(window *at) {
+static void end_window(window* at) {
     free(at->row);
     free(at->column);
     free(at->values);
 }
 
 /* Room for the largest window. */
-static hm_status make_window(const hm_petsc *system, window *at, hm_error *err) {
+static hm_status make_window(const hm_petsc* system, window* at, hm_error* err) {
     const int32_t bs = system->info.numbers;
     int32_t first, n;
     memset(at, 0, sizeof *at);
     for (first = 0; first < system->info.unknowns; first += n) {
         int64_t count = 0;
         n = system->info.unknowns - first < WINDOW ? system->info.unknowns - first : WINDOW;
-        hm_equations_entries(system->equations, first, n, NULL, NULL, NULL, 0, &count, NULL); /* counts */
+        hm_equations_entries(system->equations, first, n, NULL, NULL, NULL, 0, &count,
+                             NULL); /* counts */
         if (count > at->capacity) at->capacity = count;
     }
     at->row = room_for((size_t)at->capacity, sizeof *at->row);
@@ -93,19 +96,22 @@ static hm_status make_window(const hm_petsc *system, window *at, hm_error *err) 
 }
 
 /* Moves on: *first is that of the next window on return. 0 at the end. */
-static int next_window(const hm_petsc *system, window *at, int32_t *first) {
-    const int32_t n = system->info.unknowns - *first < WINDOW ? system->info.unknowns - *first : WINDOW;
+static int next_window(const hm_petsc* system, window* at, int32_t* first) {
+    const int32_t n =
+        system->info.unknowns - *first < WINDOW ? system->info.unknowns - *first : WINDOW;
     if (n <= 0) return 0;
-    hm_equations_entries(system->equations, *first, n, at->row, at->column, at->values, at->capacity, &at->n, NULL);
+    hm_equations_entries(system->equations, *first, n, at->row, at->column, at->values,
+                         at->capacity, &at->n, NULL);
     *first += n;
     return 1;
 }
 
-/* Adds up in system->local how many entries this part has in each row. elsewhere: those in columns of other processes
- * than the row's owner. */
-static PetscErrorCode count_entries(const hm_petsc *system, const numbering *rows, window *at, int elsewhere) {
+/* Adds up in system->local how many entries this part has in each row. elsewhere: those in columns
+ * of other processes than the row's owner. */
+static PetscErrorCode count_entries(const hm_petsc* system, const numbering* rows, window* at,
+                                    int elsewhere) {
     const PetscInt bs = system->width;
-    PetscScalar *count;
+    PetscScalar* count;
     PetscInt k;
     int64_t e;
     int32_t first = 0;
@@ -125,7 +131,7 @@ static PetscErrorCode count_entries(const hm_petsc *system, const numbering *row
 }
 
 /* Entries of each row: at most, as edges between parts count twice. */
-static PetscErrorCode preallocate(const hm_petsc *system, const numbering *rows, window *at) {
+static PetscErrorCode preallocate(const hm_petsc* system, const numbering* rows, window* at) {
     const PetscInt n = system->own_rows, others = (PetscInt)system->unknowns * system->width - n;
     PetscInt k, *counts;
     Vec all;
@@ -134,12 +140,13 @@ static PetscErrorCode preallocate(const hm_petsc *system, const numbering *rows,
     TRY(PetscMalloc1((size_t)(2 * n) + 1, &counts));
     for (elsewhere = 0; elsewhere < 2; ++elsewhere) {
         const PetscInt most = elsewhere ? others : n;
-        const PetscScalar *sums;
+        const PetscScalar* sums;
         TRY(count_entries(system, rows, at, elsewhere));
         TRY(sum_up(system, all));
         TRY(VecGetArrayRead(all, &sums));
         for (k = 0; k < n; ++k) {
-            const PetscInt wanted = (PetscInt)PetscRealPart(sums[k]) + (elsewhere ? 0 : system->width);
+            const PetscInt wanted =
+                (PetscInt)PetscRealPart(sums[k]) + (elsewhere ? 0 : system->width);
             counts[elsewhere * n + k] = wanted < most ? wanted : most;
         }
         TRY(VecRestoreArrayRead(all, &sums));
@@ -151,7 +158,7 @@ static PetscErrorCode preallocate(const hm_petsc *system, const numbering *rows,
 }
 
 /* The entries of this part, added in blocks, and their transposes. */
-static PetscErrorCode add_entries(const hm_petsc *system, const numbering *rows, window *at) {
+static PetscErrorCode add_entries(const hm_petsc* system, const numbering* rows, window* at) {
     const int32_t numbers = system->info.numbers;
     int64_t e;
     int32_t first = 0;
@@ -161,16 +168,18 @@ static PetscErrorCode add_entries(const hm_petsc *system, const numbering *rows,
             PetscScalar block[4], transpose[4];
             to_block(at->values + e * numbers * numbers, numbers, block, transpose);
             TRY(MatSetValuesBlocked(system->matrix, 1, &i, 1, &j, block, ADD_VALUES));
-            if (i != j) TRY(MatSetValuesBlocked(system->matrix, 1, &j, 1, &i, transpose, ADD_VALUES));
+            if (i != j)
+                TRY(MatSetValuesBlocked(system->matrix, 1, &j, 1, &i, transpose, ADD_VALUES));
         }
     }
     TRY(MatAssemblyBegin(system->matrix, MAT_FINAL_ASSEMBLY));
     return MatAssemblyEnd(system->matrix, MAT_FINAL_ASSEMBLY);
 }
 
-static PetscErrorCode fill_matrix(hm_petsc *system, const numbering *rows, window *at) {
+static PetscErrorCode fill_matrix(hm_petsc* system, const numbering* rows, window* at) {
     TRY(MatCreate(system->comm, &system->matrix));
-    TRY(MatSetSizes(system->matrix, system->own_rows, system->own_rows, PETSC_DETERMINE, PETSC_DETERMINE));
+    TRY(MatSetSizes(system->matrix, system->own_rows, system->own_rows, PETSC_DETERMINE,
+                    PETSC_DETERMINE));
     TRY(MatSetBlockSize(system->matrix, system->width));
     TRY(MatSetType(system->matrix, MATAIJ));
     TRY(MatSetOptionsPrefix(system->matrix, "hm_"));
@@ -186,7 +195,7 @@ static PetscErrorCode fill_matrix(hm_petsc *system, const numbering *rows, windo
 }
 
 /* system->matrix, local, to_local. */
-static hm_status make_matrix(hm_petsc *system, hm_error *err) {
+static hm_status make_matrix(hm_petsc* system, hm_error* err) {
     const size_t n = (size_t)system->info.unknowns;
     numbering rows;
     window at;

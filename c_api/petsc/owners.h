@@ -15,32 +15,35 @@ typedef struct named { /* a point or an unknown, as one process has it */
 
 typedef struct directory { /* the part of all records that this process compares */
     mail post;
-    named *in;        /* [n_in] sorted by name */
-    int64_t *answers; /* [n_in] by index */
+    named* in;        /* [n_in] sorted by name */
+    int64_t* answers; /* [n_in] by index */
 } directory;
 
-static int by_name(const void *a, const void *b) {
+static int by_name(const void* a, const void* b) {
     const named *const p = a, *const q = b;
     if (p->name != q->name) return p->name < q->name ? -1 : 1;
     return p->process != q->process ? (p->process < q->process ? -1 : 1) : 0;
 }
 
-/* Of each group of equal names: the owner is the first process that has more than a ghost. owner [n] by index. */
-static hm_status find_owners(named *records, int64_t n, int64_t *owner, hm_error *err) {
+/* Of each group of equal names: the owner is the first process that has more than a ghost. owner
+ * [n] by index. */
+static hm_status find_owners(named* records, int64_t n, int64_t* owner, hm_error* err) {
     int64_t k, next;
     qsort(records, (size_t)n, sizeof *records, by_name);
     for (k = 0; k < n; k = next) {
         int64_t other, first = -1;
         for (next = k; next < n && records[next].name == records[k].name; ++next) {
-            const named *const one = &records[next];
+            const named* const one = &records[next];
             if (one->x != records[k].x || one->y != records[k].y) {
-                return refuse(err, HM_BAD_MESH, one->name,
-                              "a point has different coordinates in two parts (item: its global number)");
+                return refuse(
+                    err, HM_BAD_MESH, one->name,
+                    "a point has different coordinates in two parts (item: its global number)");
             }
             if (one->role == GHOST) continue;
             if (first >= 0 && (one->role == INSIDE || records[first].role == INSIDE)) {
-                return refuse(err, HM_BAD_MESH, one->name,
-                              "a point is inside two parts: global numbers are wrong (item: the number)");
+                return refuse(
+                    err, HM_BAD_MESH, one->name,
+                    "a point is inside two parts: global numbers are wrong (item: the number)");
             }
             if (first < 0) first = next;
         }
@@ -53,23 +56,23 @@ static hm_status find_owners(named *records, int64_t n, int64_t *owner, hm_error
     return HM_OK;
 }
 
-static void clear_directory(directory *names) {
+static void clear_directory(directory* names) {
     memset(names, 0, sizeof *names);
     clear_mail(&names->post);
 }
 
-static void end_directory(directory *names) {
+static void end_directory(directory* names) {
     end_mail(&names->post);
     free(names->in);
     free(names->answers);
 }
 
 /* owner [n] of each record. */
-static hm_status look_up(directory *names, MPI_Comm comm, int64_t n, const named *records, int64_t *owner,
-                         hm_error *err) {
+static hm_status look_up(directory* names, MPI_Comm comm, int64_t n, const named* records,
+                         int64_t* owner, hm_error* err) {
     int *to = room_for((size_t)n, sizeof *to), size;
     int64_t k;
-    void *in = NULL;
+    void* in = NULL;
     hm_status status = agree(to == NULL ? no_memory(err) : HM_OK, comm, err);
     clear_directory(names);
     MPI_Comm_size(comm, &size);
@@ -91,14 +94,15 @@ static hm_status look_up(directory *names, MPI_Comm comm, int64_t n, const named
 }
 
 /* After look_up. number [n]: in, of records that this process owns, -1 elsewhere; out, of all. */
-static hm_status spread(directory *names, int64_t *number, hm_error *err) {
+static hm_status spread(directory* names, int64_t* number, hm_error* err) {
     int64_t k, next, other, *came = NULL;
-    void *in = NULL;
+    void* in = NULL;
     hm_status status = deliver(&names->post, number, sizeof *number, &in, err);
     came = in;
     for (k = 0; status >= 0 && k < names->post.n_in; k = next) {
         int64_t known = -1;
-        for (next = k; next < names->post.n_in && names->in[next].name == names->in[k].name; ++next) {
+        for (next = k; next < names->post.n_in && names->in[next].name == names->in[k].name;
+             ++next) {
             if (came[names->in[next].index] >= 0) known = came[names->in[next].index];
         }
         for (other = k; other < next; ++other) names->answers[names->in[other].index] = known;

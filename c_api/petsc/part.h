@@ -1,4 +1,5 @@
-/* The system of a process, and its first half: the part of the mesh, and the boundary of all parts. */
+/* The system of a process, and its first half: the part of the mesh, and the boundary of all parts.
+ */
 #ifndef HARMORPH_PETSC_PART_H
 #define HARMORPH_PETSC_PART_H
 
@@ -12,10 +13,10 @@ struct hm_petsc {
     hm_part_mesh part_mesh;
     hm_mesh mesh; /* views of the caller's arrays */
     void *part_block, *equations_block;
-    hm_part *part;
-    hm_equations *equations;
+    hm_part* part;
+    hm_equations* equations;
     hm_equations_info info;
-    uint8_t *owned; /* [points] */
+    uint8_t* owned; /* [points] */
     double tolerance;
     int32_t boundary_edges;
     uint64_t bytes;
@@ -29,16 +30,17 @@ struct hm_petsc {
     VecScatter to_local;
 };
 
-static hm_status take_part(hm_petsc *system, const hm_part_mesh *part, hm_error *err) {
+static hm_status take_part(hm_petsc* system, const hm_part_mesh* part, hm_error* err) {
     size_t bytes = 0;
     hm_status status;
-    if (part == NULL || part->mesh == NULL || part->struct_size < sizeof *part || part->mesh->struct_size < 8 ||
-        part->mesh->struct_size > 4096) {
+    if (part == NULL || part->mesh == NULL || part->struct_size < sizeof *part ||
+        part->mesh->struct_size < 8 || part->mesh->struct_size > 4096) {
         return refuse_argument(err, "part or part.mesh is NULL, or a struct_size is wrong");
     }
     system->part_mesh = *part;
     memcpy(&system->mesh, part->mesh,
-           part->mesh->struct_size < sizeof system->mesh ? part->mesh->struct_size : sizeof system->mesh);
+           part->mesh->struct_size < sizeof system->mesh ? part->mesh->struct_size
+                                                         : sizeof system->mesh);
     system->part_mesh.mesh = &system->mesh;
     status = hm_part_size(&system->part_mesh, &bytes, err);
     if (status < 0) return status;
@@ -49,23 +51,23 @@ static hm_status take_part(hm_petsc *system, const hm_part_mesh *part, hm_error 
 }
 
 /* edges [n] of this part; to be freed. */
-static hm_status take_edges(const hm_petsc *system, hm_edge **edges, int32_t *n, hm_error *err) {
+static hm_status take_edges(const hm_petsc* system, hm_edge** edges, int32_t* n, hm_error* err) {
     hm_part_edges(system->part, NULL, 0, n, NULL);
     *edges = room_for((size_t)*n, sizeof **edges);
     if (*edges == NULL) return no_memory(err);
     return hm_part_edges(system->part, *edges, *n, n, err);
 }
 
-static int by_number(const void *a, const void *b) {
-    const int64_t p = *(const int64_t *)a, q = *(const int64_t *)b;
+static int by_number(const void* a, const void* b) {
+    const int64_t p = *(const int64_t*)a, q = *(const int64_t*)b;
     return p < q ? -1 : p > q;
 }
 
-/* The points of own and ghost cells, by the role that each has here: records [returned], point [returned]. role
- * [points] is that of hm_part_points; border [n_border]: global numbers of the ends of edges with one own cell,
- * sorted. */
-static int64_t list_points(const hm_petsc *system, const uint8_t *role, const int64_t *border, size_t n_border,
-                           named *records, int32_t *point) {
+/* The points of own and ghost cells, by the role that each has here: records [returned], point
+ * [returned]. role [points] is that of hm_part_points; border [n_border]: global numbers of the
+ * ends of edges with one own cell, sorted. */
+static int64_t list_points(const hm_petsc* system, const uint8_t* role, const int64_t* border,
+                           size_t n_border, named* records, int32_t* point) {
     const int64_t stride = system->mesh.points.stride == 0 ? 1 : system->mesh.points.stride;
     int64_t k, n = 0;
     for (k = 0; k < system->mesh.n_points; ++k) {
@@ -77,8 +79,9 @@ static int64_t list_points(const hm_petsc *system, const uint8_t *role, const in
         records[n].process = system->rank;
         records[n].role = GHOST;
         if (role[k] == 2) {
-            records[n].role =
-                bsearch(&number, border, n_border, sizeof *border, by_number) == NULL ? INSIDE : ON_BORDER;
+            records[n].role = bsearch(&number, border, n_border, sizeof *border, by_number) == NULL
+                                  ? INSIDE
+                                  : ON_BORDER;
         }
         point[n++] = (int32_t)k;
     }
@@ -86,16 +89,19 @@ static int64_t list_points(const hm_petsc *system, const uint8_t *role, const in
 }
 
 /* system->owned: 1 at points that belong to this process. */
-static hm_status own_points(hm_petsc *system, const hm_edge *edges, int32_t n_edges, hm_error *err) {
+static hm_status own_points(hm_petsc* system, const hm_edge* edges, int32_t n_edges,
+                            hm_error* err) {
     const size_t n = (size_t)system->mesh.n_points;
-    named *records = room_for(n, sizeof *records);
-    int64_t k, used = 0, *owner = room_for(n, sizeof *owner), *border = room_for(2 * (size_t)n_edges, sizeof *border);
-    int32_t *point = room_for(n, sizeof *point);
+    named* records = room_for(n, sizeof *records);
+    int64_t k, used = 0, *owner = room_for(n, sizeof *owner),
+               *border = room_for(2 * (size_t)n_edges, sizeof *border);
+    int32_t* point = room_for(n, sizeof *point);
     directory names;
     hm_status status = HM_OK;
     clear_directory(&names);
     system->owned = room_for(n, 1);
-    if (records == NULL || owner == NULL || point == NULL || border == NULL || system->owned == NULL) {
+    if (records == NULL || owner == NULL || point == NULL || border == NULL ||
+        system->owned == NULL) {
         status = no_memory(err);
     }
     if (status >= 0) {
@@ -123,8 +129,8 @@ static hm_status own_points(hm_petsc *system, const hm_edge *edges, int32_t n_ed
 }
 
 /* edges [left] of this process go to all: *all [*n_all], to be freed. */
-static hm_status gather_edges(const hm_petsc *system, mail *post, const void *edges, int64_t left, hm_edge **all,
-                              int32_t *n_all, hm_error *err) {
+static hm_status gather_edges(const hm_petsc* system, mail* post, const void* edges, int64_t left,
+                              hm_edge** all, int32_t* n_all, hm_error* err) {
     int *counts = room_for(2 * (size_t)system->size, sizeof *counts), own = (int)left, p;
     int64_t total = 0;
     hm_status status = agree(counts == NULL ? no_memory(err) : HM_OK, system->comm, err);
@@ -139,19 +145,20 @@ static hm_status gather_edges(const hm_petsc *system, mail *post, const void *ed
     }
     if (status >= 0) {
         *n_all = (int32_t)total;
-        MPI_Allgatherv(edges, own, post->record, *all, counts, counts + system->size, post->record, system->comm);
+        MPI_Allgatherv(edges, own, post->record, *all, counts, counts + system->size, post->record,
+                       system->comm);
     }
     free(counts);
     return status;
 }
 
-/* edges [n] of all processes are compared, each pair on one of them; *all [*n_all], to be freed, are those that are
- * left, the same on all processes. */
-static hm_status gather_boundary(const hm_petsc *system, const hm_edge *edges, int32_t n, hm_edge **all, int32_t *n_all,
-                                 hm_error *err) {
+/* edges [n] of all processes are compared, each pair on one of them; *all [*n_all], to be freed,
+ * are those that are left, the same on all processes. */
+static hm_status gather_boundary(const hm_petsc* system, const hm_edge* edges, int32_t n,
+                                 hm_edge** all, int32_t* n_all, hm_error* err) {
     mail post;
-    void *in = NULL;
-    int *to = room_for((size_t)n, sizeof *to);
+    void* in = NULL;
+    int* to = room_for((size_t)n, sizeof *to);
     int64_t k, left = 0;
     hm_status status = agree(to == NULL ? no_memory(err) : HM_OK, system->comm, err);
     clear_mail(&post);

@@ -4,8 +4,9 @@
 
 #include "part.h"
 
-static hm_status make_equations(hm_petsc *system, const hm_edge *edges, int32_t n, const hm_problem *problem,
-                                const hm_options *options, hm_error *err) {
+static hm_status make_equations(hm_petsc* system, const hm_edge* edges, int32_t n,
+                                const hm_problem* problem, const hm_options* options,
+                                hm_error* err) {
     size_t bytes = 0;
     hm_status status = hm_equations_size(system->part, n, problem, options, &bytes, err), known;
     if (status < 0) return status;
@@ -13,8 +14,8 @@ static hm_status make_equations(hm_petsc *system, const hm_edge *edges, int32_t 
     system->equations_block = malloc(bytes);
     if (system->equations_block == NULL) return no_memory(err);
     system->bytes += bytes;
-    status = hm_equations_init(&system->equations, system->equations_block, bytes, system->part, n, edges, problem,
-                               options, err);
+    status = hm_equations_init(&system->equations, system->equations_block, bytes, system->part, n,
+                               edges, problem, options, err);
     if (status < 0) return status;
     system->info.struct_size = sizeof system->info;
     known = hm_equations_info_get(system->equations, &system->info, err);
@@ -22,16 +23,18 @@ static hm_status make_equations(hm_petsc *system, const hm_edge *edges, int32_t 
 }
 
 /* A checksum of what was read: FNV-1a. */
-static uint64_t add_bytes(uint64_t sum, const void *data, size_t bytes) {
-    const unsigned char *const byte = data;
+static uint64_t add_bytes(uint64_t sum, const void* data, size_t bytes) {
+    const unsigned char* const byte = data;
     size_t k;
     for (k = 0; k < bytes; ++k) sum = (sum ^ byte[k]) * 0x100000001b3u;
     return sum;
 }
 
-static uint64_t add_number(uint64_t sum, int32_t number) { return add_bytes(sum, &number, sizeof number); }
+static uint64_t add_number(uint64_t sum, int32_t number) {
+    return add_bytes(sum, &number, sizeof number);
+}
 
-static uint64_t add_curves(uint64_t sum, const hm_curves *curves) {
+static uint64_t add_curves(uint64_t sum, const hm_curves* curves) {
     int32_t k, i;
     if (curves == NULL) return add_number(sum, 0);
     sum = add_number(sum, curves->n_control);
@@ -39,48 +42,54 @@ static uint64_t add_curves(uint64_t sum, const hm_curves *curves) {
     if (curves->weights != NULL)
         sum = add_bytes(sum, curves->weights, (size_t)curves->n_control * sizeof *curves->weights);
     for (k = 0; k < curves->n_curves; ++k) {
-        const hm_curve *const curve =
-            (const hm_curve *)((const char *)curves->curve + (size_t)k * curves->curve->struct_size);
+        const hm_curve* const curve =
+            (const hm_curve*)((const char*)curves->curve + (size_t)k * curves->curve->struct_size);
         sum = add_number(add_number(sum, curve->degree), curve->n_indices);
-        sum = add_bytes(sum, curve->knots, (size_t)(curve->n_indices + curve->degree + 1) * sizeof *curve->knots);
+        sum = add_bytes(sum, curve->knots,
+                        (size_t)(curve->n_indices + curve->degree + 1) * sizeof *curve->knots);
         for (i = 0; i < curve->n_indices; ++i) {
-            sum = add_number(sum, curve->indices != NULL ? curve->indices[i] - curves->index_base : i);
+            sum = add_number(sum,
+                             curve->indices != NULL ? curve->indices[i] - curves->index_base : i);
         }
     }
     return sum;
 }
 
-static uint64_t add_conditions(uint64_t sum, const hm_problem *problem) {
+static uint64_t add_conditions(uint64_t sum, const hm_problem* problem) {
     int32_t k;
     sum = add_number(sum, problem->n_conditions);
     for (k = 0; k < problem->n_conditions; ++k) {
         const size_t bytes = (size_t)problem->conditions->struct_size;
-        const char *const condition = (const char *)problem->conditions + (size_t)k * bytes;
+        const char* const condition = (const char*)problem->conditions + (size_t)k * bytes;
         sum = add_bytes(sum, condition + sizeof(uint64_t), bytes - sizeof(uint64_t));
     }
     return sum;
 }
 
-static uint64_t add_options(uint64_t sum, const hm_options *options) {
+static uint64_t add_options(uint64_t sum, const hm_options* options) {
     hm_options known = {0};
     if (options != NULL) {
-        memcpy(&known, options, options->struct_size < sizeof known ? (size_t)options->struct_size : sizeof known);
+        memcpy(&known, options,
+               options->struct_size < sizeof known ? (size_t)options->struct_size : sizeof known);
     }
     sum = add_number(add_number(sum, known.operator_kind), known.exponent_quarters);
-    return add_bytes(add_number(sum, known.offset_correction), &known.tolerance, sizeof known.tolerance);
+    return add_bytes(add_number(sum, known.offset_correction), &known.tolerance,
+                     sizeof known.tolerance);
 }
 
 /* After make_equations, which has examined them. */
-static hm_status compare_problems(const hm_petsc *system, const hm_problem *problem, const hm_options *options,
-                                  hm_error *err) {
+static hm_status compare_problems(const hm_petsc* system, const hm_problem* problem,
+                                  const hm_options* options, hm_error* err) {
     const uint64_t start = 0xcbf29ce484222325u;
-    const uint64_t sum = add_options(add_conditions(add_curves(start, problem->curves), problem), options);
+    const uint64_t sum =
+        add_options(add_conditions(add_curves(start, problem->curves), problem), options);
     uint64_t bounds[2]; /* the least of sum, and of its complement */
     bounds[0] = sum;
     bounds[1] = ~sum;
     MPI_Allreduce(MPI_IN_PLACE, bounds, 2, MPI_UINT64_T, MPI_MIN, system->comm);
     if (bounds[0] == ~bounds[1]) return HM_OK;
-    return refuse(err, HM_BAD_CONDITION, -1, "curves, conditions or options are not the same on all processes");
+    return refuse(err, HM_BAD_CONDITION, -1,
+                  "curves, conditions or options are not the same on all processes");
 }
 
 #endif

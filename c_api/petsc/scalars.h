@@ -1,5 +1,5 @@
-/* Numbers of the core and scalars of PETSc: with real scalars an unknown a + i b of the conformal operator is a, b;
- * with complex scalars it is one, and a real unknown has the imaginary part 0. */
+/* Numbers of the core and scalars of PETSc: with real scalars an unknown a + i b of the conformal
+ * operator is a, b; with complex scalars it is one, and a real unknown has the imaginary part 0. */
 #ifndef HARMORPH_PETSC_SCALARS_H
 #define HARMORPH_PETSC_SCALARS_H
 
@@ -13,7 +13,7 @@ static PetscInt scalars_of_unknown(int32_t numbers) {
 }
 
 /* numbers [unknowns * info.numbers] as scalars, and back. */
-static void to_scalars(const hm_petsc *system, const double *numbers, PetscScalar *scalar) {
+static void to_scalars(const hm_petsc* system, const double* numbers, PetscScalar* scalar) {
     const int32_t n = system->info.numbers;
     int64_t k;
     for (k = 0; k < system->info.unknowns; ++k) {
@@ -22,7 +22,7 @@ static void to_scalars(const hm_petsc *system, const double *numbers, PetscScala
     }
 }
 
-static void to_numbers(const hm_petsc *system, const PetscScalar *scalar, double *numbers) {
+static void to_numbers(const hm_petsc* system, const PetscScalar* scalar, double* numbers) {
     const int32_t n = system->info.numbers;
     int64_t k;
     for (k = 0; k < system->info.unknowns; ++k) {
@@ -32,7 +32,8 @@ static void to_numbers(const hm_petsc *system, const PetscScalar *scalar, double
 }
 
 /* The block of an entry (n x n numbers, row by row), as scalars, and its conjugate transpose. */
-static void to_block(const double *values, int32_t n, PetscScalar block[4], PetscScalar transpose[4]) {
+static void to_block(const double* values, int32_t n, PetscScalar block[4],
+                     PetscScalar transpose[4]) {
     block[0] = n == 1 ? values[0] : values[0] + PETSC_i * values[2];
     transpose[0] = PetscConj(block[0]);
 }
@@ -41,15 +42,18 @@ static void to_block(const double *values, int32_t n, PetscScalar block[4], Pets
 
 static PetscInt scalars_of_unknown(int32_t numbers) { return numbers; }
 
-static void to_scalars(const hm_petsc *system, const double *numbers, PetscScalar *scalar) {
-    memcpy(scalar, numbers, (size_t)system->info.unknowns * (size_t)system->info.numbers * sizeof *numbers);
+static void to_scalars(const hm_petsc* system, const double* numbers, PetscScalar* scalar) {
+    memcpy(scalar, numbers,
+           (size_t)system->info.unknowns * (size_t)system->info.numbers * sizeof *numbers);
 }
 
-static void to_numbers(const hm_petsc *system, const PetscScalar *scalar, double *numbers) {
-    memcpy(numbers, scalar, (size_t)system->info.unknowns * (size_t)system->info.numbers * sizeof *numbers);
+static void to_numbers(const hm_petsc* system, const PetscScalar* scalar, double* numbers) {
+    memcpy(numbers, scalar,
+           (size_t)system->info.unknowns * (size_t)system->info.numbers * sizeof *numbers);
 }
 
-static void to_block(const double *values, int32_t n, PetscScalar block[4], PetscScalar transpose[4]) {
+static void to_block(const double* values, int32_t n, PetscScalar block[4],
+                     PetscScalar transpose[4]) {
     int32_t i, j;
     for (i = 0; i < n; ++i) {
         for (j = 0; j < n; ++j) {

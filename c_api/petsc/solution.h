@@ -4,7 +4,7 @@
 
 #include "matrix.h"
 
-static PetscErrorCode make_solver(hm_petsc *system) {
+static PetscErrorCode make_solver(hm_petsc* system) {
     PC pc;
     TRY(KSPCreate(system->comm, &system->solver));
     TRY(KSPSetOptionsPrefix(system->solver, "hm_"));
@@ -21,35 +21,38 @@ static PetscErrorCode make_solver(hm_petsc *system) {
     return KSPSetFromOptions(system->solver);
 }
 
-/* What the columns are, and what becomes of their values: functions, or one field of displacements. */
+/* What the columns are, and what becomes of their values: functions, or one field of displacements.
+ */
 typedef struct columns {
-    hm_petsc *system;
+    hm_petsc* system;
     int32_t n;
-    hm_basis *rows;                     /* of functions; NULL: a field */
+    hm_basis* rows;                     /* of functions; NULL: a field */
     double *work, *numbers, *residuals; /* of a field: see hm_field_init */
-    double *column;                     /* [unknowns * info.numbers] */
+    double* column;                     /* [unknowns * info.numbers] */
 } columns;
 
-static size_t length_of_column(const hm_petsc *system) {
+static size_t length_of_column(const hm_petsc* system) {
     return (size_t)system->info.unknowns * (size_t)system->info.numbers;
 }
 
 /* of->column becomes the right-hand side of this part. */
-static hm_status get_column(const columns *of, int32_t column, hm_error *err) {
+static hm_status get_column(const columns* of, int32_t column, hm_error* err) {
     const size_t length = length_of_column(of->system);
-    if (of->rows != NULL) return hm_rows_get(of->system->equations, of->rows, column, of->column, err);
+    if (of->rows != NULL)
+        return hm_rows_get(of->system->equations, of->rows, column, of->column, err);
     memcpy(of->column, of->numbers + (size_t)column * length, length * sizeof *of->column);
     return HM_OK;
 }
 
 /* of->column: in, values of the unknowns; out, the residual of this part. */
-static hm_status set_column(const columns *of, int32_t column, hm_error *err) {
-    hm_petsc *const system = of->system;
+static hm_status set_column(const columns* of, int32_t column, hm_error* err) {
+    hm_petsc* const system = of->system;
     const size_t length = length_of_column(system);
     hm_status status;
     if (of->rows != NULL) {
         status = hm_rows_set(system->equations, of->rows, column, of->column, err);
-        return status < 0 ? status : hm_rows_residual(system->equations, of->rows, column, of->column, err);
+        return status < 0 ? status
+                          : hm_rows_residual(system->equations, of->rows, column, of->column, err);
     }
     memcpy(of->numbers + (size_t)column * length, of->column, length * sizeof *of->column);
     status = hm_field_residual(system->equations, of->work, of->numbers, of->residuals, err);
@@ -66,13 +69,14 @@ typedef struct progress { /* of one column */
 
 enum { MOST_SOLUTIONS = 8, MOST_AT_ONCE = 16 };
 
-/* The error that is left, estimated from the last correction and by how much corrections have shrunk. */
-static void judge(progress *column, double change, double tolerance) {
+/* The error that is left, estimated from the last correction and by how much corrections have
+ * shrunk. */
+static void judge(progress* column, double change, double tolerance) {
     const double ratio = column->change > 0 ? change / column->change : 1;
     if (column->solutions > 1 && ratio > column->ratio) column->ratio = ratio;
     column->error = column->solutions > 1 && column->ratio < 0.5 ? column->ratio * change : change;
-    column->done = column->error <= tolerance || change == 0 || (column->solutions > 2 && ratio > 0.5) ||
-                   column->solutions == MOST_SOLUTIONS;
+    column->done = column->error <= tolerance || change == 0 ||
+                   (column->solutions > 2 && ratio > 0.5) || column->solutions == MOST_SOLUTIONS;
     column->change = change;
 }
 
@@ -85,7 +89,7 @@ typedef struct solution { /* of a block of columns */
     hm_status status;
 } solution;
 
-static PetscErrorCode solve_at_once(const hm_petsc *system, solution *now) {
+static PetscErrorCode solve_at_once(const hm_petsc* system, solution* now) {
     KSPConvergedReason reason;
     int32_t k;
     TRY(KSPMatSolve(system->solver, now->b, now->dx));
@@ -95,7 +99,7 @@ static PetscErrorCode solve_at_once(const hm_petsc *system, solution *now) {
     return 0;
 }
 
-static PetscErrorCode solve_one(const hm_petsc *system, solution *now, int32_t k) {
+static PetscErrorCode solve_one(const hm_petsc* system, solution* now, int32_t k) {
     KSPConvergedReason reason;
     PetscInt before = 0, after = 0;
     Vec b, dx;
@@ -115,9 +119,9 @@ static PetscErrorCode solve_one(const hm_petsc *system, solution *now, int32_t k
 }
 
 /* of->column of all processes together is column k of b. */
-static PetscErrorCode send_column(const columns *of, const solution *now, int32_t k) {
-    const hm_petsc *const system = of->system;
-    PetscScalar *local;
+static PetscErrorCode send_column(const columns* of, const solution* now, int32_t k) {
+    const hm_petsc* const system = of->system;
+    PetscScalar* local;
     Vec b;
     TRY(VecGetArray(system->local, &local));
     to_scalars(system, of->column, local);
@@ -128,9 +132,9 @@ static PetscErrorCode send_column(const columns *of, const solution *now, int32_
 }
 
 /* x += dx; of->column receives the values that this process has. */
-static PetscErrorCode receive_column(const columns *of, solution *now, int32_t k, double *change) {
-    const hm_petsc *const system = of->system;
-    const PetscScalar *local;
+static PetscErrorCode receive_column(const columns* of, solution* now, int32_t k, double* change) {
+    const hm_petsc* const system = of->system;
+    const PetscScalar* local;
     PetscReal correction, size;
     Vec dx, x;
     TRY(MatDenseGetColumnVecRead(now->dx, k, &dx));
@@ -150,7 +154,7 @@ static PetscErrorCode receive_column(const columns *of, solution *now, int32_t k
 }
 
 /* After a solution: the values go to the rows, and b becomes the residual. */
-static PetscErrorCode take_over(const columns *of, solution *now, int32_t k, hm_error *err) {
+static PetscErrorCode take_over(const columns* of, solution* now, int32_t k, hm_error* err) {
     double change = 0;
     hm_status status;
     TRY(receive_column(of, now, k, &change));
@@ -162,9 +166,10 @@ static PetscErrorCode take_over(const columns *of, solution *now, int32_t k, hm_
     return 0;
 }
 
-/* Columns first .. first + n - 1. What ends the loop is the same on all processes: norms, and the agreed status. */
-static PetscErrorCode solve_columns(const columns *of, solution *now, hm_error *err) {
-    const hm_petsc *const system = of->system;
+/* Columns first .. first + n - 1. What ends the loop is the same on all processes: norms, and the
+ * agreed status. */
+static PetscErrorCode solve_columns(const columns* of, solution* now, hm_error* err) {
+    const hm_petsc* const system = of->system;
     int32_t k;
     int going = 1;
     memset(now->at, 0, sizeof now->at);
@@ -188,10 +193,10 @@ static PetscErrorCode solve_columns(const columns *of, solution *now, hm_error *
     return 0;
 }
 
-static void include(hm_petsc_report *report, const solution *now) {
+static void include(hm_petsc_report* report, const solution* now) {
     int32_t k;
     for (k = 0; k < now->n; ++k) {
-        const progress *const at = &now->at[k];
+        const progress* const at = &now->at[k];
         if (at->iterations > report->iterations) report->iterations = (int32_t)at->iterations;
         if (at->solutions > report->solutions) report->solutions = at->solutions;
         if (!(at->change <= report->change)) report->change = at->change;
@@ -199,19 +204,22 @@ static void include(hm_petsc_report *report, const solution *now) {
     }
 }
 
-static PetscErrorCode solve_blocks(const columns *of, solution *now, hm_petsc_report *report, hm_error *err) {
-    const hm_petsc *const system = of->system;
+static PetscErrorCode solve_blocks(const columns* of, solution* now, hm_petsc_report* report,
+                                   hm_error* err) {
+    const hm_petsc* const system = of->system;
     const PetscInt all = (PetscInt)system->unknowns * system->width;
     PetscBool direct = PETSC_FALSE;
     if (of->n == 0 || all == 0) return 0;
     TRY(PetscObjectTypeCompare((PetscObject)system->solver, KSPPREONLY, &direct));
     now->direct = direct;
     now->width = !direct ? 1 : of->n < MOST_AT_ONCE ? of->n : MOST_AT_ONCE;
-    TRY(MatCreateDense(system->comm, system->own_rows, PETSC_DECIDE, all, now->width, NULL, &now->b));
+    TRY(MatCreateDense(system->comm, system->own_rows, PETSC_DECIDE, all, now->width, NULL,
+                       &now->b));
     TRY(MatDuplicate(now->b, MAT_DO_NOT_COPY_VALUES, &now->dx));
     TRY(MatDuplicate(now->b, MAT_DO_NOT_COPY_VALUES, &now->x));
     TRY(MatZeroEntries(now->dx));
-    for (now->first = 0; now->first < of->n && now->status >= 0; now->first += (int32_t)now->width) {
+    for (now->first = 0; now->first < of->n && now->status >= 0;
+         now->first += (int32_t)now->width) {
         now->n = of->n - now->first < now->width ? of->n - now->first : (int32_t)now->width;
         TRY(solve_columns(of, now, err));
         include(report, now);
@@ -220,8 +228,8 @@ static PetscErrorCode solve_blocks(const columns *of, solution *now, hm_petsc_re
 }
 
 /* Solves for all columns; the same status on all processes. */
-static hm_status solve_all(columns *of, hm_petsc_report *report, hm_error *err) {
-    const hm_petsc *const system = of->system;
+static hm_status solve_all(columns* of, hm_petsc_report* report, hm_error* err) {
+    const hm_petsc* const system = of->system;
     solution now;
     PetscErrorCode code;
     hm_status status;
@@ -238,26 +246,29 @@ static hm_status solve_all(columns *of, hm_petsc_report *report, hm_error *err) 
     MatDestroy(&now.x);
     free(of->column);
     if (now.status == HM_NOT_POSITIVE) {
-        refuse(err, HM_NOT_POSITIVE, -1, "PETSc could not factor or solve: the matrix is not positive definite");
+        refuse(err, HM_NOT_POSITIVE, -1,
+               "PETSc could not factor or solve: the matrix is not positive definite");
     }
     return agree(code != 0 ? petsc_status(code, err) : now.status, system->comm, err);
 }
 
 /* The report that the caller gets, and whether the tolerance was reached. */
-static hm_status finish_report(const hm_petsc *system, hm_petsc_report *found, hm_petsc_report *report,
-                               hm_error *err) {
+static hm_status finish_report(const hm_petsc* system, hm_petsc_report* found,
+                               hm_petsc_report* report, hm_error* err) {
     const hm_status status = found->error <= system->tolerance ? HM_OK : HM_NOT_CONVERGED;
     found->unknowns = system->unknowns;
     found->functions = system->info.functions;
     found->boundary_edges = system->boundary_edges;
     found->bytes = system->bytes;
     if (status == HM_NOT_CONVERGED && err != NULL) {
-        refuse(err, HM_NOT_CONVERGED, -1, "the iteration ended while values may be off by more than the tolerance");
+        refuse(err, HM_NOT_CONVERGED, -1,
+               "the iteration ended while values may be off by more than the tolerance");
         err->value = found->error;
     }
     if (report != NULL) {
         found->struct_size = report->struct_size;
-        memcpy(report, found, report->struct_size < sizeof *found ? (size_t)report->struct_size : sizeof *found);
+        memcpy(report, found,
+               report->struct_size < sizeof *found ? (size_t)report->struct_size : sizeof *found);
     }
     return status;
 }

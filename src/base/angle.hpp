@@ -14,8 +14,11 @@ inline Vec2 direction(Vec2 v) noexcept {
 }
 constexpr Vec2 left_of(Vec2 v) noexcept { return {-v.y, v.x}; }
 
-// Turns are cosine and sine: complex numbers. turn_between is that of b against a, times both lengths.
-constexpr Vec2 turned(Vec2 v, Vec2 turn) noexcept { return {v.x * turn.x - v.y * turn.y, v.x * turn.y + v.y * turn.x}; }
+// Turns are cosine and sine: complex numbers. turn_between is that of b against a, times both
+// lengths.
+constexpr Vec2 turned(Vec2 v, Vec2 turn) noexcept {
+    return {v.x * turn.x - v.y * turn.y, v.x * turn.y + v.y * turn.x};
+}
 constexpr Vec2 turned_back(Vec2 v, Vec2 turn) noexcept { return turned(v, {turn.x, -turn.y}); }
 constexpr Vec2 turn_between(Vec2 a, Vec2 b) noexcept { return {dot(a, b), cross(a, b)}; }
 
@@ -30,12 +33,14 @@ inline Real angle_of(Vec2 v) noexcept {
     // A quarter turn less where the tangent of half the angle would be large.
     bool const turned = unit.x < 0;
     Real const quarter = turned ? (unit.y < 0 ? -pi / 2 : pi / 2) : 0;
-    Real const x = turned ? absolute(unit.y) : unit.x, y = turned ? (unit.y < 0 ? unit.x : -unit.x) : unit.y;
+    Real const x = turned ? absolute(unit.y) : unit.x,
+               y = turned ? (unit.y < 0 ? unit.x : -unit.x) : unit.y;
     Real t = y / (r + x), factor = 2;
     for (; absolute(t) > 0.06; factor *= 2) t /= 1 + square_root(1 + t * t);  // the angle halved
     Real const s = t * t;  // Gregory's series; what is left out is below 0.06^14 / 15
     Real const series =
-        1 - s * (1.0 / 3 - s * (1.0 / 5 - s * (1.0 / 7 - s * (1.0 / 9 - s * (1.0 / 11 - s * (1.0 / 13))))));
+        1 - s * (1.0 / 3 -
+                 s * (1.0 / 5 - s * (1.0 / 7 - s * (1.0 / 9 - s * (1.0 / 11 - s * (1.0 / 13))))));
     return quarter + factor * t * series;
 }
 

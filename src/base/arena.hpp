@@ -1,8 +1,10 @@
-// One block of the caller's memory, cut into arrays. The same lay_out() runs on a counting arena for a size query and
-// on a placing arena for the initialisation, so that the two cannot disagree.
+// One block of the caller's memory, cut into arrays. The same lay_out() runs on a counting arena
+// for a size query and on a placing arena for the initialisation, so that the two cannot disagree.
 //
-//   block:  |slack|array|pad|array|pad| ... |      slack: up to the first multiple of `alignment`; counted in full, so
-//                                                  that a block of the stated size suffices wherever it begins
+//   block:  |slack|array|pad|array|pad| ... |      slack: up to the first multiple of `alignment`;
+//   counted in full, so
+//                                                  that a block of the stated size suffices
+//                                                  wherever it begins
 #pragma once
 
 #include "base/span.hpp"
@@ -20,8 +22,8 @@ public:
         base_ = static_cast<unsigned char*>(block) + (alignment - misplaced) % alignment;
     }
 
-    // A block whose beginning is the origin of all offsets, whatever its alignment: the same counts lay out the same
-    // block.
+    // A block whose beginning is the origin of all offsets, whatever its alignment: the same counts
+    // lay out the same block.
     static Arena at_origin(void* block, Size bytes) noexcept {
         Arena arena;
         arena.base_ = static_cast<unsigned char*>(block);
@@ -31,8 +33,8 @@ public:
 
     bool placing() const noexcept { return base_ != nullptr; }
 
-    // Cuts off an array of n elements; a counting arena gives an empty one. What does not fit is noticed by
-    // overflown().
+    // Cuts off an array of n elements; a counting arena gives an empty one. What does not fit is
+    // noticed by overflown().
     template <class T, class Count>
     void take(Span<T>& out, Count n) noexcept {
         static_assert(__is_trivially_copyable(T), "nobody will run destructors");
@@ -45,11 +47,12 @@ public:
         }
         Size const start = used_;
         used_ += round_up(count * sizeof(T));
-        if (base_ != nullptr && used_ <= capacity_) out = {reinterpret_cast<T*>(base_ + start), count};
+        if (base_ != nullptr && used_ <= capacity_)
+            out = {reinterpret_cast<T*>(base_ + start), count};
     }
 
-    // Arrays taken between mark() and release() share their memory with what is taken afterwards: marks nest like a
-    // stack.
+    // Arrays taken between mark() and release() share their memory with what is taken afterwards:
+    // marks nest like a stack.
     Size mark() const noexcept { return used_; }
     void release(Size mark) noexcept {
         if (used_ > peak_) peak_ = used_;
@@ -64,17 +67,21 @@ public:
     Status verify(Size given, Fault& fault) const noexcept {
         if (!overflown()) return Status::ok;
         if (!placing()) {
-            return fault.refuse(Status::bad_argument, "the problem is too large for this machine's addresses");
+            return fault.refuse(Status::bad_argument,
+                                "the problem is too large for this machine's addresses");
         }
         Real const missing = static_cast<Real>(bytes() - given);
-        return fault.refuse(Status::block_too_small, "the block is too small: ~ more bytes are needed",
-                            Counts::from_zero, none, none, missing);
+        return fault.refuse(Status::block_too_small,
+                            "the block is too small: ~ more bytes are needed", Counts::from_zero,
+                            none, none, missing);
     }
 
 private:
     static constexpr Size limit = SIZE_MAX / 2;
 
-    static constexpr Size round_up(Size bytes) noexcept { return (bytes + alignment - 1) / alignment * alignment; }
+    static constexpr Size round_up(Size bytes) noexcept {
+        return (bytes + alignment - 1) / alignment * alignment;
+    }
 
     unsigned char* base_ = nullptr;
     Size capacity_ = 0;

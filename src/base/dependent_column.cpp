@@ -6,7 +6,8 @@ namespace harmorph {
 
 // As complex numbers: column b minus its part along column a, until b is normal to a to rounding.
 DependentColumn find_dependent_column(Span<Real> matrix, Index n, Index numbers) noexcept {
-    constexpr Real smallest = 1e-12;  // of the length of a column: what is left of a dependent one is rounding
+    constexpr Real smallest =
+        1e-12;  // of the length of a column: what is left of a dependent one is rounding
     Size const row_length = static_cast<Size>(n) * static_cast<Size>(numbers);
     Index const rows = n > 0 ? static_cast<Index>(matrix.size() / row_length) : 0;
     auto const at = [&](Index row, Index column) {

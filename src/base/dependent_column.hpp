@@ -5,8 +5,9 @@
 
 namespace harmorph {
 
-// The first column that is zero to rounding, or a combination of those before; none: they are independent. The matrix,
-// [rows * n * numbers] as in the C header, is orthogonalised in place (modified Gram-Schmidt, twice).
+// The first column that is zero to rounding, or a combination of those before; none: they are
+// independent. The matrix, [rows * n * numbers] as in the C header, is orthogonalised in place
+// (modified Gram-Schmidt, twice).
 struct DependentColumn {
     Index column = none;
     bool is_zero = false;

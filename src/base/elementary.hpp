@@ -1,5 +1,5 @@
-// Logarithm, exponential, powers and sines from series; <cmath> would bring a mathematics library. Relative errors are
-// a few units in the last place.
+// Logarithm, exponential, powers and sines from series; <cmath> would bring a mathematics library.
+// Relative errors are a few units in the last place.
 #pragma once
 
 #include "base/scalar.hpp"
@@ -24,7 +24,8 @@ inline Real logarithm(Real x) noexcept {
 
 // 0 below -700; x <= 700.
 inline Real exponential(Real x) noexcept {
-    constexpr Real high = 0.693147180369123816490, low = 1.90821492927058770002e-10;  // log 2 in two parts
+    constexpr Real high = 0.693147180369123816490,
+                   low = 1.90821492927058770002e-10;  // log 2 in two parts
     if (x < -700) return 0;
     Real const n = static_cast<Real>(static_cast<Index>(x / (high + low) + (x < 0 ? -0.5 : 0.5)));
     Real const r = (x - n * high) - n * low;  // |r| <= 0.35

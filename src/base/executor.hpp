@@ -24,14 +24,17 @@ struct Executor {
             for (Index i = 0; i < n; ++i) body(i);
             return;
         }
-        auto const task = [](void* context, std::int32_t index) { (*static_cast<const Body*>(context))(index); };
+        auto const task = [](void* context, std::int32_t index) {
+            (*static_cast<const Body*>(context))(index);
+        };
         run(user, n, task, const_cast<void*>(static_cast<const void*>(&body)));
     }
 
     // body(begin, end) for ranges that together are 0 .. n-1, of at least `least` items.
     template <class Body>
     void for_ranges(Index n, Index least, Body const& body) const noexcept {
-        Index const most = is_serial() ? 1 : 4 * n_threads;  // several each, in case some are slower
+        Index const most =
+            is_serial() ? 1 : 4 * n_threads;  // several each, in case some are slower
         Index const ranges = clamp(n / least, Index{1}, most);
         auto const bound = [&](Index i) { return static_cast<Index>(Offset{n} * i / ranges); };
         for_each(ranges, [&](Index i) { body(bound(i), bound(i + 1)); });

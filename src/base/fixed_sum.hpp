@@ -1,11 +1,13 @@
-// Sums of products that do not depend on order or grouping, so that any partition of the points and any number of
-// threads give the same bits: numbers are rounded to multiples of fixed powers of two, one by one, and then added as
-// integers. (Rounding to a common grid before adding: J. Demmel, H. D. Nguyen, IEEE Trans. Comput. 64 (2015) 2060.)
+// Sums of products that do not depend on order or grouping, so that any partition of the points and
+// any number of threads give the same bits: numbers are rounded to multiples of fixed powers of
+// two, one by one, and then added as integers. (Rounding to a common grid before adding: J. Demmel,
+// H. D. Nguyen, IEEE Trans. Comput. 64 (2015) 2060.)
 //
-// A number t with |t| < 2^63 becomes the integer nearest to t, at a tie the even one: t alone decides, whatever
-// was added before. Where no instruction does that, two integers do: coarse, of the multiple of 2^31 nearest to t, and
-// fine, nearest to the remainder. Adding 1.5 * 2^52 units to t does the rounding: the lowest bits of that sum are the
-// multiple. A sum of up to 2^30 numbers cannot overflow; the error is at most 1/2 for each of them.
+// A number t with |t| < 2^63 becomes the integer nearest to t, at a tie the even one: t alone
+// decides, whatever was added before. Where no instruction does that, two integers do: coarse, of
+// the multiple of 2^31 nearest to t, and fine, nearest to the remainder. Adding 1.5 * 2^52 units to
+// t does the rounding: the lowest bits of that sum are the multiple. A sum of up to 2^30 numbers
+// cannot overflow; the error is at most 1/2 for each of them.
 #pragma once
 
 #include "base/scalar.hpp"
@@ -18,7 +20,8 @@ struct FixedSum {
     static constexpr int fine_bits = 31;
     static constexpr std::uint64_t fine_mask = (std::uint64_t{1} << fine_bits) - 1;
     static constexpr Real coarse_grid = 0x1.8p+83, fine_grid = 0x1.8p+52;
-    static constexpr std::uint64_t bits_of_coarse_grid = 0x4528000000000000, bits_of_fine_grid = 0x4338000000000000;
+    static constexpr std::uint64_t bits_of_coarse_grid = 0x4528000000000000,
+                                   bits_of_fine_grid = 0x4338000000000000;
 
     std::int64_t coarse = 0, fine = 0;
 
@@ -27,16 +30,20 @@ struct FixedSum {
         fine += other.fine;
         return *this;
     }
-    // In units of 2^63. All but the last bits are kept: they are below the spacing of numbers of that size.
+    // In units of 2^63. All but the last bits are kept: they are below the spacing of numbers of
+    // that size.
     Real value() const noexcept {
         constexpr std::int64_t low_word = 0xffffffff;
-        std::int64_t const carried = coarse + (fine >> fine_bits), rest = fine & static_cast<std::int64_t>(fine_mask);
-        Real const whole = static_cast<Real>(carried >> 32) + static_cast<Real>(carried & low_word) * 0x1p-32;
+        std::int64_t const carried = coarse + (fine >> fine_bits),
+                           rest = fine & static_cast<std::int64_t>(fine_mask);
+        Real const whole =
+            static_cast<Real>(carried >> 32) + static_cast<Real>(carried & low_word) * 0x1p-32;
         return whole + static_cast<Real>(rest) * 0x1p-63;
     }
 };
 
-// The largest magnitude of some numbers; infinities, and above them NaN, are larger than all others.
+// The largest magnitude of some numbers; infinities, and above them NaN, are larger than all
+// others.
 class LargestMagnitude {
 public:
     void include(Real x) noexcept { include_bits(bits_of(x) & ~sign); }
@@ -68,11 +75,14 @@ private:
 
 // A power of two that brings numbers below 1.
 struct BinaryScale {
-    static constexpr Index least = -950, most = 1023;  // of one number: 2^63 divided by a smaller one would overflow
+    static constexpr Index least = -950,
+                           most =
+                               1023;  // of one number: 2^63 divided by a smaller one would overflow
     static constexpr Index not_finite = 2147483647;
     Index exponent = least;
 
-    // An e such that |x| < 2^e, the smallest one but for tiny numbers; not_finite of infinities and NaN.
+    // An e such that |x| < 2^e, the smallest one but for tiny numbers; not_finite of infinities and
+    // NaN.
     static Index exponent_above(Real x) noexcept {
         if (!is_finite(x)) return not_finite;
         Index const field = static_cast<Index>(bits_of(x) >> 52 & 0x7ff);
@@ -81,22 +91,31 @@ struct BinaryScale {
     // Of products of numbers up to a and b: at most 2 a b, where these are not tiny.
     static BinaryScale of_products(Real a, Real b) noexcept {
         BinaryScale const scale_a{exponent_above(a)}, scale_b{exponent_above(b)};
-        if (!scale_a.finite() || !scale_b.finite() || scale_a.exponent + scale_b.exponent > most) return {not_finite};
-        return {scale_a.exponent + scale_b.exponent - (scale_a.down(a) * scale_b.down(b) < 0.5 ? 1 : 0)};
+        if (!scale_a.finite() || !scale_b.finite() || scale_a.exponent + scale_b.exponent > most)
+            return {not_finite};
+        return {scale_a.exponent + scale_b.exponent -
+                (scale_a.down(a) * scale_b.down(b) < 0.5 ? 1 : 0)};
     }
-    // The scale with which down() turns these products into numbers below 2^63, as FixedSum takes them.
+    // The scale with which down() turns these products into numbers below 2^63, as FixedSum takes
+    // them.
     BinaryScale units() const noexcept { return {exponent - 63}; }
     bool finite() const noexcept { return exponent != not_finite; }
-    bool valid() const noexcept { return !finite() || (exponent >= 2 * least - 1 && exponent <= most); }
+    bool valid() const noexcept {
+        return !finite() || (exponent >= 2 * least - 1 && exponent <= most);
+    }
 
     // x / 2^exponent, and back; in two steps, as one power of two might not be a number.
     struct Factor {
         Real first, second;
         Real times(Real x) const noexcept { return x * first * second; }
     };
-    Factor downwards() const noexcept { return {power(-exponent / 2), power(exponent / 2 - exponent)}; }
+    Factor downwards() const noexcept {
+        return {power(-exponent / 2), power(exponent / 2 - exponent)};
+    }
     Real down(Real x) const noexcept { return downwards().times(x); }
-    Real up(Real x) const noexcept { return x * power(exponent / 2) * power(exponent - exponent / 2); }
+    Real up(Real x) const noexcept {
+        return x * power(exponent / 2) * power(exponent - exponent / 2);
+    }
 
 private:
     static Real power(Index e) noexcept {

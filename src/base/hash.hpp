@@ -39,9 +39,10 @@ inline std::uint64_t hash_of_words(const unsigned char* data, Size words) noexce
     return all.value();
 }
 
-// `bytes` must be a multiple of 8. The block is hashed in pieces, the same for any number of threads; with the number
-// of each piece its hash becomes a term of a sum, which has no order.
-inline std::uint64_t hash_of_block(const void* block, Size bytes, Executor const& executor = {}) noexcept {
+// `bytes` must be a multiple of 8. The block is hashed in pieces, the same for any number of
+// threads; with the number of each piece its hash becomes a term of a sum, which has no order.
+inline std::uint64_t hash_of_block(const void* block, Size bytes,
+                                   Executor const& executor = {}) noexcept {
     constexpr Size most = 8192;  // words of a piece
     struct Terms {
         std::uint64_t sum = 0;
@@ -50,15 +51,16 @@ inline std::uint64_t hash_of_block(const void* block, Size bytes, Executor const
     const unsigned char* const data = static_cast<const unsigned char*>(block);
     Size const words = bytes / 8;
     Index const pieces = static_cast<Index>((words + (most - 1)) / most);
-    Terms const terms = reduce_ranges<Terms>(pieces, executor, [&](Index begin, Index end, Terms& its) {
-        for (Index piece = begin; piece < end; ++piece) {
-            Size const first = most * static_cast<Size>(piece);
-            Hash one;
-            one.add(hash_of_words(data + 8 * first, smaller(most, words - first)));
-            one.add(static_cast<std::uint64_t>(piece));
-            its.sum += one.value();
-        }
-    });
+    Terms const terms =
+        reduce_ranges<Terms>(pieces, executor, [&](Index begin, Index end, Terms& its) {
+            for (Index piece = begin; piece < end; ++piece) {
+                Size const first = most * static_cast<Size>(piece);
+                Hash one;
+                one.add(hash_of_words(data + 8 * first, smaller(most, words - first)));
+                one.add(static_cast<std::uint64_t>(piece));
+                its.sum += one.value();
+            }
+        });
     Hash all;
     all.add(terms.sum);
     all.add(words);

@@ -16,7 +16,9 @@ Index longest_run(Span<const Real> values, Span<Index> previous, Span<Index> run
         run[low] = k;
         if (low == length) ++length;
     }
-    for (Index k = length > 0 ? run[length - 1] : none, l = length - 1; k != none; k = previous[k], --l) run[l] = k;
+    for (Index k = length > 0 ? run[length - 1] : none, l = length - 1; k != none;
+         k = previous[k], --l)
+        run[l] = k;
     return length;
 }
 

@@ -7,7 +7,9 @@ namespace harmorph {
 
 // Of 0 .. n-1, and where each of them begins.
 inline constexpr Index reduced_ranges = 16;
-inline Index range_start(Index n, Index i) noexcept { return static_cast<Index>(Offset{n} * i / reduced_ranges); }
+inline Index range_start(Index n, Index i) noexcept {
+    return static_cast<Index>(Offset{n} * i / reduced_ranges);
+}
 
 // add(begin, end, result) for ranges that are together 0 .. n-1; Result has merge(later).
 template <class Result, class Add>

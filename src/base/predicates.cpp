@@ -3,18 +3,22 @@
 #include <cfloat>
 #include <climits>
 
-// Errors are bounded for numbers that are rounded once, to 53 bits. The registers of the 8087 hold 64.
-static_assert(FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1, "on 32-bit x86 compile with -msse2 -mfpmath=sse");
+// Errors are bounded for numbers that are rounded once, to 53 bits. The registers of the 8087
+// hold 64.
+static_assert(FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1,
+              "on 32-bit x86 compile with -msse2 -mfpmath=sse");
 
 namespace harmorph {
 namespace {
 
-// Largest size of coordinates for which products of four of their differences cannot overflow, and a bound of the error
-// by underflow: a few times 2^-1074 times the square of that size.
+// Largest size of coordinates for which products of four of their differences cannot overflow, and
+// a bound of the error by underflow: a few times 2^-1074 times the square of that size.
 constexpr Real large = 0x1p200, underflow = 0x1p-600;
 
 constexpr Real size_of(Vec2 p) noexcept { return larger(absolute(p.x), absolute(p.y)); }
-constexpr Real size_of(Vec2 a, Vec2 b, Vec2 c) noexcept { return larger(larger(size_of(a), size_of(b)), size_of(c)); }
+constexpr Real size_of(Vec2 a, Vec2 b, Vec2 c) noexcept {
+    return larger(larger(size_of(a), size_of(b)), size_of(c));
+}
 constexpr int sign_of(Real x) noexcept { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
 // A finite number as whole * 2^shift, whole being odd or 0.
@@ -39,10 +43,12 @@ struct Scaled {
 };
 
 constexpr Index limb_bits = 32;
-// Doubles end at bits 1023 and -1074; a sign, and a bit each for the sums of two that are taken at every degree.
+// Doubles end at bits 1023 and -1074; a sign, and a bit each for the sums of two that are taken at
+// every degree.
 constexpr Index most_limbs = (1024 + 1074 + 3 + limb_bits - 1) / limb_bits;
 
-// A whole number of `degree` times as many limbs as a coordinate has, lowest first, in two's complement.
+// A whole number of `degree` times as many limbs as a coordinate has, lowest first, in two's
+// complement.
 template <Index degree>
 struct Whole {
     Index n;
@@ -69,7 +75,8 @@ struct Whole {
     void subtract(Whole<other_degree> const& other, Index first_limb) noexcept {
         std::uint64_t borrow = 0;
         for (Index i = first_limb; i < n; ++i) {
-            std::uint64_t const subtrahend = i - first_limb < other.n ? other.limb[i - first_limb] : 0;
+            std::uint64_t const subtrahend =
+                i - first_limb < other.n ? other.limb[i - first_limb] : 0;
             std::uint64_t const difference = std::uint64_t{limb[i]} - subtrahend - borrow;
             limb[i] = static_cast<std::uint32_t>(difference);
             borrow = difference >> 63;
@@ -99,8 +106,8 @@ Whole<degree> operator-(Whole<degree> const& a, Whole<degree> const& b) noexcept
     return out;
 }
 
-// The product of the limbs as unsigned numbers. In two's complement a negative factor is 2^bits too large as an
-// unsigned number: so the other factor times 2^bits is subtracted.
+// The product of the limbs as unsigned numbers. In two's complement a negative factor is 2^bits too
+// large as an unsigned number: so the other factor times 2^bits is subtracted.
 template <Index p, Index q>
 Whole<p + q> operator*(Whole<p> const& a, Whole<q> const& b) noexcept {
     Whole<p + q> out;
@@ -120,8 +127,8 @@ Whole<p + q> operator*(Whole<p> const& a, Whole<q> const& b) noexcept {
     return out;
 }
 
-// A common power of two in which all coordinates are whole, and the limbs they need then: few, unless sizes differ
-// widely.
+// A common power of two in which all coordinates are whole, and the limbs they need then: few,
+// unless sizes differ widely.
 struct Grid {
     Index shift = INT_MAX, end = INT_MIN;
 
@@ -134,7 +141,9 @@ struct Grid {
             end = larger(end, scaled.shift + scaled.bits());
         }
     }
-    Index limbs() const noexcept { return end < shift ? 1 : (end - shift + 3 + limb_bits - 1) / limb_bits; }
+    Index limbs() const noexcept {
+        return end < shift ? 1 : (end - shift + 3 + limb_bits - 1) / limb_bits;
+    }
 
     Whole<1> operator()(Real x) const noexcept {
         Whole<1> out;
@@ -142,10 +151,13 @@ struct Grid {
         for (Index i = 0; i < out.n; ++i) out.limb[i] = 0;
         Scaled const scaled(x);
         if (scaled.whole == 0) return out;
-        Index const first = (scaled.shift - shift) / limb_bits, within = (scaled.shift - shift) % limb_bits;
-        std::uint64_t const low = scaled.whole << within, high = within > 0 ? scaled.whole >> (64 - within) : 0;
+        Index const first = (scaled.shift - shift) / limb_bits,
+                    within = (scaled.shift - shift) % limb_bits;
+        std::uint64_t const low = scaled.whole << within,
+                            high = within > 0 ? scaled.whole >> (64 - within) : 0;
         std::uint64_t const parts[] = {low & 0xFFFFFFFFu, low >> limb_bits, high};
-        for (Index i = 0; i < 3 && first + i < out.n; ++i) out.limb[first + i] = static_cast<std::uint32_t>(parts[i]);
+        for (Index i = 0; i < 3 && first + i < out.n; ++i)
+            out.limb[first + i] = static_cast<std::uint32_t>(parts[i]);
         if (scaled.negative) out.negate();
         return out;
     }
@@ -175,14 +187,15 @@ int exact_in_circle_sign(Vec2 a, Vec2 b, Vec2 c, Vec2 d) noexcept {
     grid.include(c);
     grid.include(d);
     WholeVec2 const from_a(a, d, grid), from_b(b, d, grid), from_c(c, d, grid);
-    Whole<4> const sum = square(from_a) * cross(from_b, from_c) + square(from_b) * cross(from_c, from_a);
+    Whole<4> const sum =
+        square(from_a) * cross(from_b, from_c) + square(from_b) * cross(from_c, from_a);
     return (sum + square(from_c) * cross(from_a, from_b)).sign();
 }
 
 }  // namespace
 
-// Each product carries 4 rounding errors of epsilon / 2: of two differences, of the product, of the sum. The bound
-// takes 5, which covers terms of second order.
+// Each product carries 4 rounding errors of epsilon / 2: of two differences, of the product, of the
+// sum. The bound takes 5, which covers terms of second order.
 int orientation_sign(Vec2 a, Vec2 b, Vec2 c) noexcept {
     if (!(size_of(a, b, c) < large)) return exact_orientation_sign(a, b, c);
     Vec2 const p = a - c, q = b - c;
@@ -194,11 +207,12 @@ int orientation_sign(Vec2 a, Vec2 b, Vec2 c) noexcept {
     return absolute(left - right) > bound ? sign_of(left - right) : exact_orientation_sign(a, b, c);
 }
 
-// The determinant of rows (x, y, x^2 + y^2) of a, b, c about d. Each product carries 11 rounding errors of epsilon / 2:
-// 4 in each of the two factors, one of the product, two of the sums. The bound takes 12, which covers terms of second
-// order.
+// The determinant of rows (x, y, x^2 + y^2) of a, b, c about d. Each product carries 11 rounding
+// errors of epsilon / 2: 4 in each of the two factors, one of the product, two of the sums. The
+// bound takes 12, which covers terms of second order.
 int in_circle_sign(Vec2 a, Vec2 b, Vec2 c, Vec2 d) noexcept {
-    if (!(size_of(a, b, c) < large) || !(size_of(d) < large)) return exact_in_circle_sign(a, b, c, d);
+    if (!(size_of(a, b, c) < large) || !(size_of(d) < large))
+        return exact_in_circle_sign(a, b, c, d);
     Vec2 const from[] = {a - d, b - d, c - d};
     Real sum = 0, magnitude = 0;
     for (Index k = 0; k < 3; ++k) {

@@ -5,8 +5,8 @@
 
 namespace harmorph {
 
-// Both return a sign: -1, 0 or 1. The determinant in floating point decides where it exceeds the bound of its error;
-// elsewhere the determinant is computed exactly in integers.
+// Both return a sign: -1, 0 or 1. The determinant in floating point decides where it exceeds the
+// bound of its error; elsewhere the determinant is computed exactly in integers.
 
 // 1: a, b, c run counter-clockwise; 0: they lie on one line.
 int orientation_sign(Vec2 a, Vec2 b, Vec2 c) noexcept;

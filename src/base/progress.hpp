@@ -20,7 +20,8 @@ struct Progress {
     void* user = nullptr;
 
     Status report(Phase phase, Real fraction, Fault& fault) const noexcept {
-        if (call == nullptr || call(user, static_cast<std::int32_t>(phase), fraction) == 0) return Status::ok;
+        if (call == nullptr || call(user, static_cast<std::int32_t>(phase), fraction) == 0)
+            return Status::ok;
         return fault.refuse(Status::cancelled, "stopped by the progress callback");
     }
 };

@@ -1,5 +1,5 @@
-// Whether numbers of the caller are what they should be, by their bits: a comparison with NaN would raise an exception,
-// which callers may trap.
+// Whether numbers of the caller are what they should be, by their bits: a comparison with NaN would
+// raise an exception, which callers may trap.
 #pragma once
 
 #include "base/vec2.hpp"
@@ -8,7 +8,11 @@ namespace harmorph {
 
 // All false for NaN.
 inline bool is_at_most(Real x, Real size) noexcept { return is_finite(x) && absolute(x) <= size; }
-inline bool is_between(Real low, Real x, Real high) noexcept { return is_finite(x) && low <= x && x <= high; }
-inline bool is_coordinate(Vec2 p) noexcept { return is_finite(p.x) && is_finite(p.y) && is_in_range(p); }
+inline bool is_between(Real low, Real x, Real high) noexcept {
+    return is_finite(x) && low <= x && x <= high;
+}
+inline bool is_coordinate(Vec2 p) noexcept {
+    return is_finite(p.x) && is_finite(p.y) && is_in_range(p);
+}
 
 }  // namespace harmorph

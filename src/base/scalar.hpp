@@ -1,4 +1,5 @@
-// The few functions of numbers that the core needs; <cmath> would bring errno and a mathematics library.
+// The few functions of numbers that the core needs; <cmath> would bring errno and a mathematics
+// library.
 #pragma once
 
 #include <cstring>
@@ -15,15 +16,23 @@ inline Real square_root(Real x) noexcept { return __builtin_sqrt(x); }
 
 constexpr Real absolute(Real x) noexcept { return x < 0 ? -x : x; }
 template <class T>
-constexpr T smaller(T a, T b) noexcept { return b < a ? b : a; }
+constexpr T smaller(T a, T b) noexcept {
+    return b < a ? b : a;
+}
 template <class T>
-constexpr T larger(T a, T b) noexcept { return a < b ? b : a; }
+constexpr T larger(T a, T b) noexcept {
+    return a < b ? b : a;
+}
 template <class T>
-constexpr T clamp(T x, T low, T high) noexcept { return x < low ? low : high < x ? high : x; }
+constexpr T clamp(T x, T low, T high) noexcept {
+    return x < low ? low : high < x ? high : x;
+}
 
-
-// Larger than the largest so far? NaN counts as larger than all numbers, so that a NaN once found is kept.
-constexpr bool exceeds(Real found, Real largest) noexcept { return !(found <= largest) && largest == largest; }
+// Larger than the largest so far? NaN counts as larger than all numbers, so that a NaN once found
+// is kept.
+constexpr bool exceeds(Real found, Real largest) noexcept {
+    return !(found <= largest) && largest == largest;
+}
 
 inline std::uint64_t bits_of(Real x) noexcept {
     std::uint64_t bits;
@@ -31,7 +40,8 @@ inline std::uint64_t bits_of(Real x) noexcept {
     return bits;
 }
 
-// Neither infinite nor NaN. By the bits: a comparison with NaN would raise an exception, which callers may trap.
+// Neither infinite nor NaN. By the bits: a comparison with NaN would raise an exception, which
+// callers may trap.
 inline bool is_finite(Real x) noexcept {
     constexpr std::uint64_t exponent = 0x7FF0000000000000u;
     return (bits_of(x) & exponent) != exponent;

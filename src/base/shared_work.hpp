@@ -1,19 +1,23 @@
-// How the tasks of one Executor::for_each() share out work among themselves, where nobody knows beforehand how long
-// each piece takes. What is done must not depend on who does it.
+// How the tasks of one Executor::for_each() share out work among themselves, where nobody knows
+// beforehand how long each piece takes. What is done must not depend on who does it.
 #pragma once
 
 #include "base/scalar.hpp"
 
 namespace harmorph {
 
-// Operations of which a processor with threads does each as a whole. For a processor that has no such instructions
-// compilers would call a library, which the core does not have: there one task does all the work.
+// Operations of which a processor with threads does each as a whole. For a processor that has no
+// such instructions compilers would call a library, which the core does not have: there one task
+// does all the work.
 #if __GCC_ATOMIC_INT_LOCK_FREE == 2 && __GCC_ATOMIC_BOOL_LOCK_FREE == 2
 constexpr Index sharing(Index tasks) noexcept { return tasks; }  // so many may share
-inline Index count_up(Index& count) noexcept { return __atomic_fetch_add(&count, 1, __ATOMIC_RELAXED); }
+inline Index count_up(Index& count) noexcept {
+    return __atomic_fetch_add(&count, 1, __ATOMIC_RELAXED);
+}
 inline void raise_flag(bool& flag) noexcept { __atomic_store_n(&flag, true, __ATOMIC_RELEASE); }
 inline bool take_flag(bool& flag) noexcept {
-    return __atomic_load_n(&flag, __ATOMIC_RELAXED) && __atomic_exchange_n(&flag, false, __ATOMIC_ACQUIRE);
+    return __atomic_load_n(&flag, __ATOMIC_RELAXED) &&
+           __atomic_exchange_n(&flag, false, __ATOMIC_ACQUIRE);
 }
 #else
 constexpr Index sharing(Index tasks) noexcept { return smaller(tasks, Index{1}); }
@@ -35,8 +39,8 @@ private:
     Index next_ = 0;
 };
 
-// Items 0 .. n-1 that become ready while others are worked on. A task that finds none ready may end: whoever adds
-// items takes them itself, if nobody else does.
+// Items 0 .. n-1 that become ready while others are worked on. A task that finds none ready may
+// end: whoever adds items takes them itself, if nobody else does.
 template <Index n>
 class ReadyItems {
 public:

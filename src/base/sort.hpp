@@ -1,5 +1,5 @@
-// Counting, summing, filling: how every compressed row structure is built here (counting sort); and a sort by insertion
-// or by a heap for the few items without integer keys.
+// Counting, summing, filling: how every compressed row structure is built here (counting sort); and
+// a sort by insertion or by a heap for the few items without integer keys.
 #pragma once
 
 #include "base/span.hpp"
@@ -18,7 +18,8 @@ T counts_to_starts(Span<T> starts) noexcept {
     return sum;
 }
 
-// Filling a row advances the start to the end of that row, which is where the next row starts: this shifts them back.
+// Filling a row advances the start to the end of that row, which is where the next row starts: this
+// shifts them back.
 template <class T>
 void rewind_starts(Span<T> starts) noexcept {
     for (Size i = starts.size() - 1; i > 0; --i) starts[i] = starts[i - 1];

@@ -15,7 +15,9 @@ public:
     constexpr operator Span<const T>() const noexcept { return {data_, size_}; }
 
     template <class I>
-    constexpr T& operator[](I i) const noexcept { return data_[i]; }
+    constexpr T& operator[](I i) const noexcept {
+        return data_[i];
+    }
     constexpr T* data() const noexcept { return data_; }
     constexpr Size size() const noexcept { return size_; }
     constexpr bool empty() const noexcept { return size_ == 0; }
@@ -23,9 +25,13 @@ public:
     constexpr T* begin() const noexcept { return data_; }
     constexpr T* end() const noexcept { return data_ + size_; }
     template <class I>
-    constexpr Span first(I n) const noexcept { return {data_, static_cast<Size>(n)}; }
+    constexpr Span first(I n) const noexcept {
+        return {data_, static_cast<Size>(n)};
+    }
     template <class I, class J>
-    constexpr Span from(I start, J n) const noexcept { return {data_ + start, static_cast<Size>(n)}; }
+    constexpr Span from(I start, J n) const noexcept {
+        return {data_ + start, static_cast<Size>(n)};
+    }
 
 private:
     T* data_ = nullptr;

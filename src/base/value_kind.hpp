@@ -1,12 +1,13 @@
-// What a function is at a point: the linear map from its control point's movement to the mesh point's.
+// What a function is at a point: the linear map from its control point's movement to the mesh
+// point's.
 #pragma once
 
 #include "base/vec2.hpp"
 
 namespace harmorph {
 
-// The numbers of one value, by which the kinds are also numbered. Rows keep them plane after plane: the first numbers
-// of all functions, then the second ones.
+// The numbers of one value, by which the kinds are also numbered. Rows keep them plane after plane:
+// the first numbers of all functions, then the second ones.
 //   real     f               dX = f dP
 //   complex  a, b            dX = (a + i b) dP, points of the plane as complex numbers
 //   matrix   xx, xy, yx, yy  dX = [xx xy; yx yy] dP
@@ -21,7 +22,8 @@ constexpr Vec2 moved_by(ValueKind kind, Index plane, Vec2 move) noexcept {
     return plane < 2 ? Vec2{from, 0} : Vec2{0, from};
 }
 
-// The numbers of a complex value: plane[k], k < numbers_of(kind). For kind real, the imaginary part must be 0.
+// The numbers of a complex value: plane[k], k < numbers_of(kind). For kind real, the imaginary part
+// must be 0.
 struct Numbers {
     Real plane[4];
 };

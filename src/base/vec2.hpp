@@ -20,14 +20,19 @@ constexpr Real square(Vec2 a) noexcept { return dot(a, a); }
 
 // As complex numbers x + i y.
 constexpr Vec2 conjugate(Vec2 a) noexcept { return {a.x, -a.y}; }
-constexpr Vec2 product(Vec2 a, Vec2 b) noexcept { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
-constexpr Vec2 quotient(Vec2 a, Vec2 b) noexcept { return (1 / square(b)) * product(a, conjugate(b)); }
+constexpr Vec2 product(Vec2 a, Vec2 b) noexcept {
+    return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+}
+constexpr Vec2 quotient(Vec2 a, Vec2 b) noexcept {
+    return (1 / square(b)) * product(a, conjugate(b));
+}
 
 constexpr Real largest_of(Vec2 a) noexcept { return larger(absolute(a.x), absolute(a.y)); }
 inline Real length(Vec2 a) noexcept { return square_root(square(a)); }
 
-// Coordinates that the arithmetic carries: third powers of them and of the smallest height of a cell are neither
-// infinite nor denormal, and nothing here multiplies more than three lengths before it divides.
+// Coordinates that the arithmetic carries: third powers of them and of the smallest height of a
+// cell are neither infinite nor denormal, and nothing here multiplies more than three lengths
+// before it divides.
 inline constexpr Real largest_coordinate = 1e100, smallest_height = 1e-100;
 // False for NaN.
 constexpr bool is_in_range(Vec2 p) noexcept {

@@ -8,7 +8,9 @@ namespace harmorph {
 struct Vec3 {
     Real x = 0, y = 0, z = 0;
 
-    constexpr Real operator[](Index axis) const noexcept { return axis == 0 ? x : axis == 1 ? y : z; }
+    constexpr Real operator[](Index axis) const noexcept {
+        return axis == 0 ? x : axis == 1 ? y : z;
+    }
 };
 
 constexpr Vec3 operator+(Vec3 a, Vec3 b) noexcept { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
@@ -44,7 +46,9 @@ struct StridedSpacePoints {
     std::ptrdiff_t stride = 1;
 
     bool given() const noexcept { return x != nullptr; }
-    Vec3 operator[](Index k) const noexcept { return {x[k * stride], y[k * stride], z[k * stride]}; }
+    Vec3 operator[](Index k) const noexcept {
+        return {x[k * stride], y[k * stride], z[k * stride]};
+    }
     void set(Index k, Vec3 p) const noexcept {
         x[k * stride] = p.x;
         y[k * stride] = p.y;

@@ -77,7 +77,8 @@ BoundaryFunctions Basis::boundary_functions(Index slot) const noexcept {
     Vec2 const offset = wall_offset[slot];
     if (is_given(slot)) return out;
     if (!is_on_curve(slot)) {
-        Index const translation = header->counts.shapes() + 2 * (wall_curve[slot] - header->counts.curves);
+        Index const translation =
+            header->counts.shapes() + 2 * (wall_curve[slot] - header->counts.curves);
         out.order = 2;
         out.function[0] = translation;
         out.value[0] = {1, 0};
@@ -137,9 +138,11 @@ Vec2 given_move(Basis const& basis, Index slot, const Real* move) noexcept {
     for (Index i = n - basis.header->counts.modes; i < n; ++i) {
         Vec2 const by{move[2 * i], move[2 * i + 1]};
         if (basis.kind() == ValueKind::matrix) {
-            sum = sum + Vec2{row[i] * by.x + row[n + i] * by.y, row[2 * n + i] * by.x + row[3 * n + i] * by.y};
+            sum = sum + Vec2{row[i] * by.x + row[n + i] * by.y,
+                             row[2 * n + i] * by.x + row[3 * n + i] * by.y};
         } else {
-            sum = sum + product(Vec2{row[i], basis.kind() == ValueKind::complex ? row[n + i] : 0}, by);
+            sum = sum +
+                  product(Vec2{row[i], basis.kind() == ValueKind::complex ? row[n + i] : 0}, by);
         }
     }
     return sum;
@@ -153,7 +156,8 @@ Vec2 Basis::wall_move(Index slot, const Real* move) const noexcept {
     Vec2 sum;
     for (Index k = 0; k < functions.order; ++k) {
         Index const i = functions.function[k];
-        Vec2 const by = is_on_curve(slot) ? control_move(i, move) : Vec2{move[2 * i], move[2 * i + 1]};
+        Vec2 const by =
+            is_on_curve(slot) ? control_move(i, move) : Vec2{move[2 * i], move[2 * i + 1]};
         sum = sum + product(functions.value[k], by);
     }
     return sum;
@@ -161,11 +165,14 @@ Vec2 Basis::wall_move(Index slot, const Real* move) const noexcept {
 
 void Basis::column(Index number, Real* out) const noexcept {
     for (Index point = 0; point < n_points(); ++point) {
-        out[point] = in_single() ? static_cast<Real>(single_row(point)[number]) : row(point)[number];
+        out[point] =
+            in_single() ? static_cast<Real>(single_row(point)[number]) : row(point)[number];
     }
     if (!in_single()) return;
-    for (Index slot = 0; slot < wall_point.count(); ++slot) out[wall_point[slot]] = row(slot)[number];
-    for (Index k = 0; k < joined_point.count(); ++k) out[joined_point[k]] = row(joined_slot[k])[number];
+    for (Index slot = 0; slot < wall_point.count(); ++slot)
+        out[wall_point[slot]] = row(slot)[number];
+    for (Index k = 0; k < joined_point.count(); ++k)
+        out[joined_point[k]] = row(joined_slot[k])[number];
 }
 
 OrientedMesh Basis::cells(Mesh const& mesh) const noexcept {
@@ -178,17 +185,19 @@ OrientedMesh Basis::cells(Mesh const& mesh) const noexcept {
 
 Status Basis::require_double(Fault& fault) const noexcept {
     if (!in_single()) return Status::ok;
-    return fault.refuse(Status::unsupported,
-                        "the basis has its functions in single precision, this call needs them in double");
+    return fault.refuse(
+        Status::unsupported,
+        "the basis has its functions in single precision, this call needs them in double");
 }
 
 Status Basis::require_control_points(Fault& fault) const noexcept {
     BasisCounts const& counts = header->counts;
     if (counts.combination == 0 && counts.modes == 0) return Status::ok;
-    return fault.refuse(Status::unsupported,
-                        counts.modes == 0
-                            ? "the basis has combined functions, this call needs those of the control points"
-                            : "the basis has functions by table, this call needs one without");
+    return fault.refuse(
+        Status::unsupported,
+        counts.modes == 0
+            ? "the basis has combined functions, this call needs those of the control points"
+            : "the basis has functions by table, this call needs one without");
 }
 
 }  // namespace harmorph

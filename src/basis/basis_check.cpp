@@ -7,27 +7,37 @@
 namespace harmorph {
 namespace {
 
-constexpr Index most = Mesh::max_points;  // of anything: products of two such counts are far from any overflow
+constexpr Index most =
+    Mesh::max_points;  // of anything: products of two such counts are far from any overflow
 
-bool is_within(Index number, Index begin, Index end) noexcept { return begin <= number && number < end; }
+bool is_within(Index number, Index begin, Index end) noexcept {
+    return begin <= number && number < end;
+}
 
 bool counts_make_sense(BasisCounts const& counts) noexcept {
-    Index const all[] = {counts.points,   counts.cells, counts.control,    counts.bodies,       counts.curves,
-                         counts.indices,  counts.knots, counts.weights,    counts.wall,         counts.joined,
-                         counts.boundary, counts.loops, counts.conditions, counts.first_stored, counts.stored,
-                         counts.combined, counts.modes, counts.pieces,     counts.guards};
+    Index const all[] = {counts.points,     counts.cells,        counts.control,  counts.bodies,
+                         counts.curves,     counts.indices,      counts.knots,    counts.weights,
+                         counts.wall,       counts.joined,       counts.boundary, counts.loops,
+                         counts.conditions, counts.first_stored, counts.stored,   counts.combined,
+                         counts.modes,      counts.pieces,       counts.guards};
     for (Index const count : all) {
         if (!is_within(count, 0, most + 1)) return false;
     }
-    if (!is_within(counts.combination, 0, 3) || (counts.combination == 0 && counts.combined != 0)) return false;
+    if (!is_within(counts.combination, 0, 3) || (counts.combination == 0 && counts.combined != 0))
+        return false;
     Offset const functions = counts.shapes() + 2 * Offset{counts.bodies} + counts.modes;
     if (functions > most || counts.stored > functions - counts.first_stored) return false;
-    if (counts.pieces == 0 ? counts.guards != 0 : counts.pieces > Mesh::max_cells || counts.guards > Mesh::max_cells)
+    if (counts.pieces == 0 ? counts.guards != 0
+                           : counts.pieces > Mesh::max_cells || counts.guards > Mesh::max_cells)
         return false;
-    if (counts.bodies > counts.conditions) return false;  // nothing else in the block grows with bodies
-    if (counts.wall > counts.points || (counts.weights != 0 && counts.weights != counts.control)) return false;
-    if (counts.storage != Precision::in_double && counts.storage != Precision::in_single) return false;
-    return counts.kind == ValueKind::real || counts.kind == ValueKind::complex || counts.kind == ValueKind::matrix;
+    if (counts.bodies > counts.conditions)
+        return false;  // nothing else in the block grows with bodies
+    if (counts.wall > counts.points || (counts.weights != 0 && counts.weights != counts.control))
+        return false;
+    if (counts.storage != Precision::in_double && counts.storage != Precision::in_single)
+        return false;
+    return counts.kind == ValueKind::real || counts.kind == ValueKind::complex ||
+           counts.kind == ValueKind::matrix;
 }
 
 // What the header's counts do not tell: numbers of other things, each of which must exist.
@@ -42,8 +52,10 @@ public:
         if (!conditions_fit()) return "the basis is damaged: its conditions contradict themselves";
         if (!wall_fits()) return "the basis is damaged: its points on curves contradict themselves";
         if (!boundary_fits()) return "the basis is damaged: its boundary contradicts itself";
-        if (!pieces_fit()) return "the basis is damaged: the pieces of its cells contradict themselves";
-        return largest_fits() ? nullptr : "the basis is damaged: a value is larger than the largest";
+        if (!pieces_fit())
+            return "the basis is damaged: the pieces of its cells contradict themselves";
+        return largest_fits() ? nullptr
+                              : "the basis is damaged: a value is larger than the largest";
     }
 
 private:
@@ -55,8 +67,7 @@ private:
                is_within(static_cast<Index>(method.operator_kind), 0, 3) &&
                is_within(static_cast<Index>(method.scheme), 0, 4) &&
                is_within(static_cast<Index>(method.engine), 0, 3) &&
-               is_within(method.quarters, 0, 17) &&
-               is_within(method.offset_correction, 0, 2) &&
+               is_within(method.quarters, 0, 17) && is_within(method.offset_correction, 0, 2) &&
                is_within(static_cast<Index>(method.precision), 0, 2);
     }
 
@@ -65,8 +76,10 @@ private:
         for (Index number = 0; number < counts_.curves; ++number) {
             Basis::CurveShape const& curve = basis_.shape[number];
             if (!is_within(curve.degree, 1, max_degree + 1) || curve.first_index != indices ||
-                curve.first_knot != knots) return false;
-            if (!is_within(curve.n_indices, curve.degree + 1, counts_.indices - indices + 1)) return false;
+                curve.first_knot != knots)
+                return false;
+            if (!is_within(curve.n_indices, curve.degree + 1, counts_.indices - indices + 1))
+                return false;
             if (curve.n_indices + curve.degree + 1 > counts_.knots - knots) return false;
             Fault unheard;
             if (failed(check_curve(basis_.curve(number), number, unheard))) return false;
@@ -79,11 +92,16 @@ private:
     bool conditions_fit() const noexcept {
         for (Condition const& condition : basis_.conditions) {
             if (!is_within(static_cast<Index>(condition.kind), 0,
-                           static_cast<Index>(ConditionKind::rotation) + 1)) return false;
+                           static_cast<Index>(ConditionKind::rotation) + 1))
+                return false;
             bool const on_curve = condition.kind == ConditionKind::on_curve;
             if (on_curve && !is_within(condition.first_curve, 0, counts_.curves)) return false;
-            if (on_curve && !is_within(condition.n_curves, 1, counts_.curves - condition.first_curve + 1)) return false;
-            if (condition.kind == ConditionKind::rigid && !is_within(condition.body, 0, counts_.bodies)) return false;
+            if (on_curve &&
+                !is_within(condition.n_curves, 1, counts_.curves - condition.first_curve + 1))
+                return false;
+            if (condition.kind == ConditionKind::rigid &&
+                !is_within(condition.body, 0, counts_.bodies))
+                return false;
         }
         return true;
     }
@@ -91,7 +109,8 @@ private:
     bool wall_fits() const noexcept {
         for (Index slot = 0; slot < counts_.wall; ++slot) {
             if (!is_within(basis_.wall_point[slot], 0, counts_.points)) return false;
-            if (!is_within(basis_.wall_curve[slot], 0, counts_.curves + counts_.bodies + 1)) return false;
+            if (!is_within(basis_.wall_curve[slot], 0, counts_.curves + counts_.bodies + 1))
+                return false;
             if (!is_finite(basis_.wall_u[slot])) return false;
         }
         for (Index k = 0; k < counts_.joined; ++k) {
@@ -116,17 +135,21 @@ private:
         if (!pieces.given()) return true;
         Index const n = counts_.cells, all = counts_.pieces + counts_.guards;
         for (Index cell = 0; cell < n; ++cell) {
-            if (!is_within(pieces.start[cell], 0, pieces.start[cell + 1])) return false;  // at least one
-            if (!is_within(pieces.guard_start[cell], counts_.pieces, pieces.guard_start[cell + 1] + 1)) return false;
+            if (!is_within(pieces.start[cell], 0, pieces.start[cell + 1]))
+                return false;  // at least one
+            if (!is_within(pieces.guard_start[cell], counts_.pieces,
+                           pieces.guard_start[cell + 1] + 1))
+                return false;
         }
         for (Index const point : pieces.point) {
-            if (!is_within(from_zero(point, basis_.header->index_base), 0, counts_.points)) return false;
+            if (!is_within(from_zero(point, basis_.header->index_base), 0, counts_.points))
+                return false;
         }
         for (CornerKind const kind : pieces.kind) {
             if (static_cast<Index>(kind) > static_cast<Index>(CornerKind::reflex)) return false;
         }
-        return pieces.start[0] == 0 && pieces.start[n] == counts_.pieces && pieces.guard_start[0] == counts_.pieces &&
-               pieces.guard_start[n] == all;
+        return pieces.start[0] == 0 && pieces.start[n] == counts_.pieces &&
+               pieces.guard_start[0] == counts_.pieces && pieces.guard_start[n] == all;
     }
 
     // Sums in fixed point overflow beyond it.
@@ -149,21 +172,26 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
     auto const refuse = [&](const char* why, Real found = 0) {
         return fault.refuse(Status::bad_basis, why, Counts::from_zero, none, none, found);
     };
-    if (bytes == 0 || std::memcmp(block, BasisHeader::expected_magic, smaller(bytes,
-        sizeof BasisHeader::expected_magic)) != 0) return refuse("this is not a harmorph basis");
+    if (bytes == 0 || std::memcmp(block, BasisHeader::expected_magic,
+                                  smaller(bytes, sizeof BasisHeader::expected_magic)) != 0)
+        return refuse("this is not a harmorph basis");
     if (bytes < sizeof(BasisHeader)) {
         return refuse("the basis is truncated: at least ~ bytes are missing",
                       static_cast<Real>(sizeof(BasisHeader) - bytes));
     }
     BasisHeader header;
     std::memcpy(static_cast<void*>(&header), block, sizeof header);
-    if (header.byte_order != BasisHeader::native_order) return refuse("the basis was written with another byte order");
+    if (header.byte_order != BasisHeader::native_order)
+        return refuse("the basis was written with another byte order");
     if (header.format != BasisHeader::current_format) {
-        return fault.refuse(Status::bad_basis, "the basis has format version #, this library reads @: solve it again",
-                            Counts::from_zero, static_cast<Index>(header.format), Index{BasisHeader::current_format});
+        return fault.refuse(Status::bad_basis,
+                            "the basis has format version #, this library reads @: solve it again",
+                            Counts::from_zero, static_cast<Index>(header.format),
+                            Index{BasisHeader::current_format});
     }
     if (header.bytes > bytes) {
-        return refuse("the basis is truncated: ~ bytes are missing", static_cast<Real>(header.bytes - bytes));
+        return refuse("the basis is truncated: ~ bytes are missing",
+                      static_cast<Real>(header.bytes - bytes));
     }
     if (!counts_make_sense(header.counts) || Basis::bytes(header.counts) != header.bytes) {
         return refuse("the basis is damaged: its sizes contradict each other");
@@ -178,16 +206,20 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
     if (header.counts.cells == 0)
         return refuse("the basis is of a list of points: it knows no cells and goes with no mesh");
     if (header.counts.points != mesh->n_points || header.counts.cells != mesh->n_cells) {
-        return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has # points and @ cells",
+        return fault.refuse(Status::bad_basis,
+                            "the basis belongs to another mesh: it has # points and @ cells",
                             Counts::from_zero, header.counts.points, header.counts.cells);
     }
     MeshFingerprint const found = fingerprint_of(*mesh);
-    if (header.topology.cells != found.cells) return refuse("the basis belongs to another mesh: the cells differ");
+    if (header.topology.cells != found.cells)
+        return refuse("the basis belongs to another mesh: the cells differ");
     if (header.topology.markers != found.markers) {
         return refuse(
-            "the basis belongs to another mesh: other points are on its markers, or markers have other numbers");
+            "the basis belongs to another mesh: other points are on its markers, or markers have "
+            "other numbers");
     }
-    if (header.coordinates == coordinates_fingerprint(mesh->points, mesh->n_points)) return Status::ok;
+    if (header.coordinates == coordinates_fingerprint(mesh->points, mesh->n_points))
+        return Status::ok;
     fault.refuse(Status::moved, "the mesh's coordinates are not those the basis was solved on");
     return Status::moved;
 }

@@ -23,7 +23,8 @@ struct Extremes {
 
 }  // namespace
 
-BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, Points to) noexcept {
+BoundaryError boundary_error(Basis const& basis, const Real* move, Points from,
+                             Points to) noexcept {
     BoundaryError worst;
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
         if (basis.is_given(slot)) continue;
@@ -38,7 +39,8 @@ BasisMeasures measure_basis(Basis const& basis, Points points, Executor const& e
     BasisMeasures measures;
     BasisCounts const& counts = basis.header->counts;
     Index const n_functions = basis.n_functions();
-    Index const n_control = clamp(counts.shapes() - counts.first_stored, Index{0}, n_functions);  // of those stored
+    Index const n_control =
+        clamp(counts.shapes() - counts.first_stored, Index{0}, n_functions);  // of those stored
     ValueKind const kind = basis.kind();
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
         Index const point = basis.wall_point[slot];
@@ -50,7 +52,9 @@ BasisMeasures measure_basis(Basis const& basis, Points points, Executor const& e
                 Real const value = values[plane * n_functions + i];
                 Real expected = 0;
                 for (Index k = 0; k < functions.order; ++k) {
-                    expected += functions.function[k] == i ? numbers_of(kind, functions.value[k]).plane[plane] : 0;
+                    expected += functions.function[k] == i
+                                    ? numbers_of(kind, functions.value[k]).plane[plane]
+                                    : 0;
                 }
                 measures.value.include(absolute(value - expected), point);
                 sum += i < n_control ? value : 0;
@@ -64,12 +68,15 @@ BasisMeasures measure_basis(Basis const& basis, Points points, Executor const& e
         measures.distance.include(length(points[point] - foot), point);
     }
     auto const include = [&](Index begin, Index end, Extremes& extremes) {
-        for (Index block = begin; block < end; ++block) {  // behind the last point values are 0, as here
-            const Real* const values = basis.value.data() + Offset{block} * block_points * basis.row_length();
+        for (Index block = begin; block < end;
+             ++block) {  // behind the last point values are 0, as here
+            const Real* const values =
+                basis.value.data() + Offset{block} * block_points * basis.row_length();
             for (Index i = 0; i < n_control; ++i) extremes.include(values + i * block_points);
         }
     };
-    Extremes const extremes = reduce_ranges<Extremes>(blocks_of(basis.n_points()), executor, include);
+    Extremes const extremes =
+        reduce_ranges<Extremes>(blocks_of(basis.n_points()), executor, include);
     for (Index k = 0; k < block_points; ++k) {
         measures.min_value = smaller(measures.min_value, extremes.least[k]);
         measures.max_value = larger(measures.max_value, extremes.most[k]);

@@ -39,7 +39,8 @@ void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const
     constexpr Size piece = 65536;
     Size const bytes = Basis::bytes(counts);
     executor.for_ranges(static_cast<Index>(bytes / piece) + 1, 4, [&](Index begin, Index end) {
-        Size const from = piece * static_cast<Size>(begin), to = smaller(bytes, piece * static_cast<Size>(end));
+        Size const from = piece * static_cast<Size>(begin),
+                   to = smaller(bytes, piece * static_cast<Size>(end));
         std::memset(block + from, 0, to - from);
     });
     std::memcpy(header.magic, BasisHeader::expected_magic, sizeof header.magic);
@@ -57,7 +58,8 @@ void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const
         Curve const& curve = source.curves[number];
         Index const n_knots = curve.n_indices + curve.degree + 1;
         basis.shape[number] = {curve.degree, curve.n_indices, first_index, first_knot};
-        for (Index k = 0; k < curve.n_indices; ++k) basis.indices[first_index + k] = curve.control_point(k);
+        for (Index k = 0; k < curve.n_indices; ++k)
+            basis.indices[first_index + k] = curve.control_point(k);
         for (Index k = 0; k < n_knots; ++k) basis.knots[first_knot + k] = curve.knots[k];
         first_index += curve.n_indices;
         first_knot += n_knots;
@@ -65,7 +67,8 @@ void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const
     if (counts.curves > 0) {
         Curve const& any = source.curves[0];
         copy(basis.control, Span<const Real>(any.control, basis.control.size()));
-        if (!basis.weights.empty()) copy(basis.weights, Span<const Real>(any.weights, basis.weights.size()));
+        if (!basis.weights.empty())
+            copy(basis.weights, Span<const Real>(any.weights, basis.weights.size()));
     }
     copy(basis.conditions, source.conditions);
     copy(basis.wall_point, Span<const Index>(source.wall.point.first(counts.wall)));
@@ -85,7 +88,8 @@ void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const
 
 void Basis::seal(Real at_least, Executor const& executor) const noexcept {
     Offset const length = block_points * Offset{row_length()};  // numbers of a block
-    Index const blocks = length > 0 ? static_cast<Index>(static_cast<Offset>(value.size()) / length) : 0;
+    Index const blocks =
+        length > 0 ? static_cast<Index>(static_cast<Offset>(value.size()) / length) : 0;
     auto const include = [&](Index begin, Index end, LargestMagnitude& largest) {
         largest.include(Span<const Real>(value.from(begin * length, (end - begin) * length)));
     };

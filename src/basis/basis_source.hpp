@@ -17,12 +17,13 @@ struct BasisSource {
     Span<const Condition> conditions;
     Boundary const& boundary;
     Wall const& wall;
-    Span<const Index> slot;  // [n_points] number of a point on the wall, or none
+    Span<const Index> slot;          // [n_points] number of a point on the wall, or none
     const Pieces* pieces = nullptr;  // of polygons
 
     // Of a basis with all functions.
     BasisCounts counts() const noexcept;
-    // body(point, slot) for points that are not in the wall's list but joined to one that is: beyond a cut.
+    // body(point, slot) for points that are not in the wall's list but joined to one that is:
+    // beyond a cut.
     template <class Body>
     void for_each_joined(Body const& body) const noexcept {
         Span<const Index> const representative = topology.representative;
@@ -34,7 +35,8 @@ struct BasisSource {
     }
 };
 
-// Makes an unsolved basis in a block that has been laid out for these counts, the source's or a share of them.
+// Makes an unsolved basis in a block that has been laid out for these counts, the source's or a
+// share of them.
 void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const& source,
                 Executor const& executor = {}) noexcept;
 

@@ -16,8 +16,10 @@ BasisCounts combined_counts(Basis const& from, Index n, Index numbers) noexcept 
 
 namespace {
 
-// to [rows * n]: the caller's matrix, or where `from` is itself combined, its matrix times the caller's.
-void set_combination(Basis const& from, Index n, Index numbers, const Real* matrix, Basis const& to) noexcept {
+// to [rows * n]: the caller's matrix, or where `from` is itself combined, its matrix times the
+// caller's.
+void set_combination(Basis const& from, Index n, Index numbers, const Real* matrix,
+                     Basis const& to) noexcept {
     Index const kept = to.header->counts.combination;
     auto const entry_of = [&](Index row, Index column) {
         const Real* const at = matrix + (Offset{row} * n + column) * numbers;
@@ -51,7 +53,8 @@ void add_product(Real factor, const Real* from, Real* to) noexcept {
 
 }  // namespace
 
-Status combine(Basis const& from, Index n, Index numbers, const Real* matrix, Basis const& to, Fault& fault) noexcept {
+Status combine(Basis const& from, Index n, Index numbers, const Real* matrix, Basis const& to,
+               Fault& fault) noexcept {
     BasisCounts const counts = combined_counts(from, n, numbers);
     begin_derived(from, counts, to);
 
@@ -61,13 +64,15 @@ Status combine(Basis const& from, Index n, Index numbers, const Real* matrix, Ba
     copy(trial, Span<const Real>(matrix, trial.size()));
     DependentColumn const dependent = find_dependent_column(trial, n, numbers);
     if (dependent.column != none) {
-        const char* const text = dependent.is_zero ? "column # (from 0) of the matrix is zero"
-                                                   : "column # (from 0) of the matrix is a combination of those before";
+        const char* const text =
+            dependent.is_zero ? "column # (from 0) of the matrix is zero"
+                              : "column # (from 0) of the matrix is a combination of those before";
         return fault.refuse(Status::bad_condition, text, Counts::from_zero, dependent.column);
     }
     set_combination(from, n, numbers, matrix, to);
 
-    // Block by block of points: numbers of a value times an entry are those of a product of linear maps.
+    // Block by block of points: numbers of a value times an entry are those of a product of linear
+    // maps.
     Index const old_length = from.n_functions(), length = to.n_functions(), others = length - n;
     bool const matrices = to.kind() == ValueKind::matrix;
     for (Index point = 0; point < to.n_points(); point += block_points) {
@@ -77,10 +82,11 @@ Status combine(Basis const& from, Index n, Index numbers, const Real* matrix, Ba
             for (Index i = 0; i < shapes; ++i) {
                 const Real* const f = &old_row[Offset{plane} * old_length + i];
                 const Real* const entries = matrix + Offset{i} * n * numbers;
-                for (Index j = 0; j < n; ++j) add_product(entries[numbers * j], f, &row[Offset{plane} * length + j]);
+                for (Index j = 0; j < n; ++j)
+                    add_product(entries[numbers * j], f, &row[Offset{plane} * length + j]);
                 if (numbers == 1) continue;
-                // (a + i b)(x + i y): the imaginary part goes to the plane of the partner. Of matrices, xx with xy and
-                // yx with yy: [xx xy] [x -y; y x].
+                // (a + i b)(x + i y): the imaginary part goes to the plane of the partner. Of
+                // matrices, xx with xy and yx with yy: [xx xy] [x -y; y x].
                 bool const second = plane % 2 == 1;
                 Index const partner = second ? plane - 1 : plane + 1;
                 Real const sign = matrices != second ? -1 : 1;
@@ -89,7 +95,8 @@ Status combine(Basis const& from, Index n, Index numbers, const Real* matrix, Ba
                 }
             }
             for (Index k = 0; k < others; ++k) {
-                add_product(1, &old_row[Offset{plane} * old_length + shapes + k], &row[Offset{plane} * length + n + k]);
+                add_product(1, &old_row[Offset{plane} * old_length + shapes + k],
+                            &row[Offset{plane} * length + n + k]);
             }
         }
     }

@@ -7,8 +7,8 @@
 namespace harmorph {
 namespace {
 
-// visit(part) for parts of four corners or fewer with all corners of cell i, whatever the layout: the cell itself if it
-// has no more.
+// visit(part) for parts of four corners or fewer with all corners of cell i, whatever the layout:
+// the cell itself if it has no more.
 template <class Visit>
 void for_each_part(Mesh const& mesh, Index i, Visit visit) noexcept {
     if (mesh.layout != CellLayout::polygons) return visit(mesh.cell(i));
@@ -16,7 +16,8 @@ void for_each_part(Mesh const& mesh, Index i, Visit visit) noexcept {
     Index const n = mesh.cell_start[i + 1] - mesh.cell_start[i];
     auto const at = [&](Index k) { return from_zero(corner[k], mesh.index_base); };
     for (Index k = 1; k + 1 < n; k += 2) {
-        visit(k + 2 < n ? Cell{4, {at(0), at(k), at(k + 1), at(k + 2)}} : Cell{3, {at(0), at(k), at(k + 1)}});
+        visit(k + 2 < n ? Cell{4, {at(0), at(k), at(k + 1), at(k + 2)}}
+                        : Cell{3, {at(0), at(k), at(k + 1)}});
     }
 }
 
@@ -29,7 +30,8 @@ std::uint64_t pair(Index a, Index b) noexcept {
 std::uint64_t checksum_of(BasisHeader const& header, Executor const& executor) noexcept {
     Size const covered_from = offsetof(BasisHeader, checksum) + sizeof header.checksum;
     const unsigned char* const block = reinterpret_cast<const unsigned char*>(&header);
-    return hash_of_block(block + covered_from, static_cast<Size>(header.bytes) - covered_from, executor);
+    return hash_of_block(block + covered_from, static_cast<Size>(header.bytes) - covered_from,
+                         executor);
 }
 
 MeshFingerprint fingerprint_of(Mesh const& mesh) noexcept {
@@ -60,10 +62,11 @@ std::uint64_t sample_of(Mesh const& mesh) noexcept {
     Index const n = smaller(Index{64}, mesh.n_cells);
     Hash hash;
     for (Index k = 0; k < n; ++k) {
-        for_each_part(mesh, static_cast<Index>(Offset{k} * mesh.n_cells / n), [&](Cell const& part) {
-            hash.add(pair(part.point[0], part.point[1]));
-            hash.add(pair(part.point[2], part.n == 4 ? part.point[3] : none));
-        });
+        for_each_part(mesh, static_cast<Index>(Offset{k} * mesh.n_cells / n),
+                      [&](Cell const& part) {
+                          hash.add(pair(part.point[0], part.point[1]));
+                          hash.add(pair(part.point[2], part.n == 4 ? part.point[3] : none));
+                      });
     }
     return hash.value();
 }

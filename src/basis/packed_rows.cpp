@@ -6,28 +6,33 @@ namespace {
 ParcelLabel label_of(Basis const& share, Index n_points) noexcept {
     BasisHeader const& header = *share.header;
     BasisCounts const& counts = header.counts;
-    return {ParcelLabel::mark, header.topology, header.coordinates, header.conditions, header.largest,
-            n_points, counts.first_stored, counts.stored, numbers_of(counts.kind)};
+    return {ParcelLabel::mark,   header.topology, header.coordinates,
+            header.conditions,   header.largest,  n_points,
+            counts.first_stored, counts.stored,   numbers_of(counts.kind)};
 }
 
 // Does the parcel have what the rows wait for?
 Status check_label(ParcelLabel const& label, Basis const& rows, Fault& fault) noexcept {
     BasisHeader const& header = *rows.header;
     if (!(header.topology == label.topology) || header.conditions != label.conditions ||
-        header.coordinates != label.coordinates || label.numbers != numbers_of(header.counts.kind)) {
+        header.coordinates != label.coordinates ||
+        label.numbers != numbers_of(header.counts.kind)) {
         return fault.refuse(Status::bad_basis, "the parcel comes from a basis of another problem");
     }
     if (label.points != rows.n_points()) {
-        return fault.refuse(Status::bad_basis, "the parcel has the rows of # points, the basis has @",
+        return fault.refuse(Status::bad_basis,
+                            "the parcel has the rows of # points, the basis has @",
                             Counts::from_zero, label.points, rows.n_points());
     }
     if (!header.counts.complete()) {
-        return fault.refuse(Status::bad_basis, "parcels are for rows of all functions, this is a share of them");
+        return fault.refuse(Status::bad_basis,
+                            "parcels are for rows of all functions, this is a share of them");
     }
     if (label.first != header.filled || label.n < 0 || label.n > rows.n_functions() - label.first) {
-        return fault.refuse(Status::bad_basis,
-                            "the parcel begins with function # (from 0), the next one to come is @ (from 0)",
-                            Counts::from_zero, label.first, header.filled);
+        return fault.refuse(
+            Status::bad_basis,
+            "the parcel begins with function # (from 0), the next one to come is @ (from 0)",
+            Counts::from_zero, label.first, header.filled);
     }
     return Status::ok;
 }
@@ -46,16 +51,19 @@ Status unpack_parcel(Basis const& rows, const Real* parcel, Offset words, Fault&
     ParcelLabel label;
     if (words < label_words) return fault.refuse(Status::bad_basis, "the parcel is truncated");
     std::memcpy(static_cast<void*>(&label), parcel, sizeof label);
-    if (label.magic != ParcelLabel::mark) return fault.refuse(Status::bad_basis, "this is not a parcel of rows");
+    if (label.magic != ParcelLabel::mark)
+        return fault.refuse(Status::bad_basis, "this is not a parcel of rows");
     HARMORPH_TRY(check_label(label, rows, fault));
     Offset const length = Offset{label.numbers} * label.n;
-    if (words != label_words + label.points * length) return fault.refuse(Status::bad_basis, "the parcel is truncated");
+    if (words != label_words + label.points * length)
+        return fault.refuse(Status::bad_basis, "the parcel is truncated");
 
     const Real* from = parcel + label_words;
     for (Index k = 0; k < label.points; ++k) {
         auto const row = rows.row(k);
         for (Index plane = 0; plane < label.numbers; ++plane, from += label.n) {
-            for (Index i = 0; i < label.n; ++i) row[plane * rows.n_functions() + label.first + i] = from[i];
+            for (Index i = 0; i < label.n; ++i)
+                row[plane * rows.n_functions() + label.first + i] = from[i];
         }
     }
     BasisHeader& header = *rows.header;

@@ -1,11 +1,13 @@
-// Parcels of rows that a process with some of the functions solved sends to a process with some of the points.
+// Parcels of rows that a process with some of the functions solved sends to a process with some of
+// the points.
 #pragma once
 
 #include "basis/point_subset.hpp"
 
 namespace harmorph {
 
-// A parcel is an array of doubles: the label, then the points' rows in the order of the list, each plane by plane.
+// A parcel is an array of doubles: the label, then the points' rows in the order of the list, each
+// plane by plane.
 struct ParcelLabel {
     static constexpr std::uint64_t mark = 0x6c65637261706d68;  // "hmparcel"
 

@@ -36,9 +36,12 @@ template <class Move>
 void RowsToBlocks::for_each_block(Executor const& executor, Move const& move) const noexcept {
     Offset const size = Offset{block_points} * numbers;
     if (size == 0) return;
-    Index const room = static_cast<Index>(smaller(static_cast<Offset>(work.size()) / size, Offset{most_tasks}));
+    Index const room =
+        static_cast<Index>(smaller(static_cast<Offset>(work.size()) / size, Offset{most_tasks}));
     Index const blocks = blocks_of(n_points), tasks = clamp(blocks / least_blocks, Index{1}, room);
-    auto const bound = [&](Index task) { return static_cast<Index>(Offset{blocks} * task / tasks); };
+    auto const bound = [&](Index task) {
+        return static_cast<Index>(Offset{blocks} * task / tasks);
+    };
     executor.for_each(tasks, [&](Index task) {
         Real* const copied = work.data() + task * size;
         for (Index number = bound(task); number < bound(task + 1); ++number) {
@@ -49,8 +52,12 @@ void RowsToBlocks::for_each_block(Executor const& executor, Move const& move) co
     });
 }
 
-void RowsToBlocks::run(Executor const& executor) const noexcept { for_each_block(executor, to_block); }
+void RowsToBlocks::run(Executor const& executor) const noexcept {
+    for_each_block(executor, to_block);
+}
 
-void RowsToBlocks::undo(Executor const& executor) const noexcept { for_each_block(executor, to_rows); }
+void RowsToBlocks::undo(Executor const& executor) const noexcept {
+    for_each_block(executor, to_rows);
+}
 
 }  // namespace harmorph

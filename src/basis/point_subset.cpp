@@ -20,7 +20,8 @@ Status PointList::check(Index n_points, Fault& fault) const noexcept {
     for (Index k = 0; k < count(); ++k) {
         Offset const number = Offset{point[k]} - index_base;
         if (number >= 0 && number < n_points) continue;
-        return fault.refuse(Status::bad_argument, "entry # (from 0) of the list is no point of the mesh: @",
+        return fault.refuse(Status::bad_argument,
+                            "entry # (from 0) of the list is no point of the mesh: @",
                             Counts::from_zero, k, point[k]);
     }
     return Status::ok;
@@ -28,7 +29,8 @@ Status PointList::check(Index n_points, Fault& fault) const noexcept {
 
 Status PointList::check_length(Index n, Fault& fault) noexcept {
     if (n >= 0 && n <= most) return Status::ok;
-    return fault.refuse(Status::bad_argument, "a list may have 0 to @ points, not #", Counts::from_zero, n, most);
+    return fault.refuse(Status::bad_argument, "a list may have 0 to @ points, not #",
+                        Counts::from_zero, n, most);
 }
 
 void Extract::take_work(Arena& arena, Basis const& whole) noexcept {
@@ -38,9 +40,9 @@ void Extract::take_work(Arena& arena, Basis const& whole) noexcept {
     arena.take(slot, n_wall);
 }
 
-// How many points of the wall the list names, and repeats, is known only when it is read. It takes most room to name
-// all of them once. Where a few repeats take their place arrays may grow that had not grown for others: a few lines of
-// memory more.
+// How many points of the wall the list names, and repeats, is known only when it is read. It takes
+// most room to name all of them once. Where a few repeats take their place arrays may grow that had
+// not grown for others: a few lines of memory more.
 void Extract::count(Arena& arena, Basis const& whole, Index n_points) noexcept {
     constexpr Index few = 24;
     Extract bound;
@@ -130,9 +132,11 @@ void Extract::init(Basis const& whole, PointList const& list) const noexcept {
 void Extract::copy_rows(Basis const& whole, PointList const& list) const noexcept {
     Index const length = basis.row_length();
     if (basis.in_single()) {
-        for (Index k = 0; k < list.count(); ++k) copy_row(basis.single_row(k), whole.single_row(list[k]), length);
+        for (Index k = 0; k < list.count(); ++k)
+            copy_row(basis.single_row(k), whole.single_row(list[k]), length);
         for (Index whole_slot = 0; whole_slot < slot.count(); ++whole_slot) {
-            if (slot[whole_slot] != none) copy_row(basis.row(slot[whole_slot]), whole.row(whole_slot), length);
+            if (slot[whole_slot] != none)
+                copy_row(basis.row(slot[whole_slot]), whole.row(whole_slot), length);
         }
     } else {
         for (Index k = 0; k < list.count(); ++k) copy_row(basis.row(k), whole.row(list[k]), length);

@@ -23,9 +23,11 @@ BasisCounts single_counts(Basis const& from) noexcept {
 }
 
 Status store_single(Basis const& from, Basis const& to, Fault& fault) noexcept {
-    Real const largest = from.header->largest;  // of the whole, also where this is a part of it: so it stays
+    Real const largest =
+        from.header->largest;  // of the whole, also where this is a part of it: so it stays
     if (!(largest <= largest_float)) {
-        return fault.refuse(Status::unsupported, "a value of the functions is too large for single precision: ~",
+        return fault.refuse(Status::unsupported,
+                            "a value of the functions is too large for single precision: ~",
                             Counts::from_zero, none, none, largest);
     }
     BasisCounts const counts = single_counts(from);

@@ -19,14 +19,16 @@ Real square_of_distance(Vec2 p, Vec2 begin, Vec2 end) noexcept {
 
 // visit(face) for the faces of the piece of the condition's marker that is nearest to its point.
 template <class Visit>
-void for_piece(Condition const& condition, Points points, Boundary const& boundary, Visit const& visit) noexcept {
+void for_piece(Condition const& condition, Points points, Boundary const& boundary,
+               Visit const& visit) noexcept {
     Index nearest = none, its_loop = none;
     Real least = infinity;
     for (Index loop = 0; loop < boundary.n_loops; ++loop) {
         for (Index face = boundary.loop_start[loop]; face < boundary.loop_start[loop + 1]; ++face) {
             if (boundary.marker[face] != condition.marker) continue;
-            Real const distance = square_of_distance(condition.near, points[boundary.point[face]],
-                                                     points[boundary.point[boundary.after(face, loop)]]);
+            Real const distance =
+                square_of_distance(condition.near, points[boundary.point[face]],
+                                   points[boundary.point[boundary.after(face, loop)]]);
             if (distance >= least && nearest != none) continue;
             least = distance;
             nearest = face;
@@ -34,23 +36,28 @@ void for_piece(Condition const& condition, Points points, Boundary const& bounda
         }
     }
     if (nearest == none) return;
-    Index const begin = boundary.loop_start[its_loop], n = boundary.loop_start[its_loop + 1] - begin;
+    Index const begin = boundary.loop_start[its_loop],
+                n = boundary.loop_start[its_loop + 1] - begin;
     auto const is_on = [&](Index k) { return boundary.marker[begin + k % n] == condition.marker; };
     Index first = nearest - begin;
     for (Index k = 1; k < n && is_on(first + n - 1); ++k) first = (first + n - 1) % n;
     for (Index k = 0; k < n && is_on(first + k); ++k) visit(begin + (first + k) % n);
 }
 
-Status check_marker(Span<const Condition> conditions, Index i, Boundary const& boundary, Fault& fault) noexcept {
+Status check_marker(Span<const Condition> conditions, Index i, Boundary const& boundary,
+                    Fault& fault) noexcept {
     Index const marker = conditions[i].marker;
     for (Condition const& earlier : conditions.first(i)) {
         bool const is_pair = conditions[i].is_pair() || earlier.is_pair();
-        if (earlier.marker == marker && (earlier.piece == conditions[i].piece ? earlier.piece == 0 : is_pair)) {
-            return fault.refuse(Status::bad_condition, "marker # has two conditions", Counts::from_zero, marker);
+        if (earlier.marker == marker &&
+            (earlier.piece == conditions[i].piece ? earlier.piece == 0 : is_pair)) {
+            return fault.refuse(Status::bad_condition, "marker # has two conditions",
+                                Counts::from_zero, marker);
         }
     }
     if (!has_faces(boundary, marker)) {
-        return fault.refuse(Status::bad_condition, "marker # of condition @ (from 0) is on no boundary face",
+        return fault.refuse(Status::bad_condition,
+                            "marker # of condition @ (from 0) is on no boundary face",
                             Counts::from_zero, marker, i);
     }
     for (Index face = 0; face < boundary.count; ++face) {
@@ -64,17 +71,20 @@ Status check_marker(Span<const Condition> conditions, Index i, Boundary const& b
 Status check_centre(Span<const Condition> conditions, Index i, Fault& fault) noexcept {
     Condition const& condition = conditions[i];
     if (!is_finite(condition.centre.x) || !is_finite(condition.centre.y)) {
-        return fault.refuse(Status::bad_condition, "the centre in condition # (from 0) is not finite",
-                            Counts::from_zero, i);
+        return fault.refuse(Status::bad_condition,
+                            "the centre in condition # (from 0) is not finite", Counts::from_zero,
+                            i);
     }
     if (!is_in_range(condition.centre)) {
-        return fault.refuse(Status::bad_condition, "the centre in condition # (from 0) has a coordinate beyond 1e100",
+        return fault.refuse(Status::bad_condition,
+                            "the centre in condition # (from 0) has a coordinate beyond 1e100",
                             Counts::from_zero, i);
     }
     return Status::ok;
 }
 
-// Bodies are numbered from 0 without gaps, in any order; all markers of a body turn about one centre.
+// Bodies are numbered from 0 without gaps, in any order; all markers of a body turn about one
+// centre.
 Status check_body(Span<const Condition> conditions, Index i, Fault& fault) noexcept {
     HARMORPH_TRY(check_centre(conditions, i, fault));
     Condition const& condition = conditions[i];
@@ -84,25 +94,29 @@ Status check_body(Span<const Condition> conditions, Index i, Fault& fault) noexc
         if (other.body == condition.body - 1) previous = other.body;
         if (other.body == condition.body &&
             (other.centre.x != condition.centre.x || other.centre.y != condition.centre.y)) {
-            return fault.refuse(Status::bad_condition, "markers # and @ are one rigid body, but turn about two centres",
+            return fault.refuse(Status::bad_condition,
+                                "markers # and @ are one rigid body, but turn about two centres",
                                 Counts::from_zero, condition.marker, other.marker);
         }
     }
     if (condition.body >= 0 && previous != none) return Status::ok;
-    return fault.refuse(Status::bad_condition,
-                        "condition # (from 0) names rigid body @ (from 0), but not all before it are there",
-                        Counts::from_zero, i, condition.body);
+    return fault.refuse(
+        Status::bad_condition,
+        "condition # (from 0) names rigid body @ (from 0), but not all before it are there",
+        Counts::from_zero, i, condition.body);
 }
 
-Status check_partner(Span<const Condition> conditions, Index i, Boundary const& boundary, Fault& fault) noexcept {
+Status check_partner(Span<const Condition> conditions, Index i, Boundary const& boundary,
+                     Fault& fault) noexcept {
     Condition const& condition = conditions[i];
     if (condition.partner == condition.marker) {
-        return fault.refuse(Status::bad_condition, "marker # is its own periodic partner", Counts::from_zero,
-                            condition.marker);
+        return fault.refuse(Status::bad_condition, "marker # is its own periodic partner",
+                            Counts::from_zero, condition.marker);
     }
     for (Condition const& other : conditions) {
         if (other.marker != condition.partner) continue;
-        return fault.refuse(Status::bad_condition, "marker #, the periodic partner of @, has a condition of its own",
+        return fault.refuse(Status::bad_condition,
+                            "marker #, the periodic partner of @, has a condition of its own",
                             Counts::from_zero, condition.partner, condition.marker);
     }
     if (has_faces(boundary, condition.partner)) return Status::ok;
@@ -130,15 +144,17 @@ Status check_conditions(Span<const Condition> conditions, Index n_curves, Bounda
         Condition const& condition = conditions[i];
         HARMORPH_TRY(check_marker(conditions, i, boundary, fault));
         if (condition.kind == ConditionKind::rigid) HARMORPH_TRY(check_body(conditions, i, fault));
-        if (condition.kind == ConditionKind::rotation) HARMORPH_TRY(check_centre(conditions, i, fault));
+        if (condition.kind == ConditionKind::rotation)
+            HARMORPH_TRY(check_centre(conditions, i, fault));
         if (condition.is_pair()) HARMORPH_TRY(check_partner(conditions, i, boundary, fault));
         any_wall = any_wall || condition.is_wall();
         if (condition.kind != ConditionKind::on_curve) continue;
         Offset const end = Offset{condition.first_curve} + condition.n_curves;
         if (condition.n_curves == 0) {
-            return fault.refuse(Status::bad_condition,
-                                "condition # (from 0) is on a curve, but its n_curves is 0: there are @ curves",
-                                Counts::from_zero, i, n_curves);
+            return fault.refuse(
+                Status::bad_condition,
+                "condition # (from 0) is on a curve, but its n_curves is 0: there are @ curves",
+                Counts::from_zero, i, n_curves);
         }
         if (condition.first_curve < 0 || condition.n_curves < 1 || end > n_curves) {
             return fault.refuse(Status::bad_condition,
@@ -147,29 +163,33 @@ Status check_conditions(Span<const Condition> conditions, Index n_curves, Bounda
         }
     }
     if (any_wall) return Status::ok;
-    return fault.refuse(
-        Status::bad_condition,
-        "no condition puts a marker on a curve, makes it a rigid body or gives its displacements: nothing moves");
+    return fault.refuse(Status::bad_condition,
+                        "no condition puts a marker on a curve, makes it a rigid body or gives its "
+                        "displacements: nothing moves");
 }
 
 // Pieces last; of several conditions that choose one, the first.
-void assign_conditions(Points points, Span<const Condition> conditions, Boundary& boundary) noexcept {
+void assign_conditions(Points points, Span<const Condition> conditions,
+                       Boundary& boundary) noexcept {
     for (Index face = 0; face < boundary.count; ++face) {
         boundary.condition[face] = none;
         for (Index i = conditions.count(); i-- > 0;) {
-            if (conditions[i].piece == 0 && conditions[i].marker == boundary.marker[face]) boundary.condition[face] = i;
+            if (conditions[i].piece == 0 && conditions[i].marker == boundary.marker[face])
+                boundary.condition[face] = i;
         }
     }
     for (Index i = conditions.count(); i-- > 0;) {
         if (conditions[i].piece == 0) continue;
-        for_piece(conditions[i], points, boundary, [&](Index face) { boundary.condition[face] = i; });
+        for_piece(conditions[i], points, boundary,
+                  [&](Index face) { boundary.condition[face] = i; });
     }
 }
 
 void classify(Edges const& edges, Boundary const& boundary, Span<const Condition> conditions,
               Span<PointKind> kinds) noexcept {
     fill(kinds, PointKind::unused);
-    edges.for_each([&](Index, Index low, Index high) { kinds[low] = kinds[high] = PointKind::inside; });
+    edges.for_each(
+        [&](Index, Index low, Index high) { kinds[low] = kinds[high] = PointKind::inside; });
     auto const strengthen = [&](Index point, PointKind kind) {
         if (kind < kinds[point]) kinds[point] = kind;
     };

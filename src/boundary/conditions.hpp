@@ -1,5 +1,5 @@
-// Boundary conditions: every point is on a wall (a curve, a rigid body, or given displacements), fixed, slipping, free,
-// inside, or used by no cell.
+// Boundary conditions: every point is on a wall (a curve, a rigid body, or given displacements),
+// fixed, slipping, free, inside, or used by no cell.
 #pragma once
 
 #include "mesh/boundary.hpp"
@@ -20,26 +20,32 @@ enum class ConditionKind : std::int32_t {
 struct Condition {
     Index marker = 0;
     ConditionKind kind = ConditionKind::fixed;
-    Index first_curve = 0, n_curves = 0;  // on curve: one of these; slip: of those that are given for sliding, or none
-    Index body = 0;                       // rigid: number of the body
-    Index partner = 0;                    // of a pair: the marker that is this one, moved or turned
-    Vec2 centre;                          // rigid, rotation: what the body, or the marker, turns about
-    Index piece = 0, reserved = 0;        // 1: only the piece of the marker nearest to `near`
+    Index first_curve = 0,
+          n_curves =
+              0;     // on curve: one of these; slip: of those that are given for sliding, or none
+    Index body = 0;  // rigid: number of the body
+    Index partner = 0;              // of a pair: the marker that is this one, moved or turned
+    Vec2 centre;                    // rigid, rotation: what the body, or the marker, turns about
+    Index piece = 0, reserved = 0;  // 1: only the piece of the marker nearest to `near`
     Vec2 near;
 
     // Are the points of the marker on the wall, that is, do they move as they are told?
     bool is_wall() const noexcept {
-        return kind == ConditionKind::on_curve || kind == ConditionKind::rigid || kind == ConditionKind::given;
+        return kind == ConditionKind::on_curve || kind == ConditionKind::rigid ||
+               kind == ConditionKind::given;
     }
     // Is the marker one side of a pair whose other one moves alike, or alike but turned?
-    bool is_pair() const noexcept { return kind == ConditionKind::periodic || kind == ConditionKind::rotation; }
+    bool is_pair() const noexcept {
+        return kind == ConditionKind::periodic || kind == ConditionKind::rotation;
+    }
     bool same_curves(Condition const& other) const noexcept {
         return first_curve == other.first_curve && n_curves == other.n_curves;
     }
 };
 
-// In the order of precedence: of several conditions at a point the first one counts. Points of a periodic pair are
-// inside. Of several walls, curves come first, then rigid bodies, then given displacements.
+// In the order of precedence: of several conditions at a point the first one counts. Points of a
+// periodic pair are inside. Of several walls, curves come first, then rigid bodies, then given
+// displacements.
 enum class PointKind : std::uint8_t { on_wall, fixed, slip, free, inside, unused };
 constexpr bool is_unknown(PointKind kind) noexcept {
     return kind == PointKind::slip || kind == PointKind::free || kind == PointKind::inside;
@@ -47,7 +53,7 @@ constexpr bool is_unknown(PointKind kind) noexcept {
 
 // What the conditions together require; known before memory is laid out.
 struct Demands {
-    Index bodies = 0;       // rigid ones
+    Index bodies = 0;        // rigid ones
     Offset slip_curves = 0;  // given for sliding
     bool slip = false, free = false, given = false;
     bool translation = false, rotation = false;  // pairs
@@ -60,15 +66,19 @@ struct Demands {
     void add(Condition const& condition) noexcept;
 };
 
-// Which condition each face has, in boundary.condition. A piece is a run of faces of one marker along a loop.
-void assign_conditions(Points points, Span<const Condition> conditions, Boundary& boundary) noexcept;
+// Which condition each face has, in boundary.condition. A piece is a run of faces of one marker
+// along a loop.
+void assign_conditions(Points points, Span<const Condition> conditions,
+                       Boundary& boundary) noexcept;
 
-// Kinds, curves, bodies, markers that no face has, markers and pieces named twice. Conditions are assigned.
+// Kinds, curves, bodies, markers that no face has, markers and pieces named twice. Conditions are
+// assigned.
 Status check_conditions(Span<const Condition> conditions, Index n_curves, Boundary const& boundary,
                         Fault& fault) noexcept;
 
 // The condition of a face; null means fixed.
-inline const Condition* condition_of(Span<const Condition> conditions, Boundary const& boundary, Index face) noexcept {
+inline const Condition* condition_of(Span<const Condition> conditions, Boundary const& boundary,
+                                     Index face) noexcept {
     return boundary.condition[face] == none ? nullptr : &conditions[boundary.condition[face]];
 }
 

@@ -8,8 +8,8 @@ namespace {
 
 constexpr Index in_group = FaceDistance::lanes;
 
-// Points in an order in which neighbours follow each other, whatever their numbers: by the squares of a grid that is
-// finest at the faces and reaches to infinity, in Morton order.
+// Points in an order in which neighbours follow each other, whatever their numbers: by the squares
+// of a grid that is finest at the faces and reaches to infinity, in Morton order.
 struct SortedPoints {
     static constexpr Index most = 512, levels = 5, side = 1 << levels, squares = side * side;
 
@@ -27,7 +27,8 @@ struct SortedPoints {
         for (Index i = 0; i < n_points; ++i) ++start[square[i]];
         counts_to_starts(Span<std::uint16_t>(start, squares));
         for (Index i = 0; i < n_points; ++i) set(start[square[i]]++, point[i], i);
-        for (n = n_points; n % in_group != 0; ++n) set(n, {x[n_points - 1], y[n_points - 1]}, number[n_points - 1]);
+        for (n = n_points; n % in_group != 0; ++n)
+            set(n, {x[n_points - 1], y[n_points - 1]}, number[n_points - 1]);
     }
 
 private:
@@ -36,8 +37,8 @@ private:
         y[at] = point.y;
         number[at] = static_cast<std::uint16_t>(new_number);
     }
-    // The bits of one coordinate, spread to every second bit of the number of a square. Half of the grid is within
-    // half_size.
+    // The bits of one coordinate, spread to every second bit of the number of a square. Half of the
+    // grid is within half_size.
     static Index spread(Real from_middle, Real half_size) noexcept {
         Real const part = from_middle / (absolute(from_middle) + half_size);  // -1 .. 1
         Index bits = static_cast<Index>((0.5 * side - 0.01) * (1 + (part > -1 ? part : -1)));
@@ -47,7 +48,8 @@ private:
     }
 };
 
-// k [n] at points in units, which for_each_point(begin, end, take(number, point)) passes on by their numbers.
+// k [n] at points in units, which for_each_point(begin, end, take(number, point)) passes on by
+// their numbers.
 template <class ForEachPoint>
 void weigh(FaceDistance const& faces, Index quarters, Span<Real> k, Executor const& executor,
            ForEachPoint for_each_point) noexcept {
@@ -66,7 +68,8 @@ void weigh(FaceDistance const& faces, Index quarters, Span<Real> k, Executor con
             for (Index i = 0; i < sorted.n; i += in_group) {
                 Real weight[in_group];
                 kernels.weigh_eight(faces, quarters, sorted.x + i, sorted.y + i, weight, group);
-                for (Index lane = 0; lane < in_group; ++lane) k[first + sorted.number[i + lane]] = weight[lane];
+                for (Index lane = 0; lane < in_group; ++lane)
+                    k[first + sorted.number[i + lane]] = weight[lane];
             }
         }
     });
@@ -77,7 +80,8 @@ void weigh(FaceDistance const& faces, Index quarters, Span<Real> k, Executor con
 Real FaceDistance::distance(Vec2 from) const noexcept {
     if (count == 0) return infinity;
     Index group = 0;
-    return square_root(distance_kernels(kernel).nearest_square(*this, inverse_unit * from, group)) / inverse_unit;
+    return square_root(distance_kernels(kernel).nearest_square(*this, inverse_unit * from, group)) /
+           inverse_unit;
 }
 
 FaceDistance::Foot FaceDistance::foot(Vec2 from, Index& group) const noexcept {
@@ -88,7 +92,8 @@ FaceDistance::Foot FaceDistance::foot(Vec2 from, Index& group) const noexcept {
     Foot best;
     Real least = infinity;
     for (Index lane = 0; lane < in_group && in_group * group + lane < count; ++lane) {
-        Vec2 const start{segments.x[lane], segments.y[lane]}, along{segments.along_x[lane], segments.along_y[lane]};
+        Vec2 const start{segments.x[lane], segments.y[lane]},
+            along{segments.along_x[lane], segments.along_y[lane]};
         Real const t = clamp(dot(here - start, along) * segments.inverse[lane], 0.0, 1.0);
         Real const distance = square(here - start - t * along);
         if (!(distance < least)) continue;
@@ -103,8 +108,8 @@ Vec2 FaceDistance::at(Foot const& foot, Points points) const noexcept {
     return (1 - foot.t) * points[face.point[0]] + foot.t * points[face.point[1]];
 }
 
-void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Index quarters, Span<Real> k,
-                 Executor const& executor) noexcept {
+void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Index quarters,
+                 Span<Real> k, Executor const& executor) noexcept {
     weigh(faces, quarters, k, executor, [&](Index begin, Index end, auto take) {
         mesh.for_each_cell(begin, end, [&](Index number, Cell const& cell) {
             Vec2 sum = points[cell.point[0]] + points[cell.point[1]] + points[cell.point[2]];
@@ -114,8 +119,8 @@ void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Ind
     });
 }
 
-void weigh_edges(FaceDistance const& faces, Span<const DelaunayEdge> edges, Points points, Index quarters, Span<Real> k,
-                 Executor const& executor) noexcept {
+void weigh_edges(FaceDistance const& faces, Span<const DelaunayEdge> edges, Points points,
+                 Index quarters, Span<Real> k, Executor const& executor) noexcept {
     weigh(faces, quarters, k, executor, [&](Index begin, Index end, auto take) {
         for (Index i = begin; i < end; ++i) {
             take(i, 0.5 * faces.inverse_unit * (points[edges[i].begin] + points[edges[i].end]));

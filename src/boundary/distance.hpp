@@ -1,4 +1,5 @@
-// Exact distances to the nearest of chosen boundary faces, and weights of cells that grow towards these faces.
+// Exact distances to the nearest of chosen boundary faces, and weights of cells that grow towards
+// these faces.
 #pragma once
 
 #include "mesh/boundary.hpp"
@@ -10,18 +11,23 @@
 
 namespace harmorph {
 
-// A tree with eight children for each node, over the faces in the order of their loops, in which faces that follow each
-// other lie close together (where they do not, searches are slower, not wrong):
+// A tree with eight children for each node, over the faces in the order of their loops, in which
+// faces that follow each other lie close together (where they do not, searches are slower, not
+// wrong):
 //
 //   height 0   groups of eight faces
-//   height 1   nodes of eight chords: each is a segment along a group, with a radius that contains the group
-//   height 2+  nodes of eight boxes: each bounds the groups below a node of the next lower height; up to one root
+//   height 1   nodes of eight chords: each is a segment along a group, with a radius that contains
+//   the group height 2+  nodes of eight boxes: each bounds the groups below a node of the next
+//   lower height; up to one root
 //
-// Boxes and radii include a margin for rounding, so that distances depend on the faces alone, to the last bit.
+// Boxes and radii include a margin for rounding, so that distances depend on the faces alone, to
+// the last bit.
 struct FaceDistance {
     static constexpr Index lanes = 8, most_heights = 12;
-    static constexpr Real far_away = 1e100;  // in units: beyond every point, and the square does not overflow
-    static constexpr Real slack = 1e-12;     // relative; more than rounding leaves of any comparison here
+    static constexpr Real far_away =
+        1e100;  // in units: beyond every point, and the square does not overflow
+    static constexpr Real slack =
+        1e-12;  // relative; more than rounding leaves of any comparison here
 
     struct Face {
         Index point[2];
@@ -49,14 +55,16 @@ struct FaceDistance {
 
     Kernel kernel = Kernel::baseline;  // any gives the same bits
     Index count = 0;
-    Span<Face> faces;       // [max_faces], of which `count` are used
-    Real extent = 0;        // the larger of the width and height of all faces
-    Vec2 middle, half_size;  // of the bounding box, in units; half_size a little larger
-    Real unit = 0;          // largest power of two within the extent; 0: no extent
-    Real inverse_unit = 1;  // the tree is in units: coordinates times inverse_unit
-    Translations translations;  // of a periodic mesh; weights, not distances, take images of the faces into account
+    Span<Face> faces;           // [max_faces], of which `count` are used
+    Real extent = 0;            // the larger of the width and height of all faces
+    Vec2 middle, half_size;     // of the bounding box, in units; half_size a little larger
+    Real unit = 0;              // largest power of two within the extent; 0: no extent
+    Real inverse_unit = 1;      // the tree is in units: coordinates times inverse_unit
+    Translations translations;  // of a periodic mesh; weights, not distances, take images of the
+                                // faces into account
     Rotation rotation;
-    struct Image {  // where a point has the same distance as from an image of the faces: turn point + shift, in units
+    struct Image {  // where a point has the same distance as from an image of the faces: turn point
+                    // + shift, in units
         Vec2 turn{1, 0}, shift;
     };
     Index n_images = 0;
@@ -75,10 +83,11 @@ struct FaceDistance {
     // After choose(), and whenever coordinates have changed. O(count).
     void build(Points points) noexcept;
 
-    // No face: infinity. Rounding leaves a few units in the last place of the distance and of the faces' lengths.
+    // No face: infinity. Rounding leaves a few units in the last place of the distance and of the
+    // faces' lengths.
     Real distance(Vec2 from) const noexcept;
-    // The nearest point of the faces; none without faces. group: in, the group that is tried first; out, that of the
-    // foot: neighbouring points have neighbouring feet.
+    // The nearest point of the faces; none without faces. group: in, the group that is tried first;
+    // out, that of the foot: neighbouring points have neighbouring feet.
     struct Foot {
         Index face = none;
         Real t = 0;  // (1 - t) point[0] + t point[1]
@@ -99,18 +108,19 @@ private:
     void set_box(Boxes& node, Index lane, Points points, Offset first, Offset last) const noexcept;
 };
 
-// k [n_cells] = (unit / d)^(quarters / 4), d the distance from the mean of the cell's corners, quarters in 0..16.
-// d counts as 1e-30 units at least, far below what coordinates resolve: so k is always finite. Without faces, or with
-// all of them in one point: k = 1. In a periodic mesh d is the distance from the nearest image, one period, or two
-// passages, away at most: then k does not depend on where the mesh is cut.
-// Fastest where cells with neighbouring numbers are neighbours in the mesh: blocks of 512 cells are searched together.
-void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Index quarters, Span<Real> k,
-                 Executor const& executor) noexcept;
+// k [n_cells] = (unit / d)^(quarters / 4), d the distance from the mean of the cell's corners,
+// quarters in 0..16. d counts as 1e-30 units at least, far below what coordinates resolve: so k is
+// always finite. Without faces, or with all of them in one point: k = 1. In a periodic mesh d is
+// the distance from the nearest image, one period, or two passages, away at most: then k does not
+// depend on where the mesh is cut. Fastest where cells with neighbouring numbers are neighbours in
+// the mesh: blocks of 512 cells are searched together.
+void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Index quarters,
+                 Span<Real> k, Executor const& executor) noexcept;
 
-// k [n_edges] likewise, from the midpoints of the edges. Faces are edges as well, where d is 0: such k enter no
-// equation.
-void weigh_edges(FaceDistance const& faces, Span<const DelaunayEdge> edges, Points points, Index quarters, Span<Real> k,
-                 Executor const& executor) noexcept;
+// k [n_edges] likewise, from the midpoints of the edges. Faces are edges as well, where d is 0:
+// such k enter no equation.
+void weigh_edges(FaceDistance const& faces, Span<const DelaunayEdge> edges, Points points,
+                 Index quarters, Span<Real> k, Executor const& executor) noexcept;
 
 template <class IsChosen>
 void FaceDistance::choose(Boundary const& boundary, IsChosen is_chosen) noexcept {

@@ -1,6 +1,6 @@
-// Searches of the tree of FaceDistance with the registers of one instruction set; compiled for each by
-// distance_table.cpp. All find the least of the same numbers, whichever parts of the tree they skip: so the bits are
-// the same.
+// Searches of the tree of FaceDistance with the registers of one instruction set; compiled for each
+// by distance_table.cpp. All find the least of the same numbers, whichever parts of the tree they
+// skip: so the bits are the same.
 
 namespace harmorph::distances::HARMORPH_SET {
 namespace {
@@ -29,8 +29,9 @@ HARMORPH_INLINE Real smallest_of(Real* eight) noexcept {
 
 // Squared distances from several segments to one point, or from one segment to several points.
 template <class Segment, class Point>
-HARMORPH_INLINE Vector square_from(Segment begin_x, Segment begin_y, Segment along_x, Segment along_y, Segment inverse,
-                                   Point point_x, Point point_y) noexcept {
+HARMORPH_INLINE Vector square_from(Segment begin_x, Segment begin_y, Segment along_x,
+                                   Segment along_y, Segment inverse, Point point_x,
+                                   Point point_y) noexcept {
     Vector x = point_x - begin_x, y = point_y - begin_y;
     Vector const nearest = (x * along_x + y * along_y) * inverse;
     Vector const t = Registers::smaller(Registers::larger(nearest, Vector{}), Vector{} + 1);
@@ -38,33 +39,39 @@ HARMORPH_INLINE Vector square_from(Segment begin_x, Segment begin_y, Segment alo
     y -= t * along_y;
     return x * x + y * y;
 }
-HARMORPH_INLINE Vector square_from(FaceDistance::Segments const& segments, Index lane, Vec2 point) noexcept {
+HARMORPH_INLINE Vector square_from(FaceDistance::Segments const& segments, Index lane,
+                                   Vec2 point) noexcept {
     return square_from(Registers::load(segments.x + lane), Registers::load(segments.y + lane),
-                       Registers::load(segments.along_x + lane), Registers::load(segments.along_y + lane),
+                       Registers::load(segments.along_x + lane),
+                       Registers::load(segments.along_y + lane),
                        Registers::load(segments.inverse + lane), point.x, point.y);
 }
-HARMORPH_INLINE Vector square_from(FaceDistance::Segments const& segments, Index lane, Vector x, Vector y) noexcept {
-    return square_from(segments.x[lane], segments.y[lane], segments.along_x[lane], segments.along_y[lane],
-                       segments.inverse[lane], x, y);
+HARMORPH_INLINE Vector square_from(FaceDistance::Segments const& segments, Index lane, Vector x,
+                                   Vector y) noexcept {
+    return square_from(segments.x[lane], segments.y[lane], segments.along_x[lane],
+                       segments.along_y[lane], segments.inverse[lane], x, y);
 }
 
 template <class Corner, class Point>
-HARMORPH_INLINE Vector square_outside(Corner low_x, Corner low_y, Corner high_x, Corner high_y, Point point_x,
-                                      Point point_y) noexcept {
-    Vector const x = Registers::larger(Registers::larger(low_x - point_x, point_x - high_x), Vector{});
-    Vector const y = Registers::larger(Registers::larger(low_y - point_y, point_y - high_y), Vector{});
+HARMORPH_INLINE Vector square_outside(Corner low_x, Corner low_y, Corner high_x, Corner high_y,
+                                      Point point_x, Point point_y) noexcept {
+    Vector const x =
+        Registers::larger(Registers::larger(low_x - point_x, point_x - high_x), Vector{});
+    Vector const y =
+        Registers::larger(Registers::larger(low_y - point_y, point_y - high_y), Vector{});
     return x * x + y * y;
 }
 
-// Those of eight nodes that may contain a face within `reach` of a point: the one with the smallest bound first, then
-// the others in order.
+// Those of eight nodes that may contain a face within `reach` of a point: the one with the smallest
+// bound first, then the others in order.
 class Candidates {
 public:
     HARMORPH_INLINE Candidates(FaceDistance::Boxes const& boxes, Vec2 from, Real reach) noexcept {
         for (Index k = 0; k < lanes; k += width) {
             add(k,
                 square_outside(Registers::load(boxes.low_x + k), Registers::load(boxes.low_y + k),
-                               Registers::load(boxes.high_x + k), Registers::load(boxes.high_y + k), from.x, from.y),
+                               Registers::load(boxes.high_x + k), Registers::load(boxes.high_y + k),
+                               from.x, from.y),
                 Vector{} + (1 + 2 * slack) * reach * reach);
         }
     }
@@ -80,7 +87,8 @@ public:
     HARMORPH_INLINE bool next(Index& lane) noexcept {
         if (left_ == 0) return false;
         lane = __builtin_ctz(left_);
-        for (unsigned others = nearest_is_out_ ? 0 : left_ & (left_ - 1); others != 0; others &= others - 1) {
+        for (unsigned others = nearest_is_out_ ? 0 : left_ & (left_ - 1); others != 0;
+             others &= others - 1) {
             Index const other = __builtin_ctz(others);
             lane = square_[other] < square_[lane] ? other : lane;
         }
@@ -107,58 +115,69 @@ struct One {
     Index group;  // of the nearest face so far; at first, the group that is tried first
     Real square = infinity, reach = infinity;
 
-    HARMORPH_INLINE One(Vec2 point, Index first_group) noexcept : centre(point), group(first_group) {}
+    HARMORPH_INLINE One(Vec2 point, Index first_group) noexcept
+        : centre(point), group(first_group) {}
 
     HARMORPH_INLINE bool reaches(FaceDistance::Boxes const&, Index, Real bound) const noexcept {
         return bound < (1 + 2 * slack) * square;
     }
-    HARMORPH_INLINE bool reaches(FaceDistance::Chords const& chords, Index lane, Real bound) const noexcept {
+    HARMORPH_INLINE bool reaches(FaceDistance::Chords const& chords, Index lane,
+                                 Real bound) const noexcept {
         Real const limit = (1 + slack) * (reach + chords.radius[lane]);
         return bound < limit * limit;
     }
     HARMORPH_INLINE void try_group(FaceDistance::Segments const& segments, Index tried) noexcept {
         Real squares[lanes];
-        for (Index k = 0; k < lanes; k += width) Registers::store(squares + k, square_from(segments, k, centre));
+        for (Index k = 0; k < lanes; k += width)
+            Registers::store(squares + k, square_from(segments, k, centre));
         Real const nearest = smallest_of(squares);
-        if (!(nearest < square || (nearest == square && tried < group))) return;  // whichever was tried first
+        if (!(nearest < square || (nearest == square && tried < group)))
+            return;  // whichever was tried first
         square = nearest;
         reach = square_root(nearest);
         group = tried;
     }
 };
 
-// The same for each of eight points, which should be neighbours: they share the branches, which are hard to predict.
+// The same for each of eight points, which should be neighbours: they share the branches, which are
+// hard to predict.
 struct Eight {
     Vec2 centre;
     Index group;  // the last group that was nearest to one of the points
-    Real reach = infinity;  // the face nearest to any of the points is no farther than this from the centre
+    Real reach =
+        infinity;  // the face nearest to any of the points is no farther than this from the centre
     Vector x[vectors], y[vectors], square[vectors], distance[vectors], from_centre[vectors];
 
-    HARMORPH_INLINE Eight(const Real* new_x, const Real* new_y, Index first_group) noexcept : group(first_group) {
+    HARMORPH_INLINE Eight(const Real* new_x, const Real* new_y, Index first_group) noexcept
+        : group(first_group) {
         for (Index v = 0; v < vectors; ++v) square[v] = distance[v] = Vector{} + infinity;
         move(new_x, new_y, {});
     }
-    // Goes on with points that are moved to an image: the distances found so far remain upper bounds.
-    HARMORPH_INLINE void move(const Real* new_x, const Real* new_y, FaceDistance::Image const& to) noexcept {
+    // Goes on with points that are moved to an image: the distances found so far remain upper
+    // bounds.
+    HARMORPH_INLINE void move(const Real* new_x, const Real* new_y,
+                              FaceDistance::Image const& to) noexcept {
         for (Index v = 0; v < vectors; ++v) {
-            Vector const from_x = Registers::load(new_x + v * width), from_y = Registers::load(new_y + v * width);
+            Vector const from_x = Registers::load(new_x + v * width),
+                         from_y = Registers::load(new_y + v * width);
             x[v] = from_x * to.turn.x - from_y * to.turn.y + to.shift.x;
             y[v] = from_y * to.turn.x + from_x * to.turn.y + to.shift.y;
         }
         set_centre();
     }
 
-    HARMORPH_INLINE bool reaches(FaceDistance::Boxes const& boxes, Index lane, Real) const noexcept {
+    HARMORPH_INLINE bool reaches(FaceDistance::Boxes const& boxes, Index lane,
+                                 Real) const noexcept {
         unsigned any = 0;
         for (Index v = 0; v < vectors; ++v) {
-            Vector const bound =
-                square_outside(boxes.low_x[lane], boxes.low_y[lane], boxes.high_x[lane], boxes.high_y[lane], x[v],
-                               y[v]);
+            Vector const bound = square_outside(boxes.low_x[lane], boxes.low_y[lane],
+                                                boxes.high_x[lane], boxes.high_y[lane], x[v], y[v]);
             any |= Registers::less(bound, (1 + 2 * slack) * square[v]);
         }
         return any != 0;
     }
-    HARMORPH_INLINE bool reaches(FaceDistance::Chords const& chords, Index lane, Real) const noexcept {
+    HARMORPH_INLINE bool reaches(FaceDistance::Chords const& chords, Index lane,
+                                 Real) const noexcept {
         unsigned any = 0;
         for (Index v = 0; v < vectors; ++v) {
             Vector const limit = (1 + slack) * (distance[v] + chords.radius[lane]);
@@ -171,7 +190,8 @@ struct Eight {
         for (Index v = 0; v < vectors; ++v) nearest[v] = square[v];
         for (Index lane = 0; lane < lanes; ++lane) {
             for (Index v = 0; v < vectors; ++v) {
-                nearest[v] = Registers::smaller(nearest[v], square_from(segments, lane, x[v], y[v]));
+                nearest[v] =
+                    Registers::smaller(nearest[v], square_from(segments, lane, x[v], y[v]));
             }
         }
         unsigned any = 0;
@@ -202,7 +222,8 @@ private:
     }
     HARMORPH_INLINE void set_reach() noexcept {
         Real farthest[lanes];
-        for (Index v = 0; v < vectors; ++v) Registers::store(farthest + v * width, from_centre[v] + distance[v]);
+        for (Index v = 0; v < vectors; ++v)
+            Registers::store(farthest + v * width, from_centre[v] + distance[v]);
         reach = (1 + slack) * largest_of(farthest);
     }
 };
@@ -221,7 +242,8 @@ private:
             FaceDistance::Boxes const& boxes = tree_.boxes[tree_.height_start[height] + node];
             Candidates candidates(boxes, searches_.centre, searches_.reach);
             while (candidates.next(lane)) {
-                if (searches_.reaches(boxes, lane, candidates.square(lane))) visit(height - 1, lanes * node + lane);
+                if (searches_.reaches(boxes, lane, candidates.square(lane)))
+                    visit(height - 1, lanes * node + lane);
             }
             return;
         }
@@ -241,7 +263,8 @@ private:
 
 // d^(-quarters / 4), from square roots alone.
 HARMORPH_INLINE Vector weight_of(Vector square, Index quarters) noexcept {
-    Vector const d = Registers::larger(Vector{} + least_distance, Registers::square_root(square));  // NaN stays
+    Vector const d =
+        Registers::larger(Vector{} + least_distance, Registers::square_root(square));  // NaN stays
     Vector power = Vector{} + 1;
     if ((quarters & 16) != 0) power *= (d * d) * (d * d);
     if ((quarters & 8) != 0) power *= d * d;
@@ -272,7 +295,8 @@ void weigh_eight(FaceDistance const& tree, Index quarters, const Real* x, const 
         searches.move(x, y, tree.image[number]);
         Search<Eight>(tree, searches, none).run();
     }
-    for (Index v = 0; v < vectors; ++v) Registers::store(k + v * width, weight_of(searches.square[v], quarters));
+    for (Index v = 0; v < vectors; ++v)
+        Registers::store(k + v * width, weight_of(searches.square[v], quarters));
 }
 
 constexpr DistanceKernels kernels{nearest_square, weigh_eight};

@@ -5,6 +5,8 @@
 
 namespace harmorph {
 
-DistanceKernels const& distance_kernels(Kernel kernel) noexcept { return simd::table_of<DistanceKernels>(kernel); }
+DistanceKernels const& distance_kernels(Kernel kernel) noexcept {
+    return simd::table_of<DistanceKernels>(kernel);
+}
 
 }  // namespace harmorph

@@ -4,8 +4,9 @@
 namespace harmorph {
 namespace {
 
-
-Index in_eights(Size n) noexcept { return static_cast<Index>((n + FaceDistance::lanes - 1) / FaceDistance::lanes); }
+Index in_eights(Size n) noexcept {
+    return static_cast<Index>((n + FaceDistance::lanes - 1) / FaceDistance::lanes);
+}
 
 Real power_of_two_below(Real x) noexcept {
     std::uint64_t const exponent = bits_of(x) & 0x7ff0000000000000u;
@@ -88,17 +89,20 @@ void FaceDistance::build(Points points) noexcept {
     auto const at = [&](Index point) { return inverse_unit * points[point]; };
     Index const n_groups = in_eights(static_cast<Size>(count));
     for (Index lane = 0; lane < lanes * n_groups; ++lane) {
-        Face const& face = faces[smaller(lane, count - 1)];  // the last lanes hold the last face again
+        Face const& face =
+            faces[smaller(lane, count - 1)];  // the last lanes hold the last face again
         groups[lane / lanes].set(lane % lanes, at(face.point[0]), at(face.point[1]));
     }
     Index n_nodes = in_eights(static_cast<Size>(n_groups)), n_boxes = 0;
-    for (Index lane = 0; lane < lanes * n_nodes; ++lane) set_chord(chords[lane / lanes], lane % lanes, points, lane);
+    for (Index lane = 0; lane < lanes * n_nodes; ++lane)
+        set_chord(chords[lane / lanes], lane % lanes, points, lane);
     Offset faces_below = lanes * lanes;  // of a lane's node
     for (root_height = 1; n_nodes > 1; faces_below *= lanes) {
         height_start[++root_height] = n_boxes;
         n_nodes = in_eights(static_cast<Size>(n_nodes));
         for (Index lane = 0; lane < lanes * n_nodes; ++lane) {
-            set_box(boxes[n_boxes + lane / lanes], lane % lanes, points, lane * faces_below, (lane + 1) * faces_below);
+            set_box(boxes[n_boxes + lane / lanes], lane % lanes, points, lane * faces_below,
+                    (lane + 1) * faces_below);
         }
         n_boxes += n_nodes;
     }
@@ -111,7 +115,9 @@ void FaceDistance::find_images(Points points) noexcept {
     if (!rotation.any) return;
     constexpr Index passages = 2;  // on either side: blades may overlap that far
     for (Index times = -passages; times <= passages; ++times) {
-        if (times != 0) image[n_images++] = {rotation.power(times), inverse_unit * rotation.image({0, 0}, times)};
+        if (times != 0)
+            image[n_images++] = {rotation.power(times),
+                                 inverse_unit * rotation.image({0, 0}, times)};
     }
 }
 
@@ -149,7 +155,8 @@ void FaceDistance::set_chord(Chords& node, Index lane, Points points, Index grou
     node.radius[lane] = radius + slack * (radius + length(to - from));
 }
 
-void FaceDistance::set_box(Boxes& node, Index lane, Points points, Offset first, Offset last) const noexcept {
+void FaceDistance::set_box(Boxes& node, Index lane, Points points, Offset first,
+                           Offset last) const noexcept {
     node.clear(lane);
     if (first >= count) return;
     Extent box;

@@ -41,10 +41,12 @@ Vec2 WallPoints::tangent(Index at_slot, Points points) const noexcept {
 
 Vec2 WallPoints::turn(Index at_slot, Points before, Points after) const noexcept {
     Vec2 sum{};
-    Index const here = point[at_slot], from[] = {previous[at_slot], here}, to[] = {here, next[at_slot]};
+    Index const here = point[at_slot], from[] = {previous[at_slot], here},
+                to[] = {here, next[at_slot]};
     Real weight[2] = {1, 1};  // those of the tangent
     if (from[0] != none && to[1] != none) {
-        for (Index face = 0; face < 2; ++face) weight[1 - face] = length(before[to[face]] - before[from[face]]);
+        for (Index face = 0; face < 2; ++face)
+            weight[1 - face] = length(before[to[face]] - before[from[face]]);
     }
     for (Index face = 0; face < 2; ++face) {
         if (from[face] == none || to[face] == none) continue;
@@ -71,11 +73,14 @@ void FirstLayer::find(Mesh const& mesh, Points points, Span<const Index> represe
             Index const here = representative[cell.point[k]], slot = wall.slot[here];
             if (slot == none) continue;
             Vec2 const normal = left_of(wall.tangent(slot, points));
-            auto const slope = [&](Index to) { return dot(direction(points[to] - points[here]), normal); };
+            auto const slope = [&](Index to) {
+                return dot(direction(points[to] - points[here]), normal);
+            };
             Index const neighbours[] = {cell.next(k), cell.previous(k)};
             for (Index const neighbour : neighbours) {
                 Index const to = representative[neighbour];
-                bool const is_beyond = length(points[to] - points[neighbour]) > 0;  // on the other side of a pair
+                bool const is_beyond =
+                    length(points[to] - points[neighbour]) > 0;  // on the other side of a pair
                 if (wall.slot[to] != none || is_beyond) continue;
                 Real const least = above[slot] == none ? 0 : slope(above[slot]);
                 if (slope(to) > least) above[slot] = to;
@@ -91,8 +96,10 @@ FirstLayerChange compare(FirstLayer const& layer, Points before, Points after) n
         Index const foot = layer.wall.point[slot], top = layer.above[slot];
         Vec2 const turn = layer.wall.turn(slot, before, after);
         Vec2 const normal = left_of(direction(layer.wall.tangent(slot, before)));
-        Vec2 const was = before[top] - before[foot], is = turned_back(after[top] - after[foot], turn);
-        Real const angle = in_degrees(absolute(angle_of(turn_between(direction(was), direction(is)))));
+        Vec2 const was = before[top] - before[foot],
+                   is = turned_back(after[top] - after[foot], turn);
+        Real const angle =
+            in_degrees(absolute(angle_of(turn_between(direction(was), direction(is)))));
         Real const ratio = dot(is, normal) / dot(was, normal);
         ++change.points;
         change.mean_angle += angle;

@@ -8,28 +8,36 @@ namespace {
 
 class Parametriser {
 public:
-    Parametriser(Mesh const& mesh, Boundary const& boundary, Span<const Condition> conditions, Span<const Curve> curves,
-                 WallWork const& work, Wall& wall) noexcept
-        : mesh_(mesh), boundary_(boundary), conditions_(conditions), curves_(curves), work_(work), wall_(wall) {}
+    Parametriser(Mesh const& mesh, Boundary const& boundary, Span<const Condition> conditions,
+                 Span<const Curve> curves, WallWork const& work, Wall& wall) noexcept
+        : mesh_(mesh),
+          boundary_(boundary),
+          conditions_(conditions),
+          curves_(curves),
+          work_(work),
+          wall_(wall) {}
 
     void run(Condition const& condition) noexcept {
         collect_pieces(condition);
         fill(work_.is_break.first(n_chain_), std::uint8_t{0});
-        for (Curve const& curve : curves_.from(condition.first_curve, condition.n_curves)) mark_breaks(curve);
+        for (Curve const& curve : curves_.from(condition.first_curve, condition.n_curves))
+            mark_breaks(curve);
         for (Index piece = 0; piece < n_pieces_; ++piece) project_piece(piece, condition);
     }
 
     // The points of the marker that no wall before has, in order along the boundary.
     void add(Condition const& condition, Index number) noexcept {
         auto const visit = [&](Index, Index point) { put(point, number, 0); };
-        boundary_.for_each_piece([&](Index face) { return condition_of(conditions_, boundary_, face) == &condition; },
-                                 visit, [](Index, bool) {});
+        boundary_.for_each_piece(
+            [&](Index face) { return condition_of(conditions_, boundary_, face) == &condition; },
+            visit, [](Index, bool) {});
     }
 
 private:
     bool belongs(Index face, Condition const& condition) const noexcept {
         const Condition* const its = condition_of(conditions_, boundary_, face);
-        return its != nullptr && its->kind == ConditionKind::on_curve && its->same_curves(condition);
+        return its != nullptr && its->kind == ConditionKind::on_curve &&
+               its->same_curves(condition);
     }
 
     void collect_pieces(Condition const& condition) noexcept {
@@ -38,8 +46,11 @@ private:
             if (piece == n_pieces_) work_.piece_start[n_pieces_++] = n_chain_;
             work_.chain[n_chain_++] = point;
         };
-        auto const close = [&](Index piece, bool is_loop) { work_.is_loop[piece] = is_loop ? 1 : 0; };
-        boundary_.for_each_piece([&](Index face) { return belongs(face, condition); }, visit, close);
+        auto const close = [&](Index piece, bool is_loop) {
+            work_.is_loop[piece] = is_loop ? 1 : 0;
+        };
+        boundary_.for_each_piece([&](Index face) { return belongs(face, condition); }, visit,
+                                 close);
         work_.piece_start[n_pieces_] = n_chain_;
     }
 
@@ -87,8 +98,10 @@ private:
         Span<Real> const u = work_.u.first(n_segment), best_u = work_.best_u.first(n_segment);
         Real least = infinity;
         Index best = condition.first_curve;
-        for (Index curve = condition.first_curve; curve < condition.first_curve + condition.n_curves; ++curve) {
-            Real const misfit = project_chain(curves_[curve], position, is_loop, work_.projection, u);
+        for (Index curve = condition.first_curve;
+             curve < condition.first_curve + condition.n_curves; ++curve) {
+            Real const misfit =
+                project_chain(curves_[curve], position, is_loop, work_.projection, u);
             if (misfit < least) {
                 least = misfit;
                 best = curve;
@@ -116,31 +129,38 @@ private:
     Index n_pieces_ = 0, n_chain_ = 0;  // of the condition at hand
 };
 
-Status apply_given(GivenParameters const& given, Span<const Curve> curves, Span<const Index> representative,
-                   WallWork const& work, Wall& wall, Fault& fault) noexcept {
+Status apply_given(GivenParameters const& given, Span<const Curve> curves,
+                   Span<const Index> representative, WallWork const& work, Wall& wall,
+                   Fault& fault) noexcept {
     for (Index i = 0; i < given.point.count(); ++i) {
         Index const point = from_zero(given.point[i], given.index_base);
         if (point < 0 || point >= representative.count()) {
-            return fault.refuse(Status::bad_condition, "a parameter is given for point #, which does not exist",
+            return fault.refuse(Status::bad_condition,
+                                "a parameter is given for point #, which does not exist",
                                 Counts::mesh, point);
         }
         Index const slot = work.slot[representative[point]];
         if (slot == none) {
             return fault.refuse(Status::bad_condition,
-                                "a parameter is given for point #, which is on no curve's marker", Counts::mesh, point);
+                                "a parameter is given for point #, which is on no curve's marker",
+                                Counts::mesh, point);
         }
         Index const curve = given.curve[i];
         if (wall.curve[slot] >= curves.count()) {
-            return fault.refuse(Status::bad_condition, "a parameter is given for point #, which is on no curve",
+            return fault.refuse(Status::bad_condition,
+                                "a parameter is given for point #, which is on no curve",
                                 Counts::mesh, point);
         }
         if (curve < 0 || curve >= curves.count()) {
-            return fault.refuse(Status::bad_condition,
-                                "given parameter # (from 0) is on curve @ (from 0), which does not exist",
-                                Counts::from_zero, i, curve);
+            return fault.refuse(
+                Status::bad_condition,
+                "given parameter # (from 0) is on curve @ (from 0), which does not exist",
+                Counts::from_zero, i, curve);
         }
-        if (!is_finite(given.u[i]) || given.u[i] < curves[curve].begin() || given.u[i] > curves[curve].end()) {
-            return fault.refuse(Status::bad_condition, "the parameter ~ given for point # is outside its curve",
+        if (!is_finite(given.u[i]) || given.u[i] < curves[curve].begin() ||
+            given.u[i] > curves[curve].end()) {
+            return fault.refuse(Status::bad_condition,
+                                "the parameter ~ given for point # is outside its curve",
                                 Counts::mesh, point, none, given.u[i]);
         }
         wall.curve[slot] = curve;
@@ -160,7 +180,8 @@ void Wall::lay_out(Arena& arena, Mesh const& mesh) noexcept {
 }
 
 void WallWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
-    Size const n = 2 * Boundary::max_faces(mesh) + 1;  // pieces repeat their end points, a loop its first one
+    Size const n =
+        2 * Boundary::max_faces(mesh) + 1;  // pieces repeat their end points, a loop its first one
     arena.take(slot, mesh.n_points);
     arena.take(chain, n);
     arena.take(piece_start, n);
@@ -172,8 +193,9 @@ void WallWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
     projection.lay_out(arena, static_cast<Index>(n));
 }
 
-Status parametrise(Topology const& topology, Boundary const& boundary, Span<const Condition> conditions,
-                   Span<const Curve> curves, GivenParameters const& given, WallWork const& work, Wall& wall,
+Status parametrise(Topology const& topology, Boundary const& boundary,
+                   Span<const Condition> conditions, Span<const Curve> curves,
+                   GivenParameters const& given, WallWork const& work, Wall& wall,
                    Fault& fault) noexcept {
     wall.count = 0;
     fill(work.slot, none);
@@ -190,10 +212,12 @@ Status parametrise(Topology const& topology, Boundary const& boundary, Span<cons
     Demands all;
     for (Condition const& condition : conditions) {
         all.add(condition);
-        if (condition.kind == ConditionKind::rigid) parametriser.add(condition, curves.count() + condition.body);
+        if (condition.kind == ConditionKind::rigid)
+            parametriser.add(condition, curves.count() + condition.body);
     }
     for (Condition const& condition : conditions) {
-        if (condition.kind == ConditionKind::given) parametriser.add(condition, curves.count() + all.bodies);
+        if (condition.kind == ConditionKind::given)
+            parametriser.add(condition, curves.count() + all.bodies);
     }
     HARMORPH_TRY(apply_given(given, curves, topology.representative, work, wall, fault));
     return check_distances(topology.mesh.points, conditions, curves, wall, fault);
@@ -202,7 +226,8 @@ Status parametrise(Topology const& topology, Boundary const& boundary, Span<cons
 Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept {
     if (!is_periodic(curve) && (u == curve.begin() || u == curve.end())) return {};
     Index equal = 0;
-    for (Index k = 0; k < curve.n_indices + curve.degree + 1; ++k) equal += curve.knots[k] == u ? 1 : 0;
+    for (Index k = 0; k < curve.n_indices + curve.degree + 1; ++k)
+        equal += curve.knots[k] == u ? 1 : 0;
     if (equal >= curve.degree) return {};
     Vec2 at[2];
     curve_point(curve, u, 1, at);
@@ -213,18 +238,20 @@ Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept {
     return length(offset) * slopes < length(at[1]) ? offset : Vec2{};
 }
 
-void find_offsets(Points points, Span<const Condition> conditions, Span<const Curve> curves, bool offset_correction,
-                 Wall& wall) noexcept {
+void find_offsets(Points points, Span<const Condition> conditions, Span<const Curve> curves,
+                  bool offset_correction, Wall& wall) noexcept {
     for (Index slot = 0; slot < wall.count; ++slot) {
         Index const curve = wall.curve[slot];
         Vec2 const point = points[wall.point[slot]];
         wall.offset[slot] = {};
         if (curve < curves.count()) {
-            if (offset_correction) wall.offset[slot] = offset_from(curves[curve], wall.u[slot], point);
+            if (offset_correction)
+                wall.offset[slot] = offset_from(curves[curve], wall.u[slot], point);
             continue;
         }
         for (Condition const& condition : conditions) {
-            bool const its = condition.kind == ConditionKind::rigid && condition.body == curve - curves.count();
+            bool const its =
+                condition.kind == ConditionKind::rigid && condition.body == curve - curves.count();
             if (its) wall.offset[slot] = point - condition.centre;
         }
     }

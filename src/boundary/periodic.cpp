@@ -17,22 +17,29 @@ struct SideMap {
 
 class Pair {
 public:
-    Pair(Topology& topology, Boundary const& boundary, Span<Index> chain, Span<PointKind> kinds, Span<Vec2> tangent,
-         Periodicity& periodicity) noexcept
-        : mesh_(topology.mesh), boundary_(boundary), chain_(chain), tied_(topology.representative), kinds_(kinds),
-          tangent_(tangent), periodicity_(periodicity) {}
+    Pair(Topology& topology, Boundary const& boundary, Span<Index> chain, Span<PointKind> kinds,
+         Span<Vec2> tangent, Periodicity& periodicity) noexcept
+        : mesh_(topology.mesh),
+          boundary_(boundary),
+          chain_(chain),
+          tied_(topology.representative),
+          kinds_(kinds),
+          tangent_(tangent),
+          periodicity_(periodicity) {}
 
     Status run(Condition const& condition, Fault& fault) noexcept {
         n_ = collect(condition.marker, 0);
         Index const n_partner = n_ > 0 ? collect(condition.partner, n_) : 0;
         if (n_ == 0 || n_partner == 0) {
-            return fault.refuse(Status::bad_condition, "periodic marker # is not one open piece of the boundary",
+            return fault.refuse(Status::bad_condition,
+                                "periodic marker # is not one open piece of the boundary",
                                 Counts::from_zero, n_ == 0 ? condition.marker : condition.partner);
         }
         if (n_ != n_partner) {
-            return fault.refuse(Status::bad_condition,
-                                "the periodic markers # and @ do not have the same number of points",
-                                Counts::from_zero, condition.marker, condition.partner);
+            return fault.refuse(
+                Status::bad_condition,
+                "the periodic markers # and @ do not have the same number of points",
+                Counts::from_zero, condition.marker, condition.partner);
         }
         Index times = 0;
         if (condition.kind == ConditionKind::rotation) {
@@ -48,18 +55,20 @@ public:
     void complete() const noexcept {
         for (Index k = 0; k < tied_.count(); ++k) {
             while (tied_[k] != tied_[tied_[k]]) {
-                if (!periodicity_.times.empty()) periodicity_.times[k] += periodicity_.times[tied_[k]];
+                if (!periodicity_.times.empty())
+                    periodicity_.times[k] += periodicity_.times[tied_[k]];
                 tied_[k] = tied_[tied_[k]];
             }
         }
     }
-    // Turns unknowns so that points of this marker are not turned. So the strong couplings of thin cells along a side
-    // are between points that are turned alike.
+    // Turns unknowns so that points of this marker are not turned. So the strong couplings of thin
+    // cells along a side are between points that are turned alike.
     void keep_unturned(Index marker) noexcept {
         Span<Index> const times = periodicity_.times;
         Index const n = collect(marker, 0);
         for (Index const point : chain_.first(n)) {
-            if (tied_[point] != point && times[tied_[point]] == 0) times[tied_[point]] = -times[point];
+            if (tied_[point] != point && times[tied_[point]] == 0)
+                times[tied_[point]] = -times[point];
         }
     }
     void turn_tied() const noexcept {
@@ -79,9 +88,11 @@ private:
         for (Index k = 0; k < n_; ++k) {
             map.shift = map.shift + (1.0 / n_) * (position(image_of(k)) - position(chain_[k]));
         }
-        HARMORPH_TRY(check_images(map, "points # and @ of a periodic pair are no translates: off by ~", fault));
+        HARMORPH_TRY(check_images(
+            map, "points # and @ of a periodic pair are no translates: off by ~", fault));
         if (periodicity_.translations.add(chain_[0], image_of(0), mesh_.points)) return Status::ok;
-        return fault.refuse(Status::bad_condition, "periodic marker #: there are already @ other translations",
+        return fault.refuse(Status::bad_condition,
+                            "periodic marker #: there are already @ other translations",
                             Counts::from_zero, condition.marker, Translations::most);
     }
 
@@ -90,17 +101,24 @@ private:
         SideMap map;
         map.centre = condition.centre;
         Real radius = 0;
-        for (Index k = 0; k < n_; ++k) radius = larger(radius, length(position(chain_[k]) - map.centre));
-        Real const scale = radius > 0 ? 1 / radius : 0;  // products of tiny coordinates would vanish
-        auto const from_centre = [&](Index point) { return scale * (position(point) - map.centre); };
+        for (Index k = 0; k < n_; ++k)
+            radius = larger(radius, length(position(chain_[k]) - map.centre));
+        Real const scale =
+            radius > 0 ? 1 / radius : 0;  // products of tiny coordinates would vanish
+        auto const from_centre = [&](Index point) {
+            return scale * (position(point) - map.centre);
+        };
         Vec2 sum;
-        for (Index k = 0; k < n_; ++k) sum = sum + product(conjugate(from_centre(chain_[k])), from_centre(image_of(k)));
+        for (Index k = 0; k < n_; ++k)
+            sum = sum + product(conjugate(from_centre(chain_[k])), from_centre(image_of(k)));
         map.turn = direction(sum);
-        HARMORPH_TRY(check_images(map, "points # and @ of a rotation pair are not turned about its centre: off by ~",
-                                  fault));
+        HARMORPH_TRY(check_images(
+            map, "points # and @ of a rotation pair are not turned about its centre: off by ~",
+            fault));
         if (length(map.turn - Vec2{1, 0}) < turned_above) {
             return fault.refuse(Status::bad_condition,
-                                "the sides of marker #, a rotation pair, are not turned: HM_PERIODIC_PAIR takes them",
+                                "the sides of marker #, a rotation pair, are not turned: "
+                                "HM_PERIODIC_PAIR takes them",
                                 Counts::from_zero, condition.marker);
         }
         Rotation& rotation = periodicity_.rotation;
@@ -108,7 +126,8 @@ private:
         times = rotation.times_of(map.centre, map.turn);
         if (times != 0) return Status::ok;
         return fault.refuse(Status::bad_condition,
-                            "rotation pair of marker #: another pair turns about another centre or by another angle",
+                            "rotation pair of marker #: another pair turns about another centre or "
+                            "by another angle",
                             Counts::from_zero, condition.marker);
     }
 
@@ -128,10 +147,12 @@ private:
             }
         }
         if (worst <= mapped_within * (length(high - low) + distance)) return Status::ok;
-        return fault.refuse(Status::bad_condition, sentence, Counts::mesh, chain_[worst_at], image_of(worst_at), worst);
+        return fault.refuse(Status::bad_condition, sentence, Counts::mesh, chain_[worst_at],
+                            image_of(worst_at), worst);
     }
 
-    // The marker's points in order from place `begin` of the chain on; 0 unless they are one open piece.
+    // The marker's points in order from place `begin` of the chain on; 0 unless they are one open
+    // piece.
     Index collect(Index marker, Index begin) noexcept {
         Index n = 0;
         bool closed = false;
@@ -155,16 +176,18 @@ private:
         return out;
     }
 
-    // The image is turned so many times against the point. Of two pairs that meet in a corner, one point may have
-    // images in both.
+    // The image is turned so many times against the point. Of two pairs that meet in a corner, one
+    // point may have images in both.
     Status tie(Index image, Index point, Index times, Fault& fault) noexcept {
         Root const a = root(point), b = root(image);
         times += a.times - b.times;  // of b against a
         bool const is_same = a.point == b.point;
         if (is_same && times == 0) return Status::ok;
-        PointKind const kind = kinds_[a.point] < kinds_[b.point] ? kinds_[a.point] : kinds_[b.point];
+        PointKind const kind =
+            kinds_[a.point] < kinds_[b.point] ? kinds_[a.point] : kinds_[b.point];
         if (kind == PointKind::on_wall) {
-            return fault.refuse(Status::bad_condition, "point # is on a periodic boundary and on a wall that moves",
+            return fault.refuse(Status::bad_condition,
+                                "point # is on a periodic boundary and on a wall that moves",
                                 Counts::mesh, kinds_[a.point] == kind ? a.point : b.point);
         }
         if (is_same) {  // the centre: only 0 is what it becomes by the rotation
@@ -174,7 +197,8 @@ private:
         Index const low = smaller(a.point, b.point), high = larger(a.point, b.point);
         if (kind == PointKind::slip) {
             bool const both = kinds_[a.point] == kinds_[b.point];
-            bool const crossing = both && absolute(cross(tangent_[a.point], tangent_[b.point])) > parallel_below;
+            bool const crossing =
+                both && absolute(cross(tangent_[a.point], tangent_[b.point])) > parallel_below;
             tangent_[low] = tangent_[kinds_[a.point] == kind ? a.point : b.point];
             kinds_[low] = crossing ? PointKind::fixed : kind;
         } else {
@@ -182,7 +206,8 @@ private:
         }
         tied_[high] = low;
         kinds_[high] = PointKind::unused;
-        if (!periodicity_.times.empty()) periodicity_.times[high] = high == b.point ? times : -times;
+        if (!periodicity_.times.empty())
+            periodicity_.times[high] = high == b.point ? times : -times;
         return Status::ok;
     }
 
@@ -197,8 +222,9 @@ private:
 
 }  // namespace
 
-Status tie_periodic(Topology& topology, Boundary const& boundary, Span<const Condition> conditions, Span<Index> chain,
-                    Span<PointKind> kinds, Span<Vec2> tangent, Periodicity& periodicity, Fault& fault) noexcept {
+Status tie_periodic(Topology& topology, Boundary const& boundary, Span<const Condition> conditions,
+                    Span<Index> chain, Span<PointKind> kinds, Span<Vec2> tangent,
+                    Periodicity& periodicity, Fault& fault) noexcept {
     periodicity.translations = Translations{};
     periodicity.rotation = Rotation{};
     fill(periodicity.times, Index{0});

@@ -7,21 +7,30 @@ namespace {
 constexpr Real straight_below = 1e-6;  // rounding of coordinates in files
 constexpr Real smooth_below = 0.02;    // never a corner
 constexpr Real corner_above = 0.5;     // always one
-constexpr Real corner_factor = 2.5;    // in between: where the boundary bends so much more than beside it
+constexpr Real corner_factor =
+    2.5;  // in between: where the boundary bends so much more than beside it
 
 class SlipLines {
 public:
-    SlipLines(Points points, Boundary const& boundary, Span<const Condition> conditions, SlipAlong const& along,
-              Span<PointKind> kinds, Span<Vec2> tangent, SlipCurves& curves, Fault& fault) noexcept
-        : points_(points), boundary_(boundary), conditions_(conditions), along_(along), kinds_(kinds),
-          tangent_(tangent), curves_(curves), fault_(fault) {}
+    SlipLines(Points points, Boundary const& boundary, Span<const Condition> conditions,
+              SlipAlong const& along, Span<PointKind> kinds, Span<Vec2> tangent, SlipCurves& curves,
+              Fault& fault) noexcept
+        : points_(points),
+          boundary_(boundary),
+          conditions_(conditions),
+          along_(along),
+          kinds_(kinds),
+          tangent_(tangent),
+          curves_(curves),
+          fault_(fault) {}
 
     Status run() noexcept {
         fill(tangent_, Vec2{1, 0});
         if (!along_.curves.empty()) along_.find_corners(points_, boundary_, conditions_);
         curves_.count = 0;
         for (Index loop = 0; loop < boundary_.n_loops; ++loop) {
-            Index const begin = boundary_.loop_start[loop], n = boundary_.loop_start[loop + 1] - begin;
+            Index const begin = boundary_.loop_start[loop],
+                        n = boundary_.loop_start[loop + 1] - begin;
             Index first = 0;  // face of the loop with which a line begins
             while (first < n && continues(loop, begin + first)) ++first;
             if (first == n) {  // no line, or one without end
@@ -58,7 +67,9 @@ private:
                           : boundary_.point[boundary_.after(face_at(line, line.n - 1), line.loop)];
     }
 
-    const Condition* condition(Index face) const noexcept { return condition_of(conditions_, boundary_, face); }
+    const Condition* condition(Index face) const noexcept {
+        return condition_of(conditions_, boundary_, face);
+    }
     bool slips(Index face) const noexcept {
         const Condition* const its = condition(face);
         return its != nullptr && its->kind == ConditionKind::slip;
@@ -67,7 +78,8 @@ private:
         return face == boundary_.loop_start[loop] ? boundary_.loop_start[loop + 1] - 1 : face - 1;
     }
     Vec2 side(Index loop, Index face) const noexcept {
-        return points_[boundary_.point[boundary_.after(face, loop)]] - points_[boundary_.point[face]];
+        return points_[boundary_.point[boundary_.after(face, loop)]] -
+               points_[boundary_.point[face]];
     }
     // Sine of the angle between two directions, positive to the left; 1 where they are opposite.
     static Real bend(Vec2 a, Vec2 b) noexcept {
@@ -89,7 +101,8 @@ private:
         if (previous == face || slips(previous) != slips(face)) return false;
         if (!slips(face)) return true;
         const Condition *const its = condition(face), *const of_previous = condition(previous);
-        if (!SlipAlong::is_along(its) && !SlipAlong::is_along(of_previous)) return is_smooth(loop, face);
+        if (!SlipAlong::is_along(its) && !SlipAlong::is_along(of_previous))
+            return is_smooth(loop, face);
         return its->same_curves(*of_previous) && !along_.is_corner(face);
     }
     bool is_smooth(Index loop, Index face) const noexcept {
@@ -116,8 +129,9 @@ private:
             HARMORPH_TRY(along_.add(*its, line.n, line.closed, point, curves_, fault_));
             put_tangents(line);
         } else if (line.closed || !is_straight(line)) {
-            curves_.add(line.n, line.closed, [&](Index k) { return points_[point_at(line, k)]; },
-                        [&](Index k) { return point_at(line, k); });
+            curves_.add(
+                line.n, line.closed, [&](Index k) { return points_[point_at(line, k)]; },
+                [&](Index k) { return point_at(line, k); });
             put_tangents(line);
         } else {
             Vec2 const whole = points_[point_at(line, line.n)] - points_[point_at(line, 0)];
@@ -129,7 +143,8 @@ private:
     bool is_straight(Line const& line) const noexcept {
         Vec2 const whole = points_[point_at(line, line.n)] - points_[point_at(line, 0)];
         for (Index k = 0; k < line.n; ++k) {
-            if (!(absolute(bend(whole, side(line.loop, face_at(line, k)))) < straight_below)) return false;
+            if (!(absolute(bend(whole, side(line.loop, face_at(line, k)))) < straight_below))
+                return false;
         }
         return true;
     }
@@ -143,7 +158,8 @@ private:
     void put(Line const& line, Index k, Vec2 direction) noexcept {
         Index const point = point_at(line, k);
         if (kinds_[point] != PointKind::slip) return;
-        bool const from_corner = k == 0 && !line.closed && slips(before(line.loop, face_at(line, 0)));
+        bool const from_corner =
+            k == 0 && !line.closed && slips(before(line.loop, face_at(line, 0)));
         bool const to_corner = k == line.n && !line.closed &&
                                slips(boundary_.after(face_at(line, line.n - 1), line.loop));
         if (from_corner || to_corner) {
@@ -166,8 +182,8 @@ private:
 }  // namespace
 
 Status find_slip_lines(Points points, Boundary const& boundary, Span<const Condition> conditions,
-                       SlipAlong const& along, Span<PointKind> kinds, Span<Vec2> tangent, SlipCurves& curves,
-                       Fault& fault) noexcept {
+                       SlipAlong const& along, Span<PointKind> kinds, Span<Vec2> tangent,
+                       SlipCurves& curves, Fault& fault) noexcept {
     return SlipLines(points, boundary, conditions, along, kinds, tangent, curves, fault).run();
 }
 

@@ -22,7 +22,8 @@ public:
         Real const begin = leaving(u_[k]), end = arriving(u_[next(k)]);
         if (t >= 1) return end;
         Real length = end - begin;
-        if (has_seam_ && length != 0 && (length > 0) != ascends_) length += ascends_ ? period : -period;
+        if (has_seam_ && length != 0 && (length > 0) != ascends_)
+            length += ascends_ ? period : -period;
         Real const u = begin + t * length;
         return u > curve_.end() ? u - period : u < curve_.begin() ? u + period : u;
     }
@@ -54,7 +55,8 @@ private:
 
 }  // namespace
 
-void SlipAlong::find_corners(Points points, Boundary const& boundary, Span<const Condition> conditions) const noexcept {
+void SlipAlong::find_corners(Points points, Boundary const& boundary,
+                             Span<const Condition> conditions) const noexcept {
     fill(work.is_break.first(boundary.count), std::uint8_t{0});
     auto const mark_nearest = [&](Condition const& condition, Vec2 end) {
         Index nearest = none;
@@ -66,7 +68,8 @@ void SlipAlong::find_corners(Points points, Boundary const& boundary, Span<const
             nearest = face;
         };
         for (Index loop = 0; loop < boundary.n_loops; ++loop) {
-            for (Index face = boundary.loop_start[loop]; face < boundary.loop_start[loop + 1]; ++face) {
+            for (Index face = boundary.loop_start[loop]; face < boundary.loop_start[loop + 1];
+                 ++face) {
                 const Condition* const its = condition_of(conditions, boundary, face);
                 if (!is_along(its) || !its->same_curves(condition)) continue;
                 look(face);
@@ -85,13 +88,15 @@ void SlipAlong::find_corners(Points points, Boundary const& boundary, Span<const
     }
 }
 
-Status SlipAlong::give(Condition const& condition, Index n, bool closed, SlipCurves& to, Fault& fault) const noexcept {
+Status SlipAlong::give(Condition const& condition, Index n, bool closed, SlipCurves& to,
+                       Fault& fault) const noexcept {
     Index const n_points = closed ? n : n + 1, first = to.start[to.count - 1];
     Span<const Vec2> const position = work.position.first(n_points);
     Span<Real> const u = work.u.first(n_points), best_u = work.best_u.first(n_points);
     Real least = infinity;
     Index best = condition.first_curve;
-    for (Index number = condition.first_curve; number < condition.first_curve + condition.n_curves; ++number) {
+    for (Index number = condition.first_curve; number < condition.first_curve + condition.n_curves;
+         ++number) {
         Real const misfit = project_chain(curves[number], position, closed, work.projection, u);
         if (!(misfit < least)) continue;
         least = misfit;
@@ -110,21 +115,24 @@ Status SlipAlong::give(Condition const& condition, Index n, bool closed, SlipCur
         farthest = larger(farthest, distance);
     }
     if (farthest > most_offset * size) {
-        return fault.refuse(Status::bad_condition,
-                            "point # is ~ from the curve that it should slide along: is the marker another one?",
-                            Counts::mesh, to.point[first + where], none, farthest);
+        return fault.refuse(
+            Status::bad_condition,
+            "point # is ~ from the curve that it should slide along: is the marker another one?",
+            Counts::mesh, to.point[first + where], none, farthest);
     }
     bool const smooth = to.give([&](Index j, Vec2& tangent) {
         if (closed && j == n * SlipCurves::parts) j = 0;  // bit by bit
         Index const k = smaller(j / SlipCurves::parts, n - 1);
-        Real const t = static_cast<Real>(j - k * SlipCurves::parts) / SlipCurves::parts, at = way.at(k, t);
+        Real const t = static_cast<Real>(j - k * SlipCurves::parts) / SlipCurves::parts,
+                   at = way.at(k, t);
         tangent = way.tangent(at);
         return curve_point(curve, at) + (1 - t) * offset(k) + t * offset(way.next(k));
     });
     if (smooth) return Status::ok;
-    return fault.refuse(Status::bad_condition,
-                        "the curve along which point # and those after it should slide has a corner between them",
-                        Counts::mesh, to.point[first]);
+    return fault.refuse(
+        Status::bad_condition,
+        "the curve along which point # and those after it should slide has a corner between them",
+        Counts::mesh, to.point[first]);
 }
 
 }  // namespace harmorph

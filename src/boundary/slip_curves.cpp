@@ -8,7 +8,9 @@ namespace {
 
 constexpr Index most_steps = 100;  // of Newton's method, or halvings, to a place on a segment
 
-Vec2 mirrored(Vec2 tangent, Vec2 chord) noexcept { return (2 * dot(tangent, chord)) * chord - tangent; }
+Vec2 mirrored(Vec2 tangent, Vec2 chord) noexcept {
+    return (2 * dot(tangent, chord)) * chord - tangent;
+}
 
 // Of the circle through three points, at the second one.
 Vec2 circle_tangent(Vec2 before, Vec2 here, Vec2 after) noexcept {
@@ -24,11 +26,13 @@ struct Cubic {
 
     Vec2 at(Real u) const noexcept {
         Real const v = 1 - u;
-        return begin + (u * u * (3 - 2 * u)) * (end - begin) + (u * v * v) * leaving - (u * u * v) * arriving;
+        return begin + (u * u * (3 - 2 * u)) * (end - begin) + (u * v * v) * leaving -
+               (u * u * v) * arriving;
     }
     Vec2 slope(Real u) const noexcept {
         Real const v = 1 - u;
-        return (6 * u * v) * (end - begin) + (v * (1 - 3 * u)) * leaving + (u * (3 * u - 2)) * arriving;
+        return (6 * u * v) * (end - begin) + (v * (1 - 3 * u)) * leaving +
+               (u * (3 * u - 2)) * arriving;
     }
     Vec2 bend(Real u) const noexcept {
         return (6 - 12 * u) * (end - begin) + (6 * u - 4) * leaving + (6 * u - 2) * arriving;
@@ -81,7 +85,8 @@ void SlipCurves::copy_from(SlipCurves const& other) noexcept {
 
 void SlipCurves::find_tangents(Index curve, bool closed) const noexcept {
     Index const first = start[curve], last = start[curve + 1] - 1;
-    for (Index k = first + 1; k < last; ++k) tangent[k] = circle_tangent(at[k - 1], at[k], at[k + 1]);
+    for (Index k = first + 1; k < last; ++k)
+        tangent[k] = circle_tangent(at[k - 1], at[k], at[k + 1]);
     if (closed) {
         tangent[first] = tangent[last] = circle_tangent(at[last - 1], at[first], at[first + 1]);
     } else {
@@ -143,7 +148,8 @@ SlipCurves::Place SlipCurves::nearest(Index slot, Vec2 p) const noexcept {
         if ((ahead(next) >= 0) != forwards) return on_segment(curve, forwards ? here : next, p);
         here = next;
     }
-    if (closed) return {at[slot], tangent[slot]};  // p is so far away that no place is the nearest one
+    if (closed)
+        return {at[slot], tangent[slot]};  // p is so far away that no place is the nearest one
     return {at[here] + ahead(here) * tangent[here], tangent[here]};
 }
 
@@ -164,7 +170,8 @@ SlipCurves::Place SlipCurves::on_segment(Index curve, Index slot, Vec2 p) const 
     return on_cubic(place, direction, p);
 }
 
-// Between two places of a curve that is close to its cubics, the tangents turn little and go from the one to the other.
+// Between two places of a curve that is close to its cubics, the tangents turn little and go from
+// the one to the other.
 bool SlipCurves::is_smooth(const Vec2 (&at)[2], const Vec2 (&tangent)[2]) noexcept {
     constexpr Real cosine_of_30_degrees = 0.8660254037844386;
     Vec2 const side = at[1] - at[0];
@@ -174,7 +181,8 @@ bool SlipCurves::is_smooth(const Vec2 (&at)[2], const Vec2 (&tangent)[2]) noexce
 }
 
 // (p - C(u)).C'(u) is positive where the segment begins and not where it ends, or zero there.
-SlipCurves::Place SlipCurves::on_cubic(const Vec2 (&at)[2], const Vec2 (&tangent)[2], Vec2 p) noexcept {
+SlipCurves::Place SlipCurves::on_cubic(const Vec2 (&at)[2], const Vec2 (&tangent)[2],
+                                       Vec2 p) noexcept {
     Vec2 const side = at[1] - at[0];
     Real const chord = length(side);
     Real const along = 0.5 / chord * dot(tangent[0] + tangent[1], side);

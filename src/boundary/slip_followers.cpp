@@ -24,8 +24,9 @@ void SlipFollowers::copy_from(SlipFollowers const& other) noexcept {
     copy(weight, Span<const Real>(other.weight));
 }
 
-void SlipFollowers::find(Topology const& topology, Boundary const& boundary, Span<const Condition> conditions,
-                         Span<const PointKind> kinds, SlipCurves const& curves, Index quarters,
+void SlipFollowers::find(Topology const& topology, Boundary const& boundary,
+                         Span<const Condition> conditions, Span<const PointKind> kinds,
+                         SlipCurves const& curves, Index quarters,
                          Executor const& executor) noexcept {
     if (curves.count == 0) {
         slot = {};
@@ -37,7 +38,8 @@ void SlipFollowers::find(Topology const& topology, Boundary const& boundary, Spa
     fill(slot, none);
     fill(slot_at, none);
     for (Index curve = 0; curve < curves.count; ++curve) {
-        for (Index k = curves.start[curve]; k + 1 < curves.start[curve + 1]; ++k) slot_at[curves.point[k]] = k;
+        for (Index k = curves.start[curve]; k + 1 < curves.start[curve + 1]; ++k)
+            slot_at[curves.point[k]] = k;
     }
     auto const condition_kind = [&](Index face) {
         const Condition* const condition = condition_of(conditions, boundary, face);
@@ -48,7 +50,9 @@ void SlipFollowers::find(Topology const& topology, Boundary const& boundary, Spa
     };
     auto const is_partner = [&](Index face) {
         for (Condition const& condition : conditions) {
-            if (condition.kind == ConditionKind::periodic && condition.partner == boundary.marker[face]) return true;
+            if (condition.kind == ConditionKind::periodic &&
+                condition.partner == boundary.marker[face])
+                return true;
         }
         return false;
     };
@@ -71,13 +75,15 @@ void SlipFollowers::find(Topology const& topology, Boundary const& boundary, Spa
     });
     faces.choose(boundary, [&](Index face) {
         ConditionKind const kind = condition_kind(face);
-        bool const goes_along = kind == ConditionKind::free || kind == ConditionKind::periodic || is_partner(face);
+        bool const goes_along =
+            kind == ConditionKind::free || kind == ConditionKind::periodic || is_partner(face);
         return !goes_along && !is_on_curve(face);
     });
     faces.build(points);
     for_followers([&](Index k) {
         if (slot[k] == none) return;
-        Real const t = weight[2 * k], from_curve = weight[2 * k + 1], from_others = faces.distance(points[k]);
+        Real const t = weight[2 * k], from_curve = weight[2 * k + 1],
+                   from_others = faces.distance(points[k]);
         Real const nearness = from_others < infinity ? from_others / (from_curve + from_others) : 1;
         Real const root = square_root(square_root(nearness));
         Real part = nearness;

@@ -22,7 +22,8 @@ Real extent_of(Curve const& curve) noexcept {
 
 class DistanceCheck {
 public:
-    DistanceCheck(Points points, Span<const Condition> conditions, Span<const Curve> curves, Wall const& wall) noexcept
+    DistanceCheck(Points points, Span<const Condition> conditions, Span<const Curve> curves,
+                  Wall const& wall) noexcept
         : points_(points), conditions_(conditions), curves_(curves), wall_(wall) {
         WallBox box;
         for (Index slot = 0; slot < wall.count; ++slot) {
@@ -38,7 +39,8 @@ public:
         if (farthest_ != none) return refuse_far(fault);
         if (beyond_ == none) return Status::ok;
         return fault.refuse(Status::far_from_curve,
-                            "point # is ~ beyond the end of its curve: points there move as one; is a curve missing?",
+                            "point # is ~ beyond the end of its curve: points there move as one; "
+                            "is a curve missing?",
                             Counts::mesh, wall_.point[beyond_], none, beyond_distance_);
     }
 
@@ -70,14 +72,16 @@ private:
             if (named_together(its_curve, other)) continue;
             if (!(project(curves_[other], point).distance < much_nearer * distance)) continue;
             return fault.refuse(Status::bad_condition,
-                                "point # is ~ from its curve, but on curve @ (from 0), which its condition does not "
+                                "point # is ~ from its curve, but on curve @ (from 0), which its "
+                                "condition does not "
                                 "name",
                                 Counts::mesh_and_marker, wall_.point[slot], other, distance);
         }
         return Status::ok;
     }
 
-    // The length of the shorter face at the point. Neighbours along the wall have neighbouring slots.
+    // The length of the shorter face at the point. Neighbours along the wall have neighbouring
+    // slots.
     Real face_at(Index slot) const noexcept {
         Real least = infinity;
         for (Index next = slot - 1; next <= slot + 1; next += 2) {
@@ -91,7 +95,8 @@ private:
         if (a == b) return true;
         for (Condition const& condition : conditions_) {
             auto const names = [&](Index curve) {
-                return curve >= condition.first_curve && curve < condition.first_curve + condition.n_curves;
+                return curve >= condition.first_curve &&
+                       curve < condition.first_curve + condition.n_curves;
             };
             if (condition.kind == ConditionKind::on_curve && names(a) && names(b)) return true;
         }
@@ -101,32 +106,33 @@ private:
     Status refuse_far(Fault& fault) const noexcept {
         bool const is_another = largest_ > 1;
         return fault.refuse(is_another ? Status::bad_condition : Status::far_from_curve,
-                            is_another
-                                ? "point # is ~ from its curve, farther than that is large: is its marker another one?"
-                                : "point # is ~ from its curve, above .05 of the extent of curve or wall: is the curve "
-                                  "its own?",
+                            is_another ? "point # is ~ from its curve, farther than that is large: "
+                                         "is its marker another one?"
+                                       : "point # is ~ from its curve, above .05 of the extent of "
+                                         "curve or wall: is the curve "
+                                         "its own?",
                             Counts::mesh, wall_.point[farthest_], none, largest_distance_);
     }
 
-    static constexpr Real far = 0.05;             // of the extent
-    static constexpr Real share_of_face = 0.25;   // a fit that follows the faces is nearer
+    static constexpr Real far = 0.05;            // of the extent
+    static constexpr Real share_of_face = 0.25;  // a fit that follows the faces is nearer
     static constexpr Real much_nearer = 0.0625;
 
     Points points_;
     Span<const Condition> conditions_;
     Span<const Curve> curves_;
     Wall const& wall_;
-    Real wall_extent_ = 0;                        // of all points on curves
-    Index measured_ = none;                       // the curve with the extent below
+    Real wall_extent_ = 0;   // of all points on curves
+    Index measured_ = none;  // the curve with the extent below
     Real curve_extent_ = 0;
-    Index farthest_ = none, beyond_ = none;       // slots
+    Index farthest_ = none, beyond_ = none;  // slots
     Real largest_ = far, largest_distance_ = 0, beyond_distance_ = 0;
 };
 
 }  // namespace
 
-Status check_distances(Points points, Span<const Condition> conditions, Span<const Curve> curves, Wall const& wall,
-                       Fault& fault) noexcept {
+Status check_distances(Points points, Span<const Condition> conditions, Span<const Curve> curves,
+                       Wall const& wall, Fault& fault) noexcept {
     return DistanceCheck(points, conditions, curves, wall).run(fault);
 }
 

@@ -6,8 +6,8 @@ namespace harmorph {
 namespace {
 
 constexpr Real most_reach = 0.25;
-constexpr Real growth = 0.5;          // of the reach, per length along the wall
-constexpr Real least_jump = 3;        // of feet, against the distance of two points of one cell
+constexpr Real growth = 0.5;    // of the reach, per length along the wall
+constexpr Real least_jump = 3;  // of feet, against the distance of two points of one cell
 constexpr Index least_points_near_walls = 4096;  // for a thread
 
 Real fade(Real x) noexcept { return x < 1 ? 1 - x * (3 - 2 * square_root(x)) : 0; }
@@ -22,13 +22,15 @@ void WallHeights::lay_out(Arena& arena, Mesh const& mesh, Size max_faces) noexce
     arena.take(turn, most);
 }
 
-void WallHeights::find(Mesh const& mesh, Points before, Span<const PointKind> kinds, Span<const Index> representative,
-                       FaceDistance const& walls, Executor const& executor) noexcept {
+void WallHeights::find(Mesh const& mesh, Points before, Span<const PointKind> kinds,
+                       Span<const Index> representative, FaceDistance const& walls,
+                       Executor const& executor) noexcept {
     wall.find(mesh.n_points, walls);
     executor.for_ranges(mesh.n_points, least_points_near_walls, [&](Index begin, Index end) {
         Index group = 0;
         for (Index k = begin; k < end; ++k) {
-            foot[k] = kinds[k] == PointKind::inside ? walls.foot(before[k], group) : FaceDistance::Foot{};
+            foot[k] =
+                kinds[k] == PointKind::inside ? walls.foot(before[k], group) : FaceDistance::Foot{};
         }
     });
     bound_by_curvature(walls, before);
@@ -36,7 +38,8 @@ void WallHeights::find(Mesh const& mesh, Points before, Span<const PointKind> ki
     bound_by_jumps(mesh, before, representative, walls);
     grade(walls, before);
     for (Index k = 0; k < mesh.n_points; ++k) {
-        if (foot[k].face != none && !(height(walls, k, before) < reach_at(walls, foot[k]))) foot[k] = {};
+        if (foot[k].face != none && !(height(walls, k, before) < reach_at(walls, foot[k])))
+            foot[k] = {};
     }
 }
 
@@ -54,15 +57,17 @@ void WallHeights::bound_by_curvature(FaceDistance const& walls, Points before) n
         reach[slot] = 0;
         if (wall.previous[slot] == none || wall.next[slot] == none) continue;
         Vec2 const here = before[wall.point[slot]];
-        Vec2 const behind = here - before[wall.previous[slot]], ahead = before[wall.next[slot]] - here;
-        Real const curving = length(direction(ahead) - direction(behind)), most = most_reach * walls.extent;
+        Vec2 const behind = here - before[wall.previous[slot]],
+                   ahead = before[wall.next[slot]] - here;
+        Real const curving = length(direction(ahead) - direction(behind)),
+                   most = most_reach * walls.extent;
         Real const mean = 0.5 * (length(ahead) + length(behind));
         reach[slot] = mean < most * curving ? mean / curving : most;
     }
 }
 
-// Bounds the reach beside a boundary that is no wall here, and where two points of one cell have feet far from each
-// other, because the nearest wall changes between them.
+// Bounds the reach beside a boundary that is no wall here, and where two points of one cell have
+// feet far from each other, because the nearest wall changes between them.
 void WallHeights::bound_by_jumps(Mesh const& mesh, Points before, Span<const Index> representative,
                                  FaceDistance const& walls) noexcept {
     auto const bound = [&](Index near_point) {
@@ -81,8 +86,10 @@ void WallHeights::bound_by_jumps(Mesh const& mesh, Points before, Span<const Ind
         Cell const cell = mesh.cell(i);
         for (Index k = 0; k < cell.n; ++k) {
             Index const here = representative[cell.point[k]];
-            if (!has_foot(here) || !(height(walls, here, before) < most_reach * walls.extent)) continue;
-            Index const next = representative[cell.next(k)], previous = representative[cell.previous(k)];
+            if (!has_foot(here) || !(height(walls, here, before) < most_reach * walls.extent))
+                continue;
+            Index const next = representative[cell.next(k)],
+                        previous = representative[cell.previous(k)];
             if (is_jump(here, next) || is_jump(here, previous)) bound(here);
         }
     }
@@ -102,7 +109,8 @@ void WallHeights::grade(FaceDistance const& walls, Points before) noexcept {
 }
 
 void WallHeights::restore(FaceDistance const& walls, Points before, MutablePoints points,
-                          Span<const Index> representative, Real amount, Executor const& executor) const noexcept {
+                          Span<const Index> representative, Real amount,
+                          Executor const& executor) const noexcept {
     Points const after{points.x, points.y, points.stride};
     for (Index slot = 0; slot < wall.count; ++slot) turn[slot] = wall.turn(slot, before, after);
     executor.for_ranges(foot.count(), least_points_near_walls, [&](Index begin, Index end) {
@@ -110,7 +118,8 @@ void WallHeights::restore(FaceDistance const& walls, Points before, MutablePoint
             FaceDistance::Foot const& foot_of_k = foot[k];
             if (foot_of_k.face == none) continue;
             FaceDistance::Face const& face = walls.faces[foot_of_k.face];
-            Vec2 const from_foot = before[k] - walls.at(foot_of_k, before), up = direction(from_foot);
+            Vec2 const from_foot = before[k] - walls.at(foot_of_k, before),
+                       up = direction(from_foot);
             Real const height_before = dot(from_foot, up);
             Vec2 const turn_at_foot = direction((1 - foot_of_k.t) * turn[wall.slot[face.point[0]]] +
                                                 foot_of_k.t * turn[wall.slot[face.point[1]]]);

@@ -9,26 +9,33 @@ namespace {
 
 Status check_knots(Curve const& curve, Index number, Fault& fault) noexcept {
     auto const refuse = [&](const char* sentence, Index knot) {
-        return fault.refuse(Status::bad_curve, sentence, Counts::from_zero, knot, number, curve.knots[knot]);
+        return fault.refuse(Status::bad_curve, sentence, Counts::from_zero, knot, number,
+                            curve.knots[knot]);
     };
     Index const n_knots = curve.n_indices + curve.degree + 1;
     for (Index k = 0; k < n_knots; ++k) {
-        if (!is_finite(curve.knots[k])) return refuse("knot # (from 0) of curve @ (from 0) is not finite", k);
+        if (!is_finite(curve.knots[k]))
+            return refuse("knot # (from 0) of curve @ (from 0) is not finite", k);
         if (k > 0 && curve.knots[k] < curve.knots[k - 1])
-            return refuse("knot # (from 0) of curve @ (from 0) is smaller than the one before it", k);
+            return refuse("knot # (from 0) of curve @ (from 0) is smaller than the one before it",
+                          k);
     }
     // Within these limits no quotient of basis functions or of their derivatives overflows.
     constexpr Real longest = 1e100, shortest = 1e-100, least_part = 1e-18;
     if (!is_at_most(curve.knots[0], longest) || !is_at_most(curve.knots[n_knots - 1], longest) ||
         !(curve.end() - curve.begin() >= shortest))
-        return refuse("from knot # (from 0) on, where it begins, curve @ (from 0) has no length, or knots beyond 1e100",
-                      curve.degree);
+        return refuse(
+            "from knot # (from 0) on, where it begins, curve @ (from 0) has no length, or knots "
+            "beyond 1e100",
+            curve.degree);
     Real const least = least_part * (curve.knots[n_knots - 1] - curve.knots[0]);
     for (Index k = 1; k < n_knots; ++k) {
         Real const interval = curve.knots[k] - curve.knots[k - 1];
         if (interval > 0 && interval < least)
             return refuse(
-                "knot # (from 0) of curve @ (from 0) differs from the one before it by less than 1e-18 of all", k);
+                "knot # (from 0) of curve @ (from 0) differs from the one before it by less than "
+                "1e-18 of all",
+                k);
     }
 
     Index fold = 0;
@@ -36,34 +43,44 @@ Status check_knots(Curve const& curve, Index number, Fault& fault) noexcept {
         fold = k > 0 && curve.knots[k] == curve.knots[k - 1] ? fold + 1 : 1;
         bool const at_end = curve.knots[k] == curve.begin() || curve.knots[k] == curve.end();
         if (fold > curve.degree + (at_end ? 1 : 0))
-            return refuse("knot # (from 0) of curve @ (from 0) is repeated more often than the degree allows", k);
+            return refuse(
+                "knot # (from 0) of curve @ (from 0) is repeated more often than the degree allows",
+                k);
     }
     return Status::ok;
 }
 
 Status check_control(Curve const& curve, Index number, Fault& fault) noexcept {
     if (curve.indices == nullptr && curve.n_indices > curve.n_control)
-        return fault.refuse(Status::bad_curve, "curve # (from 0) uses @ control points in order, but there are fewer",
+        return fault.refuse(Status::bad_curve,
+                            "curve # (from 0) uses @ control points in order, but there are fewer",
                             Counts::from_zero, number, curve.n_indices);
     for (Index k = 0; k < curve.n_indices; ++k) {
-        // Not by control_point(): the subtraction may overflow before anything is known about the index.
-        Offset const c = curve.indices != nullptr ? static_cast<Offset>(curve.indices[k]) - curve.index_base : k;
+        // Not by control_point(): the subtraction may overflow before anything is known about the
+        // index.
+        Offset const c =
+            curve.indices != nullptr ? static_cast<Offset>(curve.indices[k]) - curve.index_base : k;
         if (c < 0 || c >= curve.n_control)
-            return fault.refuse(Status::bad_curve,
-                                "index # (from 0) of curve @ (from 0) is ~: there is no such control point",
-                                Counts::from_zero, k, number, static_cast<Real>(curve.indices[k]));
+            return fault.refuse(
+                Status::bad_curve,
+                "index # (from 0) of curve @ (from 0) is ~: there is no such control point",
+                Counts::from_zero, k, number, static_cast<Real>(curve.indices[k]));
         Index const point = static_cast<Index>(c);
         Vec2 const place{curve.control[2 * point], curve.control[2 * point + 1]};
         if (!is_finite(place.x) || !is_finite(place.y))
-            return fault.refuse(Status::bad_curve, "control point # of curve @ (from 0) is not finite", Counts::curves,
+            return fault.refuse(Status::bad_curve,
+                                "control point # of curve @ (from 0) is not finite", Counts::curves,
                                 point, number);
         if (!is_coordinate(place))
-            return fault.refuse(Status::bad_curve,
-                                "control point # of curve @ (from 0) has a coordinate beyond 1e100: ~", Counts::curves,
-                                point, number, absolute(place.x) > absolute(place.y) ? place.x : place.y);
+            return fault.refuse(
+                Status::bad_curve,
+                "control point # of curve @ (from 0) has a coordinate beyond 1e100: ~",
+                Counts::curves, point, number,
+                absolute(place.x) > absolute(place.y) ? place.x : place.y);
         if (curve.weights != nullptr && !is_between(1e-10, curve.weights[point], 1e10))
             return fault.refuse(Status::bad_curve,
-                                "the weight of control point # of curve @ (from 0) is ~, not between 1e-10 and 1e10",
+                                "the weight of control point # of curve @ (from 0) is ~, not "
+                                "between 1e-10 and 1e10",
                                 Counts::curves, point, number, curve.weights[point]);
     }
     return Status::ok;
@@ -71,7 +88,8 @@ Status check_control(Curve const& curve, Index number, Fault& fault) noexcept {
 
 // Products of a rational curve by Leibniz' rule (equation 4.8), for each basis function:
 // R_k = w_k N_k / W, hence R_k^(d) = (w_k N_k^(d) - sum_i binomial(d, i) W^(i) R_k^(d - i)) / W.
-void make_rational(Curve const& curve, Index span, Index n_derivatives, CurveBasis& basis) noexcept {
+void make_rational(Curve const& curve, Index span, Index n_derivatives,
+                   CurveBasis& basis) noexcept {
     Real sum[max_order] = {};  // W and its derivatives
     for (Index d = 0; d <= n_derivatives; ++d)
         for (Index k = 0; k < basis.order; ++k) {
@@ -90,10 +108,13 @@ void make_rational(Curve const& curve, Index span, Index n_derivatives, CurveBas
         }
 }
 
-// Raises values and derivatives (each of the degree before) to degree j. The divided forms (u - a) / h and (b - u) / h
-// are exactly 1 and 0 at clamped ends, where P&T's A2.2 may be one rounding off.
-void raise_degree(Curve const& curve, Index span, Real u, Index j, Index n_derivatives, CurveBasis& basis) noexcept {
-    Real const* const low = curve.knots + span + 1 - j;  // function r of degree j - 1 lives on [low[r], high[r]]
+// Raises values and derivatives (each of the degree before) to degree j. The divided forms (u - a)
+// / h and (b - u) / h are exactly 1 and 0 at clamped ends, where P&T's A2.2 may be one rounding
+// off.
+void raise_degree(Curve const& curve, Index span, Real u, Index j, Index n_derivatives,
+                  CurveBasis& basis) noexcept {
+    Real const* const low =
+        curve.knots + span + 1 - j;  // function r of degree j - 1 lives on [low[r], high[r]]
     Real const* const high = curve.knots + span + 1;
     for (Index d = smaller(n_derivatives, j); d >= 1; --d) {  // equation 2.7
         Real carried = 0;
@@ -118,11 +139,14 @@ void raise_degree(Curve const& curve, Index span, Real u, Index j, Index n_deriv
 
 Status check_curve(Curve const& curve, Index number, Fault& fault) noexcept {
     if (curve.degree < 1 || curve.degree > max_degree)
-        return fault.refuse(Status::bad_curve, "curve # (from 0) has degree @; 1 to 5 are possible", Counts::from_zero,
-                            number, curve.degree);
-    if (curve.n_indices <= curve.degree || curve.n_indices > std::numeric_limits<Index>::max() - max_order)
-        return fault.refuse(Status::bad_curve, "curve # (from 0) has @ control points: more than the degree are needed",
-                            Counts::from_zero, number, curve.n_indices);
+        return fault.refuse(Status::bad_curve, "curve # (from 0) has degree @; 1 to 5 are possible",
+                            Counts::from_zero, number, curve.degree);
+    if (curve.n_indices <= curve.degree ||
+        curve.n_indices > std::numeric_limits<Index>::max() - max_order)
+        return fault.refuse(
+            Status::bad_curve,
+            "curve # (from 0) has @ control points: more than the degree are needed",
+            Counts::from_zero, number, curve.n_indices);
     HARMORPH_TRY(check_knots(curve, number, fault));
     return check_control(curve, number, fault);
 }
@@ -145,7 +169,8 @@ Index knot_span(Curve const& curve, Real u) noexcept {
 CurveBasis curve_basis_in(Curve const& curve, Index span, Real u, Index n_derivatives) noexcept {
     CurveBasis basis;
     basis.order = curve.degree + 1;
-    for (Index k = 0; k < basis.order; ++k) basis.control[k] = curve.control_point(span - curve.degree + k);
+    for (Index k = 0; k < basis.order; ++k)
+        basis.control[k] = curve.control_point(span - curve.degree + k);
     basis.value[0][0] = 1;
     for (Index j = 1; j <= curve.degree; ++j) raise_degree(curve, span, u, j, n_derivatives, basis);
     if (curve.weights != nullptr) make_rational(curve, span, n_derivatives, basis);
@@ -157,7 +182,8 @@ CurveBasis curve_basis(Curve const& curve, Real u, Index n_derivatives) noexcept
     return curve_basis_in(curve, knot_span(curve, u), u, n_derivatives);
 }
 
-void curve_point_in(Curve const& curve, Index span, Real u, Index n_derivatives, Vec2* out) noexcept {
+void curve_point_in(Curve const& curve, Index span, Real u, Index n_derivatives,
+                    Vec2* out) noexcept {
     CurveBasis const basis = curve_basis_in(curve, span, u, n_derivatives);
     for (Index d = 0; d <= n_derivatives; ++d) {
         out[d] = {};

@@ -1,5 +1,5 @@
-// Derivatives by control points, gathered in reverse: whoever knows the derivative of a value by a point of a curve, or
-// by a derivative of the curve there, adds it here.
+// Derivatives by control points, gathered in reverse: whoever knows the derivative of a value by a
+// point of a curve, or by a derivative of the curve there, adds it here.
 #pragma once
 
 #include "bspline/bspline.hpp"

@@ -3,13 +3,14 @@
 namespace harmorph {
 namespace {
 
-// Directions are taken over several lengths, and the smallest turn counts. A corner turns the direction over all of
-// them, the zigzag of coordinates with few digits only over short ones, roundness and a corner nearby only over long
-// ones.
+// Directions are taken over several lengths, and the smallest turn counts. A corner turns the
+// direction over all of them, the zigzag of coordinates with few digits only over short ones,
+// roundness and a corner nearby only over long ones.
 constexpr Real window[] = {2e-5, 5e-4, 1e-2};
 
-constexpr Real least_corner = 0.087;      // turn of the weakest corner: 5 degrees
-constexpr Real longest_base = 0.15;      // thick trailing edges of wind turbines have a tenth of the chord
+constexpr Real least_corner = 0.087;  // turn of the weakest corner: 5 degrees
+constexpr Real longest_base =
+    0.15;  // thick trailing edges of wind turbines have a tenth of the chord
 constexpr Real side_straightness = 0.02;  // of the side's length
 constexpr Real coordinate_noise = 2e-6;   // six digits
 constexpr Real flat_turn = 1e-4;          // of a point that divides a straight facet
@@ -28,12 +29,16 @@ OutlineBend bend_at(Outline const& outline, Index point, Real reach) noexcept {
     if (a == none || b == none) return {infinity, infinity};
     Vec2 const back = outline.points[point] - outline.points[a];
     Vec2 const forth = outline.points[b] - outline.points[point];
-    if (square(back) == 0 || square(forth) == 0) return {infinity, infinity};  // round the body and back
+    if (square(back) == 0 || square(forth) == 0)
+        return {infinity, infinity};  // round the body and back
     Real const turn = length(normalised(forth) - normalised(back));
-    return {turn, 2 * turn / (length(back) + length(forth))};  // on a circle exactly 1 / radius, for equal chords
+    return {turn, 2 * turn /
+                      (length(back) +
+                       length(forth))};  // on a circle exactly 1 / radius, for equal chords
 }
 
-// The first of the values [begin, end) of a growing array that is not below `least`; end if there is none.
+// The first of the values [begin, end) of a growing array that is not below `least`; end if there
+// is none.
 Index first_not_below(Span<const Real> values, Index begin, Index end, Real least) noexcept {
     while (begin < end) {
         Index const middle = begin + (end - begin) / 2;
@@ -43,7 +48,8 @@ Index first_not_below(Span<const Real> values, Index begin, Index end, Real leas
     return begin;
 }
 
-// The next point in one direction, past those that only divide a facet: they would make its ends stand out.
+// The next point in one direction, past those that only divide a facet: they would make its ends
+// stand out.
 struct Walk {
     Outline const& outline;
     bool forward;
@@ -59,7 +65,8 @@ struct Walk {
     Real turn(Index point) const noexcept { return point == none ? 0 : outline.turn[point]; }
 };
 
-// Is `turn` more than what the next two turns promise? On rounded noses turns grow up to fourfold from point to point.
+// Is `turn` more than what the next two turns promise? On rounded noses turns grow up to fourfold
+// from point to point.
 bool stands_out(Real turn, Real next, Real after) noexcept {
     Real const growth = after > 0 ? clamp(next / after, Real(1), Real(4)) : 4;
     return turn > 2.5 * growth * next;
@@ -67,7 +74,8 @@ bool stands_out(Real turn, Real next, Real after) noexcept {
 
 struct OutlineSide {
     bool is_smooth = false;
-    bool has_partner = false;  // the next point is as sharp: the other end of a base, if that one's far side is smooth
+    bool has_partner = false;  // the next point is as sharp: the other end of a base, if that one's
+                               // far side is smooth
 };
 
 OutlineSide look(Walk const& walk, Index point) noexcept {
@@ -75,7 +83,8 @@ OutlineSide look(Walk const& walk, Index point) noexcept {
     Index const second = walk.next(first);
     Index const third = walk.next(second);
     Real const turn = walk.turn(point);
-    if (walk.turn(first) < 0.5 * turn) return {stands_out(turn, walk.turn(first), walk.turn(second)), false};
+    if (walk.turn(first) < 0.5 * turn)
+        return {stands_out(turn, walk.turn(first), walk.turn(second)), false};
     return {stands_out(walk.turn(first), walk.turn(second), walk.turn(third)), true};
 }
 
@@ -113,7 +122,8 @@ void Outline::measure() noexcept {
     arc[0] = 0;
     for (Index k = 0; k < n; ++k) {
         bool const is_last = k + 1 == n;
-        arc[k + 1] = arc[k] + (is_last && !is_loop ? 0 : length(points[is_last ? 0 : k + 1] - points[k]));
+        arc[k + 1] =
+            arc[k] + (is_last && !is_loop ? 0 : length(points[is_last ? 0 : k + 1] - points[k]));
     }
     for (Index k = 0; k < n; ++k) {
         turn[k] = curvature[k] = infinity;
@@ -165,7 +175,9 @@ bool is_short_side(Outline const& outline, Index from, Index to) noexcept {
         Index const next = k + 1 == n ? 0 : k + 1;
         walked += length(outline.points[next] - outline.points[k]);
         Real const off = absolute(cross(along, outline.points[next] - start)) / gap;
-        if (off > side_straightness * gap + coordinate_noise || walked > 1.1 * gap + coordinate_noise) return false;
+        if (off > side_straightness * gap + coordinate_noise ||
+            walked > 1.1 * gap + coordinate_noise)
+            return false;
         k = next;
     }
     return true;

@@ -3,22 +3,25 @@
 namespace harmorph {
 namespace {
 
-// Of the angle between the directions before and behind a base: about -cos 45 degrees, so wedges up to 45
-// degrees have bases.
+// Of the angle between the directions before and behind a base: about -cos 45 degrees, so wedges up
+// to 45 degrees have bases.
 constexpr Real cosine_of_return = -0.7;
-constexpr Real at_the_end = 0.95;        // of the chord: how far from the nose a base is at least
-constexpr Real blunt_turn = 1;           // 2 sin(angle / 2) of 60 degrees
+constexpr Real at_the_end = 0.95;  // of the chord: how far from the nose a base is at least
+constexpr Real blunt_turn = 1;     // 2 sin(angle / 2) of 60 degrees
 
-// Of the points that turn within `tie` of the most, those farthest from the centroid (the origin), of these the one
-// nearest to either end of the list: rounding, turning and reversing the outline shall not change the choice.
+// Of the points that turn within `tie` of the most, those farthest from the centroid (the origin),
+// of these the one nearest to either end of the list: rounding, turning and reversing the outline
+// shall not change the choice.
 template <class Candidates>
-Index sharpest_of(Outline const& outline, Candidates const& candidates, Index n, Real tie) noexcept {
+Index sharpest_of(Outline const& outline, Candidates const& candidates, Index n,
+                  Real tie) noexcept {
     Real turn = 0;
     for (Index j = 0; j < n; ++j) turn = larger(turn, outline.turn[candidates(j)]);
     turn *= 1 - tie;
     Real distance = 0;
     for (Index j = 0; j < n; ++j)
-        if (outline.turn[candidates(j)] >= turn) distance = larger(distance, length(outline.points[candidates(j)]));
+        if (outline.turn[candidates(j)] >= turn)
+            distance = larger(distance, length(outline.points[candidates(j)]));
     distance *= 1 - 1e-9;
     Index best = none;
     auto const from_ends = [&](Index k) { return smaller(k, outline.count() - 1 - k); };
@@ -31,11 +34,16 @@ Index sharpest_of(Outline const& outline, Candidates const& candidates, Index n,
 }
 
 Index sharpest_point(Outline const& outline, Span<const Index> corner) noexcept {
-    if (corner.empty()) return sharpest_of(outline, [](Index j) { return j; }, outline.count(), 0.02);
-    return sharpest_of(outline, [&](Index j) { return corner[j]; }, corner.count(), 1e-6);
+    if (corner.empty())
+        return sharpest_of(
+            outline, [](Index j) { return j; }, outline.count(), 0.02);
+    return sharpest_of(
+        outline, [&](Index j) { return corner[j]; }, corner.count(), 1e-6);
 }
 
-Index following(Span<const Index> corner, Index j) noexcept { return corner[j + 1 == corner.count() ? 0 : j + 1]; }
+Index following(Span<const Index> corner, Index j) noexcept {
+    return corner[j + 1 == corner.count() ? 0 : j + 1];
+}
 
 Index farthest_from(Outline const& outline, Vec2 from) noexcept {
     Index farthest = 0;
@@ -65,8 +73,8 @@ bool is_base(Outline const& outline, Index from, Index to) noexcept {
     return larger(length(begin - nose), length(end - nose)) > at_the_end * chord;
 }
 
-// Which corner a base begins at; none if there is no base, or one at either end of the body. Of several at one end, as
-// a step makes them, the shortest.
+// Which corner a base begins at; none if there is no base, or one at either end of the body. Of
+// several at one end, as a step makes them, the shortest.
 Index find_base(Outline const& outline, Span<const Index> corner) noexcept {
     auto const middle = [&](Index j) {
         return 0.5 * (outline.points[corner[j]] + outline.points[following(corner, j)]);
@@ -103,7 +111,8 @@ Course choose_course(Outline const& outline, Span<const Index> corner, Closure w
     Index const n = outline.count();
     if (!outline.is_loop) return {Closure::open, ClosureReason::no_loop, 0, n, 0};
     if (wanted == Closure::open) return {Closure::open, ClosureReason::wish, 0, n, 0};
-    if (wanted != Closure::automatic) return {wanted, ClosureReason::wish, sharpest_point(outline, corner), n + 1, 0};
+    if (wanted != Closure::automatic)
+        return {wanted, ClosureReason::wish, sharpest_point(outline, corner), n + 1, 0};
     Index const base = find_base(outline, corner);
     if (base != none) {
         Index const from = corner[base], to = following(corner, base);
@@ -117,8 +126,8 @@ Course choose_course(Outline const& outline, Span<const Index> corner, Closure w
 
 Index drop_facets(Outline const& outline, Span<Index> corner, Index n) noexcept {
     auto const is_facet = [&](Index from, Index to) {
-        return outline.turn[from] < blunt_turn && outline.turn[to] < blunt_turn && is_short_side(outline, from, to) &&
-               !is_base(outline, from, to);
+        return outline.turn[from] < blunt_turn && outline.turn[to] < blunt_turn &&
+               is_short_side(outline, from, to) && !is_base(outline, from, to);
     };
     if (!outline.is_loop || n < 2) return n;
     bool const round_the_end = is_facet(corner[n - 1], corner[0]);
@@ -132,17 +141,20 @@ Index drop_facets(Outline const& outline, Span<Index> corner, Index n) noexcept 
     return kept;
 }
 
-Index corners_on(Course const& course, Outline const& outline, Span<Index> corner, Index most) noexcept {
+Index corners_on(Course const& course, Outline const& outline, Span<Index> corner,
+                 Index most) noexcept {
     Index const n = outline.count();
     Index kept = 0;
     for (Index const point : corner) {
-        Index const position = point < course.first ? point + (n - course.first) : point - course.first;
+        Index const position =
+            point < course.first ? point + (n - course.first) : point - course.first;
         bool const inside = position > 0 && position + 1 < course.n_positions;
         if (inside && course.closure != Closure::periodic) corner[kept++] = position;
     }
     auto const turn = [&](Index j) {
         Index const position = corner[j];
-        return outline.turn[position < n - course.first ? course.first + position : position - (n - course.first)];
+        return outline.turn[position < n - course.first ? course.first + position
+                                                        : position - (n - course.first)];
     };
     for (; kept > most; --kept) {
         Index bluntest = 0;

@@ -25,7 +25,8 @@ bool EnvelopeMatrix::factor() const noexcept {
     for (Index i = 0; i < n_; ++i) {
         for (Index j = first_column(i); j <= i; ++j) {
             Real sum = at(i, j);
-            for (Index k = larger(first_column(i), first_column(j)); k < j; ++k) sum -= at(i, k) * at(j, k);
+            for (Index k = larger(first_column(i), first_column(j)); k < j; ++k)
+                sum -= at(i, k) * at(j, k);
             if (j < i) {
                 at(i, j) = sum / at(j, j);
             } else {

@@ -1,5 +1,6 @@
-// A symmetric positive definite matrix of a few hundred rows within its envelope, and its Cholesky factor.
-// George & Liu, Computer Solution of Large Sparse Positive Definite Systems (1981), chapter 4.
+// A symmetric positive definite matrix of a few hundred rows within its envelope, and its Cholesky
+// factor. George & Liu, Computer Solution of Large Sparse Positive Definite Systems (1981),
+// chapter 4.
 #pragma once
 
 #include "base/arena.hpp"
@@ -7,24 +8,29 @@
 
 namespace harmorph {
 
-// Row i keeps the entries from first_column(i) to the diagonal: a band, and full last rows where the band closes to
-// a ring (periodic splines):   x
+// Row i keeps the entries from first_column(i) to the diagonal: a band, and full last rows where
+// the band closes to a ring (periodic splines):   x
 //                              x x
 //                                x x
 //                              x x x x    <- one closing row for bandwidth 1
 class EnvelopeMatrix {
 public:
     void lay_out(Arena& arena, Index n, Index bandwidth, bool closes) noexcept;
-    void shape(Index n, Index bandwidth, bool closes) noexcept;  // as laid out, or smaller; sets all entries to 0
+    void shape(Index n, Index bandwidth,
+               bool closes) noexcept;  // as laid out, or smaller; sets all entries to 0
 
     Index count() const noexcept { return n_; }
     Index first_column(Index row) const noexcept {
         return closes_ && row >= n_ - bandwidth_ ? 0 : larger(Index(0), row - bandwidth_);
     }
-    Real& at(Index row, Index column) const noexcept { return entries_[last_[row] - (row - column)]; }  // column <= row
-    void add(Index i, Index j, Real value) const noexcept { (i < j ? at(j, i) : at(i, j)) += value; }
+    Real& at(Index row, Index column) const noexcept {
+        return entries_[last_[row] - (row - column)];
+    }  // column <= row
+    void add(Index i, Index j, Real value) const noexcept {
+        (i < j ? at(j, i) : at(i, j)) += value;
+    }
 
-    bool factor() const noexcept;  // in place; false: not positive definite
+    bool factor() const noexcept;             // in place; false: not positive definite
     void solve(Span<Real> x) const noexcept;  // right-hand side in, solution out
 
 private:

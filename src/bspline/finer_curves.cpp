@@ -32,7 +32,8 @@ bool has_periodic_points(Curve const& curve) noexcept {
         if (curve.indices[k] != curve.indices[k + n]) return false;
     }
     for (Index k = 0; k <= 2 * p; ++k) {
-        if (!(absolute(curve.knots[k + n] - curve.knots[k] - period) <= 1e-12 * period)) return false;
+        if (!(absolute(curve.knots[k + n] - curve.knots[k] - period) <= 1e-12 * period))
+            return false;
     }
     return true;
 }
@@ -42,13 +43,14 @@ bool has_periodic_points(Curve const& curve) noexcept {
 Status CurveRefinement::check(Curve const& old, Fault& fault) const noexcept {
     if (elevates) {
         if (old.degree < max_degree) return Status::ok;
-        return fault.refuse(Status::bad_curve, "curve # (from 0) has degree @, the largest", Counts::from_zero, curve,
-                            old.degree);
+        return fault.refuse(Status::bad_curve, "curve # (from 0) has degree @, the largest",
+                            Counts::from_zero, curve, old.degree);
     }
     bool const periodic = has_periodic_points(old);
     for (Index k = 0; k < knots.count(); ++k) {
         Real const u = knots[k];
-        bool const inside = is_finite(u) && (u > old.begin() || (periodic && u == old.begin())) && u < old.end();
+        bool const inside =
+            is_finite(u) && (u > old.begin() || (periodic && u == old.begin())) && u < old.end();
         if (!inside) {
             return fault.refuse(Status::bad_argument,
                                 "knot # (from 0) to be inserted, ~, is not inside curve @ (from 0)",
@@ -56,11 +58,13 @@ Status CurveRefinement::check(Curve const& old, Fault& fault) const noexcept {
         }
         Index fold = 0;
         for (Real const other : knots) fold += other == u ? 1 : 0;
-        for (Index i = 0; i < old.n_indices + old.degree + 1; ++i) fold += old.knots[i] == u ? 1 : 0;
+        for (Index i = 0; i < old.n_indices + old.degree + 1; ++i)
+            fold += old.knots[i] == u ? 1 : 0;
         if (fold > old.degree) {
-            return fault.refuse(Status::bad_curve,
-                                "knot # (from 0), ~, would be repeated @ times, more often than the degree allows",
-                                Counts::from_zero, k, fold, u);
+            return fault.refuse(
+                Status::bad_curve,
+                "knot # (from 0), ~, would be repeated @ times, more often than the degree allows",
+                Counts::from_zero, k, fold, u);
         }
     }
     return Status::ok;
@@ -72,7 +76,8 @@ Index CurveRefinement::most_knots(Curve const& old) const noexcept {
     return max_order + (elevates ? 2 * n : n + 3 * knots.count());
 }
 
-void FinerCounts::include(Curve const& old, bool changes, CurveRefinement const& refinement) noexcept {
+void FinerCounts::include(Curve const& old, bool changes,
+                          CurveRefinement const& refinement) noexcept {
     ++n_curves;
     n_control = old.n_control;
     rational = old.weights != nullptr;
@@ -128,8 +133,9 @@ void FinerCurves::repeat_each_knot(Curve const& old) noexcept {
     }
 }
 
-// From all_ the knots that the curve needs: knots_[degree] the last of those at the beginning, knots_[n_positions] the
-// first of those at the end; of a periodic curve the last, as at the beginning.
+// From all_ the knots that the curve needs: knots_[degree] the last of those at the beginning,
+// knots_[n_positions] the first of those at the end; of a periodic curve the last, as at the
+// beginning.
 void FinerCurves::choose_window(Curve const& old, Index degree) noexcept {
     Index begin = 0, end = n_all_ - 1;
     while (begin + 1 < n_all_ && all_[begin + 1] <= old.begin()) ++begin;
@@ -137,7 +143,8 @@ void FinerCurves::choose_window(Curve const& old, Index degree) noexcept {
     if (period_ != 0) {
         while (end + 1 < n_all_ && all_[end + 1] <= old.end()) ++end;
         period_ = end - begin;
-        for (; n_all_ <= end + degree; ++n_all_) all_[n_all_] = all_[n_all_ - period_] + (old.end() - old.begin());
+        for (; n_all_ <= end + degree; ++n_all_)
+            all_[n_all_] = all_[n_all_ - period_] + (old.end() - old.begin());
     }
     degree_ = degree;
     n_positions_ = end - begin + degree;
@@ -147,9 +154,10 @@ void FinerCurves::choose_window(Curve const& old, Index degree) noexcept {
 
 // ---- Control points
 
-// The coefficients, of the control points of one span of the old curve, of a control point with these knots; returns
-// the largest number on the way to them.
-Real FinerCurves::coefficients(Curve const& old, Index span, const Real* argument, Real* sum) const noexcept {
+// The coefficients, of the control points of one span of the old curve, of a control point with
+// these knots; returns the largest number on the way to them.
+Real FinerCurves::coefficients(Curve const& old, Index span, const Real* argument,
+                               Real* sum) const noexcept {
     for (Index k = 0; k < max_order; ++k) sum[k] = 0;
     for (Index i = span - old.degree; i <= span && degree_ == old.degree; ++i) {
         bool equal = true;
@@ -173,14 +181,15 @@ Real FinerCurves::coefficients(Curve const& old, Index span, const Real* argumen
     return largest;
 }
 
-// The row of the control point at a position, appended to the matrix: from the span of all it acts on, and of a
-// periodic curve of all that it acts on a period later, where the least is lost by rounding. Far from the arguments of
-// a polar form, large numbers cancel.
+// The row of the control point at a position, appended to the matrix: from the span of all it acts
+// on, and of a periodic curve of all that it acts on a period later, where the least is lost by
+// rounding. Far from the arguments of a polar form, large numbers cancel.
 void FinerCurves::put_row(Curve const& old, Index position) noexcept {
     Real sum[max_order] = {}, least = 0;
     Index span = none;
     for (Index at = position; at < n_positions_; at += period_) {
-        for (Index its = larger(at, degree_); its <= smaller(at + degree_, n_positions_ - 1); ++its) {
+        for (Index its = larger(at, degree_); its <= smaller(at + degree_, n_positions_ - 1);
+             ++its) {
             if (!(knots_[its] < knots_[its + 1])) continue;
             Real candidate[max_order];
             Index const old_span = knot_span(old, knots_[its]);
@@ -268,7 +277,8 @@ void FinerCurves::publish(Index changed, Curve const& old) noexcept {
             Index* const indices = other_indices_.data() + used_indices;
             Real* const knots = other_knots_.data() + used_knots;
             Index const n_knots = its.n_indices + its.degree + 1;
-            for (Index k = 0; k < its.n_indices; ++k) indices[k] = number_[its.control_point(k)] + base;
+            for (Index k = 0; k < its.n_indices; ++k)
+                indices[k] = number_[its.control_point(k)] + base;
             for (Index k = 0; k < n_knots; ++k) knots[k] = its.knots[k];
             used_indices += its.n_indices;
             used_knots += n_knots;

@@ -1,8 +1,10 @@
-// The same curves with more control points: knots inserted into one of them, or its degree raised by one.
+// The same curves with more control points: knots inserted into one of them, or its degree raised
+// by one.
 //
-// A new control point is the polar form (blossom) of the old curve at consecutive knots of the new one: with the degree
-// kept, f(t[j+1], .., t[j+p]); with degree p + 1, the mean of f over all choices of p of the p + 1 knots. L. Ramshaw,
-// Comput. Aided Geom. Des. 6 (1989) 323. Rational curves: the same for w P and w.
+// A new control point is the polar form (blossom) of the old curve at consecutive knots of the new
+// one: with the degree kept, f(t[j+1], .., t[j+p]); with degree p + 1, the mean of f over all
+// choices of p of the p + 1 knots. L. Ramshaw, Comput. Aided Geom. Des. 6 (1989) 323. Rational
+// curves: the same for w P and w.
 #pragma once
 
 #include "base/arena.hpp"
@@ -10,16 +12,18 @@
 
 namespace harmorph {
 
-// The coefficients, of the control points of one span that is not empty, of the polar form at `degree` arguments:
-// value [degree + 1]. At equal arguments the basis functions without weights. Returns the largest number on the way.
+// The coefficients, of the control points of one span that is not empty, of the polar form at
+// `degree` arguments: value [degree + 1]. At equal arguments the basis functions without weights.
+// Returns the largest number on the way.
 Real polar_form(Curve const& curve, Index span, const Real* argument, Real* value) noexcept;
 
-// Do the first control points come again at the end, with knots that repeat with the period end() - begin()?
+// Do the first control points come again at the end, with knots that repeat with the period end() -
+// begin()?
 bool has_periodic_points(Curve const& curve) noexcept;
 
 struct CurveRefinement {
-    Index curve = 0;            // which is changed
-    bool elevates = false;      // the degree is raised; otherwise the knots are inserted
+    Index curve = 0;        // which is changed
+    bool elevates = false;  // the degree is raised; otherwise the knots are inserted
     Span<const Real> knots;
 
     Status check(Curve const& old, Fault& fault) const noexcept;
@@ -37,9 +41,10 @@ struct FinerCounts {
 
 struct FinerCurves {
     Index n_control = 0, old_control = 0;
-    Span<Curve> curve;            // [n_curves] in: the old ones, out: the new ones, views of these arrays
-    Span<Real> control, weights;  // new ones, in the caller's index base; weights empty: not rational
-    Span<Real> matrix;            // [n_control * old_control] rows of new control points
+    Span<Curve> curve;  // [n_curves] in: the old ones, out: the new ones, views of these arrays
+    Span<Real> control,
+        weights;        // new ones, in the caller's index base; weights empty: not rational
+    Span<Real> matrix;  // [n_control * old_control] rows of new control points
 
     void lay_out(Arena& arena, FinerCounts const& counts) noexcept;
     // The refinement has been checked.
@@ -55,13 +60,14 @@ private:
     void number_others(Index changed) noexcept;
     void publish(Index changed, Curve const& old) noexcept;
 
-    Span<Real> all_;              // knots of the changed curve, and more beyond its ends
+    Span<Real> all_;  // knots of the changed curve, and more beyond its ends
     Index n_all_ = 0;
     Span<Real> knots_, other_knots_;
     Span<Index> indices_, other_indices_;
-    Span<Index> number_;          // [old_control] the new control point that is the old one, or none
+    Span<Index> number_;  // [old_control] the new control point that is the old one, or none
     Span<std::uint8_t> of_changed_, of_others_;  // [old_control] which curves use it
-    Index degree_ = 0, n_positions_ = 0, period_ = 0;  // period_: positions after which control points repeat, or 0
+    Index degree_ = 0, n_positions_ = 0,
+          period_ = 0;  // period_: positions after which control points repeat, or 0
 };
 
 }  // namespace harmorph

@@ -14,16 +14,18 @@ constexpr Real exact = 1e-14;          // an error, in units of the extent, that
 
 Status check_fit(Index n_points, FitOptions const& options, Fault& fault) noexcept {
     if (options.degree < 1 || options.degree > max_degree)
-        return fault.refuse(Status::bad_curve, "the degree of a fit is 1 to 5, not #", Counts::from_zero,
-                            options.degree);
+        return fault.refuse(Status::bad_curve, "the degree of a fit is 1 to 5, not #",
+                            Counts::from_zero, options.degree);
     if (options.n_control <= options.degree)
-        return fault.refuse(Status::bad_curve, "# control points are not enough: more than the degree, @, are needed",
+        return fault.refuse(Status::bad_curve,
+                            "# control points are not enough: more than the degree, @, are needed",
                             Counts::from_zero, options.n_control, options.degree);
     if (n_points < options.n_control)
-        return fault.refuse(Status::bad_curve, "# points do not determine @ control points", Counts::from_zero,
-                            n_points, options.n_control);
+        return fault.refuse(Status::bad_curve, "# points do not determine @ control points",
+                            Counts::from_zero, n_points, options.n_control);
     if (n_points > std::numeric_limits<Index>::max() - 2 * max_order)
-        return fault.refuse(Status::bad_curve, "# points are too many", Counts::from_zero, n_points);
+        return fault.refuse(Status::bad_curve, "# points are too many", Counts::from_zero,
+                            n_points);
     return Status::ok;
 }
 
@@ -58,14 +60,16 @@ Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options,
     HARMORPH_TRY(check_fit(n, options, fault));
     HARMORPH_TRY(take_points(points, n, is_loop, fault));
     if (!is_loop && (options.closure == Closure::tied || options.closure == Closure::periodic))
-        return fault.refuse(Status::bad_curve, "only a loop of points can have a tied or periodic curve");
+        return fault.refuse(Status::bad_curve,
+                            "only a loop of points can have a tied or periodic curve");
     outline_.measure();
     Index n_corners = drop_facets(outline_, corner_, find_corners(outline_, corner_));
     report = {};
     report.corners = n_corners;
     course_ = choose_course(outline_, corner_.first(n_corners), options.closure);
     if (course_.n_positions < options.n_control)
-        return fault.refuse(Status::bad_curve, "# points without those on the base do not determine @ control points",
+        return fault.refuse(Status::bad_curve,
+                            "# points without those on the base do not determine @ control points",
                             Counts::from_zero, course_.n_positions, options.n_control);
     shape_curve(options);
     Index const most = corners_possible(options.degree, squares_.curve.n_indices);
@@ -73,21 +77,25 @@ Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options,
     gather(n_corners);
     HARMORPH_TRY(check_growth(fault));
     approximate(n_corners);
-    if (best_error_ == infinity) return fault.refuse(Status::bad_curve, "the points do not determine the curve");
+    if (best_error_ == infinity)
+        return fault.refuse(Status::bad_curve, "the points do not determine the curve");
     publish(points);
-    for (Index c = 0; c < n_curves; ++c) {  // its control points may lie far away, its knots too close
+    for (Index c = 0; c < n_curves;
+         ++c) {  // its control points may lie far away, its knots too close
         Fault why;
         if (failed(check_curve(curve[c], c, why)))
             return fault.refuse(Status::bad_curve, "the points do not determine the curve");
     }
     report_errors(points, n, report);
-    if (!is_finite(report.max_error)) return fault.refuse(Status::bad_curve, "the points do not determine the curve");
+    if (!is_finite(report.max_error))
+        return fault.refuse(Status::bad_curve, "the points do not determine the curve");
     report.backtrack_point = find_backtrack();
     if (report.backtrack_point == none) return Status::ok;
     Index const next = report.backtrack_point + 1 == n ? 0 : report.backtrack_point + 1;
-    return fault.refuse(Status::backtracks,
-                        "between points # and @ (from 0) the curve runs back: fewer control points help",
-                        Counts::from_zero, report.backtrack_point, next);
+    return fault.refuse(
+        Status::backtracks,
+        "between points # and @ (from 0) the curve runs back: fewer control points help",
+        Counts::from_zero, report.backtrack_point, next);
 }
 
 // Checks them, and turns them into scaled_ points about their centroid.
@@ -95,10 +103,11 @@ Status Fit::take_points(Points points, Index n, bool is_loop, Fault& fault) noex
     Vec2 sum;
     for (Index k = 0; k < n; ++k) {
         if (!is_finite(points[k].x) || !is_finite(points[k].y))
-            return fault.refuse(Status::bad_curve, "point # (from 0) is not finite", Counts::from_zero, k);
+            return fault.refuse(Status::bad_curve, "point # (from 0) is not finite",
+                                Counts::from_zero, k);
         if (!is_in_range(points[k]))
-            return fault.refuse(Status::bad_curve, "point # (from 0) has a coordinate beyond 1e100", Counts::from_zero,
-                                k);
+            return fault.refuse(Status::bad_curve, "point # (from 0) has a coordinate beyond 1e100",
+                                Counts::from_zero, k);
         sum = sum + (points[k] - points[0]);
     }
     centre_ = points[0] + (1 / static_cast<Real>(n)) * sum;
@@ -116,14 +125,16 @@ Status Fit::take_points(Points points, Index n, bool is_loop, Fault& fault) noex
     for (Index k = 0; k + (is_loop ? 0 : 1) < n; ++k) {
         Index const next = k + 1 == n ? 0 : k + 1;
         if (square(scaled_[next] - scaled_[k]) == 0)
-            return fault.refuse(Status::bad_curve, "points # (from 0) and @ (from 0) follow each other and coincide",
+            return fault.refuse(Status::bad_curve,
+                                "points # (from 0) and @ (from 0) follow each other and coincide",
                                 Counts::from_zero, k, next);
     }
     Vec2 const first = points[0], last = points[n - 1];
     if (!is_loop && first.x == last.x && first.y == last.y)
-        return fault.refuse(Status::bad_curve,
-                            "the first point and the last one, #, are equal: fit a loop without the last one",
-                            Counts::from_zero, n - 1);
+        return fault.refuse(
+            Status::bad_curve,
+            "the first point and the last one, #, are equal: fit a loop without the last one",
+            Counts::from_zero, n - 1);
     outline_.points = scaled_;
     outline_.is_loop = is_loop;
     return Status::ok;
@@ -142,7 +153,8 @@ void Fit::shape_curve(FitOptions const& options) noexcept {
     squares_.set_up(shape, along_.first(course_.n_positions));
 }
 
-// The points and their curvature along the curve. Corners have none: their bend is not to attract knots.
+// The points and their curvature along the curve. Corners have none: their bend is not to attract
+// knots.
 void Fit::gather(Index n_corners) noexcept {
     Index const m = course_.n_positions;
     for (Index k = 0; k < m; ++k) {
@@ -155,11 +167,13 @@ void Fit::gather(Index n_corners) noexcept {
         curvature_[0] = curvature_[1];
         curvature_[m - 1] = curvature_[m - 2];
     }
-    for (Index const k : corner_.first(n_corners)) curvature_[k] = smaller(curvature_[k - 1], curvature_[k + 1]);
+    for (Index const k : corner_.first(n_corners))
+        curvature_[k] = smaller(curvature_[k - 1], curvature_[k + 1]);
     for (Index k = 0; k < m; ++k) {
         start_[k] = arc_[k] / arc_[m - 1];
         Real const reach = arc_[smaller(k + 1, m - 1)] - arc_[larger(k - 1, Index(0))];
-        squares_.weight[k] = 0.5 * reach;  // the sum of squares becomes the integral along the curve
+        squares_.weight[k] =
+            0.5 * reach;  // the sum of squares becomes the integral along the curve
     }
     sites_.u = start_.first(m);
     sites_.mass = mass_.first(m - 1);
@@ -170,9 +184,10 @@ void Fit::gather(Index n_corners) noexcept {
 Status Fit::check_growth(Fault& fault) const noexcept {
     for (Index k = 0; k + 1 < course_.n_positions; ++k) {
         if (start_[k] < start_[k + 1]) continue;
-        return fault.refuse(Status::bad_curve,
-                            "points # (from 0) and @ (from 0) follow each other and coincide but for rounding",
-                            Counts::from_zero, point_at(k), point_at(k + 1));
+        return fault.refuse(
+            Status::bad_curve,
+            "points # (from 0) and @ (from 0) follow each other and coincide but for rounding",
+            Counts::from_zero, point_at(k), point_at(k + 1));
     }
     return Status::ok;
 }
@@ -222,7 +237,8 @@ void Fit::find_knots() noexcept {
     Curve const& shape = squares_.curve;
     weigh_by_curvature(arc_, curvature_, sites_.mass);
     for (Index round = 0; round < knot_rounds && best_error_ > exact; ++round) {
-        place_knots(sites_, shape.degree, shape.n_indices, course_.closure == Closure::periodic, knots_);
+        place_knots(sites_, shape.degree, shape.n_indices, course_.closure == Closure::periodic,
+                    knots_);
         pin_ends_and_corners();
         start_parameters();
         solve_and_correct(solves_per_round, 1);

@@ -1,4 +1,5 @@
-// Least-squares B-spline through ordered points: corners, knots by arc length and curvature, tied or free ends.
+// Least-squares B-spline through ordered points: corners, knots by arc length and curvature, tied
+// or free ends.
 #pragma once
 
 #include "bspline/curve_ends.hpp"
@@ -18,25 +19,26 @@ struct FitReport {
     Index max_error_point = none;
     Closure closure = Closure::open;  // never automatic
     ClosureReason reason = ClosureReason::no_loop;
-    Index corners = 0;                // of the outline, those at the ends counted
-    Index first_point = 0;            // where the first curve begins
-    Index base_points = 0;            // on a blunt base, both ends counted
-    Index backtrack_point = none;     // between this point and the next the first curve runs back
+    Index corners = 0;             // of the outline, those at the ends counted
+    Index first_point = 0;         // where the first curve begins
+    Index base_points = 0;         // on a blunt base, both ends counted
+    Index backtrack_point = none;  // between this point and the next the first curve runs back
 };
 
 // Degree, number of control points and number of points; to be called before lay_out.
 Status check_fit(Index n_points, FitOptions const& options, Fault& fault) noexcept;
 
-// The fitted curves (parameters from 0 to 1) and the room the fit needs; all arrays are views of one arena. The result
-// turns, moves, grows and reverses with the points, but for rounding. run() may be called again.
+// The fitted curves (parameters from 0 to 1) and the room the fit needs; all arrays are views of
+// one arena. The result turns, moves, grows and reverses with the points, but for rounding. run()
+// may be called again.
 struct Fit {
     Index n_curves = 0;  // 2 with a blunt base
     Curve curve[2];
     Span<Real> control;  // [2 * n_control]
 
     void lay_out(Arena& arena, Index n_points, FitOptions const& options) noexcept;
-    Status run(Points points, Index n_points, bool is_loop, FitOptions const& options, FitReport& report,
-               Fault& fault) noexcept;
+    Status run(Points points, Index n_points, bool is_loop, FitOptions const& options,
+               FitReport& report, Fault& fault) noexcept;
 
 private:
     Status take_points(Points points, Index n, bool is_loop, Fault& fault) noexcept;
@@ -52,21 +54,24 @@ private:
     void publish(Points points) noexcept;
     void report_errors(Points points, Index n, FitReport& report) const noexcept;
     Index find_backtrack() const noexcept;
-    Index point_at(Index position) const noexcept {  // the caller's point at a position along the curve
-        return static_cast<Index>((static_cast<Offset>(course_.first) + position) % outline_.count());
+    Index point_at(
+        Index position) const noexcept {  // the caller's point at a position along the curve
+        return static_cast<Index>((static_cast<Offset>(course_.first) + position) %
+                                  outline_.count());
     }
 
-    Vec2 centre_;       // unit lengths: (point - centre) / extent
+    Vec2 centre_;  // unit lengths: (point - centre) / extent
     Real extent_ = 1;
     Outline outline_;
     Course course_;
     KnotSites sites_;
     LeastSquares squares_;
-    Span<Vec2> scaled_;                  // [n]
-    Span<Index> corner_;                 // [n] points; then positions
-    Span<Vec2> along_;                   // [n + 1] the points along the curve
-    Span<Real> arc_, curvature_, start_; // [n + 1] along the curve; start_: arc_ as a part of the whole
-    Span<Real> mass_, capped_;           // [n + 1]
+    Span<Vec2> scaled_;   // [n]
+    Span<Index> corner_;  // [n] points; then positions
+    Span<Vec2> along_;    // [n + 1] the points along the curve
+    Span<Real> arc_, curvature_,
+        start_;                 // [n + 1] along the curve; start_: arc_ as a part of the whole
+    Span<Real> mass_, capped_;  // [n + 1]
     Span<Index> section_spans_, indices_, base_indices_, best_pinned_;
     Span<Real> knots_, best_knots_, base_knots_, span_error_, best_u_;
     Real best_error_ = infinity;

@@ -1,12 +1,15 @@
-// What a fit has found: control points in the caller's units, errors, and where the curve runs back.
+// What a fit has found: control points in the caller's units, errors, and where the curve runs
+// back.
 #include "bspline/fit.hpp"
 #include "bspline/projection.hpp"
 
 namespace harmorph {
 namespace {
 
-constexpr Real shortest_step = 1e-5;  // between points: below, digits of coordinates decide where it leads
-constexpr Real against = -0.25;       // cosine of the angle between curve and step where the curve runs back
+constexpr Real shortest_step =
+    1e-5;  // between points: below, digits of coordinates decide where it leads
+constexpr Real against =
+    -0.25;  // cosine of the angle between curve and step where the curve runs back
 constexpr Index looks_per_step = 32;
 
 }  // namespace
@@ -29,7 +32,8 @@ void Fit::publish(Points points) noexcept {
     base_indices_[1] = 0;
     for (Index k = 0; k < 4; ++k) base_knots_[k] = k < 2 ? 0 : 1;
     n_curves = 2;
-    curve[1] = {1, 2, 0, n_control, base_indices_.data(), base_knots_.data(), control.data(), nullptr};
+    curve[1] = {1,      2, 0, n_control, base_indices_.data(), base_knots_.data(), control.data(),
+                nullptr};
 }
 
 void Fit::report_errors(Points points, Index n, FitReport& report) const noexcept {
@@ -40,7 +44,8 @@ void Fit::report_errors(Points points, Index n, FitReport& report) const noexcep
     Real sum = 0;
     for (Index k = 0; k < n; ++k) {
         Real distance = infinity;
-        for (Index c = 0; c < n_curves; ++c) distance = smaller(distance, project(curve[c], points[k]).distance);
+        for (Index c = 0; c < n_curves; ++c)
+            distance = smaller(distance, project(curve[c], points[k]).distance);
         sum += distance * distance;
         if (k > 0 && distance <= report.max_error) continue;
         report.max_error = distance;

@@ -21,8 +21,8 @@ Real sum_of(Span<const Real> mass, KnotSection section) noexcept {
     return sum;
 }
 
-// Every section has one span; the others go one by one to the section with the largest mass per span (Sainte-Lague).
-// A section that has as many spans as intervals is served last.
+// Every section has one span; the others go one by one to the section with the largest mass per
+// span (Sainte-Lague). A section that has as many spans as intervals is served last.
 void share_spans(KnotSites const& sites, Index n_spans) noexcept {
     Index const n_sections = sites.section_spans.count();
     fill(sites.section_spans, Index(1));
@@ -33,7 +33,8 @@ void share_spans(KnotSites const& sites, Index n_spans) noexcept {
         for (Index s = 0; s < n_sections; ++s) {
             KnotSection const section = section_of(sites, s);
             Real const urgency = section.last - section.first > sites.section_spans[s] ? 1 : 1e-6;
-            Real const wanted = urgency * sum_of(sites.mass, section) / (sites.section_spans[s] + 0.5);
+            Real const wanted =
+                urgency * sum_of(sites.mass, section) / (sites.section_spans[s] + 0.5);
             if (wanted <= need) continue;
             need = wanted;
             neediest = s;
@@ -42,8 +43,9 @@ void share_spans(KnotSites const& sites, Index n_spans) noexcept {
     }
 }
 
-// No interval may have more mass than one span, so that each span contains a point. This ensures the Schoenberg-Whitney
-// condition: points can be assigned one to one to basis functions that are not 0 there. Too few points: equal masses.
+// No interval may have more mass than one span, so that each span contains a point. This ensures
+// the Schoenberg-Whitney condition: points can be assigned one to one to basis functions that are
+// not 0 there. Too few points: equal masses.
 void cap_mass(KnotSites const& sites, KnotSection section, Index n_spans) noexcept {
     for (Index k = section.first; k < section.last; ++k) sites.capped[k] = sites.mass[k];
     Real const most = 1 / static_cast<Real>(smaller(n_spans, section.last - section.first));
@@ -86,12 +88,14 @@ Real root(Real x, Index q) noexcept {
 }
 
 // The largest error in each span; a point at a knot counts on both sides, whatever its rounding.
-void gather_errors(Curve const& curve, Span<const Real> u, Span<const Real> error, Span<Real> span_error) noexcept {
+void gather_errors(Curve const& curve, Span<const Real> u, Span<const Real> error,
+                   Span<Real> span_error) noexcept {
     constexpr Real margin = 1e-9;
     fill(span_error, unimportant_error);
     for (Index k = 0; k < u.count(); ++k)
         for (Index side = -1; side <= 1; side += 2) {
-            Real& largest = span_error[knot_span(curve, clamp(u[k] + side * margin, Real(0), Real(1)))];
+            Real& largest =
+                span_error[knot_span(curve, clamp(u[k] + side * margin, Real(0), Real(1)))];
             largest = larger(largest, error[k]);
         }
 }
@@ -110,13 +114,15 @@ Real mean_over(Curve const& curve, Span<const Real> span_value, Real low, Real h
 
 }  // namespace
 
-void weigh_by_curvature(Span<const Real> arc, Span<const Real> curvature, Span<Real> mass) noexcept {
+void weigh_by_curvature(Span<const Real> arc, Span<const Real> curvature,
+                        Span<Real> mass) noexcept {
     for (Index k = 0; k < mass.count(); ++k)
-        mass[k] = (arc[k + 1] - arc[k]) * (1 + 8 * square_root(0.5 * (curvature[k] + curvature[k + 1])));
+        mass[k] =
+            (arc[k + 1] - arc[k]) * (1 + 8 * square_root(0.5 * (curvature[k] + curvature[k + 1])));
 }
 
-void weigh_by_error(Curve const& curve, Span<const Real> u, Span<const Real> error, KnotSites const& sites,
-                    Span<Real> span_error) noexcept {
+void weigh_by_error(Curve const& curve, Span<const Real> u, Span<const Real> error,
+                    KnotSites const& sites, Span<Real> span_error) noexcept {
     gather_errors(curve, u, error, span_error);
     Real sum = 0;
     Index n_spans = 0;
@@ -126,14 +132,18 @@ void weigh_by_error(Curve const& curve, Span<const Real> u, Span<const Real> err
         ++n_spans;
     }
     for (Index span = curve.degree; span < curve.n_indices; ++span)
-        span_error[span] = root(clamp(span_error[span] * n_spans / sum, 1e-3, 1e3), curve.degree + 1);
+        span_error[span] =
+            root(clamp(span_error[span] * n_spans / sum, 1e-3, 1e3), curve.degree + 1);
     for (Index k = 0; k < sites.mass.count(); ++k)
         sites.mass[k] *= mean_over(curve, span_error, sites.u[k], sites.u[k + 1]);
 }
 
-Index corners_possible(Index degree, Index n_indices) noexcept { return (n_indices - degree - 1) / degree; }
+Index corners_possible(Index degree, Index n_indices) noexcept {
+    return (n_indices - degree - 1) / degree;
+}
 
-void place_knots(KnotSites const& sites, Index degree, Index n_indices, bool periodic, Span<Real> knots) noexcept {
+void place_knots(KnotSites const& sites, Index degree, Index n_indices, bool periodic,
+                 Span<Real> knots) noexcept {
     Index const n_corners = sites.corner.count();
     share_spans(sites, n_indices - degree - n_corners * (degree - 1));
     fill(knots.first(degree + 1), Real(0));
@@ -141,7 +151,8 @@ void place_knots(KnotSites const& sites, Index degree, Index n_indices, bool per
     for (Index s = 0; s <= n_corners; ++s) {
         KnotSection const section = section_of(sites, s);
         knot = divide(sites, section, sites.section_spans[s], knot);
-        for (Index fold = 0; s < n_corners && fold < degree; ++fold) *knot++ = sites.u[section.last];
+        for (Index fold = 0; s < n_corners && fold < degree; ++fold)
+            *knot++ = sites.u[section.last];
     }
     fill(knots.from(n_indices, degree + 1), Real(1));
     for (Index k = 1; periodic && k <= degree; ++k) {

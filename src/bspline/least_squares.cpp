@@ -3,25 +3,32 @@
 namespace harmorph {
 namespace {
 
-// Where the points do not determine a control point, second differences of control points are minimised, with a weight
-// far below that of the points and above rounding.
+// Where the points do not determine a control point, second differences of control points are
+// minimised, with a weight far below that of the points and above rounding.
 constexpr Real smoothing = 1e-12;
 
-Index bandwidth(Index degree) noexcept { return 2 * larger(degree, Index(2)) + 1; }  // 2: the second differences
+Index bandwidth(Index degree) noexcept {
+    return 2 * larger(degree, Index(2)) + 1;
+}  // 2: the second differences
 
 struct SymmetricBlock {  // symmetric
     Real xx = 0, xy = 0, yy = 0;
 };
 
-SymmetricBlock operator*(Real s, SymmetricBlock a) noexcept { return {s * a.xx, s * a.xy, s * a.yy}; }
-Vec2 operator*(SymmetricBlock a, Vec2 p) noexcept { return {a.xx * p.x + a.xy * p.y, a.xy * p.x + a.yy * p.y}; }
+SymmetricBlock operator*(Real s, SymmetricBlock a) noexcept {
+    return {s * a.xx, s * a.xy, s * a.yy};
+}
+Vec2 operator*(SymmetricBlock a, Vec2 p) noexcept {
+    return {a.xx * p.x + a.xy * p.y, a.xy * p.x + a.yy * p.y};
+}
 
 constexpr SymmetricBlock unit{1, 0, 1};
 
 // Squared distance from a line, and `along` times the square of what lies along it.
 SymmetricBlock metric(Vec2 tangent, Real along) noexcept {
     Real const less = 1 - along;
-    return {1 - less * tangent.x * tangent.x, -less * tangent.x * tangent.y, 1 - less * tangent.y * tangent.y};
+    return {1 - less * tangent.x * tangent.x, -less * tangent.x * tangent.y,
+            1 - less * tangent.y * tangent.y};
 }
 
 void add_to_right(LeastSquares const& fit, Index i, Vec2 value) noexcept {
@@ -48,7 +55,8 @@ void add_points(LeastSquares const& fit, Real along) noexcept {
         for (Index a = 0; a < basis.order; ++a) {
             add_to_right(fit, basis.control[a], basis.value[0][a] * pull);
             for (Index b = 0; b < basis.order; ++b)
-                add_product(fit, basis.control[a], basis.control[b], basis.value[0][a] * basis.value[0][b] * weight);
+                add_product(fit, basis.control[a], basis.control[b],
+                            basis.value[0][a] * basis.value[0][b] * weight);
         }
     }
 }
@@ -60,7 +68,8 @@ Real greville(Curve const& curve, Index k) noexcept {
     return sum / curve.degree;
 }
 
-// Second differences by Greville abscissae, which are 0 for straight lines passed at constant speed.
+// Second differences by Greville abscissae, which are 0 for straight lines passed at constant
+// speed.
 void add_smoothing(LeastSquares const& fit, Real strength) noexcept {
     Curve const& curve = fit.curve;
     for (Index k = 1; k + 1 < curve.n_indices; ++k) {
@@ -74,7 +83,8 @@ void add_smoothing(LeastSquares const& fit, Real strength) noexcept {
     }
 }
 
-// One step of Newton's method for every point but the first and the last; error: the distances before it.
+// One step of Newton's method for every point but the first and the last; error: the distances
+// before it.
 void step_to_feet(LeastSquares const& fit) noexcept {
     Index const last = fit.points.count() - 1;
     for (Index k = 0; k <= last; ++k) {
@@ -84,14 +94,15 @@ void step_to_feet(LeastSquares const& fit) noexcept {
         fit.error[k] = length(offset);
         Real const speed = square(c[1]);
         fit.tangent[k] = speed > 0 ? (1 / square_root(speed)) * c[1] : Vec2{};
-        Real const curvature = larger(speed + dot(offset, c[2]), 0.5 * speed);  // far from the curve: no maximum
+        Real const curvature =
+            larger(speed + dot(offset, c[2]), 0.5 * speed);  // far from the curve: no maximum
         if (k == 0 || k == last || !(curvature > 0)) continue;
         fit.u[k] = clamp(fit.u[k] - dot(offset, c[1]) / curvature, fit.u[0], fit.u[last]);
     }
 }
 
-// Where parameters have overtaken each other: the mean of the largest so far and the smallest from here on. Both do not
-// decrease, and the mean is the same from either end.
+// Where parameters have overtaken each other: the mean of the largest so far and the smallest from
+// here on. Both do not decrease, and the mean is the same from either end.
 void put_in_order(LeastSquares const& fit) noexcept {
     Index const n = fit.points.count();
     for (Index k = 0; k < n; ++k) {

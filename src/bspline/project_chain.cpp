@@ -5,7 +5,8 @@
 namespace harmorph {
 namespace {
 
-// An order of the points in which their parameters should not decrease: position k is point (start + step * k) mod n.
+// An order of the points in which their parameters should not decrease: position k is point (start
+// + step * k) mod n.
 struct Direction {
     Index n = 0;
     Index start = 0;
@@ -28,7 +29,8 @@ struct Chain {
     Index run_length(Direction const& direction) const noexcept;
     void take_longer(Direction const& candidate, Direction& best, Index& length) const noexcept;
     void try_largest_falls(Index step, Direction& best, Index& length) const noexcept;
-    void fill_between(Direction const& direction, Index first, Index last, Real low, Real high) const noexcept;
+    void fill_between(Direction const& direction, Index first, Index last, Real low,
+                      Real high) const noexcept;
     void make_monotone(Direction const& direction) const noexcept;
 };
 
@@ -62,8 +64,8 @@ void Chain::take_longer(Direction const& candidate, Direction& best, Index& leng
     best = candidate;
 }
 
-// The points pass the seam where the parameter falls from about end() to about begin(); a wrong projection may fall
-// nearly as far, so several falls are tried.
+// The points pass the seam where the parameter falls from about end() to about begin(); a wrong
+// projection may fall nearly as far, so several falls are tried.
 void Chain::try_largest_falls(Index step, Direction& best, Index& length) const noexcept {
     constexpr Index n_tried = 4;
     Index const n = points.count();
@@ -83,11 +85,13 @@ void Chain::try_largest_falls(Index step, Direction& best, Index& length) const 
             at = passed;
         }
     }
-    for (Index j = 0; j < n_tried && fall[j] > 0; ++j) take_longer({n, start[j], step}, best, length);
+    for (Index j = 0; j < n_tried && fall[j] > 0; ++j)
+        take_longer({n, start[j], step}, best, length);
 }
 
 // Positions first .. last - 1 within low .. high: the middle one, then those on either side of it.
-void Chain::fill_between(Direction const& direction, Index first, Index last, Real low, Real high) const noexcept {
+void Chain::fill_between(Direction const& direction, Index first, Index last, Real low,
+                         Real high) const noexcept {
     while (first < last) {
         Index const middle = first + (last - first) / 2;
         Index const point = direction.point(middle);

@@ -12,8 +12,8 @@ struct Candidate {
     }
 };
 
-// A lower bound for a span's distance: its points lie in the convex hull of degree + 1 control points, hence in their
-// box.
+// A lower bound for a span's distance: its points lie in the convex hull of degree + 1 control
+// points, hence in their box.
 Real box_square_distance(Curve const& curve, Index span, Vec2 q) noexcept {
     Vec2 low = curve.point(span);
     Vec2 high = low;
@@ -29,10 +29,12 @@ Real box_square_distance(Curve const& curve, Index span, Vec2 q) noexcept {
 
 Real rounding_of(Vec2 q) noexcept { return epsilon * (absolute(q.x) + absolute(q.y)); }
 
-// Minimum of |C(u) - q| in low <= u <= high of one span: Newton for (C - q) . C' = 0 (P&T equation 6.3), bisection
-// whenever Newton leaves the bracket or does not halve its step. The distance is flat at its minimum and cannot tell
-// which of two iterates is better; the slope can, so the last one counts.
-Candidate minimum_between(Curve const& curve, Index span, Vec2 q, Real low, Real high, Real u) noexcept {
+// Minimum of |C(u) - q| in low <= u <= high of one span: Newton for (C - q) . C' = 0 (P&T
+// equation 6.3), bisection whenever Newton leaves the bracket or does not halve its step. The
+// distance is flat at its minimum and cannot tell which of two iterates is better; the slope can,
+// so the last one counts.
+Candidate minimum_between(Curve const& curve, Index span, Vec2 q, Real low, Real high,
+                          Real u) noexcept {
     Real step = high - low;
     Real const fine = 2 * epsilon * larger(absolute(curve.begin()), absolute(curve.end()));
     for (Index iteration = 0; iteration < 100; ++iteration) {
@@ -45,7 +47,8 @@ Candidate minimum_between(Curve const& curve, Index span, Vec2 q, Real low, Real
         if (slope < 0) low = u;
         else high = u;
         Real next = u - slope / curvature;
-        if (!(curvature > 0 && next > low && next < high && absolute(next - u) <= 0.5 * absolute(step)))
+        if (!(curvature > 0 && next > low && next < high &&
+              absolute(next - u) <= 0.5 * absolute(step)))
             next = low + 0.5 * (high - low);
         step = next - u;
         u = next;
@@ -56,8 +59,9 @@ Candidate minimum_between(Curve const& curve, Index span, Vec2 q, Real low, Real
     return {u, square(last - q)};
 }
 
-// The squared distance is a polynomial of degree 2p in a span (p: the curve's degree) and has at most p minima there;
-// 4p samples separate them. Every sampled minimum that may lie below the best is refined.
+// The squared distance is a polynomial of degree 2p in a span (p: the curve's degree) and has at
+// most p minima there; 4p samples separate them. Every sampled minimum that may lie below the best
+// is refined.
 void search_span(Curve const& curve, SpanSamples const& samples, Vec2 q, Candidate& best) noexcept {
     Index const n = 4 * curve.degree, span = samples.span;
     auto const parameter = [&](Index j) { return samples.parameter(j, n); };
@@ -68,11 +72,14 @@ void search_span(Curve const& curve, SpanSamples const& samples, Vec2 q, Candida
         Index const before = j > 0 ? j - 1 : 0;
         Index const after = j < n ? j + 1 : n;
         if (found[before] < found[j] || found[after] < found[j]) continue;
-        Real const reach = larger(length(point[j] - point[before]), length(point[after] - point[j]));
+        Real const reach =
+            larger(length(point[j] - point[before]), length(point[after] - point[j]));
         Real const nearest = square_root(found[j]) - reach;
         if (nearest > 0 && nearest * nearest > best.square_distance) continue;
-        Candidate const minimum = minimum_between(curve, span, q, parameter(before), parameter(after), parameter(j));
-        bool const lost = found[j] < 0.99 * minimum.square_distance;  // there were two, and this is the other one
+        Candidate const minimum =
+            minimum_between(curve, span, q, parameter(before), parameter(after), parameter(j));
+        bool const lost =
+            found[j] < 0.99 * minimum.square_distance;  // there were two, and this is the other one
         best.take_nearer(lost ? Candidate{parameter(j), found[j]} : minimum);
     }
 }
@@ -89,7 +96,9 @@ void SpanSamples::take(Curve const& curve, Index new_span, Real new_low, Real ne
 }
 
 Projector::Projector(Curve const& curve) noexcept
-    : curve_(curve), begin_(curve_point(curve, curve.begin())), end_(curve_point(curve, curve.end())) {}
+    : curve_(curve),
+      begin_(curve_point(curve, curve.begin())),
+      end_(curve_point(curve, curve.end())) {}
 
 Projection Projector::nearest(Vec2 point, Real low, Real high, Real hint) noexcept {
     low = clamp(low, curve_.begin(), curve_.end());
@@ -124,7 +133,8 @@ bool is_closed(Curve const& curve) noexcept {
     Vec2 const end = curve_point(curve, curve.end());
     Real magnitude = 0;
     for (Index k = 0; k < curve.n_indices; ++k)
-        magnitude = larger(magnitude, larger(absolute(curve.point(k).x), absolute(curve.point(k).y)));
+        magnitude =
+            larger(magnitude, larger(absolute(curve.point(k).x), absolute(curve.point(k).y)));
     return length(end - begin) <= 16 * epsilon * magnitude;
 }
 
@@ -133,7 +143,8 @@ bool is_periodic(Curve const& curve) noexcept {
     Vec2 begin[2], end[2];
     curve_point(curve, curve.begin(), 1, begin);
     curve_point(curve, curve.end(), 1, end);
-    return absolute(cross(begin[1], end[1])) <= 1e-6 * dot(begin[1], end[1]) && square(begin[1]) > 0;
+    return absolute(cross(begin[1], end[1])) <= 1e-6 * dot(begin[1], end[1]) &&
+           square(begin[1]) > 0;
 }
 
 }  // namespace harmorph

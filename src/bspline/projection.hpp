@@ -1,4 +1,5 @@
-// From points to parameters: the nearest point of a curve, and monotone parameters for points in order along it.
+// From points to parameters: the nearest point of a curve, and monotone parameters for points in
+// order along it.
 #pragma once
 
 #include "base/arena.hpp"
@@ -11,10 +12,10 @@ struct Projection {
     Real distance = 0;
 };
 
-// Nearest point of the part low <= u <= high: nearest sample (samples per knot span), then Newton inside a bracket.
-// Where two parts are equally near, low or else the first found from low on wins. A point that coincides with the
-// curve's beginning or end within rounding gets exactly begin() or end(); on a closed curve begin(), if it is within
-// the part.
+// Nearest point of the part low <= u <= high: nearest sample (samples per knot span), then Newton
+// inside a bracket. Where two parts are equally near, low or else the first found from low on wins.
+// A point that coincides with the curve's beginning or end within rounding gets exactly begin() or
+// end(); on a closed curve begin(), if it is within the part.
 Projection project(Curve const& curve, Vec2 point, Real low, Real high) noexcept;
 inline Projection project(Curve const& curve, Vec2 point) noexcept {
     return project(curve, point, curve.begin(), curve.end());
@@ -60,12 +61,13 @@ struct ChainWork {
     void lay_out(Arena& arena, Index n) noexcept;
 };
 
-// Parameters u [n] of points that follow each other along the curve, in either direction, made monotone: every point is
-// projected for itself, the longest monotone run is trusted, and the others are projected again between their trusted
-// neighbours (thin trailing edges: the nearest point may lie on the other side). A loop of points on a closed curve
-// may begin anywhere: monotone but for one step from end() to begin(), where the points pass the curve's seam. On a
-// tied curve the point of a loop that is nearest to the tied ends gets exactly begin(). Points of one open piece of a
-// closed curve may pass the seam once, too. Returns the sum of the squared distances.
+// Parameters u [n] of points that follow each other along the curve, in either direction, made
+// monotone: every point is projected for itself, the longest monotone run is trusted, and the
+// others are projected again between their trusted neighbours (thin trailing edges: the nearest
+// point may lie on the other side). A loop of points on a closed curve may begin anywhere: monotone
+// but for one step from end() to begin(), where the points pass the curve's seam. On a tied curve
+// the point of a loop that is nearest to the tied ends gets exactly begin(). Points of one open
+// piece of a closed curve may pass the seam once, too. Returns the sum of the squared distances.
 Real project_chain(Curve const& curve, Span<const Vec2> points, bool is_loop, ChainWork const& work,
                    Span<Real> u) noexcept;
 

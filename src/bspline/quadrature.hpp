@@ -1,5 +1,6 @@
-// Gauss' rule with 10 points: exact for polynomials up to degree 19, which moments of curves of degree 5 have; other
-// functions by halving intervals until the sum does not change but for rounding.
+// Gauss' rule with 10 points: exact for polynomials up to degree 19, which moments of curves of
+// degree 5 have; other functions by halving intervals until the sum does not change but for
+// rounding.
 #pragma once
 
 #include "base/scalar.hpp"
@@ -8,10 +9,10 @@ namespace harmorph {
 
 struct Gauss10 {
     static constexpr Index n = 10;
-    static constexpr Real place[5] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244, 0.8650633666889845,
-                                      0.9739065285171717};
-    static constexpr Real weight[5] = {0.2955242247147529, 0.2692667193099964, 0.2190863625159820, 0.1494513491505806,
-                                       0.0666713443086881};
+    static constexpr Real place[5] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244,
+                                      0.8650633666889845, 0.9739065285171717};
+    static constexpr Real weight[5] = {0.2955242247147529, 0.2692667193099964, 0.2190863625159820,
+                                       0.1494513491505806, 0.0666713443086881};
 
     // body(u, weight) for the points of an interval; the weights' sum is high - low.
     template <class Body>
@@ -29,8 +30,9 @@ struct Sums {
     Real value[n] = {};
 };
 
-// leaf(a, b) for pieces of the interval, in order, on which Gauss' rule has converged for integrand(u), the first n / 2
-// sums, each but for rounding of itself or of the sum n / 2 places behind it, whose integrand is not negative.
+// leaf(a, b) for pieces of the interval, in order, on which Gauss' rule has converged for
+// integrand(u), the first n / 2 sums, each but for rounding of itself or of the sum n / 2 places
+// behind it, whose integrand is not negative.
 template <Index n, class Integrand, class Leaf>
 void for_converged(Real low, Real high, Integrand const& integrand, Leaf const& leaf) noexcept {
     constexpr Index deepest = 12;
@@ -51,13 +53,15 @@ void for_converged(Real low, Real high, Integrand const& integrand, Leaf const& 
         Real width = high - low;
         for (Index k = 0; k < its; ++k) width *= 0.5;
         Real const to = n_open == 0 ? high : from + width, middle = from + 0.5 * (to - from);
-        Sums<n> const whole = integral(from, to), left = integral(from, middle), right = integral(middle, to);
+        Sums<n> const whole = integral(from, to), left = integral(from, middle),
+                      right = integral(middle, to);
         bool converged = its == deepest;
         if (!converged) {
             converged = true;
             for (Index i = 0; i < n / 2; ++i) {
                 Real const halves = left.value[i] + right.value[i];
-                Real const about = absolute(left.value[i]) + absolute(right.value[i]) + whole.value[n / 2 + i];
+                Real const about =
+                    absolute(left.value[i]) + absolute(right.value[i]) + whole.value[n / 2 + i];
                 converged = converged && absolute(whole.value[i] - halves) <= 64 * epsilon * about;
             }
         }

@@ -24,7 +24,9 @@ Real Section::extent() const noexcept {
 
 Status Section::connect(Fault& fault) noexcept {
     Real const near = 1e-9 * extent();
-    auto const meet = [&](CurvePlace const& a, CurvePlace const& b) { return length(a.point() - b.point()) <= near; };
+    auto const meet = [&](CurvePlace const& a, CurvePlace const& b) {
+        return length(a.point() - b.point()) <= near;
+    };
     for (Index c = 1; c < n_curves; ++c) {
         backwards[c] = false;
         if (meet(end_of(c - 1, true), end_of(c, false))) continue;
@@ -38,9 +40,10 @@ Status Section::connect(Fault& fault) noexcept {
             backwards[1] = true;
             if (meet(end_of(0, true), end_of(1, false))) continue;
         }
-        return fault.refuse(Status::bad_curve,
-                            "curve @ (from 0) of the section does not begin or end where the one before ends",
-                            Counts::from_zero, none, c);
+        return fault.refuse(
+            Status::bad_curve,
+            "curve @ (from 0) of the section does not begin or end where the one before ends",
+            Counts::from_zero, none, c);
     }
     Curve const& last = curve[n_curves - 1];
     n_sides = n_curves > 1 && last.degree == 1 && last.n_indices == 2 ? n_curves - 1 : n_curves;
@@ -51,7 +54,8 @@ Status Section::connect(Fault& fault) noexcept {
 Status Section::find_chord(bool wants_nose, Fault& fault) noexcept {
     if (!has_fixed_chord) {
         if (n_sides == 1 && is_periodic(curve[0])) {
-            return fault.refuse(Status::bad_curve, "a periodic section has no trailing edge: its chord must be given");
+            return fault.refuse(Status::bad_curve,
+                                "a periodic section has no trailing edge: its chord must be given");
         }
         edge = 0.5 * (first_end().point() + last_end().point());
     }
@@ -77,7 +81,8 @@ Status Section::find_nose(Fault& fault) noexcept {
             high = smaller(to, place.u + (to - from) / n);
         }
     });
-    if (nose_place.curve == nullptr) return fault.refuse(Status::bad_curve, "the section has no extent");
+    if (nose_place.curve == nullptr)
+        return fault.refuse(Status::bad_curve, "the section has no extent");
     auto const slope_in = [&](Index span, Real u) {
         Vec2 c[2];
         curve_point_in(*nose_place.curve, span, u, 1, c);
@@ -104,7 +109,9 @@ Status Section::find_nose(Fault& fault) noexcept {
         Index after = span + 1;
         while (after + 1 < its.n_indices && !(its.knots[after] < its.knots[after + 1])) ++after;
         Real const width = its.knots[after + 1] - its.knots[after];
-        if (width > 0) nose_is_smooth = try_span(after, its.knots[after], its.knots[after] + width / (8 * its.degree));
+        if (width > 0)
+            nose_is_smooth =
+                try_span(after, its.knots[after], its.knots[after] + width / (8 * its.degree));
     }
     if (nose_is_smooth) {
         Vec2 c[3];
@@ -114,16 +121,18 @@ Status Section::find_nose(Fault& fault) noexcept {
     return Status::ok;
 }
 
-void Section::pull_chord(ChordDerivative const& by, ControlGradient const& gradient) const noexcept {
+void Section::pull_chord(ChordDerivative const& by,
+                         ControlGradient const& gradient) const noexcept {
     if (has_fixed_chord || !gradient.wanted()) return;
     pull_nose(by.nose, 0, gradient);
     gradient.add(first_end(), 0.5 * by.edge);
     gradient.add(last_end(), 0.5 * by.edge);
 }
 
-// The parameter u is where g = C' . (C - edge) = 0, hence du = -(C' . (dC - d edge) + (C - edge) . dC') / g'. At a
-// corner u stays.
-void Section::pull_nose(Vec2 by_point, Real by_parameter, ControlGradient const& gradient) const noexcept {
+// The parameter u is where g = C' . (C - edge) = 0, hence du = -(C' . (dC - d edge) + (C - edge) .
+// dC') / g'. At a corner u stays.
+void Section::pull_nose(Vec2 by_point, Real by_parameter,
+                        ControlGradient const& gradient) const noexcept {
     if (!gradient.wanted()) return;
     if (!nose_is_smooth) return gradient.add(nose_place, by_point);
     Vec2 c[3];

@@ -5,21 +5,24 @@
 namespace harmorph {
 namespace {
 
-// About a point near the section, where little cancels: integrals of 1, x, y, y^2, x^2, x y over the area, as integrals
-// along the outline of x dy - y dx and so on.
+// About a point near the section, where little cancels: integrals of 1, x, y, y^2, x^2, x y over
+// the area, as integrals along the outline of x dy - y dx and so on.
 enum : Index { n_integrals = 6 };
 using Integrals = Sums<n_integrals>;
 
 Integrals integrand(Vec2 p, Vec2 d) noexcept {
-    return {{0.5 * cross(p, d), 0.5 * p.x * p.x * d.y, -0.5 * p.y * p.y * d.x, -p.y * p.y * p.y * d.x / 3,
-             p.x * p.x * p.x * d.y / 3, 0.5 * p.x * p.x * p.y * d.y}};
+    return {{0.5 * cross(p, d), 0.5 * p.x * p.x * d.y, -0.5 * p.y * p.y * d.x,
+             -p.y * p.y * p.y * d.x / 3, p.x * p.x * p.x * d.y / 3, 0.5 * p.x * p.x * p.y * d.y}};
 }
 
 // Derivatives of sum of by * integrand with respect to the point and to its derivative.
-void differentiate(Integrals const& by, Vec2 p, Vec2 d, Vec2& by_point, Vec2& by_derivative) noexcept {
+void differentiate(Integrals const& by, Vec2 p, Vec2 d, Vec2& by_point,
+                   Vec2& by_derivative) noexcept {
     const Real* const w = by.value;
-    by_point = {0.5 * w[0] * d.y + w[1] * p.x * d.y + w[4] * p.x * p.x * d.y + w[5] * p.x * p.y * d.y,
-                -0.5 * w[0] * d.x - w[2] * p.y * d.x - w[3] * p.y * p.y * d.x + 0.5 * w[5] * p.x * p.x * d.y};
+    by_point = {
+        0.5 * w[0] * d.y + w[1] * p.x * d.y + w[4] * p.x * p.x * d.y + w[5] * p.x * p.y * d.y,
+        -0.5 * w[0] * d.x - w[2] * p.y * d.x - w[3] * p.y * p.y * d.x +
+            0.5 * w[5] * p.x * p.x * d.y};
     by_derivative = {-0.5 * w[0] * p.y - 0.5 * w[2] * p.y * p.y - w[3] * p.y * p.y * p.y / 3,
                      0.5 * w[0] * p.x + 0.5 * w[1] * p.x * p.x + w[4] * p.x * p.x * p.x / 3 +
                          0.5 * w[5] * p.x * p.x * p.y};
@@ -42,7 +45,9 @@ void for_each_piece(Section const& section, Body const& body) noexcept {
             Sums<2 * n_integrals> out;
             for (Index i = 0; i < n_integrals; ++i) {
                 out.value[i] = found.value[i];
-                out.value[n_integrals + i] = i == 0 ? size : i < 3 ? size * extent : size * extent * extent;
+                out.value[n_integrals + i] = i == 0  ? size
+                                             : i < 3 ? size * extent
+                                                     : size * extent * extent;
             }
             return out;
         };
@@ -56,8 +61,10 @@ struct Closing {
     Vec2 a, b;
 
     explicit Closing(Section const& section) noexcept
-        : from(section.end_of(section.n_curves - 1, true)), to(section.end_of(0, false)),
-          a(from.point()), b(to.point()) {}
+        : from(section.end_of(section.n_curves - 1, true)),
+          to(section.end_of(0, false)),
+          a(from.point()),
+          b(to.point()) {}
 };
 
 Integrals integrals_of(Section const& section) noexcept {
@@ -88,8 +95,8 @@ Status area_moments(Section& section, AreaMoments& moments, Fault& fault) noexce
     Integrals sum = integrals_of(section);
     Real const extent = section.extent();
     if (!(absolute(sum.value[0]) > 64 * epsilon * extent * extent)) {
-        return fault.refuse(Status::bad_curve, "the section encloses no area: ~", Counts::from_zero, none, none,
-                            sum.value[0]);
+        return fault.refuse(Status::bad_curve, "the section encloses no area: ~", Counts::from_zero,
+                            none, none, sum.value[0]);
     }
     section.sign = sum.value[0] < 0 ? -1 : 1;
     for (Real& value : sum.value) value *= section.sign;
@@ -109,10 +116,10 @@ void pull_area_moments(Section const& section, AreaMoments const& moments, AreaD
     Vec2 const reference = reference_of(section), c = moments.centroid - reference;
     Real const area = moments.area;
     // c = (I1, I2) / I0, xx = I3 - I2^2 / I0, ...
-    Integrals w{{by.area - dot(by.centroid, c) / area + by.xx * c.y * c.y + by.yy * c.x * c.x + by.xy * c.x * c.y,
+    Integrals w{{by.area - dot(by.centroid, c) / area + by.xx * c.y * c.y + by.yy * c.x * c.x +
+                     by.xy * c.x * c.y,
                  by.centroid.x / area - 2 * by.yy * c.x - by.xy * c.y,
-                     by.centroid.y / area - 2 * by.xx * c.y - by.xy * c.x,
-                 by.xx, by.yy, by.xy}};
+                 by.centroid.y / area - 2 * by.xx * c.y - by.xy * c.x, by.xx, by.yy, by.xy}};
     for (Real& value : w.value) value *= section.sign;
     for_each_piece(section, [&](Real low, Real high, Index number, Index span) {
         Real const sense = section.backwards[number] ? -1 : 1;

@@ -1,4 +1,5 @@
-// Area, centroid and second moments of a section by integrals along its outline (Green's theorem), with derivatives.
+// Area, centroid and second moments of a section by integrals along its outline (Green's theorem),
+// with derivatives.
 #pragma once
 
 #include "bspline/section.hpp"

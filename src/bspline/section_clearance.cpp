@@ -6,8 +6,9 @@
 namespace harmorph {
 namespace {
 
-// Is the point inside? Crossings of the outline with the ray upwards from it: an odd number. Samples between which the
-// outline passes the ray's line are on either side of it, whether or not one of them lies on it.
+// Is the point inside? Crossings of the outline with the ray upwards from it: an odd number.
+// Samples between which the outline passes the ray's line are on either side of it, whether or not
+// one of them lies on it.
 bool is_inside(Section const& section, Vec2 q) noexcept {
     bool inside = false;
     auto const pass = [&](Vec2 a, Vec2 b, auto const& height) {
@@ -26,13 +27,16 @@ bool is_inside(Section const& section, Vec2 q) noexcept {
         for (Index j = 1; j <= n; ++j) {
             Real const next = j == n ? high : low + (high - low) * j / n;
             Vec2 const after = at(next);
-            pass(before, after, [&] { return at(sign_change(u, next, [&](Real v) { return at(v).x - q.x; })).y; });
+            pass(before, after,
+                 [&] { return at(sign_change(u, next, [&](Real v) { return at(v).x - q.x; })).y; });
             u = next;
             before = after;
         }
     });
-    Vec2 const a = section.end_of(section.n_curves - 1, true).point(), b = section.end_of(0, false).point();
-    if (!section.is_closed) pass(a, b, [&] { return a.y + (q.x - a.x) / (b.x - a.x) * (b.y - a.y); });
+    Vec2 const a = section.end_of(section.n_curves - 1, true).point(),
+               b = section.end_of(0, false).point();
+    if (!section.is_closed)
+        pass(a, b, [&] { return a.y + (q.x - a.x) / (b.x - a.x) * (b.y - a.y); });
     return inside;
 }
 
@@ -48,7 +52,8 @@ Clearance nearest_to(Section const& section, Vec2 q) noexcept {
     }
     Vec2 place = out.nearest.point();
     if (!section.is_closed) {
-        Vec2 const a = section.end_of(section.n_curves - 1, true).point(), b = section.end_of(0, false).point();
+        Vec2 const a = section.end_of(section.n_curves - 1, true).point(),
+                   b = section.end_of(0, false).point();
         Real const along = clamp(dot(q - a, b - a) / square(b - a), 0.0, 1.0);
         Vec2 const on_closing = a + along * (b - a);
         if (length(on_closing - q) < nearest) {
@@ -94,7 +99,8 @@ Clearance measure_clearance(Section const& section, Points polygon, Index n) noe
             Index const samples = 4 * curve.degree;
             Real u = low, before = tilt(low);
             for (Index j = 1; j <= samples; ++j) {
-                Real const next = j == samples ? high : low + (high - low) * j / samples, after = tilt(next);
+                Real const next = j == samples ? high : low + (high - low) * j / samples,
+                           after = tilt(next);
                 if ((before < 0) != (after < 0)) {
                     at(sign_change(u, next, tilt), point);
                     try_foot(point[0]);
@@ -108,9 +114,11 @@ Clearance measure_clearance(Section const& section, Points polygon, Index n) noe
     return best;
 }
 
-void pull_clearance(Section const& section, Clearance const& clearance, ControlGradient const& gradient) noexcept {
+void pull_clearance(Section const& section, Clearance const& clearance,
+                    ControlGradient const& gradient) noexcept {
     if (!clearance.on_closing) return gradient.add(clearance.nearest, clearance.towards);
-    gradient.add(section.end_of(section.n_curves - 1, true), (1 - clearance.along) * clearance.towards);
+    gradient.add(section.end_of(section.n_curves - 1, true),
+                 (1 - clearance.along) * clearance.towards);
     gradient.add(section.end_of(0, false), clearance.along * clearance.towards);
 }
 

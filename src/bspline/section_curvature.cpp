@@ -8,10 +8,11 @@ namespace {
 
 constexpr Vec2 right_of(Vec2 v) noexcept { return {v.y, -v.x}; }
 
-// Curvature k = C' x C'' / |C'|^3 and its derivative by the parameter, of derivatives c[1..3] of a curve; and the
-// derivatives of both by C', C'' and C'''. In terms of t = C' / |C'|, a = C'' / |C'|^2 and b = C''' / |C'|^3, so that
-// no power of the speed overflows. Where the curve stands still, or nearly so, there is none, and all numbers are 0:
-// within these bounds no measure overflows.
+// Curvature k = C' x C'' / |C'|^3 and its derivative by the parameter, of derivatives c[1..3] of a
+// curve; and the derivatives of both by C', C'' and C'''. In terms of t = C' / |C'|, a = C'' /
+// |C'|^2 and b = C''' / |C'|^3, so that no power of the speed overflows. Where the curve stands
+// still, or nearly so, there is none, and all numbers are 0: within these bounds no measure
+// overflows.
 struct Curvature {
     bool exists = false;
     Real value = 0, slope = 0, speed = 0;
@@ -21,7 +22,9 @@ struct Curvature {
         Real const size = larger(absolute(c[1].x), absolute(c[1].y));
         if (!(size > 1e-30 && size < 1e60)) return;
         Real const found = length(c[1]), per = 1 / found;
-        if (!is_at_most(c[2], 1e40 * found * found) || !is_at_most(c[3], 1e90 * found * found * found)) return;
+        if (!is_at_most(c[2], 1e40 * found * found) ||
+            !is_at_most(c[3], 1e90 * found * found * found))
+            return;
         Vec2 const t = per * c[1], a = per * (per * c[2]), b = per * (per * (per * c[3]));
         Real const d = dot(t, a), x = cross(t, a), y = cross(t, b);
         if (!(absolute(y) + 3 * absolute(x * d) <= 1e100 * per)) return;
@@ -29,8 +32,8 @@ struct Curvature {
         speed = found;
         value = x;
         slope = speed * (y - 3 * x * d);
-        // Of the cross products by their factors: of C' x C'' by C' it is C'' turned right, by C'' it is C' turned
-        // left.
+        // Of the cross products by their factors: of C' x C'' by C' it is C'' turned right, by C''
+        // it is C' turned left.
         Vec2 const by_second = per * (per * left_of(t));
         value_by[1] = per * (right_of(a) - 3 * x * t);
         value_by[2] = by_second;
@@ -52,8 +55,10 @@ Curvature curvature_at(CurvePlace const& place) noexcept {
 }
 
 Status refuse_still(Section const& section, CurvePlace const& place, Fault& fault) noexcept {
-    return fault.refuse(Status::bad_curve, "curve @ (from 0) stands still at parameter ~: it has no curvature there",
-                        Counts::from_zero, none, static_cast<Index>(place.curve - section.curve), place.u);
+    return fault.refuse(Status::bad_curve,
+                        "curve @ (from 0) stands still at parameter ~: it has no curvature there",
+                        Counts::from_zero, none, static_cast<Index>(place.curve - section.curve),
+                        place.u);
 }
 
 Status check_speed(Section const& section, Fault& fault) noexcept {
@@ -65,7 +70,8 @@ Status check_speed(Section const& section, Fault& fault) noexcept {
             Vec2 point[2];
             curve_point_in(section.curve[c], span, low + (high - low) * j / n, 1, point);
             if (length(point[1]) * (high - low) > smallest) continue;
-            status = refuse_still(section, {&section.curve[c], span, low + (high - low) * j / n}, fault);
+            status =
+                refuse_still(section, {&section.curve[c], span, low + (high - low) * j / n}, fault);
         }
     });
     return status;
@@ -73,12 +79,16 @@ Status check_speed(Section const& section, Fault& fault) noexcept {
 
 }  // namespace
 
-Status nose_radius(Section const& section, Real& radius, ControlGradient const& gradient, Fault& fault) noexcept {
+Status nose_radius(Section const& section, Real& radius, ControlGradient const& gradient,
+                   Fault& fault) noexcept {
     Curvature const at = curvature_at(section.nose_place);
-    Real const bend = section.sign * (section.backwards[section.nose_place.curve - section.curve] ? -1 : 1) * at.value;
+    Real const bend = section.sign *
+                      (section.backwards[section.nose_place.curve - section.curve] ? -1 : 1) *
+                      at.value;
     if (!section.nose_is_smooth || !at.exists || !(absolute(bend) * section.extent() > 1e-12)) {
-        return fault.refuse(Status::bad_curve,
-                            "the leading edge is a corner or straight: it has no radius of curvature");
+        return fault.refuse(
+            Status::bad_curve,
+            "the leading edge is a corner or straight: it has no radius of curvature");
     }
     radius = 1 / bend;
     Real const by_value = -radius * radius * bend / at.value;  // bend / value: the sign
@@ -88,7 +98,8 @@ Status nose_radius(Section const& section, Real& radius, ControlGradient const& 
     return Status::ok;
 }
 
-Status smallest_radius(Section const& section, Bend& bend, ControlGradient const& gradient, Fault& fault) noexcept {
+Status smallest_radius(Section const& section, Bend& bend, ControlGradient const& gradient,
+                       Fault& fault) noexcept {
     HARMORPH_TRY(check_speed(section, fault));
     Real largest = 0;
     CurvePlace still;  // where there is no curvature
@@ -119,7 +130,8 @@ Status smallest_radius(Section const& section, Bend& bend, ControlGradient const
     });
     if (still.curve != nullptr) return refuse_still(section, still, fault);
     if (!(largest * section.extent() > 1e-12)) {
-        return fault.refuse(Status::bad_curve, "the outline is straight: it has no radius of curvature");
+        return fault.refuse(Status::bad_curve,
+                            "the outline is straight: it has no radius of curvature");
     }
     bend.radius = 1 / largest;
     Curvature const at = curvature_at(bend.place);
@@ -133,7 +145,8 @@ Status curvature_variation(Section const& section, Real& variation, ControlGradi
                            Fault& fault) noexcept {
     for (Index c = 0; c < section.n_sides; ++c) {
         if (section.curve[c].degree > 1) continue;
-        return fault.refuse(Status::bad_curve, "curve @ (from 0) of the section has degree 1 and no curvature",
+        return fault.refuse(Status::bad_curve,
+                            "curve @ (from 0) of the section has degree 1 and no curvature",
                             Counts::from_zero, none, c);
     }
     HARMORPH_TRY(check_speed(section, fault));
@@ -148,7 +161,8 @@ Status curvature_variation(Section const& section, Real& variation, ControlGradi
                 return Sums<2>{};
             }
             Real const square_value = at.value * at.value;
-            return Sums<2>{{at.slope * at.slope / at.speed, square_value * square_value * at.speed}};
+            return Sums<2>{
+                {at.slope * at.slope / at.speed, square_value * square_value * at.speed}};
         };
         for_converged<2>(low, high, integrand, [&](Real a, Real b) {
             Gauss10::for_each(a, b, [&](Real u, Real weight) {
@@ -162,9 +176,12 @@ Status curvature_variation(Section const& section, Real& variation, ControlGradi
                 }
                 variation += weight * at.slope * at.slope / at.speed;
                 Real const by_slope = 2 * weight * at.slope / at.speed;
-                Real const by_square_speed = -0.5 * weight * at.slope * at.slope / (at.speed * at.speed * at.speed);
-                Vec2 const by[4] = {{}, by_slope * at.slope_by[1] + 2 * by_square_speed * point[1],
-                                    by_slope * at.slope_by[2], by_slope * at.slope_by[3]};
+                Real const by_square_speed =
+                    -0.5 * weight * at.slope * at.slope / (at.speed * at.speed * at.speed);
+                Vec2 const by[4] = {{},
+                                    by_slope * at.slope_by[1] + 2 * by_square_speed * point[1],
+                                    by_slope * at.slope_by[2],
+                                    by_slope * at.slope_by[3]};
                 gradient.add(place, 3, by);
             });
         });

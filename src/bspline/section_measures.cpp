@@ -8,8 +8,8 @@
 namespace harmorph {
 namespace {
 
-Status measure_area(Section& section, QuantityKind kind, ControlGradient const& gradient, Measured& measured,
-                    Fault& fault) noexcept {
+Status measure_area(Section& section, QuantityKind kind, ControlGradient const& gradient,
+                    Measured& measured, Fault& fault) noexcept {
     AreaMoments found;
     AreaDerivative by;
     HARMORPH_TRY(area_moments(section, found, fault));
@@ -30,7 +30,8 @@ Status measure_area(Section& section, QuantityKind kind, ControlGradient const& 
     return Status::ok;
 }
 
-Status measure_chord(Section& section, ControlGradient const& gradient, Measured& measured, Fault& fault) noexcept {
+Status measure_chord(Section& section, ControlGradient const& gradient, Measured& measured,
+                     Fault& fault) noexcept {
     HARMORPH_TRY(section.find_chord(false, fault));
     measured = {length(section.chord()), section.nose};
     Vec2 const along = direction(section.chord());
@@ -38,11 +39,13 @@ Status measure_chord(Section& section, ControlGradient const& gradient, Measured
     return Status::ok;
 }
 
-Status measure_stations(Section& section, Quantity const& quantity, ControlGradient const& gradient, Measured& measured,
-                        Fault& fault) noexcept {
+Status measure_stations(Section& section, Quantity const& quantity, ControlGradient const& gradient,
+                        Measured& measured, Fault& fault) noexcept {
     Station found;
-    bool const extreme = quantity.kind == QuantityKind::max_thickness || quantity.kind == QuantityKind::max_camber;
-    bool const thickness = quantity.kind == QuantityKind::max_thickness || quantity.kind == QuantityKind::thickness;
+    bool const extreme =
+        quantity.kind == QuantityKind::max_thickness || quantity.kind == QuantityKind::max_camber;
+    bool const thickness =
+        quantity.kind == QuantityKind::max_thickness || quantity.kind == QuantityKind::thickness;
     StationValue const which = thickness ? StationValue::thickness : StationValue::camber;
     HARMORPH_TRY(section.find_chord(false, fault));
     if (extreme) HARMORPH_TRY(measure_extreme(section, which, found, fault));
@@ -51,7 +54,8 @@ Status measure_stations(Section& section, Quantity const& quantity, ControlGradi
     return pull_station(section, which, found, gradient, fault);
 }
 
-Status measure_nose(Section& section, ControlGradient const& gradient, Measured& measured, Fault& fault) noexcept {
+Status measure_nose(Section& section, ControlGradient const& gradient, Measured& measured,
+                    Fault& fault) noexcept {
     AreaMoments moments;
     HARMORPH_TRY(area_moments(section, moments, fault));  // for the orientation
     HARMORPH_TRY(section.find_chord(true, fault));
@@ -59,7 +63,8 @@ Status measure_nose(Section& section, ControlGradient const& gradient, Measured&
     return nose_radius(section, measured.value, gradient, fault);
 }
 
-// Between the tangents that leave the trailing edge at both ends of the outline, through the inside.
+// Between the tangents that leave the trailing edge at both ends of the outline, through the
+// inside.
 Status measure_edge_angle(Section& section, ControlGradient const& gradient, Measured& measured,
                           Fault& fault) noexcept {
     AreaMoments moments;
@@ -68,11 +73,14 @@ Status measure_edge_angle(Section& section, ControlGradient const& gradient, Mea
     Vec2 a[2], b[2];
     first.derivatives(1, a);
     last.derivatives(1, b);
-    bool const backwards_first = section.backwards[0], backwards_last = section.backwards[section.n_sides - 1];
-    Vec2 const from = (backwards_first ? -1.0 : 1.0) * a[1], to = (backwards_last ? 1.0 : -1.0) * b[1];
+    bool const backwards_first = section.backwards[0],
+               backwards_last = section.backwards[section.n_sides - 1];
+    Vec2 const from = (backwards_first ? -1.0 : 1.0) * a[1],
+               to = (backwards_last ? 1.0 : -1.0) * b[1];
     if (!(square(from) > 0) || !(square(to) > 0)) {
-        return fault.refuse(Status::bad_curve,
-                            "the trailing edge has no directions: the curve stands still at its ends");
+        return fault.refuse(
+            Status::bad_curve,
+            "the trailing edge has no directions: the curve stands still at its ends");
     }
     Real const sign = section.sign * in_degrees(1);
     measured = {sign * angle_of(turn_between(from, to)), a[0]};
@@ -83,7 +91,8 @@ Status measure_edge_angle(Section& section, ControlGradient const& gradient, Mea
     return Status::ok;
 }
 
-Status measure_edge_gap(Section& section, ControlGradient const& gradient, Measured& measured, Fault& fault) noexcept {
+Status measure_edge_gap(Section& section, ControlGradient const& gradient, Measured& measured,
+                        Fault& fault) noexcept {
     AreaMoments moments;
     HARMORPH_TRY(area_moments(section, moments, fault));
     HARMORPH_TRY(section.find_chord(false, fault));
@@ -100,8 +109,8 @@ Status measure_edge_gap(Section& section, ControlGradient const& gradient, Measu
     return Status::ok;
 }
 
-Status measure_curvature(Section& section, QuantityKind kind, ControlGradient const& gradient, Measured& measured,
-                         Fault& fault) noexcept {
+Status measure_curvature(Section& section, QuantityKind kind, ControlGradient const& gradient,
+                         Measured& measured, Fault& fault) noexcept {
     if (kind == QuantityKind::curvature_variation) {
         measured.at = section.first_end().point();
         return curvature_variation(section, measured.value, gradient, fault);
@@ -114,22 +123,25 @@ Status measure_curvature(Section& section, QuantityKind kind, ControlGradient co
 
 }  // namespace
 
-Status measure(Section& section, Quantity const& quantity, ControlGradient const& gradient, Measured& measured,
-               Fault& fault) noexcept {
+Status measure(Section& section, Quantity const& quantity, ControlGradient const& gradient,
+               Measured& measured, Fault& fault) noexcept {
     switch (quantity.kind) {
         case QuantityKind::area:
         case QuantityKind::centroid_x:
         case QuantityKind::centroid_y:
         case QuantityKind::moment_xx:
         case QuantityKind::moment_yy:
-        case QuantityKind::moment_xy: return measure_area(section, quantity.kind, gradient, measured, fault);
+        case QuantityKind::moment_xy:
+            return measure_area(section, quantity.kind, gradient, measured, fault);
         case QuantityKind::chord: return measure_chord(section, gradient, measured, fault);
         case QuantityKind::thickness:
         case QuantityKind::camber:
         case QuantityKind::max_thickness:
-        case QuantityKind::max_camber: return measure_stations(section, quantity, gradient, measured, fault);
+        case QuantityKind::max_camber:
+            return measure_stations(section, quantity, gradient, measured, fault);
         case QuantityKind::nose_radius: return measure_nose(section, gradient, measured, fault);
-        case QuantityKind::edge_angle: return measure_edge_angle(section, gradient, measured, fault);
+        case QuantityKind::edge_angle:
+            return measure_edge_angle(section, gradient, measured, fault);
         case QuantityKind::edge_gap: return measure_edge_gap(section, gradient, measured, fault);
         case QuantityKind::min_radius:
         case QuantityKind::curvature_variation:
@@ -140,7 +152,8 @@ Status measure(Section& section, Quantity const& quantity, ControlGradient const
     measured.value = found.value;
     measured.at = found.nearest.point();
     if (found.on_closing) {
-        Vec2 const a = section.end_of(section.n_curves - 1, true).point(), b = section.end_of(0, false).point();
+        Vec2 const a = section.end_of(section.n_curves - 1, true).point(),
+                   b = section.end_of(0, false).point();
         measured.at = a + found.along * (b - a);
     }
     pull_clearance(section, found, gradient);

@@ -7,9 +7,23 @@ namespace harmorph {
 
 // The numbers are those of the C header, which explains them.
 enum class QuantityKind : std::int32_t {
-    area = 0, centroid_x = 1, centroid_y = 2, moment_xx = 3, moment_yy = 4, moment_xy = 5, chord = 6, thickness = 7,
-    camber = 8, max_thickness = 9, max_camber = 10, nose_radius = 11, edge_angle = 12, edge_gap = 13, min_radius = 14,
-    curvature_variation = 15, clearance = 16
+    area = 0,
+    centroid_x = 1,
+    centroid_y = 2,
+    moment_xx = 3,
+    moment_yy = 4,
+    moment_xy = 5,
+    chord = 6,
+    thickness = 7,
+    camber = 8,
+    max_thickness = 9,
+    max_camber = 10,
+    nose_radius = 11,
+    edge_angle = 12,
+    edge_gap = 13,
+    min_radius = 14,
+    curvature_variation = 15,
+    clearance = 16
 };
 
 struct Quantity {
@@ -25,7 +39,7 @@ struct Measured {
 };
 
 // section.connect() has been called.
-Status measure(Section& section, Quantity const& quantity, ControlGradient const& gradient, Measured& measured,
-               Fault& fault) noexcept;
+Status measure(Section& section, Quantity const& quantity, ControlGradient const& gradient,
+               Measured& measured, Fault& fault) noexcept;
 
 }  // namespace harmorph

@@ -5,8 +5,10 @@
 namespace harmorph {
 namespace {
 
-// The outline's points on the normal to the chord through a point of it: the highest and the lowest.
-bool find_points(Section const& section, Vec2 through, CurvePlace& top, CurvePlace& bottom) noexcept {
+// The outline's points on the normal to the chord through a point of it: the highest and the
+// lowest.
+bool find_points(Section const& section, Vec2 through, CurvePlace& top,
+                 CurvePlace& bottom) noexcept {
     Vec2 const along = section.chord(), up = left_of(along);
     Real highest = -infinity, lowest = infinity;
     auto const include = [&](CurvePlace const& place) {
@@ -46,14 +48,15 @@ bool find_points(Section const& section, Vec2 through, CurvePlace& top, CurvePla
     return highest > lowest;
 }
 
-// Derivatives of the value by the two points held at their parameters, by the point of the chord line, and by the
-// chord.
+// Derivatives of the value by the two points held at their parameters, by the point of the chord
+// line, and by the chord.
 struct StationDerivative {
     Vec2 top[1], bottom[1], point, along;
     bool finite = true;
 };
 
-StationDerivative differentiate(Section const& section, StationValue which, Station const& station) noexcept {
+StationDerivative differentiate(Section const& section, StationValue which,
+                                Station const& station) noexcept {
     StationDerivative out;
     Vec2 const along = section.chord();
     Real const size = length(along);
@@ -77,7 +80,8 @@ StationDerivative differentiate(Section const& section, StationValue which, Stat
     pull(station.top, of_top, out.top[0]);
     pull(station.bottom, of_bottom, out.bottom[0]);
     if (camber) out.point = out.point - normal;
-    out.along = out.along + (1 / size) * (Vec2{offset.y, -offset.x} - (dot(offset, normal) / size) * along);
+    out.along =
+        out.along + (1 / size) * (Vec2{offset.y, -offset.x} - (dot(offset, normal) / size) * along);
     return out;
 }
 
@@ -85,7 +89,8 @@ Real value_at(Section const& section, StationValue which, Real at, Station& stat
     Vec2 const along = section.chord();
     station.at = at;
     station.point = section.nose + at * along;
-    if (!find_points(section, station.point, station.top, station.bottom)) return station.value = -infinity;
+    if (!find_points(section, station.point, station.top, station.bottom))
+        return station.value = -infinity;
     Vec2 const normal = (1 / length(along)) * left_of(along);
     Vec2 const top = station.top.point(), bottom = station.bottom.point();
     if (which == StationValue::thickness) return station.value = dot(top - bottom, normal);
@@ -99,15 +104,18 @@ Real slope_at(Section const& section, StationValue which, Station const& station
 
 }  // namespace
 
-Status measure_station(Section const& section, StationValue which, Real at, Station& station, Fault& fault) noexcept {
+Status measure_station(Section const& section, StationValue which, Real at, Station& station,
+                       Fault& fault) noexcept {
     if (value_at(section, which, at, station) > -infinity) return Status::ok;
-    return fault.refuse(Status::bad_curve,
-                        "the normal to the chord at station ~ meets the outline at less than two points",
-                        Counts::from_zero, none, none, at);
+    return fault.refuse(
+        Status::bad_curve,
+        "the normal to the chord at station ~ meets the outline at less than two points",
+        Counts::from_zero, none, none, at);
 }
 
 // Stations in the distance t^2 (3 - 2 t) are dense at the ends, where slopes are steep.
-Status measure_extreme(Section const& section, StationValue which, Station& station, Fault& fault) noexcept {
+Status measure_extreme(Section const& section, StationValue which, Station& station,
+                       Fault& fault) noexcept {
     constexpr Index n = 128;
     auto const place = [&](Index k) {
         Real const t = static_cast<Real>(k) / n;
@@ -125,7 +133,8 @@ Status measure_extreme(Section const& section, StationValue which, Station& stat
         sign = which == StationValue::camber && value < 0 ? -1 : 1;
     }
     if (best == none) {
-        return fault.refuse(Status::bad_curve, "no normal to the chord meets the outline at two points");
+        return fault.refuse(Status::bad_curve,
+                            "no normal to the chord meets the outline at two points");
     }
     auto const rise = [&](Real at) {  // 0 where there is nothing
         Station there;
@@ -139,16 +148,18 @@ Status measure_extreme(Section const& section, StationValue which, Station& stat
     return Status::ok;
 }
 
-Status pull_station(Section const& section, StationValue which, Station const& station, ControlGradient const& gradient,
-                    Fault& fault) noexcept {
+Status pull_station(Section const& section, StationValue which, Station const& station,
+                    ControlGradient const& gradient, Fault& fault) noexcept {
     StationDerivative const by = differentiate(section, which, station);
     if (!by.finite) {
-        return fault.refuse(Status::bad_curve, "at station ~ the outline is parallel to the normal of the chord",
+        return fault.refuse(Status::bad_curve,
+                            "at station ~ the outline is parallel to the normal of the chord",
                             Counts::from_zero, none, none, station.at);
     }
     gradient.add(station.top, 0, by.top);
     gradient.add(station.bottom, 0, by.bottom);
-    section.pull_chord({(1 - station.at) * by.point - by.along, station.at * by.point + by.along}, gradient);
+    section.pull_chord({(1 - station.at) * by.point - by.along, station.at * by.point + by.along},
+                       gradient);
     return Status::ok;
 }
 

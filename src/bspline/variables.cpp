@@ -20,9 +20,11 @@ void bernstein(Index n, Real t, Real* value) noexcept {
     }
 }
 
-// I. Abbott, A. von Doenhoff, Theory of Wing Sections, 6.4; the last coefficient closes the trailing edge.
+// I. Abbott, A. von Doenhoff, Theory of Wing Sections, 6.4; the last coefficient closes the
+// trailing edge.
 Real naca_half_thickness(Real t) noexcept {
-    return 5 * (0.2969 * square_root(t) + t * (-0.1260 + t * (-0.3516 + t * (0.2843 - 0.1036 * t))));
+    return 5 *
+           (0.2969 * square_root(t) + t * (-0.1260 + t * (-0.3516 + t * (0.2843 - 0.1036 * t))));
 }
 
 Real naca_camber(Real peak, Real t) noexcept {
@@ -48,7 +50,8 @@ void Variables::shapes(Real station, bool upper, Real* value) const noexcept {
     switch (kind) {
         case VariableKind::ffd: break;
         case VariableKind::cst: {
-            Real const shape_class = power(station, nose_exponent) * power(1 - station, edge_exponent);
+            Real const shape_class =
+                power(station, nose_exponent) * power(1 - station, edge_exponent);
             bernstein(end - first, station, value + first);
             for (Index j = first; j < end; ++j) value[j] *= shape_class;
             break;
@@ -68,7 +71,8 @@ void Variables::shapes(Real station, bool upper, Real* value) const noexcept {
 
 void Variables::node_weights(Vec2 point, Real* value) const noexcept {
     Index const n_x = degree_x + 1, n_y = degree_y + 1;
-    bool const inside = point.x >= low.x && point.x <= high.x && point.y >= low.y && point.y <= high.y;
+    bool const inside =
+        point.x >= low.x && point.x <= high.x && point.y >= low.y && point.y <= high.y;
     Real in_x[most], in_y[most];
     bernstein(n_x, inside ? (point.x - low.x) / (high.x - low.x) : 0, in_x);
     bernstein(n_y, inside ? (point.y - low.y) / (high.y - low.y) : 0, in_y);
@@ -88,23 +92,26 @@ void VariableMap::lay_out(Arena& arena, Index n_control, Index n) noexcept {
     arena.take(pins, n_control);
 }
 
-// Which side of the section a place of the outline is on: in the direction of the outline from the trailing edge to the
-// leading edge the upper side, if the outline runs counter-clockwise.
+// Which side of the section a place of the outline is on: in the direction of the outline from the
+// trailing edge to the leading edge the upper side, if the outline runs counter-clockwise.
 bool VariableMap::is_upper(Section const& section, CurvePlace const& place) const noexcept {
     auto const position = [&](CurvePlace const& at) {  // curves count 1 each
         Index const c = static_cast<Index>(at.curve - section.curve);
         Real const t = (at.u - at.curve->begin()) / (at.curve->end() - at.curve->begin());
         return static_cast<Real>(c) + (section.backwards[c] ? 1 - t : t);
     };
-    Real from_edge = position(place) - edge_position_, to_nose = position(section.nose_place) - edge_position_;
+    Real from_edge = position(place) - edge_position_,
+         to_nose = position(section.nose_place) - edge_position_;
     if (from_edge < 0) from_edge += 1;  // behind the seam of a periodic curve
     if (to_nose < 0) to_nose += 1;
     return (from_edge < to_nose) == (section.sign > 0);
 }
 
-// body(place, weight): points of Gauss' rule on halves of spans, which end where the sides meet. Not on a blunt base.
+// body(place, weight): points of Gauss' rule on halves of spans, which end where the sides meet.
+// Not on a blunt base.
 template <class Body>
-void VariableMap::for_each_sample(Section const& section, Variables const& variables, Body const& body) const noexcept {
+void VariableMap::for_each_sample(Section const& section, Variables const& variables,
+                                  Body const& body) const noexcept {
     section.for_each_span(0, section.n_sides, [&](Index c, Index span, Real low, Real high) {
         Real breaks[5] = {low, low + 0.5 * (high - low), high};
         Index n = 3;
@@ -128,7 +135,8 @@ void VariableMap::for_each_sample(Section const& section, Variables const& varia
 }
 
 // Fills `value`; by what a unit of it moves the place.
-Vec2 VariableMap::evaluate(Section const& section, Variables const& variables, Vec2 point, bool upper) const noexcept {
+Vec2 VariableMap::evaluate(Section const& section, Variables const& variables, Vec2 point,
+                           bool upper) const noexcept {
     if (!variables.needs_chord()) {
         variables.node_weights(point, value.data());
         return {1, 0};
@@ -184,7 +192,8 @@ Status VariableMap::factor_and_solve(Fault& fault) noexcept {
                 continue;
             }
             if (!(sum > 1e-14 * diagonal)) {
-                return fault.refuse(Status::bad_curve, "control point # is not determined by the outline",
+                return fault.refuse(Status::bad_curve,
+                                    "control point # is not determined by the outline",
                                     Counts::curves, i);
             }
             row_of(i)[i] = square_root(sum);
@@ -219,7 +228,8 @@ Status VariableMap::run(Section const& section, Variables const& variables, Faul
             Index const i = basis.control[k];
             Real const part = weight * basis.value[0][k];
             Real* const mass_row = mass.data() + Offset{i} * n_control_;
-            for (Index l = 0; l < basis.order; ++l) mass_row[basis.control[l]] += part * basis.value[0][l];
+            for (Index l = 0; l < basis.order; ++l)
+                mass_row[basis.control[l]] += part * basis.value[0][l];
             if (pins[i] > 0) continue;
             Real* const row = wanted.data() + Offset{i} * 2 * n_;
             for (Index j = 0; j < n_; ++j) {
@@ -252,8 +262,9 @@ Status VariableMap::run(Section const& section, Variables const& variables, Faul
     copy(trial, Span<const Real>(wanted));
     DependentColumn const dependent = find_dependent_column(trial, n_, 2);
     if (dependent.column != none) {
-        const char* const text = dependent.is_zero ? "variable # (from 0) moves no control point"
-                                                   : "variable # (from 0) is a combination of those before";
+        const char* const text = dependent.is_zero
+                                     ? "variable # (from 0) moves no control point"
+                                     : "variable # (from 0) is a combination of those before";
         return fault.refuse(Status::bad_condition, text, Counts::from_zero, dependent.column);
     }
     Real total = 0;

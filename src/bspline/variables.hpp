@@ -1,5 +1,5 @@
-// Design variables that are not control points: the movement of the outline by each, and its approximation by movements
-// of the control points.
+// Design variables that are not control points: the movement of the outline by each, and its
+// approximation by movements of the control points.
 #pragma once
 
 #include "base/arena.hpp"
@@ -16,7 +16,7 @@ struct Variables {
     VariableKind kind = VariableKind::ffd;
     Index n_upper = 0, n_lower = 0;
     Index degree_x = 0, degree_y = 0;
-    Vec2 low, high;                      // the box
+    Vec2 low, high;  // the box
     const Real* peaks = nullptr;
     Real nose_exponent = 0.5, edge_exponent = 1;
     Real width = 3;
@@ -35,27 +35,31 @@ struct Variables {
 
 // Least squares for the map d(control) / d(variable).
 struct VariableMap {
-    Span<Real> mass;         // [n_control^2] of the curves' basis functions, then its Cholesky factor
-    Span<Real> wanted;       // [n_control * n * 2] right-hand sides, then the map
-    Span<Real> trial;        // [n_control * n * 2] the map again, orthogonalised
-    Span<Real> value;        // [n] of the variables at one point
-    Span<Real> error;        // [2 * n] out: root mean square and largest difference
-    Span<Real> pins;         // [n_control] how many ends of curves fix a control point
+    Span<Real> mass;    // [n_control^2] of the curves' basis functions, then its Cholesky factor
+    Span<Real> wanted;  // [n_control * n * 2] right-hand sides, then the map
+    Span<Real> trial;   // [n_control * n * 2] the map again, orthogonalised
+    Span<Real> value;   // [n] of the variables at one point
+    Span<Real> error;   // [2 * n] out: root mean square and largest difference
+    Span<Real> pins;    // [n_control] how many ends of curves fix a control point
 
     void lay_out(Arena& arena, Index n_control, Index n) noexcept;
-    // The section is joined, and has its chord where variables need it. Refuses variables without effect.
+    // The section is joined, and has its chord where variables need it. Refuses variables without
+    // effect.
     Status run(Section const& section, Variables const& variables, Fault& fault) noexcept;
 
 private:
     template <class Body>
-    void for_each_sample(Section const& section, Variables const& variables, Body const& body) const noexcept;
+    void for_each_sample(Section const& section, Variables const& variables,
+                         Body const& body) const noexcept;
     void pin_ends(Section const& section, Variables const& variables) noexcept;
     bool is_upper(Section const& section, CurvePlace const& place) const noexcept;
-    Vec2 evaluate(Section const& section, Variables const& variables, Vec2 point, bool upper) const noexcept;
+    Vec2 evaluate(Section const& section, Variables const& variables, Vec2 point,
+                  bool upper) const noexcept;
     Status factor_and_solve(Fault& fault) noexcept;
 
     Index n_control_ = 0, n_ = 0;
-    Real edge_position_ = 0, edge_u_ = 0;  // the trailing edge on a periodic curve: part of its range, parameter
+    Real edge_position_ = 0,
+         edge_u_ = 0;  // the trailing edge on a periodic curve: part of its range, parameter
 };
 
 }  // namespace harmorph

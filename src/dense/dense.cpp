@@ -7,7 +7,8 @@ namespace harmorph::dense {
 namespace {
 
 constexpr Offset worth_threads = Offset{1} << 22;  // multiplications
-// Of all kernels: a range of rows is cut into the same tiles as the whole, so that bits do not depend on threads.
+// Of all kernels: a range of rows is cut into the same tiles as the whole, so that bits do not
+// depend on threads.
 constexpr Index most_tile_rows = 8;
 
 // Calls a kernel with denormal numbers flushed to 0.
@@ -28,12 +29,15 @@ struct Front {
     Index end_of(Index first) const noexcept { return smaller(panel.pivots, first + strip); }
     // Multiplications of real numbers in `n` multiplications of numbers of the panel.
     Offset cost(Offset n) const noexcept { return Offset{planes} * planes * n; }
-    Number* border_rows(Number* y, Index row) const noexcept { return y + Offset{planes} * row * panel.pivots; }
+    Number* border_rows(Number* y, Index row) const noexcept {
+        return y + Offset{planes} * row * panel.pivots;
+    }
 
     // Adds the row sums that are stored in place of the diagonal to the sums of the pivots' rows.
     void add_diagonal(Index first, Number* sums) const noexcept {
         for (Index k = first; k < end_of(first); ++k) {
-            for (Index p = 0; p < planes; ++p) sums[p * panel.sums_plane() + k] += own.at(k, k)[p * slab];
+            for (Index p = 0; p < planes; ++p)
+                sums[p * panel.sums_plane() + k] += own.at(k, k)[p * slab];
         }
     }
 };
@@ -62,15 +66,18 @@ template <class Body>
 void spread_rows(Executor const& executor, Index begin, Index end, Offset multiplications_per_row,
                  Body const& body) noexcept {
     Index const tiles = pieces(end - begin, most_tile_rows);
-    bool const alone = executor.is_serial() || multiplications_per_row * (end - begin) < worth_threads;
+    bool const alone =
+        executor.is_serial() || multiplications_per_row * (end - begin) < worth_threads;
     Index const ranges = alone ? smaller(tiles, Index{1}) : smaller(executor.n_threads, tiles);
-    auto const bound = [&](Index i) { return smaller(end, begin + i * tiles / ranges * most_tile_rows); };
+    auto const bound = [&](Index i) {
+        return smaller(end, begin + i * tiles / ranges * most_tile_rows);
+    };
     executor.for_each(ranges, [&](Index i) { body(bound(i), bound(i + 1)); });
 }
 
-// What back substitution prefetches, in numbers from where it reads. Panels follow each other downwards in memory,
-// which the hardware does not foresee: in a small panel, what will be read some panels later. In a larger one, two
-// tiles further down in the same slab.
+// What back substitution prefetches, in numbers from where it reads. Panels follow each other
+// downwards in memory, which the hardware does not foresee: in a small panel, what will be read
+// some panels later. In a larger one, two tiles further down in the same slab.
 template <class Number>
 Offset ahead_of(Panel<Number> const& panel) noexcept {
     constexpr Offset below = 65536 / sizeof(Number);
@@ -80,21 +87,25 @@ Offset ahead_of(Panel<Number> const& panel) noexcept {
 
 // body(columns, from, to, sums) for chunks of the columns behind those of a strip, the border last.
 template <class Front, class Number, class Body>
-void spread_columns(Executor const& executor, Front const& front, Index end, Offset multiplications_per_column,
-                    Number* sums, Body const& body) noexcept {
-    Index const own = pieces(front.panel.pivots - end, chunk), border = pieces(front.panel.border, chunk);
-    spread(executor, multiplications_per_column * (front.panel.front() - end), own + border, [&](Index i) {
-        bool const is_own = i < own;
-        Slabs<Number> const& columns = is_own ? front.own : front.border;
-        Index const from = is_own ? end + i * chunk : (i - own) * chunk;
-        body(columns, from, smaller(columns.columns, from + chunk), is_own ? sums : sums + front.panel.border_sums());
-    });
+void spread_columns(Executor const& executor, Front const& front, Index end,
+                    Offset multiplications_per_column, Number* sums, Body const& body) noexcept {
+    Index const own = pieces(front.panel.pivots - end, chunk),
+                border = pieces(front.panel.border, chunk);
+    spread(executor, multiplications_per_column * (front.panel.front() - end), own + border,
+           [&](Index i) {
+               bool const is_own = i < own;
+               Slabs<Number> const& columns = is_own ? front.own : front.border;
+               Index const from = is_own ? end + i * chunk : (i - own) * chunk;
+               body(columns, from, smaller(columns.columns, from + chunk),
+                    is_own ? sums : sums + front.panel.border_sums());
+           });
 }
 
 }  // namespace
 
 template <class Number>
-Index factor(Kernel kernel, Panel<Number> const& panel, Number floor, Workers<Number> const& workers) noexcept {
+Index factor(Kernel kernel, Panel<Number> const& panel, Number floor,
+             Workers<Number> const& workers) noexcept {
     Executor const& executor = workers.executor;
     Number* const sums = workers.sums;
     fill(Span<Number>(sums, static_cast<Size>(panel.planes * panel.sums_plane())), Number{0});
@@ -104,21 +115,27 @@ Index factor(Kernel kernel, Panel<Number> const& panel, Number floor, Workers<Nu
             Offset const per_column = front.cost(end - first);
             front.add_diagonal(first, sums);  // before products are subtracted there
             if (first > 0) {
-                auto const subtract = [&](Slabs<Number> const& columns, Index from, Index to, Number*) {
-                    flushed<Number>(front.kernels.subtract_earlier, front.own, columns, first, end, from, to);
+                auto const subtract = [&](Slabs<Number> const& columns, Index from, Index to,
+                                          Number*) {
+                    flushed<Number>(front.kernels.subtract_earlier, front.own, columns, first, end,
+                                    from, to);
                 };
-                flushed<Number>(front.kernels.subtract_earlier, front.own, front.own, first, end, first, end);
+                flushed<Number>(front.kernels.subtract_earlier, front.own, front.own, first, end,
+                                first, end);
                 spread_columns(executor, front, end, per_column * first, sums, subtract);
             }
             TailSums<Number> tails;
-            spread_rows(executor, first, end, front.cost(panel.front() - end), [&](Index from, Index to) {
-                flushed<Number>(front.kernels.sum_tails, panel, first, end, from, to, tails);
-            });
-            Index const bad = flushed<Number>(front.kernels.factor_diagonal, panel, first, end, sums, tails, floor,
-                                              *workers.least_left);
+            spread_rows(
+                executor, first, end, front.cost(panel.front() - end), [&](Index from, Index to) {
+                    flushed<Number>(front.kernels.sum_tails, panel, first, end, from, to, tails);
+                });
+            Index const bad = flushed<Number>(front.kernels.factor_diagonal, panel, first, end,
+                                              sums, tails, floor, *workers.least_left);
             if (bad != none) return bad;
-            auto const finish = [&](Slabs<Number> const& columns, Index from, Index to, Number* column_sums) {
-                flushed<Number>(front.kernels.finish_columns, panel, columns, first, end, from, to, sums, column_sums);
+            auto const finish = [&](Slabs<Number> const& columns, Index from, Index to,
+                                    Number* column_sums) {
+                flushed<Number>(front.kernels.finish_columns, panel, columns, first, end, from, to,
+                                sums, column_sums);
             };
             spread_columns(executor, front, end, per_column * strip / 2, sums, finish);
         }
@@ -132,24 +149,27 @@ void update_border(Kernel kernel, Panel<Number> const& panel, UpdateMatrix<Numbe
     with_front(kernel, panel, [&](auto const& front) {
         Offset const multiplications = front.cost(update_entries(update.n) * panel.pivots);
         const Number* const sums = workers.sums + panel.border_sums();
-        spread(workers.executor, multiplications, pieces(update.n, strip),
-               [&](Index band) { flushed<Number>(front.kernels.update_band, panel, update, band * strip, sums); });
+        spread(workers.executor, multiplications, pieces(update.n, strip), [&](Index band) {
+            flushed<Number>(front.kernels.update_band, panel, update, band * strip, sums);
+        });
     });
 }
 
 template <class Number>
-void solve_forward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row, Executor const& executor) noexcept {
+void solve_forward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row,
+                   Executor const& executor) noexcept {
     with_front(kernel, panel, [&](auto const& front) {
         for (Index first = 0; first < panel.pivots; first += strip) {
             Index const end = front.end_of(first);
             Offset const per_row = front.cost(Offset{end - first} * row);
             flushed<Number>(front.kernels.solve_strip_forward, front.own, first, end, y, row);
             spread_rows(executor, end, panel.pivots, per_row, [&](Index from, Index to) {
-                flushed<Number>(front.kernels.subtract_forward, front.own, first, end, y, y, row, from, to);
+                flushed<Number>(front.kernels.subtract_forward, front.own, first, end, y, y, row,
+                                from, to);
             });
             spread_rows(executor, 0, panel.border, per_row, [&](Index from, Index to) {
-                flushed<Number>(front.kernels.subtract_forward, front.border, first, end,
-                                y, front.border_rows(y, row), row, from, to);
+                flushed<Number>(front.kernels.subtract_forward, front.border, first, end, y,
+                                front.border_rows(y, row), row, from, to);
             });
         }
     });
@@ -162,57 +182,67 @@ void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index 
     with_front(kernel, panel, [&](auto const& front) {
         for (Index first = (panel.pivots - 1) / strip * strip; first >= 0; first -= strip) {
             Index const end = front.end_of(first);
-            spread_rows(executor, first, end, front.cost(Offset{panel.front() - end} * row), [&](Index from, Index to) {
-                flushed<Number>(front.kernels.subtract_backward, front.own, end, y, y, row, from, to, ahead);
-                flushed<Number>(front.kernels.subtract_backward, front.border, 0,
-                                y, front.border_rows(y, row), row, from, to, ahead);
-            });
-            flushed<Number>(front.kernels.solve_strip_backward, front.own, first, end, y, row, ahead);
+            spread_rows(executor, first, end, front.cost(Offset{panel.front() - end} * row),
+                        [&](Index from, Index to) {
+                            flushed<Number>(front.kernels.subtract_backward, front.own, end, y, y,
+                                            row, from, to, ahead);
+                            flushed<Number>(front.kernels.subtract_backward, front.border, 0, y,
+                                            front.border_rows(y, row), row, from, to, ahead);
+                        });
+            flushed<Number>(front.kernels.solve_strip_backward, front.own, first, end, y, row,
+                            ahead);
         }
     });
 }
 
 template <class Number>
-void extend_add(Kernel kernel, UpdateMatrix<Number> const& from, const Index* targets, Panel<Number> const& panel,
-                UpdateMatrix<Number> const& update) noexcept {
+void extend_add(Kernel kernel, UpdateMatrix<Number> const& from, const Index* targets,
+                Panel<Number> const& panel, UpdateMatrix<Number> const& update) noexcept {
     flushed<Number>(move_kernels<Number>(kernel).extend_add, from, targets, panel, update);
 }
 
 template <class Number>
-void add_rows(Kernel kernel, Index n, const Number* from, const Index* targets, Number* y, Index length) noexcept {
+void add_rows(Kernel kernel, Index n, const Number* from, const Index* targets, Number* y,
+              Index length) noexcept {
     flushed<Number>(move_kernels<Number>(kernel).add_rows, n, from, targets, y, length);
 }
 
 template <class Number>
-void copy_rows(Kernel kernel, Index n, const Number* y, const Index* targets, Number* to, Index length) noexcept {
+void copy_rows(Kernel kernel, Index n, const Number* y, const Index* targets, Number* to,
+               Index length) noexcept {
     move_kernels<Number>(kernel).copy_rows(n, y, targets, to, length);
 }
 
 template <class Number, class Value>
-void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Index behind, Number* y, Index row,
-            Index planes) noexcept {
-    flushed<Number>(copy_kernels<Number, Value>(kernel).gather, from, begin, n, behind, y, row, planes);
+void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Index behind, Number* y,
+            Index row, Index planes) noexcept {
+    flushed<Number>(copy_kernels<Number, Value>(kernel).gather, from, begin, n, behind, y, row,
+                    planes);
 }
 
 template <class Number, class Value>
-void scatter(Kernel kernel, const Number* y, Index row, Index planes, RowsOf<Value> const& to, Index begin,
-             Index n) noexcept {
+void scatter(Kernel kernel, const Number* y, Index row, Index planes, RowsOf<Value> const& to,
+             Index begin, Index n) noexcept {
     flushed<Number>(copy_kernels<Number, Value>(kernel).scatter, y, row, planes, to, begin, n);
 }
 
-#define HARMORPH_MAKE(Number)                                                                                          \
-    template Index factor(Kernel, Panel<Number> const&, Number, Workers<Number> const&) noexcept;                      \
-    template void update_border(Kernel, Panel<Number> const&, UpdateMatrix<Number> const&,                             \
-                                Workers<Number> const&) noexcept;                                                      \
-    template void solve_forward(Kernel, Panel<Number> const&, Number*, Index, Executor const&) noexcept;               \
-    template void solve_backward(Kernel, Panel<Number> const&, Number*, Index, Executor const&) noexcept;              \
-    template void extend_add(Kernel, UpdateMatrix<Number> const&, const Index*, Panel<Number> const&,                  \
-                             UpdateMatrix<Number> const&) noexcept;                                                    \
-    template void add_rows(Kernel, Index, const Number*, const Index*, Number*, Index) noexcept;                       \
+#define HARMORPH_MAKE(Number)                                                                     \
+    template Index factor(Kernel, Panel<Number> const&, Number, Workers<Number> const&) noexcept; \
+    template void update_border(Kernel, Panel<Number> const&, UpdateMatrix<Number> const&,        \
+                                Workers<Number> const&) noexcept;                                 \
+    template void solve_forward(Kernel, Panel<Number> const&, Number*, Index,                     \
+                                Executor const&) noexcept;                                        \
+    template void solve_backward(Kernel, Panel<Number> const&, Number*, Index,                    \
+                                 Executor const&) noexcept;                                       \
+    template void extend_add(Kernel, UpdateMatrix<Number> const&, const Index*,                   \
+                             Panel<Number> const&, UpdateMatrix<Number> const&) noexcept;         \
+    template void add_rows(Kernel, Index, const Number*, const Index*, Number*, Index) noexcept;  \
     template void copy_rows(Kernel, Index, const Number*, const Index*, Number*, Index) noexcept;
-#define HARMORPH_MAKE_MOVES(Number, Value) \
-    template void gather(Kernel, RowsOf<Value> const&, Index, Index, Index, Number*, Index, Index) noexcept; \
-    template void scatter(Kernel, const Number*, Index, Index, RowsOf<Value> const&, Index, Index) noexcept;
+#define HARMORPH_MAKE_MOVES(Number, Value)                                                  \
+    template void gather(Kernel, RowsOf<Value> const&, Index, Index, Index, Number*, Index, \
+                         Index) noexcept;                                                   \
+    template void scatter(Kernel, const Number*, Index, Index, RowsOf<Value> const&, Index, \
+                          Index) noexcept;
 HARMORPH_MAKE(double)
 HARMORPH_MAKE(float)
 HARMORPH_MAKE_MOVES(double, double)

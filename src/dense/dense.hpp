@@ -1,31 +1,38 @@
-// dense: partial Cholesky factorisation of the dense fronts of the direct engine, and substitution with the factor.
+// dense: partial Cholesky factorisation of the dense fronts of the direct engine, and substitution
+// with the factor.
 //
-// In: panels and update matrices (below), right-hand sides. Out: the panel factored, the update matrix for the parent
-// front, solutions. dense.cpp divides the work among threads; src/dense/dense_tile (sums in registers), dense_tiles
-// (products), dense_sums (row sums), dense_kernel (factorisation, substitution) and dense_moves (extend-add, gather,
-// scatter) are compiled for each instruction set.
+// In: panels and update matrices (below), right-hand sides. Out: the panel factored, the update
+// matrix for the parent front, solutions. dense.cpp divides the work among threads;
+// src/dense/dense_tile (sums in registers), dense_tiles (products), dense_sums (row sums),
+// dense_kernel (factorisation, substitution) and dense_moves (extend-add, gather, scatter) are
+// compiled for each instruction set.
 //
-// Matrices are stored in slabs: eight columns side by side, row after row, so that kernels read memory aligned and in
-// order, and nothing has to be packed. A slab that meets the diagonal ends below the diagonal block. The last slab is
-// padded with zero columns.
+// Matrices are stored in slabs: eight columns side by side, row after row, so that kernels read
+// memory aligned and in order, and nothing has to be packed. A slab that meets the diagonal ends
+// below the diagonal block. The last slab is padded with zero columns.
 //
 //            pivots          border
 //           0   1   2     0    1    2
 //         +---+---+---+ +----+----+----+
-//         | I |   |   | |    |    |    |    The panel of a front: the rows of the pivots. Factored: the upper factor U
-//         +---+---+---+ |    |    |    |    (A = U^H U), each diagonal block replaced by the inverse of the conjugate
-//             | I |   | |    |    |    |    transpose, so that solves are products. I: inverses (lower triangles, zeros
+//         | I |   |   | |    |    |    |    The panel of a front: the rows of the pivots. Factored:
+//         the upper factor U
+//         +---+---+---+ |    |    |    |    (A = U^H U), each diagonal block replaced by the
+//         inverse of the conjugate
+//             | I |   | |    |    |    |    transpose, so that solves are products. I: inverses
+//             (lower triangles, zeros
 //             +---+---+ |    |    |    |    above).
 //                 | I | |    |    |    |
 //                 +---+ +----+----+----+
 //
-// Diagonal entries are not stored; in their place is the row sum, A 1. A diagonal entry is the row sum minus the other
-// entries of the row. For an M-matrix (off-diagonal entries not positive, row sums not negative) nothing cancels, and
-// every entry of the factor has a small relative error however widely the coefficients vary. Source: W. K. Grassmann,
-// M. I. Taksar, D. P. Heyman, Oper. Res. 33 (1985) 1107; A. S. Alfa, J. Xue, Q. Ye, Math. Comp. 71 (2002) 217.
+// Diagonal entries are not stored; in their place is the row sum, A 1. A diagonal entry is the row
+// sum minus the other entries of the row. For an M-matrix (off-diagonal entries not positive, row
+// sums not negative) nothing cancels, and every entry of the factor has a small relative error
+// however widely the coefficients vary. Source: W. K. Grassmann, M. I. Taksar, D. P. Heyman, Oper.
+// Res. 33 (1985) 1107; A. S. Alfa, J. Xue, Q. Ye, Math. Comp. 71 (2002) 217.
 //
-// Numbers are double or float, real (one plane) or complex (two planes): a row of a slab is the real parts, then the
-// imaginary parts; a row of right-hand sides likewise. Entries count numbers of one plane.
+// Numbers are double or float, real (one plane) or complex (two planes): a row of a slab is the
+// real parts, then the imaginary parts; a row of right-hand sides likewise. Entries count numbers
+// of one plane.
 #pragma once
 
 #include "base/executor.hpp"
@@ -35,12 +42,14 @@
 
 namespace harmorph::dense {
 
-// Columns of a slab, pivots of a diagonal block, and what rows of right-hand sides are padded to a multiple of.
+// Columns of a slab, pivots of a diagonal block, and what rows of right-hand sides are padded to a
+// multiple of.
 inline constexpr Index slab = 8;
 constexpr Index slabs_of(Index n) noexcept { return (n + slab - 1) / slab; }
 constexpr Index padded(Index n) noexcept { return slabs_of(n) * slab; }
 
-// Where slab `number` begins, in entries: `shorter` slabs end below their diagonal blocks, all others have all rows.
+// Where slab `number` begins, in entries: `shorter` slabs end below their diagonal blocks, all
+// others have all rows.
 constexpr Offset slab_start(Index rows, Index shorter, Index number) noexcept {
     Offset const below = number < shorter ? number : shorter;
     return slab * (slab * (below * (below + 1) / 2) + Offset{rows} * (number - below));
@@ -51,8 +60,11 @@ constexpr Offset panel_entries(Index pivots, Index border) noexcept {
     return triangle_entries(pivots) + slab_start(pivots, 0, slabs_of(border));
 }
 // Entries in the row sums of a front: the pivots', then the border's.
-constexpr Offset sum_entries(Index pivots, Index border) noexcept { return padded(pivots) + padded(border); }
-// Rows (strip) and columns (chunk) of one block of the products, so that the operands stay in the caches. Whole tiles.
+constexpr Offset sum_entries(Index pivots, Index border) noexcept {
+    return padded(pivots) + padded(border);
+}
+// Rows (strip) and columns (chunk) of one block of the products, so that the operands stay in the
+// caches. Whole tiles.
 inline constexpr Index strip = 128;
 inline constexpr Index chunk = 192;
 
@@ -70,7 +82,9 @@ struct Slabs {
         Offset const start = slab_start(rows, shorter, number) + Offset{slab} * row;
         return data + planes * start + (column - number * slab);
     }
-    Offset rows_of_slab(Index number) const noexcept { return number < shorter ? Offset{slab} * (number + 1) : rows; }
+    Offset rows_of_slab(Index number) const noexcept {
+        return number < shorter ? Offset{slab} * (number + 1) : rows;
+    }
 };
 
 template <class Number>
@@ -92,15 +106,18 @@ struct Panel {
     Index front() const noexcept { return pivots + border; }
     // From the real parts of the front's row sums to the imaginary parts.
     Offset sums_plane() const noexcept { return sum_entries(pivots, border); }
-    Index border_sums() const noexcept { return padded(pivots); }  // where the row sums of the border begin
+    Index border_sums() const noexcept {
+        return padded(pivots);
+    }  // where the row sums of the border begin
     // Columns of the front: the pivots, then the border.
     Number* at(Index pivot, Index column) const noexcept {
         return column < pivots ? own().at(pivot, column) : of_border().at(pivot, column - pivots);
     }
 };
 
-// The Hermitian matrix that a front leaves to the parent front: the upper triangle, with the row sums in place of the
-// diagonal. The row sums are the parts that this front and the fronts below contribute.
+// The Hermitian matrix that a front leaves to the parent front: the upper triangle, with the row
+// sums in place of the diagonal. The row sums are the parts that this front and the fronts below
+// contribute.
 template <class Number>
 struct UpdateMatrix {
     Number* data = nullptr;
@@ -111,8 +128,8 @@ struct UpdateMatrix {
     Number* at(Index row, Index column) const noexcept { return all().at(row, column); }
 };
 
-// The caller's threads, planes * sum_entries() numbers for row sums, and the smallest ratio so far of a pivot to the
-// magnitudes of the terms it is the sum of: 1 where nothing cancelled.
+// The caller's threads, planes * sum_entries() numbers for row sums, and the smallest ratio so far
+// of a pivot to the magnitudes of the terms it is the sum of: 1 where nothing cancelled.
 template <class Number>
 struct Workers {
     Executor executor;
@@ -120,7 +137,8 @@ struct Workers {
     Number* least_left = nullptr;
 };
 
-// The rows of a strip, summed over the columns behind those of the strip: sum [plane][row]; size: magnitudes summed.
+// The rows of a strip, summed over the columns behind those of the strip: sum [plane][row]; size:
+// magnitudes summed.
 template <class Number>
 struct TailSums {
     Number sum[2][strip], size[strip];
@@ -128,44 +146,52 @@ struct TailSums {
 
 // The functions below are instantiated for double and float.
 
-// Factors in place. Returns the first pivot whose ratio (see Workers) is not above `floor`, or none. Lowers
-// *workers.least_left, and leaves in workers.sums the row sums that update_border() needs.
+// Factors in place. Returns the first pivot whose ratio (see Workers) is not above `floor`, or
+// none. Lowers *workers.least_left, and leaves in workers.sums the row sums that update_border()
+// needs.
 template <class Number>
-Index factor(Kernel kernel, Panel<Number> const& panel, Number floor, Workers<Number> const& workers) noexcept;
+Index factor(Kernel kernel, Panel<Number> const& panel, Number floor,
+             Workers<Number> const& workers) noexcept;
 
 // Subtracts U^H U, of the columns of the border, from the update matrix.
 template <class Number>
 void update_border(Kernel kernel, Panel<Number> const& panel, UpdateMatrix<Number> const& update,
                    Workers<Number> const& workers) noexcept;
 
-// Adds the update matrix of a child to the panel and the update matrix of the parent. targets [from.n]: the row in the
-// parent front of each row of the update matrix, increasing.
+// Adds the update matrix of a child to the panel and the update matrix of the parent. targets
+// [from.n]: the row in the parent front of each row of the update matrix, increasing.
 template <class Number>
-void extend_add(Kernel kernel, UpdateMatrix<Number> const& from, const Index* targets, Panel<Number> const& panel,
-                UpdateMatrix<Number> const& update) noexcept;
+void extend_add(Kernel kernel, UpdateMatrix<Number> const& from, const Index* targets,
+                Panel<Number> const& panel, UpdateMatrix<Number> const& update) noexcept;
 
-// y [front x planes x row], row a multiple of slab: solves U^H y = y for the pivots, and subtracts their products from
-// the rows of the border.
+// y [front x planes x row], row a multiple of slab: solves U^H y = y for the pivots, and subtracts
+// their products from the rows of the border.
 template <class Number>
-void solve_forward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row, Executor const& executor) noexcept;
+void solve_forward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row,
+                   Executor const& executor) noexcept;
 // Solves U y = y for the pivots; the rows of the border are known.
 template <class Number>
-void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row, Executor const& executor) noexcept;
+void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row,
+                    Executor const& executor) noexcept;
 
-// Copies the rows at positions begin .. begin+n-1 to rows of y, with zeros in the padding. `row` as above. Values are
-// doubles, or floats where the numbers are floats. The first of the `behind` rows behind them are prefetched.
+// Copies the rows at positions begin .. begin+n-1 to rows of y, with zeros in the padding. `row` as
+// above. Values are doubles, or floats where the numbers are floats. The first of the `behind` rows
+// behind them are prefetched.
 template <class Number, class Value>
-void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Index behind, Number* y, Index row,
-            Index planes) noexcept;
+void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Index behind, Number* y,
+            Index row, Index planes) noexcept;
 // And back to positions begin .. begin+n-1.
 template <class Number, class Value>
-void scatter(Kernel kernel, const Number* y, Index row, Index planes, RowsOf<Value> const& to, Index begin,
-             Index n) noexcept;
+void scatter(Kernel kernel, const Number* y, Index row, Index planes, RowsOf<Value> const& to,
+             Index begin, Index n) noexcept;
 
-// Adds n rows of `length` numbers, a multiple of slab, to rows `targets` of y; and copies such rows of y.
+// Adds n rows of `length` numbers, a multiple of slab, to rows `targets` of y; and copies such rows
+// of y.
 template <class Number>
-void add_rows(Kernel kernel, Index n, const Number* from, const Index* targets, Number* y, Index length) noexcept;
+void add_rows(Kernel kernel, Index n, const Number* from, const Index* targets, Number* y,
+              Index length) noexcept;
 template <class Number>
-void copy_rows(Kernel kernel, Index n, const Number* y, const Index* targets, Number* to, Index length) noexcept;
+void copy_rows(Kernel kernel, Index n, const Number* y, const Index* targets, Number* to,
+               Index length) noexcept;
 
 }  // namespace harmorph::dense

@@ -1,5 +1,5 @@
-// Factorisation and substitution of a front with the registers of one instruction set; compiled for each by
-// dense_table.cpp.
+// Factorisation and substitution of a front with the registers of one instruction set; compiled for
+// each by dense_table.cpp.
 #include "dense/dense_sums.hpp"
 
 namespace harmorph::dense::HARMORPH_SET {
@@ -8,7 +8,8 @@ namespace {
 HARMORPH_INLINE double square_root(double x) noexcept { return __builtin_sqrt(x); }
 HARMORPH_INLINE float square_root(float x) noexcept { return __builtin_sqrtf(x); }
 
-// A diagonal block A beside a unit matrix. Elimination without roots turns [A | 1] into [D L^H | L^-1], A = L D L^H.
+// A diagonal block A beside a unit matrix. Elimination without roots turns [A | 1] into [D L^H |
+// L^-1], A = L D L^H.
 template <Index planes, class Number>
 struct BlockBesideUnit {
     static constexpr Index block = slab, width = 2 * block;
@@ -27,7 +28,8 @@ struct BlockBesideUnit {
         }
     }
 
-    // row r -= conj(factor) * row k, from column r of A to column k of the unit matrix: other entries are 0.
+    // row r -= conj(factor) * row k, from column r of A to column k of the unit matrix: other
+    // entries are 0.
     HARMORPH_INLINE void subtract(Index r, Index k, Number real, Number imaginary) noexcept {
         for (Index c = r / lanes<Number> * lanes<Number>; c <= block + k; c += lanes<Number>) {
             Vector<Number> const re = load(at[k][0] + c);
@@ -42,9 +44,10 @@ struct BlockBesideUnit {
     }
 };
 
-// Cholesky of a diagonal block of n <= slab pivots; the inverse of U^H replaces the block. sum: row sums within the
-// columns of the block; the diagonal entries are not read. size: the magnitudes of the terms, summed. Returns the first
-// pivot that is not larger than `floor` times the sum of magnitudes, or none.
+// Cholesky of a diagonal block of n <= slab pivots; the inverse of U^H replaces the block. sum: row
+// sums within the columns of the block; the diagonal entries are not read. size: the magnitudes of
+// the terms, summed. Returns the first pivot that is not larger than `floor` times the sum of
+// magnitudes, or none.
 template <Index planes, class Number>
 Index factor_block(Number* a, Index n, Number (&sum)[planes][slab], const Number (&size)[slab],
                    Number floor, Number& least_left) noexcept {
@@ -88,11 +91,12 @@ HARMORPH_INLINE InRows<Number, planes> sides(Number* y, Index width, Index row) 
 }
 
 template <class Number, Index planes>
-void subtract_earlier(Slabs<Number> const& own, Slabs<Number> const& columns, Index first, Index end, Index from,
-                      Index to) noexcept {
+void subtract_earlier(Slabs<Number> const& own, Slabs<Number> const& columns, Index first,
+                      Index end, Index from, Index to) noexcept {
     bool const upper = own.data == columns.data;  // may begin on the diagonal
     for (Index k = 0; k < first; k += strip) {
-        subtract_product<planes>(own, columns, columns, {k, k + strip}, {first, end}, {from, to}, upper);
+        subtract_product<planes>(own, columns, columns, {k, k + strip}, {first, end}, {from, to},
+                                 upper);
     }
 }
 
@@ -100,22 +104,25 @@ template <class Number, Index planes>
 void sum_tails(Panel<Number> const& panel, Index first, Index end, Index from, Index to,
                TailSums<Number>& tails) noexcept {
     Slabs<Number> const own = panel.own(), border = panel.of_border();
-    sum_rows<planes>(own, {from, to}, {end, own.columns}, &border, [&](Index row, const Number* sum, Number size) {
-        for (Index p = 0; p < planes; ++p) tails.sum[p][row - first] = sum[p];
-        tails.size[row - first] = size;
-    });
+    sum_rows<planes>(own, {from, to}, {end, own.columns}, &border,
+                     [&](Index row, const Number* sum, Number size) {
+                         for (Index p = 0; p < planes; ++p) tails.sum[p][row - first] = sum[p];
+                         tails.size[row - first] = size;
+                     });
 }
 
 template <class Number, Index planes>
-Index factor_diagonal(Panel<Number> const& panel, Index first, Index end, Number* sums, TailSums<Number>& tails,
-                      Number floor, Number& least_left) noexcept {
+Index factor_diagonal(Panel<Number> const& panel, Index first, Index end, Number* sums,
+                      TailSums<Number>& tails, Number floor, Number& least_left) noexcept {
     Slabs<Number> const own = panel.own();
     Offset const plane = panel.sums_plane();
     Number inner[planes][strip];  // sums of the rows within the strip's own columns
     Index const padded_end = first + (end - first + slab - 1) / slab * slab;
     for (Index p = 0; p < planes; ++p) {
-        for (Index r = first; r < end; ++r) inner[p][r - first] = sums[p * plane + r] - tails.sum[p][r - first];
-        // Whole vectors are computed with: what lies in lanes without a row must not raise an exception.
+        for (Index r = first; r < end; ++r)
+            inner[p][r - first] = sums[p * plane + r] - tails.sum[p][r - first];
+        // Whole vectors are computed with: what lies in lanes without a row must not raise an
+        // exception.
         for (Index r = end; r < padded_end; ++r) inner[p][r - first] = 0;
     }
     for (Index k = first; k < end; k += slab) {
@@ -124,9 +131,11 @@ Index factor_diagonal(Panel<Number> const& panel, Index first, Index end, Number
         Number sum[planes][slab], size[slab];
         sum_rows<planes>(own, {k, k + n}, {k + n, end}, static_cast<Slabs<Number> const*>(nullptr),
                          [&](Index row, const Number* rest, Number row_size) {
-            for (Index p = 0; p < planes; ++p) sum[p][row - k] = inner[p][row - first] - rest[p];
-            size[row - k] = magnitude(sums[row]) + tails.size[row - first] + row_size;
-        });
+                             for (Index p = 0; p < planes; ++p)
+                                 sum[p][row - k] = inner[p][row - first] - rest[p];
+                             size[row - k] =
+                                 magnitude(sums[row]) + tails.size[row - first] + row_size;
+                         });
         Index const bad = factor_block<planes>(own.at(k, k), n, sum, size, floor, least_left);
         if (bad != none) return k + bad;
         apply_inverse<planes>(own, k, n, behind, InSlabs<Number, planes>{own, k, k + n});
@@ -137,8 +146,8 @@ Index factor_diagonal(Panel<Number> const& panel, Index first, Index end, Number
 }
 
 template <class Number, Index planes>
-void finish_columns(Panel<Number> const& panel, Slabs<Number> const& columns, Index first, Index end, Index from,
-                    Index to, Number* sums, Number* column_sums) noexcept {
+void finish_columns(Panel<Number> const& panel, Slabs<Number> const& columns, Index first,
+                    Index end, Index from, Index to, Number* sums, Number* column_sums) noexcept {
     Slabs<Number> const own = panel.own();
     for (Index c = from; c < to; c += tile_columns<planes, Number>) {
         Range const tile{c, smaller(to, c + tile_columns<planes, Number>)};
@@ -147,14 +156,16 @@ void finish_columns(Panel<Number> const& panel, Slabs<Number> const& columns, In
             if constexpr (planes == 1 && tile_rows<planes> == slab) {  // all of it in registers
                 if (n == slab) {
                     InSlabs<Number, 1> const above{columns, first, c}, block{columns, k, c};
-                    any_finish_tile(tile.count(), own.at(first, k), above, k - first, own.at(k, k), block, sums + k,
-                                    column_sums + c);
+                    any_finish_tile(tile.count(), own.at(first, k), above, k - first, own.at(k, k),
+                                    block, sums + k, column_sums + c);
                     continue;
                 }
             }
-            if (k > first) subtract_product<planes>(own, columns, columns, {first, k}, {k, k + n}, tile);
+            if (k > first)
+                subtract_product<planes>(own, columns, columns, {first, k}, {k, k + n}, tile);
             apply_inverse<planes>(own, k, n, tile.count(), InSlabs<Number, planes>{columns, k, c});
-            subtract_sums<planes>(columns, k, n, tile, sums + k, column_sums + c, panel.sums_plane());
+            subtract_sums<planes>(columns, k, n, tile, sums + k, column_sums + c,
+                                  panel.sums_plane());
         }
     }
 }
@@ -173,8 +184,8 @@ void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update,
     for (Index c = begin; c < update.n; c += chunk) {
         Range const columns{c, smaller(update.n, c + chunk)};
         for (Index k = 0; k < panel.pivots; k += strip) {
-            subtract_product<planes>(border, border, d, {k, smaller(panel.pivots, k + strip)}, {begin, end}, columns,
-                                     true);
+            subtract_product<planes>(border, border, d, {k, smaller(panel.pivots, k + strip)},
+                                     {begin, end}, columns, true);
         }
     }
     for (Index r = begin; r < end; ++r) {
@@ -183,25 +194,28 @@ void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update,
 }
 
 template <class Number, Index planes>
-void solve_strip_forward(Slabs<Number> const& own, Index first, Index end, Number* y, Index row) noexcept {
+void solve_strip_forward(Slabs<Number> const& own, Index first, Index end, Number* y,
+                         Index row) noexcept {
     for (Index k = first; k < end; k += slab) {
         Index const n = smaller(slab, end - k);
         InRows<Number, planes> const block = sides<planes>(y, row, k);
-        if (k > first) subtract_from_rows<planes>(own, sides<planes>(y, row, first), block, {first, k}, {k, k + n});
+        if (k > first)
+            subtract_from_rows<planes>(own, sides<planes>(y, row, first), block, {first, k},
+                                       {k, k + n});
         apply_inverse<planes>(own, k, n, row, block);
     }
 }
 
 template <class Number, Index planes>
-void subtract_forward(Slabs<Number> const& columns, Index first, Index end, Number* y, Number* rest, Index row,
-                      Index from, Index to) noexcept {
-    subtract_from_rows<planes>(columns, sides<planes>(y, row, first), sides<planes>(rest, row, from),
-                               {first, end}, {from, to});
+void subtract_forward(Slabs<Number> const& columns, Index first, Index end, Number* y, Number* rest,
+                      Index row, Index from, Index to) noexcept {
+    subtract_from_rows<planes>(columns, sides<planes>(y, row, first),
+                               sides<planes>(rest, row, from), {first, end}, {from, to});
 }
 
 template <class Number, Index planes>
-void subtract_backward(Slabs<Number> const& columns, Index begin, Number* y, Number* rest, Index row, Index from,
-                       Index to, Offset ahead) noexcept {
+void subtract_backward(Slabs<Number> const& columns, Index begin, Number* y, Number* rest,
+                       Index row, Index from, Index to, Offset ahead) noexcept {
     for (Index k = begin; k < columns.columns; k += strip) {
         subtract_across<planes>(columns, {k, smaller(columns.columns, k + strip)}, {from, to},
                                 sides<planes>(rest, row, k), sides<planes>(y, row, from), ahead);
@@ -215,21 +229,18 @@ void solve_strip_backward(Slabs<Number> const& own, Index first, Index end, Numb
         Index const n = smaller(slab, end - k);
         InRows<Number, planes> const block = sides<planes>(y, row, k);
         prefetch_rows<planes>(own.at(k, k) + ahead, n);
-        if (k + n < end) subtract_across<planes>(own, {k + n, end}, {k, k + n}, block.at(n, 0), block, ahead);
+        if (k + n < end)
+            subtract_across<planes>(own, {k + n, end}, {k, k + n}, block.at(n, 0), block, ahead);
         apply_inverse_transposed<planes>(n, own.at(k, k), block);
     }
 }
 
 template <class Number, Index planes>
 constexpr FrontKernels<Number, planes> front_kernels{
-    subtract_earlier<Number, planes>,
-    sum_tails<Number, planes>,
-    factor_diagonal<Number, planes>,
-    finish_columns<Number, planes>,
-    update_band<Number, planes>,
-    solve_strip_forward<Number, planes>,
-    subtract_forward<Number, planes>,
-    subtract_backward<Number, planes>,
+    subtract_earlier<Number, planes>,     sum_tails<Number, planes>,
+    factor_diagonal<Number, planes>,      finish_columns<Number, planes>,
+    update_band<Number, planes>,          solve_strip_forward<Number, planes>,
+    subtract_forward<Number, planes>,     subtract_backward<Number, planes>,
     solve_strip_backward<Number, planes>,
 };
 

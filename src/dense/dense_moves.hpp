@@ -1,12 +1,12 @@
-// Moves of numbers between fronts, and between fronts and the caller's rows, with the registers of one instruction set;
-// compiled for each by dense_table.cpp.
+// Moves of numbers between fronts, and between fronts and the caller's rows, with the registers of
+// one instruction set; compiled for each by dense_table.cpp.
 #include "dense/dense_kernel.hpp"
 
 namespace harmorph::dense::HARMORPH_SET {
 namespace {
 
-// Columns of a child front that are added to one vector of the parent front. They are neighbours in the child, in one
-// vector or two.
+// Columns of a child front that are added to one vector of the parent front. They are neighbours in
+// the child, in one vector or two.
 template <class Number>
 struct Source {
     Number* first;
@@ -14,7 +14,8 @@ struct Source {
     typename Registers<Number>::Picks picks;
 
     // Columns from <= j < to, whose targets are in the vector that begins at column `begin`.
-    Source(Slabs<Number> const& child, Index from, Index to, const Index* target, Index begin) noexcept {
+    Source(Slabs<Number> const& child, Index from, Index to, const Index* target,
+           Index begin) noexcept {
         Index const column = from / lanes<Number> * lanes<Number>;
         Index picked[lanes<Number>];
         for (Index lane = 0; lane < lanes<Number>; ++lane) picked[lane] = none;
@@ -25,16 +26,18 @@ struct Source {
     }
 };
 
-// Rows from <= i < to of the child are added to rows target[i] of the column at `into`, the rest of whose vector stays.
+// Rows from <= i < to of the child are added to rows target[i] of the column at `into`, the rest of
+// whose vector stays.
 template <Index planes, class Number>
-HARMORPH_INLINE void add_column(Source<Number> const& from, const Index* target, Range rows, Number* into) noexcept {
+HARMORPH_INLINE void add_column(Source<Number> const& from, const Index* target, Range rows,
+                                Number* into) noexcept {
     for (Index i = rows.begin; i < rows.end; ++i) {
         Offset const at = i * step<planes>;
         Number* const to = into + target[i] * step<planes>;
         for (Index p = 0; p < planes; ++p) {
             Offset const plane = p * slab;
-            Vector<Number> const added =
-                Registers<Number>::pick(load(from.first + at + plane), load(from.second + at + plane), from.picks);
+            Vector<Number> const added = Registers<Number>::pick(
+                load(from.first + at + plane), load(from.second + at + plane), from.picks);
             store(to + plane, load(to + plane) + added);
         }
     }
@@ -51,7 +54,8 @@ void add_front(Slabs<Number> const& from, const Index* target, Panel<Number> con
         Index const end = smaller(begin + lanes<Number>, panel.pivots);
         Index to = j + 1;
         while (to < from.columns && target[to] < end) ++to;
-        add_column<planes>(Source<Number>(from, j, to, target, begin), target, {0, to}, own.at(0, begin));
+        add_column<planes>(Source<Number>(from, j, to, target, begin), target, {0, to},
+                           own.at(0, begin));
         j = to;
     }
     Index const pivots = j;
@@ -61,35 +65,43 @@ void add_front(Slabs<Number> const& from, const Index* target, Panel<Number> con
         while (to < from.columns && target[to] < panel.pivots + begin + lanes<Number>) ++to;
         Source<Number> const columns(from, j, to, target, panel.pivots + begin);
         add_column<planes>(columns, target, {0, pivots}, border.at(0, begin));
-        add_column<planes>(columns, target, {pivots, to}, update.at(0, begin) - panel.pivots * step<planes>);
+        add_column<planes>(columns, target, {pivots, to},
+                           update.at(0, begin) - panel.pivots * step<planes>);
         j = to;
     }
 }
 
-// to [n] = from, converted: as many at a time as doubles fill a register, the rest by halves of that.
+// to [n] = from, converted: as many at a time as doubles fill a register, the rest by halves of
+// that.
 template <Index at_once = lanes<double>, class From, class To>
 HARMORPH_INLINE void convert_run(const From* from, Index n, To* to) noexcept {
-    typedef From Froms __attribute__((vector_size(at_once * sizeof(From)), aligned(sizeof(From)), may_alias));
-    typedef To Tos __attribute__((vector_size(at_once * sizeof(To)), aligned(sizeof(To)), may_alias));
+    typedef From Froms
+        __attribute__((vector_size(at_once * sizeof(From)), aligned(sizeof(From)), may_alias));
+    typedef To Tos
+        __attribute__((vector_size(at_once * sizeof(To)), aligned(sizeof(To)), may_alias));
     Index i = 0;
     for (; i + at_once <= n; i += at_once) {
-        *reinterpret_cast<Tos*>(to + i) = __builtin_convertvector(*reinterpret_cast<const Froms*>(from + i), Tos);
+        *reinterpret_cast<Tos*>(to + i) =
+            __builtin_convertvector(*reinterpret_cast<const Froms*>(from + i), Tos);
     }
     if constexpr (at_once > 1) convert_run<at_once / 2>(from + i, n - i, to + i);
 }
 
-// Clears the last `slab` numbers, which may be padding. A constant number: for a variable one compilers call memset.
+// Clears the last `slab` numbers, which may be padding. A constant number: for a variable one
+// compilers call memset.
 template <class Number>
 HARMORPH_INLINE void clear_last(Number* end) noexcept {
     for (Index i = 1; i <= slab; ++i) end[-i] = 0;
 }
 
 template <class Value>
-HARMORPH_INLINE Value* row_at(Value* data, const Index* row_of, Offset length, Index position) noexcept {
+HARMORPH_INLINE Value* row_at(Value* data, const Index* row_of, Offset length,
+                              Index position) noexcept {
     return data + (row_of != nullptr ? row_of[position] : position) * length;
 }
 
-constexpr Index rows_ahead = 16;  // rows of values are read in no order of memory, so the next ones are prefetched
+constexpr Index rows_ahead =
+    16;  // rows of values are read in no order of memory, so the next ones are prefetched
 
 template <class Value>
 HARMORPH_INLINE void prefetch_row(const Value* row, Offset numbers) noexcept {
@@ -108,7 +120,8 @@ template <class Number>
 void add_rows(Index n, const Number* from, const Index* targets, Number* y, Index length) noexcept {
     for (Index r = 0; r < n; ++r, from += length) {
         Number* const to = y + Offset{targets[r]} * length;
-        for (Index c = 0; c < length; c += lanes<Number>) store(to + c, load(to + c) + load(from + c));
+        for (Index c = 0; c < length; c += lanes<Number>)
+            store(to + c, load(to + c) + load(from + c));
     }
 }
 
@@ -121,9 +134,11 @@ void copy_rows(Index n, const Number* y, const Index* targets, Number* to, Index
 }
 
 template <class Number, class Value>
-void gather(harmorph::RowsOf<Value> const& from, Index begin, Index n, Index behind, Number* y, Index row,
-            Index planes) noexcept {
-    auto const values = [&](Index k) { return row_at(from.data, from.row_of, from.row_length, begin + k); };
+void gather(harmorph::RowsOf<Value> const& from, Index begin, Index n, Index behind, Number* y,
+            Index row, Index planes) noexcept {
+    auto const values = [&](Index k) {
+        return row_at(from.data, from.row_of, from.row_length, begin + k);
+    };
     Offset const numbers = (planes - 1) * from.plane + from.width;
     for (Index k = 0; k < n; ++k) {
         if (k + rows_ahead < n + behind) prefetch_row(values(k + rows_ahead), numbers);
@@ -136,11 +151,12 @@ void gather(harmorph::RowsOf<Value> const& from, Index begin, Index n, Index beh
 }
 
 template <class Number, class Value>
-void scatter(const Number* y, Index row, Index planes, harmorph::RowsOf<Value> const& to, Index begin,
-             Index n) noexcept {
+void scatter(const Number* y, Index row, Index planes, harmorph::RowsOf<Value> const& to,
+             Index begin, Index n) noexcept {
     for (Index k = 0; k < n; ++k) {
         Value* value = row_at(to.data, to.row_of, to.row_length, begin + k);
-        for (Index plane = 0; plane < planes; ++plane, value += to.plane, y += row) convert_run(y, to.width, value);
+        for (Index plane = 0; plane < planes; ++plane, value += to.plane, y += row)
+            convert_run(y, to.width, value);
     }
 }
 
@@ -154,8 +170,9 @@ constexpr CopyKernels<Number, Value> copy_kernels{gather<Number, Value>, scatter
 
 namespace harmorph::simd {
 template <class Number>
-inline constexpr const dense::MoveKernels<Number>* table<dense::MoveKernels<Number>, Kernel::HARMORPH_SET> =
-    &dense::HARMORPH_SET::move_kernels<Number>;
+inline constexpr const dense::MoveKernels<Number>*
+    table<dense::MoveKernels<Number>, Kernel::HARMORPH_SET> =
+        &dense::HARMORPH_SET::move_kernels<Number>;
 template <class Number, class Value>
 inline constexpr const dense::CopyKernels<Number, Value>*
     table<dense::CopyKernels<Number, Value>, Kernel::HARMORPH_SET> =

@@ -5,7 +5,9 @@ namespace harmorph::dense::HARMORPH_SET {
 namespace {
 
 template <class Number>
-HARMORPH_INLINE Number magnitude(Number x) noexcept { return x < 0 ? -x : x; }
+HARMORPH_INLINE Number magnitude(Number x) noexcept {
+    return x < 0 ? -x : x;
+}
 // Absolute values: the sign bits are cleared.
 template <class Number>
 HARMORPH_INLINE Vector<Number> magnitudes(Vector<Number> v) noexcept {
@@ -22,7 +24,8 @@ HARMORPH_INLINE Number total(Vector<Number> v) noexcept {
     Number each[lanes<Number>];
     store(each, v);
     Quarter sum = *reinterpret_cast<const Quarter*>(each);
-    for (Index k = in_quarter; k < lanes<Number>; k += in_quarter) sum += *reinterpret_cast<const Quarter*>(each + k);
+    for (Index k = in_quarter; k < lanes<Number>; k += in_quarter)
+        sum += *reinterpret_cast<const Quarter*>(each + k);
     if constexpr (in_quarter == 4) return (sum[0] + sum[1]) + (sum[2] + sum[3]);
     return sum[0] + sum[1];
 }
@@ -43,17 +46,19 @@ struct RowSums {
                     Vector<Number> const real = load(entries + r * step<planes> + v);
                     sum[0][r] += real;
                     size[r] += magnitudes<Number>(real);
-                    if constexpr (planes == 2) sum[1][r] += load(entries + r * step<planes> + slab + v);
+                    if constexpr (planes == 2)
+                        sum[1][r] += load(entries + r * step<planes> + slab + v);
                 }
             }
         }
     }
 };
 
-// take(row, sums, size) for each row of u, summed over `own`, columns of u, and over all of `others`, if there are any.
+// take(row, sums, size) for each row of u, summed over `own`, columns of u, and over all of
+// `others`, if there are any.
 template <Index planes, class Number, class Take>
-HARMORPH_INLINE void sum_rows(Slabs<Number> const& u, Range rows, Range own, Slabs<Number> const* others,
-                              Take const& take) noexcept {
+HARMORPH_INLINE void sum_rows(Slabs<Number> const& u, Range rows, Range own,
+                              Slabs<Number> const* others, Take const& take) noexcept {
     constexpr Index at_once = 4;
     auto const some = [&](auto& sums, Index row, Index n) {
         sums.add(u, row, own);
@@ -75,11 +80,11 @@ HARMORPH_INLINE void sum_rows(Slabs<Number> const& u, Range rows, Range own, Sla
     }
 }
 
-// sums [columns] -= U^H y: n rows of U from `row` on; columns from the first of a slab on. `plane`: from the real parts
-// of sums and of y to the imaginary parts.
+// sums [columns] -= U^H y: n rows of U from `row` on; columns from the first of a slab on. `plane`:
+// from the real parts of sums and of y to the imaginary parts.
 template <Index planes, class Number>
-void subtract_sums(Slabs<Number> const& u, Index row, Index n, Range columns, const Number* y, Number* sums,
-                   Offset plane) noexcept {
+void subtract_sums(Slabs<Number> const& u, Index row, Index n, Range columns, const Number* y,
+                   Number* sums, Offset plane) noexcept {
     for (Index c = columns.begin; c < columns.end; c += lanes<Number>) {
         const Number* entries = u.at(row, c);
         Number* const to = sums + (c - columns.begin);
@@ -98,10 +103,11 @@ void subtract_sums(Slabs<Number> const& u, Index row, Index n, Range columns, co
     }
 }
 
-// Forward elimination of the row sums: of a diagonal block, already replaced by its inverse, and of the columns behind
-// it.
+// Forward elimination of the row sums: of a diagonal block, already replaced by its inverse, and of
+// the columns behind it.
 template <Index planes, class Number>
-void eliminate_sums(Slabs<Number> const& u, Index first, Index n, Index end, Number* sums, Offset plane) noexcept {
+void eliminate_sums(Slabs<Number> const& u, Index first, Index n, Index end, Number* sums,
+                    Offset plane) noexcept {
     const Number* const inverse = u.at(first, first);
     for (Index r = n - 1; r >= 0; --r) {
         const Number* const row = inverse + r * step<planes>;

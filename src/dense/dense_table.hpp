@@ -1,5 +1,5 @@
-// The dense kernels of one instruction set as function tables. A strip of pivots is first .. end-1. `columns`: the
-// panel's own or its border's, of which from .. to-1 are wanted.
+// The dense kernels of one instruction set as function tables. A strip of pivots is first .. end-1.
+// `columns`: the panel's own or its border's, of which from .. to-1 are wanted.
 #pragma once
 
 #include "dense/dense.hpp"
@@ -10,50 +10,58 @@ namespace harmorph::dense {
 template <class Number, Index planes>
 struct FrontKernels {
     // Subtracts the products of earlier strips from the rows of the strip.
-    void (*subtract_earlier)(Slabs<Number> const& own, Slabs<Number> const& columns, Index first, Index end, Index from,
-                             Index to) noexcept;
+    void (*subtract_earlier)(Slabs<Number> const& own, Slabs<Number> const& columns, Index first,
+                             Index end, Index from, Index to) noexcept;
     // Sums rows from .. to-1 of the strip over the columns behind those of the strip; see TailSums.
     void (*sum_tails)(Panel<Number> const& panel, Index first, Index end, Index from, Index to,
                       TailSums<Number>& tails) noexcept;
-    // Factors the columns of the strip. sums: of all rows of the front; those of the strip are multiplied by U^-H.
-    Index (*factor_diagonal)(Panel<Number> const& panel, Index first, Index end, Number* sums, TailSums<Number>& tails,
-                             Number floor, Number& least_left) noexcept;
-    // Then finishes other columns, and subtracts their part from column_sums, the sums of the rows with the same
-    // numbers.
-    void (*finish_columns)(Panel<Number> const& panel, Slabs<Number> const& columns, Index first, Index end, Index from,
-                           Index to, Number* sums, Number* column_sums) noexcept;
-    // Updates the band of the update matrix that begins at row `first`. sums: row sums of the border.
+    // Factors the columns of the strip. sums: of all rows of the front; those of the strip are
+    // multiplied by U^-H.
+    Index (*factor_diagonal)(Panel<Number> const& panel, Index first, Index end, Number* sums,
+                             TailSums<Number>& tails, Number floor, Number& least_left) noexcept;
+    // Then finishes other columns, and subtracts their part from column_sums, the sums of the rows
+    // with the same numbers.
+    void (*finish_columns)(Panel<Number> const& panel, Slabs<Number> const& columns, Index first,
+                           Index end, Index from, Index to, Number* sums,
+                           Number* column_sums) noexcept;
+    // Updates the band of the update matrix that begins at row `first`. sums: row sums of the
+    // border.
     void (*update_band)(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index first,
                         const Number* sums) noexcept;
 
-    // Right-hand sides y: solves for the pivots of a strip, then subtracts their products from rows from .. to-1 of
-    // `rest`, which belong to `columns`.
-    void (*solve_strip_forward)(Slabs<Number> const& own, Index first, Index end, Number* y, Index row) noexcept;
-    void (*subtract_forward)(Slabs<Number> const& columns, Index first, Index end, Number* y, Number* rest, Index row,
-                             Index from, Index to) noexcept;
-    // Subtracts from pivots from .. to-1 the products of the rows of `rest` that belong to `columns`, from `begin` on.
-    // ahead: how far from what is read, in numbers, prefetching is worth while.
-    void (*subtract_backward)(Slabs<Number> const& columns, Index begin, Number* y, Number* rest, Index row, Index from,
-                              Index to, Offset ahead) noexcept;
-    void (*solve_strip_backward)(Slabs<Number> const& own, Index first, Index end, Number* y, Index row,
-                                 Offset ahead) noexcept;
+    // Right-hand sides y: solves for the pivots of a strip, then subtracts their products from rows
+    // from .. to-1 of `rest`, which belong to `columns`.
+    void (*solve_strip_forward)(Slabs<Number> const& own, Index first, Index end, Number* y,
+                                Index row) noexcept;
+    void (*subtract_forward)(Slabs<Number> const& columns, Index first, Index end, Number* y,
+                             Number* rest, Index row, Index from, Index to) noexcept;
+    // Subtracts from pivots from .. to-1 the products of the rows of `rest` that belong to
+    // `columns`, from `begin` on. ahead: how far from what is read, in numbers, prefetching is
+    // worth while.
+    void (*subtract_backward)(Slabs<Number> const& columns, Index begin, Number* y, Number* rest,
+                              Index row, Index from, Index to, Offset ahead) noexcept;
+    void (*solve_strip_backward)(Slabs<Number> const& own, Index first, Index end, Number* y,
+                                 Index row, Offset ahead) noexcept;
 };
 
 // Moves between fronts; see dense.hpp.
 template <class Number>
 struct MoveKernels {
-    void (*extend_add)(UpdateMatrix<Number> const& from, const Index* targets, Panel<Number> const& panel,
-                       UpdateMatrix<Number> const& update) noexcept;
-    void (*add_rows)(Index n, const Number* from, const Index* targets, Number* y, Index length) noexcept;
-    void (*copy_rows)(Index n, const Number* y, const Index* targets, Number* to, Index length) noexcept;
+    void (*extend_add)(UpdateMatrix<Number> const& from, const Index* targets,
+                       Panel<Number> const& panel, UpdateMatrix<Number> const& update) noexcept;
+    void (*add_rows)(Index n, const Number* from, const Index* targets, Number* y,
+                     Index length) noexcept;
+    void (*copy_rows)(Index n, const Number* y, const Index* targets, Number* to,
+                      Index length) noexcept;
 };
 
 // Moves between fronts and rows of values; see dense.hpp.
 template <class Number, class Value>
 struct CopyKernels {
-    void (*gather)(RowsOf<Value> const& from, Index begin, Index n, Index behind, Number* y, Index row,
-                   Index planes) noexcept;
-    void (*scatter)(const Number* y, Index row, Index planes, RowsOf<Value> const& to, Index begin, Index n) noexcept;
+    void (*gather)(RowsOf<Value> const& from, Index begin, Index n, Index behind, Number* y,
+                   Index row, Index planes) noexcept;
+    void (*scatter)(const Number* y, Index row, Index planes, RowsOf<Value> const& to, Index begin,
+                    Index n) noexcept;
 };
 
 // What follows is there for double and float; values are doubles, or floats where numbers are.

@@ -1,5 +1,5 @@
-// A tile of a product of dense blocks in the registers of one instruction set, and where its operands are in memory;
-// compiled for each set by dense_table.cpp.
+// A tile of a product of dense blocks in the registers of one instruction set, and where its
+// operands are in memory; compiled for each set by dense_table.cpp.
 
 namespace harmorph::dense::HARMORPH_SET {
 namespace {
@@ -24,23 +24,32 @@ constexpr Index tile_vectors = planes == 2 && three_products ? 2 : most_vectors;
 template <Index planes>
 constexpr Index tile_rows = Registers<double>::count / 4 / planes;
 template <Index planes, class Number>
-constexpr Index tile_columns = tile_vectors<planes> * lanes<Number>;
-static_assert(slab % lanes<double> == 0 && slab % lanes<float> == 0, "a slab is a whole number of vectors");
-static_assert(slab % tile_rows<1> == 0 && strip % slab == 0 && chunk % (6 * slab) == 0, "whole tiles, whole blocks");
+constexpr Index tile_columns = tile_vectors<planes>* lanes<Number>;
+static_assert(slab % lanes<double> == 0 && slab % lanes<float> == 0,
+              "a slab is a whole number of vectors");
+static_assert(slab % tile_rows<1> == 0 && strip % slab == 0 && chunk % (6 * slab) == 0,
+              "whole tiles, whole blocks");
 
 template <class Number>
-HARMORPH_INLINE Vector<Number> load(const Number* from) noexcept { return Registers<Number>::load(from); }
+HARMORPH_INLINE Vector<Number> load(const Number* from) noexcept {
+    return Registers<Number>::load(from);
+}
 template <class Number>
-HARMORPH_INLINE void store(Number* to, Vector<Number> v) noexcept { Registers<Number>::store(to, v); }
+HARMORPH_INLINE void store(Number* to, Vector<Number> v) noexcept {
+    Registers<Number>::store(to, v);
+}
 template <class Number>
-HARMORPH_INLINE Vector<Number> all(Number x) noexcept { return Registers<Number>::all(x); }
+HARMORPH_INLINE Vector<Number> all(Number x) noexcept {
+    return Registers<Number>::all(x);
+}
 
 // From one row of a slab to the next.
 template <Index planes>
-constexpr Offset step = planes * slab;
+constexpr Offset step = planes* slab;
 
-// Up to most_vectors vectors side by side; `row` numbers further on, the vectors of the next row. Filled and read
-// number by number, never copied as a whole: a wide load waits for narrow stores that went just before.
+// Up to most_vectors vectors side by side; `row` numbers further on, the vectors of the next row.
+// Filled and read number by number, never copied as a whole: a wide load waits for narrow stores
+// that went just before.
 template <class Number>
 struct Vectors {
     Number* at[most_vectors];
@@ -51,16 +60,19 @@ struct Vectors {
     }
 };
 
-// Where the vectors of a tile are in memory: in a matrix in slabs, or in right-hand sides, from an entry on. first(n):
-// n vectors; the others repeat the first one.
+// Where the vectors of a tile are in memory: in a matrix in slabs, or in right-hand sides, from an
+// entry on. first(n): n vectors; the others repeat the first one.
 template <class Number, Index planes>
 struct InSlabs {
     Slabs<Number> const& slabs;
     Index row, column;
 
-    HARMORPH_INLINE InSlabs at(Index down, Index right) const noexcept { return {slabs, row + down, column + right}; }
+    HARMORPH_INLINE InSlabs at(Index down, Index right) const noexcept {
+        return {slabs, row + down, column + right};
+    }
     HARMORPH_INLINE void first(Index n, Vectors<Number>& out) const noexcept {
-        for (Index v = 0; v < most_vectors; ++v) out.at[v] = slabs.at(row, v < n ? column + v * lanes<Number> : column);
+        for (Index v = 0; v < most_vectors; ++v)
+            out.at[v] = slabs.at(row, v < n ? column + v * lanes<Number> : column);
         out.row = step<planes>;
         out.plane = slab;
     }
@@ -74,31 +86,35 @@ struct InRows {
         return {entry + planes * width * row + column, width};
     }
     HARMORPH_INLINE void first(Index n, Vectors<Number>& out) const noexcept {
-        for (Index v = 0; v < most_vectors; ++v) out.at[v] = v < n ? entry + v * lanes<Number> : entry;
+        for (Index v = 0; v < most_vectors; ++v)
+            out.at[v] = v < n ? entry + v * lanes<Number> : entry;
         out.row = planes * width;
         out.plane = width;
     }
 };
 
-// op(A) of an A in slabs, element (r, k): its conjugate transpose, A (k, r), or A as it stands, A (r, k) within one
-// slab.
+// op(A) of an A in slabs, element (r, k): its conjugate transpose, A (k, r), or A as it stands, A
+// (r, k) within one slab.
 enum class Op { conjugate_transposed, plain };
 enum class Store { subtract, set };
 
-// Sums of products in registers. Vectors are copies: the compiler knows that no store changes them. Loops are short and
-// unrolled, whatever the compiler's level, so that the sums stay in registers.
+// Sums of products in registers. Vectors are copies: the compiler knows that no store changes them.
+// Loops are short and unrolled, whatever the compiler's level, so that the sums stay in registers.
 template <Index planes, Index rows, Index vectors, class Number>
 struct Tile {
     Vector<Number> sum[planes][rows][vectors] = {};
 
     // sum += op(a) b, `depth` rows of b from `first` on.
     template <Op op>
-    HARMORPH_INLINE void add(const Number* a, Vectors<Number> b, Index depth, Offset first = 0) noexcept {
+    HARMORPH_INLINE void add(const Number* a, Vectors<Number> b, Index depth,
+                             Offset first = 0) noexcept {
         constexpr Offset next = op == Op::plain ? 1 : step<planes>;
         for (Index k = 0; k < depth; ++k) {
             add_plane<op, 0>(a + k * next, b, (first + k) * b.row);
             if constexpr (planes == 2) {
-                asm volatile("" ::: "memory");  // no numbers of A stay in registers: the sums need these
+                asm volatile(
+                    "" ::
+                        : "memory");  // no numbers of A stay in registers: the sums need these
                 add_plane<op, 1>(a + k * next, b, (first + k) * b.row + b.plane);
             }
         }
@@ -113,7 +129,8 @@ struct Tile {
 #pragma GCC unroll 8
                 for (Index v = 0; v < vectors; ++v) {
                     Number* const to = d.at[v] + r * d.row + plane * d.plane;
-                    store(to, how == Store::subtract ? load(to) - sum[plane][r][v] : sum[plane][r][v]);
+                    store(to,
+                          how == Store::subtract ? load(to) - sum[plane][r][v] : sum[plane][r][v]);
                 }
             }
         }
@@ -127,7 +144,8 @@ struct Tile {
 #pragma GCC unroll 8
         for (Index r = 0; r < rows; ++r) {
 #pragma GCC unroll 8
-            for (Index v = 0; v < vectors; ++v) row[r][v] = load(d.at[v] + r * d.row) - sum[0][r][v];
+            for (Index v = 0; v < vectors; ++v)
+                row[r][v] = load(d.at[v] + r * d.row) - sum[0][r][v];
         }
 #pragma GCC unroll 8
         for (Index r = rows - 1; r >= 0; --r) {  // needs no later row
@@ -167,7 +185,8 @@ private:
             Vector<Number> const real = all(a[r * next_row]);
 #pragma GCC unroll 8
             for (Index v = 0; v < vectors; ++v) {
-                sum[plane][r][v] = Registers<Number>::multiply_add(real, factor[v], sum[plane][r][v]);
+                sum[plane][r][v] =
+                    Registers<Number>::multiply_add(real, factor[v], sum[plane][r][v]);
             }
             if constexpr (planes == 2) {
                 // i * i = -1, and the conjugate changes the sign once more.
@@ -184,17 +203,19 @@ private:
     }
 };
 
-// The same for complex numbers, with three real products in place of four. With p = a1 b2, q = a2 b1 and
-// r = (a1 - a2) (b1 - b2), of real parts 1 and imaginary parts 2, conj(a) b = (r + p + q) + i (p - q); and with
-// r = (a1 + a2) (b1 - b2), a b = (r + p - q) + i (p + q). The tile sums p, q and r. Of the ways to save a product, this
-// one computes the imaginary part as accurately as four products do: where cells are thin, imaginary parts are much
-// smaller than real ones. Three sums for each number leave room for a worthwhile tile only with 32 registers.
+// The same for complex numbers, with three real products in place of four. With p = a1 b2, q = a2
+// b1 and r = (a1 - a2) (b1 - b2), of real parts 1 and imaginary parts 2, conj(a) b = (r + p + q) +
+// i (p - q); and with r = (a1 + a2) (b1 - b2), a b = (r + p - q) + i (p + q). The tile sums p, q
+// and r. Of the ways to save a product, this one computes the imaginary part as accurately as four
+// products do: where cells are thin, imaginary parts are much smaller than real ones. Three sums
+// for each number leave room for a worthwhile tile only with 32 registers.
 template <Index rows, Index vectors, class Number>
 struct ThreeProductsTile {
     Vector<Number> sum[3][rows][vectors] = {};
 
     template <Op op>
-    HARMORPH_INLINE void add(const Number* a, Vectors<Number> b, Index depth, Offset first = 0) noexcept {
+    HARMORPH_INLINE void add(const Number* a, Vectors<Number> b, Index depth,
+                             Offset first = 0) noexcept {
         constexpr Offset next = op == Op::plain ? 1 : step<2>;
         for (Index k = 0; k < depth; ++k) add_row<op>(a + k * next, b, (first + k) * b.row);
     }
@@ -231,15 +252,18 @@ private:
         }
 #pragma GCC unroll 8
         for (Index r = 0; r < rows; ++r) {
-            Vector<Number> const a_real = all(a[r * next_row]), a_imaginary = all(a[r * next_row + slab]);
+            Vector<Number> const a_real = all(a[r * next_row]),
+                                 a_imaginary = all(a[r * next_row + slab]);
             add_products<0>(r, a_real, imaginary);
             add_products<1>(r, a_imaginary, real);
-            add_products<2>(r, op == Op::plain ? a_real + a_imaginary : a_real - a_imaginary, difference);
+            add_products<2>(r, op == Op::plain ? a_real + a_imaginary : a_real - a_imaginary,
+                            difference);
         }
     }
 
     template <Index number>
-    HARMORPH_INLINE void add_products(Index r, Vector<Number> a, const Vector<Number> (&b)[vectors]) noexcept {
+    HARMORPH_INLINE void add_products(Index r, Vector<Number> a,
+                                      const Vector<Number> (&b)[vectors]) noexcept {
 #pragma GCC unroll 8
         for (Index v = 0; v < vectors; ++v) {
             sum[number][r][v] = Registers<Number>::multiply_add(a, b[v], sum[number][r][v]);
@@ -249,8 +273,9 @@ private:
 
 // The faster one.
 template <Index planes, Index rows, Index vectors, class Number>
-using TileOf = std::conditional_t<planes == 2 && three_products, ThreeProductsTile<rows, vectors, Number>,
-                                 Tile<planes, rows, vectors, Number>>;
+using TileOf =
+    std::conditional_t<planes == 2 && three_products, ThreeProductsTile<rows, vectors, Number>,
+                       Tile<planes, rows, vectors, Number>>;
 
 }  // namespace
 }  // namespace harmorph::dense::HARMORPH_SET

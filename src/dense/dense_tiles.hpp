@@ -1,5 +1,6 @@
-// Products of dense blocks with the registers of one instruction set; compiled for each by dense_table.cpp. All of them
-// are D -= op(A) B or D = op(A) B, with a tile of D at a time in registers.
+// Products of dense blocks with the registers of one instruction set; compiled for each by
+// dense_table.cpp. All of them are D -= op(A) B or D = op(A) B, with a tile of D at a time in
+// registers.
 #include "dense/dense_tile.hpp"
 
 namespace harmorph::dense::HARMORPH_SET {
@@ -11,7 +12,8 @@ struct Range {
     Index count() const noexcept { return end - begin; }
 };
 
-// What a product reads and changes. One function has both endings, as the ending is a small part of a tile's code.
+// What a product reads and changes. One function has both endings, as the ending is a small part of
+// a tile's code.
 template <class Number>
 struct Product {
     Store how;
@@ -39,10 +41,11 @@ HARMORPH_INLINE void prefetch_rows(const Number* row, Index rows) noexcept {
     for (Offset k = 0; k < rows * step<planes>; k += line) __builtin_prefetch(row + k, 0, 2);
 }
 
-// A B: columns k of A, rows from i on; a slab begins at k.begin. What is `ahead` numbers further on is prefetched,
-// unless that is 0.
+// A B: columns k of A, rows from i on; a slab begins at k.begin. What is `ahead` numbers further on
+// is prefetched, unless that is 0.
 template <Index planes, Index rows, Index vectors, class Number>
-void tile_across(Slabs<Number> const& a, Index i, Range k, Product<Number> const& product, Offset ahead) noexcept {
+void tile_across(Slabs<Number> const& a, Index i, Range k, Product<Number> const& product,
+                 Offset ahead) noexcept {
     TileOf<planes, rows, vectors, Number> sums;
     const Number* entries = a.at(i, k.begin);
     for (Index c = k.begin; c < k.end; c += slab) {
@@ -53,7 +56,8 @@ void tile_across(Slabs<Number> const& a, Index i, Range k, Product<Number> const
     product.template leave<Op::plain>(sums);
 }
 
-// Tiles have 1, 2, 4 .. tile_rows rows, which keeps the code small: an odd number of rows is an even one and one more.
+// Tiles have 1, 2, 4 .. tile_rows rows, which keeps the code small: an odd number of rows is an
+// even one and one more.
 template <Index planes, class Number>
 struct Tiles {
     struct OfWidth {
@@ -70,7 +74,8 @@ struct Tiles {
 
 private:
     template <Index rows, Index vectors>
-    static constexpr OfWidth tile{tile_down<planes, rows, vectors, Number>, tile_across<planes, rows, vectors, Number>};
+    static constexpr OfWidth tile{tile_down<planes, rows, vectors, Number>,
+                                  tile_across<planes, rows, vectors, Number>};
     static constexpr Index widest = tile_vectors<planes>;
     template <Index rows>
     static constexpr OfHeight of_height{{tile<rows, 1>, tile<rows, 2>, tile<rows, widest>}};
@@ -88,8 +93,8 @@ HARMORPH_INLINE Index vectors_of(Index columns) noexcept {
 
 // D [rows x columns] -= or = A^H B with the columns of A from `a` on; whole vectors are written.
 template <Index planes, class Number, class Block>
-HARMORPH_INLINE void any_tile_down(Store how, Index rows, Index columns, const Number* a, Block const& b, Index depth,
-                                   Block const& d) noexcept {
+HARMORPH_INLINE void any_tile_down(Store how, Index rows, Index columns, const Number* a,
+                                   Block const& b, Index depth, Block const& d) noexcept {
     Index const vectors = vectors_of<planes, Number>(columns), even = rows / 2 * 2;
     Product<Number> product;
     product.how = how;
@@ -100,10 +105,12 @@ HARMORPH_INLINE void any_tile_down(Store how, Index rows, Index columns, const N
     product.d.move_down(even);
     Tiles<planes, Number>::of(1, vectors).down(a + even, depth, product);
 }
-// The same with rows of A from i on. The last row goes first: where D is B, other rows do not need it.
+// The same with rows of A from i on. The last row goes first: where D is B, other rows do not need
+// it.
 template <Index planes, class Number, class Block>
-HARMORPH_INLINE void any_tile_across(Store how, Index rows, Index columns, Slabs<Number> const& a, Index i, Range k,
-                                     Block const& b, Block const& d, Offset ahead) noexcept {
+HARMORPH_INLINE void any_tile_across(Store how, Index rows, Index columns, Slabs<Number> const& a,
+                                     Index i, Range k, Block const& b, Block const& d,
+                                     Offset ahead) noexcept {
     Index const vectors = vectors_of<planes, Number>(columns), even = rows / 2 * 2;
     Product<Number> product;
     product.how = how;
@@ -128,8 +135,9 @@ void finish_tile(const Number* a, InSlabs<Number, 1> const& b, Index depth, cons
     product.finish(inverse, to, y, column_sums);
 }
 template <class Number>
-HARMORPH_INLINE void any_finish_tile(Index columns, const Number* a, InSlabs<Number, 1> const& b, Index depth,
-                                     const Number* inverse, InSlabs<Number, 1> const& d, const Number* y,
+HARMORPH_INLINE void any_finish_tile(Index columns, const Number* a, InSlabs<Number, 1> const& b,
+                                     Index depth, const Number* inverse,
+                                     InSlabs<Number, 1> const& d, const Number* y,
                                      Number* column_sums) noexcept {
     Index const vectors = vectors_of<1, Number>(columns);
     auto const finish = vectors == 3   ? finish_tile<3, Number>
@@ -138,44 +146,48 @@ HARMORPH_INLINE void any_finish_tile(Index columns, const Number* a, InSlabs<Num
     finish(a, b, depth, inverse, d, y, column_sums);
 }
 
-// Rows i and columns j of D -= A^H B, summed over rows k of A and B. upper: only the upper triangle of D is needed.
+// Rows i and columns j of D -= A^H B, summed over rows k of A and B. upper: only the upper triangle
+// of D is needed.
 template <Index planes, class Number>
-void subtract_product(Slabs<Number> const& a, Slabs<Number> const& b, Slabs<Number> const& d, Range k, Range i, Range j,
-                      bool upper = false) noexcept {
+void subtract_product(Slabs<Number> const& a, Slabs<Number> const& b, Slabs<Number> const& d,
+                      Range k, Range i, Range j, bool upper = false) noexcept {
     using Block = InSlabs<Number, planes>;
     for (Index c = j.begin; c < j.end; c += tile_columns<planes, Number>) {
-        Index const end = smaller(j.end, c + tile_columns<planes, Number>), last = upper ? smaller(i.end, end) : i.end;
+        Index const end = smaller(j.end, c + tile_columns<planes, Number>),
+                    last = upper ? smaller(i.end, end) : i.end;
         for (Index r = i.begin; r < last; r += tile_rows<planes>) {
             Index const from = upper ? larger(c, r / lanes<Number> * lanes<Number>) : c;
-            any_tile_down<planes>(Store::subtract, smaller(tile_rows<planes>, last - r), end - from, a.at(k.begin, r),
-                                  Block{b, k.begin, from}, k.count(), Block{d, r, from});
+            any_tile_down<planes>(Store::subtract, smaller(tile_rows<planes>, last - r), end - from,
+                                  a.at(k.begin, r), Block{b, k.begin, from}, k.count(),
+                                  Block{d, r, from});
         }
     }
 }
 
 // The same for right-hand sides: row 0 of d is row i.begin of D, row 0 of b is row k.begin of B.
 template <Index planes, class Number>
-void subtract_from_rows(Slabs<Number> const& a, InRows<Number, planes> b, InRows<Number, planes> d, Range k,
-                        Range i) noexcept {
+void subtract_from_rows(Slabs<Number> const& a, InRows<Number, planes> b, InRows<Number, planes> d,
+                        Range k, Range i) noexcept {
     for (Index r = i.begin; r < i.end; r += tile_rows<planes>) {
         for (Index c = 0; c < d.width; c += tile_columns<planes, Number>) {
             any_tile_down<planes>(Store::subtract, smaller(tile_rows<planes>, i.end - r),
-                                  static_cast<Index>(d.width) - c, a.at(k.begin, r), b.at(0, c), k.count(),
-                                  d.at(r - i.begin, c));
+                                  static_cast<Index>(d.width) - c, a.at(k.begin, r), b.at(0, c),
+                                  k.count(), d.at(r - i.begin, c));
         }
     }
 }
 
-// b [n x columns] = E b, E the inverse that stands in u at (first, first). E is lower triangular: row r needs rows <=
-// r, so the last rows go first.
+// b [n x columns] = E b, E the inverse that stands in u at (first, first). E is lower triangular:
+// row r needs rows <= r, so the last rows go first.
 template <Index planes, class Number, class Block>
 HARMORPH_INLINE void apply_inverse(Slabs<Number> const& u, Index first, Index n, Index columns,
                                    Block const& b) noexcept {
     for (Index c = 0; c < columns; c += tile_columns<planes, Number>) {
-        for (Index r = (n - 1) / tile_rows<planes> * tile_rows<planes>; r >= 0; r -= tile_rows<planes>) {
+        for (Index r = (n - 1) / tile_rows<planes> * tile_rows<planes>; r >= 0;
+             r -= tile_rows<planes>) {
             Index const rows = smaller(tile_rows<planes>, n - r);
-            any_tile_across<planes>(Store::set, rows, columns - c, u, first + r, {first, first + r + rows}, b.at(0, c),
-                                    b.at(r, c), 0);
+            any_tile_across<planes>(Store::set, rows, columns - c, u, first + r,
+                                    {first, first + r + rows}, b.at(0, c), b.at(r, c), 0);
         }
     }
 }
@@ -185,21 +197,23 @@ template <Index planes, class Number>
 void apply_inverse_transposed(Index n, const Number* inverse, InRows<Number, planes> b) noexcept {
     for (Index c = 0; c < b.width; c += tile_columns<planes, Number>) {
         for (Index r = 0; r < n; r += tile_rows<planes>) {
-            any_tile_down<planes>(Store::set, smaller(tile_rows<planes>, n - r), static_cast<Index>(b.width) - c,
-                                  inverse + r * step<planes> + r, b.at(r, c), n - r, b.at(r, c));
+            any_tile_down<planes>(Store::set, smaller(tile_rows<planes>, n - r),
+                                  static_cast<Index>(b.width) - c, inverse + r * step<planes> + r,
+                                  b.at(r, c), n - r, b.at(r, c));
         }
     }
 }
 
-// d -= A (i, k) b, all rows i. Row 0 of b is row k.begin, where a slab begins; row 0 of d is row i.begin.
+// d -= A (i, k) b, all rows i. Row 0 of b is row k.begin, where a slab begins; row 0 of d is row
+// i.begin.
 template <Index planes, class Number>
-void subtract_across(Slabs<Number> const& a, Range k, Range i, InRows<Number, planes> b, InRows<Number, planes> d,
-                     Offset ahead) noexcept {
+void subtract_across(Slabs<Number> const& a, Range k, Range i, InRows<Number, planes> b,
+                     InRows<Number, planes> d, Offset ahead) noexcept {
     for (Index r = i.begin; r < i.end; r += tile_rows<planes>) {
         for (Index c = 0; c < d.width; c += tile_columns<planes, Number>) {
             any_tile_across<planes>(Store::subtract, smaller(tile_rows<planes>, i.end - r),
-                                    static_cast<Index>(d.width) - c, a, r, k, b.at(0, c), d.at(r - i.begin, c),
-                                    c == 0 ? ahead : 0);
+                                    static_cast<Index>(d.width) - c, a, r, k, b.at(0, c),
+                                    d.at(r - i.begin, c), c == 0 ? ahead : 0);
         }
     }
 }

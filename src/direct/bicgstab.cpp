@@ -23,15 +23,16 @@ BiconjugateGradients::Numbers BiconjugateGradients::dot(Span<const Real> a, Span
     return sum;
 }
 
-void BiconjugateGradients::combine(Numbers const& a, Span<const Real> x, Numbers const& b, Span<Real> y,
-                                   Index columns) const noexcept {
+void BiconjugateGradients::combine(Numbers const& a, Span<const Real> x, Numbers const& b,
+                                   Span<Real> y, Index columns) const noexcept {
     for (Offset row = 0; row < Offset{n} * width; row += width) {
         for (Index k = 0; k < columns; ++k) y[row + k] = b[k] * y[row + k] + a[k] * x[row + k];
     }
 }
 
-BiconjugateGradients::Numbers BiconjugateGradients::drop_grown(Span<const Real> vector, Numbers const& most,
-                                                               Span<Real> r, Index columns) const noexcept {
+BiconjugateGradients::Numbers BiconjugateGradients::drop_grown(Span<const Real> vector,
+                                                               Numbers const& most, Span<Real> r,
+                                                               Index columns) const noexcept {
     Numbers squares = dot(vector, vector, columns);
     for (Index k = 0; k < columns; ++k) {
         if (squares[k] <= most[k]) continue;

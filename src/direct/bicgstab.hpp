@@ -1,5 +1,5 @@
-// BiCGSTAB with right preconditioning, for unsymmetric equations close to those of which there is a factor
-// (H. A. van der Vorst, SIAM J. Sci. Stat. Comput. 13 (1992) 631).
+// BiCGSTAB with right preconditioning, for unsymmetric equations close to those of which there is a
+// factor (H. A. van der Vorst, SIAM J. Sci. Stat. Comput. 13 (1992) 631).
 #pragma once
 
 #include "base/arena.hpp"
@@ -7,8 +7,8 @@
 
 namespace harmorph {
 
-// Several right-hand sides at a time, each with separate coefficients: the bits of a solution do not depend on which
-// other right-hand sides are solved with it.
+// Several right-hand sides at a time, each with separate coefficients: the bits of a solution do
+// not depend on which other right-hand sides are solved with it.
 struct BiconjugateGradients {
     static constexpr Index widest = 8;
     static constexpr Real most_growth = 1e6;
@@ -18,14 +18,15 @@ struct BiconjugateGradients {
 
     void lay_out(Arena& arena, Index n_rows, Index n_columns) noexcept;
 
-    // r [n * width], right-hand sides on entry: the first `columns` of each row become solutions. Ends when the 2-norm
-    // of every residual is at most `reduction` times that of the right-hand side, or after `most` iterations. Where a
-    // residual or a direction grows beyond most_growth times the right-hand side, the method has broken down, and the
-    // solution is 0.
-    // apply(from, to): to = A from; precondition(rows): in place; a failed status of the latter ends the iteration.
+    // r [n * width], right-hand sides on entry: the first `columns` of each row become solutions.
+    // Ends when the 2-norm of every residual is at most `reduction` times that of the right-hand
+    // side, or after `most` iterations. Where a residual or a direction grows beyond most_growth
+    // times the right-hand side, the method has broken down, and the solution is 0. apply(from,
+    // to): to = A from; precondition(rows): in place; a failed status of the latter ends the
+    // iteration.
     template <class Apply, class Precondition>
-    Status run(Span<Real> r, Index columns, Real reduction, Index most, Index& iterations, Apply const& apply,
-               Precondition const& precondition) noexcept;
+    Status run(Span<Real> r, Index columns, Real reduction, Index most, Index& iterations,
+               Apply const& apply, Precondition const& precondition) noexcept;
 
 private:
     struct Numbers {
@@ -35,17 +36,22 @@ private:
     };
     Numbers dot(Span<const Real> a, Span<const Real> b, Index columns) const noexcept;
     // y = b y + a x
-    void combine(Numbers const& a, Span<const Real> x, Numbers const& b, Span<Real> y, Index columns) const noexcept;
-    // Where the square of the norm of `vector` is larger than `most`, the column becomes 0: residual r and solution.
-    // Returns the squares of the others.
-    Numbers drop_grown(Span<const Real> vector, Numbers const& most, Span<Real> r, Index columns) const noexcept;
+    void combine(Numbers const& a, Span<const Real> x, Numbers const& b, Span<Real> y,
+                 Index columns) const noexcept;
+    // Where the square of the norm of `vector` is larger than `most`, the column becomes 0:
+    // residual r and solution. Returns the squares of the others.
+    Numbers drop_grown(Span<const Real> vector, Numbers const& most, Span<Real> r,
+                       Index columns) const noexcept;
 };
 
 template <class Apply, class Precondition>
-Status BiconjugateGradients::run(Span<Real> r, Index columns, Real reduction, Index most, Index& iterations,
-                                 Apply const& apply, Precondition const& precondition) noexcept {
+Status BiconjugateGradients::run(Span<Real> r, Index columns, Real reduction, Index most,
+                                 Index& iterations, Apply const& apply,
+                                 Precondition const& precondition) noexcept {
     // Where there is nothing to do, and where the method breaks down, 0.
-    constexpr auto quotient = [](Real a, Real b) { return absolute(b) > 1e-30 * absolute(a) ? a / b : 0; };
+    constexpr auto quotient = [](Real a, Real b) {
+        return absolute(b) > 1e-30 * absolute(a) ? a / b : 0;
+    };
     Numbers one;
     for (Real& number : one.at) number = 1;
     copy(shadow, Span<const Real>(r));
@@ -90,7 +96,8 @@ Status BiconjugateGradients::run(Span<Real> r, Index columns, Real reduction, In
         Numbers const before = along;
         squares = drop_grown(r, most_squares, r, columns);
         along = dot(shadow, r, columns);
-        // direction = r + beta (direction - turn image); step, turn and beta are van der Vorst's alpha, omega and beta
+        // direction = r + beta (direction - turn image); step, turn and beta are van der Vorst's
+        // alpha, omega and beta
         Numbers beta, of_image;
         for (Index k = 0; k < columns; ++k) {
             beta[k] = quotient(along[k], before[k]) * quotient(step[k], turn[k]);

@@ -14,8 +14,9 @@ void Multifrontal::lay_out_numbers(Arena& arena, Offset factor_entries,
     arena.take(numbers.rows, (stacks * subtrees.stack_rows + subtrees.kept_rows) * row_length());
 }
 
-void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, Subtrees const& chosen_subtrees,
-                           Index width, bool complex, Precision factor_precision) noexcept {
+void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes,
+                           Subtrees const& chosen_subtrees, Index width, bool complex,
+                           Precision factor_precision) noexcept {
     subtrees = chosen_subtrees;
     precision = factor_precision;
     planes = complex ? 2 : 1;
@@ -37,7 +38,8 @@ void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, S
 
 void Multifrontal::lay_out_stack(Arena& arena) noexcept {
     Offset const workers = subtrees.workers > 1 ? subtrees.workers : 0;
-    Offset const entries = subtrees.top_stack_entries + subtrees.kept_entries + workers * subtrees.stack_entries;
+    Offset const entries =
+        subtrees.top_stack_entries + subtrees.kept_entries + workers * subtrees.stack_entries;
     if (precision == Precision::in_single) {
         arena.take(singles.stack, planes * entries);
     } else {

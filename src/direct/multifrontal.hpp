@@ -1,5 +1,5 @@
-// The direct engine: multifrontal Cholesky on the assembly tree, and solves of all right-hand sides as one block.
-// Source of the method: I. S. Duff, J. K. Reid, ACM Trans. Math. Softw. 9 (1983) 302.
+// The direct engine: multifrontal Cholesky on the assembly tree, and solves of all right-hand sides
+// as one block. Source of the method: I. S. Duff, J. K. Reid, ACM Trans. Math. Softw. 9 (1983) 302.
 #pragma once
 
 #include "dense/dense.hpp"
@@ -11,11 +11,13 @@
 
 namespace harmorph {
 
-// The numbers of a factorisation. The tree is walked one path at a time: the update matrix of a node exists before its
-// children are factored, so that the update matrix of a child is added (extend-add) and released at once.
+// The numbers of a factorisation. The tree is walked one path at a time: the update matrix of a
+// node exists before its children are factored, so that the update matrix of a child is added
+// (extend-add) and released at once.
 //
-//   stack:  |nodes above the subtrees ...|update matrices of the subtrees' roots|worker 0 ...|worker 1 ...|
-//   rows:   the same layout with right-hand sides of fronts instead of update matrices
+//   stack:  |nodes above the subtrees ...|update matrices of the subtrees' roots|worker 0
+//   ...|worker 1 ...| rows:   the same layout with right-hand sides of fronts instead of update
+//   matrices
 //
 // A worker is a task that takes one subtree after the other.
 template <class Number>
@@ -23,7 +25,7 @@ struct FrontalNumbers {
     Span<Number> factor;
     Span<Number> stack;
     Span<Number> rows;
-    Span<Number> sums;     // [workers x planes x most row sums of a front]
+    Span<Number> sums;                     // [workers x planes x most row sums of a front]
     Span<Number> least_left, least_pivot;  // [workers] see below
 };
 
@@ -32,20 +34,22 @@ struct Multifrontal {
     Subtrees subtrees;
     Span<Offset> border_start;  // [nodes + 1]
     Span<Index> border;
-    Span<Offset> panel_start;   // [nodes + 1] in `factor`
-    Span<bool> is_zero;         // [nodes] all right-hand sides at hand are 0 in the subtree of the node
-    Span<Index> target;         // [as border] where the positions of a border are in the parent's front; they increase
+    Span<Offset> panel_start;  // [nodes + 1] in `factor`
+    Span<bool> is_zero;  // [nodes] all right-hand sides at hand are 0 in the subtree of the node
+    Span<Index> target;  // [as border] where the positions of a border are in the parent's front;
+                         // they increase
     FrontalNumbers<double> doubles;  // these ...
     FrontalNumbers<float> singles;   // ... or those
     Precision precision = Precision::in_double;
-    Index planes = 1;           // 1: real; 2: complex
+    Index planes = 1;  // 1: real; 2: complex
     Offset most_sums = 0;
     Index padded_width = 0;
     Kernel kernel = Kernel::baseline;
     Executor executor;
 
-    void lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, Subtrees const& chosen_subtrees, Index width,
-                 bool complex = false, Precision factor_precision = Precision::in_double) noexcept;
+    void lay_out(Arena& arena, Index nodes, FrontSizes const& sizes,
+                 Subtrees const& chosen_subtrees, Index width, bool complex = false,
+                 Precision factor_precision = Precision::in_double) noexcept;
     // Separate, because only factorise() needs the stack.
     void lay_out_stack(Arena& arena) noexcept;
     // Fills panel_start and target. The tree, border_start and border are there.
@@ -73,30 +77,33 @@ struct Multifrontal {
         Number* least_pivot;
     };
     template <class Number>
-    Worker<Number> top_worker() const noexcept {  // for the nodes above the subtrees: all threads work inside a front
+    Worker<Number> top_worker()
+        const noexcept {  // for the nodes above the subtrees: all threads work inside a front
         FrontalNumbers<Number> const& all = numbers<Number>();
-        return {executor, all.stack.data(), all.rows.data(), all.sums.data(), all.least_left.data(),
-                all.least_pivot.data()};
+        return {executor,        all.stack.data(),      all.rows.data(),
+                all.sums.data(), all.least_left.data(), all.least_pivot.data()};
     }
     template <class Number>
     Worker<Number> worker(Index number) const noexcept {
         FrontalNumbers<Number> const& all = numbers<Number>();
         Offset const n = number, before = subtrees.top_stack_entries + subtrees.kept_entries;
-        return {Executor{},
-                all.stack.data() + planes * (before + n * subtrees.stack_entries),
-                all.rows.data() + ((n + 1) * subtrees.stack_rows + subtrees.kept_rows) * row_length(),
-                all.sums.data() + n * planes * most_sums,
-                all.least_left.data() + n,
-                all.least_pivot.data() + n};
+        return {
+            Executor{},
+            all.stack.data() + planes * (before + n * subtrees.stack_entries),
+            all.rows.data() + ((n + 1) * subtrees.stack_rows + subtrees.kept_rows) * row_length(),
+            all.sums.data() + n * planes * most_sums,
+            all.least_left.data() + n,
+            all.least_pivot.data() + n};
     }
-    // body(number of the subtree, number of the worker, worker) for all subtrees, those with the most work first, each
-    // by the worker that is free next.
+    // body(number of the subtree, number of the worker, worker) for all subtrees, those with the
+    // most work first, each by the worker that is free next.
     template <class Number, class Body>
     void for_each_subtree(Body const& body) const noexcept {
         NextItem next;
         executor.for_each(subtrees.count > 0 ? sharing(subtrees.workers) : 0, [&](Index number) {
             Worker<Number> const own = worker<Number>(number);
-            for (Index k = next.take(); k < subtrees.count; k = next.take()) body(subtrees.all[k].by_work, number, own);
+            for (Index k = next.take(); k < subtrees.count; k = next.take())
+                body(subtrees.all[k].by_work, number, own);
         });
     }
 
@@ -104,15 +111,18 @@ struct Multifrontal {
     FrontalNumbers<Number> const& numbers() const noexcept;
     template <class Number>
     dense::Panel<Number> panel(Index node) const noexcept {
-        return {numbers<Number>().factor.data() + panel_start[node], pivots_of(node), border_of(node).count(), planes};
+        return {numbers<Number>().factor.data() + panel_start[node], pivots_of(node),
+                border_of(node).count(), planes};
     }
     template <class Number>
     Number* kept_update(Index subtree) const noexcept {
-        return numbers<Number>().stack.data() + planes * (subtrees.top_stack_entries + subtrees.all[subtree].kept);
+        return numbers<Number>().stack.data() +
+               planes * (subtrees.top_stack_entries + subtrees.all[subtree].kept);
     }
     template <class Number>
     Number* kept_rows(Index subtree) const noexcept {
-        return numbers<Number>().rows.data() + (subtrees.stack_rows + subtrees.all[subtree].kept_rows) * row_length();
+        return numbers<Number>().rows.data() +
+               (subtrees.stack_rows + subtrees.all[subtree].kept_rows) * row_length();
     }
     // Numbers in a row of right-hand sides, padding included.
     Offset row_length() const noexcept { return Offset{planes} * padded_width; }
@@ -121,12 +131,15 @@ struct Multifrontal {
     Span<const Index> border_of(Index node) const noexcept {
         return border.from(border_start[node], border_start[node + 1] - border_start[node]);
     }
-    const Index* targets_of(Index node) const noexcept { return target.data() + border_start[node]; }
+    const Index* targets_of(Index node) const noexcept {
+        return target.data() + border_start[node];
+    }
 
 private:
     void find_targets(Index child, Index parent) noexcept;
     template <class Number>
-    void lay_out_numbers(Arena& arena, Offset factor_entries, FrontalNumbers<Number>& numbers) const noexcept;
+    void lay_out_numbers(Arena& arena, Offset factor_entries,
+                         FrontalNumbers<Number>& numbers) const noexcept;
     template <class Number>
     Status factorise_in(Matrix const& matrix, Progress const& progress, Fault& fault) noexcept;
     template <class Number, class Value>
@@ -134,8 +147,12 @@ private:
 };
 
 template <>
-inline FrontalNumbers<double> const& Multifrontal::numbers<double>() const noexcept { return doubles; }
+inline FrontalNumbers<double> const& Multifrontal::numbers<double>() const noexcept {
+    return doubles;
+}
 template <>
-inline FrontalNumbers<float> const& Multifrontal::numbers<float>() const noexcept { return singles; }
+inline FrontalNumbers<float> const& Multifrontal::numbers<float>() const noexcept {
+    return singles;
+}
 
 }  // namespace harmorph

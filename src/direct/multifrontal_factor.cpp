@@ -3,7 +3,8 @@
 namespace harmorph {
 namespace {
 
-// A pivot smaller than this part of the sum of its absolute terms is rounding: the matrix is singular or indefinite.
+// A pivot smaller than this part of the sum of its absolute terms is rounding: the matrix is
+// singular or indefinite.
 template <class Number>
 constexpr Number pivot_floor = static_cast<Number>(sizeof(Number) == sizeof(double) ? 1e-15 : 5e-7);
 constexpr Index nodes_between_factor_reports = 512;
@@ -15,10 +16,11 @@ public:
     using Panel = dense::Panel<Number>;
     using UpdateMatrix = dense::UpdateMatrix<Number>;
 
-    Factorisation(Multifrontal const& engine, Matrix const& matrix) noexcept : engine_(engine), matrix_(matrix) {}
+    Factorisation(Multifrontal const& engine, Matrix const& matrix) noexcept
+        : engine_(engine), matrix_(matrix) {}
 
-    // Factors the node and its descendants. The update matrix of the node goes to `update`; those of its children use
-    // the stack from `free` on. Calls told(node) after each node.
+    // Factors the node and its descendants. The update matrix of the node goes to `update`; those
+    // of its children use the stack from `free` on. Calls told(node) after each node.
     template <class Told>
     Status run(Index node, Number* update, Number* free, Worker const& worker, Told const& told,
                Fault& fault) const noexcept {
@@ -32,13 +34,15 @@ public:
                                      engine_.border_of(child).count(), panel.planes};
             Number* const behind = free + added.planes * dense::update_entries(added.n);
             if (done == none) HARMORPH_TRY(run(child, free, behind, worker, told, fault));
-            if (child == front.child) begin(node, panel, left);  // only now, so that the panel is still in the caches
+            if (child == front.child)
+                begin(node, panel, left);  // only now, so that the panel is still in the caches
             dense::extend_add(engine_.kernel, added, engine_.targets_of(child), panel, left);
         }
         dense::Workers<Number> const workers{worker.executor, worker.sums, worker.least_left};
         Index const bad = dense::factor(engine_.kernel, panel, pivot_floor<Number>, workers);
         if (bad != none) {
-            return fault.refuse(Status::not_positive, "the matrix is not positive definite at point #", Counts::mesh,
+            return fault.refuse(Status::not_positive,
+                                "the matrix is not positive definite at point #", Counts::mesh,
                                 front.begin + bad);
         }
         dense::update_border(engine_.kernel, panel, left, workers);
@@ -80,7 +84,8 @@ private:
             if (planes == 2) sum[dense::slab] = static_cast<Number>(matrix_.row_sum_imaginary[i]);
             for (Offset const end = start[i + 1]; k < end; ++k) {
                 Index const j = column[k];
-                Number* const entry = j < behind ? own.at(pivot, j - first) : of_border.at(pivot, index_in(border, j));
+                Number* const entry = j < behind ? own.at(pivot, j - first)
+                                                 : of_border.at(pivot, index_in(border, j));
                 entry[0] = static_cast<Number>(value[k]);
                 if (planes == 2) entry[dense::slab] = static_cast<Number>(imaginary[k]);
             }
@@ -95,7 +100,8 @@ private:
         }
     }
 
-    // The index of `position` in the border, by halves without branches: nobody foresees where a position stands.
+    // The index of `position` in the border, by halves without branches: nobody foresees where a
+    // position stands.
     static Index index_in(Span<const Index> border, Index position) noexcept {
         const Index* from = border.data();
         for (Index n = border.count(); n > 1;) {
@@ -113,19 +119,22 @@ private:
 }  // namespace
 
 template <class Number>
-Status Multifrontal::factorise_in(Matrix const& matrix, Progress const& progress, Fault& fault) noexcept {
+Status Multifrontal::factorise_in(Matrix const& matrix, Progress const& progress,
+                                  Fault& fault) noexcept {
     Factorisation<Number> const factorisation(*this, matrix);
     fill(numbers<Number>().least_left, Number{1});
     fill(numbers<Number>().least_pivot, Number{1});
     Fault fault_of[Executor::most_threads];
     // The one with the first position: it does not depend on the number of threads.
     auto const take_first = [](Fault const& other, Fault& first) {
-        if (failed(other.status) && (!failed(first.status) || other.item < first.item)) first = other;
+        if (failed(other.status) && (!failed(first.status) || other.item < first.item))
+            first = other;
     };
     for_each_subtree<Number>([&](Index subtree, Index number, Worker<Number> const& worker) {
         Fault its;
-        factorisation.run(subtrees.all[subtree].root, kept_update<Number>(subtree), worker.stack, worker,
-                          [](Index) { return Status::ok; }, its);
+        factorisation.run(
+            subtrees.all[subtree].root, kept_update<Number>(subtree), worker.stack, worker,
+            [](Index) { return Status::ok; }, its);
         take_first(its, fault_of[number]);
     });
     for (Fault const& other : fault_of) take_first(other, fault);
@@ -133,12 +142,14 @@ Status Multifrontal::factorise_in(Matrix const& matrix, Progress const& progress
 
     auto const told = [&](Index node) {
         if (subtrees.count == 0 && node % nodes_between_factor_reports != 0) return Status::ok;
-        return progress.report(Phase::factor, static_cast<Real>(node + 1) / (tree.count + 1.0), fault);
+        return progress.report(Phase::factor, static_cast<Real>(node + 1) / (tree.count + 1.0),
+                               fault);
     };
     Worker<Number> const worker = top_worker<Number>();
     for (Index node = 0; node < tree.count; ++node) {
         if (tree.nodes[node].parent != none || subtrees.find(node) != none) continue;
-        HARMORPH_TRY(factorisation.run(node, worker.stack, worker.stack, worker, told, fault));  // a root has no border
+        HARMORPH_TRY(factorisation.run(node, worker.stack, worker.stack, worker, told,
+                                       fault));  // a root has no border
     }
     return Status::ok;
 }
@@ -154,11 +165,16 @@ Real least_of(Span<const double> doubles, Span<const float> singles) noexcept {
 
 }  // namespace
 
-Real Multifrontal::least_left() const noexcept { return least_of(doubles.least_left, singles.least_left); }
+Real Multifrontal::least_left() const noexcept {
+    return least_of(doubles.least_left, singles.least_left);
+}
 
-Real Multifrontal::least_pivot() const noexcept { return least_of(doubles.least_pivot, singles.least_pivot); }
+Real Multifrontal::least_pivot() const noexcept {
+    return least_of(doubles.least_pivot, singles.least_pivot);
+}
 
-Status Multifrontal::factorise(Matrix const& matrix, Progress const& progress, Fault& fault) noexcept {
+Status Multifrontal::factorise(Matrix const& matrix, Progress const& progress,
+                               Fault& fault) noexcept {
     if (precision == Precision::in_single) return factorise_in<float>(matrix, progress, fault);
     return factorise_in<double>(matrix, progress, fault);
 }

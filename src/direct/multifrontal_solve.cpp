@@ -5,7 +5,8 @@ namespace {
 
 constexpr Index nodes_between_solve_reports = 512;
 
-// Right-hand sides go up the tree like update matrices, solutions come down; a row has the numbers of all functions.
+// Right-hand sides go up the tree like update matrices, solutions come down; a row has the numbers
+// of all functions.
 template <class Number, class Value>
 class Substitution {
 public:
@@ -13,54 +14,66 @@ public:
     using Panel = dense::Panel<Number>;
 
     Substitution(Multifrontal const& engine, RowsOf<Value> const& values) noexcept
-        : engine_(engine), values_(values), width_(dense::padded(values.width)), row_(engine.planes * width_) {}
+        : engine_(engine),
+          values_(values),
+          width_(dense::padded(values.width)),
+          row_(engine.planes * width_) {}
 
     // Numbers in the right-hand sides of a front.
     Offset entries(Index node) const noexcept { return Offset{engine_.front_of(node)} * row_; }
 
-    // Forward substitution U^H y = b in place. `front` receives the right-hand sides of the node: first the rows of the
-    // pivots, then the updates for the rows of the border. Most nodes are far from all known values: where all
-    // right-hand sides of a subtree are 0, nothing is computed, is_zero of the node is set and `front` holds nothing.
+    // Forward substitution U^H y = b in place. `front` receives the right-hand sides of the node:
+    // first the rows of the pivots, then the updates for the rows of the border. Most nodes are far
+    // from all known values: where all right-hand sides of a subtree are 0, nothing is computed,
+    // is_zero of the node is set and `front` holds nothing.
     template <class Told>
-    Status forward(Index node, Number* front, Number* free, Worker const& worker, Told const& told) const noexcept {
+    Status forward(Index node, Number* front, Number* free, Worker const& worker,
+                   Told const& told) const noexcept {
         auto const& own = engine_.tree.nodes[node];
         Panel const panel = engine_.panel<Number>(node);
         Index const behind = engine_.tree.nodes[engine_.tree.count - 1].end - own.end;
-        dense::gather(engine_.kernel, values_, own.begin, panel.pivots, behind, front, width_, engine_.planes);
+        dense::gather(engine_.kernel, values_, own.begin, panel.pivots, behind, front, width_,
+                      engine_.planes);
         Span<Number> const pivots(front, static_cast<Size>(Offset{panel.pivots} * row_));
-        Span<Number> const border(front + pivots.size(), static_cast<Size>(Offset{panel.border} * row_));
+        Span<Number> const border(front + pivots.size(),
+                                  static_cast<Size>(Offset{panel.border} * row_));
         bool is_zero = all_zero(pivots);
         if (!is_zero) fill(border, Number{0});
         for (Index child = own.child; child != none; child = engine_.tree.nodes[child].sibling) {
             Index const done = engine_.subtrees.find(child);
             Number* const from = done != none ? engine_.kept_rows<Number>(done) : free;
-            if (done == none) HARMORPH_TRY(forward(child, free, free + entries(child), worker, told));
+            if (done == none)
+                HARMORPH_TRY(forward(child, free, free + entries(child), worker, told));
             if (engine_.is_zero[child]) continue;
             if (is_zero) fill(border, Number{0});
             is_zero = false;
-            dense::add_rows(engine_.kernel, engine_.border_of(child).count(), border_rows(child, from),
-                            engine_.targets_of(child), front, row_);
+            dense::add_rows(engine_.kernel, engine_.border_of(child).count(),
+                            border_rows(child, from), engine_.targets_of(child), front, row_);
         }
         engine_.is_zero[node] = is_zero;
         if (is_zero) return told(node);
         dense::solve_forward(engine_.kernel, panel, front, width_, worker.executor);
-        dense::scatter(engine_.kernel, front, width_, engine_.planes, values_, own.begin, panel.pivots);
+        dense::scatter(engine_.kernel, front, width_, engine_.planes, values_, own.begin,
+                       panel.pivots);
         return told(node);
     }
 
-    // Back substitution U x = y in place, for the node and its descendants but those in subtrees, whose fronts are left
-    // ready for it. `front`: rows of the node; those of the border are known.
+    // Back substitution U x = y in place, for the node and its descendants but those in subtrees,
+    // whose fronts are left ready for it. `front`: rows of the node; those of the border are known.
     template <class Told>
-    Status backward(Index node, Number* front, Number* free, Worker const& worker, Told const& told) const noexcept {
+    Status backward(Index node, Number* front, Number* free, Worker const& worker,
+                    Told const& told) const noexcept {
         auto const& own = engine_.tree.nodes[node];
         Panel const panel = engine_.panel<Number>(node);
         if (engine_.is_zero[node]) {
             fill(Span<Number>(front, static_cast<Size>(Offset{panel.pivots} * row_)), Number{0});
         } else {
-            dense::gather(engine_.kernel, values_, own.begin, panel.pivots, 0, front, width_, engine_.planes);
+            dense::gather(engine_.kernel, values_, own.begin, panel.pivots, 0, front, width_,
+                          engine_.planes);
         }
         dense::solve_backward(engine_.kernel, panel, front, width_, worker.executor);
-        dense::scatter(engine_.kernel, front, width_, engine_.planes, values_, own.begin, panel.pivots);
+        dense::scatter(engine_.kernel, front, width_, engine_.planes, values_, own.begin,
+                       panel.pivots);
         HARMORPH_TRY(told(node));
         return backward_below(own.child, front, free, worker, told);
     }
@@ -74,19 +87,22 @@ private:
         HARMORPH_TRY(backward_below(engine_.tree.nodes[child].sibling, front, free, worker, told));
         Index const done = engine_.subtrees.find(child);
         Number* const to = done != none ? engine_.kept_rows<Number>(done) : free;
-        dense::copy_rows(engine_.kernel, engine_.border_of(child).count(), front, engine_.targets_of(child),
-                         border_rows(child, to), row_);
+        dense::copy_rows(engine_.kernel, engine_.border_of(child).count(), front,
+                         engine_.targets_of(child), border_rows(child, to), row_);
         return done != none ? Status::ok : backward(child, to, free + entries(child), worker, told);
     }
 
     template <class Some>
-    Some* border_rows(Index node, Some* front) const noexcept { return front + Offset{engine_.pivots_of(node)} * row_; }
+    Some* border_rows(Index node, Some* front) const noexcept {
+        return front + Offset{engine_.pivots_of(node)} * row_;
+    }
 
     static bool all_zero(Span<const Number> numbers) noexcept {
         constexpr Size at_once = 64;  // tested without a branch in between
         for (Size begin = 0; begin < numbers.size(); begin += at_once) {
             bool any = false;
-            for (Number const number : numbers.from(begin, smaller(at_once, numbers.size() - begin))) {
+            for (Number const number :
+                 numbers.from(begin, smaller(at_once, numbers.size() - begin))) {
                 any |= number != 0;
             }
             if (any) return false;
@@ -102,12 +118,14 @@ private:
 }  // namespace
 
 template <class Number, class Value>
-Status Multifrontal::solve_in(RowsOf<Value> const& values, Progress const& progress, Fault& fault) noexcept {
+Status Multifrontal::solve_in(RowsOf<Value> const& values, Progress const& progress,
+                              Fault& fault) noexcept {
     Substitution<Number, Value> const substitution(*this, values);
     Index done = 0;
     auto const told = [&](Index) {
         if (++done % nodes_between_solve_reports != 0) return Status::ok;
-        return progress.report(Phase::solve, static_cast<Real>(done) / (2.0 * tree.count + 1), fault);
+        return progress.report(Phase::solve, static_cast<Real>(done) / (2.0 * tree.count + 1),
+                               fault);
     };
     Worker<Number> const worker = top_worker<Number>();
     for_each_subtree<Number>([&](Index subtree, Index, Worker<Number> const& own) {
@@ -116,11 +134,13 @@ Status Multifrontal::solve_in(RowsOf<Value> const& values, Progress const& progr
     });
     for (Index node = 0; node < tree.count; ++node) {
         if (tree.nodes[node].parent != none || subtrees.find(node) != none) continue;
-        HARMORPH_TRY(substitution.forward(node, worker.rows, worker.rows + substitution.entries(node), worker, told));
+        HARMORPH_TRY(substitution.forward(node, worker.rows,
+                                          worker.rows + substitution.entries(node), worker, told));
     }
     for (Index node = tree.count - 1; node >= 0; --node) {
         if (tree.nodes[node].parent != none || subtrees.find(node) != none) continue;
-        HARMORPH_TRY(substitution.backward(node, worker.rows, worker.rows + substitution.entries(node), worker, told));
+        HARMORPH_TRY(substitution.backward(node, worker.rows,
+                                           worker.rows + substitution.entries(node), worker, told));
     }
     for_each_subtree<Number>([&](Index subtree, Index, Worker<Number> const& own) {
         substitution.backward(subtrees.all[subtree].root, kept_rows<Number>(subtree), own.rows, own,
@@ -134,7 +154,8 @@ Status Multifrontal::solve(Rows const& values, Progress const& progress, Fault& 
     return solve_in<double>(values, progress, fault);
 }
 
-Status Multifrontal::solve(RowsOf<float> const& values, Progress const& progress, Fault& fault) noexcept {
+Status Multifrontal::solve(RowsOf<float> const& values, Progress const& progress,
+                           Fault& fault) noexcept {
     return solve_in<float>(values, progress, fault);
 }
 

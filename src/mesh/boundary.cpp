@@ -12,7 +12,8 @@ Status refuse_unmarked(Edges const& edges, Fault& fault) noexcept {
     edges.for_each([&](Index edge, Index low, Index high) {
         if (edges.second[edge] != Edges::unmarked || failed(fault.status)) return;
         fault.refuse(Status::bad_mesh,
-                     "the edge between points # and @ has one cell and no marker: a marker or a cell is missing",
+                     "the edge between points # and @ has one cell and no marker: a marker or a "
+                     "cell is missing",
                      Counts::mesh, low, high);
     });
     return fault.status;
@@ -24,25 +25,30 @@ Status check_face(BoundaryFace face, Edges const& edges, Index edge, Fault& faul
     if (face.begin == face.end) {
         wrong = "the boundary has an edge from point # to point @, the same point";
     } else if (edge == none) {
-        wrong = "the boundary edge between points # and @ is an edge of no cell; are cells missing?";
+        wrong =
+            "the boundary edge between points # and @ is an edge of no cell; are cells missing?";
     } else if (!edges.is_boundary(edge)) {
         wrong = "the boundary edge between points # and @ has cells on both sides";
     }
-    return wrong == nullptr ? Status::ok : fault.refuse(Status::bad_mesh, wrong, Counts::mesh, face.begin, face.end);
+    return wrong == nullptr
+               ? Status::ok
+               : fault.refuse(Status::bad_mesh, wrong, Counts::mesh, face.begin, face.end);
 }
 
 }  // namespace
 
 Size Boundary::max_faces(Mesh const& mesh) noexcept {
-    Offset const in_lists =
-        mesh.n_lists > 0 && mesh.list_start != nullptr ? Offset{mesh.list_start[mesh.n_lists]} - mesh.index_base : 0;
+    Offset const in_lists = mesh.n_lists > 0 && mesh.list_start != nullptr
+                                ? Offset{mesh.list_start[mesh.n_lists]} - mesh.index_base
+                                : 0;
     Size in_blocks = 0;
     if (mesh.block_markers != nullptr) {
         for (Index k = 0; k < 2 * mesh.n_blocks; ++k) {
             in_blocks += 2 * static_cast<Size>(larger(mesh.block_sizes[k], Index{1}) - 1);
         }
     }
-    return static_cast<Size>(mesh.n_faces) + static_cast<Size>(in_lists < 0 ? 0 : in_lists) + in_blocks;
+    return static_cast<Size>(mesh.n_faces) + static_cast<Size>(in_lists < 0 ? 0 : in_lists) +
+           in_blocks;
 }
 
 void Boundary::lay_out(Arena& arena, Mesh const& mesh) noexcept {
@@ -71,7 +77,8 @@ Status Boundary::mark(Topology& topology, Fault& fault) noexcept {
             given_end[count] = smaller(representative[face.begin], representative[face.end]);
             edges.second[edge] = marked_with(count++);
         } else if (given_marker[face_of_edge(edges.second[edge])] != face.marker) {
-            fault.refuse(Status::bad_mesh, "the boundary edge between points # and @ is on two markers", Counts::mesh,
+            fault.refuse(Status::bad_mesh,
+                         "the boundary edge between points # and @ is on two markers", Counts::mesh,
                          face.begin, face.end);
             return false;
         }
@@ -100,7 +107,8 @@ Status Boundary::order(Topology const& topology, Fault& fault) noexcept {
     for (Index first = 0; first < count; ++first) {
         if (head[given_begin[first]] == none) continue;
         loop_start[n_loops++] = placed;
-        // At every point as many faces begin as end, so a walk comes to its end only where it began.
+        // At every point as many faces begin as end, so a walk comes to its end only where it
+        // began.
         for (Index at = given_begin[first]; head[at] != none;) {
             Index const face = head[at];
             head[at] = next[face];

@@ -7,29 +7,34 @@
 namespace harmorph {
 
 struct Boundary {
-    Index count = 0;          // faces
+    Index count = 0;  // faces
     Index n_loops = 0;
-    Span<Index> point;        // [count] where each face begins; the end is the beginning of the next face of the loop
-    Span<Index> marker;       // [count]
-    Span<Index> condition;    // [count] number of the condition that holds there, or none: see boundary/conditions
-    Span<Index> loop_start;   // [n_loops + 1]
+    Span<Index> point;  // [count] where each face begins; the end is the beginning of the next face
+                        // of the loop
+    Span<Index> marker;      // [count]
+    Span<Index> condition;   // [count] number of the condition that holds there, or none: see
+                             // boundary/conditions
+    Span<Index> loop_start;  // [n_loops + 1]
 
-    Span<Index> given_begin, given_end, given_marker;  // [max_faces] as marked; order() directs them
-    Span<Index> head;         // [n_points] working space of order()
-    Span<Index> next;         // [max_faces]
+    Span<Index> given_begin, given_end,
+        given_marker;  // [max_faces] as marked; order() directs them
+    Span<Index> head;  // [n_points] working space of order()
+    Span<Index> next;  // [max_faces]
 
-    // As many faces as the caller gives, segments of lists counted generously, and all sides of blocks.
+    // As many faces as the caller gives, segments of lists counted generously, and all sides of
+    // blocks.
     static Size max_faces(Mesh const& mesh) noexcept;
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
 
-    // Finds the edge of every face and list segment and notes the marker there (edges.second). Cells need no
-    // orientation yet.
+    // Finds the edge of every face and list segment and notes the marker there (edges.second).
+    // Cells need no orientation yet.
     Status mark(Topology& topology, Fault& fault) noexcept;
     // Refuses a boundary edge without a marker, and puts the faces in order.
     Status order(Topology const& topology, Fault& fault) noexcept;
 
-    // Pieces: runs of faces for which is_on(face) holds. visit(piece, point) for their points in order, then
-    // close(piece, is_loop); the first point of a whole loop is not repeated. Returns how many pieces there are.
+    // Pieces: runs of faces for which is_on(face) holds. visit(piece, point) for their points in
+    // order, then close(piece, is_loop); the first point of a whole loop is not repeated. Returns
+    // how many pieces there are.
     template <class IsOn, class Visit, class Close>
     Index for_each_piece(IsOn is_on, Visit visit, Close close) const noexcept;
 
@@ -52,7 +57,8 @@ Index Boundary::for_each_piece(IsOn is_on, Visit visit, Close close) const noexc
         for (Index k = 0; k < n; ++k) {
             Index const face = begin + (gap == none ? k : (gap + 1 + k) % n);
             bool const on = is_on(face);
-            if (on || inside) visit(piece, point[face]);  // where a face begins, or the last of a piece ends
+            if (on || inside)
+                visit(piece, point[face]);  // where a face begins, or the last of a piece ends
             if (!on && inside) close(piece++, false);
             inside = on;
         }
@@ -61,8 +67,8 @@ Index Boundary::for_each_piece(IsOn is_on, Visit visit, Close close) const noexc
     return piece;
 }
 
-// Joins the points of a cut: edges without marker whose end points coincide bit by bit in pairs. `points` [n_points] is
-// working space. Returns how many points were joined to another.
+// Joins the points of a cut: edges without marker whose end points coincide bit by bit in pairs.
+// `points` [n_points] is working space. Returns how many points were joined to another.
 Index join_cuts(Topology& topology, Span<Index> points) noexcept;
 
 }  // namespace harmorph

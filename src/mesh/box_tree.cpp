@@ -7,7 +7,9 @@ namespace {
 
 constexpr Index leaf_items = 4;
 
-Real along(BoxTree::Entry const& entry, bool vertical) noexcept { return vertical ? entry.centre.y : entry.centre.x; }
+Real along(BoxTree::Entry const& entry, bool vertical) noexcept {
+    return vertical ? entry.centre.y : entry.centre.x;
+}
 
 void exchange(BoxTree::Entry& a, BoxTree::Entry& b) noexcept {
     BoxTree::Entry const old_a = a;
@@ -15,17 +17,19 @@ void exchange(BoxTree::Entry& a, BoxTree::Entry& b) noexcept {
     b = old_a;
 }
 
-// Hoare's selection: no entry before entry k is greater, none behind it is smaller. Sorts instead after 64 pivots,
-// where bad pivots would make the selection quadratic.
+// Hoare's selection: no entry before entry k is greater, none behind it is smaller. Sorts instead
+// after 64 pivots, where bad pivots would make the selection quadratic.
 void select(Span<BoxTree::Entry> entries, Index k, bool vertical) noexcept {
     Index low = 0, high = entries.count() - 1;
     for (Index pivots = 0; low < high; ++pivots) {
         if (pivots > 64) {
-            return sort(entries.from(low, high - low + 1), [&](BoxTree::Entry const& a, BoxTree::Entry const& b) {
-                return along(a, vertical) < along(b, vertical);
-            });
+            return sort(entries.from(low, high - low + 1),
+                        [&](BoxTree::Entry const& a, BoxTree::Entry const& b) {
+                            return along(a, vertical) < along(b, vertical);
+                        });
         }
-        Real const a = along(entries[low], vertical), b = along(entries[low + (high - low) / 2], vertical),
+        Real const a = along(entries[low], vertical),
+                   b = along(entries[low + (high - low) / 2], vertical),
                    c = along(entries[high], vertical);
         Real const pivot = larger(smaller(a, b), smaller(larger(a, b), c));
         Index i = low, j = high;

@@ -30,8 +30,9 @@ struct Nearest {
     Real squared = infinity;  // the squared distance
 };
 
-// A complete binary tree: node 1 is the root, node k has the children 2k and 2k + 1. Node j of level l contains the
-// entries n j / 2^l .. n (j + 1) / 2^l - 1, so the structure follows from n alone, without pointers.
+// A complete binary tree: node 1 is the root, node k has the children 2k and 2k + 1. Node j of
+// level l contains the entries n j / 2^l .. n (j + 1) / 2^l - 1, so the structure follows from n
+// alone, without pointers.
 struct BoxTree {
     static constexpr Index most_levels = 31;
 
@@ -47,7 +48,8 @@ struct BoxTree {
     void lay_out(Arena& arena, Index n_items) noexcept;
     void set_count(Index n_items) noexcept;  // of a tree that was laid out for at least as many
 
-    // box_of(item) for items 0 .. n-1. Ranges are halved at the median of the centres, across their larger extent.
+    // box_of(item) for items 0 .. n-1. Ranges are halved at the median of the centres, across their
+    // larger extent.
     template <class BoxOf>
     void build(BoxOf const& box_of) noexcept {
         for (Index item = 0; item < n; ++item) entry[item] = {box_of(item).centre(), item};
@@ -57,23 +59,28 @@ struct BoxTree {
             Box& leaf_box = box[leaves + leaf];
             leaf_box = {};
             Index const end = begin(levels, leaf + 1);
-            for (Index k = begin(levels, leaf); k < end; ++k) leaf_box.include(box_of(entry[k].item));
+            for (Index k = begin(levels, leaf); k < end; ++k)
+                leaf_box.include(box_of(entry[k].item));
         }
         unite();
     }
 
     // The nearest item by squared_distance(item), if it is nearer than `best`.
     template <class SquaredDistance>
-    Nearest nearest(Vec2 point, Nearest best, SquaredDistance const& squared_distance) const noexcept;
+    Nearest nearest(Vec2 point, Nearest best,
+                    SquaredDistance const& squared_distance) const noexcept;
 
 private:
-    Index begin(Index level, Index node) const noexcept { return static_cast<Index>((Offset{n} * node) >> level); }
+    Index begin(Index level, Index node) const noexcept {
+        return static_cast<Index>((Offset{n} * node) >> level);
+    }
     void halve() noexcept;
     void unite() noexcept;
 };
 
 template <class SquaredDistance>
-Nearest BoxTree::nearest(Vec2 point, Nearest best, SquaredDistance const& squared_distance) const noexcept {
+Nearest BoxTree::nearest(Vec2 point, Nearest best,
+                         SquaredDistance const& squared_distance) const noexcept {
     struct Waiting {
         Index node;
         Real squared;

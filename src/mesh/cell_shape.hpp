@@ -12,13 +12,14 @@ struct CellShape {
     Vec2 at[4];
 
     CellShape(Cell const& cell, Points points, bool reversed) noexcept : n(cell.n) {
-        for (Index k = 0; k < n; ++k) at[k] = points[reversed ? cell.point[n - 1 - k] : cell.point[k]];
+        for (Index k = 0; k < n; ++k)
+            at[k] = points[reversed ? cell.point[n - 1 - k] : cell.point[k]];
         if (n == 3) at[3] = at[0];
     }
 };
 
-// Sides from each corner to the next, and twice the signed area of each corner: the cross product of the two sides
-// there. A triangle has one area for all corners.
+// Sides from each corner to the next, and twice the signed area of each corner: the cross product
+// of the two sides there. A triangle has one area for all corners.
 struct CellCorners {
     Vec2 side[4];
     Real twice_area[4];
@@ -34,33 +35,41 @@ struct CellCorners {
     }
     // NaN if any corner's is NaN or infinite: a minimum alone may lose that, the sum does not.
     Real smallest() const noexcept {
-        Real const sum = (twice_area[0] + twice_area[1]) + (twice_area[2] + twice_area[3]), zero = sum - sum;
+        Real const sum = (twice_area[0] + twice_area[1]) + (twice_area[2] + twice_area[3]),
+                   zero = sum - sum;
         if (zero != 0) return zero;
-        return smaller(smaller(twice_area[0], twice_area[1]), smaller(twice_area[2], twice_area[3]));
+        return smaller(smaller(twice_area[0], twice_area[1]),
+                       smaller(twice_area[2], twice_area[3]));
     }
     // Of the sides: the square of the longest one.
     Real longest_square(Index n) const noexcept {
         Real const three = larger(larger(square(side[0]), square(side[1])), square(side[2]));
         return n == 3 ? three : larger(three, square(side[3]));
     }
-    // Of the corners: twice the area divided by the longer of the two sides. Corners have to be positive.
+    // Of the corners: twice the area divided by the longer of the two sides. Corners have to be
+    // positive.
     Real smallest_height(Index n) const noexcept {
         Real least = infinity;
         for (Index k = 0; k < n; ++k) {
             Index const before = k == 0 ? n - 1 : k - 1;
-            least = smaller(least, twice_area[k] / square_root(larger(square(side[before]), square(side[k]))));
+            least = smaller(
+                least, twice_area[k] / square_root(larger(square(side[before]), square(side[k]))));
         }
         return least;
     }
     // Of the whole cell.
-    Real cell_area(Index n) const noexcept { return 0.5 * (n == 3 ? twice_area[0] : twice_area[0] + twice_area[2]); }
+    Real cell_area(Index n) const noexcept {
+        return 0.5 * (n == 3 ? twice_area[0] : twice_area[0] + twice_area[2]);
+    }
 };
 
-// Of areas and squares of lengths between these, products of six are numbers, with all their digits.
+// Of areas and squares of lengths between these, products of six are numbers, with all their
+// digits.
 inline constexpr Real smallest_of_products = 0x1p-150, largest_of_products = 0x1p150;
 
-// The least height that a cell at coordinates of this size may have. A movement rounds each coordinate by up to 2^-53
-// of its size, which changes a height by no more than 2^-50 of that: 16 such changes do not turn a corner over.
+// The least height that a cell at coordinates of this size may have. A movement rounds each
+// coordinate by up to 2^-53 of its size, which changes a height by no more than 2^-50 of that: 16
+// such changes do not turn a corner over.
 inline Real resolved_height(Real size) noexcept { return larger(0x1p-46 * size, smallest_height); }
 inline Real resolved_height(CellShape const& shape) noexcept {
     Real size = 0;
@@ -69,13 +78,16 @@ inline Real resolved_height(CellShape const& shape) noexcept {
 }
 
 // A corner has no positive area, or a coordinate is not finite.
-inline bool is_inverted(CellShape const& shape) noexcept { return !(CellCorners(shape).smallest() > 0); }
+inline bool is_inverted(CellShape const& shape) noexcept {
+    return !(CellCorners(shape).smallest() > 0);
+}
 
 // The same of finite coordinates, without rounding.
 inline bool is_inverted_exactly(CellShape const& shape) noexcept {
     Index const n = shape.n;
     for (Index k = 0; k < (n == 3 ? 1 : 4); ++k) {
-        if (orientation_sign(shape.at[k == 0 ? n - 1 : k - 1], shape.at[k], shape.at[k + 1 == n ? 0 : k + 1]) <= 0)
+        if (orientation_sign(shape.at[k == 0 ? n - 1 : k - 1], shape.at[k],
+                             shape.at[k + 1 == n ? 0 : k + 1]) <= 0)
             return true;
     }
     return false;

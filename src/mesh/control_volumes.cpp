@@ -7,7 +7,8 @@ void ControlVolumes::lay_out(Arena& arena, Index n) noexcept {
     arena.take(shortest_edge, n);
 }
 
-void ControlVolumes::measure(OrientedMesh const& cells, Points points, Span<const Index> unknown_of) noexcept {
+void ControlVolumes::measure(OrientedMesh const& cells, Points points,
+                             Span<const Index> unknown_of) noexcept {
     fill(area, 0.0);
     fill(shortest_edge, infinity);
     for (Index i = 0; i < cells.mesh.n_cells; ++i) {
@@ -26,7 +27,8 @@ void ControlVolumes::measure(OrientedMesh const& cells, Points points, Span<cons
             Vec2 const behind = 0.5 * (at[k == 0 ? cell.n - 1 : k - 1] - at[k]);
             Vec2 const middle = barycentre - at[k];
             area[unknown] += 0.5 * (cross(ahead, middle) + cross(middle, behind));
-            shortest_edge[unknown] = smaller(shortest_edge[unknown], 2 * smaller(length(ahead), length(behind)));
+            shortest_edge[unknown] =
+                smaller(shortest_edge[unknown], 2 * smaller(length(ahead), length(behind)));
         }
     }
 }

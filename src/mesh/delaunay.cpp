@@ -30,7 +30,8 @@ void Triangulation::lay_out(Arena& arena, Mesh const& of) noexcept {
 
 Status Triangulation::build(Topology const& of, Fault& fault) noexcept {
     if (max_triangles(of.mesh) > static_cast<Size>(Mesh::max_cells)) {
-        return fault.refuse(Status::unsupported, "the bounded scheme can split no more than 2^28 cells, the mesh has #",
+        return fault.refuse(Status::unsupported,
+                            "the bounded scheme can split no more than 2^28 cells, the mesh has #",
                             Counts::from_zero, of.mesh.n_cells);
     }
     mesh.points = of.mesh.points;
@@ -101,7 +102,8 @@ bool Triangulation::is_delaunay(Index side) const noexcept {
 }
 
 //      end               end          Triangle `apex, begin, end` becomes `apex, begin, opposite`,
-//     / | \             /   \         triangle `opposite, end, begin` becomes `opposite, end, apex`:
+//     / | \             /   \         triangle `opposite, end, begin` becomes `opposite, end,
+//     apex`:
 // apex  |  opposite  apex --- opposite    each changes its third corner, and two of its sides.
 //     \ | /             \   /
 //     begin             begin
@@ -131,7 +133,8 @@ void Triangulation::flip_all() noexcept {
     fill(is_waiting_, std::uint8_t{0});
     for (Index triangle = mesh.n_cells; triangle-- > 0;) push(triangle);
     flips = 0;
-    // Of every edge that may have to be flipped, a triangle waits. If both do, the second to come asks.
+    // Of every edge that may have to be flipped, a triangle waits. If both do, the second to come
+    // asks.
     while (n > 0) {
         Index const triangle = waiting_[--n];
         is_waiting_[triangle] = 0;

@@ -26,7 +26,8 @@ struct Corners {
     }
     CornerKind kind(Index k) const noexcept {
         Vec2 const before = at(k) - at(previous(k)), after = at(next(k)) - at(k);
-        Real const turn = reversed ? -cross(before, after) : cross(before, after), ahead = dot(before, after);
+        Real const turn = reversed ? -cross(before, after) : cross(before, after),
+                   ahead = dot(before, after);
         if (turn > 0 && turn > Pieces::flat * ahead) return CornerKind::convex;
         return turn < 0 && -turn > Pieces::flat * ahead ? CornerKind::reflex : CornerKind::flat;
     }
@@ -59,7 +60,8 @@ Mesh PolygonDivision::lay_out(Arena& arena, Mesh const& polygons) noexcept {
 void PolygonDivision::run(Mesh const& polygons) noexcept {
     n_filled_ = 0;
     auto const corners_of = [&](Index i) {
-        const Index* const first = polygons.cell_points + (Offset{polygons.cell_start[i]} - polygons.index_base);
+        const Index* const first =
+            polygons.cell_points + (Offset{polygons.cell_start[i]} - polygons.index_base);
         Corners corners{first, polygons.cell_start[i + 1] - polygons.cell_start[i], polygons.points,
                         polygons.index_base};
         corners.orient();
@@ -88,7 +90,8 @@ void PolygonDivision::run(Mesh const& polygons) noexcept {
         Corners const corners = corners_of(i);
         if (pieces.start[i + 1] - pieces.start[i] == 1) continue;
         for (Index k = 0; k < corners.n; ++k) {
-            Index const after = corners.number[corners.next(k)], before = corners.number[corners.previous(k)];
+            Index const after = corners.number[corners.next(k)],
+                        before = corners.number[corners.previous(k)];
             pieces.kind[n_filled_ - pieces.n_pieces()] = corners.kind(k);
             add(before, corners.number[k], after, after);
         }
@@ -106,7 +109,8 @@ void PolygonDivision::add(Index a, Index b, Index c, Index d) noexcept {
     to[3] = d;
 }
 
-// The triangles of the corners i .. j are the best one at their side from j to i, and those of the corners i .. k and k
+// The triangles of the corners i .. j are the best one at their side from j to i, and those of the
+// corners i .. k and k
 // .. j on both sides of its apex k.
 template <class Corners>
 void PolygonDivision::divide(Corners const& corners) noexcept {

@@ -5,18 +5,22 @@
 namespace harmorph {
 namespace {
 
-bool comes_before(Edges::Side a, Edges::Side b) noexcept { return a.end != b.end ? a.end < b.end : a.code < b.code; }
+bool comes_before(Edges::Side a, Edges::Side b) noexcept {
+    return a.end != b.end ? a.end < b.end : a.code < b.code;
+}
 
 // Without a branch that could be mispredicted, as there is no order in which a point's sides come.
 template <Size n>
 void sort_few(Span<Edges::Side> sides) noexcept {
     std::uint64_t key[n];
     for (Size i = 0; i < n; ++i) {
-        key[i] = static_cast<std::uint64_t>(sides[i].end) << 32 | static_cast<std::uint32_t>(sides[i].code);
+        key[i] = static_cast<std::uint64_t>(sides[i].end) << 32 |
+                 static_cast<std::uint32_t>(sides[i].code);
     }
     for (Size last = n - 1; last > 0; --last) {
         for (Size i = 0; i < last; ++i) {
-            std::uint64_t const low = smaller(key[i], key[i + 1]), high = larger(key[i], key[i + 1]);
+            std::uint64_t const low = smaller(key[i], key[i + 1]),
+                                high = larger(key[i], key[i + 1]);
             key[i] = low;
             key[i + 1] = high;
         }
@@ -42,8 +46,8 @@ void sort_sides(Span<Edges::Side> sides) noexcept {
     }
 }
 
-// visit(smaller point, side) for every side of every cell. Returns the first cell that has a side of no length, or
-// none.
+// visit(smaller point, side) for every side of every cell. Returns the first cell that has a side
+// of no length, or none.
 template <class PointOf, class Visit>
 Index visit_sides(Mesh const& mesh, PointOf point_of, Visit visit) noexcept {
     return mesh.find_cell([&](Index i, Cell const& cell) {
@@ -58,8 +62,11 @@ Index visit_sides(Mesh const& mesh, PointOf point_of, Visit visit) noexcept {
 
 template <class Visit>
 Index for_each_side(Mesh const& mesh, Span<const Index> representative, Visit visit) noexcept {
-    if (representative.empty()) return visit_sides(mesh, [](Index point) { return point; }, visit);
-    return visit_sides(mesh, [&](Index point) { return representative[point]; }, visit);
+    if (representative.empty())
+        return visit_sides(
+            mesh, [](Index point) { return point; }, visit);
+    return visit_sides(
+        mesh, [&](Index point) { return representative[point]; }, visit);
 }
 
 }  // namespace
@@ -72,13 +79,15 @@ void Edges::lay_out(Arena& arena, Mesh const& mesh) noexcept {
 
 Status Edges::build(Mesh const& mesh, Span<const Index> representative, Fault& fault) noexcept {
     fill(start, Index{0});
-    Index const bad_cell = for_each_side(mesh, representative, [&](Index point, Side) { ++start[point]; });
+    Index const bad_cell =
+        for_each_side(mesh, representative, [&](Index point, Side) { ++start[point]; });
     if (bad_cell != none) {
-        return fault.refuse(Status::bad_mesh, "cell # has two corners that a cut makes one point", Counts::mesh,
-                            mesh.number(bad_cell));
+        return fault.refuse(Status::bad_mesh, "cell # has two corners that a cut makes one point",
+                            Counts::mesh, mesh.number(bad_cell));
     }
     counts_to_starts(start);
-    for_each_side(mesh, representative, [&](Index point, Side side) { first[start[point]++] = side; });
+    for_each_side(mesh, representative,
+                  [&](Index point, Side side) { first[start[point]++] = side; });
 
     n_boundary = 0;
     Index against = 0;  // sides of two cells that run the same way
@@ -99,8 +108,10 @@ Status Edges::build(Mesh const& mesh, Span<const Index> representative, Fault& f
                 ++n_boundary;
             }
             if (k < sides.size() && sides[k].end == side.end) {
-                return fault.refuse(Status::bad_mesh, "the edge between points # and @ belongs to more than two cells",
-                                    Counts::mesh, point, side.end);
+                return fault.refuse(
+                    Status::bad_mesh,
+                    "the edge between points # and @ belongs to more than two cells", Counts::mesh,
+                    point, side.end);
             }
             first[n_edges] = side;
             second[n_edges++] = other;

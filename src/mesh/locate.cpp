@@ -10,7 +10,8 @@ Real squared_distance(CellShape const& shape, Vec2 point) noexcept {
     Real least = infinity;
     bool inside = true;
     for (Index k = 0; k < shape.n; ++k) {
-        Vec2 const side = shape.at[k + 1 == shape.n ? 0 : k + 1] - shape.at[k], to_point = point - shape.at[k];
+        Vec2 const side = shape.at[k + 1 == shape.n ? 0 : k + 1] - shape.at[k],
+                   to_point = point - shape.at[k];
         if (!(cross(side, to_point) < -rounding * square(side))) continue;
         inside = false;
         Real const t = clamp(dot(to_point, side) / square(side), 0.0, 1.0);
@@ -28,8 +29,10 @@ Real longest_side(CellShape const& shape) noexcept {
 }
 
 // weight[corner] += share * barycentric coordinates in the triangle of corners a, b, c.
-void add_barycentric(CellShape const& shape, Vec2 point, Index a, Index b, Index c, Real share, Real* weight) noexcept {
-    Vec2 const ab = shape.at[b] - shape.at[a], ac = shape.at[c] - shape.at[a], ap = point - shape.at[a];
+void add_barycentric(CellShape const& shape, Vec2 point, Index a, Index b, Index c, Real share,
+                     Real* weight) noexcept {
+    Vec2 const ab = shape.at[b] - shape.at[a], ac = shape.at[c] - shape.at[a],
+               ap = point - shape.at[a];
     Real const twice_area = cross(ab, ac);
     Real const of_b = cross(ap, ac) / twice_area, of_c = cross(ab, ap) / twice_area;
     weight[a] += share * (1 - of_b - of_c);
@@ -37,7 +40,9 @@ void add_barycentric(CellShape const& shape, Vec2 point, Index a, Index b, Index
     weight[c] += share * of_c;
 }
 
-bool is_right_of(Vec2 from, Vec2 to, Vec2 point) noexcept { return cross(to - from, point - from) < 0; }
+bool is_right_of(Vec2 from, Vec2 to, Vec2 point) noexcept {
+    return cross(to - from, point - from) < 0;
+}
 
 void weigh(CellShape const& shape, Vec2 point, Real* weight) noexcept {
     if (shape.n == 3) return add_barycentric(shape, point, 0, 1, 2, 1, weight);

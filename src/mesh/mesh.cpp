@@ -12,35 +12,42 @@ Status check_cell(Mesh const& mesh, Index i, Index n, PointOf point_of, Fault& f
     for (Index k = 0; k < n; ++k) {
         Index const point = point_of(k);
         if (point < 0 || point >= mesh.n_points) {
-            return fault.refuse(Status::bad_mesh, "cell # names point @, which does not exist", Counts::mesh, i, point);
+            return fault.refuse(Status::bad_mesh, "cell # names point @, which does not exist",
+                                Counts::mesh, i, point);
         }
         for (Index earlier = 0; earlier < k; ++earlier) {
             if (point_of(earlier) != point) continue;
-            return fault.refuse(Status::bad_mesh, "cell # has point @ twice", Counts::mesh, i, point);
+            return fault.refuse(Status::bad_mesh, "cell # has point @ twice", Counts::mesh, i,
+                                point);
         }
     }
     return Status::ok;
 }
 
 Status check_cells(Mesh const& mesh, Fault& fault, Executor const& executor) noexcept {
-    if (mesh.layout == CellLayout::structured || mesh.layout == CellLayout::blocks) return Status::ok;
+    if (mesh.layout == CellLayout::structured || mesh.layout == CellLayout::blocks)
+        return Status::ok;
     if (mesh.layout == CellLayout::polygons) {
         for (Index i = 0; i < mesh.n_cells; ++i) {
-            const Index* const corner = mesh.cell_points + (Offset{mesh.cell_start[i]} - mesh.index_base);
+            const Index* const corner =
+                mesh.cell_points + (Offset{mesh.cell_start[i]} - mesh.index_base);
             auto const point_of = [&](Index k) { return from_zero(corner[k], mesh.index_base); };
-            HARMORPH_TRY(check_cell(mesh, i, mesh.cell_start[i + 1] - mesh.cell_start[i], point_of, fault));
+            HARMORPH_TRY(
+                check_cell(mesh, i, mesh.cell_start[i + 1] - mesh.cell_start[i], point_of, fault));
         }
         return Status::ok;
     }
     Index const i = find_in_ranges(mesh.n_cells, executor, [&](Index begin, Index end) {
         Fault any;
         return mesh.find_cell(begin, end, [&](Index number, Cell const& cell) {
-            return failed(check_cell(mesh, number, cell.n, [&](Index k) { return cell.point[k]; }, any));
+            return failed(check_cell(
+                mesh, number, cell.n, [&](Index k) { return cell.point[k]; }, any));
         });
     });
     if (i == none) return Status::ok;
     Cell const bad = mesh.cell(i);
-    return check_cell(mesh, i, bad.n, [&](Index k) { return bad.point[k]; }, fault);
+    return check_cell(
+        mesh, i, bad.n, [&](Index k) { return bad.point[k]; }, fault);
 }
 
 // Sums that no array's length contradicts, and no overflow.
@@ -49,18 +56,21 @@ Status check_blocks(Mesh const& mesh, Fault& fault) noexcept {
     for (Index b = 0; b < mesh.n_blocks; ++b) {
         Offset const ni = mesh.block_sizes[2 * b], nj = mesh.block_sizes[2 * b + 1];
         if (ni < 2 || nj < 2 || ni * nj > Mesh::max_points) {
-            return fault.refuse(Status::bad_mesh, "block # (from 0) has ni or nj below 2, or more than 2^30 points",
+            return fault.refuse(Status::bad_mesh,
+                                "block # (from 0) has ni or nj below 2, or more than 2^30 points",
                                 Counts::from_zero, b);
         }
         points += ni * nj;
         cells += (ni - 1) * (nj - 1);
     }
     if (points != mesh.n_points) {
-        return fault.refuse(Status::bad_mesh, "the blocks have ~ points together, but mesh.n_points is #",
+        return fault.refuse(Status::bad_mesh,
+                            "the blocks have ~ points together, but mesh.n_points is #",
                             Counts::from_zero, mesh.n_points, none, static_cast<Real>(points));
     }
     if (cells != mesh.n_cells) {
-        return fault.refuse(Status::bad_mesh, "the blocks have ~ cells together, but mesh.n_cells is #",
+        return fault.refuse(Status::bad_mesh,
+                            "the blocks have ~ cells together, but mesh.n_cells is #",
                             Counts::from_zero, mesh.n_cells, none, static_cast<Real>(cells));
     }
     return Status::ok;
@@ -70,14 +80,17 @@ Status check_boundary(Mesh const& mesh, Fault& fault) noexcept {
     if (mesh.n_faces > 0 && (mesh.face_points == nullptr || mesh.face_markers == nullptr)) {
         return fault.refuse(Status::bad_argument, "mesh.face_points or mesh.face_markers is NULL");
     }
-    if (mesh.n_lists > 0 &&
-        (mesh.list_start == nullptr || mesh.list_points == nullptr || mesh.list_markers == nullptr)) {
-        return fault.refuse(Status::bad_argument, "mesh.list_start, list_points or list_markers is NULL");
+    if (mesh.n_lists > 0 && (mesh.list_start == nullptr || mesh.list_points == nullptr ||
+                             mesh.list_markers == nullptr)) {
+        return fault.refuse(Status::bad_argument,
+                            "mesh.list_start, list_points or list_markers is NULL");
     }
     for (Index list = 0; list < mesh.n_lists; ++list) {
-        if (mesh.list_start[0] != mesh.index_base || mesh.list_start[list + 1] < mesh.list_start[list]) {
+        if (mesh.list_start[0] != mesh.index_base ||
+            mesh.list_start[list + 1] < mesh.list_start[list]) {
             return fault.refuse(Status::bad_mesh,
-                                "mesh.list_start must begin with index_base and never decrease; see list # (from 0)",
+                                "mesh.list_start must begin with index_base and never decrease; "
+                                "see list # (from 0)",
                                 Counts::from_zero, list);
         }
     }
@@ -86,8 +99,9 @@ Status check_boundary(Mesh const& mesh, Fault& fault) noexcept {
         for (Index point : ends) {
             if (point >= 0 && point < mesh.n_points) continue;
             fault.refuse(Status::bad_mesh,
-                         list == none ? "boundary face # names point @, which does not exist"
-                                      : "number # of mesh.list_points is point @, which does not exist",
+                         list == none
+                             ? "boundary face # names point @, which does not exist"
+                             : "number # of mesh.list_points is point @, which does not exist",
                          Counts::mesh, number, point);
             return false;
         }
@@ -100,7 +114,8 @@ Status check_coordinates(Mesh const& mesh, Fault& fault, Executor const& executo
     if (mesh.points.x == nullptr || mesh.points.y == nullptr) {
         return fault.refuse(Status::bad_argument, "mesh.points.x or mesh.points.y is NULL");
     }
-    if (mesh.points.stride < 1) return fault.refuse(Status::bad_argument, "mesh.points.stride is negative");
+    if (mesh.points.stride < 1)
+        return fault.refuse(Status::bad_argument, "mesh.points.stride is negative");
     return check_range(mesh.points, mesh.n_points, fault, executor);
 }
 
@@ -116,20 +131,22 @@ Status check_range(Points points, Index n_points, Fault& fault, Executor const& 
     if (k == none) return Status::ok;
     Vec2 const p = points[k];
     if (!is_finite(p.x) || !is_finite(p.y)) {
-        return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite", Counts::mesh, k);
+        return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite",
+                            Counts::mesh, k);
     }
-    return fault.refuse(Status::bad_mesh, "point # has the coordinate ~; they may be as large as 1e100", Counts::mesh,
+    return fault.refuse(Status::bad_mesh,
+                        "point # has the coordinate ~; they may be as large as 1e100", Counts::mesh,
                         k, none, absolute(p.x) > absolute(p.y) ? p.x : p.y);
 }
 
 Status check_counts(Mesh const& mesh, Fault& fault) noexcept {
     if (mesh.index_base != 0 && mesh.index_base != 1) {
-        return fault.refuse(Status::bad_argument, "mesh.index_base must be 0 or 1, not #", Counts::from_zero,
-                            mesh.index_base);
+        return fault.refuse(Status::bad_argument, "mesh.index_base must be 0 or 1, not #",
+                            Counts::from_zero, mesh.index_base);
     }
     if (mesh.n_points < 3 || mesh.n_points > Mesh::max_points) {
-        return fault.refuse(Status::bad_mesh, "mesh.n_points must be between 3 and 2^30, not #", Counts::from_zero,
-                            mesh.n_points);
+        return fault.refuse(Status::bad_mesh, "mesh.n_points must be between 3 and 2^30, not #",
+                            Counts::from_zero, mesh.n_points);
     }
     bool const blocks = mesh.layout == CellLayout::blocks;
     if (mesh.n_blocks < (blocks ? 1 : 0) || mesh.n_blocks > (blocks ? Mesh::max_blocks : 0)) {
@@ -142,28 +159,33 @@ Status check_counts(Mesh const& mesh, Fault& fault) noexcept {
         return fault.refuse(Status::bad_argument, "mesh.block_sizes is NULL");
     }
     if (mesh.n_cells < 1 || mesh.n_cells > Mesh::max_cells) {
-        return fault.refuse(Status::bad_mesh, "mesh.n_cells must be between 1 and 2^29, not #", Counts::from_zero,
-                            mesh.n_cells);
+        return fault.refuse(Status::bad_mesh, "mesh.n_cells must be between 1 and 2^29, not #",
+                            Counts::from_zero, mesh.n_cells);
     }
     bool const mixed = mesh.layout == CellLayout::mixed;
     if (mesh.n_quads < 0 || mesh.n_quads > (mixed ? mesh.n_cells : 0)) {
-        return fault.refuse(Status::bad_argument,
-                            mixed ? "mesh.n_quads must be between 0 and n_cells, not #"
-                                  : "mesh.n_quads is #, but only HM_CELLS_MIXED has quads in an array of their own",
-                            Counts::from_zero, mesh.n_quads);
+        return fault.refuse(
+            Status::bad_argument,
+            mixed ? "mesh.n_quads must be between 0 and n_cells, not #"
+                  : "mesh.n_quads is #, but only HM_CELLS_MIXED has quads in an array of their own",
+            Counts::from_zero, mesh.n_quads);
     }
     if (mesh.n_faces < 0 || mesh.n_lists < 0) {
-        return fault.refuse(Status::bad_argument, "mesh.n_faces and mesh.n_lists must not be negative");
+        return fault.refuse(Status::bad_argument,
+                            "mesh.n_faces and mesh.n_lists must not be negative");
     }
     return Status::ok;
 }
 
-// Cells whose points begin at cell_start[i]: 3 to most_corners of them, or the refusal says how many.
-Status check_rows(Mesh const& mesh, Index most_corners, const char* refusal, Fault& fault) noexcept {
-    if (mesh.cell_start == nullptr) return fault.refuse(Status::bad_argument, "mesh.cell_start is NULL");
+// Cells whose points begin at cell_start[i]: 3 to most_corners of them, or the refusal says how
+// many.
+Status check_rows(Mesh const& mesh, Index most_corners, const char* refusal,
+                  Fault& fault) noexcept {
+    if (mesh.cell_start == nullptr)
+        return fault.refuse(Status::bad_argument, "mesh.cell_start is NULL");
     if (mesh.cell_start[0] != mesh.index_base) {
-        return fault.refuse(Status::bad_mesh, "mesh.cell_start must begin with index_base, not #", Counts::from_zero,
-                            mesh.cell_start[0]);
+        return fault.refuse(Status::bad_mesh, "mesh.cell_start must begin with index_base, not #",
+                            Counts::from_zero, mesh.cell_start[0]);
     }
     for (Index i = 0; i < mesh.n_cells; ++i) {
         Offset const n = Offset{mesh.cell_start[i + 1]} - mesh.cell_start[i];
@@ -176,7 +198,8 @@ Status check_rows(Mesh const& mesh, Index most_corners, const char* refusal, Fau
 // The polygons are counted before the arrays of their triangles are laid out.
 Status check_polygons(Mesh const& mesh, Fault& fault) noexcept {
     if (mesh.layout != CellLayout::polygons) return Status::ok;
-    HARMORPH_TRY(check_rows(mesh, Mesh::most_corners, "polygon # has ~ points; 3 to 1024 are possible", fault));
+    HARMORPH_TRY(check_rows(mesh, Mesh::most_corners,
+                            "polygon # has ~ points; 3 to 1024 are possible", fault));
     if (mesh.n_corners() <= Mesh::max_cells) return Status::ok;
     return fault.refuse(Status::bad_mesh, "the polygons have more than 2^29 corners together");
 }
@@ -184,12 +207,14 @@ Status check_polygons(Mesh const& mesh, Fault& fault) noexcept {
 Status check_layout(Mesh const& mesh, Fault& fault) noexcept {
     if (mesh.layout == CellLayout::structured) {
         if (mesh.ni < 2 || mesh.nj < 2 || Offset{mesh.ni} * mesh.nj != mesh.n_points) {
-            return fault.refuse(Status::bad_mesh,
-                                "a structured block needs ni, nj >= 2 and ni*nj = n_points; ni is #, nj is @",
-                                Counts::from_zero, mesh.ni, mesh.nj);
+            return fault.refuse(
+                Status::bad_mesh,
+                "a structured block needs ni, nj >= 2 and ni*nj = n_points; ni is #, nj is @",
+                Counts::from_zero, mesh.ni, mesh.nj);
         }
         if (Offset{mesh.ni - 1} * (mesh.nj - 1) != mesh.n_cells) {
-            return fault.refuse(Status::bad_mesh, "a structured block has (ni-1)*(nj-1) cells, mesh.n_cells says #",
+            return fault.refuse(Status::bad_mesh,
+                                "a structured block has (ni-1)*(nj-1) cells, mesh.n_cells says #",
                                 Counts::from_zero, mesh.n_cells);
         }
         return Status::ok;

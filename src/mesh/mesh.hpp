@@ -1,5 +1,5 @@
-// The caller's mesh as it stands in the caller's arrays: cells in any of seven layouts; boundary as faces, point
-// lists, or sides of blocks. Polygons become a mesh of their pieces, see pieces.hpp.
+// The caller's mesh as it stands in the caller's arrays: cells in any of seven layouts; boundary as
+// faces, point lists, or sides of blocks. Polygons become a mesh of their pieces, see pieces.hpp.
 #pragma once
 
 #include "base/executor.hpp"
@@ -9,7 +9,13 @@
 namespace harmorph {
 
 enum class CellLayout : std::int32_t {
-    rows = 0, triangles = 1, quads = 2, structured = 3, mixed = 4, blocks = 5, polygons = 6
+    rows = 0,
+    triangles = 1,
+    quads = 2,
+    structured = 3,
+    mixed = 4,
+    blocks = 5,
+    polygons = 6
 };
 
 // What the corner of a polygon was before anything moved.
@@ -31,10 +37,11 @@ struct Cell {
     }
 };
 
-// The caller's number counted from 0. Whatever the caller gives, this does not overflow: the smallest number of all
-// becomes the largest, which does not exist either.
+// The caller's number counted from 0. Whatever the caller gives, this does not overflow: the
+// smallest number of all becomes the largest, which does not exist either.
 constexpr Index from_zero(Index number, Index index_base) noexcept {
-    return static_cast<Index>(static_cast<std::uint32_t>(number) - static_cast<std::uint32_t>(index_base));
+    return static_cast<Index>(static_cast<std::uint32_t>(number) -
+                              static_cast<std::uint32_t>(index_base));
 }
 
 struct BoundaryFace {
@@ -50,13 +57,19 @@ struct GridBlock {
     Index n_points() const noexcept { return ni * nj; }
     Index n_cells() const noexcept { return (ni - 1) * (nj - 1); }
     Cell cell(Index i) const noexcept {  // i counts from the first cell of the block
-        Index const corner = first_point + i + i / (ni - 1);  // a row of cells has one cell less than points
+        Index const corner =
+            first_point + i + i / (ni - 1);  // a row of cells has one cell less than points
         return {4, {corner, corner + 1, corner + 1 + ni, corner + ni}};
     }
     // Edges along a side, and their ends. Sides: i = 0, i = ni-1, j = 0, j = nj-1.
     Index edges_along(Index side) const noexcept { return (side < 2 ? nj : ni) - 1; }
     Index point_along(Index side, Index k) const noexcept {
-        Index const i = side == 0 ? 0 : side == 1 ? ni - 1 : k, j = side == 2 ? 0 : side == 3 ? nj - 1 : k;
+        Index const i = side == 0   ? 0
+                        : side == 1 ? ni - 1
+                                    : k,
+                    j = side == 2   ? 0
+                        : side == 3 ? nj - 1
+                                    : k;
         return first_point + i + ni * j;
     }
 };
@@ -69,10 +82,10 @@ struct Mesh {
     Index n_cells = 0;
     const Index* cell_start = nullptr;
     const Index* cell_points = nullptr;
-    Index n_quads = 0;                   // mixed: the last cells, after the triangles
+    Index n_quads = 0;  // mixed: the last cells, after the triangles
     const Index* quad_points = nullptr;
     Index ni = 0, nj = 0;
-    Index n_blocks = 0;                  // blocks: ni, nj of each, and the markers of its four sides
+    Index n_blocks = 0;  // blocks: ni, nj of each, and the markers of its four sides
     const Index* block_sizes = nullptr;
     const Index* block_markers = nullptr;
     Index n_faces = 0;
@@ -85,27 +98,33 @@ struct Mesh {
     Index n_given = 0;                   // pieces of polygons: how many polygons
     const Index* piece_start = nullptr;  // where the pieces of each begin
     const Index* guard_start = nullptr;  // where the guards of each begin
-    Index n_guards = 0;                  // triangles behind the cells whose areas must be positive, too
+    Index n_guards = 0;  // triangles behind the cells whose areas must be positive, too
     const CornerKind* guard_kind = nullptr;  // [n_guards]
 
-    static constexpr Index most_corners = 1024;    // of a polygon
+    static constexpr Index most_corners = 1024;  // of a polygon
     static constexpr Index max_blocks = Index{1} << 16;
     static constexpr Index no_marker = INT32_MIN;  // in block_markers
     static constexpr Index max_points = Index{1} << 30;
-    static constexpr Index max_cells = Index{1} << 29;  // four corners of each are counted in an Index
+    static constexpr Index max_cells = Index{1}
+                                       << 29;  // four corners of each are counted in an Index
 
-    // Whatever the layout but polygons: a quad whose last point is repeated is a triangle. Guards are numbered behind
-    // the cells.
+    // Whatever the layout but polygons: a quad whose last point is repeated is a triangle. Guards
+    // are numbered behind the cells.
     Cell cell(Index i) const noexcept;
-    // The first of all cells for which is(i, cell) holds, or none. Faster than asking for cell after cell: in each of
-    // its two calls of `is` the compiler knows how many points there are, and keeps them in registers.
+    // The first of all cells for which is(i, cell) holds, or none. Faster than asking for cell
+    // after cell: in each of its two calls of `is` the compiler knows how many points there are,
+    // and keeps them in registers.
     template <class Is>
-    Index find_cell(Is is) const noexcept { return find_cell(0, n_cells, is); }
+    Index find_cell(Is is) const noexcept {
+        return find_cell(0, n_cells, is);
+    }
     template <class Is>
     Index find_cell(Index begin, Index end, Is is) const noexcept;
     // visit(i, cell)
     template <class Visit>
-    void for_each_cell(Visit visit) const noexcept { for_each_cell(0, n_cells, visit); }
+    void for_each_cell(Visit visit) const noexcept {
+        for_each_cell(0, n_cells, visit);
+    }
     template <class Visit>
     void for_each_cell(Index begin, Index end, Visit visit) const noexcept {
         find_cell(begin, end, [&](Index i, Cell const& its) { return visit(i, its), false; });
@@ -118,8 +137,12 @@ struct Mesh {
     Index number(Index i) const noexcept;
     // One of several pieces of a cell, or a guard.
     bool is_part(Index i) const noexcept;
-    Offset n_corners() const noexcept { return Offset{cell_start[n_cells]} - index_base; }  // polygons
-    Index max_pieces() const noexcept { return static_cast<Index>(n_corners() - 2 * Offset{n_cells}); }
+    Offset n_corners() const noexcept {
+        return Offset{cell_start[n_cells]} - index_base;
+    }  // polygons
+    Index max_pieces() const noexcept {
+        return static_cast<Index>(n_corners() - 2 * Offset{n_cells});
+    }
     // Upper bound of the number of cell sides, from the counts alone.
     Size max_sides() const noexcept { return Size{4} * static_cast<Size>(n_cells); }
 
@@ -127,8 +150,8 @@ struct Mesh {
     template <class Visit>
     GridBlock find_block(Visit visit) const noexcept;
 
-    // Faces, then the segments of the lists, then the sides of blocks. visit(face, list or none, its number among its
-    // kind) may stop with false.
+    // Faces, then the segments of the lists, then the sides of blocks. visit(face, list or none,
+    // its number among its kind) may stop with false.
     template <class Visit>
     bool for_each_face(Visit visit) const noexcept;
 };
@@ -137,7 +160,8 @@ struct Mesh {
 Real cell_area(Cell const& cell, Points points) noexcept;
 
 // Of coordinates that come with a call: finite, and no larger than the arithmetic carries.
-Status check_range(Points points, Index n_points, Fault& fault, Executor const& executor = {}) noexcept;
+Status check_range(Points points, Index n_points, Fault& fault,
+                   Executor const& executor = {}) noexcept;
 
 // Ranges of the counts alone: all that a size query may look at.
 Status check_counts(Mesh const& mesh, Fault& fault) noexcept;
@@ -146,14 +170,15 @@ Status check_polygons(Mesh const& mesh, Fault& fault) noexcept;
 // Cell lists or block dimensions: where each cell's points are; not yet which.
 Status check_layout(Mesh const& mesh, Fault& fault) noexcept;
 
-// Counts, pointers, indices, repeated points in a cell, coordinates: everything that needs no neighbourhood.
+// Counts, pointers, indices, repeated points in a cell, coordinates: everything that needs no
+// neighbourhood.
 Status check_mesh(Mesh const& mesh, Fault& fault, Executor const& executor = {}) noexcept;
 
 inline Cell Mesh::cell(Index i) const noexcept {
     if (layout == CellLayout::structured) return GridBlock{ni, nj, 0, 0}.cell(i);
     if (layout == CellLayout::blocks) {
-        GridBlock const its =
-            find_block([i](GridBlock const& block) { return i - block.first_cell < block.n_cells(); });
+        GridBlock const its = find_block(
+            [i](GridBlock const& block) { return i - block.first_cell < block.n_cells(); });
         return its.cell(i - its.first_cell);
     }
     const Index* first = cell_points;
@@ -168,7 +193,8 @@ inline Cell Mesh::cell(Index i) const noexcept {
         first += Offset{width} * i;
     }
     Index const c = from_zero(first[2], index_base), last = from_zero(first[width - 1], index_base);
-    return {last == c ? 3 : 4, {from_zero(first[0], index_base), from_zero(first[1], index_base), c, last}};
+    return {last == c ? 3 : 4,
+            {from_zero(first[0], index_base), from_zero(first[1], index_base), c, last}};
 }
 
 inline Index Mesh::number(Index i) const noexcept {
@@ -220,7 +246,9 @@ Index Mesh::find_cell(Index begin, Index end, Is is) const noexcept {
     for (Index i = begin; i < end; ++i) {
         Cell const its = mesh.cell(i);
         const Index(&p)[4] = its.point;
-        if (its.n == 3 ? is(i, Cell{3, {p[0], p[1], p[2]}}) : is(i, Cell{4, {p[0], p[1], p[2], p[3]}})) return i;
+        if (its.n == 3 ? is(i, Cell{3, {p[0], p[1], p[2]}})
+                       : is(i, Cell{4, {p[0], p[1], p[2], p[3]}}))
+            return i;
     }
     return none;
 }
@@ -229,12 +257,15 @@ template <class Visit>
 bool Mesh::for_each_face(Visit visit) const noexcept {
     for (Index face = 0; face < n_faces; ++face) {
         Index const* const ends = face_points + 2 * Offset{face};
-        BoundaryFace const its{from_zero(ends[0], index_base), from_zero(ends[1], index_base), face_markers[face]};
+        BoundaryFace const its{from_zero(ends[0], index_base), from_zero(ends[1], index_base),
+                               face_markers[face]};
         if (!visit(its, none, face)) return false;
     }
     for (Index list = 0; list < n_lists; ++list) {
-        for (Index k = list_start[list] - index_base; k + 1 < list_start[list + 1] - index_base; ++k) {
-            Index const begin = from_zero(list_points[k], index_base), end = from_zero(list_points[k + 1], index_base);
+        for (Index k = list_start[list] - index_base; k + 1 < list_start[list + 1] - index_base;
+             ++k) {
+            Index const begin = from_zero(list_points[k], index_base),
+                        end = from_zero(list_points[k + 1], index_base);
             if (!visit(BoundaryFace{begin, end, list_markers[list]}, list, k)) return false;
         }
     }
@@ -244,7 +275,8 @@ bool Mesh::for_each_face(Visit visit) const noexcept {
         for (Index side = 0; side < 4; ++side, ++number) {
             Index const marker = block_markers[number];
             for (Index k = 0; marker != no_marker && k < block.edges_along(side); ++k) {
-                BoundaryFace const its{block.point_along(side, k), block.point_along(side, k + 1), marker};
+                BoundaryFace const its{block.point_along(side, k), block.point_along(side, k + 1),
+                                       marker};
                 if (!visit(its, none, number)) return true;
             }
         }

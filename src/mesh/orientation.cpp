@@ -56,10 +56,13 @@ Sense common_sense(Mesh const& mesh, Real& least_height) noexcept {
         return false;
     });
     least_height = inverted == none ? (1 - rounding) * square_root(least) : 0;
-    return inverted != none ? Sense::mixed : clockwise ? Sense::clockwise : Sense::counter_clockwise;
+    return inverted != none ? Sense::mixed
+           : clockwise      ? Sense::clockwise
+                            : Sense::counter_clockwise;
 }
 
-Status orient(Topology& topology, Sense sense, OrientationWork const& work, Index& inverted, Fault& fault) noexcept {
+Status orient(Topology& topology, Sense sense, OrientationWork const& work, Index& inverted,
+              Fault& fault) noexcept {
     Mesh const& mesh = topology.mesh;
     Edges const& edges = topology.edges;
     Span<std::uint8_t> const reversed = topology.reversed;
@@ -74,9 +77,10 @@ Status orient(Topology& topology, Sense sense, OrientationWork const& work, Inde
         if (other < 0) continue;
         Index const same_direction = ((code ^ other) & 1) ^ 1;
         if (!agreement.unite(cell_of_side(code), cell_of_side(other), same_direction)) {
-            return fault.refuse(Status::bad_mesh,
-                                "cells # and @ cannot be oriented alike: the mesh has a one-sided strip",
-                                Counts::mesh, mesh.number(cell_of_side(code)), mesh.number(cell_of_side(other)));
+            return fault.refuse(
+                Status::bad_mesh,
+                "cells # and @ cannot be oriented alike: the mesh has a one-sided strip",
+                Counts::mesh, mesh.number(cell_of_side(code)), mesh.number(cell_of_side(other)));
         }
     }
     fill(work.balance, 0.0);
@@ -90,8 +94,9 @@ Status orient(Topology& topology, Sense sense, OrientationWork const& work, Inde
         bool const against_root = (root & 1) != 0;
         reversed[cell] = (work.balance[root >> 1] < 0) != against_root ? 1 : 0;
     }
-    inverted = mesh.find_cell([&](Index i,
-                                  Cell const& cell) { return is_inverted({cell, mesh.points, reversed[i] != 0}); });
+    inverted = mesh.find_cell([&](Index i, Cell const& cell) {
+        return is_inverted({cell, mesh.points, reversed[i] != 0});
+    });
     return Status::ok;
 }
 

@@ -1,4 +1,5 @@
-// Which cells run clockwise: neighbours with the same orientation traverse their common edge in opposite directions.
+// Which cells run clockwise: neighbours with the same orientation traverse their common edge in
+// opposite directions.
 #pragma once
 
 #include "base/arena.hpp"
@@ -17,9 +18,10 @@ enum class Sense : std::int32_t { mixed, counter_clockwise, clockwise };
 // least_height: out, no corner of any cell is lower; 0 where the sense is mixed.
 Sense common_sense(Mesh const& mesh, Real& least_height) noexcept;
 
-// Sets topology.reversed. sense: the cells' common one. In each connected part the sense with the larger total area is
-// the right one, so that few inverted cells do not turn the others. inverted: the first cell that has a corner of no
-// positive area then, or none.
-Status orient(Topology& topology, Sense sense, OrientationWork const& work, Index& inverted, Fault& fault) noexcept;
+// Sets topology.reversed. sense: the cells' common one. In each connected part the sense with the
+// larger total area is the right one, so that few inverted cells do not turn the others. inverted:
+// the first cell that has a corner of no positive area then, or none.
+Status orient(Topology& topology, Sense sense, OrientationWork const& work, Index& inverted,
+              Fault& fault) noexcept;
 
 }  // namespace harmorph

@@ -1,4 +1,5 @@
-// The rotation of a periodic mesh, one passage of an annulus: it maps one boundary of each rotation pair to the other.
+// The rotation of a periodic mesh, one passage of an annulus: it maps one boundary of each rotation
+// pair to the other.
 #pragma once
 
 #include "base/vec2.hpp"
@@ -16,10 +17,12 @@ struct Rotation {
         for (Index k = 0; k < absolute_of(times); ++k) out = k == 0 ? turn : product(out, turn);
         return times < 0 ? conjugate(out) : out;
     }
-    Vec2 image(Vec2 point, Index times) const noexcept { return centre + product(power(times), point - centre); }
+    Vec2 image(Vec2 point, Index times) const noexcept {
+        return centre + product(power(times), point - centre);
+    }
 
-    // Several pairs of markers may turn about the same centre by the same angle, or back: times is 1 or -1 then, and 0
-    // where they do not.
+    // Several pairs of markers may turn about the same centre by the same angle, or back: times is
+    // 1 or -1 then, and 0 where they do not.
     Index times_of(Vec2 other_centre, Vec2 other_turn) const noexcept {
         constexpr Real same_within = 1e-5;  // the precision of coordinates in files with few digits
         if (other_centre.x != centre.x || other_centre.y != centre.y) return 0;

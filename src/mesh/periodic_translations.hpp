@@ -5,7 +5,8 @@
 
 namespace harmorph {
 
-// Each translation is stored as a point and the image of this point, so that it follows the coordinates of the mesh.
+// Each translation is stored as a point and the image of this point, so that it follows the
+// coordinates of the mesh.
 struct Translations {
     // A lattice of the plane has two generators, a third may be their sum or difference
     static constexpr Index most = 3;
@@ -18,11 +19,14 @@ struct Translations {
 
     // Several pairs of markers may have the same one. False: too many.
     bool add(Index new_point, Index new_image, Points points) noexcept {
-        constexpr Real same_within = 1e-5;  // of the length: the precision of coordinates in files with few digits
+        constexpr Real same_within =
+            1e-5;  // of the length: the precision of coordinates in files with few digits
         Vec2 const shift = points[new_image] - points[new_point];
         for (Index k = 0; k < n; ++k) {
             Vec2 const known = of(k, points);
-            if (smaller(length(shift - known), length(shift + known)) <= same_within * length(known)) return true;
+            if (smaller(length(shift - known), length(shift + known)) <=
+                same_within * length(known))
+                return true;
         }
         if (n == most) return false;
         point[n] = new_point;

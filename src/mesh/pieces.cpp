@@ -33,7 +33,8 @@ Mesh Pieces::mesh(Mesh const& polygons) const noexcept {
 
 void Pieces::orient_guards(Span<std::uint8_t> reversed) const noexcept {
     for (Index i = 0; i + 1 < start.count(); ++i) {
-        for (Index guard = guard_start[i]; guard < guard_start[i + 1]; ++guard) reversed[guard] = reversed[start[i]];
+        for (Index guard = guard_start[i]; guard < guard_start[i + 1]; ++guard)
+            reversed[guard] = reversed[start[i]];
     }
 }
 

@@ -1,4 +1,5 @@
-// Cells with any number of corners as triangles and quads: the rest of the library works on these pieces.
+// Cells with any number of corners as triangles and quads: the rest of the library works on these
+// pieces.
 #pragma once
 
 #include "base/arena.hpp"
@@ -6,20 +7,22 @@
 
 namespace harmorph {
 
-// A cell of three corners, or of four convex ones, is one piece. Any other cell is divided into triangles between its
-// corners, so its sides remain edges of the mesh and its diagonals become edges. That the pieces have positive areas
-// does not bound the angles of the corners. So each corner has a guard, the triangle with its two neighbours: no
-// equation contains guards, but their areas have to stay positive, too, for flat and reflex corners after a turn, see
-// guard_shape.hpp. Points as in CellLayout::quads, four for each, a triangle repeats its last point; the corner of a
+// A cell of three corners, or of four convex ones, is one piece. Any other cell is divided into
+// triangles between its corners, so its sides remain edges of the mesh and its diagonals become
+// edges. That the pieces have positive areas does not bound the angles of the corners. So each
+// corner has a guard, the triangle with its two neighbours: no equation contains guards, but their
+// areas have to stay positive, too, for flat and reflex corners after a turn, see guard_shape.hpp.
+// Points as in CellLayout::quads, four for each, a triangle repeats its last point; the corner of a
 // guard is its second point. Guards stand behind all pieces.
 struct Pieces {
     // Exterior angles whose tangent is not above this, nor below its negative, are flat.
     static constexpr Real flat = 0.125;
 
-    Span<Index> start;        // [cells + 1] first piece of each cell
-    Span<Index> guard_start;  // [cells + 1] first guard of each cell, counted on from the last piece
-    Span<Index> point;        // [4 * (pieces + guards)] in the numbering of the mesh
-    Span<CornerKind> kind;    // [guards]
+    Span<Index> start;  // [cells + 1] first piece of each cell
+    Span<Index>
+        guard_start;        // [cells + 1] first guard of each cell, counted on from the last piece
+    Span<Index> point;      // [4 * (pieces + guards)] in the numbering of the mesh
+    Span<CornerKind> kind;  // [guards]
 
     bool given() const noexcept { return !start.empty(); }
     Index n_pieces() const noexcept { return start[start.size() - 1]; }
@@ -33,13 +36,15 @@ struct Pieces {
     void orient_guards(Span<std::uint8_t> reversed) const noexcept;
 };
 
-// Divides cells, such that the shape of the worst triangle (area / sum of squared sides) is the best that there is: by
-// dynamic programming over all diagonals (G. T. Klincsek, Ann. Discrete Math. 9 (1980) 121). For a polygon without
-// crossing sides, there are triangulations without any inverted or degenerate triangle.
+// Divides cells, such that the shape of the worst triangle (area / sum of squared sides) is the
+// best that there is: by dynamic programming over all diagonals (G. T. Klincsek, Ann. Discrete
+// Math. 9 (1980) 121). For a polygon without crossing sides, there are triangulations without any
+// inverted or degenerate triangle.
 struct PolygonDivision {
     Pieces pieces;
-    Span<Real> worst;   // [most corners squared] shape of the worst triangle between the corners i .. j
-    Span<Index> apex;   // the corner that its triangle at the side i, j has
+    Span<Real>
+        worst;  // [most corners squared] shape of the worst triangle between the corners i .. j
+    Span<Index> apex;  // the corner that its triangle at the side i, j has
 
     // As many pieces as there could be; returns the mesh of so many.
     Mesh lay_out(Arena& arena, Mesh const& polygons) noexcept;

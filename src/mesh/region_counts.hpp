@@ -1,4 +1,5 @@
-// Counts of points, cells (and guards) and pairs of neighbours of a mesh: bounds for any part of the mesh.
+// Counts of points, cells (and guards) and pairs of neighbours of a mesh: bounds for any part of
+// the mesh.
 #pragma once
 
 #include "mesh/topology.hpp"

@@ -6,16 +6,17 @@ namespace harmorph {
 namespace {
 
 constexpr Index most_blocks = BlockProducts<Real>::most_blocks;
-constexpr Index most_ranges = 16;    // their sums are on the stack
-constexpr Index least_blocks_to_gather = 128;   // blocks that are worth a thread
+constexpr Index most_ranges = 16;              // their sums are on the stack
+constexpr Index least_blocks_to_gather = 128;  // blocks that are worth a thread
 constexpr Real not_a_number = __builtin_nan("");
 
-// body(first block, one behind the last, i) for ranges of the points' blocks; returns the number of ranges, on which
-// the sums do not depend.
+// body(first block, one behind the last, i) for ranges of the points' blocks; returns the number of
+// ranges, on which the sums do not depend.
 template <class Body>
 Index for_block_ranges(Index n_points, Executor const& executor, Body const& body) noexcept {
     Index const blocks = blocks_of(n_points);
-    Index const ranges = executor.is_serial() ? 1 : clamp(blocks / least_blocks_to_gather, Index{1}, most_ranges);
+    Index const ranges =
+        executor.is_serial() ? 1 : clamp(blocks / least_blocks_to_gather, Index{1}, most_ranges);
     auto const bound = [&](Index i) { return static_cast<Index>(Offset{blocks} * i / ranges); };
     executor.for_each(ranges, [&](Index i) { body(bound(i), bound(i + 1), i); });
     return ranges;
@@ -48,32 +49,39 @@ struct Adder {
     void add(Span<Number> values, Index first_block, Index n_blocks, PerPoint<const Real> by,
              FixedSums& total) const noexcept {
         Offset const stride = Offset{basis.row_length()} * block_points;
-        Number* const first = values.data() + first_block * stride + Offset{part.first} * block_points;
+        Number* const first =
+            values.data() + first_block * stride + Offset{part.first} * block_points;
         ValueBlocks<Number> const blocks{first, stride, n_blocks, part.width};
         kernels.of(blocks).multiply_transposed(blocks, by, unit, total);
     }
     template <class Number>
-    void add_block(Span<Number> values, Index block, BlockGradient const& by, FixedSums& total) const noexcept {
+    void add_block(Span<Number> values, Index block, BlockGradient const& by,
+                   FixedSums& total) const noexcept {
         add(values, block, 1, {by.x, by.y}, total);
     }
 
-    // Of the points of blocks begin .. end-1. Numbers that lie side by side are read by the kernels.
+    // Of the points of blocks begin .. end-1. Numbers that lie side by side are read by the
+    // kernels.
     template <class Number>
     void add_points(Span<Number> values, Index begin, Index end, FixedSums& total) const noexcept {
-        Index const whole = by_points.stride == 1 ? smaller(end, basis.n_points() / block_points) : begin;
+        Index const whole =
+            by_points.stride == 1 ? smaller(end, basis.n_points() / block_points) : begin;
         for (Index block = begin; block < whole; block += most_blocks) {
             Index const point = block * block_points;
-            add(values, block, smaller(most_blocks, whole - block), {by_points.x + point, by_points.y + point}, total);
+            add(values, block, smaller(most_blocks, whole - block),
+                {by_points.x + point, by_points.y + point}, total);
         }
         for (Index block = whole; block < end; ++block) {
             BlockGradient by;
-            Index const point = block * block_points, n = smaller(block_points, basis.n_points() - point);
+            Index const point = block * block_points,
+                        n = smaller(block_points, basis.n_points() - point);
             for (Index i = 0; i < n; ++i) by.set(i, by_points[point + i]);
             add_block(values, block, by, total);
         }
     }
 
-    // Single-precision storage: the rows of the wall are 0 among the points' and stand in double precision apart.
+    // Single-precision storage: the rows of the wall are 0 among the points' and stand in double
+    // precision apart.
     void add_wall(FixedSums& total) const noexcept {
         Index const slots = basis.wall_point.count();
         for (Index begin = 0; begin < slots; begin += block_points) {
@@ -99,11 +107,12 @@ struct PartSums {
              FunctionPart numbers, Executor const& executor) noexcept {
         FixedSums part[most_ranges];
         Adder const adder{kernels, basis, by_points, scale.units().downwards(), numbers};
-        Index const ranges = for_block_ranges(basis.n_points(), executor, [&](Index begin, Index end, Index i) {
-            part[i] = {};
-            if (basis.in_single()) adder.add_points(basis.single, begin, end, part[i]);
-            else adder.add_points(basis.value, begin, end, part[i]);
-        });
+        Index const ranges =
+            for_block_ranges(basis.n_points(), executor, [&](Index begin, Index end, Index i) {
+                part[i] = {};
+                if (basis.in_single()) adder.add_points(basis.single, begin, end, part[i]);
+                else adder.add_points(basis.value, begin, end, part[i]);
+            });
         if (basis.in_single()) adder.add_wall(part[0]);
         Index const width = numbers.width;
         for (Index k = 0; k < width; ++k) {
@@ -115,8 +124,8 @@ struct PartSums {
     }
 };
 
-// Adds the contribution of one number of a row, summed over all points, to the gradient by the movement of its
-// function.
+// Adds the contribution of one number of a row, summed over all points, to the gradient by the
+// movement of its function.
 void add_to_gradient(Basis const& basis, Index number, BinaryScale scale, FixedSum x, FixedSum y,
                      Real* gradient) noexcept {
     Index const n = basis.n_functions(), plane = number / n;
@@ -132,7 +141,8 @@ void set_gradient(Basis const& basis, Real value, Real* gradient) noexcept {
 
 ProductKernels const& kernels_for(Basis const& basis, Executor const& executor) noexcept {
     constexpr Offset worth_asking = Offset{1} << 15;
-    return product_kernels_for(executor.kernel, Offset{basis.n_points()} * basis.row_length(), worth_asking);
+    return product_kernels_for(executor.kernel, Offset{basis.n_points()} * basis.row_length(),
+                               worth_asking);
 }
 
 template <class Body>
@@ -144,14 +154,18 @@ void for_each_part(Index row_length, Body const& body) noexcept {
 
 }  // namespace
 
-BinaryScale adjoint_scale(Basis const& basis, Points gradient_by_points, Executor const& executor) noexcept {
+BinaryScale adjoint_scale(Basis const& basis, Points gradient_by_points,
+                          Executor const& executor) noexcept {
     LargestMagnitude largest[most_ranges];
     ProductKernels const& kernels = kernels_for(basis, executor);
     for_block_ranges(basis.n_points(), executor, [&](Index first, Index behind, Index i) {
-        Index const begin = first * block_points, end = smaller(behind * block_points, basis.n_points());
+        Index const begin = first * block_points,
+                    end = smaller(behind * block_points, basis.n_points());
         if (gradient_by_points.stride == 1) {
-            largest[i].include_bits(kernels.largest_bits(gradient_by_points.x + begin, end - begin));
-            largest[i].include_bits(kernels.largest_bits(gradient_by_points.y + begin, end - begin));
+            largest[i].include_bits(
+                kernels.largest_bits(gradient_by_points.x + begin, end - begin));
+            largest[i].include_bits(
+                kernels.largest_bits(gradient_by_points.y + begin, end - begin));
             return;
         }
         for (Index point = begin; point < end; ++point) {
@@ -164,8 +178,8 @@ BinaryScale adjoint_scale(Basis const& basis, Points gradient_by_points, Executo
     return BinaryScale::of_products(basis.header->largest, gradient.value());
 }
 
-void adjoint_sums(Basis const& basis, Points gradient_by_points, BinaryScale scale, std::int64_t* sums,
-                  Executor const& executor) noexcept {
+void adjoint_sums(Basis const& basis, Points gradient_by_points, BinaryScale scale,
+                  std::int64_t* sums, Executor const& executor) noexcept {
     Offset const n = basis.row_length();
     for (Offset k = 0; k < adjoint_sums_count(basis.row_length()); ++k) sums[k] = 0;
     if (!scale.finite()) return;
@@ -182,7 +196,8 @@ void adjoint_sums(Basis const& basis, Points gradient_by_points, BinaryScale sca
     });
 }
 
-void adjoint_finish(Basis const& basis, BinaryScale scale, const std::int64_t* sums, Real* gradient) noexcept {
+void adjoint_finish(Basis const& basis, BinaryScale scale, const std::int64_t* sums,
+                    Real* gradient) noexcept {
     if (!scale.finite()) return set_gradient(basis, not_a_number, gradient);
     Offset const n = basis.row_length();
     set_gradient(basis, 0, gradient);
@@ -192,7 +207,8 @@ void adjoint_finish(Basis const& basis, BinaryScale scale, const std::int64_t* s
     }
 }
 
-void adjoint_morph(Basis const& basis, Points gradient_by_points, Real* gradient, Executor const& executor) noexcept {
+void adjoint_morph(Basis const& basis, Points gradient_by_points, Real* gradient,
+                   Executor const& executor) noexcept {
     BinaryScale const scale = adjoint_scale(basis, gradient_by_points, executor);
     if (!scale.finite()) return set_gradient(basis, not_a_number, gradient);
     set_gradient(basis, 0, gradient);

@@ -21,17 +21,20 @@ Real smallest_positive_root(Real a, Real b, Real c) noexcept {
     if (discriminant < -4 * epsilon * b * b) return infinity;
     // But for rounding, an area that touches 0 has a root there
     Real const root = square_root(larger(discriminant, 0.0));
-    if (b <= 0) return 2 * c / (root - b);   // a > 0: the smaller of two positive roots; a < 0: the only one
+    if (b <= 0)
+        return 2 * c / (root - b);  // a > 0: the smaller of two positive roots; a < 0: the only one
     return a < 0 ? -(b + root) / (2 * a) : infinity;
 }
 
-void AdmissibleStep::add(OrientedMesh const& cells, CellPlaces const& places, CellBatches const& batches,
-                         std::uint64_t triangles, std::uint64_t quads) noexcept {
+void AdmissibleStep::add(OrientedMesh const& cells, CellPlaces const& places,
+                         CellBatches const& batches, std::uint64_t triangles,
+                         std::uint64_t quads) noexcept {
     if ((triangles | quads) == 0) return;
     batches.for_each([&](Index number, bool is_triangle, Index i) {
         if (((is_triangle ? triangles : quads) >> i & 1) == 0) return;
         Cell const its = cells.cell(number);
-        add(number, its.n, CellCorners({its, places.at, false}), CellCorners({its, places.change, false}));
+        add(number, its.n, CellCorners({its, places.at, false}),
+            CellCorners({its, places.change, false}));
     });
 }
 
@@ -44,16 +47,19 @@ AdmissibleStep admissible_step(OrientedMesh const& cells, Points points, Points 
             AdmissibleStep limit;
             for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
                 CellBounds const bounds = {limit.step};
-                std::uint64_t const triangles = kernels.triangles(batches.triangles, places, bounds, nullptr);
-                limit.add(cells, places, batches, triangles, kernels.quads(batches.quads, places, bounds, nullptr));
+                std::uint64_t const triangles =
+                    kernels.triangles(batches.triangles, places, bounds, nullptr);
+                limit.add(cells, places, batches, triangles,
+                          kernels.quads(batches.quads, places, bounds, nullptr));
             });
             result = limit;
         });
-    of_all.merge(reduce_cells<AdmissibleStep>(cells.mesh.n_guards, executor, [&](Index guard, AdmissibleStep& result) {
-        Index const i = cells.mesh.n_cells + guard;
-        CellShape const now = shape_of(cells, i, points);
-        result.add(i, now.n, CellCorners(now), CellCorners(shape_of(cells, i, displacement)));
-    }));
+    of_all.merge(reduce_cells<AdmissibleStep>(
+        cells.mesh.n_guards, executor, [&](Index guard, AdmissibleStep& result) {
+            Index const i = cells.mesh.n_cells + guard;
+            CellShape const now = shape_of(cells, i, points);
+            result.add(i, now.n, CellCorners(now), CellCorners(shape_of(cells, i, displacement)));
+        }));
     return of_all;
 }
 

@@ -9,13 +9,15 @@ namespace harmorph {
 
 struct AdmissibleStep {
     Real step = infinity;
-    Index cell = none, corner = none;  // of `cell` (or guard), the corner whose area becomes 0 first
+    Index cell = none,
+          corner = none;  // of `cell` (or guard), the corner whose area becomes 0 first
 
     // Of `number`, a cell or guard of n points that moves from `now` by `change`.
-    inline void add(Index number, Index n, CellCorners const& now, CellCorners const& change) noexcept;
+    inline void add(Index number, Index n, CellCorners const& now,
+                    CellCorners const& change) noexcept;
     // Of some batches, the cells whose bits are set in the shape's number.
-    void add(OrientedMesh const& cells, CellPlaces const& places, CellBatches const& batches, std::uint64_t triangles,
-             std::uint64_t quads) noexcept;
+    void add(OrientedMesh const& cells, CellPlaces const& places, CellBatches const& batches,
+             std::uint64_t triangles, std::uint64_t quads) noexcept;
     void merge(AdmissibleStep const& later) noexcept {
         if (later.step < step) *this = later;
     }
@@ -24,14 +26,17 @@ struct AdmissibleStep {
 // Smallest s > 0 with c + b s + a s^2 = 0, where c > 0; infinite if there is none.
 Real smallest_positive_root(Real a, Real b, Real c) noexcept;
 
-// Of a triangle. In a needle, the area as a product of its two long sides would have lost the digits of the short one.
+// Of a triangle. In a needle, the area as a product of its two long sides would have lost the
+// digits of the short one.
 inline Index corner_between_shorter_sides(CellCorners const& corners) noexcept {
-    Real const length[] = {square(corners.side[0]), square(corners.side[1]), square(corners.side[2])};
+    Real const length[] = {square(corners.side[0]), square(corners.side[1]),
+                           square(corners.side[2])};
     if (length[0] >= length[1] && length[0] >= length[2]) return 2;
     return length[1] >= length[2] ? 0 : 1;
 }
 
-inline void AdmissibleStep::add(Index number, Index n, CellCorners const& now, CellCorners const& change) noexcept {
+inline void AdmissibleStep::add(Index number, Index n, CellCorners const& now,
+                                CellCorners const& change) noexcept {
     Index const first = n == 3 ? corner_between_shorter_sides(now) : 0, n_areas = n == 3 ? 1 : 4;
     for (Index k = first; k < first + n_areas; ++k) {
         Index const before = k == 0 ? n - 1 : k - 1;
@@ -39,16 +44,18 @@ inline void AdmissibleStep::add(Index number, Index n, CellCorners const& now, C
         Vec2 const out = now.side[k], out_moves = change.side[k];
         Real const area = cross(in, out), slope = cross(in, out_moves) + cross(in_moves, out);
         Real const curvature = cross(in_moves, out_moves);
-        // Most corners cannot become 0 before the limit so far: area + slope s - |curvature| s^2 > 0 there.
+        // Most corners cannot become 0 before the limit so far: area + slope s - |curvature| s^2 >
+        // 0 there.
         if (area > 0 && is_finite(area) && step < infinity &&
-            area + step * (smaller(slope, 0.0) + step * smaller(curvature, 0.0)) > 0) continue;
+            area + step * (smaller(slope, 0.0) + step * smaller(curvature, 0.0)) > 0)
+            continue;
         Real const its = area > 0 ? smallest_positive_root(curvature, slope, area) : 0;
         if (its < step) *this = {its, number, k};
     }
 }
 
-// Smallest s >= 0 at which a corner of points + s displacement has no positive area: the smallest non-negative root of
-// the corners' quadratics.
+// Smallest s >= 0 at which a corner of points + s displacement has no positive area: the smallest
+// non-negative root of the corners' quadratics.
 AdmissibleStep admissible_step(OrientedMesh const& cells, Points points, Points displacement,
                                Executor const& executor) noexcept;
 

@@ -1,4 +1,5 @@
-// Assesses a displacement in one pass over the cells: the admissible step, and the quality of the displaced mesh.
+// Assesses a displacement in one pass over the cells: the admissible step, and the quality of the
+// displaced mesh.
 #pragma once
 
 #include "morph/admissible_step.hpp"

@@ -46,18 +46,23 @@ struct Collector {
         });
         if (batches.n > 0) visit(user, batches);
     }
-    // n cells of `width` points each; `points`: those of cell first. As they stand, if they are alike.
+    // n cells of `width` points each; `points`: those of cell first. As they stand, if they are
+    // alike.
     template <Index width>
     void take(const Index* points, Index first, Index n) noexcept {
         bool reversed = false;
-        if (!run_alike(cells.reversed.data() + first, n, reversed) || (width == 4 && !have_four_points(points, n))) {
+        if (!run_alike(cells.reversed.data() + first, n, reversed) ||
+            (width == 4 && !have_four_points(points, n))) {
             return copy_one_by_one(first, first + n);
         }
-        // While the kernels compute, the points of the next cells come from memory; no harm where there are none.
-        for (Index k = 0; k < width * CellBatches::most; k += 16) __builtin_prefetch(points + width * n + k);
+        // While the kernels compute, the points of the next cells come from memory; no harm where
+        // there are none.
+        for (Index k = 0; k < width * CellBatches::most; k += 16)
+            __builtin_prefetch(points + width * n + k);
         visit_list<width>({points, n, cells.mesh.index_base, reversed}, first);
     }
-    // Of cells first .. end-1, those that stand in a list of `width` points for each, which begins with cell begin.
+    // Of cells first .. end-1, those that stand in a list of `width` points for each, which begins
+    // with cell begin.
     template <Index width>
     void take_list(const Index* points, Index begin, Index first, Index end) noexcept {
         for (Index n = 0; first < end; first += n) {
@@ -69,8 +74,11 @@ struct Collector {
         for (Index n = 0; first < end; first += n) {
             n = smaller(CellBatches::most, end - first);
             const Index* const start = cells.mesh.cell_start + first;
-            const Index* const points = cells.mesh.cell_points + (Offset{*start} - cells.mesh.index_base);
-            Index const width = start[1] - start[0];  // 3 or 4, as of all rows: their sum tells whether they are alike
+            const Index* const points =
+                cells.mesh.cell_points + (Offset{*start} - cells.mesh.index_base);
+            Index const width =
+                start[1] -
+                start[0];  // 3 or 4, as of all rows: their sum tells whether they are alike
             __builtin_prefetch(start + 2 * n);
             if (start[n] - start[0] != n * width) {
                 copy_one_by_one(first, first + n);
@@ -85,7 +93,8 @@ struct Collector {
     void take_grid(Index begin, Index end) noexcept {
         Index points[4 * CellBatches::most], n = 0;
         auto const take_block = [&](GridBlock const& block) {
-            Index const last = smaller(end, block.first_cell + block.n_cells()), width = block.ni - 1;
+            Index const last = smaller(end, block.first_cell + block.n_cells()),
+                        width = block.ni - 1;
             for (Index i = larger(begin, block.first_cell), added = 0; i < last; i += added) {
                 Index const its = i - block.first_cell, left_in_row = width - its % width;
                 added = smaller(smaller(last - i, left_in_row), CellBatches::most - n);
@@ -111,7 +120,8 @@ struct Collector {
     // n quadrilaterals, points counted from 0.
     void take_quads(const Index* points, Index first, Index n) noexcept {
         bool reversed = false;
-        if (!run_alike(cells.reversed.data() + first, n, reversed)) return copy_one_by_one(first, first + n);
+        if (!run_alike(cells.reversed.data() + first, n, reversed))
+            return copy_one_by_one(first, first + n);
         visit_list<4>({points, n, 0, reversed}, first);
     }
     template <Index width>
@@ -149,7 +159,8 @@ void for_each_batch(OrientedMesh const& cells, Index begin, Index end,
 
 CellKernels const& cell_kernels(Kernel known, Index n_cells) noexcept {
     constexpr Index worth_asking = 4096;  // below, CPUID costs more time than a better kernel saves
-    return simd::table_of<CellKernels>(resolved(known, n_cells < worth_asking ? Kernel::baseline : Kernel::automatic));
+    return simd::table_of<CellKernels>(
+        resolved(known, n_cells < worth_asking ? Kernel::baseline : Kernel::automatic));
 }
 
 }  // namespace harmorph

@@ -1,5 +1,6 @@
-// Cells in batches, for kernels that look at several cells at a time: corner areas, quality, and whether a displacement
-// can invert them. A list holds cells of one shape, so that the kernels have no branches.
+// Cells in batches, for kernels that look at several cells at a time: corner areas, quality, and
+// whether a displacement can invert them. A list holds cells of one shape, so that the kernels have
+// no branches.
 #pragma once
 
 #include "mesh/cell_shape.hpp"
@@ -13,7 +14,7 @@ struct CellList {
     const Index* point = nullptr;  // [n x 3] or [n x 4]
     Index n = 0;
     Index index_base = 0;
-    bool reversed = false;         // all cells run clockwise
+    bool reversed = false;  // all cells run clockwise
 };
 
 // Up to `most` consecutive cells, by shape.
@@ -22,7 +23,8 @@ struct CellBatches {
     Index first = 0, n = 0;
     CellList triangles, quads;
 
-    // visit(cell, is it a triangle?, its number in the list of its shape) in the order of the cells.
+    // visit(cell, is it a triangle?, its number in the list of its shape) in the order of the
+    // cells.
     template <class Visit>
     void for_each(Visit const& visit) const noexcept {
         if (triangles.n == 0 || quads.n == 0) {
@@ -30,7 +32,8 @@ struct CellBatches {
             return;
         }
         Index next[2] = {};
-        for (Index i = 0; i < n; ++i) visit(first + i, is_triangle[i], next[is_triangle[i] ? 1 : 0]++);
+        for (Index i = 0; i < n; ++i)
+            visit(first + i, is_triangle[i], next[is_triangle[i] ? 1 : 0]++);
     }
 
     // Copies cells one by one, counter-clockwise.
@@ -41,7 +44,8 @@ struct CellBatches {
         quads = {quad_point, 0, 0, false};
     }
     void add_copy(Cell const& cell, bool reversed) noexcept {
-        Index* const to = cell.n == 3 ? triangle_point + 3 * triangles.n++ : quad_point + 4 * quads.n++;
+        Index* const to =
+            cell.n == 3 ? triangle_point + 3 * triangles.n++ : quad_point + 4 * quads.n++;
         for (Index k = 0; k < cell.n; ++k) to[k] = cell.point[reversed ? cell.n - 1 - k : k];
         is_triangle[n++] = cell.n == 3;
     }
@@ -65,8 +69,8 @@ struct CellPlaces {
     }
 };
 
-// What other cells have shown so far: the smallest step at which one of them inverts, twice the smallest corner area,
-// the smallest quality.
+// What other cells have shown so far: the smallest step at which one of them inverts, twice the
+// smallest corner area, the smallest quality.
 struct CellBounds {
     Real step = infinity, twice_area = infinity, quality = infinity;
 };
@@ -75,20 +79,22 @@ struct CellBounds {
 struct ListQuality {
     static constexpr Real not_in_range = -1;
     Real twice_smallest[CellBatches::most];  // corner area; NaN where one of a quad is not finite
-    // 0 where the cell is inverted; not_in_range: to be computed for this cell by itself, as products of its areas are
-    // too large or too small for numbers.
+    // 0 where the cell is inverted; not_in_range: to be computed for this cell by itself, as
+    // products of its areas are too large or too small for numbers.
     Real quality[CellBatches::most];
-    Real sum = 0;                            // of those that are computed
-    std::uint64_t notable = 0;               // bits of cells: inverted, below a bound, or without a quality so far
+    Real sum = 0;  // of those that are computed
+    std::uint64_t notable =
+        0;  // bits of cells: inverted, below a bound, or without a quality so far
 };
 
-// Looks at a list of cells. Where they are displaced: returns the bits of the cells that have to be looked at one by
-// one, as some corner is not seen to keep a positive area up to the step. `quality`, if wanted, is that of the
-// displaced cells, compared with the cells before. All this is what CellCorners, CellMeasure, Quality::add and
-// AdmissibleStep::add compute for one cell, operation by operation; sums have the same order in all kernels. So the
-// bits are the same for all instruction sets.
-using LookAtCells = std::uint64_t(CellList const& cells, CellPlaces const& places, CellBounds const& bounds,
-                                  ListQuality* quality) noexcept;
+// Looks at a list of cells. Where they are displaced: returns the bits of the cells that have to be
+// looked at one by one, as some corner is not seen to keep a positive area up to the step.
+// `quality`, if wanted, is that of the displaced cells, compared with the cells before. All this is
+// what CellCorners, CellMeasure, Quality::add and AdmissibleStep::add compute for one cell,
+// operation by operation; sums have the same order in all kernels. So the bits are the same for all
+// instruction sets.
+using LookAtCells = std::uint64_t(CellList const& cells, CellPlaces const& places,
+                                  CellBounds const& bounds, ListQuality* quality) noexcept;
 struct CellKernels {
     LookAtCells *triangles, *quads;
 };
@@ -101,7 +107,9 @@ void for_each_batch(OrientedMesh const& cells, Index begin, Index end,
                     void (*visit)(void* user, CellBatches const& batches), void* user) noexcept;
 template <class Visit>
 void for_each_batch(OrientedMesh const& cells, Index begin, Index end, Visit visit) noexcept {
-    auto const call = [](void* user, CellBatches const& batches) { (*static_cast<Visit*>(user))(batches); };
+    auto const call = [](void* user, CellBatches const& batches) {
+        (*static_cast<Visit*>(user))(batches);
+    };
     for_each_batch(cells, begin, end, call, &visit);
 }
 

@@ -1,6 +1,6 @@
-// Areas, quality and admissible steps of several cells at a time, with the registers of one instruction set;
-// cell_batch.cpp compiles this file for each of them. The formulas are those of mesh/cell_shape, morph/quality and
-// morph/admissible_step, in the same order of operations.
+// Areas, quality and admissible steps of several cells at a time, with the registers of one
+// instruction set; cell_batch.cpp compiles this file for each of them. The formulas are those of
+// mesh/cell_shape, morph/quality and morph/admissible_step, in the same order of operations.
 #include "morph/cell_places.hpp"
 
 namespace harmorph::cell_looks::HARMORPH_SET {
@@ -26,7 +26,8 @@ struct Corners {
         if (n == 3) return twice_area[0];
         Vector const* const a = twice_area;
         Vector const sum = (a[0] + a[n_areas / 4]) + (a[n_areas / 2] + a[n_areas - 1]);
-        Vector const least = least_of(least_of(a[0], a[n_areas / 4]), least_of(a[n_areas / 2], a[n_areas - 1]));
+        Vector const least =
+            least_of(least_of(a[0], a[n_areas / 4]), least_of(a[n_areas / 2], a[n_areas - 1]));
         Vector const zero = sum - sum;
         return zero == 0 ? least : zero;
     }
@@ -35,13 +36,14 @@ struct Corners {
     }
 };
 
-// As skew_fraction() and CellMeasure::quality(). Roots come first: they go on while other things are computed. Where a
-// cell is inverted, nothing is divided by its areas: that might raise a floating-point exception. Without an area of
-// reference: skew quality.
+// As skew_fraction() and CellMeasure::quality(). Roots come first: they go on while other things
+// are computed. Where a cell is inverted, nothing is divided by its areas: that might raise a
+// floating-point exception. Without an area of reference: skew quality.
 template <Index n>
 class Qualities {
 public:
-    HARMORPH_INLINE void begin(Corners<n> const& corners, bool is_compared, Vector reference_area) noexcept {
+    HARMORPH_INLINE void begin(Corners<n> const& corners, bool is_compared,
+                               Vector reference_area) noexcept {
         Vector const zero = {}, one = zero + 1;
         Vector cell_area = corners.area(), squares[n];
 #pragma GCC unroll 4
@@ -52,7 +54,8 @@ public:
                                   : (squares[0] + squares[n / 2]) + (squares[1] + squares[n - 1]);
         smallest = corners.smallest();
         Vector size = is_compared ? most_of(reference_area, -reference_area) : smallest;
-        Vector const least = least_of(size, smallest), most = most_of(sum, size);  // one is NaN where anything is
+        Vector const least = least_of(size, smallest),
+                     most = most_of(sum, size);  // one is NaN where anything is
         regular_ = (Registers::less(zero + smallest_of_products, least) &
                     Registers::less(most, zero + largest_of_products)) == all;
         if (!regular_) {
@@ -77,7 +80,8 @@ public:
         larger_ = is_compared ? most_of(cell_area, size) : one;
     }
     HARMORPH_INLINE Vector end() const noexcept {
-        constexpr Index c = Corners<n>::n_areas / 2, d = Corners<n>::n_areas - 1, b = c / 2;  // 1, 2, 3 of 4
+        constexpr Index c = Corners<n>::n_areas / 2, d = Corners<n>::n_areas - 1,
+                        b = c / 2;  // 1, 2, 3 of 4
         Vector above, under;
         if (n == 3) {
             above = 2 * 1.7320508075688772 * area_[0];
@@ -97,13 +101,15 @@ public:
 
 private:
     bool regular_ = true;
-    Vector in_range_ = {}, larger_ = {}, mean_ = {};  // of areas: the larger of the two, the geometric mean
+    Vector in_range_ = {}, larger_ = {},
+           mean_ = {};  // of areas: the larger of the two, the geometric mean
     Vector sum_ = {}, root_[3] = {}, area_[Corners<n>::n_areas] = {};
 };
 
-// Of c + b s + a s^2: is it positive, and far from a root, for 0 <= s <= step? By its value at `step`, which is at
-// least a millionth of its terms, and at its minimum, if that comes before. 1 in the lanes where that holds, 0 in
-// others. Steps are less than 1e50, or infinite, so that nothing overflows.
+// Of c + b s + a s^2: is it positive, and far from a root, for 0 <= s <= step? By its value at
+// `step`, which is at least a millionth of its terms, and at its minimum, if that comes before. 1
+// in the lanes where that holds, 0 in others. Steps are less than 1e50, or infinite, so that
+// nothing overflows.
 HARMORPH_INLINE Vector stays_positive(Vector a, Vector b, Vector c, Real step) noexcept {
     constexpr Real most = 1e50, far = 1e-6;
     Vector const zero = {}, one = zero + 1;
@@ -119,24 +125,28 @@ HARMORPH_INLINE Vector stays_positive(Vector a, Vector b, Vector c, Real step) n
     return holds ? one : zero;
 }
 
-// Of triangles: has the product of these two sides the digits of the area? In needles it may not; those are left.
+// Of triangles: has the product of these two sides the digits of the area? In needles it may not;
+// those are left.
 template <Index n>
 HARMORPH_INLINE unsigned keeps_digits(Corners<n> const& corners) noexcept {
     Vector const product = corners.side[0].x * corners.side[1].y;
     return Registers::less(1e-9 * most_of(product, -product), corners.twice_area[0]);
 }
 
-// First a bound of all corners at once: no area is smaller than area + slope s - |curvature| s^2 with the smallest of
-// each. Then, where that is not enough for a cell, the areas themselves. Bits of the cells that are left.
+// First a bound of all corners at once: no area is smaller than area + slope s - |curvature| s^2
+// with the smallest of each. Then, where that is not enough for a cell, the areas themselves. Bits
+// of the cells that are left.
 template <Index n>
-HARMORPH_INLINE std::uint64_t limiting(Corners<n> const& now, Corners<n> const& change, Real step) noexcept {
+HARMORPH_INLINE std::uint64_t limiting(Corners<n> const& now, Corners<n> const& change,
+                                       Real step) noexcept {
     constexpr Index n_areas = Corners<n>::n_areas;
     Vector const zero = {}, *const area = now.twice_area, *const curvature = change.twice_area;
     Vector slope[n_areas], least, falls, bends, sum;
 #pragma GCC unroll 4
     for (Index k = 0; k < n_areas; ++k) {
         Index const before = now.before(k), after = now.after(k);
-        slope[k] = cross(now.side[before], change.side[after]) + cross(change.side[before], now.side[after]);
+        slope[k] = cross(now.side[before], change.side[after]) +
+                   cross(change.side[before], now.side[after]);
         sum = k == 0 ? area[k] + slope[k] : sum + (area[k] + slope[k]);
         falls = k == 0 ? slope[k] : least_of(falls, slope[k]);
         least = k == 0 ? area[k] : least_of(least, area[k]);
@@ -147,7 +157,8 @@ HARMORPH_INLINE std::uint64_t limiting(Corners<n> const& now, Corners<n> const& 
     unsigned const clear = n == 3 ? keeps_digits(now) : all;
     unsigned kept;
     if (step < infinity) {
-        kept = Registers::less(sum - sum, least + step * (falls + step * bends));  // nothing is less than NaN
+        kept = Registers::less(sum - sum,
+                               least + step * (falls + step * bends));  // nothing is less than NaN
     } else {
 #pragma GCC unroll 4
         for (Index k = 0; k < n_areas; ++k) sum += curvature[k];
@@ -157,14 +168,17 @@ HARMORPH_INLINE std::uint64_t limiting(Corners<n> const& now, Corners<n> const& 
     if (kept == all || (step >= 1e50 && step < infinity)) return ~kept & all;
     Vector stays = zero + 1;
 #pragma GCC unroll 4
-    for (Index k = 0; k < n_areas; ++k) stays *= stays_positive(curvature[k], slope[k], area[k], step);
+    for (Index k = 0; k < n_areas; ++k)
+        stays *= stays_positive(curvature[k], slope[k], area[k], step);
     return ~(kept | (Registers::less(zero, stays) & clear)) & all;
 }
 
-// Looks at as many cells as a register has lanes, from cell i of a list on. Adds their qualities to `sums`.
+// Looks at as many cells as a register has lanes, from cell i of a list on. Adds their qualities to
+// `sums`.
 template <Index n>
-HARMORPH_INLINE std::uint64_t look_at_group(Places<n> const& places, Index i, bool moves, bool is_compared,
-                                            CellBounds const& bounds, ListQuality* quality, Vector& sums) noexcept {
+HARMORPH_INLINE std::uint64_t look_at_group(Places<n> const& places, Index i, bool moves,
+                                            bool is_compared, CellBounds const& bounds,
+                                            ListQuality* quality, Vector& sums) noexcept {
     Vector const zero = {};
     Shapes<n> shapes = places.shapes(i), other = shapes;
     Corners<n> const now(shapes);
@@ -182,8 +196,9 @@ HARMORPH_INLINE std::uint64_t look_at_group(Places<n> const& places, Index i, bo
     Registers::store(quality->twice_smallest + i, smallest);
     Registers::store(quality->quality + i, its);
     sums += its > 0 ? its : zero;
-    std::uint64_t const plain = Registers::less(zero, smallest) & ~Registers::less(smallest, zero + bounds.twice_area) &
-                                ~Registers::less(its, zero + bounds.quality) & Registers::less(its, zero + infinity);
+    std::uint64_t const plain =
+        Registers::less(zero, smallest) & ~Registers::less(smallest, zero + bounds.twice_area) &
+        ~Registers::less(its, zero + bounds.quality) & Registers::less(its, zero + infinity);
     quality->notable |= (~plain & all) << i;
     return found << i;
 }
@@ -204,18 +219,22 @@ std::uint64_t look_at(CellList const& cells, CellPlaces const& its, CellBounds c
         }
 #pragma GCC unroll 1
         for (Index k = 0; k < groups; ++k) {
-            found |= look_at_group<n>(places, i + lanes * k, moves, is_compared, bounds, quality, sums[k]);
+            found |= look_at_group<n>(places, i + lanes * k, moves, is_compared, bounds, quality,
+                                      sums[k]);
         }
     }
-    std::uint64_t const given = cells.n == CellBatches::most ? ~std::uint64_t{} : (std::uint64_t{1} << cells.n) - 1;
+    std::uint64_t const given =
+        cells.n == CellBatches::most ? ~std::uint64_t{} : (std::uint64_t{1} << cells.n) - 1;
     if (quality != nullptr) {
         if (cells.n % eight == 0) {
             for (Index k = 0; k < groups; ++k) Registers::store(sum + k * lanes, sums[k]);
         } else {
             Index const last = cells.n - cells.n % eight;
-            for (Index i = last; i < cells.n; ++i) sum[i - last] += larger(quality->quality[i], 0.0);
+            for (Index i = last; i < cells.n; ++i)
+                sum[i - last] += larger(quality->quality[i], 0.0);
         }
-        quality->sum = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+        quality->sum =
+            ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
         quality->notable &= given;
     }
     return found & given;

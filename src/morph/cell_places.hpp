@@ -1,5 +1,6 @@
-// Where the corners of several cells are, with the registers of one instruction set: gathered from lists of cells, or
-// side by side in the rows of a structured mesh. Compiled for each set by cell_batch.cpp.
+// Where the corners of several cells are, with the registers of one instruction set: gathered from
+// lists of cells, or side by side in the rows of a structured mesh. Compiled for each set by
+// cell_batch.cpp.
 
 namespace harmorph::cell_looks::HARMORPH_SET {
 namespace {
@@ -9,8 +10,8 @@ using Vector = Registers::Vector;
 using Words = Registers::Words;
 
 constexpr Index lanes = Registers::lanes;
-constexpr Index eight = 8;                           // cells are looked at in eights in all kernels
-constexpr Index few = lanes < 4 ? lanes : 4;         // lanes that are gathered at a time; 8 are no faster
+constexpr Index eight = 8;                    // cells are looked at in eights in all kernels
+constexpr Index few = lanes < 4 ? lanes : 4;  // lanes that are gathered at a time; 8 are no faster
 using Few [[gnu::vector_size(8 * few)]] = Real;
 constexpr unsigned all = (1u << lanes) - 1;  // bits
 
@@ -26,7 +27,8 @@ HARMORPH_INLINE Vectors operator-(Vectors a, Vectors b) noexcept { return {a.x -
 HARMORPH_INLINE Vector cross(Vectors a, Vectors b) noexcept { return a.x * b.y - a.y * b.x; }
 HARMORPH_INLINE Vector square(Vectors a) noexcept { return a.x * a.x + a.y * a.y; }
 
-// As CellShape and CellCorners of `n` corners, of as many cells as a register has lanes; a triangle has one area.
+// As CellShape and CellCorners of `n` corners, of as many cells as a register has lanes; a triangle
+// has one area.
 template <Index n>
 struct Shapes {
     Vectors at[n];
@@ -36,7 +38,8 @@ struct Shapes {
         for (Index k = 0; k < n; ++k) at[k] = at[k] + change.at[k];
     }
     HARMORPH_INLINE Vector area() const noexcept {
-        return 0.5 * (n == 3 ? cross(at[1] - at[0], at[2] - at[0]) : cross(at[2] - at[0], at[n - 1] - at[1]));
+        return 0.5 * (n == 3 ? cross(at[1] - at[0], at[2] - at[0])
+                             : cross(at[2] - at[0], at[n - 1] - at[1]));
     }
 };
 
@@ -46,9 +49,10 @@ struct Gathered {
     Real x[n][CellBatches::most], y[n][CellBatches::most];
 };
 
-// The coordinates of the cells of a list, and of what they are displaced by or compared with, `other`. They are
-// gathered for all cells before anything is computed: so the loads, one for each number, run at the speed of the cache.
-// Cells in a row of a structured mesh need not be gathered, as the coordinates of each corner stand side by side.
+// The coordinates of the cells of a list, and of what they are displaced by or compared with,
+// `other`. They are gathered for all cells before anything is computed: so the loads, one for each
+// number, run at the speed of the cache. Cells in a row of a structured mesh need not be gathered,
+// as the coordinates of each corner stand side by side.
 template <Index n>
 class Places {
 public:
@@ -59,11 +63,15 @@ public:
         if (n == 4 && unit) find_rows();
         if (!other.given()) gather<false>(points, other);
         else if (!unit) gather<true>(points, other);
-        else gather<true>({points.x, points.y, 1}, {other.x, other.y, 1});  // no multiplications by strides
+        else
+            gather<true>({points.x, points.y, 1},
+                         {other.x, other.y, 1});  // no multiplications by strides
     }
     // Of the cells from cell i on.
     HARMORPH_INLINE Shapes<n> shapes(Index i) const noexcept { return shapes(points_, at_, i); }
-    HARMORPH_INLINE Shapes<n> others(Index i) const noexcept { return shapes(other_, other_at_, i); }
+    HARMORPH_INLINE Shapes<n> others(Index i) const noexcept {
+        return shapes(other_, other_at_, i);
+    }
 
 private:
     CellList const& cells_;
@@ -72,12 +80,14 @@ private:
     Gathered<n> at_, other_at_;
 
     HARMORPH_INLINE Index which(Index k) const noexcept { return cells_.reversed ? n - 1 - k : k; }
-    HARMORPH_INLINE Shapes<n> shapes(Points points, Gathered<n> const& gathered, Index i) const noexcept {
+    HARMORPH_INLINE Shapes<n> shapes(Points points, Gathered<n> const& gathered,
+                                     Index i) const noexcept {
         Shapes<n> shapes = {};
         bool const is_row = n == 4 && (rows_ >> i & 1) != 0;
 #pragma GCC unroll 4
         for (Index k = 0; k < n; ++k) {
-            Index const first = is_row ? from_zero(cells_.point[n * i + which(k)], cells_.index_base) : 0;
+            Index const first =
+                is_row ? from_zero(cells_.point[n * i + which(k)], cells_.index_base) : 0;
             const Real* const x = is_row ? points.x + first : gathered.x[k] + i;
             const Real* const y = is_row ? points.y + first : gathered.y[k] + i;
             shapes.at[k] = {Registers::load(x), Registers::load(y)};
@@ -106,7 +116,8 @@ private:
 
     template <bool both>
     HARMORPH_INLINE void gather(Points points, Points other) noexcept {
-        CellList const cells = cells_;  // copies, as the compiler does not know that no coordinate is written over them
+        CellList const cells = cells_;  // copies, as the compiler does not know that no coordinate
+                                        // is written over them
         std::uint64_t const rows = rows_;
 #pragma GCC unroll 1
         for (Index k = 0; k < n; ++k) {
@@ -119,7 +130,8 @@ private:
                 Few x = {}, y = {}, other_x = {}, other_y = {};
 #pragma GCC unroll 4
                 for (Index lane = 0; lane < few; ++lane, point += n) {
-                    Offset const its = from_zero(*point, cells.index_base), from = its * points.stride;
+                    Offset const its = from_zero(*point, cells.index_base),
+                                 from = its * points.stride;
                     x[lane] = points.x[from];
                     y[lane] = points.y[from];
                     if (!both) continue;

@@ -16,7 +16,8 @@ struct FaceBox {
     }
     bool is_point() const noexcept { return low.x == high.x && low.y == high.y; }
     bool overlaps(FaceBox const& other) const noexcept {
-        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
+        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
+               other.low.y <= high.y;
     }
 };
 
@@ -28,10 +29,14 @@ struct FaceRange {
 
 class Search {
 public:
-    Search(Span<const Index> boundary_point, Span<const Index> loop_start, Points points, Points displacement,
-           Overlaps overlaps, Span<const EndOf> ends = {}) noexcept
-        : boundary_point_(boundary_point), loop_start_(loop_start), points_(points), displacement_(displacement),
-          overlaps_(overlaps), ends_(ends) {}
+    Search(Span<const Index> boundary_point, Span<const Index> loop_start, Points points,
+           Points displacement, Overlaps overlaps, Span<const EndOf> ends = {}) noexcept
+        : boundary_point_(boundary_point),
+          loop_start_(loop_start),
+          points_(points),
+          displacement_(displacement),
+          overlaps_(overlaps),
+          ends_(ends) {}
 
     // Pairs of faces within the range.
     bool within(FaceRange range) noexcept {
@@ -57,7 +62,8 @@ private:
             }
             return false;
         }
-        if (a.size() < b.size()) return between(a, {b.begin, b.middle()}) || between(a, {b.middle(), b.end});
+        if (a.size() < b.size())
+            return between(a, {b.begin, b.middle()}) || between(a, {b.middle(), b.end});
         return between({a.begin, a.middle()}, b) || between({a.middle(), a.end}, b);
     }
 
@@ -70,7 +76,9 @@ private:
                                cross_at_a_point(other, face) ||
                                (overlaps_ == Overlaps::cross && lie_on_each_other(face, other));
             if (!cross || !is_known(face, other)) continue;
-            result_ = {true, {boundary_point_[face], end_of(face)}, {boundary_point_[other], end_of(other)}};
+            result_ = {true,
+                       {boundary_point_[face], end_of(face)},
+                       {boundary_point_[other], end_of(other)}};
             return true;
         }
         return false;
@@ -81,7 +89,8 @@ private:
     }
     // Does a face of a wall end on a line that points slide along?
     bool ends_on_line(Index face) const noexcept {
-        return !has(face, EndOf::on_line) && (has(before(face), EndOf::on_line) || has(after(face), EndOf::on_line));
+        return !has(face, EndOf::on_line) &&
+               (has(before(face), EndOf::on_line) || has(after(face), EndOf::on_line));
     }
     bool is_known(Index face, Index other) const noexcept {
         if (ends_.empty()) return true;
@@ -112,23 +121,28 @@ private:
         return a.x != b.x ? share(a.x, b.x, c.x, d.x) : share(a.y, b.y, c.y, d.y);
     }
 
-    // Of faces with the same ends, run in opposite directions: is there mesh between what comes after the one and
-    // before the other? Then two walls have come together. It is the solid where the two sides of a wall without
-    // thickness part; they need not, at its tip. Where both go on together, the faces that follow are asked.
+    // Of faces with the same ends, run in opposite directions: is there mesh between what comes
+    // after the one and before the other? Then two walls have come together. It is the solid where
+    // the two sides of a wall without thickness part; they need not, at its tip. Where both go on
+    // together, the faces that follow are asked.
     bool part_by_mesh(Index face, Index other) const noexcept {
         Index const next = after(face), last = before(other);
-        Vec2 const here = at(end_of(face)), ahead = at(end_of(next)), behind = at(boundary_point_[last]);
-        return next != other && !same(ahead, behind) && is_between(here, ahead, behind, at(boundary_point_[face]));
+        Vec2 const here = at(end_of(face)), ahead = at(end_of(next)),
+                   behind = at(boundary_point_[last]);
+        return next != other && !same(ahead, behind) &&
+               is_between(here, ahead, behind, at(boundary_point_[face]));
     }
 
-    // Do the faces before and after the point where `face` begins leave the other one, or the corner where that begins,
-    // to different sides? Only then has the boundary passed through it, and not just touched it.
+    // Do the faces before and after the point where `face` begins leave the other one, or the
+    // corner where that begins, to different sides? Only then has the boundary passed through it,
+    // and not just touched it.
     bool cross_at_a_point(Index face, Index other) const noexcept {
         Index const point = boundary_point_[face];
         if (point == boundary_point_[other] || point == end_of(other)) return false;
         Vec2 const here = at(point), a = at(boundary_point_[other]), b = at(end_of(other));
         bool const at_corner = same(here, a);
-        if (!at_corner && (orientation_sign(a, b, here) != 0 || !on_opposite_sides(here, a, b))) return false;
+        if (!at_corner && (orientation_sign(a, b, here) != 0 || !on_opposite_sides(here, a, b)))
+            return false;
         Vec2 const behind = at(boundary_point_[before(face)]), ahead = at(end_of(face));
         Vec2 const coming = at_corner ? at(boundary_point_[before(other)]) : a, going = b;
         auto const lies_between = [&](Vec2 first, Vec2 point_between, Vec2 second) {
@@ -148,10 +162,12 @@ private:
         return between(a.x, here.x, b.x) || between(a.y, here.y, b.y);
     }
 
-    // Seen from here: does the point lie strictly between two others, counter-clockwise from the first to the second?
+    // Seen from here: does the point lie strictly between two others, counter-clockwise from the
+    // first to the second?
     static bool is_between(Vec2 here, Vec2 first, Vec2 point, Vec2 second) noexcept {
         int const turn = orientation_sign(here, first, second);
-        int const from_first = orientation_sign(here, first, point), to_second = orientation_sign(here, point, second);
+        int const from_first = orientation_sign(here, first, point),
+                  to_second = orientation_sign(here, point, second);
         if (turn > 0) return from_first > 0 && to_second > 0;
         if (turn < 0) return !(to_second <= 0 && from_first <= 0);
         return on_opposite_sides(here, first, second) && from_first > 0;
@@ -163,7 +179,8 @@ private:
 
     // Halving: a mesh may have thousands of bodies.
     Index loop_of(Index face) const noexcept {
-        Index first = 0, last = loop_start_.count() - 1;  // loop_start_[first] <= face < loop_start_[last]
+        Index first = 0,
+              last = loop_start_.count() - 1;  // loop_start_[first] <= face < loop_start_[last]
         while (last - first > 1) {
             Index const middle = first + (last - first) / 2;
             (loop_start_[middle] <= face ? first : last) = middle;
@@ -185,11 +202,13 @@ private:
 
     FaceBox box_of(FaceRange range) const noexcept {
         FaceBox box;
-        for (Index face = range.begin; face < range.end; ++face) box.include(at(boundary_point_[face]));
+        for (Index face = range.begin; face < range.end; ++face)
+            box.include(at(boundary_point_[face]));
         box.include(at(end_of(range.end - 1)));
-        // A range may hold the end of one loop and the beginning of the next: faces that close a loop end at its start.
-        for (Index loop = loop_of(range.begin); loop + 1 < loop_start_.count() && loop_start_[loop + 1] <= range.end;
-             ++loop) {
+        // A range may hold the end of one loop and the beginning of the next: faces that close a
+        // loop end at its start.
+        for (Index loop = loop_of(range.begin);
+             loop + 1 < loop_start_.count() && loop_start_[loop + 1] <= range.end; ++loop) {
             box.include(at(boundary_point_[loop_start_[loop]]));
         }
         return box;
@@ -204,15 +223,15 @@ private:
 
 }  // namespace
 
-Crossing find_crossing(Span<const Index> boundary_point, Span<const Index> loop_start, Points points,
-                       Points displacement, Overlaps overlaps) noexcept {
+Crossing find_crossing(Span<const Index> boundary_point, Span<const Index> loop_start,
+                       Points points, Points displacement, Overlaps overlaps) noexcept {
     Search search(boundary_point, loop_start, points, displacement, overlaps);
     search.within({0, boundary_point.count()});
     return search.result();
 }
 
-Crossing find_known_crossing(Span<const Index> boundary_point, Span<const Index> loop_start, Points points,
-                             Span<const EndOf> ends) noexcept {
+Crossing find_known_crossing(Span<const Index> boundary_point, Span<const Index> loop_start,
+                             Points points, Span<const EndOf> ends) noexcept {
     Search search(boundary_point, loop_start, points, {}, Overlaps::ignored, ends);
     search.within({0, boundary_point.count()});
     return search.result();

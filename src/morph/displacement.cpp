@@ -16,7 +16,9 @@ struct NotFinite {
 };
 
 // Where nothing moves, no bit changes: -0 + 0 is not -0.
-Vec2 moved(Vec2 at, Vec2 by) noexcept { return {by.x == 0 ? at.x : at.x + by.x, by.y == 0 ? at.y : at.y + by.y}; }
+Vec2 moved(Vec2 at, Vec2 by) noexcept {
+    return {by.x == 0 ? at.x : at.x + by.x, by.y == 0 ? at.y : at.y + by.y};
+}
 
 bool equal(Vec2 a, Vec2 b) noexcept { return a.x == b.x && a.y == b.y; }
 
@@ -38,8 +40,11 @@ Displacement::Block Displacement::block_of(Plan const& plan, Index field) const 
 }
 
 template <class Body>
-Status Displacement::for_each_block(Plan const& plan, Fault& fault, Body const& body) const noexcept {
-    if (!plan.factored) return fault.refuse(Status::bad_argument, "the plan has no factor: hm_plan_factor comes first");
+Status Displacement::for_each_block(Plan const& plan, Fault& fault,
+                                    Body const& body) const noexcept {
+    if (!plan.factored)
+        return fault.refuse(Status::bad_argument,
+                            "the plan has no factor: hm_plan_factor comes first");
     for (Index first = 0; first < n_fields; first += GivenWall::fields_at_once) {
         Block const block = block_of(plan, first);
         HARMORPH_TRY(body(block, dofs(plan, block)));
@@ -49,7 +54,8 @@ Status Displacement::for_each_block(Plan const& plan, Fault& fault, Body const& 
 
 DofValues Displacement::dofs(Plan const& plan, Block const& block) noexcept {
     Equations const& equations = plan.equations;
-    return {block.rows, block.first, block.n, equations.dof_of, plan.wall_point, equations.matrix.components()};
+    return {block.rows,       block.first,     block.n,
+            equations.dof_of, plan.wall_point, equations.matrix.components()};
 }
 
 Status Displacement::find_places(Plan const& plan, PointList const& list, Fault& fault) noexcept {
@@ -58,7 +64,8 @@ Status Displacement::find_places(Plan const& plan, PointList const& list, Fault&
     for (Index k = 0; k < list.count(); ++k) {
         Index const number = plan.given_index(list[k]);
         if (number == none) {
-            return fault.refuse(Status::bad_condition, "point # is on no marker whose displacements are given",
+            return fault.refuse(Status::bad_condition,
+                                "point # is on no marker whose displacements are given",
                                 Counts::mesh, list[k]);
         }
         Index& first = place[number];
@@ -67,8 +74,8 @@ Status Displacement::find_places(Plan const& plan, PointList const& list, Fault&
     for (Index i = 0; i < given.count(); ++i) {
         if (place[i] != none) continue;
         return fault.refuse(Status::bad_condition,
-                            "point # is on a marker of given displacements, but is not in the list", Counts::mesh,
-                            given[i]);
+                            "point # is on a marker of given displacements, but is not in the list",
+                            Counts::mesh, given[i]);
     }
     return Status::ok;
 }
@@ -77,7 +84,9 @@ void Displacement::clear(Plan const& plan) const noexcept {
     plan.executor.for_ranges(plan.mesh.n_points, points_of_a_task, [&](Index begin, Index end) {
         for (Index field = 0; field < n_fields; field += GivenWall::fields_at_once) {
             Block const block = block_of(plan, field);
-            fill(Span<Real>(block.row(begin), static_cast<Size>(Offset{end - begin} * block.length())), 0.0);
+            fill(Span<Real>(block.row(begin),
+                            static_cast<Size>(Offset{end - begin} * block.length())),
+                 0.0);
         }
     });
 }
@@ -89,13 +98,15 @@ Status Displacement::set(Plan const& plan, PointList const& list, Index field, P
         Index const number = plan.given_index(list[k]), first = place[number];
         if (!is_coordinate(wall[k])) {
             bool const finite = is_finite(wall[k].x) && is_finite(wall[k].y);
-            return fault.refuse(Status::bad_argument,
-                                finite ? "the displacement of point # in field @ (from 0) is beyond 1e100"
-                                       : "the displacement of point # in field @ (from 0) is not finite",
-                                Counts::mesh_and_marker, list[k], field);
+            return fault.refuse(
+                Status::bad_argument,
+                finite ? "the displacement of point # in field @ (from 0) is beyond 1e100"
+                       : "the displacement of point # in field @ (from 0) is not finite",
+                Counts::mesh_and_marker, list[k], field);
         }
         if (!equal(wall[k], wall[first])) {
-            return fault.refuse(Status::bad_argument, "point # has two displacements in field @ (from 0)",
+            return fault.refuse(Status::bad_argument,
+                                "point # has two displacements in field @ (from 0)",
                                 Counts::mesh_and_marker, list[k], field);
         }
         to.set(plan.given.point[number], wall[k]);
@@ -103,10 +114,11 @@ Status Displacement::set(Plan const& plan, PointList const& list, Index field, P
     return Status::ok;
 }
 
-// In place: the right-hand sides of the unknowns become values. A trusted factor needs no refinement, and where
-// derivatives are rough, residuals relative to them are large although nothing can be improved.
-Status Displacement::solve_inside(Plan& plan, DofValues const& values, bool measured, SolveReport& report,
-                                  Fault& fault) noexcept {
+// In place: the right-hand sides of the unknowns become values. A trusted factor needs no
+// refinement, and where derivatives are rough, residuals relative to them are large although
+// nothing can be improved.
+Status Displacement::solve_inside(Plan& plan, DofValues const& values, bool measured,
+                                  SolveReport& report, Fault& fault) noexcept {
     Progress const& progress = plan.progress;
     Equations const& equations = plan.equations;
     SolveReport of_block;
@@ -118,7 +130,8 @@ Status Displacement::solve_inside(Plan& plan, DofValues const& values, bool meas
     HARMORPH_TRY(progress.report(Phase::residual, 0, fault));
     bool const refined = !plan.engine.trusted() || !equations.method.traits().factors;
     if (refined) {
-        HARMORPH_TRY(plan.refinement.run(equations, plan.engine, values, progress, of_block, fault));
+        HARMORPH_TRY(
+            plan.refinement.run(equations, plan.engine, values, progress, of_block, fault));
         HARMORPH_TRY(judge(of_block, equations.method, fault));
     } else if (measured) {
         plan.refinement.measure(equations, values, of_block);
@@ -128,7 +141,8 @@ Status Displacement::solve_inside(Plan& plan, DofValues const& values, bool meas
     return Status::ok;
 }
 
-Status Displacement::solve(Plan& plan, bool measured, SolveReport& report, Fault& fault) const noexcept {
+Status Displacement::solve(Plan& plan, bool measured, SolveReport& report,
+                           Fault& fault) const noexcept {
     Matrix const& matrix = plan.equations.matrix;
     report.functions = n_fields;
     return for_each_block(plan, fault, [&](Block const&, DofValues const& values) {
@@ -141,21 +155,26 @@ Status Displacement::solve(Plan& plan, bool measured, SolveReport& report, Fault
     });
 }
 
-Status Displacement::check_target(Plan const& plan, Index field, Points from, Fault& fault) const noexcept {
+Status Displacement::check_target(Plan const& plan, Index field, Points from,
+                                  Fault& fault) const noexcept {
     GivenWall const& given = plan.given;
     Points const displacement = block_of(plan, field).field(field);
     for (Index const point : given.boundary_point) {
         if (is_coordinate(from[point] + displacement[point])) continue;
-        return fault.refuse(Status::bad_argument, "the target of point # in field @ (from 0) is beyond 1e100",
+        return fault.refuse(Status::bad_argument,
+                            "the target of point # in field @ (from 0) is beyond 1e100",
                             Counts::mesh_and_marker, point, field);
     }
-    Crossing const crossing = find_crossing(given.boundary_point, given.loop_start, from, displacement);
+    Crossing const crossing =
+        find_crossing(given.boundary_point, given.loop_start, from, displacement);
     if (!crossing.found) return Status::ok;
-    return fault.refuse(Status::crossing, "the moved boundary crosses itself: the faces that begin at points # and @",
+    return fault.refuse(Status::crossing,
+                        "the moved boundary crosses itself: the faces that begin at points # and @",
                         Counts::mesh, crossing.first[0], crossing.second[0]);
 }
 
-void Displacement::write(Plan const& plan, Index first, Points from, Span<const MutablePoints> to) const noexcept {
+void Displacement::write(Plan const& plan, Index first, Points from,
+                         Span<const MutablePoints> to) const noexcept {
     Block const block = block_of(plan, first);
     plan.executor.for_ranges(plan.mesh.n_points, points_of_a_task, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
@@ -178,16 +197,19 @@ Status Displacement::set_derivatives(Plan const& plan, Index first, Span<const P
                 Vec2 const by = derivatives[i][k];
                 row[i] = by.x;
                 row[block.n + i] = by.y;
-                if (found.point == none && !(is_finite(by.x) && is_finite(by.y))) found = {k, first + i};
+                if (found.point == none && !(is_finite(by.x) && is_finite(by.y)))
+                    found = {k, first + i};
             }
         }
     };
     NotFinite const bad = reduce_ranges<NotFinite>(plan.mesh.n_points, plan.executor, range);
     if (bad.point != none) {
-        return fault.refuse(Status::bad_argument, "the derivative by point # in field @ (from 0) is not finite",
+        return fault.refuse(Status::bad_argument,
+                            "the derivative by point # in field @ (from 0) is not finite",
                             Counts::mesh_and_marker, bad.point, bad.field);
     }
-    for (Index const point : plan.given.joined) {  // it moves with the other point, or turned against that one
+    for (Index const point :
+         plan.given.joined) {  // it moves with the other point, or turned against that one
         Index const same = plan.same_point(point);
         if (same == none || same == point) continue;
         Vec2 const back = conjugate(plan.turn_of(point, same));
@@ -199,7 +221,8 @@ Status Displacement::set_derivatives(Plan const& plan, Index first, Span<const P
     return Status::ok;
 }
 
-Status Displacement::solve_transposed(Plan& plan, bool measured, SolveReport& report, Fault& fault) const noexcept {
+Status Displacement::solve_transposed(Plan& plan, bool measured, SolveReport& report,
+                                      Fault& fault) const noexcept {
     report.functions = n_fields;
     return for_each_block(plan, fault, [&](Block const& block, DofValues values) {
         plan.turn_slipping_points_back(values);
@@ -213,7 +236,8 @@ Status Displacement::solve_transposed(Plan& plan, bool measured, SolveReport& re
         HARMORPH_TRY(solve_inside(plan, values, measured, report, fault));
         subtract_transposed_couplings(plan.equations.matrix, values);
         for (Index const point : plan.given.point) {
-            for (Index k = 0; k < block.length(); ++k) row(block.rows, point)[k] += row(source, point)[k];
+            for (Index k = 0; k < block.length(); ++k)
+                row(block.rows, point)[k] += row(source, point)[k];
         }
         return Status::ok;
     });

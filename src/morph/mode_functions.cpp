@@ -21,7 +21,9 @@ Status Modes::check(Index n_points, Fault& fault) const noexcept {
             }
             is_zero = is_zero && here.x == 0 && here.y == 0;
         }
-        if (is_zero) return fault.refuse(Status::bad_condition, "mode # (from 0) is zero", Counts::from_zero, mode);
+        if (is_zero)
+            return fault.refuse(Status::bad_condition, "mode # (from 0) is zero", Counts::from_zero,
+                                mode);
     }
     return Status::ok;
 }
@@ -34,8 +36,8 @@ BasisCounts tabulated_counts(Basis const& from, Index n, Index numbers) noexcept
 }
 
 // Mode j as the displacement of the wall for the amplitude (1, 0), and of a matrix also for (0, 1).
-Status tabulate(Plan& plan, Basis const& from, PointList const& list, Modes const& modes, ModeWork const& work,
-                Basis const& to, SolveReport& report, Fault& fault) noexcept {
+Status tabulate(Plan& plan, Basis const& from, PointList const& list, Modes const& modes,
+                ModeWork const& work, Basis const& to, SolveReport& report, Fault& fault) noexcept {
     Displacement const& displacement = work.displacement;
     bool const matrices = from.kind() == ValueKind::matrix;
     displacement.clear(plan);
@@ -58,7 +60,8 @@ Status tabulate(Plan& plan, Basis const& from, PointList const& list, Modes cons
         auto const old_row = from.row(point);
         auto const row = to.row(point);
         for (Index plane = 0; plane < numbers_of(from.kind()); ++plane) {
-            for (Index i = 0; i < old_length; ++i) row[plane * length + i] = old_row[plane * old_length + i];
+            for (Index i = 0; i < old_length; ++i)
+                row[plane * length + i] = old_row[plane * old_length + i];
         }
         for (Index mode = 0; mode < modes.n; ++mode) {
             Index const at = old_length + mode;

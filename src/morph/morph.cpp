@@ -12,12 +12,14 @@ constexpr Offset worth_asking = Offset{1} << 17;
 // As BlockProducts::move does.
 constexpr Real moved(Real from, Real by) noexcept { return by == 0 ? from : from + by; }
 
-// The factors of the numbers of a row of values, Movements::most numbers at a time. The first few, which are all of
-// most bases, are computed once for a morph; further ones do not fit on the stack and are computed for each use.
+// The factors of the numbers of a row of values, Movements::most numbers at a time. The first few,
+// which are all of most bases, are computed once for a morph; further ones do not fit on the stack
+// and are computed for each use.
 class RowMovements {
 public:
     RowMovements(Basis const& basis, const Real* move) noexcept : basis_(basis), move_(move) {
-        for (Index part = 0; part < n_stored && part * Movements::most < basis.row_length(); ++part) {
+        for (Index part = 0; part < n_stored && part * Movements::most < basis.row_length();
+             ++part) {
             stored_[part] = made(part * Movements::most);
         }
     }
@@ -27,7 +29,8 @@ public:
     void for_each_part(Body const& body) const noexcept {
         Index const row_length = basis_.row_length();
         for (Index first = 0; first < row_length; first += Movements::most) {
-            Index const width = smaller(Movements::most, row_length - first), part = first / Movements::most;
+            Index const width = smaller(Movements::most, row_length - first),
+                        part = first / Movements::most;
             if (part < n_stored) body(first, width, stored_[part]);
             else body(first, width, made(first));
         }
@@ -38,10 +41,12 @@ private:
 
     Movements made(Index first) const noexcept {
         Movements by = {};
-        Index const n = basis_.n_functions(), width = smaller(Movements::most, basis_.row_length() - first);
+        Index const n = basis_.n_functions(),
+                    width = smaller(Movements::most, basis_.row_length() - first);
         Index plane = first / n, function = first % n;
         for (Index k = 0; k < width; ++k) {
-            Vec2 const moved = moved_by(basis_.kind(), plane, {move_[2 * function], move_[2 * function + 1]});
+            Vec2 const moved =
+                moved_by(basis_.kind(), plane, {move_[2 * function], move_[2 * function + 1]});
             by.x[k] = moved.x;
             by.y[k] = moved.y;
             if (++function < n) continue;
@@ -66,49 +71,59 @@ struct Chunk {
 
     // Of blocks first .. first+n-1 of the values of a basis with rows of that length.
     template <class Number>
-    void add(ProductKernels const& kernels, Span<Number> values, Index row_length, RowMovements const& move,
-             Index first, Index n) noexcept {
+    void add(ProductKernels const& kernels, Span<Number> values, Index row_length,
+             RowMovements const& move, Index first, Index n) noexcept {
         Offset const stride = Offset{row_length} * block_points;
         move.for_each_part([&](Index number, Index width, Movements const& by) {
-            Number* const first_value = values.data() + first * stride + Offset{number} * block_points;
+            Number* const first_value =
+                values.data() + first * stride + Offset{number} * block_points;
             ValueBlocks<Number> const blocks{first_value, stride, n, width};
             kernels.of(blocks).multiply(blocks, by, {x, y});
         });
     }
-    Vec2 move_point(Vec2 old, Index k) const noexcept { return {moved(old.x, x[k]), moved(old.y, y[k])}; }
+    Vec2 move_point(Vec2 old, Index k) const noexcept {
+        return {moved(old.x, x[k]), moved(old.y, y[k])};
+    }
 };
 
 // Moves the points of blocks first .. first+n-1, n <= chunk_blocks, of any arrays.
 template <class Number>
-void morph_chunk(ProductKernels const& kernels, Span<Number> values, Basis const& basis, RowMovements const& move,
-                 Points from, MutablePoints to, Index first, Index n) noexcept {
+void morph_chunk(ProductKernels const& kernels, Span<Number> values, Basis const& basis,
+                 RowMovements const& move, Points from, MutablePoints to, Index first,
+                 Index n) noexcept {
     Chunk sums(n);
     sums.add(kernels, values, basis.row_length(), move, first, n);
-    Index const begin = first * block_points, n_points = smaller(n * block_points, basis.n_points() - begin);
+    Index const begin = first * block_points,
+                n_points = smaller(n * block_points, basis.n_points() - begin);
     for (Index k = 0; k < n_points; ++k) {
         to.set(begin + k, sums.move_point(from.given() ? from[begin + k] : Vec2{}, k));
     }
 }
 
-// Moves the points of blocks begin .. end-1. Coordinates that lie side by side are read and written by the kernels, but
-// those of a block that is filled in part.
+// Moves the points of blocks begin .. end-1. Coordinates that lie side by side are read and written
+// by the kernels, but those of a block that is filled in part.
 template <class Number>
-void morph_blocks(ProductKernels const& kernels, Span<Number> values, Basis const& basis, RowMovements const& move,
-                  Points from, MutablePoints to, Index begin, Index end) noexcept {
+void morph_blocks(ProductKernels const& kernels, Span<Number> values, Basis const& basis,
+                  RowMovements const& move, Points from, MutablePoints to, Index begin,
+                  Index end) noexcept {
     bool const side_by_side = (!from.given() || from.stride == 1) && to.stride == 1;
     if (side_by_side && basis.row_length() <= Movements::most) {
-        Index const whole = smaller(end, basis.n_points() / block_points), point = begin * block_points;
+        Index const whole = smaller(end, basis.n_points() / block_points),
+                    point = begin * block_points;
         move.for_each_part([&](Index, Index width, Movements const& by) {
             Offset const stride = Offset{width} * block_points;
-            ValueBlocks<Number> const blocks{values.data() + begin * stride, stride, whole - begin, width};
+            ValueBlocks<Number> const blocks{values.data() + begin * stride, stride, whole - begin,
+                                             width};
             bool const given = from.given();
-            PerPoint<const Real> const before = {given ? from.x + point : nullptr, given ? from.y + point : nullptr};
+            PerPoint<const Real> const before = {given ? from.x + point : nullptr,
+                                                 given ? from.y + point : nullptr};
             kernels.of(blocks).move(blocks, by, before, {to.x + point, to.y + point});
         });
         begin = whole;
     }
     for (Index first = begin; first < end; first += chunk_blocks) {
-        morph_chunk(kernels, values, basis, move, from, to, first, smaller(chunk_blocks, end - first));
+        morph_chunk(kernels, values, basis, move, from, to, first,
+                    smaller(chunk_blocks, end - first));
     }
 }
 
@@ -122,7 +137,8 @@ Vec2 sum_of_row(Basis const& basis, RowMovements const& move, Index slot) noexce
     return sum;
 }
 
-// In single-precision storage the rows of points on the wall are 0, so these points have not moved yet.
+// In single-precision storage the rows of points on the wall are 0, so these points have not moved
+// yet.
 void morph_wall(ProductKernels const& kernels, Basis const& basis, RowMovements const& move,
                 MutablePoints to) noexcept {
     Index const n_slots = basis.wall_point.count(), n_blocks = blocks_of(n_slots);
@@ -144,14 +160,17 @@ void morph_wall(ProductKernels const& kernels, Basis const& basis, RowMovements 
 
 }  // namespace
 
-void morph(Basis const& basis, const Real* move, Points from, MutablePoints to, Executor const& executor) noexcept {
+void morph(Basis const& basis, const Real* move, Points from, MutablePoints to,
+           Executor const& executor) noexcept {
     ProductKernels const& kernels = product_kernels_for(
         executor.kernel, Offset{basis.n_points()} * basis.row_length(), worth_asking);
     RowMovements const movements(basis, move);
-    executor.for_ranges(blocks_of(basis.n_points()), least_blocks_to_morph, [&](Index begin, Index end) {
-        if (basis.in_single()) morph_blocks(kernels, basis.single, basis, movements, from, to, begin, end);
-        else morph_blocks(kernels, basis.value, basis, movements, from, to, begin, end);
-    });
+    executor.for_ranges(
+        blocks_of(basis.n_points()), least_blocks_to_morph, [&](Index begin, Index end) {
+            if (basis.in_single())
+                morph_blocks(kernels, basis.single, basis, movements, from, to, begin, end);
+            else morph_blocks(kernels, basis.value, basis, movements, from, to, begin, end);
+        });
     if (basis.in_single()) morph_wall(kernels, basis, movements, to);
 }
 

@@ -5,10 +5,14 @@
 
 namespace harmorph {
 
-ProductKernels const& product_kernels(Kernel kernel) noexcept { return simd::table_of<ProductKernels>(kernel); }
+ProductKernels const& product_kernels(Kernel kernel) noexcept {
+    return simd::table_of<ProductKernels>(kernel);
+}
 
-ProductKernels const& product_kernels_for(Kernel known, Offset values, Offset worth_asking) noexcept {
-    return product_kernels(resolved(known, values < worth_asking ? Kernel::baseline : Kernel::automatic));
+ProductKernels const& product_kernels_for(Kernel known, Offset values,
+                                          Offset worth_asking) noexcept {
+    return product_kernels(
+        resolved(known, values < worth_asking ? Kernel::baseline : Kernel::automatic));
 }
 
 }  // namespace harmorph

@@ -1,6 +1,6 @@
-// The two products of morphing, for a few numbers of the values in blocks of points (basis/point_blocks.hpp): values
-// times movements, and the transpose. All kernels add in the same order, or in fixed point, and round alike: results do
-// not depend on the kernel.
+// The two products of morphing, for a few numbers of the values in blocks of points
+// (basis/point_blocks.hpp): values times movements, and the transpose. All kernels add in the same
+// order, or in fixed point, and round alike: results do not depend on the kernel.
 #pragma once
 
 #include "base/fixed_sum.hpp"
@@ -15,8 +15,8 @@ struct Movements {
     Real x[most], y[most];
 };
 
-// Consecutive blocks, of which n_numbers <= Movements::most numbers are used. Numbers in single precision (float) are
-// converted when they are loaded: products and sums are in double precision.
+// Consecutive blocks, of which n_numbers <= Movements::most numbers are used. Numbers in single
+// precision (float) are converted when they are loaded: products and sums are in double precision.
 template <class Number>
 struct ValueBlocks {
     const Number* values = nullptr;  // the first number used, of the first block
@@ -39,16 +39,17 @@ struct FixedSums {
 template <class Number>
 struct BlockProducts {
     // sums += values . movements, for each point in the order of the numbers.
-    void (*multiply)(ValueBlocks<Number> const& blocks, Movements const& by, PerPoint<Real> sums) noexcept;
-    // to = from + values . movements, and the bits of from where that sum is 0: -0.0 + 0.0 would not keep them. from
-    // may be to, or 0 for all points: x and y null.
+    void (*multiply)(ValueBlocks<Number> const& blocks, Movements const& by,
+                     PerPoint<Real> sums) noexcept;
+    // to = from + values . movements, and the bits of from where that sum is 0: -0.0 + 0.0 would
+    // not keep them. from may be to, or 0 for all points: x and y null.
     void (*move)(ValueBlocks<Number> const& blocks, Movements const& by, PerPoint<const Real> from,
                  PerPoint<Real> to) noexcept;
-    // total += sum over the points of their values times by, in units of the sums; no product may reach 2^63, and
-    // n_blocks not exceed most_blocks.
+    // total += sum over the points of their values times by, in units of the sums; no product may
+    // reach 2^63, and n_blocks not exceed most_blocks.
     static constexpr Index most_blocks = 1 << 12;
-    void (*multiply_transposed)(ValueBlocks<Number> const& blocks, PerPoint<const Real> by, BinaryScale::Factor unit,
-                                FixedSums& total) noexcept;
+    void (*multiply_transposed)(ValueBlocks<Number> const& blocks, PerPoint<const Real> by,
+                                BinaryScale::Factor unit, FixedSums& total) noexcept;
 };
 
 struct ProductKernels {
@@ -62,9 +63,10 @@ struct ProductKernels {
 };
 
 ProductKernels const& product_kernels(Kernel kernel) noexcept;
-// The fastest kernels for so many values; `known`: the best kernel, if known. If it is not, the baseline is taken below
-// worth_asking values: there CPUID, which may take ten microseconds on a virtual machine, costs more time than a better
-// kernel saves.
-ProductKernels const& product_kernels_for(Kernel known, Offset values, Offset worth_asking) noexcept;
+// The fastest kernels for so many values; `known`: the best kernel, if known. If it is not, the
+// baseline is taken below worth_asking values: there CPUID, which may take ten microseconds on a
+// virtual machine, costs more time than a better kernel saves.
+ProductKernels const& product_kernels_for(Kernel known, Offset values,
+                                          Offset worth_asking) noexcept;
 
 }  // namespace harmorph

@@ -1,5 +1,6 @@
-// The products of morphing with the registers of one instruction set; product.cpp compiles this file for each of them.
-// Loops over the vectors of a block are unrolled whatever the compiler's level, so that sums stay in registers.
+// The products of morphing with the registers of one instruction set; product.cpp compiles this
+// file for each of them. Loops over the vectors of a block are unrolled whatever the compiler's
+// level, so that sums stay in registers.
 
 namespace harmorph::products::HARMORPH_SET {
 namespace {
@@ -9,8 +10,9 @@ using Vector = Registers::Vector;
 using Words = Registers::Words;
 
 constexpr Index lanes = Registers::lanes;
-constexpr Index vectors = block_points / lanes;                        // of a number in a block
-constexpr Index at_once = smaller(vectors, Index{Registers::count / 4});  // two sums each fill half the registers
+constexpr Index vectors = block_points / lanes;  // of a number in a block
+constexpr Index at_once =
+    smaller(vectors, Index{Registers::count / 4});  // two sums each fill half the registers
 // Instructions of AVX-512 take a number from memory for all lanes.
 constexpr bool spreads_operands = lanes == 8;
 
@@ -37,7 +39,8 @@ struct Pair {
         for (Index k = 0; k < n; ++k) {
             Vector f[at_once];
 #pragma GCC unroll 8
-            for (Index v = 0; v < at_once; ++v) f[v] = Registers::load(values + k * block_points + v * lanes);
+            for (Index v = 0; v < at_once; ++v)
+                f[v] = Registers::load(values + k * block_points + v * lanes);
 #pragma GCC unroll 8
             for (Index v = 0; v < at_once; ++v) {
                 // Values are read once. Factors are read again where that costs nothing.
@@ -54,41 +57,46 @@ template <class Number, class Body>
 HARMORPH_INLINE void for_each_pair(ValueBlocks<Number> const& blocks, Body const& body) noexcept {
     for (Index block = 0; block < blocks.n_blocks; ++block) {
         for (Index point = 0; point < block_points; point += at_once * lanes) {
-            body(blocks.values + block * blocks.stride + point, Offset{block} * block_points + point);
+            body(blocks.values + block * blocks.stride + point,
+                 Offset{block} * block_points + point);
         }
     }
 }
 
 template <class Number>
-void multiply(ValueBlocks<Number> const& blocks, Movements const& by, PerPoint<Real> sums) noexcept {
-    for_each_pair(blocks, [&](const Number* values, Offset point) __attribute__((always_inline)) {
-        Pair sum;
-        sum.load({sums.x, sums.y}, point);
-        sum.add_products(values, blocks.n_numbers, by);
-        sum.store(sums, point);
-    });
+void multiply(ValueBlocks<Number> const& blocks, Movements const& by,
+              PerPoint<Real> sums) noexcept {
+    for_each_pair(
+        blocks, [&](const Number* values, Offset point) __attribute__((always_inline)) {
+            Pair sum;
+            sum.load({sums.x, sums.y}, point);
+            sum.add_products(values, blocks.n_numbers, by);
+            sum.store(sums, point);
+        });
 }
 
 template <class Number>
 void move(ValueBlocks<Number> const& blocks, Movements const& by, PerPoint<const Real> from,
           PerPoint<Real> to) noexcept {
-    for_each_pair(blocks, [&](const Number* values, Offset point) __attribute__((always_inline)) {
-        Pair sum = {}, at = {};
-        sum.add_products(values, blocks.n_numbers, by);
-        if (from.x != nullptr) at.load(from, point);
+    for_each_pair(
+        blocks, [&](const Number* values, Offset point) __attribute__((always_inline)) {
+            Pair sum = {}, at = {};
+            sum.add_products(values, blocks.n_numbers, by);
+            if (from.x != nullptr) at.load(from, point);
 #pragma GCC unroll 8
-        for (Index v = 0; v < at_once; ++v) {
-            at.x[v] = sum.x[v] == 0 ? at.x[v] : at.x[v] + sum.x[v];
-            at.y[v] = sum.y[v] == 0 ? at.y[v] : at.y[v] + sum.y[v];
-        }
-        at.store(to, point);
-    });
+            for (Index v = 0; v < at_once; ++v) {
+                at.x[v] = sum.x[v] == 0 ? at.x[v] : at.x[v] + sum.x[v];
+                at.y[v] = sum.y[v] == 0 ? at.y[v] : at.y[v] + sum.y[v];
+            }
+            at.store(to, point);
+        });
 }
 
 // What the points of some lanes have along x and along y, for sums in fixed point.
 template <class Of, bool rounds = Of::rounds>
 struct GradientIn;
-// Sums of products with one number of the values, along x and along y, in fixed point in each lane; see FixedSum.
+// Sums of products with one number of the values, along x and along y, in fixed point in each lane;
+// see FixedSum.
 template <class Of, bool rounds = Of::rounds>
 struct SumsIn;
 // What these are of n_products in all lanes together.
@@ -96,9 +104,10 @@ struct SettledSums {
     FixedSum x, y;
 };
 
-// Where one instruction rounds, integers are summed modulo 2^64. The multiple of 2^64 that is missing is known from a
-// sum in floating point, which serves x and y: the part of y is multiplied by `beside`. Of the 2^16 products below 2^63
-// of a call, that part, divided by 2^64, stays below 2^-5, and the error of the sum below 2^-25.
+// Where one instruction rounds, integers are summed modulo 2^64. The multiple of 2^64 that is
+// missing is known from a sum in floating point, which serves x and y: the part of y is multiplied
+// by `beside`. Of the 2^16 products below 2^63 of a call, that part, divided by 2^64, stays below
+// 2^-5, and the error of the sum below 2^-25.
 template <class Of>
 struct GradientIn<Of, true> {
     static constexpr Real beside = 0x1p-20;
@@ -132,12 +141,15 @@ struct SumsIn<Of, true> {
         constexpr Real beside = GradientIn<Of>::beside;
         Real const missing_x = (rough - static_cast<Real>(sum_x)) * 0x1p-64;
         std::int64_t const times_x = nearest(missing_x);
-        Real const missing_y = (missing_x - static_cast<Real>(times_x)) / beside - static_cast<Real>(sum_y) * 0x1p-64;
+        Real const missing_y =
+            (missing_x - static_cast<Real>(times_x)) / beside - static_cast<Real>(sum_y) * 0x1p-64;
         return {with_multiple(sum_x, times_x), with_multiple(sum_y, nearest(missing_y))};
     }
 
 private:
-    static std::int64_t nearest(Real x) noexcept { return static_cast<std::int64_t>(x + (x < 0 ? -0.5 : 0.5)); }
+    static std::int64_t nearest(Real x) noexcept {
+        return static_cast<std::int64_t>(x + (x < 0 ? -0.5 : 0.5));
+    }
     // sum + times * 2^64
     static FixedSum with_multiple(std::uint64_t sum, std::int64_t times) noexcept {
         constexpr std::int64_t coarse_in_word = std::int64_t{1} << (64 - FixedSum::fine_bits);
@@ -146,8 +158,8 @@ private:
     }
 };
 
-// Elsewhere the bits of numbers rounded to the grids of FixedSum are summed: multiples of its units, plus the bits of
-// the grid itself.
+// Elsewhere the bits of numbers rounded to the grids of FixedSum are summed: multiples of its
+// units, plus the bits of the grid itself.
 template <class Of>
 struct GradientIn<Of, false> {
     Vector x, y;
@@ -165,7 +177,8 @@ struct SumsIn<Of, false> {
         HARMORPH_INLINE void add(Vector t) noexcept {
             Vector const on_grid = t + FixedSum::coarse_grid;
             coarse += reinterpret_cast<Words>(on_grid);
-            fine += reinterpret_cast<Words>((t - (on_grid - FixedSum::coarse_grid)) + FixedSum::fine_grid);
+            fine += reinterpret_cast<Words>((t - (on_grid - FixedSum::coarse_grid)) +
+                                            FixedSum::fine_grid);
         }
         HARMORPH_INLINE FixedSum settled(Index n_products) const noexcept {
             std::uint64_t const times = static_cast<std::uint64_t>(n_products);
@@ -191,20 +204,21 @@ struct SumsIn<Of, false> {
 using Gradient = GradientIn<Registers>;
 using Sums = SumsIn<Registers>;
 
-// So much is done with each number that processors do not look far enough ahead for the numbers that come: they are
-// prefetched. They go into the second cache only: requests of the first one hide the stream from the processor's own
-// prefetch.
+// So much is done with each number that processors do not look far enough ahead for the numbers
+// that come: they are prefetched. They go into the second cache only: requests of the first one
+// hide the stream from the processor's own prefetch.
 template <class Number>
 HARMORPH_INLINE void prefetch_numbers(const Number* numbers) noexcept {
     constexpr Index line = 64 / sizeof(Number);
     for (Index i = 0; i < block_points; i += line) __builtin_prefetch(numbers + i, 0, 2);
 }
 
-// Adds the products of `width` blocks, from block `first` on. Each sum stays in registers for all of them. `ahead`:
-// distance of the numbers that are prefetched.
+// Adds the products of `width` blocks, from block `first` on. Each sum stays in registers for all
+// of them. `ahead`: distance of the numbers that are prefetched.
 template <Index width, class Number>
-HARMORPH_INLINE void add_blocks(ValueBlocks<Number> const& blocks, Index first, PerPoint<const Real> by,
-                                BinaryScale::Factor unit, Offset ahead, Sums* sums) noexcept {
+HARMORPH_INLINE void add_blocks(ValueBlocks<Number> const& blocks, Index first,
+                                PerPoint<const Real> by, BinaryScale::Factor unit, Offset ahead,
+                                Sums* sums) noexcept {
     Gradient gradient[width * vectors];
 #pragma GCC unroll 4
     for (Index v = 0; v < width * vectors; ++v) {
@@ -212,7 +226,8 @@ HARMORPH_INLINE void add_blocks(ValueBlocks<Number> const& blocks, Index first, 
         gradient[v].set(Registers::load(by.x + point) * unit.first * unit.second,
                         Registers::load(by.y + point) * unit.first * unit.second);
     }
-    constexpr Index written_out = lanes == 8 ? width : 1;  // blocks; the short loops of AVX-512 gain by that
+    constexpr Index written_out =
+        lanes == 8 ? width : 1;  // blocks; the short loops of AVX-512 gain by that
     const Number* const values = blocks.values + first * blocks.stride;
     for (Index k = 0; k < blocks.n_numbers; ++k) {
         Sums sum = sums[k];
@@ -232,7 +247,8 @@ HARMORPH_INLINE void add_blocks(ValueBlocks<Number> const& blocks, Index first, 
 }
 
 // Not inlined: one for both precisions of the values.
-__attribute__((noinline)) void add_settled(const Sums* sums, Index n, Index n_products, FixedSums& total) noexcept {
+__attribute__((noinline)) void add_settled(const Sums* sums, Index n, Index n_products,
+                                           FixedSums& total) noexcept {
     for (Index k = 0; k < n; ++k) {
         SettledSums const settled = sums[k].settled(n_products);
         total.x[k] += settled.x;
@@ -241,9 +257,10 @@ __attribute__((noinline)) void add_settled(const Sums* sums, Index n, Index n_pr
 }
 
 template <class Number>
-void multiply_transposed(ValueBlocks<Number> const& blocks, PerPoint<const Real> by, BinaryScale::Factor unit,
-                         FixedSums& total) noexcept {
-    constexpr Index few = 64;    // sums of so many numbers leave room in the first cache; of more, they come and go
+void multiply_transposed(ValueBlocks<Number> const& blocks, PerPoint<const Real> by,
+                         BinaryScale::Factor unit, FixedSums& total) noexcept {
+    constexpr Index few =
+        64;  // sums of so many numbers leave room in the first cache; of more, they come and go
     constexpr Index window = 8;  // blocks that share each coming and going
     constexpr Offset near = 512 / sizeof(Number);
     Index const n = blocks.n_numbers;
@@ -267,14 +284,16 @@ std::uint64_t largest_bits(const Real* numbers, Index n) noexcept {
     for (; i + chains * lanes <= n; i += chains * lanes) {
 #pragma GCC unroll 8
         for (Index c = 0; c < chains; ++c) {
-            Words const bits = reinterpret_cast<Words>(Registers::load(numbers + i + c * lanes)) & without_sign;
+            Words const bits =
+                reinterpret_cast<Words>(Registers::load(numbers + i + c * lanes)) & without_sign;
             most[c] = bits > most[c] ? bits : most[c];
         }
     }
     std::uint64_t largest = 0;
     for (; i < n; ++i) largest = larger(largest, bits_of(numbers[i]) & without_sign);
     for (Words const& chain : most) {
-        for (Index lane = 0; lane < lanes; ++lane) largest = larger<std::uint64_t>(largest, chain[lane]);
+        for (Index lane = 0; lane < lanes; ++lane)
+            largest = larger<std::uint64_t>(largest, chain[lane]);
     }
     return largest;
 }

@@ -32,10 +32,12 @@ void Quality::add(OrientedMesh const& mesh, CellPlaces const& places, CellBatche
     batches.for_each([&](Index number, bool is_triangle, Index i) {
         ListQuality const& its = is_triangle ? triangles : quads;
         if ((its.notable >> i & 1) == 0) return;
-        if (its.quality[i] != ListQuality::not_in_range) return note(number, its.twice_smallest[i], its.quality[i]);
+        if (its.quality[i] != ListQuality::not_in_range)
+            return note(number, its.twice_smallest[i], its.quality[i]);
         Cell const cell = mesh.cell(number);
         Real reference_area = 0;
-        if (places.change.given()) reference_area = CellCorners(CellShape(cell, places.at, false)).cell_area(cell.n);
+        if (places.change.given())
+            reference_area = CellCorners(CellShape(cell, places.at, false)).cell_area(cell.n);
         else if (places.reference.given()) reference_area = cell_area(cell, places.reference);
         CellMeasure const measure(cell.n, CellCorners(places.displaced(cell)));
         Real const quality = measure.quality(reference_area);
@@ -61,21 +63,23 @@ Quality measure_quality(OrientedMesh const& cells, Points points, Points referen
     }
     CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
     CellPlaces const places{points, {}, reference};
-    return reduce_ranges<Quality>(cells.mesh.n_cells, executor, [&](Index begin, Index end, Quality& result) {
-        Quality quality;
-        for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
-            CellBounds const bounds = {infinity, 2 * quality.min_area, quality.min_quality};
-            ListQuality triangles, quads;
-            kernels.triangles(batches.triangles, places, bounds, &triangles);
-            kernels.quads(batches.quads, places, bounds, &quads);
-            quality.add(cells, places, batches, triangles, quads);
+    return reduce_ranges<Quality>(
+        cells.mesh.n_cells, executor, [&](Index begin, Index end, Quality& result) {
+            Quality quality;
+            for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
+                CellBounds const bounds = {infinity, 2 * quality.min_area, quality.min_quality};
+                ListQuality triangles, quads;
+                kernels.triangles(batches.triangles, places, bounds, &triangles);
+                kernels.quads(batches.quads, places, bounds, &quads);
+                quality.add(cells, places, batches, triangles, quads);
+            });
+            result = quality;
         });
-        result = quality;
-    });
 }
 
-// With skew quality q a corner's area is at least q / 8 of the sum of the two products that it is the difference of,
-// and their rounding is a few epsilon of this sum: so only poor cells need the exact test.
+// With skew quality q a corner's area is at least q / 8 of the sum of the two products that it is
+// the difference of, and their rounding is a few epsilon of this sum: so only poor cells need the
+// exact test.
 Index count_inverted(OrientedMesh const& cells, Points points, Executor const& executor) noexcept {
     constexpr Real surely_positive = 1e-10;  // skew quality
     auto const is_bad = [&](Index cell) {
@@ -83,26 +87,31 @@ Index count_inverted(OrientedMesh const& cells, Points points, Executor const& e
         return is_inverted(shape) || is_inverted_exactly(shape);
     };
     if (cells.mesh.is_of_pieces()) {
-        return reduce_cells<Count>(cells.mesh.n_checked(), executor, [&](Index cell, Count& count) {
-            count.n += is_bad(cell) ? 1 : 0;
-        }).n;
+        return reduce_cells<Count>(
+                   cells.mesh.n_checked(), executor,
+                   [&](Index cell, Count& count) { count.n += is_bad(cell) ? 1 : 0; })
+            .n;
     }
     CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
-    return reduce_ranges<Count>(cells.mesh.n_cells, executor, [&](Index begin, Index end, Count& result) {
-        Count count;
-        for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
-            CellBounds const bounds = {infinity, 0, surely_positive};
-            ListQuality triangles, quads;
-            kernels.triangles(batches.triangles, {points, {}, {}}, bounds, &triangles);
-            kernels.quads(batches.quads, {points, {}, {}}, bounds, &quads);
-            if ((triangles.notable | quads.notable) == 0) return;
-            batches.for_each([&](Index number, bool is_triangle, Index i) {
-                bool const is_poor = ((is_triangle ? triangles : quads).notable >> i & 1) != 0;
-                count.n += is_poor && is_bad(number) ? 1 : 0;
-            });
-        });
-        result = count;
-    }).n;
+    return reduce_ranges<Count>(
+               cells.mesh.n_cells, executor,
+               [&](Index begin, Index end, Count& result) {
+                   Count count;
+                   for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
+                       CellBounds const bounds = {infinity, 0, surely_positive};
+                       ListQuality triangles, quads;
+                       kernels.triangles(batches.triangles, {points, {}, {}}, bounds, &triangles);
+                       kernels.quads(batches.quads, {points, {}, {}}, bounds, &quads);
+                       if ((triangles.notable | quads.notable) == 0) return;
+                       batches.for_each([&](Index number, bool is_triangle, Index i) {
+                           bool const is_poor =
+                               ((is_triangle ? triangles : quads).notable >> i & 1) != 0;
+                           count.n += is_poor && is_bad(number) ? 1 : 0;
+                       });
+                   });
+                   result = count;
+               })
+        .n;
 }
 
 }  // namespace harmorph

@@ -8,34 +8,39 @@
 
 namespace harmorph {
 
-// A quality as a fraction that is divided last, together with another one. Each part, multiplied by an area for which
-// products of six are numbers, is a number.
+// A quality as a fraction that is divided last, together with another one. Each part, multiplied by
+// an area for which products of six are numbers, is a number.
 struct Fraction {
     Real above, under;
 };
 
-// Skew quality in 0..1, 1 for an equilateral triangle and a rectangle, 0 if a corner has no positive area.
-// P. M. Knupp, Finite Elem. Anal. Des. 39 (2003) 217: f_skew of quads, f_shape of triangles.
+// Skew quality in 0..1, 1 for an equilateral triangle and a rectangle, 0 if a corner has no
+// positive area. P. M. Knupp, Finite Elem. Anal. Des. 39 (2003) 217: f_skew of quads, f_shape of
+// triangles.
 inline Fraction skew_fraction(Index n, CellCorners const& corners) noexcept {
     if (!(corners.smallest() > 0)) return {0, 1};
     const Real* const area = corners.twice_area;
-    Vec2 const (&side)[4] = corners.side;
-    Real const square_of[4] = {square(side[0]), square(side[1]), square(side[2]), n == 3 ? 0 : square(side[3])};
-    Real const squares = n == 3 ? square_of[0] + square_of[1] + square_of[2]  // = 2 (a.a + b.b - a.b)
-                                : (square_of[0] + square_of[2]) + (square_of[1] + square_of[3]);
-    bool const in_range = corners.smallest() > smallest_of_products && squares < largest_of_products;
+    Vec2 const(&side)[4] = corners.side;
+    Real const square_of[4] = {square(side[0]), square(side[1]), square(side[2]),
+                               n == 3 ? 0 : square(side[3])};
+    Real const squares = n == 3
+                             ? square_of[0] + square_of[1] + square_of[2]  // = 2 (a.a + b.b - a.b)
+                             : (square_of[0] + square_of[2]) + (square_of[1] + square_of[3]);
+    bool const in_range =
+        corners.smallest() > smallest_of_products && squares < largest_of_products;
     if (n == 3) {
         Real const above = 2 * 1.7320508075688772 * area[0];
         return in_range ? Fraction{above, squares} : Fraction{above / squares, 1};
     }
-    // 4 / (l0 l1 / A1 + l1 l2 / A2 + l2 l3 / A3 + l3 l0 / A0): over the common denominator, with three roots for the
-    // four products of lengths.
+    // 4 / (l0 l1 / A1 + l1 l2 / A2 + l2 l3 / A3 + l3 l0 / A0): over the common denominator, with
+    // three roots for the four products of lengths.
     if (in_range) {
-        Real const opposite = square_of[1] * square_of[2], first = area[1] * area[2], last = area[3] * area[0];
+        Real const opposite = square_of[1] * square_of[2], first = area[1] * area[2],
+                   last = area[3] * area[0];
         Real const a = square_root(square_of[0] * square_of[1]), b = square_root(opposite);
         Real const c = square_root(square_of[2] * square_of[3]);
-        return {4 * b * (first * last),
-                (a * b * area[2] + opposite * area[1]) * last + c * (b * area[0] + a * area[3]) * first};
+        return {4 * b * (first * last), (a * b * area[2] + opposite * area[1]) * last +
+                                            c * (b * area[0] + a * area[3]) * first};
     }
     Real length[4], sum = 0;
     for (Index k = 0; k < 4; ++k) length[k] = square_root(square_of[k]);
@@ -54,18 +59,23 @@ struct CellMeasure {
     Real area;
 
     CellMeasure(Index n, CellCorners const& corners) noexcept
-        : twice_smallest(corners.smallest()), skew(skew_fraction(n, corners)), area(corners.cell_area(n)) {}
+        : twice_smallest(corners.smallest()),
+          skew(skew_fraction(n, corners)),
+          area(corners.cell_area(n)) {}
     // shape_of(i): the CellShape of a piece or a guard, counter-clockwise.
     template <class ShapeOf>
     CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of) noexcept;
 
-    // sqrt(f_size) f_skew: A. de Boer, M. S. van der Schoot, H. Bijl, Comput. Struct. 85 (2007) 784. reference_area:
-    // area of the cell in the mesh to compare with, or 0: skew quality alone. 0 where the cell is inverted.
+    // sqrt(f_size) f_skew: A. de Boer, M. S. van der Schoot, H. Bijl, Comput. Struct. 85 (2007)
+    // 784. reference_area: area of the cell in the mesh to compare with, or 0: skew quality alone.
+    // 0 where the cell is inverted.
     Real quality(Real reference_area) const noexcept {
         if (!(skew.above > 0)) return 0;
-        Real const size = absolute(reference_area), less = smaller(area, size), more = larger(area, size);
+        Real const size = absolute(reference_area), less = smaller(area, size),
+                   more = larger(area, size);
         if (size == 0) return skew.above / skew.under;
-        bool const in_range = less > smallest_of_products && more < largest_of_products && size == size;
+        bool const in_range =
+            less > smallest_of_products && more < largest_of_products && size == size;
         if (in_range) return skew.above * square_root(area * size) / (skew.under * more);
         return skew.above / skew.under * square_root(less / more);
     }
@@ -101,7 +111,8 @@ inline void Quality::add(Index cell, CellMeasure const& measure, Real reference_
 }
 
 inline void Quality::note(Index cell, Real twice_smallest, Real value) noexcept {
-    bool const is_number = twice_smallest == twice_smallest;  // not so where a coordinate is not finite
+    bool const is_number =
+        twice_smallest == twice_smallest;  // not so where a coordinate is not finite
     min_area = smaller(min_area, is_number ? 0.5 * twice_smallest : -infinity);
     if (!(twice_smallest > 0) && inverted++ == 0) first_inverted = cell;
     if (!(value > 0)) value = 0;
@@ -111,8 +122,8 @@ inline void Quality::note(Index cell, Real twice_smallest, Real value) noexcept 
     }
 }
 
-// Of m convex corners with interior angles t: m / (sin(2 pi / m) sum 1 / sin t), as the header has it; for m = 4,
-// f_skew.
+// Of m convex corners with interior angles t: m / (sin(2 pi / m) sum 1 / sin t), as the header has
+// it; for m = 4, f_skew.
 template <class ShapeOf>
 CellMeasure::CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of) noexcept
     : twice_smallest(infinity), skew{0, 1}, area(0) {

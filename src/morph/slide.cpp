@@ -15,10 +15,12 @@ void Sliding::slide(Points from, MutablePoints to) const noexcept {
         Vec2 const at = to[curves.point[slot]], back = curves.nearest(slot, at).at - at;
         if (back.x != 0 || back.y != 0) to.set(k, to[k] + part * back);
     });
-    curves.for_each([&](Index slot, Index point) { to.set(point, curves.nearest(slot, to[point]).at); });
+    curves.for_each(
+        [&](Index slot, Index point) { to.set(point, curves.nearest(slot, to[point]).at); });
 }
 
-// With J the derivative of the nearest place, followers are moved by their parts of J - 1 times the points that slide.
+// With J the derivative of the nearest place, followers are moved by their parts of J - 1 times the
+// points that slide.
 void Sliding::transpose(Points from, Points derivative, MutablePoints to) const noexcept {
     copy_points(n_points, derivative, to);
     auto const add_followers = [&](Real sign) {

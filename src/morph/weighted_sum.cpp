@@ -21,25 +21,29 @@ void add_pair(const Real* from, Real* to, Offset plane, Vec2 weight) noexcept {
 
 }  // namespace
 
-void add_weighted(Basis const& sum, Basis const& basis, Span<const Vec2> weight, Executor const& executor) noexcept {
+void add_weighted(Basis const& sum, Basis const& basis, Span<const Vec2> weight,
+                  Executor const& executor) noexcept {
     Index const n = basis.n_functions();
     Offset const plane = Offset{n} * width, block = Offset{basis.row_length()} * width;
     auto const add = [&](const Real* from, Real* to, Vec2 w) {
         switch (basis.kind()) {
             case ValueKind::real: return add_real(from, to, w.x);
             case ValueKind::complex: return add_pair(from, to, plane, w);
-            case ValueKind::matrix:  // xx + xy of a turned movement: (xx - i xy) w, with the other sign of i
+            case ValueKind::matrix:  // xx + xy of a turned movement: (xx - i xy) w, with the other
+                                     // sign of i
                 add_pair(from, to, plane, {w.x, -w.y});
                 return add_pair(from + 2 * plane, to + 2 * plane, plane, {w.x, -w.y});
         }
     };
-    executor.for_ranges(blocks_of(basis.n_points()), least_blocks_to_add, [&](Index begin, Index end) {
-        for (Index number = begin; number < end; ++number) {
-            const Real* const from = basis.value.data() + number * block;
-            Real* const to = sum.value.data() + number * block;
-            for (Index i = 0; i < n; ++i) add(from + Offset{i} * width, to + Offset{i} * width, weight[i]);
-        }
-    });
+    executor.for_ranges(
+        blocks_of(basis.n_points()), least_blocks_to_add, [&](Index begin, Index end) {
+            for (Index number = begin; number < end; ++number) {
+                const Real* const from = basis.value.data() + number * block;
+                Real* const to = sum.value.data() + number * block;
+                for (Index i = 0; i < n; ++i)
+                    add(from + Offset{i} * width, to + Offset{i} * width, weight[i]);
+            }
+        });
 }
 
 }  // namespace harmorph

@@ -6,8 +6,10 @@
 
 namespace harmorph {
 
-// sum += F w: function i is multiplied by the complex number weight[i], which acts on a movement before F_i does. Both
-// bases have the same counts. Of real functions only the real part of the weight is used.
-void add_weighted(Basis const& sum, Basis const& basis, Span<const Vec2> weight, Executor const& executor) noexcept;
+// sum += F w: function i is multiplied by the complex number weight[i], which acts on a movement
+// before F_i does. Both bases have the same counts. Of real functions only the real part of the
+// weight is used.
+void add_weighted(Basis const& sum, Basis const& basis, Span<const Vec2> weight,
+                  Executor const& executor) noexcept;
 
 }  // namespace harmorph

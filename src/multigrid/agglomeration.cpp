@@ -5,13 +5,13 @@
 namespace harmorph {
 namespace {
 
-// Couplings weaker than this fraction of the strongest one make no pair: 1/4 is an aspect ratio of 2. Of the two cells
-// the one whose strongest coupling is smaller decides: where couplings grow along a row of cells, each of them is the
-// strongest coupling of one of its two cells.
+// Couplings weaker than this fraction of the strongest one make no pair: 1/4 is an aspect ratio
+// of 2. Of the two cells the one whose strongest coupling is smaller decides: where couplings grow
+// along a row of cells, each of them is the strongest coupling of one of its two cells.
 constexpr Real strong = 0.25;
 
-// Bound of the quality of a pair; the criterion and the size of the bound are those of A. Napov, Y. Notay, SIAM J. Sci.
-// Comput. 34 (2012) A1079.
+// Bound of the quality of a pair; the criterion and the size of the bound are those of A. Napov, Y.
+// Notay, SIAM J. Sci. Comput. 34 (2012) A1079.
 constexpr Real pair_quality_bound = 8;
 
 // a b / (a + b): two conductances in series; 0 if one is not positive.
@@ -27,14 +27,14 @@ struct Preference {
         if (rows.faces[entry] == 0) return 0;
         return merging == Merging::isotropic ? rows.faces[entry] : -rows.value[entry];
     }
-    // A merged cell has one value, so the difference between its two parts must be removed by the smoother. The
-    // smoother does so only if the coupling of the two, together with their couplings to known values, is not small
-    // relative to their diagonals. A counterexample: two stacks of thin cells, each merged along strong couplings,
-    // which touch only weakly.
+    // A merged cell has one value, so the difference between its two parts must be removed by the
+    // smoother. The smoother does so only if the coupling of the two, together with their couplings
+    // to known values, is not small relative to their diagonals. A counterexample: two stacks of
+    // thin cells, each merged along strong couplings, which touch only weakly.
     bool is_smoothed(Part const& a, Part const& b, Real coupling) const noexcept {
         if (merging == Merging::isotropic) return true;
-        return 2 * in_series(a.diagonal,
-                             b.diagonal) <= pair_quality_bound * (coupling + in_series(a.row_sum, b.row_sum));
+        return 2 * in_series(a.diagonal, b.diagonal) <=
+               pair_quality_bound * (coupling + in_series(a.row_sum, b.row_sum));
     }
     bool is_strong(Real coupling, Real strongest) const noexcept {
         return coupling > 0 && (merging == Merging::isotropic || coupling >= strong * strongest);
@@ -115,10 +115,11 @@ bool Agglomeration::add_level(Merging merging) noexcept {
     return true;
 }
 
-// One pass: to [rows.n] receives the merged cell of each cell; returns the number of merged cells. They are numbered in
-// the order of their first cells: so the order stays that of an advancing front, and the parts of merged cells may
-// overwrite the parts of cells that are done.
-Index Agglomeration::pair_up(SymmetricRows const& rows, Merging merging, Span<Index> to) const noexcept {
+// One pass: to [rows.n] receives the merged cell of each cell; returns the number of merged cells.
+// They are numbered in the order of their first cells: so the order stays that of an advancing
+// front, and the parts of merged cells may overwrite the parts of cells that are done.
+Index Agglomeration::pair_up(SymmetricRows const& rows, Merging merging,
+                             Span<Index> to) const noexcept {
     Work const& w = work_;
     Preference const prefers{rows, merging};
     fill(w.strongest.first(rows.n), 0.0);

@@ -1,8 +1,10 @@
-// Full-approximation cycles for a block of W functions. Two things make the number of cycles independent of the mesh,
-// which it is not in the paper's V-cycle with piecewise constant corrections (measured from 10k to 100k points: 42 to
-// 92 cycles on isotropic cells, 77 to 156 on viscous ones; now 24 to 27 and 46 to 55). Each level is visited twice from
-// the next finer one (W-cycle): the errors of coarse solutions would add up over the levels. A step of Jacobi's smooths
-// each correction (smoothed aggregation; P. Vanek, J. Mandel, M. Brezina, Computing 56 (1996) 179).
+// Full-approximation cycles for a block of W functions. Two things make the number of cycles
+// independent of the mesh, which it is not in the paper's V-cycle with piecewise constant
+// corrections (measured from 10k to 100k points: 42 to 92 cycles on isotropic cells, 77 to 156 on
+// viscous ones; now 24 to 27 and 46 to 55). Each level is visited twice from the next finer one
+// (W-cycle): the errors of coarse solutions would add up over the levels. A step of Jacobi's
+// smooths each correction (smoothed aggregation; P. Vanek, J. Mandel, M. Brezina, Computing 56
+// (1996) 179).
 #pragma once
 
 #include <type_traits>
@@ -34,15 +36,23 @@ struct FinestScheme {
 template <Index W>
 class ApproximationCycles {
 public:
-    ApproximationCycles(FullApproximation const& engine, FinestScheme<W> const& finest, Real* vectors,
-                        Rows const& values, Index first) noexcept
-        : engine_(engine), a_(engine.levels), finest_(finest), values_(values), first_(first),
+    ApproximationCycles(FullApproximation const& engine, FinestScheme<W> const& finest,
+                        Real* vectors, Rows const& values, Index first) noexcept
+        : engine_(engine),
+          a_(engine.levels),
+          finest_(finest),
+          values_(values),
+          first_(first),
           width_(smaller(W, values.width - first)) {
         for (Index l = 0; l < a_.count; ++l) {
             Offset const numbers = Offset{a_.level[l].n} * W;
             Vectors& own = at_[l];
-            own = {vectors, vectors + numbers, vectors + 2 * numbers, vectors + 3 * numbers,
-                   vectors + 4 * numbers, nullptr};
+            own = {vectors,
+                   vectors + numbers,
+                   vectors + 2 * numbers,
+                   vectors + 3 * numbers,
+                   vectors + 4 * numbers,
+                   nullptr};
             vectors += 5 * numbers;
             if (l == 0) continue;
             own.restricted = vectors;
@@ -50,7 +60,8 @@ public:
         }
     }
 
-    // Calls after(cycle, largest relative residual of all functions); a status other than ok ends the iteration.
+    // Calls after(cycle, largest relative residual of all functions); a status other than ok ends
+    // the iteration.
     template <class After>
     Status run(IterationReport& report, After const& after) noexcept {
         Index const n = a_.level[0].n;
@@ -88,8 +99,9 @@ private:
     static constexpr Index coarse_visits = 2;    // of the next coarser level in a cycle
     static constexpr Real smoothing = 0.5;       // of corrections, times the step of Runge-Kutta
     static constexpr Index starting_cycles = 2;  // on each level on the way up
-    static constexpr Real lost_beyond = 1000;    // residual / smallest residual so far: above, the iteration diverges
-    static constexpr Index remembered = 4;       // cycles over which the rate of convergence is measured
+    static constexpr Real lost_beyond =
+        1000;  // residual / smallest residual so far: above, the iteration diverges
+    static constexpr Index remembered = 4;  // cycles over which the rate of convergence is measured
 
     struct Vectors {
         Real* f;           // right-hand side: sums of flux balances
@@ -100,10 +112,11 @@ private:
         Real* restricted;  // values from the finer level
     };
 
-    // A function ends when it has converged, when it diverges or at the last cycle, independently of the others: its
-    // values are stored then, so that their bits do not depend on which other functions are in the block. Does any
-    // function go on?
-    bool look(IterationReport& report, PerFunction<W> const& squares, PerFunction<W> const& given) noexcept {
+    // A function ends when it has converged, when it diverges or at the last cycle, independently
+    // of the others: its values are stored then, so that their bits do not depend on which other
+    // functions are in the block. Does any function go on?
+    bool look(IterationReport& report, PerFunction<W> const& squares,
+              PerFunction<W> const& given) noexcept {
         PerFunction<W> const changes = change();
         Real const tolerance = engine_.iteration.tolerance;
         bool any = false;
@@ -125,28 +138,32 @@ private:
     }
 
     void store_values(Index k) const noexcept {
-        for (Index i = 0; i < a_.level[0].n; ++i) values_[i][first_ + k] = at_[0].u[Offset{i} * W + k];
+        for (Index i = 0; i < a_.level[0].n; ++i)
+            values_[i][first_ + k] = at_[0].u[Offset{i} * W + k];
     }
 
-    // Upper bound of the change of values by the last coarse correction and by one step from here, relative to the
-    // largest value. Thin cells have by far the largest flux balances, so elsewhere a small residual may hide a large
-    // error.
+    // Upper bound of the change of values by the last coarse correction and by one step from here,
+    // relative to the largest value. Thin cells have by far the largest flux balances, so elsewhere
+    // a small residual may hide a large error.
     PerFunction<W> change() const noexcept {
         PerFunction<W> most;
         for (Index i = 0; i < a_.level[0].n; ++i) {
             const Real* const rest = at_[0].rest + Offset{i} * W;
-            for (Index k = 0; k < W; ++k) most[k] = larger(most[k], engine_.rate[0][i] * absolute(rest[k]));
+            for (Index k = 0; k < W; ++k)
+                most[k] = larger(most[k], engine_.rate[0][i] * absolute(rest[k]));
         }
         PerFunction<W> const size = largest<W>(at_[0].u, a_.level[0].n);
-        for (Index k = 0; k < W; ++k) most[k] = size[k] > 0 ? (most[k] + corrected_[k]) / size[k] : 0;
+        for (Index k = 0; k < W; ++k)
+            most[k] = size[k] > 0 ? (most[k] + corrected_[k]) / size[k] : 0;
         return most;
     }
 
-    // The estimated error: if changes shrink by a constant rate from cycle to cycle, the sum of all future changes is a
-    // geometric series; at least the last change again.
+    // The estimated error: if changes shrink by a constant rate from cycle to cycle, the sum of all
+    // future changes is a geometric series; at least the last change again.
     Real estimate_error(Index iteration, Real change, Index k) noexcept {
         Real& oldest = changes_[iteration % remembered][k];
-        Real const rate = iteration < remembered || oldest == 0 ? 1 : square_root(square_root(change / oldest));
+        Real const rate =
+            iteration < remembered || oldest == 0 ? 1 : square_root(square_root(change / oldest));
         oldest = change;
         if (change == 0) return 0;
         return rate < 1 ? larger(rate / (1 - rate), 1.0) * change : infinity;
@@ -157,13 +174,15 @@ private:
     }
     Real largest_residual() const noexcept {
         Real largest = 0;
-        for (Index k = 0; k < width_; ++k) largest = exceeds(residual_[k], largest) ? residual_[k] : largest;
+        for (Index k = 0; k < width_; ++k)
+            largest = exceeds(residual_[k], largest) ? residual_[k] : largest;
         return largest;
     }
 
     void take_rest(Index level) noexcept {
         Vectors const& own = at_[level];
-        if (level > 0 || finest_.nodal == nullptr) return residual<W>(a_.level[level], own.f, own.u, own.rest);
+        if (level > 0 || finest_.nodal == nullptr)
+            return residual<W>(a_.level[level], own.f, own.u, own.rest);
         copy<W>(own.f, own.rest, a_.level[0].n);
         finest_.add(own.u, own.rest);
     }
@@ -178,7 +197,8 @@ private:
             for (Index i = 0; i < n; ++i) {
                 Real const by = stage_coefficient[stage] * engine_.rate[level][i];
                 Offset const row = Offset{i} * W;
-                for (Index k = 0; k < W; ++k) own.u[row + k] = own.start[row + k] + by * own.rest[row + k];
+                for (Index k = 0; k < W; ++k)
+                    own.u[row + k] = own.start[row + k] + by * own.rest[row + k];
             }
         }
         if (level == 0) ++fine_steps_;
@@ -199,8 +219,9 @@ private:
         steps(level, n, false);
     }
 
-    // Restriction: values by area-weighted means, flux balances by sums. The right-hand side of the coarse equations is
-    // the coarse operator applied to the restricted values, plus the restricted balances (full approximation scheme).
+    // Restriction: values by area-weighted means, flux balances by sums. The right-hand side of the
+    // coarse equations is the coarse operator applied to the restricted values, plus the restricted
+    // balances (full approximation scheme).
     void restrict_to_coarse(Index level) noexcept {
         Index const below = level + 1, n = a_.level[below].n;
         Vectors const& coarse = at_[below];
@@ -221,9 +242,10 @@ private:
         for (Offset k = 0; k < Offset{n} * W; ++k) coarse.f[k] += coarse.rest[k];
     }
 
-    // Prolongation: u += length * S P (change of the coarse values); P repeats the value of a merged cell in its parts,
-    // S is a step of Jacobi's. The length minimises the energy of the error on this level (A. Reusken, Numer. Math. 58
-    // (1991) 819): corrections from merged cells are too small in smooth regions and too large elsewhere.
+    // Prolongation: u += length * S P (change of the coarse values); P repeats the value of a
+    // merged cell in its parts, S is a step of Jacobi's. The length minimises the energy of the
+    // error on this level (A. Reusken, Numer. Math. 58 (1991) 819): corrections from merged cells
+    // are too small in smooth regions and too large elsewhere.
     void correct(Index level) noexcept {
         Vectors const& own = at_[level];
         Vectors const& coarse = at_[level + 1];
@@ -232,11 +254,13 @@ private:
         Real* const change = own.start;
         for (Index i = 0; i < n; ++i) {
             Offset const cell = Offset{cell_of[i]} * W;
-            for (Index k = 0; k < W; ++k) change[Offset{i} * W + k] = coarse.u[cell + k] - coarse.restricted[cell + k];
+            for (Index k = 0; k < W; ++k)
+                change[Offset{i} * W + k] = coarse.u[cell + k] - coarse.restricted[cell + k];
         }
         multiply<W>(a_.level[level], change, own.product);
         for (Index i = 0; i < n; ++i)
-            add<W>(-smoothing * engine_.rate[level][i], own.product + Offset{i} * W, change + Offset{i} * W);
+            add<W>(-smoothing * engine_.rate[level][i], own.product + Offset{i} * W,
+                   change + Offset{i} * W);
         PerFunction<W> length = dot<W>(change, own.rest, n);
         PerFunction<W> const along = energy<W>(a_.level[level], change);
         for (Index k = 0; k < W; ++k) {
@@ -250,7 +274,8 @@ private:
         add_multiple<W>(length, change, own.u, n);
     }
 
-    // FMG-FAS: solves the problem on the coarsest level; the solution is the start on the next finer level, and so on.
+    // FMG-FAS: solves the problem on the coarsest level; the solution is the start on the next
+    // finer level, and so on.
     void start_from_coarsest() noexcept {
         for (Index l = 0; l + 1 < a_.count; ++l) {
             Index const n = a_.level[l + 1].n;
@@ -264,7 +289,8 @@ private:
         for (Index l = last; l > 0; --l) {
             for (Index k = 0; k < starting_cycles; ++k) cycle(l, false);
             for (Index i = 0; i < a_.level[l - 1].n; ++i) {
-                store<W>(load<W>(at_[l].u + Offset{a_.cell_of[l - 1][i]} * W), at_[l - 1].u + Offset{i} * W);
+                store<W>(load<W>(at_[l].u + Offset{a_.cell_of[l - 1][i]} * W),
+                         at_[l - 1].u + Offset{i} * W);
             }
         }
     }
@@ -276,7 +302,8 @@ private:
     Index first_, width_;
     Index fine_steps_ = 0;
     bool goes_on_[W] = {};
-    PerFunction<W> residual_, least_;         // relative; of functions that have ended the values at their end
+    PerFunction<W> residual_,
+        least_;  // relative; of functions that have ended the values at their end
     PerFunction<W> changes_[remembered];
     PerFunction<W> corrected_;  // largest change by the last correction on the finest level
     Vectors at_[Agglomeration::most_levels];

@@ -18,11 +18,12 @@ Status with_width(Iteration const& iteration, Run const& run) noexcept {
     }
 }
 
-// Calls solve(worker, first function, report, after) for each block. It must call after(iteration, largest relative
-// residual of the block) after each iteration and return the status of this call if that is not ok.
+// Calls solve(worker, first function, report, after) for each block. It must call after(iteration,
+// largest relative residual of the block) after each iteration and return the status of this call
+// if that is not ok.
 template <class Solve>
-Status solve_in_blocks(BlockIteration const& engine, Index functions, Progress const& progress, IterationReport& report,
-                       Fault& fault, Solve const& solve) noexcept {
+Status solve_in_blocks(BlockIteration const& engine, Index functions, Progress const& progress,
+                       IterationReport& report, Fault& fault, Solve const& solve) noexcept {
     Index const width = engine.iteration.block_width;
     Index const blocks = (functions + width - 1) / width;
     IterationReport of_worker[Executor::most_threads];
@@ -30,20 +31,25 @@ Status solve_in_blocks(BlockIteration const& engine, Index functions, Progress c
     Status status = Status::ok;
     for (Index first = 0; first < blocks && !failed(status); first += engine.workers) {
         Index const n = smaller(engine.workers, blocks - first);
-        bool const is_alone = n == 1;  // runs on the caller's thread, so the progress callback may be called
+        bool const is_alone =
+            n == 1;  // runs on the caller's thread, so the progress callback may be called
         engine.executor.for_each(n, [&](Index worker) {
             Index const block = first + worker;
             auto const after = [&](Index iteration, Real residual) {
                 engine.note(worker, iteration, residual);
                 if (!is_alone) return Status::ok;
-                Real const part = 1 - 1 / (1 + 0.05 * iteration);  // the number of iterations is not known in advance
+                Real const part =
+                    1 -
+                    1 / (1 + 0.05 * iteration);  // the number of iterations is not known in advance
                 return progress.report(Phase::solve, (block + part) / blocks, fault);
             };
             IterationReport of_block;
             Status const ended = solve(worker, block * width, of_block, after);
             if (is_alone) status = ended;
-            of_worker[worker].iterations = larger(of_worker[worker].iterations, of_block.iterations);
-            of_worker[worker].fine_sweeps = larger(of_worker[worker].fine_sweeps, of_block.fine_sweeps);
+            of_worker[worker].iterations =
+                larger(of_worker[worker].iterations, of_block.iterations);
+            of_worker[worker].fine_sweeps =
+                larger(of_worker[worker].fine_sweeps, of_block.fine_sweeps);
             of_worker[worker].settled = of_worker[worker].settled && of_block.settled;
         });
         if (failed(status) || first + n >= blocks) break;

@@ -1,6 +1,6 @@
-// Products of a symmetric matrix with a block of W functions. Vectors are node-major: the W numbers of a cell stand
-// side by side. Each routine is one pass over the stored triangle of the matrix; a coefficient is read once for W
-// functions.
+// Products of a symmetric matrix with a block of W functions. Vectors are node-major: the W numbers
+// of a cell stand side by side. Each routine is one pass over the stored triangle of the matrix; a
+// coefficient is read once for W functions.
 #pragma once
 
 #include "base/scalar.hpp"
@@ -78,7 +78,8 @@ PerFunction<W> add_multiple(PerFunction<W> const& a, const Real* x, Real* y, Ind
 
 // x = a x + b y
 template <Index W>
-void combine(PerFunction<W> const& a, Real* x, PerFunction<W> const& b, const Real* y, Index n) noexcept {
+void combine(PerFunction<W> const& a, Real* x, PerFunction<W> const& b, const Real* y,
+             Index n) noexcept {
     for (Offset i = 0; i < Offset{n} * W; i += W) {
         for (Index k = 0; k < W; ++k) x[i + k] = a.at[k] * x[i + k] + b.at[k] * y[i + k];
     }
@@ -131,13 +132,15 @@ PerFunction<W> energy(SymmetricRows const& rows, const Real* x) noexcept {
         for (Index k = 0; k < W; ++k) sum.at[k] += rows.row_sum[i] * own[k] * own[k];
         for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
             const Real* const other = x + Offset{rows.column[e]} * W;
-            for (Index k = 0; k < W; ++k) sum.at[k] -= rows.value[e] * (other[k] - own[k]) * (other[k] - own[k]);
+            for (Index k = 0; k < W; ++k)
+                sum.at[k] -= rows.value[e] * (other[k] - own[k]) * (other[k] - own[k]);
         }
     }
     return sum;
 }
 
-// A = L + D + L^T. Symmetric Gauss-Seidel from a start of 0 with a coarse correction in between, in one array:
+// A = L + D + L^T. Symmetric Gauss-Seidel from a start of 0 with a coarse correction in between, in
+// one array:
 //   x = r;  forward: x = (L + D)^-1 x;  to_defect: defect = sums of r - A x = -L^T x, and x = D x;
 //   correct: x -= L (correction);  backward: x = (D + L^T)^-1 x.
 template <Index W>
@@ -161,7 +164,8 @@ void scale_by_diagonal(SymmetricRows const& rows, Real* x) noexcept {
 }
 
 template <Index W>
-void to_defect(SymmetricRows const& rows, Span<const Index> cell_of, Index n_coarse, Real* x, Real* defect) noexcept {
+void to_defect(SymmetricRows const& rows, Span<const Index> cell_of, Index n_coarse, Real* x,
+               Real* defect) noexcept {
     clear<W>(defect, n_coarse);
     for (Index i = 0; i < rows.n; ++i) {
         PerFunction<W> sum;
@@ -169,12 +173,14 @@ void to_defect(SymmetricRows const& rows, Span<const Index> cell_of, Index n_coa
             add<W>(rows.value[e], x + Offset{rows.column[e]} * W, sum.at);
         }
         add<W>(-1, sum.at, defect + Offset{cell_of[i]} * W);
-        for (Index k = 0; k < W; ++k) x[Offset{i} * W + k] *= rows.diagonal[i];  // later rows do not read it
+        for (Index k = 0; k < W; ++k)
+            x[Offset{i} * W + k] *= rows.diagonal[i];  // later rows do not read it
     }
 }
 
 template <Index W>
-void correct(SymmetricRows const& rows, Span<const Index> cell_of, const Real* correction, Real* x) noexcept {
+void correct(SymmetricRows const& rows, Span<const Index> cell_of, const Real* correction,
+             Real* x) noexcept {
     for (Index i = 0; i < rows.n; ++i) {
         PerFunction<W> const by = load<W>(correction + Offset{cell_of[i]} * W);
         for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {

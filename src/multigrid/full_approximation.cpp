@@ -43,15 +43,16 @@ Status FullApproximation::set_up(SymmetricRows const& finest, Fault& fault) noex
     copy(area[0], Span<const Real>(volumes.area));
     for (Index l = 0; l + 1 < levels.count; ++l) {
         fill(area[l + 1], 0.0);
-        for (Index i = 0; i < levels.level[l].n; ++i) area[l + 1][levels.cell_of[l][i]] += area[l][i];
+        for (Index i = 0; i < levels.level[l].n; ++i)
+            area[l + 1][levels.cell_of[l][i]] += area[l][i];
     }
     choose_steps();
     return Status::ok;
 }
 
-// Eigenvalues are at most the maximum over the rows of |diagonal| + sum of |off-diagonal entries| (Gershgorin's
-// theorem); the step of a row follows from the sum of that row. Coarse levels have no edge lengths, so there only this
-// limit applies.
+// Eigenvalues are at most the maximum over the rows of |diagonal| + sum of |off-diagonal entries|
+// (Gershgorin's theorem); the step of a row follows from the sum of that row. Coarse levels have no
+// edge lengths, so there only this limit applies.
 void FullApproximation::choose_steps() noexcept {
     for (Index l = 0; l < levels.count; ++l) {
         SymmetricRows const& rows = levels.level[l];
@@ -68,15 +69,18 @@ void FullApproximation::choose_steps() noexcept {
     }
 }
 
-Status FullApproximation::solve(Rows const& values, const NodalGradient* scheme, Progress const& progress,
-                                IterationReport& report, Fault& fault) const noexcept {
+Status FullApproximation::solve(Rows const& values, const NodalGradient* scheme,
+                                Progress const& progress, IterationReport& report,
+                                Fault& fault) const noexcept {
     Index const n = levels.level[0].n;
     auto const run = [&](auto width) {
         constexpr Index w = decltype(width)::value;
-        auto const solve_block = [&](Index worker, Index first, IterationReport& block_report, auto const& after) {
+        auto const solve_block = [&](Index worker, Index first, IterationReport& block_report,
+                                     auto const& after) {
             Real* const own_vectors = vectors.data() + worker * worker_rows(n) * w;
             block::FinestScheme<w> const finest{scheme, n, own_vectors + level_rows(n) * w};
-            return block::ApproximationCycles<w>(*this, finest, own_vectors, values, first).run(block_report, after);
+            return block::ApproximationCycles<w>(*this, finest, own_vectors, values, first)
+                .run(block_report, after);
         };
         return solve_in_blocks(*this, values.width, progress, report, fault, solve_block);
     };

@@ -1,9 +1,10 @@
-// The paper's iteration: pseudo-time dF/dt = R(F) by explicit Runge-Kutta steps with local time steps, accelerated by
-// the full approximation scheme on agglomerated levels, and started from the coarsest of them (FMG-FAS).
+// The paper's iteration: pseudo-time dF/dt = R(F) by explicit Runge-Kutta steps with local time
+// steps, accelerated by the full approximation scheme on agglomerated levels, and started from the
+// coarsest of them (FMG-FAS).
 //
-// R(F)_P is the flux balance of the control volume of P divided by the area of the volume, with the sign of diffusion:
-// R(F)_P = (sum over the neighbours Q of c_PQ (F_Q - F_P)) / area_P. Equations 8 and 11 of the paper are printed with
-// the opposite sign, with which F would grow without bound.
+// R(F)_P is the flux balance of the control volume of P divided by the area of the volume, with the
+// sign of diffusion: R(F)_P = (sum over the neighbours Q of c_PQ (F_Q - F_P)) / area_P. Equations 8
+// and 11 of the paper are printed with the opposite sign, with which F would grow without bound.
 #pragma once
 
 #include "mesh/control_volumes.hpp"
@@ -14,24 +15,29 @@
 namespace harmorph {
 
 struct FullApproximation : BlockIteration {
-    static constexpr Index default_cycles = 2000, default_steps = 200000;  // steps: with a single level
-    static constexpr Index finest_vectors = 5, coarse_vectors = 6;         // of a worker: block_width numbers a cell
-    // dt_P = cfl (0.5 shortest edge)^2, but at most the step with which the scheme damps all eigenvectors.
+    static constexpr Index default_cycles = 2000,
+                           default_steps = 200000;  // steps: with a single level
+    static constexpr Index finest_vectors = 5,
+                           coarse_vectors = 6;  // of a worker: block_width numbers a cell
+    // dt_P = cfl (0.5 shortest edge)^2, but at most the step with which the scheme damps all
+    // eigenvectors.
     static constexpr Real cfl = 4;
-    // Nodal gradients without correction have small eigenvalues for short waves: on squares the largest eigenvalue is a
-    // quarter of that of the compact scheme, and on meshes of all kinds it was measured to be at most 0.35 of it. So
-    // steps may be 2.5 times as long. With correction the largest eigenvalues are those of the compact scheme, within
-    // the margin that damping_limit leaves.
+    // Nodal gradients without correction have small eigenvalues for short waves: on squares the
+    // largest eigenvalue is a quarter of that of the compact scheme, and on meshes of all kinds it
+    // was measured to be at most 0.35 of it. So steps may be 2.5 times as long. With correction the
+    // largest eigenvalues are those of the compact scheme, within the margin that damping_limit
+    // leaves.
     static constexpr Real plain_stretch = 2.5;
 
-    ControlVolumes volumes;                    // of the finest level
-    Index scheme_rows = 0;                     // rows of the scheme of nodal gradients; 0: the compact scheme
-    Real stretch = 1;                          // factor of the steps on the finest level
-    Span<Real> rate_pool, area_pool;           // of all levels, one behind the other
+    ControlVolumes volumes;  // of the finest level
+    Index scheme_rows = 0;   // rows of the scheme of nodal gradients; 0: the compact scheme
+    Real stretch = 1;        // factor of the steps on the finest level
+    Span<Real> rate_pool, area_pool;              // of all levels, one behind the other
     Span<Real> rate[Agglomeration::most_levels];  // [n] dt / area of each cell of a level
     Span<Real> area[Agglomeration::most_levels];  // [n]
 
-    void lay_out(Arena& arena, Index n, Index functions, Iteration const& asked, Executor const& threads) noexcept;
+    void lay_out(Arena& arena, Index n, Index functions, Iteration const& asked,
+                 Executor const& threads) noexcept;
     // Balances on the finest level are to be those of nodal gradients. Call before lay_out().
     void take_scheme(Index rows, bool corrected) noexcept;
     // Working space of set_up(), and of solve(): both may occupy the same memory.
@@ -40,11 +46,11 @@ struct FullApproximation : BlockIteration {
 
     // `volumes` must have been measured.
     Status set_up(SymmetricRows const& finest, Fault& fault) noexcept;
-    // In place: right-hand sides become solutions. scheme: nodal gradients for the finest level, rows of unknowns by
-    // position and then rows of known points; null: the compact scheme. Coarser levels have sums of the compact
-    // scheme's conductances.
-    Status solve(Rows const& values, const NodalGradient* scheme, Progress const& progress, IterationReport& report,
-                 Fault& fault) const noexcept;
+    // In place: right-hand sides become solutions. scheme: nodal gradients for the finest level,
+    // rows of unknowns by position and then rows of known points; null: the compact scheme. Coarser
+    // levels have sums of the compact scheme's conductances.
+    Status solve(Rows const& values, const NodalGradient* scheme, Progress const& progress,
+                 IterationReport& report, Fault& fault) const noexcept;
 
 private:
     static Offset level_rows(Index n) noexcept {

@@ -10,38 +10,46 @@ namespace harmorph {
 
 struct Iteration {
     MergingRules merging;
-    Index block_width = 8;       // functions that are solved at a time: 4, 8 or 16
+    Index block_width = 8;  // functions that are solved at a time: 4, 8 or 16
     Index max_iterations = 0;
-    bool starts_from_zero = false;  // full approximation scheme: F = 0 instead of full multigrid (FMG)
-    // For each function: of the relative residual in 2-norms, and of the estimated error relative to the largest value.
+    bool starts_from_zero =
+        false;  // full approximation scheme: F = 0 instead of full multigrid (FMG)
+    // For each function: of the relative residual in 2-norms, and of the estimated error relative
+    // to the largest value.
     Real tolerance = 1e-10;
-    // The caller's array, or empty: largest relative residual before the first iteration and after each iteration.
+    // The caller's array, or empty: largest relative residual before the first iteration and after
+    // each iteration.
     Span<Real> history;
 
-    static constexpr bool has_width(Index width) noexcept { return width == 4 || width == 8 || width == 16; }
+    static constexpr bool has_width(Index width) noexcept {
+        return width == 4 || width == 8 || width == 16;
+    }
 };
 
 struct IterationReport {
     Index iterations = 0;   // largest over the functions
     Index fine_sweeps = 0;  // of the smoother over the finest level, largest over the functions
     Index levels = 0;
-    bool settled = true;    // the estimated errors of values are within the tolerance
+    bool settled = true;  // the estimated errors of values are within the tolerance
 };
 
-// Functions are solved in blocks. A worker is one thread's sequence of blocks, with vectors and a history of its own.
+// Functions are solved in blocks. A worker is one thread's sequence of blocks, with vectors and a
+// history of its own.
 struct BlockIteration {
     Iteration iteration;
     Executor executor;
     Index workers = 1;
     Agglomeration levels;
-    Span<Real> vectors;        // [workers x numbers of a worker]
-    Span<Real> worker_history; // [workers x history]
+    Span<Real> vectors;         // [workers x numbers of a worker]
+    Span<Real> worker_history;  // [workers x history]
 
-    void lay_out(Arena& arena, Index n, Index functions, Iteration const& asked, Executor const& threads) noexcept;
+    void lay_out(Arena& arena, Index n, Index functions, Iteration const& asked,
+                 Executor const& threads) noexcept;
     // Are all diagonals positive? fault.item is a position otherwise.
     static Status check_diagonals(SymmetricRows const& rows, Fault& fault) noexcept;
     static Status refuse_row(Index position, Fault& fault) noexcept;
-    // Records the residual of a block in the worker's history, which has the maximum over all blocks of the worker.
+    // Records the residual of a block in the worker's history, which has the maximum over all
+    // blocks of the worker.
     void note(Index worker, Index number, Real residual) const noexcept;
     // Writes the maximum over all workers to iteration.history.
     void merge_histories() const noexcept;

@@ -34,7 +34,8 @@ Status Multigrid::solve(Rows const& values, Progress const& progress, IterationR
     Index const n = levels.level[0].n;
     auto const run = [&](auto width) {
         constexpr Index w = decltype(width)::value;
-        auto const run_block = [&](Index worker, Index first, IterationReport& block_report, auto const& after) {
+        auto const run_block = [&](Index worker, Index first, IterationReport& block_report,
+                                   auto const& after) {
             Real* const own_vectors = vectors.data() + worker * worker_rows(n) * w;
             block::ConjugateGradients<w> iterate(*this, own_vectors, values, first);
             return iterate.run(block_report, after);

@@ -6,7 +6,8 @@
 
 namespace harmorph::block {
 
-// A step along a direction: 0 where the direction has no energy, or so little that the quotient would overflow.
+// A step along a direction: 0 where the direction has no energy, or so little that the quotient
+// would overflow.
 inline Real per_energy(Real product, Real energy) noexcept {
     constexpr Real smallest = 1e-150;
     return energy > 0 && smallest * absolute(product) <= energy ? product / energy : 0;
@@ -17,9 +18,11 @@ class Cycle {
 public:
     Cycle(Multigrid const& engine, Real* vectors) noexcept : engine_(engine), a_(engine.levels) {
         Index const n = a_.level[0].n;
-        for (Index k = 0; k < Multigrid::finest_vectors; ++k, vectors += Offset{n} * W) finest[k] = vectors;
+        for (Index k = 0; k < Multigrid::finest_vectors; ++k, vectors += Offset{n} * W)
+            finest[k] = vectors;
         for (Index l = 1; l < a_.count; ++l) {
-            for (Index k = 0; k < Multigrid::coarse_vectors; ++k, vectors += Offset{a_.level[l].n} * W) {
+            for (Index k = 0; k < Multigrid::coarse_vectors;
+                 ++k, vectors += Offset{a_.level[l].n} * W) {
                 coarse_[l][k] = vectors;
             }
         }
@@ -27,8 +30,8 @@ public:
 
     Real* finest[Multigrid::finest_vectors];
 
-    // z = B r: B approximates the inverse. It is positive definite, but depends weakly on r through the inner steps of
-    // the cycle: hence flexible conjugate gradients.
+    // z = B r: B approximates the inverse. It is positive definite, but depends weakly on r through
+    // the inner steps of the cycle: hence flexible conjugate gradients.
     void precondition(const Real* r, Real* z) const noexcept { precondition(0, r, z); }
 
 private:
@@ -50,7 +53,8 @@ private:
         backward<W>(rows, z);
     }
 
-    // Two steps of flexible conjugate gradients from 0, each preconditioned by the coarser levels (K-cycle).
+    // Two steps of flexible conjugate gradients from 0, each preconditioned by the coarser levels
+    // (K-cycle).
     void solve(Index level) const noexcept {
         SymmetricRows const& rows = a_.level[level];
         Real* const r = coarse_[level][0];
@@ -96,15 +100,22 @@ private:
     Real* coarse_[Agglomeration::most_levels][Multigrid::coarse_vectors];
 };
 
-// Flexible conjugate gradients for functions first .. first + W - 1 of `values`; functions behind the last one are 0.
+// Flexible conjugate gradients for functions first .. first + W - 1 of `values`; functions behind
+// the last one are 0.
 template <Index W>
 class ConjugateGradients {
 public:
-    ConjugateGradients(Multigrid const& engine, Real* vectors, Rows const& values, Index first) noexcept
-        : engine_(engine), rows_(engine.levels.level[0]), cycle_(engine, vectors), values_(values), first_(first),
+    ConjugateGradients(Multigrid const& engine, Real* vectors, Rows const& values,
+                       Index first) noexcept
+        : engine_(engine),
+          rows_(engine.levels.level[0]),
+          cycle_(engine, vectors),
+          values_(values),
+          first_(first),
           width_(smaller(W, values.width - first)) {}
 
-    // Calls after(iteration, largest relative residual of all functions); a status other than ok ends the iteration.
+    // Calls after(iteration, largest relative residual of all functions); a status other than ok
+    // ends the iteration.
     template <class After>
     Status run(IterationReport& report, After const& after) noexcept {
         Index& iterations = report.iterations;
@@ -117,15 +128,17 @@ public:
         squares_ = first_squares_ = dot<W>(r(), r(), rows_.n);
         errors_ = {};
         HARMORPH_TRY(after(0, largest_residual()));
-        // The recursively updated residual drifts from the true one: a function has converged only if the true one
-        // agrees.
-        for (Index descents = 0; descents < 3 && iterations < engine_.iteration.max_iterations; ++descents) {
+        // The recursively updated residual drifts from the true one: a function has converged only
+        // if the true one agrees.
+        for (Index descents = 0; descents < 3 && iterations < engine_.iteration.max_iterations;
+             ++descents) {
             HARMORPH_TRY(descend(iterations, after));
             take_true_residual();
             for (Index k = 0; k < W; ++k) is_confirmed_[k] = is_done(k);
             if (converged()) break;
         }
-        for (Index k = 0; k < W; ++k) report.settled = report.settled && (is_confirmed_[k] || is_settled(k));
+        for (Index k = 0; k < W; ++k)
+            report.settled = report.settled && (is_confirmed_[k] || is_settled(k));
         report.fine_sweeps = iterations;  // one symmetric Gauss-Seidel sweep in each
         for (Index i = 0; i < rows_.n; ++i) {
             Real* const to = values_[i] + first_;
@@ -141,13 +154,19 @@ private:
     Real* p() const noexcept { return cycle_.finest[3]; }
     Real* q() const noexcept { return cycle_.finest[4]; }
 
-    // Thin cells have by far the largest entries, so elsewhere a small norm of the residual, or a small energy, may
-    // hide a large error. B r approximates the error: its maximum must be small relative to the largest value.
-    bool is_settled(Index k) const noexcept { return errors_[k] <= engine_.iteration.tolerance * sizes_[k]; }
-    bool is_small(Index k) const noexcept {
-        return square_root(squares_[k]) <= engine_.iteration.tolerance * square_root(first_squares_[k]);
+    // Thin cells have by far the largest entries, so elsewhere a small norm of the residual, or a
+    // small energy, may hide a large error. B r approximates the error: its maximum must be small
+    // relative to the largest value.
+    bool is_settled(Index k) const noexcept {
+        return errors_[k] <= engine_.iteration.tolerance * sizes_[k];
     }
-    bool is_done(Index k) const noexcept { return is_confirmed_[k] || (is_small(k) && is_settled(k)); }
+    bool is_small(Index k) const noexcept {
+        return square_root(squares_[k]) <=
+               engine_.iteration.tolerance * square_root(first_squares_[k]);
+    }
+    bool is_done(Index k) const noexcept {
+        return is_confirmed_[k] || (is_small(k) && is_settled(k));
+    }
     bool converged() const noexcept {
         for (Index k = 0; k < W; ++k) {
             if (!is_done(k)) return false;
@@ -173,10 +192,12 @@ private:
         copy<W>(z(), p(), n);
         while (iterations < engine_.iteration.max_iterations && !converged()) {
             PerFunction<W> const along = multiply<W>(rows_, p(), q());
-            // The step to the minimum of the energy along p: the energy of the error never grows, whatever p is.
+            // The step to the minimum of the energy along p: the energy of the error never grows,
+            // whatever p is.
             PerFunction<W> step = dot<W>(p(), r(), n), minus_step;
             for (Index k = 0; k < W; ++k) {
-                step[k] = is_done(k) ? 0 : per_energy(step[k], along[k]);  // converged functions stay
+                step[k] =
+                    is_done(k) ? 0 : per_energy(step[k], along[k]);  // converged functions stay
                 minus_step[k] = -step[k];
             }
             add_multiple<W>(step, p(), x(), n);
@@ -215,9 +236,10 @@ private:
     Cycle<W> cycle_;
     Rows const& values_;
     Index first_, width_;
-    PerFunction<W> squares_, first_squares_;  // squared norms of the residuals, now and at the beginning
-    PerFunction<W> errors_, sizes_;           // maxima of |B r| and |x|
-    bool is_confirmed_[W] = {};               // converged by the true residual: not changed any more
+    PerFunction<W> squares_,
+        first_squares_;              // squared norms of the residuals, now and at the beginning
+    PerFunction<W> errors_, sizes_;  // maxima of |B r| and |x|
+    bool is_confirmed_[W] = {};      // converged by the true residual: not changed any more
 };
 
 }  // namespace harmorph::block

@@ -3,8 +3,9 @@
 namespace harmorph {
 namespace {
 
-// Computed from the smallest point number on, so that the three edges of a triangle get the same bits: linear fields
-// are then reproduced even where the area is a small difference of large products.
+// Computed from the smallest point number on, so that the three edges of a triangle get the same
+// bits: linear fields are then reproduced even where the area is a small difference of large
+// products.
 Real twice_area(Index a, Index b, Index c, Points points) noexcept {
     Index const first = smaller(a, smaller(b, c));
     if (first == b) return cross(points[c] - points[b], points[a] - points[b]);
@@ -20,7 +21,9 @@ Index assemble_bounded(Span<const DelaunayEdge> edges, Points points, Span<const
     for (Index i = 0; i < edges.count(); ++i) {
         DelaunayEdge const edge = edges[i];
         Vec2 const begin = points[edge.begin], end = points[edge.end];
-        auto const dot_at = [&](Index apex) { return dot(begin - points[apex], end - points[apex]); };
+        auto const dot_at = [&](Index apex) {
+            return dot(begin - points[apex], end - points[apex]);
+        };
         Real const left = twice_area(edge.begin, edge.end, edge.left, points);
         if (!(left > 0)) return i;
         Real conductance = 0.5 * (dot_at(edge.left) / left);
@@ -29,7 +32,8 @@ Index assemble_bounded(Span<const DelaunayEdge> edges, Points points, Span<const
             if (!(right > 0)) return i;
             conductance = larger(conductance + 0.5 * (dot_at(edge.right) / right), 0.0);
         }
-        matrix.add(edge.begin, edge.end, conductivity.empty() ? conductance : conductivity[i] * conductance);
+        matrix.add(edge.begin, edge.end,
+                   conductivity.empty() ? conductance : conductivity[i] * conductance);
     }
     return none;
 }

@@ -1,5 +1,5 @@
-// A few cells side by side: their conductances are computed by vectors, and the places of one cell in the matrix are
-// found while the processor waits for the memory of another.
+// A few cells side by side: their conductances are computed by vectors, and the places of one cell
+// in the matrix are found while the processor waits for the memory of another.
 #pragma once
 
 #include "operators/matrix.hpp"

@@ -44,7 +44,8 @@ Matrix::Entry Matrix::entry(RowRange rows, Index i, Index j) const noexcept {
         Offset const at = find_in_row(column, start[i], start[i + 1], j);
         return {value.data() + at, imaginary.data() + at, turned};
     }
-    Index const at = find_in_order<Index>(coupling_row, coupling_start[wall(j)], coupling_start[wall(j) + 1], i);
+    Index const at =
+        find_in_order<Index>(coupling_row, coupling_start[wall(j)], coupling_start[wall(j) + 1], i);
     return {coupling_value.data() + at, coupling_imaginary.data() + at, turned};
 }
 
@@ -58,7 +59,8 @@ void Matrix::add(Index point, Index other, Real conductance) const noexcept {
 }
 
 template <bool with_circulation>
-void Matrix::add_off_diagonal(RowRange rows, Index i, Index j, Real conductance, Real circulation) const noexcept {
+void Matrix::add_off_diagonal(RowRange rows, Index i, Index j, Real conductance,
+                              Real circulation) const noexcept {
     if (i == j) return;
     if (j < 0 && rows.contain(i)) {
         row_sum[i] += conductance;
@@ -87,8 +89,9 @@ void Matrix::add_turns(RowRange rows, Cell const& cell, CellConductances const& 
     }
 }
 
-// The entry of the displacements of two points, with numbers that are turned to these displacements, is another one:
-// conjugate(frame) entry other frame. Adds the difference. Points whose value is 0 are not turned.
+// The entry of the displacements of two points, with numbers that are turned to these
+// displacements, is another one: conjugate(frame) entry other frame. Adds the difference. Points
+// whose value is 0 are not turned.
 void Matrix::add_turn(RowRange rows, Index point, Index other, Vec2 entry_value) const noexcept {
     Vec2 const own = frame[point], its = frame[other];
     Index const i = row_of[point], j = row_of[other];
@@ -121,12 +124,15 @@ void Matrix::add_turn(RowRange rows, Index point, Index other, Vec2 entry_value)
     add_to_sum(j, conjugate(change));
 }
 
-// The complex entry of two points as a real 2 x 2 block in the frames of these points; a slipping point has the first
-// dof only.
-void Matrix::add_coupled(RowRange rows, Index point, Index other, Real conductance, Real circulation) const noexcept {
+// The complex entry of two points as a real 2 x 2 block in the frames of these points; a slipping
+// point has the first dof only.
+void Matrix::add_coupled(RowRange rows, Index point, Index other, Real conductance,
+                         Real circulation) const noexcept {
     if (row_of[2 * point] == row_of[2 * other]) return;
-    Vec2 const complex_entry = product(conjugate(frame[point]), product({-conductance, circulation}, frame[other]));
-    Real const block[2][2] = {{complex_entry.x, -complex_entry.y}, {complex_entry.y, complex_entry.x}};
+    Vec2 const complex_entry =
+        product(conjugate(frame[point]), product({-conductance, circulation}, frame[other]));
+    Real const block[2][2] = {{complex_entry.x, -complex_entry.y},
+                              {complex_entry.y, complex_entry.x}};
     auto const add_to = [&](Span<Real> numbers, Index row, Real number) {
         if (rows.contain(row)) numbers[row] += number;
     };
@@ -151,7 +157,8 @@ void Matrix::add_coupled(RowRange rows, Index point, Index other, Real conductan
     if (is_beside_fixed(other, point)) couple_to_fixed(rows, other, conductance, -circulation);
 }
 
-void Matrix::couple_to_fixed(RowRange rows, Index point, Real conductance, Real circulation) const noexcept {
+void Matrix::couple_to_fixed(RowRange rows, Index point, Real conductance,
+                             Real circulation) const noexcept {
     Entry const at = entry(rows, row_of[2 * point], none);
     if (at.value == nullptr) return;
     *at.value -= conductance;

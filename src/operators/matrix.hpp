@@ -1,4 +1,5 @@
-// The Hermitian matrix of the unknowns in the order of elimination, and its columns of known values on the wall.
+// The Hermitian matrix of the unknowns in the order of elimination, and its columns of known values
+// on the wall.
 #pragma once
 
 #include "ordering/symbolic.hpp"
@@ -12,10 +13,12 @@ namespace harmorph {
 // What the unknowns are, and so what an entry is.
 //   real       one real number for a point: operators that move x and y alike
 //   complex    one complex number for a point: the conformal operator
-//   coupled_xy  two real numbers for a point, one where it slips: any operator where slip lines couple x and y
+//   coupled_xy  two real numbers for a point, one where it slips: any operator where slip lines
+//   couple x and y
 enum class MatrixKind : std::int32_t { real, complex, coupled_xy };
 
-// Between the corners of a cell: side[k] from corner k to the next, across[k] of a quad from corner k to k + 2.
+// Between the corners of a cell: side[k] from corner k to the next, across[k] of a quad from corner
+// k to k + 2.
 struct CellConductances {
     Real side[4] = {};
     Real across[2] = {};
@@ -39,18 +42,20 @@ struct RowRange {
     }
 };
 
-// Degrees of freedom (dofs): a point has one (a real or a complex number), or two where x and y are coupled: dof 2 p
-// moves point p along frame[p], dof 2 p + 1 normal to it. A point that slips has the first one only, along the tangent.
-// Where sides of a passage are turned against each other, frame[p] is what turns the complex number of a dof into the
-// displacement of the point.
+// Degrees of freedom (dofs): a point has one (a real or a complex number), or two where x and y are
+// coupled: dof 2 p moves point p along frame[p], dof 2 p + 1 normal to it. A point that slips has
+// the first one only, along the tangent. Where sides of a passage are turned against each other,
+// frame[p] is what turns the complex number of a dof into the displacement of the point.
 //
-// Row i stores the entries of later columns, the upper triangle; the lower triangle is the conjugate one and is not
-// stored. A coupling is the entry of an unknown's row in the column of a dof on the wall, whose value is known: it
-// belongs to the right-hand side. Entries in columns of fixed points are summed in fixed_value, as the values of these
-// points are 0. Together with them the diagonal, entries and couplings of a row sum to 0 up to the rounding of the
-// diagonal, so A F is a sum of differences along couplings. Where x and y are coupled, this holds before the dofs of
-// slipping points are turned to the slip lines; one complex number of fixed_value then stands for both dofs of a point.
-// fixed_value also has what is left of the sum where a coupling is between points that are turned differently.
+// Row i stores the entries of later columns, the upper triangle; the lower triangle is the
+// conjugate one and is not stored. A coupling is the entry of an unknown's row in the column of a
+// dof on the wall, whose value is known: it belongs to the right-hand side. Entries in columns of
+// fixed points are summed in fixed_value, as the values of these points are 0. Together with them
+// the diagonal, entries and couplings of a row sum to 0 up to the rounding of the diagonal, so A F
+// is a sum of differences along couplings. Where x and y are coupled, this holds before the dofs of
+// slipping points are turned to the slip lines; one complex number of fixed_value then stands for
+// both dofs of a point. fixed_value also has what is left of the sum where a coupling is between
+// points that are turned differently.
 struct Matrix {
     struct Sizes {
         Offset entries = 0;
@@ -61,11 +66,12 @@ struct Matrix {
 
     Index n = 0;
     MatrixKind kind = MatrixKind::real;
-    Span<Index> row_of;          // [components * n_points] row of an unknown; wall(dof on the wall); none where F = 0
-    Span<Real> diagonal;         // [n]
-    Span<Real> row_sum;          // [n] sum of all entries of a row, the diagonal among them
-    Span<Real> row_sum_imaginary; // complex only
-    Span<Offset> start;          // [n + 1]
+    Span<Index> row_of;   // [components * n_points] row of an unknown; wall(dof on the wall); none
+                          // where F = 0
+    Span<Real> diagonal;  // [n]
+    Span<Real> row_sum;   // [n] sum of all entries of a row, the diagonal among them
+    Span<Real> row_sum_imaginary;  // complex only
+    Span<Offset> start;            // [n + 1]
     Span<Index> column;
     Span<Real> value;
     Span<Real> imaginary;        // complex only
@@ -73,11 +79,12 @@ struct Matrix {
     Span<Index> coupling_row;
     Span<Real> coupling_value;
     Span<Real> coupling_imaginary;
-    Span<Index> fixed_row;       // rows of unknowns beside fixed or turned points, increasing, some repeated;
-                                 // first dofs only
+    Span<Index> fixed_row;  // rows of unknowns beside fixed or turned points, increasing, some
+                            // repeated; first dofs only
     Span<Real> fixed_value;
     Span<Real> fixed_imaginary;
-    Span<Vec2> frame;            // [n_points] of a point's first dof, where x and y are coupled or sides turned
+    Span<Vec2>
+        frame;  // [n_points] of a point's first dof, where x and y are coupled or sides turned
     bool frames_change = false;  // with the coordinates: points slip along curves
 
     Index components() const noexcept { return kind == MatrixKind::coupled_xy ? 2 : 1; }
@@ -86,66 +93,83 @@ struct Matrix {
     // Has a passage sides that are turned against each other?
     bool turns_sides() const noexcept { return is_complex() && !frame.empty(); }
 
-    static constexpr Index short_row = 8;  // so many columns may be read from the first one of any row on
+    static constexpr Index short_row =
+        8;  // so many columns may be read from the first one of any row on
 
     // Dofs on the wall are numbered components * slot + component. wall(wall(dof)) = dof.
     static constexpr Index wall(Index dof) noexcept { return -2 - dof; }
     static constexpr bool is_wall(Index row) noexcept { return row <= -2; }
 
-    static Sizes count(Graph const& graph, MatrixKind kind, Periodicity const& periodicity) noexcept;
-    void lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
+    static Sizes count(Graph const& graph, MatrixKind kind,
+                       Periodicity const& periodicity) noexcept;
+    void lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points,
+                 Sizes const& sizes) noexcept;
     // Shortens arrays that have been laid out for more than these counts.
     void fit(Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
-    // The sparsity pattern. slot [n_points]: number on the wall, or none; order [n]: the unknown at each position of
-    // the elimination; position [n]: the inverse; tangent [n_points]: of slip lines, coupled x and y only. With a
-    // rotation the matrix must be complex.
+    // The sparsity pattern. slot [n_points]: number on the wall, or none; order [n]: the unknown at
+    // each position of the elimination; position [n]: the inverse; tangent [n_points]: of slip
+    // lines, coupled x and y only. With a rotation the matrix must be complex.
     void build(Span<const Index> representative, Graph const& graph, Span<const Index> order,
                Span<const Index> position, Span<const Index> slot, Span<const Vec2> tangent,
                Periodicity const& periodicity) noexcept;
 
     void clear() const noexcept;
     void clear_rows(RowRange rows) const noexcept;  // diagonal, row sum and entries
-    void clear_known() const noexcept;  // couplings to the wall and to fixed points
-    // Adds a conductance between two points: + on both diagonals, - off them. Points that are not unknown have known
-    // values. Two points with one common unknown, as across a periodic pair one cell apart, add nothing. Real matrices
-    // only.
+    void clear_known() const noexcept;              // couplings to the wall and to fixed points
+    // Adds a conductance between two points: + on both diagonals, - off them. Points that are not
+    // unknown have known values. Two points with one common unknown, as across a periodic pair one
+    // cell apart, add nothing. Real matrices only.
     void add(Index point, Index other, Real conductance) const noexcept;
-    // Adds the conductances between the corners of cells begin .. end-1 of a group, and a circulation,
-    // `half` times the conductivity, along each side: + i circulation in the row of the side's first corner, - i in
-    // that of the next corner; no circulation in a real matrix. Writes only to the rows in range: threads with other
-    // ranges may go through the same cells, and every row is added to in the order of the cells.
+    // Adds the conductances between the corners of cells begin .. end-1 of a group, and a
+    // circulation, `half` times the conductivity, along each side: + i circulation in the row of
+    // the side's first corner, - i in that of the next corner; no circulation in a real matrix.
+    // Writes only to the rows in range: threads with other ranges may go through the same cells,
+    // and every row is added to in the order of the cells.
     template <bool with_circulation, Index corners>
-    void add_corners(RowRange rows, CellGroup<corners> const& cells, Index begin, Index end, Real half) const noexcept;
+    void add_corners(RowRange rows, CellGroup<corners> const& cells, Index begin, Index end,
+                     Real half) const noexcept;
     bool is_turned(Cell const& cell) const noexcept;
-    // What add_corners() leaves out where corners of the cell are turned differently; complex matrices only.
+    // What add_corners() leaves out where corners of the cell are turned differently; complex
+    // matrices only.
     void add_turns(RowRange rows, Cell const& cell, CellConductances const& conductance,
                    Real circulation) const noexcept;
     // The same between two points where x and y are coupled.
-    void add_coupled(RowRange rows, Index point, Index other, Real conductance, Real circulation) const noexcept;
-    // Adds a conductance without the diagonals, and a circulation from i to j: rows as row_of has them.
+    void add_coupled(RowRange rows, Index point, Index other, Real conductance,
+                     Real circulation) const noexcept;
+    // Adds a conductance without the diagonals, and a circulation from i to j: rows as row_of has
+    // them.
     template <bool with_circulation>
-    void add_off_diagonal(RowRange rows, Index i, Index j, Real conductance, Real circulation) const noexcept;
+    void add_off_diagonal(RowRange rows, Index i, Index j, Real conductance,
+                          Real circulation) const noexcept;
     // Has the cell an unknown in range? A cell without unknowns concerns the first range.
     template <Index n_components>
     bool concerns(RowRange rows, Cell const& cell) const noexcept;
-    // body(range, rows) for ranges that together are all rows, one range for each thread. Returns the number of ranges.
+    // body(range, rows) for ranges that together are all rows, one range for each thread. Returns
+    // the number of ranges.
     template <class Body>
     Index for_row_ranges(Executor const& executor, Body const& body) const noexcept {
         constexpr Index least = 4096;  // rows that are worth a pass through all cells
-        Index const n_ranges = executor.is_serial() ? 1 : clamp(n / least, Index{1}, executor.n_threads);
+        Index const n_ranges =
+            executor.is_serial() ? 1 : clamp(n / least, Index{1}, executor.n_threads);
         auto const bound = [&](Index i) { return static_cast<Index>(Offset{n} * i / n_ranges); };
-        executor.for_each(n_ranges, [&](Index range) { body(range, RowRange{bound(range), bound(range + 1)}); });
+        executor.for_each(n_ranges, [&](Index range) {
+            body(range, RowRange{bound(range), bound(range + 1)});
+        });
         return n_ranges;
     }
 
-    bool slips(Index point) const noexcept { return row_of[2 * point] >= 0 && row_of[2 * point + 1] == none; }
-    // May two points slip along different directions? Neither moves normal to its own slip line, so for the equation of
-    // the other point it is partly fixed.
+    bool slips(Index point) const noexcept {
+        return row_of[2 * point] >= 0 && row_of[2 * point + 1] == none;
+    }
+    // May two points slip along different directions? Neither moves normal to its own slip line, so
+    // for the equation of the other point it is partly fixed.
     bool turns(Index point, Index other) const noexcept {
-        return frames_change || frame[point].x != frame[other].x || frame[point].y != frame[other].y;
+        return frames_change || frame[point].x != frame[other].x ||
+               frame[point].y != frame[other].y;
     }
 
-    // The rows and columns of the unknowns, of a real matrix; faces [entries] tells which entries are mesh edges.
+    // The rows and columns of the unknowns, of a real matrix; faces [entries] tells which entries
+    // are mesh edges.
     void mark_faces(Edges const& edges, Span<std::uint8_t> faces) const noexcept;
     SymmetricRows rows(Span<std::uint8_t> faces) const noexcept {
         return {n, diagonal, row_sum, start, column, value, faces};
@@ -167,7 +191,8 @@ private:
     void add_beside_known(RowRange rows, Index const (&at)[corners], CellConductances conductance,
                           Real circulation) const noexcept;
     void add_turn(RowRange rows, Index point, Index other, Vec2 entry) const noexcept;
-    void couple_to_fixed(RowRange rows, Index point, Real conductance, Real circulation) const noexcept;
+    void couple_to_fixed(RowRange rows, Index point, Real conductance,
+                         Real circulation) const noexcept;
 };
 
 }  // namespace harmorph

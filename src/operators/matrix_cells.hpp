@@ -1,4 +1,5 @@
-// What cells add to the matrix, in a header so that the compiler can inline it: it is the inner loop of the assembly.
+// What cells add to the matrix, in a header so that the compiler can inline it: it is the inner
+// loop of the assembly.
 #pragma once
 
 #include "operators/cell_group.hpp"
@@ -20,21 +21,23 @@ typedef Index FourIndices __attribute__((vector_size(16), aligned(4), may_alias)
 typedef std::int64_t TwoPairs __attribute__((vector_size(16)));
 
 // The same of a long row; not inlined, as this is rare.
-__attribute__((noinline)) inline Offset find_in_long_row(Span<const Index> columns, Offset begin, Offset end,
-                                                         Index column) noexcept {
+__attribute__((noinline)) inline Offset find_in_long_row(Span<const Index> columns, Offset begin,
+                                                         Offset end, Index column) noexcept {
     return find_in_order(columns, begin, end, column);
 }
 
-// Nearly all rows are short: here smaller columns are counted without branches, which would often be mispredicted.
-// Reads `short_row` columns from the row's first one on, beyond the end of the row if that is shorter.
-inline __attribute__((always_inline)) Offset find_in_row(Span<const Index> columns, Offset begin, Offset end,
-                                                         Index column) noexcept {
+// Nearly all rows are short: here smaller columns are counted without branches, which would often
+// be mispredicted. Reads `short_row` columns from the row's first one on, beyond the end of the row
+// if that is shorter.
+inline __attribute__((always_inline)) Offset find_in_row(Span<const Index> columns, Offset begin,
+                                                         Offset end, Index column) noexcept {
     static_assert(Matrix::short_row == 8, "two vectors");
     if (end - begin > Matrix::short_row) return find_in_long_row(columns, begin, end, column);
     const FourIndices* const row = reinterpret_cast<const FourIndices*>(columns.data() + begin);
     Index const length = static_cast<Index>(end - begin);
     FourIndices const number = {0, 1, 2, 3};
-    FourIndices const before = ((row[0] < column) & (number < length)) + ((row[1] < column) & (number + 4 < length));
+    FourIndices const before =
+        ((row[0] < column) & (number < length)) + ((row[1] < column) & (number + 4 < length));
     TwoPairs const pairs = reinterpret_cast<TwoPairs>(-before);
     std::int64_t const sums = pairs[0] + pairs[1];
     return begin + ((sums + (sums >> 32)) & 15);
@@ -42,7 +45,8 @@ inline __attribute__((always_inline)) Offset find_in_row(Span<const Index> colum
 
 // Inlined, without a branch for each corner, which would often be mispredicted.
 template <Index n_components>
-inline __attribute__((always_inline)) bool Matrix::concerns(RowRange rows, Cell const& cell) const noexcept {
+inline __attribute__((always_inline)) bool Matrix::concerns(RowRange rows,
+                                                            Cell const& cell) const noexcept {
     bool any = false, any_row = false;
     for (Index k = 0; k < cell.n; ++k) {
         for (Index c = 0; c < n_components; ++c) {
@@ -57,24 +61,27 @@ inline __attribute__((always_inline)) bool Matrix::concerns(RowRange rows, Cell 
 // Does the cell lie on a side of a passage that is turned against the other side?
 inline __attribute__((always_inline)) bool Matrix::is_turned(Cell const& cell) const noexcept {
     bool any = false;
-    for (Index k = 0; k < cell.n; ++k) any = any || frame[cell.point[k]].y != 0 || frame[cell.point[k]].x != 1;
+    for (Index k = 0; k < cell.n; ++k)
+        any = any || frame[cell.point[k]].y != 0 || frame[cell.point[k]].x != 1;
     return any;
 }
 
-// The numbers added to a row do not depend on which other rows are in range: results are the same for any number of
-// threads.
+// The numbers added to a row do not depend on which other rows are in range: results are the same
+// for any number of threads.
 template <bool with_circulation, Index corners>
 void Matrix::add_corners(RowRange rows, CellGroup<corners> const& cells, Index begin, Index end,
                          Real half) const noexcept {
     using Group = CellGroup<corners>;
     Index row[Group::most][corners];
     Offset place[Group::most][Group::n_pairs];
-    bool is_inside[Group::most];  // all corners of the cell are unknowns in range, and no two are the same
+    bool is_inside[Group::most];  // all corners of the cell are unknowns in range, and no two are
+                                  // the same
     for (Index c = begin; c < end; ++c) {
         Index at[corners];
         for (Index k = 0; k < corners; ++k) row[c][k] = at[k] = row_of[cells.point[c][k]];
         bool inside = true;
-        for (Index k = 0; k < corners; ++k) inside = inside & rows.contain(at[k]) & (at[k] != at[(k + 1) % corners]);
+        for (Index k = 0; k < corners; ++k)
+            inside = inside & rows.contain(at[k]) & (at[k] != at[(k + 1) % corners]);
         for (Index k = 0; k < Group::n_across; ++k) inside = inside & (at[k] != at[k + 2]);
         is_inside[c] = inside;
         if (!inside) continue;
@@ -83,7 +90,8 @@ void Matrix::add_corners(RowRange rows, CellGroup<corners> const& cells, Index b
             return find_in_row(column, start[first], start[first + 1], larger(a, b));
         };
         for (Index k = 0; k < corners; ++k) place[c][k] = place_of(at[k], at[(k + 1) % corners]);
-        for (Index k = 0; k < Group::n_across; ++k) place[c][corners + k] = place_of(at[k], at[k + 2]);
+        for (Index k = 0; k < Group::n_across; ++k)
+            place[c][corners + k] = place_of(at[k], at[k + 2]);
     }
     for (Index c = begin; c < end; ++c) {
         Index const(&at)[corners] = row[c];
@@ -96,9 +104,12 @@ void Matrix::add_corners(RowRange rows, CellGroup<corners> const& cells, Index b
         for (Index k = 0; k < corners; ++k) diagonal[at[k]] += conductance.sum_at<corners>(k);
         for (Index k = 0; k < corners; ++k) {
             value[place[c][k]] -= conductance.side[k];
-            if (with_circulation) imaginary[place[c][k]] += at[(k + 1) % corners] < at[k] ? -circulation : circulation;
+            if (with_circulation)
+                imaginary[place[c][k]] +=
+                    at[(k + 1) % corners] < at[k] ? -circulation : circulation;
         }
-        for (Index k = 0; k < Group::n_across; ++k) value[place[c][corners + k]] -= conductance.across[k];
+        for (Index k = 0; k < Group::n_across; ++k)
+            value[place[c][corners + k]] -= conductance.across[k];
     }
 }
 
@@ -110,12 +121,14 @@ __attribute__((noinline)) void Matrix::add_beside_known(RowRange rows, Index con
     for (Index k = 0; k < corners; ++k) {
         conductance.side[k] = at[k] == at[(k + 1) % corners] ? 0 : conductance.side[k];
     }
-    for (Index k = 0; k < n_across; ++k) conductance.across[k] = at[k] == at[k + 2] ? 0 : conductance.across[k];
+    for (Index k = 0; k < n_across; ++k)
+        conductance.across[k] = at[k] == at[k + 2] ? 0 : conductance.across[k];
     for (Index k = 0; k < corners; ++k) {
         if (rows.contain(at[k])) diagonal[at[k]] += conductance.sum_at<corners>(k);
     }
     for (Index k = 0; k < corners; ++k) {
-        add_off_diagonal<with_circulation>(rows, at[k], at[(k + 1) % corners], conductance.side[k], circulation);
+        add_off_diagonal<with_circulation>(rows, at[k], at[(k + 1) % corners], conductance.side[k],
+                                           circulation);
     }
     for (Index k = 0; k < n_across; ++k) {
         add_off_diagonal<with_circulation>(rows, at[k], at[k + 2], conductance.across[k], 0);

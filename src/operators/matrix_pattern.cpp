@@ -12,11 +12,13 @@ inline void put_in_order(Index& a, Index& b) noexcept {
     b = high;
 }
 
-// Sorts a row of at most short_row columns, with room for short_row behind its beginning, by a sorting network; returns
-// whether any column is repeated. What is behind the row is overwritten.
+// Sorts a row of at most short_row columns, with room for short_row behind its beginning, by a
+// sorting network; returns whether any column is repeated. What is behind the row is overwritten.
 bool sort_short_row(Index* row, Index length) noexcept {
     static_assert(Matrix::short_row == 8, "a network of 19 exchanges");
-    auto const at = [&](Index k) { return k < length ? row[k] : INT32_MAX - k; };  // behind: larger ones, none repeated
+    auto const at = [&](Index k) {
+        return k < length ? row[k] : INT32_MAX - k;
+    };  // behind: larger ones, none repeated
     Index a = at(0), b = at(1), c = at(2), d = at(3), e = at(4), f = at(5), g = at(6), h = at(7);
     put_in_order(a, c), put_in_order(b, d), put_in_order(e, g), put_in_order(f, h);
     put_in_order(a, e), put_in_order(b, f), put_in_order(c, g), put_in_order(d, h);
@@ -33,7 +35,8 @@ void sort_row(Span<Index> row) noexcept {
     sort(row, [](Index a, Index b) { return a < b; });
 }
 
-// Across a periodic pair two points may share cells on both sides. Returns the number of distinct columns.
+// Across a periodic pair two points may share cells on both sides. Returns the number of distinct
+// columns.
 Offset drop_repeats(Span<Index> row) noexcept {
     Size n = 0;
     for (Size i = 0; i < row.size(); ++i) {
@@ -42,9 +45,11 @@ Offset drop_repeats(Span<Index> row) noexcept {
     return static_cast<Offset>(n);
 }
 
-// visit(unknown) for the unknowns of turned points, and for all that share a cell with one; some repeatedly.
+// visit(unknown) for the unknowns of turned points, and for all that share a cell with one; some
+// repeatedly.
 template <class Visit>
-void for_each_beside_turned(Graph const& graph, Span<const Index> times, Visit const& visit) noexcept {
+void for_each_beside_turned(Graph const& graph, Span<const Index> times,
+                            Visit const& visit) noexcept {
     for (Index point = 0; point < times.count(); ++point) {
         if (times[point] == 0 || graph.unknown[point] == none) continue;
         visit(graph.unknown[point]);
@@ -54,13 +59,16 @@ void for_each_beside_turned(Graph const& graph, Span<const Index> times, Visit c
 
 }  // namespace
 
-Matrix::Sizes Matrix::count(Graph const& graph, MatrixKind kind, Periodicity const& periodicity) noexcept {
-    Sizes sizes{graph.start[graph.n] / 2, graph.couplings, graph.fixed, kind, periodicity.rotation.any};
+Matrix::Sizes Matrix::count(Graph const& graph, MatrixKind kind,
+                            Periodicity const& periodicity) noexcept {
+    Sizes sizes{graph.start[graph.n] / 2, graph.couplings, graph.fixed, kind,
+                periodicity.rotation.any};
     for_each_beside_turned(graph, periodicity.times, [&](Index) { ++sizes.fixed; });
     return sizes;
 }
 
-void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept {
+void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points,
+                     Sizes const& sizes) noexcept {
     n = unknowns;
     kind = sizes.kind;
     arena.take(row_of, Offset{components()} * n_points);
@@ -68,7 +76,8 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     arena.take(row_sum, n);
     arena.take(row_sum_imaginary, is_complex() ? n : 0);
     arena.take(start, Offset{n} + 1);
-    arena.take(column, sizes.entries + short_row);  // rows are written and searched beyond their end
+    arena.take(column,
+               sizes.entries + short_row);  // rows are written and searched beyond their end
     arena.take(value, sizes.entries);
     arena.take(imaginary, is_complex() ? sizes.entries : 0);
     arena.take(coupling_start, Offset{components()} * wall_points + 1);
@@ -109,12 +118,14 @@ void Matrix::build(Span<const Index> representative, Graph const& graph, Span<co
         Index const same = representative[point];
         for (Index c = 0; c < components(); ++c) {
             Index const unknown = graph.unknown[components() * same + c];
-            row_of[components() * point + c] = unknown != none      ? position[unknown]
-                                               : slot[same] != none ? wall(components() * slot[same] + c)
-                                                                    : none;
+            row_of[components() * point + c] = unknown != none ? position[unknown]
+                                               : slot[same] != none
+                                                   ? wall(components() * slot[same] + c)
+                                                   : none;
         }
         if (kind == MatrixKind::coupled_xy) frame[point] = tangent[same];
-        else if (!frame.empty()) frame[point] = periodicity.rotation.power(periodicity.times[point]);
+        else if (!frame.empty())
+            frame[point] = periodicity.rotation.power(periodicity.times[point]);
     }
     Offset filled = 0;
     Span<Index> const columns = column;
@@ -156,16 +167,19 @@ void Matrix::build(Span<const Index> representative, Graph const& graph, Span<co
             fixed_row[n_fixed++] = position[unknown];
         }
     });
-    for_each_beside_turned(graph, periodicity.times, [&](Index unknown) { fixed_row[n_fixed++] = position[unknown]; });
+    for_each_beside_turned(graph, periodicity.times,
+                           [&](Index unknown) { fixed_row[n_fixed++] = position[unknown]; });
     rewind_starts(coupling_start);
     for (Index known = 0; known + 1 < coupling_start.count(); ++known) {
-        sort_row(coupling_row.from(coupling_start[known], coupling_start[known + 1] - coupling_start[known]));
+        sort_row(coupling_row.from(coupling_start[known],
+                                   coupling_start[known + 1] - coupling_start[known]));
     }
     fixed_row = fixed_row.first(n_fixed);
     sort_row(fixed_row);
 }
 
-// Two points with two dofs each make several pairs of dofs: only the first pair makes an entry of fixed_row.
+// Two points with two dofs each make several pairs of dofs: only the first pair makes an entry of
+// fixed_row.
 bool Matrix::stands_for_fixed(Index dof, Index other_dof) const noexcept {
     Index const point = dof / 2, other = other_dof / 2;
     bool const first_pair = dof % 2 == 0 && other_dof % 2 == (row_of[2 * other] == none ? 0 : 1);
@@ -173,7 +187,9 @@ bool Matrix::stands_for_fixed(Index dof, Index other_dof) const noexcept {
 }
 
 bool Matrix::is_beside_fixed(Index point, Index other) const noexcept {
-    if (row_of[components() * point] < 0 || row_of[components() * point] == row_of[components() * other]) return false;
+    if (row_of[components() * point] < 0 ||
+        row_of[components() * point] == row_of[components() * other])
+        return false;
     if (row_of[components() * other] == none) return true;
     return kind == MatrixKind::coupled_xy && slips(point) && slips(other) && turns(point, other);
 }

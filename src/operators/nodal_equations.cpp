@@ -17,7 +17,9 @@ struct BasisRows {
         Index const slot = row - equations.n;
         return slot >= 0 && slot < equations.n_wall ? dofs.wall(slot) + first : zeros;
     }
-    const Real* any(Index row) const noexcept { return row < equations.n ? dofs.at(row) + first : known(row); }
+    const Real* any(Index row) const noexcept {
+        return row < equations.n ? dofs.at(row) + first : known(row);
+    }
 };
 
 }  // namespace
@@ -34,14 +36,16 @@ void NodalEquations::init(Topology const& topology, Matrix const& matrix, bool c
         if (Matrix::is_wall(row)) row_of[point] = n + Matrix::wall(row);
         if (row == none && representative[point] == point) row_of[point] = rows++;
     }
-    for (Index point = 0; point < representative.count(); ++point) row_of[point] = row_of[representative[point]];
+    for (Index point = 0; point < representative.count(); ++point)
+        row_of[point] = row_of[representative[point]];
     scheme.init(topology, topology.edges, corrected);
 }
 
 void NodalEquations::set_right_hand_sides(DofValues const& dofs, Index columns) const noexcept {
     for (Index first = 0; first < columns; first += width) {
         Index const count = smaller(width, columns - first);
-        for (Index i = 0; i < n; ++i) fill(Span<Real>(dofs.at(i) + first, static_cast<Size>(count)), 0.0);
+        for (Index i = 0; i < n; ++i)
+            fill(Span<Real>(dofs.at(i) + first, static_cast<Size>(count)), 0.0);
         BasisRows const rows{*this, dofs, first};
         add_balances(
             scheme, count, [&](Index row) { return row < n ? zeros : rows.known(row); }, gradient,
@@ -49,8 +53,8 @@ void NodalEquations::set_right_hand_sides(DofValues const& dofs, Index columns) 
     }
 }
 
-Residual::Norms NodalEquations::compute(Residual const& residual, DofValues const& dofs, Index first,
-                                        Index columns) const noexcept {
+Residual::Norms NodalEquations::compute(Residual const& residual, DofValues const& dofs,
+                                        Index first, Index columns) const noexcept {
     BasisRows const rows{*this, dofs, first};
     auto const balance_of = [&](Index row) {
         return row < n ? residual.value.data() + Offset{row} * residual.width : nullptr;
@@ -76,8 +80,8 @@ void NodalEquations::apply(const Real* from, Real* to) const noexcept {
     Span<Real> const all{to, static_cast<Size>(n) * static_cast<Size>(width)};
     fill(all, 0.0);
     add_balances(
-        scheme, width, [&](Index row) { return row < n ? from + Offset{row} * width : zeros; }, gradient,
-        [&](Index row) { return row < n ? to + Offset{row} * width : nullptr; });
+        scheme, width, [&](Index row) { return row < n ? from + Offset{row} * width : zeros; },
+        gradient, [&](Index row) { return row < n ? to + Offset{row} * width : nullptr; });
     for (Real& value : all) value = -value;
 }
 

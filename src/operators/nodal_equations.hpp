@@ -1,4 +1,5 @@
-// The equations of the unknowns by the scheme of nodal gradients, matrix-free, for the values of a basis.
+// The equations of the unknowns by the scheme of nodal gradients, matrix-free, for the values of a
+// basis.
 #pragma once
 
 #include "operators/nodal_gradient.hpp"
@@ -6,27 +7,32 @@
 
 namespace harmorph {
 
-// Rows of the scheme: unknowns by position, then points of the wall by slot, then points whose value is 0. The equation
-// of an unknown says that the fluxes into its control volume sum to 0; known values go to the right-hand side. Real
-// values.
+// Rows of the scheme: unknowns by position, then points of the wall by slot, then points whose
+// value is 0. The equation of an unknown says that the fluxes into its control volume sum to 0;
+// known values go to the right-hand side. Real values.
 struct NodalEquations {
     NodalGradient scheme;
     Index n = 0, n_wall = 0;
     Index width = 0;      // columns at a time
     Span<Real> gradient;  // [n_points * 2 * width] working space
 
-    void lay_out(Arena& arena, Mesh const& mesh, Index n_edges) noexcept { scheme.lay_out(arena, mesh, n_edges); }
+    void lay_out(Arena& arena, Mesh const& mesh, Index n_edges) noexcept {
+        scheme.lay_out(arena, mesh, n_edges);
+    }
     void lay_out_work(Arena& arena, Index n_points, Index n_columns) noexcept {
         width = n_columns;
         arena.take(gradient, Offset{n_points} * 2 * width);
     }
-    // The pattern of `matrix` must have been built. Keeps a view of topology.reversed and copies the rest.
+    // The pattern of `matrix` must have been built. Keeps a view of topology.reversed and copies
+    // the rest.
     void init(Topology const& topology, Matrix const& matrix, bool corrected) noexcept;
 
-    // Writes right-hand sides to the dofs of the unknowns; the dofs on the wall have their values already.
+    // Writes right-hand sides to the dofs of the unknowns; the dofs on the wall have their values
+    // already.
     void set_right_hand_sides(DofValues const& dofs, Index columns) const noexcept;
     // Does what Residual::compute does for the compact scheme.
-    Residual::Norms compute(Residual const& residual, DofValues const& dofs, Index first, Index columns) const noexcept;
+    Residual::Norms compute(Residual const& residual, DofValues const& dofs, Index first,
+                            Index columns) const noexcept;
     // to = A from, rows of `width` by position.
     void apply(const Real* from, Real* to) const noexcept;
 };

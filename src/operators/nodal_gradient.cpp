@@ -14,7 +14,8 @@ void NodalGradient::lay_out(Arena& arena, Mesh const& of_mesh, Index n_edges) no
     dual.lay_out(arena, n_edges);
 }
 
-void NodalGradient::init(OrientedMesh const& of_mesh, Edges const& mesh_edges, bool with_correction) noexcept {
+void NodalGradient::init(OrientedMesh const& of_mesh, Edges const& mesh_edges,
+                         bool with_correction) noexcept {
     mesh = of_mesh;
     corrected = with_correction;
     copy(edges.start, Span<const Index>(mesh_edges.start));
@@ -36,7 +37,8 @@ void NodalGradient::measure(Points points) noexcept {
     fill(inverse_area, 0.0);
     for (Index i = 0; i < cells.count(); ++i) {
         Cell const cell = mesh.cell(i);
-        Vec2 const first = points[cell.point[0]], last = cell.n == 3 ? first : points[cell.point[3]];
+        Vec2 const first = points[cell.point[0]],
+                   last = cell.n == 3 ? first : points[cell.point[3]];
         Vec2 const one = points[cell.point[2]] - first, other = last - points[cell.point[1]];
         cells[i].across[0] = {0.5 * one.y, -0.5 * one.x};
         cells[i].across[1] = {-0.5 * other.y, 0.5 * other.x};
@@ -46,10 +48,12 @@ void NodalGradient::measure(Points points) noexcept {
     for (Real& area : inverse_area) area = area > 0 ? 1 / area : 0;
 }
 
-void NodalGradient::apply(Span<const Real> value, Index n, Span<Real> gradient, Span<Real> balance) const noexcept {
+void NodalGradient::apply(Span<const Real> value, Index n, Span<Real> gradient,
+                          Span<Real> balance) const noexcept {
     fill(balance, 0.0);
-    add_balances(*this, n, [&](Index row) { return value.data() + Offset{row} * n; }, gradient,
-                 [&](Index row) { return balance.data() + Offset{row} * n; });
+    add_balances(
+        *this, n, [&](Index row) { return value.data() + Offset{row} * n; }, gradient,
+        [&](Index row) { return balance.data() + Offset{row} * n; });
 }
 
 }  // namespace harmorph

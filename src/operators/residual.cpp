@@ -32,8 +32,8 @@ void go_on_waiting(Residual const& work, Matrix const& matrix, Index left_over) 
 }
 
 template <class To>
-void find_balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first, Index n, To* value,
-                   Residual::Norms& norms) noexcept {
+void find_balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first,
+                   Index n, To* value, Residual::Norms& norms) noexcept {
     SubtreeRanges const& subtrees = work.subtrees;
     auto const find = residual_kernels<To>(work.kernel).find_balances;
     begin_to_wait(work, matrix);
@@ -56,8 +56,9 @@ void find_balances(Residual const& work, Matrix const& matrix, DofValues const& 
 
 // Adds the chosen columns of the rows `from` to F.
 template <class Number>
-Residual::Changes add_rows(Matrix const& matrix, DofValues const& dofs, const Number* from, Index width, Index first,
-                           Index n, Residual::Choice const& chosen) noexcept {
+Residual::Changes add_rows(Matrix const& matrix, DofValues const& dofs, const Number* from,
+                           Index width, Index first, Index n,
+                           Residual::Choice const& chosen) noexcept {
     Index const planes = matrix.is_complex() ? 2 : 1;
     Offset const plane = dofs.columns(matrix);
     Real change[Residual::widest] = {}, size[Residual::widest] = {};
@@ -77,10 +78,11 @@ Residual::Changes add_rows(Matrix const& matrix, DofValues const& dofs, const Nu
     return out;
 }
 
-// See Residual::beside_entries. Column 0 of `rows` has the residuals; column 1 is used for the sums of absolute
-// entries.
+// See Residual::beside_entries. Column 0 of `rows` has the residuals; column 1 is used for the sums
+// of absolute entries.
 template <class Number>
-Real beside_entries_in(Matrix const& matrix, DofValues const& dofs, Index column, Number* rows, Index width) noexcept {
+Real beside_entries_in(Matrix const& matrix, DofValues const& dofs, Index column, Number* rows,
+                       Index width) noexcept {
     Index const planes = matrix.is_complex() ? 2 : 1;
     auto const row_of = [&](Index i) { return rows + Offset{i} * planes * width; };
     auto const add = [&](Index i, Real size) { row_of(i)[1] += static_cast<Number>(size); };
@@ -104,7 +106,8 @@ Real beside_entries_in(Matrix const& matrix, DofValues const& dofs, Index column
     Real largest = 0, worst = 0;
     Offset const plane = dofs.columns(matrix);
     auto const look = [&](const Real* values) {
-        for (Index p = 0; p < planes; ++p) largest = larger(largest, absolute(values[p * plane + column]));
+        for (Index p = 0; p < planes; ++p)
+            largest = larger(largest, absolute(values[p * plane + column]));
     };
     for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall) look(dofs.wall(wall));
     for (Index i = 0; i < matrix.n; ++i) look(dofs.at(i));
@@ -122,8 +125,8 @@ Real beside_entries_in(Matrix const& matrix, DofValues const& dofs, Index column
 
 }  // namespace
 
-void Residual::lay_out(Arena& arena, Index unknowns, Index couplings, MatrixKind kind, Index n_columns,
-                       Precision precision) noexcept {
+void Residual::lay_out(Arena& arena, Index unknowns, Index couplings, MatrixKind kind,
+                       Index n_columns, Precision precision) noexcept {
     width = n_columns;
     Offset const numbers = Offset{unknowns} * (kind == MatrixKind::complex ? 2 * width : width);
     arena.take(value, precision == Precision::in_double ? numbers : 0);
@@ -151,8 +154,10 @@ void Residual::Norms::add(Norms const& of_other_rows, Index n) noexcept {
     }
 }
 
-Residual::Norms Residual::compute(Matrix const& matrix, DofValues const& dofs, Index first, Index n) const noexcept {
-    if (matrix.kind == MatrixKind::coupled_xy) return find_turned_balances(matrix, dofs, first, n, width, value);
+Residual::Norms Residual::compute(Matrix const& matrix, DofValues const& dofs, Index first,
+                                  Index n) const noexcept {
+    if (matrix.kind == MatrixKind::coupled_xy)
+        return find_turned_balances(matrix, dofs, first, n, width, value);
     Norms norms;
     if (single.empty()) {
         find_balances(*this, matrix, dofs, first, n, value.data(), norms);
@@ -162,20 +167,22 @@ Residual::Norms Residual::compute(Matrix const& matrix, DofValues const& dofs, I
     return norms;
 }
 
-Residual::Norms Residual::measure(Matrix const& matrix, DofValues const& dofs, Index first, Index n) const noexcept {
+Residual::Norms Residual::measure(Matrix const& matrix, DofValues const& dofs, Index first,
+                                  Index n) const noexcept {
     Norms norms;
     find_balances(*this, matrix, dofs, first, n, static_cast<Real*>(nullptr), norms);
     return norms;
 }
 
-Real Residual::beside_entries(Matrix const& matrix, DofValues const& dofs, Index column) const noexcept {
+Real Residual::beside_entries(Matrix const& matrix, DofValues const& dofs,
+                              Index column) const noexcept {
     compute(matrix, dofs, column, 1);
     if (single.empty()) return beside_entries_in(matrix, dofs, column, value.data(), width);
     return beside_entries_in(matrix, dofs, column, single.data(), width);
 }
 
-Residual::Changes Residual::add_to(Matrix const& matrix, DofValues const& dofs, Index first, Index n,
-                                   Choice const& chosen) const noexcept {
+Residual::Changes Residual::add_to(Matrix const& matrix, DofValues const& dofs, Index first,
+                                   Index n, Choice const& chosen) const noexcept {
     if (single.empty()) return add_rows(matrix, dofs, value.data(), width, first, n, chosen);
     return add_rows(matrix, dofs, single.data(), width, first, n, chosen);
 }

@@ -1,5 +1,6 @@
-// Balances of rows with the registers of one instruction set; residual_table.cpp compiles this file for each of
-// them. The arithmetic of a column is the same in all instruction sets, and so are the bits of the result.
+// Balances of rows with the registers of one instruction set; residual_table.cpp compiles this file
+// for each of them. The arithmetic of a column is the same in all instruction sets, and so are the
+// bits of the result.
 
 namespace harmorph::residuals::HARMORPH_SET {
 namespace {
@@ -11,7 +12,8 @@ constexpr Index lanes = Registers::lanes;
 constexpr Index block = 8;  // columns at a time
 constexpr Index vectors = block / lanes;
 constexpr Index most_at_once = 32;  // neighbours
-constexpr Index rows_ahead = 4;     // the order of values in memory is not that of rows, so they are prefetched
+constexpr Index rows_ahead =
+    4;  // the order of values in memory is not that of rows, so they are prefetched
 static_assert(Residual::widest % block == 0, "numbers of a row are kept in whole blocks");
 
 // The first n numbers of `from`, n <= block; 0 behind them.
@@ -25,10 +27,18 @@ HARMORPH_INLINE void load(const Real* from, Index n, Vector (&to)[vectors]) noex
 template <Index planes, class To>
 class Balances {
 public:
-    Balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first, Index n,
-             BalancedRows& of) noexcept
-        : matrix_(matrix), dofs_(dofs), latest_(work.latest), next_(work.next), passed_(work.passed), first_(first),
-          n_(n), limit_(of.limit), plane_(dofs.columns(matrix)), of_(of) {}
+    Balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first,
+             Index n, BalancedRows& of) noexcept
+        : matrix_(matrix),
+          dofs_(dofs),
+          latest_(work.latest),
+          next_(work.next),
+          passed_(work.passed),
+          first_(first),
+          n_(n),
+          limit_(of.limit),
+          plane_(dofs.columns(matrix)),
+          of_(of) {}
 
     void run(To* value, Index width, Residual::Norms& norms) noexcept {
         PositionRange const rows = of_.rows;
@@ -40,11 +50,13 @@ public:
             source_ = dofs_.source == nullptr ? nullptr : dofs_.source_at(i) + first_;
             take_earlier(i, norms);
             for (Offset e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e) {
-                add({at(matrix_.column[e]), matrix_.value[e], imaginary(matrix_.imaginary, e)}, norms);
+                add({at(matrix_.column[e]), matrix_.value[e], imaginary(matrix_.imaginary, e)},
+                    norms);
             }
             wait(i, matrix_.start[i]);
             fixed_ = fixed_end_;
-            while (fixed_end_ < matrix_.fixed_row.count() && matrix_.fixed_row[fixed_end_] == i) ++fixed_end_;
+            while (fixed_end_ < matrix_.fixed_row.count() && matrix_.fixed_row[fixed_end_] == i)
+                ++fixed_end_;
             sum_flows(true, norms);
             if (value == nullptr) continue;
             for (Index p = 0; p < planes; ++p, value += width) {
@@ -61,7 +73,9 @@ private:
     typedef Real Row[planes][Residual::widest];
 
     const Real* at(Index position) const noexcept { return dofs_.at(position) + first_; }
-    static Real imaginary(Span<Real> of, Offset entry) noexcept { return planes == 2 ? of[entry] : 0; }
+    static Real imaginary(Span<Real> of, Offset entry) noexcept {
+        return planes == 2 ? of[entry] : 0;
+    }
 
     // How many entries of Matrix::fixed_row are before this row.
     Index fixed_before(Index row) const noexcept {
@@ -105,7 +119,8 @@ private:
     }
 
     void take_known(Index coupling, Residual::Norms& norms) noexcept {
-        Real const re = matrix_.coupling_value[coupling], im = imaginary(matrix_.coupling_imaginary, coupling);
+        Real const re = matrix_.coupling_value[coupling],
+                   im = imaginary(matrix_.coupling_imaginary, coupling);
         const Real* const known = dofs_.wall(wall_of(coupling)) + first_;
         Row numbers;
         for (Index p = 0; p < planes; ++p) {
@@ -117,7 +132,8 @@ private:
 
     // The dof on the wall in whose column the coupling is.
     Index wall_of(Index coupling) const noexcept {
-        Index low = 0, high = matrix_.coupling_start.count() - 1;  // start[low] <= coupling < start[high]
+        Index low = 0,
+              high = matrix_.coupling_start.count() - 1;  // start[low] <= coupling < start[high]
         while (high - low > 1) {
             Index const middle = low + (high - low) / 2;
             (matrix_.coupling_start[middle] <= coupling ? low : high) = middle;
@@ -164,7 +180,8 @@ private:
         }
     }
     // Adds the squares of columns k .. k+block-1.
-    static HARMORPH_INLINE void add_squares_of(Vector const (&row)[planes][vectors], Real* sums) noexcept {
+    static HARMORPH_INLINE void add_squares_of(Vector const (&row)[planes][vectors],
+                                               Real* sums) noexcept {
 #pragma GCC unroll 4
         for (Index v = 0; v < vectors; ++v, sums += lanes) {
             Vector sum = Registers::load(sums);
@@ -174,7 +191,8 @@ private:
         }
     }
 
-    // Flows along couplings: rest -= (re + i im) (neighbour's value - own value). ends: with these the row is complete.
+    // Flows along couplings: rest -= (re + i im) (neighbour's value - own value). ends: with these
+    // the row is complete.
     void sum_flows(bool ends, Residual::Norms& norms) noexcept {
         for (Index k = 0; k < n_; k += block) {
             Vector own[planes][vectors], rest[planes][vectors] = {};
@@ -201,14 +219,16 @@ private:
             }
             if (ends) {
                 for (Index f = fixed_; f < fixed_end_; ++f) {
-                    take(own, -matrix_.fixed_value[f], -imaginary(matrix_.fixed_imaginary, f), rest);
+                    take(own, -matrix_.fixed_value[f], -imaginary(matrix_.fixed_imaginary, f),
+                         rest);
                 }
                 add_squares_of(rest, norms.rest + k);
             }
 #pragma GCC unroll 2
             for (Index p = 0; p < planes; ++p) {
 #pragma GCC unroll 4
-                for (Index v = 0; v < vectors; ++v) Registers::store(rest_[p] + k + v * lanes, rest[p][v]);
+                for (Index v = 0; v < vectors; ++v)
+                    Registers::store(rest_[p] + k + v * lanes, rest[p][v]);
             }
         }
         count_ = 0;
@@ -218,7 +238,8 @@ private:
     void fetch(Index i) const noexcept {
         if (i >= matrix_.n) return;
         prefetch_values(at(i));
-        for (Offset e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e) prefetch_values(at(matrix_.column[e]));
+        for (Offset e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e)
+            prefetch_values(at(matrix_.column[e]));
     }
     void prefetch_values(const Real* values) const noexcept {
         for (Index p = 0; p < planes; ++p) {
@@ -232,17 +253,18 @@ private:
     Index first_, n_, limit_;
     Offset plane_;
     BalancedRows& of_;
-    const Real *own_ = nullptr, *source_ = nullptr;  // of the row: values, part of the right-hand side
-    Index fixed_ = 0, fixed_end_ = 0;                // its entries of Matrix::fixed_row
-    bool begun_ = false;                             // rest_ has a part of its couplings
+    const Real *own_ = nullptr,
+               *source_ = nullptr;     // of the row: values, part of the right-hand side
+    Index fixed_ = 0, fixed_end_ = 0;  // its entries of Matrix::fixed_row
+    bool begun_ = false;               // rest_ has a part of its couplings
     Row rest_ = {}, right_ = {};
     Index count_ = 0;
     Neighbour neighbour_[most_at_once];
 };
 
 template <class To>
-void find_balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first, Index n,
-                   BalancedRows& of, To* value, Residual::Norms& norms) noexcept {
+void find_balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first,
+                   Index n, BalancedRows& of, To* value, Residual::Norms& norms) noexcept {
     if (matrix.is_complex()) {
         Balances<2, To>(work, matrix, dofs, first, n, of).run(value, work.width, norms);
     } else {

@@ -10,8 +10,10 @@ struct KnownValues {
     Index at[most];
     Real value[most];
 
-    KnownValues(Basis const& basis, BoundaryFunctions const& functions, Index component, Index components) noexcept {
-        Index const n_functions = basis.n_functions(), planes = numbers_of(basis.kind()) / components;
+    KnownValues(Basis const& basis, BoundaryFunctions const& functions, Index component,
+                Index components) noexcept {
+        Index const n_functions = basis.n_functions(),
+                    planes = numbers_of(basis.kind()) / components;
         for (Index k = 0; k < functions.order; ++k) {
             Numbers const numbers = numbers_of(basis.kind(), functions.value[k]);
             for (Index p = 0; p < planes; ++p) {
@@ -25,7 +27,8 @@ struct KnownValues {
 };
 
 // row -= coupling * values of the boundary functions, for complex equations.
-void subtract_complex(BoundaryFunctions const& functions, Vec2 coupling, Index plane, Real* row) noexcept {
+void subtract_complex(BoundaryFunctions const& functions, Vec2 coupling, Index plane,
+                      Real* row) noexcept {
     for (Index k = 0; k < functions.order; ++k) {
         Vec2 const passed = product(coupling, functions.value[k]);
         row[functions.function[k]] -= passed.x;
@@ -54,9 +57,10 @@ void set_right_hand_sides(Matrix const& matrix, Basis const& basis, DofValues co
                           Executor const& executor) noexcept {
     constexpr Index least_rows = 4096;  // that are worth a task
     Offset const length = basis.row_length();
-    executor.for_ranges(static_cast<Index>(whole_blocks(basis.n_points())), least_rows, [&](Index begin, Index end) {
-        fill(basis.value.from(begin * length, (end - begin) * length), 0.0);
-    });
+    executor.for_ranges(static_cast<Index>(whole_blocks(basis.n_points())), least_rows,
+                        [&](Index begin, Index end) {
+                            fill(basis.value.from(begin * length, (end - begin) * length), 0.0);
+                        });
     for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall) {
         BoundaryFunctions const functions = basis.stored_boundary_functions(wall / dofs.components);
         KnownValues const known(basis, functions, wall % dofs.components, dofs.components);
@@ -69,7 +73,8 @@ void set_right_hand_sides(Matrix const& matrix, Basis const& basis, DofValues co
                 subtract_complex(functions, coupling, dofs.columns(matrix), row);
                 continue;
             }
-            for (Index k = 0; k < known.n; ++k) row[known.at[k]] -= matrix.coupling_value[c] * known.value[k];
+            for (Index k = 0; k < known.n; ++k)
+                row[known.at[k]] -= matrix.coupling_value[c] * known.value[k];
         }
     }
 }

@@ -9,13 +9,19 @@ typedef Real TwoReals __attribute__((vector_size(16), aligned(8), may_alias));
 typedef std::int64_t TwoTruths __attribute__((vector_size(16)));
 
 // By value: through references clang assumes that the vectors are aligned to 16 bytes.
-inline TwoReals two(const Real* numbers) noexcept { return *reinterpret_cast<const TwoReals*>(numbers); }
-inline void set_two(Real* numbers, TwoReals to) noexcept { *reinterpret_cast<TwoReals*>(numbers) = to; }
+inline TwoReals two(const Real* numbers) noexcept {
+    return *reinterpret_cast<const TwoReals*>(numbers);
+}
+inline void set_two(Real* numbers, TwoReals to) noexcept {
+    *reinterpret_cast<TwoReals*>(numbers) = to;
+}
 
 // Vectors in the plane, of two cells.
 struct TwoVectors {
     TwoReals x, y;
-    friend TwoVectors operator-(TwoVectors a, TwoVectors b) noexcept { return {a.x - b.x, a.y - b.y}; }
+    friend TwoVectors operator-(TwoVectors a, TwoVectors b) noexcept {
+        return {a.x - b.x, a.y - b.y};
+    }
     friend TwoReals dot(TwoVectors a, TwoVectors b) noexcept { return a.x * b.x + a.y * b.y; }
     friend TwoReals cross(TwoVectors a, TwoVectors b) noexcept { return a.x * b.y - a.y * b.x; }
 };
@@ -27,12 +33,14 @@ inline TwoReals divided_by_area(TwoReals factor, TwoReals area, TwoTruths& posit
     return factor / (is ? area : TwoReals{1, 1});
 }
 
-// The conductances of two cells of a group from their corners; returns where all areas are positive.
-// A triangle: the conductance of the side opposite to a corner is half the cotangent of the angle there.
+// The conductances of two cells of a group from their corners; returns where all areas are
+// positive. A triangle: the conductance of the side opposite to a corner is half the cotangent of
+// the angle there.
 inline TwoTruths find_conductances(CellGroup<3>& cells, Index first, TwoVectors const (&side)[3],
                                    TwoVectors const (&)[3]) noexcept {
     TwoTruths positive = {-1, -1};
-    TwoReals const half = divided_by_area(0.5 * two(cells.conductivity + first), cross(side[0], side[1]), positive);
+    TwoReals const half =
+        divided_by_area(0.5 * two(cells.conductivity + first), cross(side[0], side[1]), positive);
     for (Index a = 0; a < 3; ++a) {
         Index const b = (a + 1) % 3, apex = (a + 2) % 3;
         set_two(cells.side[a] + first, -half * dot(side[apex], side[b]));
@@ -40,34 +48,45 @@ inline TwoTruths find_conductances(CellGroup<3>& cells, Index first, TwoVectors 
     return positive;
 }
 
-// The two splits of a quad have four triangles: the one round corner k is made of k and both neighbouring corners.
+// The two splits of a quad have four triangles: the one round corner k is made of k and both
+// neighbouring corners.
 inline TwoTruths find_conductances(CellGroup<4>& cells, Index first, TwoVectors const (&side)[4],
                                    TwoVectors const (&at)[4]) noexcept {
     TwoTruths positive = {-1, -1};
     TwoReals const k = 0.25 * two(cells.conductivity + first);
-    TwoReals quarter[4];  // times the product of two sides of the triangle: a quarter of the cotangent between them
-    for (Index a = 0; a < 4; ++a) quarter[a] = divided_by_area(k, cross(side[(a + 3) & 3], side[a]), positive);
+    TwoReals quarter[4];  // times the product of two sides of the triangle: a quarter of the
+                          // cotangent between them
+    for (Index a = 0; a < 4; ++a)
+        quarter[a] = divided_by_area(k, cross(side[(a + 3) & 3], side[a]), positive);
     // Each split has one angle opposite to a side: at the corners behind.
     TwoVectors const across[2] = {at[2] - at[0], at[3] - at[1]};
-    set_two(cells.side[0] + first, quarter[1] * dot(across[0], side[1]) - quarter[0] * dot(across[1], side[3]));
-    set_two(cells.side[1] + first, quarter[2] * dot(across[1], side[2]) + quarter[1] * dot(across[0], side[0]));
-    set_two(cells.side[2] + first, quarter[2] * dot(across[1], side[1]) - quarter[3] * dot(across[0], side[3]));
-    set_two(cells.side[3] + first, -quarter[3] * dot(across[0], side[2]) - quarter[0] * dot(across[1], side[0]));
-    for (Index a = 0; a < 2; ++a) {  // a diagonal belongs to one split only; the angles opposite to it are at b and d
+    set_two(cells.side[0] + first,
+            quarter[1] * dot(across[0], side[1]) - quarter[0] * dot(across[1], side[3]));
+    set_two(cells.side[1] + first,
+            quarter[2] * dot(across[1], side[2]) + quarter[1] * dot(across[0], side[0]));
+    set_two(cells.side[2] + first,
+            quarter[2] * dot(across[1], side[1]) - quarter[3] * dot(across[0], side[3]));
+    set_two(cells.side[3] + first,
+            -quarter[3] * dot(across[0], side[2]) - quarter[0] * dot(across[1], side[0]));
+    for (Index a = 0; a < 2;
+         ++a) {  // a diagonal belongs to one split only; the angles opposite to it are at b and d
         Index const b = a + 1, c = a + 2, d = (a + 3) & 3;
-        set_two(cells.across[a] + first, -quarter[b] * dot(side[a], side[b]) - quarter[d] * dot(side[c], side[d]));
+        set_two(cells.across[a] + first,
+                -quarter[b] * dot(side[a], side[b]) - quarter[d] * dot(side[c], side[d]));
     }
     return positive;
 }
 
-// Returns the first cell of the group without positive area, or none. Not inlined for each kind of matrix.
+// Returns the first cell of the group without positive area, or none. Not inlined for each kind of
+// matrix.
 template <Index corners>
 __attribute__((noinline)) Index measure_cells(CellGroup<corners>& cells) noexcept {
     static_assert(CellGroup<corners>::most % 2 == 0, "two cells at a time");
     cells.fill_up();
     for (Index first = 0; first < cells.count; first += 2) {
         TwoVectors at[corners], side[corners];
-        for (Index k = 0; k < corners; ++k) at[k] = {two(cells.x[k] + first), two(cells.y[k] + first)};
+        for (Index k = 0; k < corners; ++k)
+            at[k] = {two(cells.x[k] + first), two(cells.y[k] + first)};
         for (Index k = 0; k < corners; ++k) side[k] = at[(k + 1) % corners] - at[k];
         TwoTruths const positive = find_conductances(cells, first, side, at);
         if (positive[0] == 0) return cells.number[first];
@@ -77,7 +96,8 @@ __attribute__((noinline)) Index measure_cells(CellGroup<corners>& cells) noexcep
 }
 
 template <MatrixKind kind, Index corners>
-void add_conductances(Matrix const& matrix, RowRange rows, CellGroup<corners> const& cells, Real half) noexcept {
+void add_conductances(Matrix const& matrix, RowRange rows, CellGroup<corners> const& cells,
+                      Real half) noexcept {
     if constexpr (kind == MatrixKind::coupled_xy) {
         for (Index c = 0; c < cells.count; ++c) {
             Index const(&point)[corners] = cells.point[c];
@@ -91,7 +111,8 @@ void add_conductances(Matrix const& matrix, RowRange rows, CellGroup<corners> co
         }
     } else {
         constexpr bool is_complex = kind == MatrixKind::complex;
-        if (!matrix.turns_sides()) return matrix.add_corners<is_complex>(rows, cells, 0, cells.count, half);
+        if (!matrix.turns_sides())
+            return matrix.add_corners<is_complex>(rows, cells, 0, cells.count, half);
         for (Index c = 0; c < cells.count; ++c) {
             matrix.add_corners<is_complex>(rows, cells, c, c + 1, half);
             Cell const cell = cells.cell(c);
@@ -101,9 +122,11 @@ void add_conductances(Matrix const& matrix, RowRange rows, CellGroup<corners> co
     }
 }
 
-// Adds the cells of the group, which is empty then; returns the first of them without positive area, or none.
+// Adds the cells of the group, which is empty then; returns the first of them without positive
+// area, or none.
 template <MatrixKind kind, Index corners>
-Index add_group(Matrix const& matrix, RowRange rows, CellGroup<corners>& cells, Real half) noexcept {
+Index add_group(Matrix const& matrix, RowRange rows, CellGroup<corners>& cells,
+                Real half) noexcept {
     if (cells.count == 0) return none;
     Index const bad = measure_cells(cells);
     if (bad != none) return bad;
@@ -116,7 +139,8 @@ Index add_group(Matrix const& matrix, RowRange rows, CellGroup<corners>& cells, 
 template <MatrixKind kind>
 Index add_cells(OrientedMesh const& cells, Points points, Span<const Real> conductivity, Real half,
                 Matrix const& shared_matrix, RowRange rows) noexcept {
-    Matrix const matrix = shared_matrix;  // a copy, so that the compiler knows that writing entries does not change it
+    Matrix const matrix = shared_matrix;  // a copy, so that the compiler knows that writing entries
+                                          // does not change it
     Span<const std::uint8_t> const reversed = cells.reversed;
     constexpr Index components = kind == MatrixKind::coupled_xy ? 2 : 1;
     bool const all_rows = rows.begin == 0 && rows.end == matrix.n;
@@ -149,8 +173,8 @@ Index add_cells(OrientedMesh const& cells, Points points, Span<const Real> condu
 
 }  // namespace
 
-Index assemble_stiffness(OrientedMesh const& cells, Points points, Span<const Real> conductivity, bool conformal,
-                         Matrix const& matrix, Executor const& executor) noexcept {
+Index assemble_stiffness(OrientedMesh const& cells, Points points, Span<const Real> conductivity,
+                         bool conformal, Matrix const& matrix, Executor const& executor) noexcept {
     matrix.clear_known();
     Real const half = conformal ? 0.5 : 0;
     auto const add = matrix.kind == MatrixKind::real      ? add_cells<MatrixKind::real>
@@ -163,7 +187,8 @@ Index assemble_stiffness(OrientedMesh const& cells, Points points, Span<const Re
     });
     Index first = bad_cell[0];
     for (Index range = 1; range < n_ranges; ++range) {
-        if (first == none || (bad_cell[range] != none && bad_cell[range] < first)) first = bad_cell[range];
+        if (first == none || (bad_cell[range] != none && bad_cell[range] < first))
+            first = bad_cell[range];
     }
     return first;
 }

@@ -1,23 +1,24 @@
-// A symmetric sparse matrix of which one triangle is stored, and the Galerkin contraction of merged cells: their rows
-// are summed.
+// A symmetric sparse matrix of which one triangle is stored, and the Galerkin contraction of merged
+// cells: their rows are summed.
 #pragma once
 
 #include "base/arena.hpp"
 
 namespace harmorph {
 
-// Row i stores the entries in later columns, as Matrix does, and the row sum, which couples the cell to known values.
-// In thin cells couplings differ by a factor of 1e14. The off-diagonal entries and the row sum determine accurately
-// what depends on small couplings; the diagonal does not, as its rounding error is larger than they are (M. Dailey, F.
-// M. Dopico, Q. Ye, Relative perturbation theory for diagonally dominant matrices). So products are sums of fluxes, (A
-// x)_i = row_sum_i x_i + sum of a_ij (x_j - x_i), which are exactly 0 for constant x where the row sum is 0, and a
-// contraction adds row sums. `faces` counts the mesh edges between the two cells (255: that or more); 0 for the
-// diagonals of quads, which couple cells that do not touch.
+// Row i stores the entries in later columns, as Matrix does, and the row sum, which couples the
+// cell to known values. In thin cells couplings differ by a factor of 1e14. The off-diagonal
+// entries and the row sum determine accurately what depends on small couplings; the diagonal does
+// not, as its rounding error is larger than they are (M. Dailey, F. M. Dopico, Q. Ye, Relative
+// perturbation theory for diagonally dominant matrices). So products are sums of fluxes, (A x)_i =
+// row_sum_i x_i + sum of a_ij (x_j - x_i), which are exactly 0 for constant x where the row sum is
+// 0, and a contraction adds row sums. `faces` counts the mesh edges between the two cells (255:
+// that or more); 0 for the diagonals of quads, which couple cells that do not touch.
 struct SymmetricRows {
     Index n = 0;
-    Span<Real> diagonal;       // [n] row sum - sum of the row's off-diagonal entries
-    Span<Real> row_sum;        // [n]
-    Span<Offset> start;        // [n + 1]
+    Span<Real> diagonal;  // [n] row sum - sum of the row's off-diagonal entries
+    Span<Real> row_sum;   // [n]
+    Span<Offset> start;   // [n + 1]
     Span<Index> column;
     Span<Real> value;
     Span<std::uint8_t> faces;
@@ -34,10 +35,11 @@ struct SymmetricRows {
     }
 };
 
-// coarse = P^T fine P, P the piecewise constant prolongation from merged cells to cells: conductances and faces between
-// two merged cells are summed, couplings inside a merged cell vanish, and row sums are added; entries that are 0 and
-// join no faces are left out, as those between movements along x and y where no point slides. cell_of [fine.n] -> 0 ..
-// n-1; last [n]: working space. coarse must have room for n rows and as many entries as `fine` has.
+// coarse = P^T fine P, P the piecewise constant prolongation from merged cells to cells:
+// conductances and faces between two merged cells are summed, couplings inside a merged cell
+// vanish, and row sums are added; entries that are 0 and join no faces are left out, as those
+// between movements along x and y where no point slides. cell_of [fine.n] -> 0 .. n-1; last [n]:
+// working space. coarse must have room for n rows and as many entries as `fine` has.
 void contract(SymmetricRows const& fine, Span<const Index> cell_of, Index n, Span<Offset> last,
               SymmetricRows& coarse) noexcept;
 

@@ -18,7 +18,9 @@ public:
     }
 
 private:
-    Real* row_of(Index position) const noexcept { return value_.data() + Offset{position} * width_; }
+    Real* row_of(Index position) const noexcept {
+        return value_.data() + Offset{position} * width_;
+    }
     const Real* at(Index position) const noexcept { return dofs_.at(position) + first_; }
 
     // row -= entry x
@@ -37,7 +39,8 @@ private:
     void take_right_hand_sides(Real* squares) const noexcept {
         for (Index wall = 0; wall + 1 < matrix_.coupling_start.count(); ++wall) {
             const Real* const known = dofs_.wall(wall) + first_;
-            for (Index c = matrix_.coupling_start[wall]; c < matrix_.coupling_start[wall + 1]; ++c) {
+            for (Index c = matrix_.coupling_start[wall]; c < matrix_.coupling_start[wall + 1];
+                 ++c) {
                 subtract(matrix_.coupling_value[c], known, row_of(matrix_.coupling_row[c]));
             }
         }
@@ -55,23 +58,28 @@ private:
     struct Dof {
         Index point, component;
     };
-    Dof dof_at(Index position) const noexcept { return {dofs_.of[position] / 2, dofs_.of[position] % 2}; }
+    Dof dof_at(Index position) const noexcept {
+        return {dofs_.of[position] / 2, dofs_.of[position] % 2};
+    }
     bool slips(Index point) const noexcept { return matrix_.row_of[2 * point + 1] == none; }
     const Real* of_dof(Index point, Index component) const noexcept {
         return dofs_.of_dof(2 * point + component) + first_;
     }
 
-    // The dof of a slipping point has a direction of its own. Flows are computed from displacements along x and y, and
-    // only then turned to the dofs: so both end points get the same flow, up to the rounding of the flow itself.
+    // The dof of a slipping point has a direction of its own. Flows are computed from displacements
+    // along x and y, and only then turned to the dofs: so both end points get the same flow, up to
+    // the rounding of the flow itself.
     void add_turned_flows(Real* squares) const noexcept {
         for (Index wall = 0; wall + 1 < matrix_.coupling_start.count(); ++wall) {
             const Real* const known = dofs_.wall(wall) + first_;
-            for (Index c = matrix_.coupling_start[wall]; c < matrix_.coupling_start[wall + 1]; ++c) {
+            for (Index c = matrix_.coupling_start[wall]; c < matrix_.coupling_start[wall + 1];
+                 ++c) {
                 Index const i = matrix_.coupling_row[c], point = dof_at(i).point;
                 Real const along = slips(point) ? component(matrix_.frame[point], wall % 2) : 1;
                 const Real* const own = of_dof(point, slips(point) ? 0 : wall % 2);
                 Real* const row = row_of(i);
-                for (Index k = 0; k < n_; ++k) row[k] -= matrix_.coupling_value[c] * (known[k] - along * own[k]);
+                for (Index k = 0; k < n_; ++k)
+                    row[k] -= matrix_.coupling_value[c] * (known[k] - along * own[k]);
             }
         }
         for (Index h = 0; h < matrix_.fixed_row.count(); ++h) {
@@ -82,7 +90,8 @@ private:
                 add_entry(i, matrix_.column[e], matrix_.value[e]);
             }
         }
-        for (Index i = 0; i < matrix_.n; ++i) add_squares(row_of(i), squares);  // any entry may change any row
+        for (Index i = 0; i < matrix_.n; ++i)
+            add_squares(row_of(i), squares);  // any entry may change any row
     }
     static Real component(Vec2 of, Index number) noexcept { return number == 0 ? of.x : of.y; }
 
@@ -104,7 +113,8 @@ private:
         if (slips(a.point) != slips(b.point)) {
             return slips(a.point) ? add_slipping(i, j, entry) : add_slipping(j, i, entry);
         }
-        if (slips(a.point) && matrix_.turns(a.point, b.point)) {  // the rest of this coupling is in fixed_value
+        if (slips(a.point) &&
+            matrix_.turns(a.point, b.point)) {  // the rest of this coupling is in fixed_value
             subtract(entry, at(j), row_of(i));
             subtract(entry, at(i), row_of(j));
             return;
@@ -113,8 +123,9 @@ private:
         take_flow(entry, of_dof(b.point, a.component), at(i), row_of(j));
     }
 
-    // Between a point that slips and one dof of a point that does not. The conductance and circulation of the two
-    // points, turned by the slip direction, are the entries of the two dofs of the free point.
+    // Between a point that slips and one dof of a point that does not. The conductance and
+    // circulation of the two points, turned by the slip direction, are the entries of the two dofs
+    // of the free point.
     void add_slipping(Index slipping, Index free, Real entry) const noexcept {
         Dof const dof = dof_at(free);
         Vec2 const along = matrix_.frame[dof_at(slipping).point];
@@ -141,8 +152,8 @@ private:
 
 }  // namespace
 
-Residual::Norms find_turned_balances(Matrix const& matrix, DofValues const& dofs, Index first, Index n, Index width,
-                                     Span<Real> value) noexcept {
+Residual::Norms find_turned_balances(Matrix const& matrix, DofValues const& dofs, Index first,
+                                     Index n, Index width, Span<Real> value) noexcept {
     return TurnedBalances(matrix, dofs, first, n, width, value).run();
 }
 

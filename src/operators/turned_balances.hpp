@@ -5,8 +5,9 @@
 
 namespace harmorph {
 
-// value [matrix.n x width] out: b - A F of columns first .. first+n-1 of F, n <= width. Returns their norms.
-Residual::Norms find_turned_balances(Matrix const& matrix, DofValues const& dofs, Index first, Index n, Index width,
-                                     Span<Real> value) noexcept;
+// value [matrix.n x width] out: b - A F of columns first .. first+n-1 of F, n <= width. Returns
+// their norms.
+Residual::Norms find_turned_balances(Matrix const& matrix, DofValues const& dofs, Index first,
+                                     Index n, Index width, Span<Real> value) noexcept;
 
 }  // namespace harmorph

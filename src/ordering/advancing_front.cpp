@@ -7,8 +7,8 @@ void LayerWork::lay_out(Arena& arena, Index max_unknowns) noexcept {
     arena.take(reached, max_unknowns);
 }
 
-void order_by_layers(Topology const& topology, Span<const PointKind> kinds, Graph const& graph, LayerWork const& work,
-                     Span<Index> order) noexcept {
+void order_by_layers(Topology const& topology, Span<const PointKind> kinds, Graph const& graph,
+                     LayerWork const& work, Span<Index> order) noexcept {
     Mesh const& mesh = topology.mesh;
     auto const for_unknowns = [&](Index point, auto const& body) {
         for (Index c = 0; c < graph.components; ++c) {

@@ -12,10 +12,11 @@ struct LayerWork {
     void lay_out(Arena& arena, Index max_unknowns) noexcept;
 };
 
-// order [n]: the unknowns by breadth-first search from those that share a cell with a point of known value or are on a
-// free boundary. The front passes through regions of quads first, and only then through the triangles, so that the
-// agglomeration merges boundary layers normal to the wall before it comes near other cells.
-void order_by_layers(Topology const& topology, Span<const PointKind> kinds, Graph const& graph, LayerWork const& work,
-                     Span<Index> order) noexcept;
+// order [n]: the unknowns by breadth-first search from those that share a cell with a point of
+// known value or are on a free boundary. The front passes through regions of quads first, and only
+// then through the triangles, so that the agglomeration merges boundary layers normal to the wall
+// before it comes near other cells.
+void order_by_layers(Topology const& topology, Span<const PointKind> kinds, Graph const& graph,
+                     LayerWork const& work, Span<Index> order) noexcept;
 
 }  // namespace harmorph

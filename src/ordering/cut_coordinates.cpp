@@ -6,8 +6,10 @@ namespace {
 constexpr float unreached = -1;
 constexpr Index least_unknowns = 4096;  // that are worth a task
 
-// Breadth-first search from the unknowns of the queue from `read` on: neighbours not yet reached get one step more.
-Index spread(Graph const& graph, Span<float> step, Span<Index> queue, Index read, Index filled) noexcept {
+// Breadth-first search from the unknowns of the queue from `read` on: neighbours not yet reached
+// get one step more.
+Index spread(Graph const& graph, Span<float> step, Span<Index> queue, Index read,
+             Index filled) noexcept {
     for (; read < filled; ++read) {
         graph.expect(queue, read, filled);
         Index const u = queue[read];
@@ -34,8 +36,8 @@ void CutCoordinates::lay_out_layers(Arena& arena, Index max_unknowns) noexcept {
     arena.take(layer_queue, max_unknowns);
 }
 
-// From the unknowns beside curves. Unknowns in a part of the mesh without curves are not reached: they come before all
-// layers.
+// From the unknowns beside curves. Unknowns in a part of the mesh without curves are not reached:
+// they come before all layers.
 void CutCoordinates::find_layers(Graph const& graph) const noexcept {
     fill(layer.first(graph.n), unreached);
     Index filled = 0;
@@ -47,19 +49,22 @@ void CutCoordinates::find_layers(Graph const& graph) const noexcept {
     spread(graph, layer, layer_queue, 0, filled);
 }
 
-void CutCoordinates::find_levels(Graph const& graph, Span<const Index> part, Span<Index> by_level) const noexcept {
+void CutCoordinates::find_levels(Graph const& graph, Span<const Index> part,
+                                 Span<Index> by_level) const noexcept {
     auto const spread_from = [&](Index u, float level, Index filled) {
         step[u] = level;
         by_level[filled] = u;
         return spread(graph, step, by_level, filled, filled + 1);
     };
     Index start = part[0], filled = 0;
-    for (Index sweep = 0; sweep < 2; ++sweep) {  // the second search starts from the last unknown of the first
+    for (Index sweep = 0; sweep < 2;
+         ++sweep) {  // the second search starts from the last unknown of the first
         for (Index const u : part) step[u] = unreached;
         filled = spread_from(start, 0, 0);
         start = by_level[filled - 1];
     }
-    for (Index const u : part) {  // components of the part that the search did not reach get the levels behind
+    for (Index const u :
+         part) {  // components of the part that the search did not reach get the levels behind
         if (step[u] < 0) filled = spread_from(u, step[by_level[filled - 1]] + 1, filled);
     }
     for (Index const u : part) of[u].at[level_direction] = step[u];
@@ -88,22 +93,26 @@ void CutCoordinates::keep_searches(Graph const& graph, Executor const& executor)
                 farthest = larger(farthest, here < step[v] ? step[v] - here : here - step[v]);
             }
             set_four(of[u].at, 1, Four{layer[u], here, 0, 0});
-            set_four(of[u].reach, 1, Four{1, farthest, 1, 0});  // layers and levels of neighbours differ by 1 at most
+            set_four(
+                of[u].reach, 1,
+                Four{1, farthest, 1, 0});  // layers and levels of neighbours differ by 1 at most
         }
     });
     fill(step.first(graph.n), 0.0f);
 }
 
-// Coordinates relative to the first point: single precision would lose those of a small mesh far from the origin.
-void CutCoordinates::place(Graph const& graph, Points points, Executor const& executor) const noexcept {
+// Coordinates relative to the first point: single precision would lose those of a small mesh far
+// from the origin.
+void CutCoordinates::place(Graph const& graph, Points points,
+                           Executor const& executor) const noexcept {
     Vec2 const origin = points[graph.point(0)];
     Real largest = 0;
     for (Index u = 0; u < graph.n; ++u) {
         Vec2 const p = points[graph.point(u)] - origin;
         largest = larger(largest, larger(absolute(p.x), absolute(p.y)));
     }
-    // Single precision ends at 1e38. Where all unknowns are in one place, or there is one only, nothing has to
-    // be scaled.
+    // Single precision ends at 1e38. Where all unknowns are in one place, or there is one only,
+    // nothing has to be scaled.
     Real const scale = largest > 0 && (largest > 1e30 || largest < 1e-30) ? 1 / largest : 1;
     executor.for_ranges(graph.n, least_unknowns, [&](Index begin, Index end) {
         for (Index u = begin; u < end; ++u) {

@@ -9,13 +9,16 @@ constexpr Index few_samples = 27, most_samples = 81;  // powers of 3
 
 Four least_of(Four a, Four b) noexcept { return a < b ? a : b; }
 Four most_of(Four a, Four b) noexcept { return a < b ? b : a; }
-Four middle_of(Four a, Four b, Four c) noexcept { return most_of(least_of(a, b), least_of(most_of(a, b), c)); }
+Four middle_of(Four a, Four b, Four c) noexcept {
+    return most_of(least_of(a, b), least_of(most_of(a, b), c));
+}
 
-// Multiplications that a part of n unknowns with a border of b leads to, where separators of s = n^1/2 pivots halve it
-// again and again, and each half has half the border and the separator:
+// Multiplications that a part of n unknowns with a border of b leads to, where separators of s =
+// n^1/2 pivots halve it again and again, and each half has half the border and the separator:
 //   C(n, b) = s (s^2 / 3 + s b + b^2) + 2 C(n / 2, b / 2 + s)
 // is solved by C = s (u s^2 + v s b + w b^2), and comparing coefficients, with r = 2^1/2, gives
-//   w = 1 + r w / 4,   v = 1 + v / 2 + r w,   u = 1 / 3 + u / r + v + r w:   w = 1.547, v = 6.375, u = 30.37.
+//   w = 1 + r w / 4,   v = 1 + v / 2 + r w,   u = 1 / 3 + u / r + v + r w:   w = 1.547, v = 6.375,
+//   u = 30.37.
 constexpr Real of_unknowns = 30, of_both = 6.4, of_border = 1.55;
 
 Real cost_to_cut(Real n, Real b) noexcept {
@@ -23,8 +26,8 @@ Real cost_to_cut(Real n, Real b) noexcept {
     return s * (of_unknowns * n + of_both * s * b + of_border * b * b);
 }
 
-// The stride of samples of large parts: separators have about the square root of the number of unknowns, and a sample
-// with this stride contains twice separator_samples of these.
+// The stride of samples of large parts: separators have about the square root of the number of
+// unknowns, and a sample with this stride contains twice separator_samples of these.
 Index stride_of(Index part, Real separator_samples) noexcept {
     return larger(Index{1}, static_cast<Index>(square_root(part) / (2 * separator_samples)));
 }
@@ -39,15 +42,17 @@ Index scattered(Index from, Index end) noexcept {
 
 }  // namespace
 
-// Large parts: twice the multiplications. Small parts have small fronts whatever the cut: the length of the separator,
-// more for uneven cuts.
+// Large parts: twice the multiplications. Small parts have small fronts whatever the cut: the
+// length of the separator, more for uneven cuts.
 Real Parts::cost() const noexcept {
     Real const n = size(), s = separator, b = Real{1} * left_border + right_border;
     if (n < large) return s * (0.5 + larger(left, right) / n);
-    return s * (s * s / 3 + s * b + b * b) + cost_to_cut(left, left_border + s) + cost_to_cut(right, right_border + s);
+    return s * (s * s / 3 + s * b + b * b) + cost_to_cut(left, left_border + s) +
+           cost_to_cut(right, right_border + s);
 }
 
-// Counts for cuts at `level` in all directions at once; left: unknowns with a coordinate below the level.
+// Counts for cuts at `level` in all directions at once; left: unknowns with a coordinate below the
+// level.
 struct CutSearch::Counts {
     Four level[halves];
     Index n = 0, border = 0;
@@ -56,10 +61,13 @@ struct CutSearch::Counts {
 
     template <bool is_large>
     void add(CutPosition const& position) noexcept {
-        FourCounts const in_border = FourCounts{} + (is_large ? static_cast<Index>(position.at[border_lane]) : 0);
+        FourCounts const in_border =
+            FourCounts{} + (is_large ? static_cast<Index>(position.at[border_lane]) : 0);
         for (Index half = 0; half < halves; ++half) {
-            Four const distance = four(position.at, half) - level[half], reach = four(position.reach, half);
-            FourCounts const is_left = distance < 0, is_near = (distance <= reach) & (-distance <= reach);
+            Four const distance = four(position.at, half) - level[half],
+                       reach = four(position.reach, half);
+            FourCounts const is_left = distance < 0,
+                             is_near = (distance <= reach) & (-distance <= reach);
             left[half] -= is_left;  // -1 where true
             near[half] -= is_near;
             if (is_large) {
@@ -73,18 +81,23 @@ struct CutSearch::Counts {
     // Of a part of which some unknowns are counted, or all.
     template <bool is_large>
     Parts parts(Index direction, Index part) const noexcept {
-        auto const of = [&](const FourCounts* counts) { return counts[direction / 4][direction % 4]; };
-        // All near unknowns of one side are a cover, so the smallest cover is not larger than either.
+        auto const of = [&](const FourCounts* counts) {
+            return counts[direction / 4][direction % 4];
+        };
+        // All near unknowns of one side are a cover, so the smallest cover is not larger than
+        // either.
         Index const cover = is_large ? smaller(of(near_left), of(near) - of(near_left)) : of(near);
         Real const times = static_cast<Real>(part) / n;
         auto const all = [&](Index counted) { return static_cast<Index>(times * counted); };
-        return {all(of(left)), all(n - of(left)), all(cover), all(of(left_border)), all(border - of(left_border))};
+        return {all(of(left)), all(n - of(left)), all(cover), all(of(left_border)),
+                all(border - of(left_border))};
     }
 };
 
 Cut CutSearch::best(Index begin, Index end, Index n_directions) const noexcept {
     bool const is_large = end - begin >= Parts::large;
-    return is_large ? best_of<true>(begin, end, n_directions) : best_of<false>(begin, end, n_directions);
+    return is_large ? best_of<true>(begin, end, n_directions)
+                    : best_of<false>(begin, end, n_directions);
 }
 
 template <bool is_large>
@@ -102,7 +115,8 @@ Cut CutSearch::best_of(Index begin, Index end, Index n_directions) const noexcep
             __builtin_prefetch(&coordinates_.of[order_[k + prefetch_ahead * stride]]);
         }
         counts.add<is_large>(coordinates_.of[order_[k]]);
-        if (counts.n % 32 == 0) k += scattered(k, stride);  // rows of meshes may be as long as any number of steps
+        if (counts.n % 32 == 0)
+            k += scattered(k, stride);  // rows of meshes may be as long as any number of steps
     }
     Cut best;
     Real least = infinity;
@@ -137,7 +151,8 @@ bool CutSearch::find_level_cut(Real least, Index begin, Index end, Cut& cut) con
             passed += static_cast<Index>(at(behind, border_lane));
         }
         if (first < n / 4 || n - behind < n / 4) continue;
-        Real const cost = Parts{first, n - behind, behind - first, before, whole_border - passed}.cost();
+        Real const cost =
+            Parts{first, n - behind, behind - first, before, whole_border - passed}.cost();
         if (cost >= least) continue;
         least = cost;
         cut = {level_direction, at(first, level_direction) + 0.5f};
@@ -146,20 +161,22 @@ bool CutSearch::find_level_cut(Real least, Index begin, Index end, Cut& cut) con
     return found;
 }
 
-// Levels close to the medians: medians of three medians of three, and so on (P. J. Rousseeuw, G. W. Bassett, J. Am.
-// Stat. Assoc. 85 (1990) 97), of samples.
+// Levels close to the medians: medians of three medians of three, and so on (P. J. Rousseeuw, G. W.
+// Bassett, J. Am. Stat. Assoc. 85 (1990) 97), of samples.
 void CutSearch::set_medians(Index begin, Index n, float* level) const noexcept {
     Index count = n < 1024 ? few_samples : most_samples;
     Four sample[most_samples][halves];
     for (Index k = 0; k < count; ++k) {
-        CutPosition const& position = coordinates_.of[order_[begin + static_cast<Index>(Offset{k} * n / count)]];
+        CutPosition const& position =
+            coordinates_.of[order_[begin + static_cast<Index>(Offset{k} * n / count)]];
         for (Index half = 0; half < halves; ++half) sample[k][half] = four(position.at, half);
     }
     while (count > 1) {
         count /= 3;
         for (Index k = 0; k < count; ++k) {
             for (Index half = 0; half < halves; ++half) {
-                sample[k][half] = middle_of(sample[k][half], sample[k + count][half], sample[k + 2 * count][half]);
+                sample[k][half] = middle_of(sample[k][half], sample[k + count][half],
+                                            sample[k + 2 * count][half]);
             }
         }
     }

@@ -6,13 +6,16 @@ namespace harmorph {
 
 namespace {
 
-// visit(unknown or none, line, unknown or none, line) for every two lines of two points that share a cell.
+// visit(unknown or none, line, unknown or none, line) for every two lines of two points that share
+// a cell.
 template <Index components, class Visit>
 void for_each_two_lines(Topology const& topology, Span<const Index> unknown, Visit visit) noexcept {
     auto const visit_lines = [&](Index a, Index b) {
-        if (unknown[components * a] == unknown[components * b]) return;  // one point, or two that are known
+        if (unknown[components * a] == unknown[components * b])
+            return;  // one point, or two that are known
         for (Index p = components * a; p < components * (a + 1); ++p) {
-            for (Index q = components * b; q < components * (b + 1); ++q) visit(unknown[p], p, unknown[q], q);
+            for (Index q = components * b; q < components * (b + 1); ++q)
+                visit(unknown[p], p, unknown[q], q);
         }
     };
     topology.edges.for_each([&](Index, Index low, Index high) { visit_lines(low, high); });
@@ -95,8 +98,8 @@ void Graph::connect(Topology const& topology, Span<const PointKind> kinds) noexc
     rewind_starts(starts);
 }
 
-Index Graph::first_floating(Topology const& topology, Span<const PointKind> kinds, Span<Index> queue,
-                            Span<std::uint8_t> reached) const noexcept {
+Index Graph::first_floating(Topology const& topology, Span<const PointKind> kinds,
+                            Span<Index> queue, Span<std::uint8_t> reached) const noexcept {
     fill(reached.first(n), std::uint8_t{0});
     Index filled = 0;
     auto const reach = [&](Index u) {

@@ -7,8 +7,9 @@
 namespace harmorph {
 namespace {
 
-// The top of the tree: level by level until there is a part for every thread; then a task takes one part after the
-// other, and whoever cuts a part makes both halves ready. The tree is the same for any number of levels.
+// The top of the tree: level by level until there is a part for every thread; then a task takes one
+// part after the other, and whoever cuts a part makes both halves ready. The tree is the same for
+// any number of levels.
 class TreeTop {
 public:
     TreeTop(Dissector const& dissector, Executor const& executor, AssemblyTree& tree) noexcept
@@ -112,7 +113,9 @@ Index AssemblyTree::add(Index begin, Index end, Index first, Index second) noexc
     return number;
 }
 
-void AssemblyTree::lay_out(Arena& arena, Index max_unknowns) noexcept { arena.take(nodes, max_unknowns / 2 + 1); }
+void AssemblyTree::lay_out(Arena& arena, Index max_unknowns) noexcept {
+    arena.take(nodes, max_unknowns / 2 + 1);
+}
 
 void DissectionWork::lay_out(Arena& arena, Index max_unknowns) noexcept {
     coordinates.lay_out(arena, max_unknowns);
@@ -124,8 +127,8 @@ void DissectionWork::lay_out(Arena& arena, Index max_unknowns) noexcept {
     arena.take(keyed, max_unknowns);
 }
 
-void dissect(Graph const& graph, Points points, DissectionWork const& work, Executor const& executor, Span<Index> order,
-             AssemblyTree& tree) noexcept {
+void dissect(Graph const& graph, Points points, DissectionWork const& work,
+             Executor const& executor, Span<Index> order, AssemblyTree& tree) noexcept {
     work.coordinates.place(graph, points, executor);
     fill(work.cover.side.first(graph.n), Side::inside);
     Dissector const dissector(graph, work, order);

@@ -1,6 +1,6 @@
-// Positions of disjoint subtrees of the assembly tree. No unknown of one subtree has a neighbour in another one, so
-// what concerns an unknown and its earlier neighbours can be done in all of them at the same time; the positions
-// between them, which are separators, come afterwards.
+// Positions of disjoint subtrees of the assembly tree. No unknown of one subtree has a neighbour in
+// another one, so what concerns an unknown and its earlier neighbours can be done in all of them at
+// the same time; the positions between them, which are separators, come afterwards.
 #pragma once
 
 #include "base/executor.hpp"
@@ -27,7 +27,8 @@ struct SubtreeRanges {
     template <class Visit>
     void for_each_between(Index n, Visit const& visit) const noexcept {
         Index begin = 0;
-        for (PositionRange const& done : Span<const PositionRange>(subtree, static_cast<Size>(count))) {
+        for (PositionRange const& done :
+             Span<const PositionRange>(subtree, static_cast<Size>(count))) {
             if (begin < done.begin) visit(PositionRange{begin, done.begin});
             begin = done.end;
         }
@@ -43,7 +44,8 @@ private:
             subtree[count++] = positions;
             return;
         }
-        for (Index child = tree.nodes[root].child; child != none; child = tree.nodes[child].sibling) {
+        for (Index child = tree.nodes[root].child; child != none;
+             child = tree.nodes[child].sibling) {
             add(tree, child, largest, limit);
         }
     }

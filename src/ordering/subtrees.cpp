@@ -7,8 +7,8 @@ namespace {
 
 class Costs {
 public:
-    Costs(AssemblyTree const& tree,
-          Span<const Offset> border_start) noexcept : tree_(tree), border_start_(border_start) {}
+    Costs(AssemblyTree const& tree, Span<const Offset> border_start) noexcept
+        : tree_(tree), border_start_(border_start) {}
 
     Index border(Index node) const noexcept {
         return static_cast<Index>(border_start_[node + 1] - border_start_[node]);
@@ -67,7 +67,8 @@ void Subtrees::choose(AssemblyTree const& tree, Span<const Offset> border_start)
     for (Index node = 0; node < tree.count; ++node) {
         bool const is_leaf = tree.nodes[node].child == none, is_root = find(node) != none;
         if (!is_leaf && !is_root) continue;
-        Offset inside = 0, above = 0, rows = 0;  // along the path upwards, in a subtree and above it
+        Offset inside = 0, above = 0,
+               rows = 0;  // along the path upwards, in a subtree and above it
         bool in_subtree = !is_root && count > 0;
         for (Index up = node; up != none; up = tree.nodes[up].parent) {
             rows += costs.front(up);
@@ -100,7 +101,8 @@ void Subtrees::split(AssemblyTree const& tree, Span<const Offset> border_start) 
             if (all[i].work > all[largest].work) largest = i;
         }
         Index n_children = 0;
-        for (Index child = tree.nodes[all[largest].root].child; child != none; child = tree.nodes[child].sibling) {
+        for (Index child = tree.nodes[all[largest].root].child; child != none;
+             child = tree.nodes[child].sibling) {
             ++n_children;
         }
         if (n_children == 0 || count + n_children - 1 > all.count()) break;
@@ -112,7 +114,8 @@ void Subtrees::split(AssemblyTree const& tree, Span<const Offset> border_start) 
     }
 }
 
-// List scheduling: the largest first, each to the worker that is free next (R. L. Graham's LPT rule).
+// List scheduling: the largest first, each to the worker that is free next (R. L. Graham's LPT
+// rule).
 void Subtrees::sort_by_work() noexcept {
     Span<Subtree> const chosen = all.first(count);
     sort(chosen, [](Subtree const& a, Subtree const& b) { return a.root < b.root; });

@@ -5,8 +5,8 @@
 namespace harmorph {
 namespace {
 
-// Borders that hold a position of a subtree belong to nodes of the same subtree, so subtrees can be walked at the same
-// time.
+// Borders that hold a position of a subtree belong to nodes of the same subtree, so subtrees can be
+// walked at the same time.
 SubtreeRanges ranges_for(Executor const& executor, AssemblyTree const& tree, Index n) noexcept {
     SubtreeRanges ranges;
     if (!executor.is_serial()) ranges.choose(tree, n / (8 * executor.n_threads));
@@ -15,33 +15,38 @@ SubtreeRanges ranges_for(Executor const& executor, AssemblyTree const& tree, Ind
 
 // visit(range) for the subtrees by the executor's threads, then for the rest by the calling one.
 template <class Visit>
-void for_each_range(SubtreeRanges const& ranges, Index n, Executor const& executor, Visit const& visit) noexcept {
+void for_each_range(SubtreeRanges const& ranges, Index n, Executor const& executor,
+                    Visit const& visit) noexcept {
     executor.for_each(ranges.count, [&](Index i) { visit(ranges.subtree[i]); });
     ranges.for_each_between(n, visit);
 }
 
-// visit(position, node) for every position of nodes that have children: the positions of the others are in no border.
+// visit(position, node) for every position of nodes that have children: the positions of the others
+// are in no border.
 template <class Visit>
-void for_each_above_leaves(AssemblyTree const& tree, Index first, PositionRange range, Visit visit) noexcept {
+void for_each_above_leaves(AssemblyTree const& tree, Index first, PositionRange range,
+                           Visit visit) noexcept {
     for (Index t = first; t < tree.count && tree.nodes[t].begin < range.end; ++t) {
         AssemblyTree::Node const node = tree.nodes[t];
-        for (Index position = node.begin; node.child != none && position < node.end; ++position) visit(position, t);
+        for (Index position = node.begin; node.child != none && position < node.end; ++position)
+            visit(position, t);
     }
 }
 
-// visit(node, position) for every node whose border holds the position: the nodes on the tree's paths from the
-// position's earlier neighbours up to its own node (J. W. H. Liu's row subtrees, ACM Trans. Math. Softw. 12 (1986)
-// 127), and then visit(none, position). To each node positions come in increasing order, so each border is filled in
-// order.
+// visit(node, position) for every node whose border holds the position: the nodes on the tree's
+// paths from the position's earlier neighbours up to its own node (J. W. H. Liu's row subtrees, ACM
+// Trans. Math. Softw. 12 (1986) 127), and then visit(none, position). To each node positions come
+// in increasing order, so each border is filled in order.
 template <class Visit>
-void walk(Graph const& graph, Span<const Index> order, AssemblyTree const& tree, BorderWork const& work,
-          PositionRange range, Visit visit) noexcept {
+void walk(Graph const& graph, Span<const Index> order, AssemblyTree const& tree,
+          BorderWork const& work, PositionRange range, Visit visit) noexcept {
     Span<const Index> const node_of = work.node;
     Span<BorderWork::Step> const step = work.step;
     for_each_above_leaves(tree, node_of[order[range.begin]], range, [&](Index position, Index own) {
         graph.expect(order, position, range.end);
         for (Index const neighbour : graph.of(order[position])) {
-            for (Index node = node_of[neighbour]; node < own && step[node].seen != position; node = step[node].parent) {
+            for (Index node = node_of[neighbour]; node < own && step[node].seen != position;
+                 node = step[node].parent) {
                 step[node].seen = position;
                 visit(node, position);
             }
@@ -54,8 +59,8 @@ void restart(AssemblyTree const& tree, BorderWork const& work) noexcept {
     for (Index t = 0; t < tree.count; ++t) work.step[t] = {tree.nodes[t].parent, none, 0};
 }
 
-// The nodes that a walk through a range passes, in BorderWork::passed from the range's part of the array on. The first
-// entry tells whether all nodes had room.
+// The nodes that a walk through a range passes, in BorderWork::passed from the range's part of the
+// array on. The first entry tells whether all nodes had room.
 class Track {
 public:
     Track(BorderWork const& work, PositionRange range) noexcept
@@ -88,8 +93,9 @@ void BorderWork::lay_out_passed(Arena& arena, Index max_unknowns) noexcept {
     arena.take(passed, Offset{remembered} * max_unknowns);
 }
 
-FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTree const& tree, BorderWork const& work,
-                         Executor const& executor, Span<Offset> border_start) noexcept {
+FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTree const& tree,
+                         BorderWork const& work, Executor const& executor,
+                         Span<Offset> border_start) noexcept {
     executor.for_ranges(tree.count, 256, [&](Index begin, Index end) {
         for (Index t = begin; t < end; ++t) {
             for (Index k = tree.nodes[t].begin; k < tree.nodes[t].end; ++k) {
@@ -99,14 +105,15 @@ FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTr
         }
     });
     restart(tree, work);
-    for_each_range(ranges_for(executor, tree, graph.n), graph.n, executor, [&](PositionRange range) {
-        Track track(work, range);
-        walk(graph, order, tree, work, range, [&](Index node, Index) {
-            track.add(node);
-            if (node != none) ++work.step[node].filled;
-        });
-        track.close();
-    });
+    for_each_range(ranges_for(executor, tree, graph.n), graph.n, executor,
+                   [&](PositionRange range) {
+                       Track track(work, range);
+                       walk(graph, order, tree, work, range, [&](Index node, Index) {
+                           track.add(node);
+                           if (node != none) ++work.step[node].filled;
+                       });
+                       track.close();
+                   });
 
     FrontSizes sizes;
     for (Index t = 0; t < tree.count; ++t) {
@@ -120,8 +127,9 @@ FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTr
     return sizes;
 }
 
-void fill_borders(Graph const& graph, Span<const Index> order, AssemblyTree const& tree, BorderWork const& work,
-                  Executor const& executor, Span<const Offset> border_start, Span<Index> border) noexcept {
+void fill_borders(Graph const& graph, Span<const Index> order, AssemblyTree const& tree,
+                  BorderWork const& work, Executor const& executor, Span<const Offset> border_start,
+                  Span<Index> border) noexcept {
     restart(tree, work);
     auto const enter = [&](Index node, Index position) {
         if (node != none) border[border_start[node] + work.step[node].filled++] = position;
@@ -129,9 +137,11 @@ void fill_borders(Graph const& graph, Span<const Index> order, AssemblyTree cons
     for_each_range(ranges_for(executor, tree, graph.n), graph.n, {}, [&](PositionRange range) {
         Track track(work, range);
         if (!track.is_whole()) return walk(graph, order, tree, work, range, enter);
-        for_each_above_leaves(tree, work.node[order[range.begin]], range, [&](Index position, Index) {
-            for (Index node = track.next(); node != none; node = track.next()) enter(node, position);
-        });
+        for_each_above_leaves(tree, work.node[order[range.begin]], range,
+                              [&](Index position, Index) {
+                                  for (Index node = track.next(); node != none; node = track.next())
+                                      enter(node, position);
+                              });
     });
 }
 

@@ -8,8 +8,9 @@ void BorderCover::lay_out(Arena& arena, Index max_unknowns) noexcept {
     arena.take(from, max_unknowns);
 }
 
-// Matches one more left unknown, by exchanging the partners along a path to a free right one. Where there is none, all
-// that the search came to is out of question for later ones. Returns how many unknowns it came to.
+// Matches one more left unknown, by exchanging the partners along a path to a free right one. Where
+// there is none, all that the search came to is out of question for later ones. Returns how many
+// unknowns it came to.
 Offset BorderCover::search(Graph const& graph, Index root, Span<Index> queue) const noexcept {
     Index filled = 0;
     queue[filled++] = root;
@@ -37,8 +38,10 @@ Offset BorderCover::search(Graph const& graph, Index root, Span<Index> queue) co
     return filled;
 }
 
-void BorderCover::find(Graph const& graph, Span<const Index> near, Span<Index> queue) const noexcept {
-    constexpr Offset searches_each = 16;  // as many as a near unknown may cost; hardly any costs more than one
+void BorderCover::find(Graph const& graph, Span<const Index> near,
+                       Span<Index> queue) const noexcept {
+    constexpr Offset searches_each =
+        16;  // as many as a near unknown may cost; hardly any costs more than one
     for (Index const u : near) mate[u] = none;
     Offset left_over = searches_each * near.count();
     for (Index const u : near) {

@@ -7,7 +7,8 @@ namespace harmorph {
 namespace {
 
 // The cells that the part's own arrays hold.
-Mesh with_cells(Mesh mesh, Index n_own, const Index* cell_start, const Index* cell_points) noexcept {
+Mesh with_cells(Mesh mesh, Index n_own, const Index* cell_start,
+                const Index* cell_points) noexcept {
     if (mesh.layout != CellLayout::polygons) mesh.layout = CellLayout::quads;
     mesh.n_cells = n_own;
     mesh.cell_points = cell_points;
@@ -48,8 +49,8 @@ void Part::lay_out(Arena& arena, PartMesh const& mesh) noexcept {
     arena.take(cell_points, polygons ? mesh.n_own_corners() : Offset{4} * n_own);
     arena.take(given_cell, n_own < mesh.mesh.n_cells ? n_own : 0);
     // Of polygons the ghost cells are counted, too: a bound.
-    Mesh const counts =
-        polygons ? division.lay_out(arena, mesh.mesh) : with_cells(mesh.mesh, n_own, nullptr, nullptr);
+    Mesh const counts = polygons ? division.lay_out(arena, mesh.mesh)
+                                 : with_cells(mesh.mesh, n_own, nullptr, nullptr);
     arena.take(topology.reversed, counts.n_checked());
     topology.edges.lay_out(arena, counts);
     arena.take(topology.representative, n_points);
@@ -65,7 +66,8 @@ Status Part::init(PartMesh const& mesh, Fault& fault) noexcept {
     HARMORPH_TRY(sort_numbers(fault));
     fill(in_cell, std::uint8_t{0});
     fill(topology.reversed, std::uint8_t{0});
-    HARMORPH_TRY(mesh.mesh.layout == CellLayout::polygons ? take_polygons(fault) : take_cells(fault));
+    HARMORPH_TRY(mesh.mesh.layout == CellLayout::polygons ? take_polygons(fault)
+                                                          : take_cells(fault));
     for (Index k = 0; k < own().n_points; ++k) topology.representative[k] = k;
     HARMORPH_TRY(topology.edges.build(own(), {}, fault));
     HARMORPH_TRY(check_overlap(fault));
@@ -79,7 +81,8 @@ Status Part::sort_numbers(Fault& fault) noexcept {
     bool in_order = true;
     for (Index k = 0; k < n; ++k) {
         if (number(k) < 0 || number(k) > largest_number) {
-            return fault.refuse(Status::bad_mesh, "the global number of point # is ~, not between 0 and 2^61",
+            return fault.refuse(Status::bad_mesh,
+                                "the global number of point # is ~, not between 0 and 2^61",
                                 Counts::mesh, k, none, static_cast<Real>(number(k)));
         }
         by_number[k] = k;
@@ -88,8 +91,9 @@ Status Part::sort_numbers(Fault& fault) noexcept {
     if (!in_order) sort(by_number, [&](Index a, Index b) { return number(a) < number(b); });
     for (Index k = 1; k < n; ++k) {
         if (number(by_number[k - 1]) != number(by_number[k])) continue;
-        return fault.refuse(Status::bad_mesh, "the points # and @ have the same global number ~", Counts::mesh,
-                            by_number[k - 1], by_number[k], static_cast<Real>(number(by_number[k])));
+        return fault.refuse(Status::bad_mesh, "the points # and @ have the same global number ~",
+                            Counts::mesh, by_number[k - 1], by_number[k],
+                            static_cast<Real>(number(by_number[k])));
     }
     return Status::ok;
 }
@@ -122,7 +126,8 @@ Status Part::take_cells(Fault& fault) noexcept {
     return bad == none ? Status::ok : refuse_shape(bad, fault);
 }
 
-// Own polygons, divided as they are given, so that parts have the triangles of the whole mesh; turned after that.
+// Own polygons, divided as they are given, so that parts have the triangles of the whole mesh;
+// turned after that.
 Status Part::take_polygons(Fault& fault) noexcept {
     Mesh const& mesh = given.mesh;
     Index n = 0, filled = 0;
@@ -161,7 +166,8 @@ Status Part::take_polygons(Fault& fault) noexcept {
             its[corners - 1 - k] = its[k];
             its[k] = other;
         }
-        for (Index k = pieces.start[i]; k < pieces.start[i + 1]; ++k) turn(pieces.point.data() + 4 * Offset{k});
+        for (Index k = pieces.start[i]; k < pieces.start[i + 1]; ++k)
+            turn(pieces.point.data() + 4 * Offset{k});
         for (Index k = pieces.guard_start[i]; k < pieces.guard_start[i + 1]; ++k)
             turn(pieces.point.data() + 4 * Offset{k});
     }
@@ -183,20 +189,24 @@ bool Part::is_whole(CellShape const& shape, Real resolved) noexcept {
 }
 
 Status Part::refuse_shape(Index cell, Fault& fault) const noexcept {
-    return fault.refuse(Status::bad_mesh,
-                        inverted_ ? "cell # is inverted or empty: its smallest corner area is ~"
-                                  : "cell # has a height of ~, too small for the digits of its coordinates",
-                        Counts::mesh, cell, none, height_);
+    return fault.refuse(
+        Status::bad_mesh,
+        inverted_ ? "cell # is inverted or empty: its smallest corner area is ~"
+                  : "cell # has a height of ~, too small for the digits of its coordinates",
+        Counts::mesh, cell, none, height_);
 }
 
-// Cells that are all counter-clockwise run along a common edge in opposite directions, unless they overlap.
+// Cells that are all counter-clockwise run along a common edge in opposite directions, unless they
+// overlap.
 Status Part::check_overlap(Fault& fault) const noexcept {
     Edges const& edges = topology.edges;
     if (edges.agree) return Status::ok;
     edges.for_each([&](Index edge, Index low, Index high) {
         Index const second = edges.second[edge];
-        if (failed(fault.status) || second < 0 || ((edges.first[edge].code ^ second) & 1) != 0) return;
-        fault.refuse(Status::bad_mesh, "the cells on both sides of the edge between points # and @ overlap",
+        if (failed(fault.status) || second < 0 || ((edges.first[edge].code ^ second) & 1) != 0)
+            return;
+        fault.refuse(Status::bad_mesh,
+                     "the cells on both sides of the edge between points # and @ overlap",
                      Counts::mesh, low, high);
     });
     return fault.status;

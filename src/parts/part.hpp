@@ -1,7 +1,7 @@
-// parts: meshes that no process has as a whole. In: the cells of one process with global numbers of its points. Out:
-// the edges where the part ends; from those of all parts the boundary of the whole mesh (shared_boundary.hpp); the
-// equations of the part, whose sum over all parts is the matrix of the mesh (part_equations.hpp). Nothing here sends
-// anything.
+// parts: meshes that no process has as a whole. In: the cells of one process with global numbers of
+// its points. Out: the edges where the part ends; from those of all parts the boundary of the whole
+// mesh (shared_boundary.hpp); the equations of the part, whose sum over all parts is the matrix of
+// the mesh (part_equations.hpp). Nothing here sends anything.
 //
 // This file: one part, checked by itself.
 #pragma once
@@ -25,8 +25,8 @@ struct OpenEdge {
 
 struct PartMesh {
     Mesh mesh;
-    const Offset* number = nullptr;         // [n_points]
-    const std::uint8_t* ghosts = nullptr;   // [n_cells] or null
+    const Offset* number = nullptr;        // [n_points]
+    const std::uint8_t* ghosts = nullptr;  // [n_cells] or null
 
     bool is_ghost(Index cell) const noexcept { return ghosts != nullptr && ghosts[cell] != 0; }
     Index n_own() const noexcept;
@@ -37,19 +37,21 @@ struct Part {
     static constexpr Offset largest_number = Offset{1} << 61;
 
     PartMesh given;
-    Mesh cells;                   // the own cells, counter-clockwise: quads, or polygons
-    Topology topology;            // of the own cells, or of their pieces: quads, none reversed; points are not joined
-    Boundary boundary;            // marked faces alone: not in order
-    Span<Index> cell_start;       // [own cells + 1] of polygons
-    Span<Index> cell_points;      // of `cells`; both counted from index_base
-    PolygonDivision division;     // of polygons
-    Span<Index> given_cell;       // [own cells] numbers in the given mesh; empty where there are no ghosts
-    Span<std::uint8_t> in_cell;   // [n_points] 1: of a ghost cell only, 2: of an own cell
-    Span<std::uint8_t> on_border; // [n_points] 1: an end of an edge with one own cell
-    Span<Index> by_number;        // [n_points] in the order of global numbers
-    Index n_open = 0;             // edges with one own cell
-    Offset pairs = 0;             // edges, and diagonals of quads
-    Offset border_pairs = 0;      // those with an end on the border: only they may touch a known value
+    Mesh cells;         // the own cells, counter-clockwise: quads, or polygons
+    Topology topology;  // of the own cells, or of their pieces: quads, none reversed; points are
+                        // not joined
+    Boundary boundary;  // marked faces alone: not in order
+    Span<Index> cell_start;    // [own cells + 1] of polygons
+    Span<Index> cell_points;   // of `cells`; both counted from index_base
+    PolygonDivision division;  // of polygons
+    Span<Index>
+        given_cell;  // [own cells] numbers in the given mesh; empty where there are no ghosts
+    Span<std::uint8_t> in_cell;    // [n_points] 1: of a ghost cell only, 2: of an own cell
+    Span<std::uint8_t> on_border;  // [n_points] 1: an end of an edge with one own cell
+    Span<Index> by_number;         // [n_points] in the order of global numbers
+    Index n_open = 0;              // edges with one own cell
+    Offset pairs = 0;              // edges, and diagonals of quads
+    Offset border_pairs = 0;  // those with an end on the border: only they may touch a known value
 
     void lay_out(Arena& arena, PartMesh const& mesh) noexcept;
     Status init(PartMesh const& mesh, Fault& fault) noexcept;
@@ -69,7 +71,7 @@ private:
     Status sort_numbers(Fault& fault) noexcept;
     Status check_overlap(Fault& fault) const noexcept;
     void count_pairs() noexcept;
-    Real height_ = 0;        // of the last cell that was no whole one
+    Real height_ = 0;  // of the last cell that was no whole one
     bool inverted_ = false;
 };
 
@@ -83,7 +85,8 @@ void Part::for_each_open(Visit visit) const noexcept {
         Index const second = topology.edges.second[edge];
         bool const marked = second != Edges::unmarked;
         Index const marker = marked ? boundary.given_marker[-2 - second] : 0;
-        visit(OpenEdge{number(begin), number(end), points[begin], points[end], marker, marked ? 1 : 0});
+        visit(OpenEdge{number(begin), number(end), points[begin], points[end], marker,
+                       marked ? 1 : 0});
     });
 }
 

@@ -15,12 +15,13 @@ MatrixKind kind_of(PartProblem const& problem) noexcept {
 
 }  // namespace
 
-void PartEquations::lay_out(Arena& arena, Part const& of, PartProblem const& asked, Index n_edges, Index n_curves,
-                            Index n_conditions, Index n_control) noexcept {
+void PartEquations::lay_out(Arena& arena, Part const& of, PartProblem const& asked, Index n_edges,
+                            Index n_curves, Index n_conditions, Index n_control) noexcept {
     part = of;
     problem = asked;
     Mesh const& own = of.own();
-    Index const n_points = own.n_points, n_shared = 2 * n_edges, components = asked.method.components(asked.demands);
+    Index const n_points = own.n_points, n_shared = 2 * n_edges,
+                components = asked.method.components(asked.demands);
     Index const most_wall = smaller(n_points, n_shared), most_unknowns = components * n_points;
     Index const squared = components * components;
     Matrix::Sizes most;
@@ -51,7 +52,8 @@ void PartEquations::lay_out(Arena& arena, Part const& of, PartProblem const& ask
     arena.release(mark);
     residual.lay_out(arena, most_unknowns, most.couplings, most.kind, residual_columns);
     Offset const values = numbers_of(asked.method.value_kind(asked.demands));
-    arena.take(rows_in_work, RowsToBlocks::work_numbers(values * (n_control + 2 * asked.demands.bodies)));
+    arena.take(rows_in_work,
+               RowsToBlocks::work_numbers(values * (n_control + 2 * asked.demands.bodies)));
 }
 
 Status PartEquations::run(Span<const OpenEdge> edges, Fault& fault) noexcept {
@@ -116,8 +118,10 @@ void PartEquations::find_unknowns() noexcept {
     is_own = is_own.first(n);
     dof_of = dof_of.first(n);
     for (Index k = 0; k < n; ++k) {
-        Index const dof = graph.line[k], point = dof / components, at = shared.find(part.number(point));
-        Offset const number = at == none ? part.number(point) : shared.number[shared.topology.representative[at]];
+        Index const dof = graph.line[k], point = dof / components,
+                    at = shared.find(part.number(point));
+        Offset const number =
+            at == none ? part.number(point) : shared.number[shared.topology.representative[at]];
         dof_of[k] = dof;
         name[k] = components * number + dof % components;
         is_own[k] = 0;
@@ -142,13 +146,23 @@ void PartEquations::assemble() noexcept {
         faces.build(shared.points());
         weigh_cells(faces, part.own(), points, problem.method.quarters, conductivity, executor);
     }
-    assemble_stiffness(topology, points, conductivity, problem.method.conformal(), matrix, executor);
+    assemble_stiffness(topology, points, conductivity, problem.method.conformal(), matrix,
+                       executor);
 }
 
 BasisSource PartEquations::basis_source() const noexcept {
     MeshFingerprint const mesh = fingerprint_of(part.cells);
-    return {topology, mesh, fingerprint_of(kinds, wall), problem.method, problem.demands, shared.curves,
-            shared.conditions, no_loops, wall, slot, &part.division.pieces};
+    return {topology,
+            mesh,
+            fingerprint_of(kinds, wall),
+            problem.method,
+            problem.demands,
+            shared.curves,
+            shared.conditions,
+            no_loops,
+            wall,
+            slot,
+            &part.division.pieces};
 }
 
 void PartEquations::get(DofValues const& values, Index column, Real* numbers) const noexcept {
@@ -165,7 +179,8 @@ void PartEquations::set(DofValues const& values, Index column, const Real* numbe
     }
 }
 
-void PartEquations::find_residual(DofValues const& values, Index column, Real* numbers) const noexcept {
+void PartEquations::find_residual(DofValues const& values, Index column,
+                                  Real* numbers) const noexcept {
     residual.compute(matrix, values, column, 1);
     const Real* row = residual.value.data();
     for (Index k = 0; k < matrix.n * matrix.planes(); ++k, row += residual.width) *numbers++ = *row;
@@ -184,12 +199,14 @@ void PartEquations::finish(DofValues const& values) const noexcept {
             x[k] = along.x * x[k];
         }
     }
-    for (Index point = 0; point < part.own().n_points; ++point) values.copy_row(topology.representative[point], point);
+    for (Index point = 0; point < part.own().n_points; ++point)
+        values.copy_row(topology.representative[point], point);
 }
 
 void PartEquations::finish(Basis const& basis, Real largest) const noexcept {
     finish(dofs(basis));
-    RowsToBlocks{basis.value.data(), basis.n_points(), basis.row_length(), rows_in_work}.run(problem.executor);
+    RowsToBlocks{basis.value.data(), basis.n_points(), basis.row_length(), rows_in_work}.run(
+        problem.executor);
     basis.header->coordinates = coordinates;
     basis.header->filled = basis.n_functions();
     basis.seal(largest);

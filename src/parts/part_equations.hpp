@@ -1,6 +1,7 @@
-// The equations of a part: entries, right-hand sides and residuals whose sums over all parts are those of the mesh, by
-// the operators of the whole mesh. A part is to them a mesh of its own, of which only the boundary knows more: what the
-// shared boundary says about points that several parts have.
+// The equations of a part: entries, right-hand sides and residuals whose sums over all parts are
+// those of the mesh, by the operators of the whole mesh. A part is to them a mesh of its own, of
+// which only the boundary knows more: what the shared boundary says about points that several parts
+// have.
 #pragma once
 
 #include "basis/basis_source.hpp"
@@ -11,39 +12,42 @@
 
 namespace harmorph {
 
-// Points, unknowns and slots of the wall are those of the part. A point of the boundary that is not in the part is on
-// no wall here. Points that are joined (cuts, periodic pairs) have one unknown, named after one of them in all parts.
+// Points, unknowns and slots of the wall are those of the part. A point of the boundary that is not
+// in the part is on no wall here. Points that are joined (cuts, periodic pairs) have one unknown,
+// named after one of them in all parts.
 struct PartEquations {
-    Part part;                    // a copy of the views: the caller keeps the part
+    Part part;  // a copy of the views: the caller keeps the part
     PartProblem problem;
     SharedBoundary shared;
-    Topology topology;            // the part's, with points joined
-    Boundary no_loops;            // what the basis of a part knows of the boundary: nothing
-    Span<PointKind> kinds;        // [n_points]
-    Span<Vec2> tangent;           // [n_points] where there are slip lines
+    Topology topology;      // the part's, with points joined
+    Boundary no_loops;      // what the basis of a part knows of the boundary: nothing
+    Span<PointKind> kinds;  // [n_points]
+    Span<Vec2> tangent;     // [n_points] where there are slip lines
     Wall wall;
-    Span<Index> slot;             // [n_points]
-    Span<Index> local;            // [points of the shared boundary] the first point of the part
-                                  // that each stands for, or none
+    Span<Index> slot;   // [n_points]
+    Span<Index> local;  // [points of the shared boundary] the first point of the part
+                        // that each stands for, or none
     FaceDistance faces;
-    Span<Real> conductivity;      // [own cells] of weighted operators
-    Span<Offset> name;            // [unknowns]
-    Span<Index> is_own;           // [unknowns] 1: of an own cell
-    Span<Index> dof_of;           // [unknowns]
+    Span<Real> conductivity;  // [own cells] of weighted operators
+    Span<Offset> name;        // [unknowns]
+    Span<Index> is_own;       // [unknowns] 1: of an own cell
+    Span<Index> dof_of;       // [unknowns]
     Matrix matrix;
     Residual residual;
     Span<Real> rows_in_work;
-    Span<Index> order;            // [unknowns] as they are: while the matrix is built
+    Span<Index> order;  // [unknowns] as they are: while the matrix is built
     std::uint64_t coordinates = 0;
 
     // From the counts of part and edges alone: enough for every shared boundary of so many edges.
-    void lay_out(Arena& arena, Part const& of, PartProblem const& asked, Index n_edges, Index n_curves,
-                 Index n_conditions, Index n_control) noexcept;
+    void lay_out(Arena& arena, Part const& of, PartProblem const& asked, Index n_edges,
+                 Index n_curves, Index n_conditions, Index n_control) noexcept;
     // shared.curves and shared.conditions have been set.
     Status run(Span<const OpenEdge> edges, Fault& fault) noexcept;
 
     BasisSource basis_source() const noexcept;
-    DofValues dofs(Basis const& basis) const noexcept { return {basis, dof_of, matrix.components()}; }
+    DofValues dofs(Basis const& basis) const noexcept {
+        return {basis, dof_of, matrix.components()};
+    }
     Index columns(Basis const& basis) const noexcept { return dofs(basis).columns(matrix); }
     // Numbers of an unknown in the real system, 1 or 2.
     Index numbers() const noexcept { return matrix.planes(); }
@@ -61,7 +65,7 @@ struct PartEquations {
     void finish(Basis const& basis, Real largest) const noexcept;
 
 private:
-    Graph graph;                  // shares its memory with `residual` and `rows_in_work`: gone after run()
+    Graph graph;  // shares its memory with `residual` and `rows_in_work`: gone after run()
 
     void join_points() noexcept;
     void find_wall() noexcept;

@@ -5,7 +5,9 @@
 namespace harmorph {
 namespace {
 
-constexpr Index shown(Offset number) noexcept { return number <= INT32_MAX ? static_cast<Index>(number) : none; }
+constexpr Index shown(Offset number) noexcept {
+    return number <= INT32_MAX ? static_cast<Index>(number) : none;
+}
 
 bool edge_comes_before(OpenEdge const& a, OpenEdge const& b) noexcept {
     if (a.low() != b.low()) return a.low() < b.low();
@@ -17,7 +19,8 @@ bool edge_comes_before(OpenEdge const& a, OpenEdge const& b) noexcept {
 bool same_place(Vec2 a, Vec2 b) noexcept { return a.x == b.x && a.y == b.y; }
 
 Status refuse_position(Offset number, Fault& fault) noexcept {
-    return fault.refuse(Status::bad_mesh, "point # (global number) has different coordinates in two parts",
+    return fault.refuse(Status::bad_mesh,
+                        "point # (global number) has different coordinates in two parts",
                         Counts::from_zero, shown(number));
 }
 
@@ -31,7 +34,9 @@ Status check_pair(OpenEdge const& a, OpenEdge const& b, Fault& fault) noexcept {
     if (!opposite) {
         wrong = "cells of two parts overlap at the edge between points # and @ (global numbers)";
     } else if (a.marked != 0 || b.marked != 0) {
-        wrong = "the edge between points # and @ (global numbers) is marked, but two parts have cells there";
+        wrong =
+            "the edge between points # and @ (global numbers) is marked, but two parts have cells "
+            "there";
     }
     if (wrong == nullptr) return Status::ok;
     return fault.refuse(Status::bad_mesh, wrong, Counts::from_zero, shown(a.begin), shown(a.end));
@@ -53,11 +58,13 @@ Status match_edges(Span<OpenEdge> edges, Offset& n, Fault& fault) noexcept {
             edges[n++] = edge;
             continue;
         }
-        for (Offset other = k + 1; other < next; ++other) HARMORPH_TRY(check_pair(edge, edges[other], fault));
+        for (Offset other = k + 1; other < next; ++other)
+            HARMORPH_TRY(check_pair(edge, edges[other], fault));
         if (next == k + 2) continue;
-        return fault.refuse(Status::bad_mesh,
-                            "the edge between points # and @ (global numbers) belongs to more than two cells",
-                            Counts::from_zero, shown(edge.begin), shown(edge.end));
+        return fault.refuse(
+            Status::bad_mesh,
+            "the edge between points # and @ (global numbers) belongs to more than two cells",
+            Counts::from_zero, shown(edge.begin), shown(edge.end));
     }
     return Status::ok;
 }
@@ -70,8 +77,8 @@ Mesh SharedBoundary::mesh() const noexcept {
     return counts;
 }
 
-void SharedBoundary::lay_out(Arena& arena, Index n_edges, PartProblem const& problem, Index n_curves,
-                      Index n_conditions) noexcept {
+void SharedBoundary::lay_out(Arena& arena, Index n_edges, PartProblem const& problem,
+                             Index n_curves, Index n_conditions) noexcept {
     Mesh counts;
     counts.n_points = 2 * n_edges;  // at most
     counts.n_faces = n_edges;
@@ -94,12 +101,14 @@ void SharedBoundary::lay_out(Arena& arena, Index n_edges, PartProblem const& pro
     wall_work.lay_out(arena, counts);
 }
 
-Status SharedBoundary::run(Span<const OpenEdge> given, PartProblem const& problem, Fault& fault) noexcept {
+Status SharedBoundary::run(Span<const OpenEdge> given, PartProblem const& problem,
+                           Fault& fault) noexcept {
     copy(edges, given);
     sort(edges, edge_comes_before);
     HARMORPH_TRY(find_points(fault));
     analyse(problem, fault);
-    bool const of_mesh = fault.counts == Counts::mesh, of_both = fault.counts == Counts::mesh_and_marker;
+    bool const of_mesh = fault.counts == Counts::mesh,
+               of_both = fault.counts == Counts::mesh_and_marker;
     if (!of_mesh && !of_both) return fault.status;
     if (fault.item != none) fault.item = shown(number[fault.item]);
     if (of_mesh && fault.other != none) fault.other = shown(number[fault.other]);
@@ -131,7 +140,8 @@ Status SharedBoundary::find_points(Fault& fault) noexcept {
     fill(seen, Index{0});
     auto const place = [&](Offset named, Vec2 at) {
         Index const point = find(named);
-        if (seen[point] != 0 && !same_place(at, {x[point], y[point]})) return refuse_position(named, fault);
+        if (seen[point] != 0 && !same_place(at, {x[point], y[point]}))
+            return refuse_position(named, fault);
         seen[point] = 1;
         x[point] = at.x;
         y[point] = at.y;
@@ -147,8 +157,8 @@ Status SharedBoundary::find_points(Fault& fault) noexcept {
     return Status::ok;
 }
 
-// The edges between representatives, and their markers, as Edges::build and Boundary::mark leave them: of edges that a
-// cut makes one, both are dropped.
+// The edges between representatives, and their markers, as Edges::build and Boundary::mark leave
+// them: of edges that a cut makes one, both are dropped.
 void SharedBoundary::take_edges(Fault& fault) noexcept {
     Edges& sides = topology.edges;
     Span<const Index> const same = topology.representative;
@@ -157,7 +167,9 @@ void SharedBoundary::take_edges(Fault& fault) noexcept {
         Index low() const noexcept { return smaller(begin, end); }
         Index high() const noexcept { return larger(begin, end); }
     };
-    auto const ends_of = [&](OpenEdge const& edge) { return Ends{same[find(edge.begin)], same[find(edge.end)]}; };
+    auto const ends_of = [&](OpenEdge const& edge) {
+        return Ends{same[find(edge.begin)], same[find(edge.end)]};
+    };
     sort(edges, [&](OpenEdge const& a, OpenEdge const& b) {
         Ends const p = ends_of(a), q = ends_of(b);
         if (p.low() != q.low()) return p.low() < q.low();
@@ -178,7 +190,8 @@ void SharedBoundary::take_edges(Fault& fault) noexcept {
             }
         }
         if (at.begin == at.end) {
-            fault.refuse(Status::bad_mesh, "the edge between points # and @ has two ends that a cut makes one",
+            fault.refuse(Status::bad_mesh,
+                         "the edge between points # and @ has two ends that a cut makes one",
                          Counts::mesh, find(edge.begin), find(edge.end));
             return;
         }
@@ -200,7 +213,8 @@ void SharedBoundary::take_edges(Fault& fault) noexcept {
 Status SharedBoundary::find_boundary(Fault& fault) noexcept {
     take_edges(fault);
     HARMORPH_TRY(fault.status);
-    if (boundary.count < topology.edges.n_boundary && join_cuts(topology, boundary.head.first(n_points)) > 0) {
+    if (boundary.count < topology.edges.n_boundary &&
+        join_cuts(topology, boundary.head.first(n_points)) > 0) {
         take_edges(fault);
         HARMORPH_TRY(fault.status);
     }
@@ -212,7 +226,8 @@ Status SharedBoundary::analyse(PartProblem const& problem, Fault& fault) noexcep
     assign_conditions(points(), conditions, boundary);
     classify(topology.edges, boundary, conditions, kinds);
     for (Index k = 0; k < n_points; ++k) {  // on a cut alone
-        if (topology.representative[k] == k && kinds[k] == PointKind::unused) kinds[k] = PointKind::inside;
+        if (topology.representative[k] == k && kinds[k] == PointKind::unused)
+            kinds[k] = PointKind::inside;
     }
     for (Index number_of = 0; number_of < curves.count(); ++number_of) {
         HARMORPH_TRY(check_curve(curves[number_of], number_of, fault));
@@ -221,11 +236,12 @@ Status SharedBoundary::analyse(PartProblem const& problem, Fault& fault) noexcep
     HARMORPH_TRY(parametrise(topology, boundary, conditions, curves, {}, wall_work, wall, fault));
     find_offsets(points(), conditions, curves, problem.method.offset_correction != 0, wall);
     if (problem.demands.slip) {
-        HARMORPH_TRY(
-            find_slip_lines(points(), boundary, conditions, {{}, wall_work}, kinds, tangent, slip_curves, fault));
+        HARMORPH_TRY(find_slip_lines(points(), boundary, conditions, {{}, wall_work}, kinds,
+                                     tangent, slip_curves, fault));
     }
     if (!problem.demands.translation) return fault.status;
-    return tie_periodic(topology, boundary, conditions, wall_work.chain, kinds, tangent, periodicity, fault);
+    return tie_periodic(topology, boundary, conditions, wall_work.chain, kinds, tangent,
+                        periodicity, fault);
 }
 
 Index SharedBoundary::find(Offset wanted) const noexcept {

@@ -4,7 +4,8 @@
 
 namespace harmorph {
 
-void Analysis::lay_out(Arena& arena, Problem const& asked, Index n_curves, Index n_conditions) noexcept {
+void Analysis::lay_out(Arena& arena, Problem const& asked, Index n_curves,
+                       Index n_conditions) noexcept {
     Mesh const mesh = division.lay_out(arena, asked.mesh);
     Demands const& demands = asked.demands;
     Executor const& executor = asked.executor;
@@ -92,20 +93,23 @@ Status Analysis::analyse_mesh(Fault& fault) noexcept {
 
 Index Analysis::count_used_points() const noexcept {
     Index used = 0;
-    for (Index const point : topology.representative) used += kinds[point] != PointKind::unused ? 1 : 0;
+    for (Index const point : topology.representative)
+        used += kinds[point] != PointKind::unused ? 1 : 0;
     return used;
 }
 
 Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     Mesh const& mesh = problem.mesh;
-    for (Index number = 0; number < curves.count(); ++number) HARMORPH_TRY(check_curve(curves[number], number, fault));
+    for (Index number = 0; number < curves.count(); ++number)
+        HARMORPH_TRY(check_curve(curves[number], number, fault));
     for (Index number = 0; number < slip_along.count(); ++number) {
         HARMORPH_TRY(check_curve(slip_along[number], number, fault));
     }
     HARMORPH_TRY(check_conditions(conditions, curves.count(), boundary, fault));
     if (inverted != none) {
         CellCorners const corners(shape_of(topology, inverted, mesh.points));
-        return fault.refuse(Status::bad_mesh, "cell # is inverted or empty: its smallest corner area is ~",
+        return fault.refuse(Status::bad_mesh,
+                            "cell # is inverted or empty: its smallest corner area is ~",
                             Counts::mesh, mesh.number(inverted), none, 0.5 * corners.smallest());
     }
     HARMORPH_TRY(check_heights(fault));
@@ -117,11 +121,12 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     });
     HARMORPH_TRY(fault.status);
     if (!tangent.empty()) {
-        HARMORPH_TRY(find_slip_lines(mesh.points, boundary, conditions, {slip_along, wall_work}, kinds, tangent,
-                                     slip_curves, fault));
+        HARMORPH_TRY(find_slip_lines(mesh.points, boundary, conditions, {slip_along, wall_work},
+                                     kinds, tangent, slip_curves, fault));
     }
     if (problem.demands.periodic()) {
-        HARMORPH_TRY(tie_periodic(topology, boundary, conditions, wall_work.chain, kinds, tangent, periodicity, fault));
+        HARMORPH_TRY(tie_periodic(topology, boundary, conditions, wall_work.chain, kinds, tangent,
+                                  periodicity, fault));
         slip_curves.keep_sliding(kinds);
     }
     if (!tangent.empty()) {
@@ -130,7 +135,8 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     }
     if (!kinds_are_final) graph.build(stencil(), kinds);
     if (graph.n == 0)
-        return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");
+        return fault.refuse(Status::bad_condition,
+                            "no mesh point is free to move: there is nothing to solve");
     HARMORPH_TRY(check_parts(fault));
     matrix = Matrix::count(graph, matrix_kind(), periodicity);
     conditions_fingerprint = slip_curves.fingerprint_with(fingerprint_of(kinds, wall));
@@ -139,7 +145,9 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
 
 void Analysis::find_wall(Fault& fault) noexcept {
     Points const points = problem.mesh.points;
-    if (failed(parametrise(topology, boundary, conditions, curves, problem.given, wall_work, wall, fault))) return;
+    if (failed(parametrise(topology, boundary, conditions, curves, problem.given, wall_work, wall,
+                           fault)))
+        return;
     find_offsets(points, conditions, curves, problem.method.offset_correction != 0, wall);
     check_offsets(fault);
 }
@@ -147,25 +155,30 @@ void Analysis::find_wall(Fault& fault) noexcept {
 // Cells so thin that rounding of moved coordinates decides whether they are inverted.
 Status Analysis::check_heights(Fault& fault) const noexcept {
     Real size = 0;
-    for (Index k = 0; k < problem.mesh.n_points; ++k) size = larger(size, largest_of(problem.mesh.points[k]));
+    for (Index k = 0; k < problem.mesh.n_points; ++k)
+        size = larger(size, largest_of(problem.mesh.points[k]));
     if (problem.mesh.n_guards == 0 && least_height >= resolved_height(size)) return Status::ok;
     Real height = 0;
     auto const is_too_thin = [&](Index i, Cell const&) {
         CellShape const shape = shape_of(topology, i, problem.mesh.points);
         height = CellCorners(shape).smallest_height(shape.n);
-        return !(height >= resolved_height(CellShape(topology.cell(i), problem.mesh.points, false)));
+        return !(height >=
+                 resolved_height(CellShape(topology.cell(i), problem.mesh.points, false)));
     };
     Index const cell = problem.mesh.find_cell(0, problem.mesh.n_checked(), is_too_thin);
     if (cell == none) return Status::ok;
-    return fault.refuse(Status::bad_mesh, "cell # has a height of ~, too small for the digits of its coordinates",
+    return fault.refuse(Status::bad_mesh,
+                        "cell # has a height of ~, too small for the digits of its coordinates",
                         Counts::mesh, problem.mesh.number(cell), none, height);
 }
 
-// The functions of a body are offsets from its centre; in single precision they must neither overflow nor vanish, also
-// when they are multiplied with entries of the matrix and reduced to residuals.
+// The functions of a body are offsets from its centre; in single precision they must neither
+// overflow nor vanish, also when they are multiplied with entries of the matrix and reduced to
+// residuals.
 Status Analysis::check_offsets(Fault& fault) const noexcept {
     constexpr Real largest = 1e24, smallest = 1e-12;
-    if (problem.method.precision != Precision::in_single || problem.demands.bodies == 0) return Status::ok;
+    if (problem.method.precision != Precision::in_single || problem.demands.bodies == 0)
+        return Status::ok;
     Real size = 0;
     Index farthest = none;
     for (Index slot = 0; slot < wall.count; ++slot) {
@@ -175,9 +188,10 @@ Status Analysis::check_offsets(Fault& fault) const noexcept {
         farthest = wall.point[slot];
     }
     if (size >= smallest && size <= largest) return Status::ok;
-    return fault.refuse(Status::unsupported,
-                        "point # is ~ from the centre of its body: single precision takes 1e-12 .. 1e24", Counts::mesh,
-                        farthest, none, size);
+    return fault.refuse(
+        Status::unsupported,
+        "point # is ~ from the centre of its body: single precision takes 1e-12 .. 1e24",
+        Counts::mesh, farthest, none, size);
 }
 
 // Every part of the mesh must hang on a known value.
@@ -186,7 +200,8 @@ Status Analysis::check_parts(Fault& fault) noexcept {
     if (!demands.free && !demands.slip && !demands.periodic()) return Status::ok;
     Index const floating = graph.first_floating(stencil(), kinds, order, layer_work.reached);
     if (floating == none) return Status::ok;
-    return fault.refuse(Status::bad_condition, "point # is in a part of the mesh that nothing holds", Counts::mesh,
+    return fault.refuse(Status::bad_condition,
+                        "point # is in a part of the mesh that nothing holds", Counts::mesh,
                         floating);
 }
 
@@ -210,13 +225,16 @@ Status Analysis::analyse_order(Fault& fault) noexcept {
 }
 
 BasisSource Analysis::basis_source() const noexcept {
-    return {topology, mesh_fingerprint, conditions_fingerprint, problem.method, problem.demands, curves, conditions,
-            boundary, wall, wall_work.slot, &division.pieces};
+    return {topology,       mesh_fingerprint, conditions_fingerprint,
+            problem.method, problem.demands,  curves,
+            conditions,     boundary,         wall,
+            wall_work.slot, &division.pieces};
 }
 
 MatrixKind Analysis::matrix_kind() const noexcept {
     if (problem.demands.slip) return MatrixKind::coupled_xy;
-    return problem.method.conformal() || problem.demands.rotation ? MatrixKind::complex : MatrixKind::real;
+    return problem.method.conformal() || problem.demands.rotation ? MatrixKind::complex
+                                                                  : MatrixKind::real;
 }
 
 bool Analysis::is_wall_face(Index face) const noexcept {

@@ -1,4 +1,5 @@
-// Everything that depends on the mesh's structure and not on the size of numbers: checks, boundary, unknowns, ordering.
+// Everything that depends on the mesh's structure and not on the size of numbers: checks, boundary,
+// unknowns, ordering.
 #pragma once
 
 #include "basis/basis_source.hpp"
@@ -32,29 +33,31 @@ struct Problem {
 };
 
 struct Analysis {
-    Problem problem;              // of polygons, problem.mesh is the mesh of their pieces
-    PolygonDivision division;            // polygons only
-    Span<Curve> curves;           // set by the caller before run()
-    Span<Curve> slip_along;       // those that the sliding boundaries have given; set by the caller before run()
-    Span<Condition> conditions;   // set by the caller before run(); none: the analysis stops after the mesh
-    Topology topology;            // of problem.mesh
-    Index inverted = none;        // the first inverted cell
-    Real least_height = 0;        // no corner of a cell is lower; guards of polygons apart
+    Problem problem;           // of polygons, problem.mesh is the mesh of their pieces
+    PolygonDivision division;  // polygons only
+    Span<Curve> curves;        // set by the caller before run()
+    Span<Curve>
+        slip_along;  // those that the sliding boundaries have given; set by the caller before run()
+    Span<Condition>
+        conditions;     // set by the caller before run(); none: the analysis stops after the mesh
+    Topology topology;  // of problem.mesh
+    Index inverted = none;  // the first inverted cell
+    Real least_height = 0;  // no corner of a cell is lower; guards of polygons apart
     Boundary boundary;
     Triangulation triangulation;  // bounded scheme only
     MeshFingerprint mesh_fingerprint;
     std::uint64_t conditions_fingerprint = 0;
-    Span<PointKind> kinds;        // [n_points] without conditions: what is used by cells and what is not
-    Span<Vec2> tangent;           // [n_points] where there are slip lines
-    SlipCurves slip_curves;       // those of them that are curved
+    Span<PointKind> kinds;   // [n_points] without conditions: what is used by cells and what is not
+    Span<Vec2> tangent;      // [n_points] where there are slip lines
+    SlipCurves slip_curves;  // those of them that are curved
     SlipFollowers slip_followers;
     Periodicity periodicity;
     Wall wall;
     Graph graph;
-    Span<Index> order;            // [n] unknown at each position
+    Span<Index> order;  // [n] unknown at each position
     AssemblyTree tree;
     BorderWork border;
-    Span<Offset> border_start;    // [nodes + 1]
+    Span<Offset> border_start;  // [nodes + 1]
     FrontSizes fronts;
     Subtrees subtrees;
     Matrix::Sizes matrix;
@@ -71,7 +74,9 @@ struct Analysis {
 
     bool has_conditions() const noexcept { return !conditions.empty(); }
     // Whose edges, and diagonals of quads, join the points that share an equation.
-    Topology const& stencil() const noexcept { return problem.method.bounded() ? triangulation : topology; }
+    Topology const& stencil() const noexcept {
+        return problem.method.bounded() ? triangulation : topology;
+    }
     BasisSource basis_source() const noexcept;
     BasisCounts basis_counts() const noexcept { return basis_source().counts(); }
     bool is_wall_face(Index face) const noexcept;  // one that moves as it is told

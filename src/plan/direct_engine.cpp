@@ -6,15 +6,18 @@ namespace {
 // Least |sum of the terms| / sum of |terms| of a pivot at which cancellation does not matter.
 constexpr Real uncancelled_above = 1e-3;
 
-// Least pivot / diagonal at which cancellation does not matter: it is a fifth on isotropic cells, thousandths beside
-// thin ones. Circulations are not conductances, so their sums cancel in part, and so do conductances that large angles
-// make negative; where x and y are coupled, the turned dofs of slipping points have no row sums to rely on.
-constexpr Real even_above(MatrixKind kind) noexcept { return kind == MatrixKind::coupled_xy ? 1.0 / 30 : 1e-5; }
+// Least pivot / diagonal at which cancellation does not matter: it is a fifth on isotropic cells,
+// thousandths beside thin ones. Circulations are not conductances, so their sums cancel in part,
+// and so do conductances that large angles make negative; where x and y are coupled, the turned
+// dofs of slipping points have no row sums to rely on.
+constexpr Real even_above(MatrixKind kind) noexcept {
+    return kind == MatrixKind::coupled_xy ? 1.0 / 30 : 1e-5;
+}
 
-// Conductances that large angles of cells make negative may cancel others between the same two points, which no pivot
-// shows: the rounding error of the sum acts like a conductance. So the error of functions is about epsilon times the
-// values that sources of the size of all negative conductances would cause. Returns the largest of these values; real
-// matrices only.
+// Conductances that large angles of cells make negative may cancel others between the same two
+// points, which no pivot shows: the rounding error of the sum acts like a conductance. So the error
+// of functions is about epsilon times the values that sources of the size of all negative
+// conductances would cause. Returns the largest of these values; real matrices only.
 Status raise_by_negative(Multifrontal& factor, Matrix const& matrix, Span<Real> source, Real& rise,
                          Fault& fault) noexcept {
     fill(source, 0.0);
@@ -26,15 +29,18 @@ Status raise_by_negative(Multifrontal& factor, Matrix const& matrix, Span<Real> 
             add(matrix.column[e], matrix.value[e]);
         }
     }
-    for (Index c = 0; c < matrix.coupling_row.count(); ++c) add(matrix.coupling_row[c], matrix.coupling_value[c]);
-    for (Index h = 0; h < matrix.fixed_row.count(); ++h) add(matrix.fixed_row[h], matrix.fixed_value[h]);
+    for (Index c = 0; c < matrix.coupling_row.count(); ++c)
+        add(matrix.coupling_row[c], matrix.coupling_value[c]);
+    for (Index h = 0; h < matrix.fixed_row.count(); ++h)
+        add(matrix.fixed_row[h], matrix.fixed_value[h]);
     HARMORPH_TRY(factor.solve(Rows{source.data(), nullptr, 1, 1, 1}, Progress{}, fault));
     rise = 0;
     for (Real const value : source) rise = larger(rise, absolute(value));
     return Status::ok;
 }
 
-// Room is left for sums of products of entries and values, which become residuals in single precision.
+// Room is left for sums of products of entries and values, which become residuals in single
+// precision.
 constexpr Real most_in_single = 1e36;
 
 Status refuse_single(const char* sentence, Index point, Real size, Fault& fault) noexcept {
@@ -45,13 +51,14 @@ Status check_entries(Equations const& equations, Fault& fault) noexcept {
     Span<Real> const diagonal = equations.matrix.diagonal;
     for (Index i = 0; i < diagonal.count(); ++i) {
         if (absolute(diagonal[i]) <= most_in_single) continue;
-        return refuse_single("the diagonal at point # is ~: single precision takes 1e36", equations.point_of(i),
-                             diagonal[i], fault);
+        return refuse_single("the diagonal at point # is ~: single precision takes 1e36",
+                             equations.point_of(i), diagonal[i], fault);
     }
     return Status::ok;
 }
 
-Status check_right_hand_sides(Equations const& equations, DofValues const& dofs, Fault& fault) noexcept {
+Status check_right_hand_sides(Equations const& equations, DofValues const& dofs,
+                              Fault& fault) noexcept {
     for (Index i = 0; i < equations.matrix.n; ++i) {
         for (Real const number : Span<const Real>(dofs.at(i), static_cast<Size>(dofs.length()))) {
             if (absolute(number) <= most_in_single) continue;
@@ -76,29 +83,34 @@ void DirectEngine::lay_out(Arena& arena, Analysis const& analysis, Index columns
 void DirectEngine::init(Analysis const& analysis) noexcept {
     factor.executor = analysis.problem.executor;
     factor.tree.count = analysis.tree.count;
-    copy(factor.subtrees.all, Span<const Subtree>(analysis.subtrees.all.first(analysis.subtrees.count)));
-    copy(factor.tree.nodes, Span<const AssemblyTree::Node>(analysis.tree.nodes.first(analysis.tree.count)));
-    copy(factor.border_start, Span<const Offset>(analysis.border_start.first(analysis.tree.count + 1)));
-    fill_borders(analysis.graph, analysis.order, analysis.tree, analysis.border, factor.executor, factor.border_start,
-                 factor.border);
+    copy(factor.subtrees.all,
+         Span<const Subtree>(analysis.subtrees.all.first(analysis.subtrees.count)));
+    copy(factor.tree.nodes,
+         Span<const AssemblyTree::Node>(analysis.tree.nodes.first(analysis.tree.count)));
+    copy(factor.border_start,
+         Span<const Offset>(analysis.border_start.first(analysis.tree.count + 1)));
+    fill_borders(analysis.graph, analysis.order, analysis.tree, analysis.border, factor.executor,
+                 factor.border_start, factor.border);
     factor.complete();
 }
 
-Status DirectEngine::set_up(Equations const& equations, Points, Progress const& progress, Fault& fault) noexcept {
+Status DirectEngine::set_up(Equations const& equations, Points, Progress const& progress,
+                            Fault& fault) noexcept {
     factor.kernel = equations.method.kernel;
     if (factor.precision == Precision::in_single) HARMORPH_TRY(check_entries(equations, fault));
     return factor.factorise(equations.matrix, progress, fault);
 }
 
-// Thin cells have by far the largest entries, so beside them a small residual may hide a large error. Where nothing
-// cancelled in the factor, there is no such error. For nodal gradients the factor is that of the compact scheme, so
-// never trusted.
+// Thin cells have by far the largest entries, so beside them a small residual may hide a large
+// error. Where nothing cancelled in the factor, there is no such error. For nodal gradients the
+// factor is that of the compact scheme, so never trusted.
 Status DirectEngine::examine(Equations const& equations, Span<Real> work, Fault& fault) noexcept {
     trusted = false;
     Method const& method = equations.method;
     if (method.nodal_gradients() || method.precision == Precision::in_single) return Status::ok;
     Matrix const& matrix = equations.matrix;
-    Real const even = even_above(matrix.kind), left = factor.least_left(), pivot = factor.least_pivot();
+    Real const even = even_above(matrix.kind), left = factor.least_left(),
+               pivot = factor.least_pivot();
     trusted = pivot > even;
     if (matrix.kind != MatrixKind::real) return Status::ok;
     trusted = left > uncancelled_above && pivot > even * (1 - left);
@@ -110,22 +122,25 @@ Status DirectEngine::examine(Equations const& equations, Span<Real> work, Fault&
 }
 
 // For nodal gradients: the functions of the compact scheme, from which refinement starts.
-Status DirectEngine::solve(Equations const& equations, DofValues const& dofs, Progress const& progress,
-                           IterationReport&, Fault& fault) noexcept {
-    if (factor.precision == Precision::in_single) HARMORPH_TRY(check_right_hand_sides(equations, dofs, fault));
+Status DirectEngine::solve(Equations const& equations, DofValues const& dofs,
+                           Progress const& progress, IterationReport&, Fault& fault) noexcept {
+    if (factor.precision == Precision::in_single)
+        HARMORPH_TRY(check_right_hand_sides(equations, dofs, fault));
     Rows const rows = dofs.rows(equations.matrix);
     if (rows.width <= factor.padded_width) return factor.solve(rows, progress, fault);
-    for (Index first = 0; first < rows.width; first += factor.padded_width) {  // combined functions and modes
+    for (Index first = 0; first < rows.width;
+         first += factor.padded_width) {  // combined functions and modes
         Index const n = smaller(factor.padded_width, rows.width - first);
-        HARMORPH_TRY(
-            factor.solve(Rows{rows.data + first, rows.row_of, rows.row_length, n, rows.plane}, progress, fault));
+        HARMORPH_TRY(factor.solve(
+            Rows{rows.data + first, rows.row_of, rows.row_length, n, rows.plane}, progress, fault));
     }
     return Status::ok;
 }
 
 Offset DirectEngine::idle_bytes() const noexcept {
     return factor.planes * factor.subtrees.top_stack_entries *
-           static_cast<Offset>(factor.precision == Precision::in_single ? sizeof(float) : sizeof(double));
+           static_cast<Offset>(factor.precision == Precision::in_single ? sizeof(float)
+                                                                        : sizeof(double));
 }
 
 }  // namespace harmorph

@@ -1,4 +1,5 @@
-// The direct engine of a plan: a multifrontal factor of the matrix, also used for iterative refinement.
+// The direct engine of a plan: a multifrontal factor of the matrix, also used for iterative
+// refinement.
 #pragma once
 
 #include "direct/multifrontal.hpp"
@@ -15,11 +16,13 @@ struct DirectEngine {
     void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept;
     void init(Analysis const& analysis) noexcept;
     void take_pattern(Analysis const&, Matrix const&) const noexcept {}
-    Status set_up(Equations const& equations, Points points, Progress const& progress, Fault& fault) noexcept;
-    // `work` [n] is overwritten; empty where the factor is in single precision, which is never trusted.
+    Status set_up(Equations const& equations, Points points, Progress const& progress,
+                  Fault& fault) noexcept;
+    // `work` [n] is overwritten; empty where the factor is in single precision, which is never
+    // trusted.
     Status examine(Equations const& equations, Span<Real> work, Fault& fault) noexcept;
-    Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress, IterationReport& report,
-                 Fault& fault) noexcept;
+    Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress,
+                 IterationReport& report, Fault& fault) noexcept;
     template <class Number>
     Status correct(RowsOf<Number> const& rows, Fault& fault) noexcept {
         return factor.solve(rows, Progress{}, fault);

@@ -9,8 +9,8 @@
 
 namespace harmorph {
 
-// A new engine is a type with these members in a header, a line of the union and of visit(), and a row of
-// engine_traits.
+// A new engine is a type with these members in a header, a line of the union and of visit(), and a
+// row of engine_traits.
 struct AnyEngine {
     Engine kind = Engine::direct;
     union {
@@ -35,8 +35,8 @@ struct AnyEngine {
         visit(*this, [](auto& engine) { start(engine); });
     }
 
-    // Working space that only set_up() or solve() needs lies behind the rest: the arrays laid out next may overlap with
-    // it. columns: number of right-hand sides of all functions.
+    // Working space that only set_up() or solve() needs lies behind the rest: the arrays laid out
+    // next may overlap with it. columns: number of right-hand sides of all functions.
     void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
         visit(*this, [&](auto& engine) { engine.lay_out(arena, analysis, columns); });
     }
@@ -48,9 +48,12 @@ struct AnyEngine {
         visit(*this, [&](auto& engine) { engine.take_pattern(analysis, matrix); });
     }
 
-    // Computes the factor or the levels of assembled equations. On Status::not_positive, fault.item is a position.
-    Status set_up(Equations const& equations, Points points, Progress const& progress, Fault& fault) noexcept {
-        return visit(*this, [&](auto& engine) { return engine.set_up(equations, points, progress, fault); });
+    // Computes the factor or the levels of assembled equations. On Status::not_positive, fault.item
+    // is a position.
+    Status set_up(Equations const& equations, Points points, Progress const& progress,
+                  Fault& fault) noexcept {
+        return visit(
+            *this, [&](auto& engine) { return engine.set_up(equations, points, progress, fault); });
     }
     // Decides whether solutions are accurate without refinement. work [n] is overwritten.
     Status examine(Equations const& equations, Span<Real> work, Fault& fault) noexcept {
@@ -60,9 +63,11 @@ struct AnyEngine {
         return visit(*this, [](auto const& engine) { return bool{engine.trusted}; });
     }
     // In place: the right-hand sides of the unknowns become functions.
-    Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress, IterationReport& report,
-                 Fault& fault) noexcept {
-        return visit(*this, [&](auto& engine) { return engine.solve(equations, dofs, progress, report, fault); });
+    Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress,
+                 IterationReport& report, Fault& fault) noexcept {
+        return visit(*this, [&](auto& engine) {
+            return engine.solve(equations, dofs, progress, report, fault);
+        });
     }
     // Engines that factor: residuals become corrections, in place and in the factor's precision.
     template <class Number>
@@ -70,7 +75,8 @@ struct AnyEngine {
         return visit(*this, [&](auto& engine) { return engine.correct(rows, fault); });
     }
 
-    // Bytes that only set_up() or solve() needs: refinement may use them without making the plan larger.
+    // Bytes that only set_up() or solve() needs: refinement may use them without making the plan
+    // larger.
     Offset idle_bytes() const noexcept {
         return visit(*this, [](auto const& engine) { return engine.idle_bytes(); });
     }
@@ -81,7 +87,9 @@ struct AnyEngine {
 
 private:
     template <class Chosen>
-    static void start(Chosen& engine) noexcept { ::new (&engine) Chosen(); }
+    static void start(Chosen& engine) noexcept {
+        ::new (&engine) Chosen();
+    }
 };
 
 }  // namespace harmorph

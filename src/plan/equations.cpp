@@ -7,7 +7,8 @@ namespace harmorph {
 
 void Equations::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     Problem const& problem = analysis.problem;
-    Index const n = analysis.graph.n, n_points = problem.mesh.n_points, n_cells = problem.mesh.n_cells;
+    Index const n = analysis.graph.n, n_points = problem.mesh.n_points,
+                n_cells = problem.mesh.n_cells;
     Mesh const& mesh = problem.mesh;
     Index const n_delaunay = problem.method.bounded() ? analysis.triangulation.edges.count() : 0;
     bool const weighted = problem.method.quarters > 0;
@@ -21,7 +22,8 @@ void Equations::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     arena.take(delaunay_edges, n_delaunay);
     arena.take(conductivity, !weighted ? 0 : n_delaunay > 0 ? n_delaunay : n_cells);
     matrix.lay_out(arena, n_points, n, analysis.wall.count, analysis.matrix);
-    if (problem.method.nodal_gradients()) nodal.lay_out(arena, problem.mesh, analysis.topology.edges.count());
+    if (problem.method.nodal_gradients())
+        nodal.lay_out(arena, problem.mesh, analysis.topology.edges.count());
 }
 
 void Equations::init(Analysis const& analysis) noexcept {
@@ -37,7 +39,8 @@ void Equations::init(Analysis const& analysis) noexcept {
     method.kernel = resolved(method.kernel, analysis.problem.executor.kernel);
     for (Index k = 0; k < dof_of.count(); ++k) dof_of[k] = analysis.graph.line[analysis.order[k]];
     copy(cells.reversed, Span<const std::uint8_t>(analysis.topology.reversed));
-    for (Index k = 0; k < kinds.count(); ++k) kinds[k] = analysis.kinds[analysis.topology.representative[k]];
+    for (Index k = 0; k < kinds.count(); ++k)
+        kinds[k] = analysis.kinds[analysis.topology.representative[k]];
     slip_curves.copy_from(analysis.slip_curves);
     slip_followers.copy_from(analysis.slip_followers);
     wall.kernel = method.kernel;
@@ -47,13 +50,15 @@ void Equations::init(Analysis const& analysis) noexcept {
     analysed_coordinates = coordinates_fingerprint(cells.mesh.points, cells.mesh.n_points);
     if (!method.bounded()) return;
     Index n = 0;
-    analysis.triangulation.for_each_edge([&](DelaunayEdge const& edge) { delaunay_edges[n++] = edge; });
+    analysis.triangulation.for_each_edge(
+        [&](DelaunayEdge const& edge) { delaunay_edges[n++] = edge; });
 }
 
 void Equations::build(Analysis const& analysis) noexcept {
     matrix.frames_change = slip_curves.count > 0;
-    matrix.build(analysis.topology.representative, analysis.graph, analysis.order, analysis.border.position,
-                 analysis.wall_work.slot, analysis.tangent, analysis.periodicity);
+    matrix.build(analysis.topology.representative, analysis.graph, analysis.order,
+                 analysis.border.position, analysis.wall_work.slot, analysis.tangent,
+                 analysis.periodicity);
     if (!method.nodal_gradients()) return;
     Topology topology = analysis.topology;
     topology.mesh = cells.mesh;  // the copies, which outlive the analysis
@@ -74,7 +79,8 @@ void Equations::turn_frames(Points points) const noexcept {
 
 Status Equations::assemble(Points points, Executor const& executor, Fault& fault) noexcept {
     turn_frames(points);
-    HARMORPH_TRY(method.bounded() ? assemble_edges(points, executor, fault) : assemble_cells(points, executor, fault));
+    HARMORPH_TRY(method.bounded() ? assemble_edges(points, executor, fault)
+                                  : assemble_cells(points, executor, fault));
     if (method.nodal_gradients()) nodal.scheme.measure(points);
     return Status::ok;
 }
@@ -84,10 +90,11 @@ Status Equations::assemble_cells(Points points, Executor const& executor, Fault&
         wall.build(points);
         weigh_cells(wall, cells.mesh, points, method.quarters, conductivity, executor);
     }
-    Index const inverted = assemble_stiffness(cells, points, conductivity, method.conformal(), matrix, executor);
+    Index const inverted =
+        assemble_stiffness(cells, points, conductivity, method.conformal(), matrix, executor);
     if (inverted == none) return Status::ok;
-    return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh,
-                        cells.mesh.number(inverted));
+    return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates",
+                        Counts::mesh, cells.mesh.number(inverted));
 }
 
 bool Equations::change_operator(Operator operator_kind, Index quarters) noexcept {
@@ -101,8 +108,9 @@ bool Equations::change_operator(Operator operator_kind, Index quarters) noexcept
 
 Status Equations::assemble_edges(Points points, Executor const& executor, Fault& fault) noexcept {
     if (coordinates_fingerprint(points, cells.mesh.n_points) != analysed_coordinates) {
-        return fault.refuse(Status::unsupported,
-                            "bounded scheme: its triangles fit the analysed coordinates alone; analyse again");
+        return fault.refuse(
+            Status::unsupported,
+            "bounded scheme: its triangles fit the analysed coordinates alone; analyse again");
     }
     if (!conductivity.empty()) {
         wall.build(points);
@@ -110,7 +118,8 @@ Status Equations::assemble_edges(Points points, Executor const& executor, Fault&
     }
     Index const thin = assemble_bounded(delaunay_edges, points, conductivity, matrix);
     if (thin == none) return Status::ok;
-    return fault.refuse(Status::bad_mesh, "a triangle at the points # and @ is too thin for its area to be computed",
+    return fault.refuse(Status::bad_mesh,
+                        "a triangle at the points # and @ is too thin for its area to be computed",
                         Counts::mesh, delaunay_edges[thin].begin, delaunay_edges[thin].end);
 }
 

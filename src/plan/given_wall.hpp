@@ -9,9 +9,9 @@ namespace harmorph {
 struct GivenWall {
     static constexpr Index fields_at_once = 12;  // that are solved as one block of right-hand sides
 
-    Span<Index> point;                       // [given points] in the order of their slots
-    Index first_slot = 0;                    // the slots from here on are given
-    Span<Index> joined;                      // points joined to another one: beyond a cut, or periodic images
+    Span<Index> point;     // [given points] in the order of their slots
+    Index first_slot = 0;  // the slots from here on are given
+    Span<Index> joined;    // points joined to another one: beyond a cut, or periodic images
     Span<Index> boundary_point, loop_start;  // see Boundary
 
     void lay_out(Arena& arena, Analysis const& analysis) noexcept;

@@ -26,11 +26,14 @@ struct LevelEngine {
         arena.release(shared);
     }
     void init(Analysis const&) const noexcept {}
-    void take_pattern(Analysis const& analysis,
-                      Matrix const& matrix) noexcept { matrix.mark_faces(analysis.topology.edges, faces); }
+    void take_pattern(Analysis const& analysis, Matrix const& matrix) noexcept {
+        matrix.mark_faces(analysis.topology.edges, faces);
+    }
     Status examine(Equations const&, Span<Real>, Fault&) const noexcept { return Status::ok; }
     template <class Number>
-    Status correct(RowsOf<Number> const&, Fault&) const noexcept { return Status::ok; }
+    Status correct(RowsOf<Number> const&, Fault&) const noexcept {
+        return Status::ok;
+    }
     Offset idle_bytes() const noexcept { return 0; }
     const Agglomeration* levels() const noexcept { return &iteration.levels; }
 };

@@ -10,8 +10,8 @@ struct MultigridEngine : LevelEngine<Multigrid> {
     Status set_up(Equations const& equations, Points, Progress const&, Fault& fault) noexcept {
         return iteration.set_up(equations.matrix.rows(faces), fault);
     }
-    Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress, IterationReport& report,
-                 Fault& fault) noexcept {
+    Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress,
+                 IterationReport& report, Fault& fault) noexcept {
         return iteration.solve(dofs.rows(equations.matrix), progress, report, fault);
     }
 };

@@ -13,9 +13,11 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     equations.lay_out(arena, analysis);
     arena.take(wall_point, analysis.wall.count);
     given.lay_out(arena, analysis);
-    Index const numbers_per_dof = numbers_of(counts.kind) * counts.functions() / equations.matrix.components();
-    Index const columns = larger(equations.matrix.is_complex() ? counts.functions() : numbers_per_dof,
-                                 GivenWall::columns(analysis));
+    Index const numbers_per_dof =
+        numbers_of(counts.kind) * counts.functions() / equations.matrix.components();
+    Index const columns =
+        larger(equations.matrix.is_complex() ? counts.functions() : numbers_per_dof,
+               GivenWall::columns(analysis));
     engine.choose(method.engine);
     engine.lay_out(arena, analysis, columns);
     refinement.lay_out(arena, analysis, engine, equations, columns);
@@ -55,20 +57,26 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
     HARMORPH_TRY(progress.report(Phase::assembly, 1, fault));
     HARMORPH_TRY(progress.report(Phase::factor, 0, fault));
     Status const status = engine.set_up(equations, points, progress, fault);
-    if (status == Status::not_positive && fault.item != none) fault.item = equations.point_of(fault.item);
+    if (status == Status::not_positive && fault.item != none)
+        fault.item = equations.point_of(fault.item);
     HARMORPH_TRY(status);
-    HARMORPH_TRY(engine.examine(equations, refinement.residual.value.first(equations.matrix.n), fault));
+    HARMORPH_TRY(
+        engine.examine(equations, refinement.residual.value.first(equations.matrix.n), fault));
     coordinates = coordinates_fingerprint(points, mesh.n_points);
     HARMORPH_TRY(progress.report(Phase::factor, 1, fault));
     factored = true;
     return Status::ok;
 }
 
-Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault, Sealing sealing) noexcept {
-    if (!factored) return fault.refuse(Status::bad_argument, "the plan has no factor: hm_plan_factor comes first");
+Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault,
+                   Sealing sealing) noexcept {
+    if (!factored)
+        return fault.refuse(Status::bad_argument,
+                            "the plan has no factor: hm_plan_factor comes first");
     HARMORPH_TRY(check_fit(basis, fault));
     if (block_points * Offset{basis.row_length()} > static_cast<Offset>(rows_in_work.size())) {
-        return fault.refuse(Status::unsupported, "a point has # numbers, this plan solves bases with @ at most",
+        return fault.refuse(Status::unsupported,
+                            "a point has # numbers, this plan solves bases with @ at most",
                             Counts::from_zero, basis.row_length(),
                             static_cast<Index>(rows_in_work.size() / block_points));
     }
@@ -84,7 +92,8 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault, Sealin
         set_right_hand_sides(equations.matrix, basis, dofs, executor);
     }
     Status const status = solve_rows(dofs, report, fault);
-    rows.run(executor);  // also where the solution failed: values on the wall of derived functions must not be lost
+    rows.run(executor);  // also where the solution failed: values on the wall of derived functions
+                         // must not be lost
     HARMORPH_TRY(status);
     HARMORPH_TRY(progress.report(Phase::residual, 1, fault));
     basis.header->coordinates = coordinates;
@@ -122,11 +131,13 @@ void Plan::clear_all_but_wall(DofValues const& dofs) const noexcept {
     }
 }
 
-Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault& fault) const noexcept {
+Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells,
+                         Fault& fault) const noexcept {
     const Agglomeration* const levels = engine.levels();
     if (!factored || levels == nullptr) {
-        return fault.refuse(Status::bad_argument,
-                            "the plan has no levels: they are made by hm_plan_factor of other engines");
+        return fault.refuse(
+            Status::bad_argument,
+            "the plan has no levels: they are made by hm_plan_factor of other engines");
     }
     if (level < 0 || level >= levels->count) {
         return fault.refuse(Status::bad_argument, "there is no level # (from 0): the plan has @",
@@ -148,11 +159,14 @@ Status Plan::check_fit(Basis const& basis, Fault& fault) const noexcept {
     BasisCounts whole = basis.header->counts.share(0, basis_counts.stored);
     if (whole.derived()) {
         whole.combined = whole.combination = whole.modes = 0;
-        if (whole.kind == ValueKind::complex) whole.kind = basis_counts.kind;  // by a complex matrix or complex modes
+        if (whole.kind == ValueKind::complex)
+            whole.kind = basis_counts.kind;  // by a complex matrix or complex modes
     }
     bool const same_counts = std::memcmp(&whole, &basis_counts, sizeof basis_counts) == 0;
-    bool const same_mesh = basis.header->topology == topology && basis.header->conditions == conditions;
-    if (same_counts && same_mesh && basis.header->method.agrees_with(equations.method)) return Status::ok;
+    bool const same_mesh =
+        basis.header->topology == topology && basis.header->conditions == conditions;
+    if (same_counts && same_mesh && basis.header->method.agrees_with(equations.method))
+        return Status::ok;
     return fault.refuse(Status::bad_basis, "plan and basis were made of different analyses");
 }
 
@@ -207,7 +221,8 @@ void Plan::turn_sides(DofValues const& values) const noexcept {
 }
 
 void Plan::turn_sides_back(DofValues const& values) const noexcept {
-    for_each_turned(values, [](Vec2 frame, Vec2 number) { return product(conjugate(frame), number); });
+    for_each_turned(values,
+                    [](Vec2 frame, Vec2 number) { return product(conjugate(frame), number); });
 }
 
 Vec2 Plan::turn_of(Index point, Index same) const noexcept {

@@ -5,23 +5,26 @@
 namespace harmorph {
 namespace {
 
-// Relative residuals above this are refined. Rounding leaves less on most meshes; on very uneven ones one step of
-// refinement suffices. With a factor in single precision each step gains about six digits.
+// Relative residuals above this are refined. Rounding leaves less on most meshes; on very uneven
+// ones one step of refinement suffices. With a factor in single precision each step gains about six
+// digits.
 constexpr Real refined_above = 1e-13;
 // Estimated errors above this, relative to the largest value, are refined as well.
 constexpr Real certain_within = 1e-10;
-// A further step is taken only if the last one reduced the residual by this factor. The estimated error may fail to
-// shrink so much this often in a row: the first correction leaves rounding errors of rough right-hand sides, which are
-// unrelated to the error that it removed.
+// A further step is taken only if the last one reduced the residual by this factor. The estimated
+// error may fail to shrink so much this often in a row: the first correction leaves rounding errors
+// of rough right-hand sides, which are unrelated to the error that it removed.
 constexpr Real shrinking = 0.5;
 constexpr Index most_stalls = 1;
-// Rounding of the values and of their sum makes a residual of at most this times (sum of |entries| of the row) (max
-// |F|).
+// Rounding of the values and of their sum makes a residual of at most this times (sum of |entries|
+// of the row) (max |F|).
 constexpr Real rounded_within = 32 * epsilon;
-// Enough for steps that reduce the error by hardly more than `shrinking`. Iterative engines stop at their tolerance.
+// Enough for steps that reduce the error by hardly more than `shrinking`. Iterative engines stop at
+// their tolerance.
 Index most_refinements(Method const& method) noexcept { return method.traits().factors ? 40 : 0; }
 
-// Nodal gradients: every refinement solves for the residual by BiCGSTAB, to this reduction of the residual.
+// Nodal gradients: every refinement solves for the residual by BiCGSTAB, to this reduction of the
+// residual.
 constexpr Real iterated_to = 1e-8;
 constexpr Index most_iterations = 200;
 
@@ -31,31 +34,44 @@ Precision residual_precision(Method const& method, MatrixKind kind) noexcept {
     return in_rows ? method.precision : Precision::in_double;
 }
 
-// Number of columns refined at a time: as many as fit into idle memory of the engine, but at least a few.
-Index residual_width(Method const& method, Matrix const& matrix, AnyEngine const& engine, Index columns) noexcept {
+// Number of columns refined at a time: as many as fit into idle memory of the engine, but at least
+// a few.
+Index residual_width(Method const& method, Matrix const& matrix, AnyEngine const& engine,
+                     Index columns) noexcept {
     if (method.nodal_gradients()) return smaller(columns, BiconjugateGradients::widest);
     bool const in_single = residual_precision(method, matrix.kind) == Precision::in_single;
-    Offset const n = larger(matrix.n,
-                            Index{1}), bytes = static_cast<Offset>(in_single ? sizeof(float) : sizeof(double));
+    Offset const n = larger(matrix.n, Index{1}),
+                 bytes = static_cast<Offset>(in_single ? sizeof(float) : sizeof(double));
     Offset const lists = 3 * n * static_cast<Offset>(sizeof(Index));
-    Offset const room = larger(engine.idle_bytes() - lists, Offset{0}) / (n * matrix.planes() * bytes);
+    Offset const room =
+        larger(engine.idle_bytes() - lists, Offset{0}) / (n * matrix.planes() * bytes);
     Offset const least = in_single ? 12 : 5;
-    Offset const wanted = room >= 16 ? room / 8 * 8 : larger(room, least);  // whole blocks of the kernels
-    return static_cast<Index>(smaller(wanted, Offset{smaller(larger(columns, Index{2}), Residual::widest)}));
+    Offset const wanted =
+        room >= 16 ? room / 8 * 8 : larger(room, least);  // whole blocks of the kernels
+    return static_cast<Index>(
+        smaller(wanted, Offset{smaller(larger(columns, Index{2}), Residual::widest)}));
 }
 
 class RefinementRun {
 public:
-    RefinementRun(Refinement& with, Equations const& equations, AnyEngine& engine, DofValues const& dofs,
-        Progress const& progress) noexcept
-        : equations_(equations), matrix_(equations.matrix), method_(equations.method), engine_(engine), dofs_(dofs),
-          progress_(progress), residual_(with.residual), biconjugate_(with.biconjugate) {}
+    RefinementRun(Refinement& with, Equations const& equations, AnyEngine& engine,
+                  DofValues const& dofs, Progress const& progress) noexcept
+        : equations_(equations),
+          matrix_(equations.matrix),
+          method_(equations.method),
+          engine_(engine),
+          dofs_(dofs),
+          progress_(progress),
+          residual_(with.residual),
+          biconjugate_(with.biconjugate) {}
 
     // Computes residuals, and refines where they are too large.
     Status run(SolveReport& report, Fault& fault) noexcept {
         Index const n_columns = dofs_.columns(matrix_);
         for (Index first = 0, n = 0; first < n_columns; first += n) {
-            if (first > 0) HARMORPH_TRY(progress_.report(Phase::residual, static_cast<Real>(first) / n_columns, fault));
+            if (first > 0)
+                HARMORPH_TRY(
+                    progress_.report(Phase::residual, static_cast<Real>(first) / n_columns, fault));
             Refined refined;
             n = smaller(Residual::widest, n_columns - first);
             if (!is_accurate(first, n, refined)) {
@@ -88,7 +104,8 @@ private:
             take_worst(refined.error[k], function, report.error, report.error_function);
             Real const left = refined.norms.relative(k);
             take_worst(left, function, report.residual, report.residual_function);
-            if (left <= method_.tolerance || is_only_rounding(first + k, refined.error[k])) continue;
+            if (left <= method_.tolerance || is_only_rounding(first + k, refined.error[k]))
+                continue;
             take_worst(left, function, report.missed, report.missed_function);
         }
     }
@@ -98,28 +115,34 @@ private:
         return residual_.compute(matrix_, dofs_, first, n);
     }
 
-    // Most often no refinement is needed. Without storing residuals this can be checked for many columns at once.
+    // Most often no refinement is needed. Without storing residuals this can be checked for many
+    // columns at once.
     bool is_accurate(Index first, Index n, Refined& refined) const noexcept {
-        if (!engine_.trusted() || method_.nodal_gradients() || matrix_.kind == MatrixKind::coupled_xy) return false;
+        if (!engine_.trusted() || method_.nodal_gradients() ||
+            matrix_.kind == MatrixKind::coupled_xy)
+            return false;
         refined.norms = residual_.measure(matrix_, dofs_, first, n);
         bool any = false;
         for (Index k = 0; k < n; ++k) any = any || !(refined.norms.relative(k) <= refined_above);
         return !any || most_refinements(method_) == 0;
     }
 
-    // Solves for the residual and adds the correction, until the residual is rounding or no longer shrinks. Each column
-    // by itself, so that the bits of a column do not depend on which others are in the block. The reduction of the
-    // error by a step is estimated by the ratio of two successive corrections; the first ratio is not used, as the
-    // right-hand sides of the first step are smooth and later ones are not. Estimated error: the largest ratio times
-    // the last correction, or the last correction itself where there is no ratio yet or no reduction.
+    // Solves for the residual and adds the correction, until the residual is rounding or no longer
+    // shrinks. Each column by itself, so that the bits of a column do not depend on which others
+    // are in the block. The reduction of the error by a step is estimated by the ratio of two
+    // successive corrections; the first ratio is not used, as the right-hand sides of the first
+    // step are smooth and later ones are not. Estimated error: the largest ratio times the last
+    // correction, or the last correction itself where there is no ratio yet or no reduction.
     Status refine(Index first, Index n, Refined& refined, Fault& fault) noexcept {
         Residual::Choice wanted;
-        Residual::Changes change;  // by a step of refinement; that of the first solution, from 0, is 1
+        Residual::Changes
+            change;  // by a step of refinement; that of the first solution, from 0, is 1
         Real before[Residual::widest], left[Residual::widest] = {};
         Index stalls[Residual::widest] = {};
         for (Index k = 0; k < n; ++k) {
             wanted.column[k] = true;
-            // For nodal gradients the functions of the compact scheme do not count as a first solution.
+            // For nodal gradients the functions of the compact scheme do not count as a first
+            // solution.
             change.column[k] = method_.nodal_gradients() ? infinity : 1;
             before[k] = infinity;
             refined.error[k] = engine_.trusted() ? 0 : 1;
@@ -144,7 +167,8 @@ private:
                 if (!wanted.column[k]) continue;
                 ratio[k] = change.column[k] / last.column[k];
                 if (refined.steps > 0) left[k] = larger(left[k], ratio[k]);
-                refined.error[k] = (refined.steps > 0 && ratio[k] < shrinking ? left[k] : 1) * change.column[k];
+                refined.error[k] =
+                    (refined.steps > 0 && ratio[k] < shrinking ? left[k] : 1) * change.column[k];
             }
         }
     }
@@ -154,21 +178,24 @@ private:
         Offset const row_length = Offset{matrix_.planes()} * residual_.width;
         auto const solve = [&](auto* rows) {
             using Value = std::decay_t<decltype(*rows)>;
-            return engine_.correct(RowsOf<Value>{rows, nullptr, row_length, n, residual_.width}, fault);
+            return engine_.correct(RowsOf<Value>{rows, nullptr, row_length, n, residual_.width},
+                                   fault);
         };
         if (!residual_.single.empty()) return solve(residual_.single.data());
         if (!method_.nodal_gradients()) return solve(residual_.value.data());
         auto const apply = [&](const Real* from, Real* to) { equations_.nodal.apply(from, to); };
         Index taken = 0;
-        HARMORPH_TRY(biconjugate_.run(residual_.value, n, iterated_to, most_iterations, taken, apply, solve));
+        HARMORPH_TRY(biconjugate_.run(residual_.value, n, iterated_to, most_iterations, taken,
+                                      apply, solve));
         iterations += taken;
         return Status::ok;
     }
 
-    // Fluxes through thin cells are far larger than those at the wall, and so are their rounding errors: there the
-    // residual relative to |b| says nothing. So the residual is compared with the entries of the same row: a value that
-    // is wrong by itself fails this test; an error common to all values of neighbouring cells passes it, but refinement
-    // has estimated that one to be small. Where refinement has not run, `error` is 0.
+    // Fluxes through thin cells are far larger than those at the wall, and so are their rounding
+    // errors: there the residual relative to |b| says nothing. So the residual is compared with the
+    // entries of the same row: a value that is wrong by itself fails this test; an error common to
+    // all values of neighbouring cells passes it, but refinement has estimated that one to be
+    // small. Where refinement has not run, `error` is 0.
     bool is_only_rounding(Index column, Real error) const noexcept {
         bool const refined = method_.traits().factors && !method_.nodal_gradients();
         return refined && error > 0 && error <= method_.tolerance &&
@@ -200,23 +227,25 @@ void SolveReport::take(SolveReport const& others) noexcept {
     iteration.levels = others.iteration.levels;
 }
 
-void Refinement::lay_out(Arena& arena, Analysis const& analysis, AnyEngine const& engine, Equations& equations,
-                         Index columns) noexcept {
+void Refinement::lay_out(Arena& arena, Analysis const& analysis, AnyEngine const& engine,
+                         Equations& equations, Index columns) noexcept {
     Method const& method = analysis.problem.method;
     Matrix const& matrix = equations.matrix;
     residual.lay_out(arena, matrix.n, analysis.matrix.couplings, matrix.kind,
-                     residual_width(method, matrix, engine, columns), residual_precision(method, matrix.kind));
+                     residual_width(method, matrix, engine, columns),
+                     residual_precision(method, matrix.kind));
     if (!method.nodal_gradients()) return;
     equations.nodal.lay_out_work(arena, analysis.problem.mesh.n_points, residual.width);
     if (method.traits().factors) biconjugate.lay_out(arena, matrix.n, residual.width);
 }
 
-Status Refinement::run(Equations const& equations, AnyEngine& engine, DofValues const& dofs, Progress const& progress,
-                       SolveReport& report, Fault& fault) noexcept {
+Status Refinement::run(Equations const& equations, AnyEngine& engine, DofValues const& dofs,
+                       Progress const& progress, SolveReport& report, Fault& fault) noexcept {
     return RefinementRun(*this, equations, engine, dofs, progress).run(report, fault);
 }
 
-void Refinement::measure(Equations const& equations, DofValues const& dofs, SolveReport& report) const noexcept {
+void Refinement::measure(Equations const& equations, DofValues const& dofs,
+                         SolveReport& report) const noexcept {
     Index const n_columns = dofs.columns(equations.matrix);
     bool const in_rows = equations.matrix.kind == MatrixKind::coupled_xy;
     for (Index first = 0, n = 0; first < n_columns; first += n) {
@@ -238,15 +267,17 @@ Status judge(SolveReport const& report, Method const& method, Fault& fault) noex
                             Counts::from_zero, report.missed_function, none, report.missed);
     }
     if (!report.iteration.settled) {
-        return fault.refuse(Status::not_converged,
-                            "the iteration ended while values were still off by more than the tolerance");
+        return fault.refuse(
+            Status::not_converged,
+            "the iteration ended while values were still off by more than the tolerance");
     }
     if (report.error <= larger(method.tolerance, certain_within)) return Status::ok;
     bool const in_single = method.precision == Precision::in_single;
     return fault.refuse(Status::not_converged,
-                        in_single
-                            ? "function # (from 0) may be off by ~: cells are too thin for a factor in single precision"
-                            : "function # (from 0) may be off by ~: cells are too thin for refinement to bring it down",
+                        in_single ? "function # (from 0) may be off by ~: cells are too thin for a "
+                                    "factor in single precision"
+                                  : "function # (from 0) may be off by ~: cells are too thin for "
+                                    "refinement to bring it down",
                         Counts::from_zero, report.error_function, none, report.error);
 }
 

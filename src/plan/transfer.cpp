@@ -45,7 +45,8 @@ struct Tally {
 
 template <class T>
 bool same_bytes(Span<T> a, Span<T> b) noexcept {
-    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
 // The centre of a rigid body.
@@ -59,13 +60,19 @@ bool same_centre(Basis const& coarse, Condition const& rigid) noexcept {
 
 class TransferRun {
 public:
-    TransferRun(Transfer const& transfer, Analysis const& analysis, Basis const& coarse, Basis const& fine) noexcept
-        : transfer_(transfer), analysis_(analysis), points_(analysis.problem.mesh.points), coarse_(coarse), fine_(fine),
+    TransferRun(Transfer const& transfer, Analysis const& analysis, Basis const& coarse,
+                Basis const& fine) noexcept
+        : transfer_(transfer),
+          analysis_(analysis),
+          points_(analysis.problem.mesh.points),
+          coarse_(coarse),
+          fine_(fine),
           row_length_(fine.row_length()) {}
 
     Tally set_wall() const noexcept {
         Index const n = fine_.wall_point.count();
-        return reduce_cells<Tally>(n, executor(), [&](Index slot, Tally& met) { set_slot(slot, met); });
+        return reduce_cells<Tally>(n, executor(),
+                                   [&](Index slot, Tally& met) { set_slot(slot, met); });
     }
 
     Tally set_points() const noexcept {
@@ -84,7 +91,9 @@ public:
 
 private:
     Executor const& executor() const noexcept { return analysis_.problem.executor; }
-    Real* correction(Index slot) const noexcept { return transfer_.correction.data() + Offset{slot} * row_length_; }
+    Real* correction(Index slot) const noexcept {
+        return transfer_.correction.data() + Offset{slot} * row_length_;
+    }
 
     void set_slot(Index slot, Tally& met) const noexcept {
         Index const point = fine_.wall_point[slot];
@@ -124,13 +133,15 @@ private:
     void interpolate(CellWeights const& weights, Row row) const noexcept {
         for (Index k = 0; k < row_length_; ++k) {
             Real sum = 0;
-            for (Index c = 0; c < weights.n; ++c) sum += weights.weight[c] * coarse_.row(weights.point[c])[k];
+            for (Index c = 0; c < weights.n; ++c)
+                sum += weights.weight[c] * coarse_.row(weights.point[c])[k];
             row[k] = sum;
         }
     }
 
     void move_along_with_wall(Index point, RowInBlock<Real> row) const noexcept {
-        Index group = 0;  // no guess: which of two feet at equal distance is chosen must not depend on the threads
+        Index group = 0;  // no guess: which of two feet at equal distance is chosen must not depend
+                          // on the threads
         FaceDistance::Foot const foot = transfer_.wall.foot(points_[point], group);
         if (foot.face == none) return;
         FaceDistance::Face const& face = transfer_.wall.faces[foot.face];
@@ -150,7 +161,8 @@ private:
     // The point is on a side of a passage that is turned against the side of the other point.
     void turn(Index point, Index same) const noexcept {
         Periodicity const& periodicity = analysis_.periodicity;
-        Vec2 const by = periodicity.rotation.power(periodicity.times[point] - periodicity.times[same]);
+        Vec2 const by =
+            periodicity.rotation.power(periodicity.times[point] - periodicity.times[same]);
         auto const row = fine_.row(point);
         Index const half = row_length_ / 2;
         for (Index k = 0; k < half; ++k) {
@@ -160,7 +172,8 @@ private:
         }
     }
 
-    // A row of matrix values has the movements along x in the first half, those along y in the second one.
+    // A row of matrix values has the movements along x in the first half, those along y in the
+    // second one.
     void keep_on_line(Vec2 tangent, RowInBlock<Real> row) const noexcept {
         Index const half = row_length_ / 2;
         for (Index k = 0; k < half; ++k) {
@@ -185,12 +198,13 @@ void Transfer::lay_out(Arena& arena, Analysis const& fine, Mesh const& coarse) n
     bool const polygons = coarse.layout == CellLayout::polygons;
     locator.lay_out(arena, polygons ? coarse.max_pieces() : coarse.n_cells);
     wall.lay_out(arena, static_cast<Size>(fine.count_wall_faces()));
-    arena.take(correction, Offset{counts.wall} * (Offset{numbers_of(counts.kind)} * counts.functions()));
+    arena.take(correction,
+               Offset{counts.wall} * (Offset{numbers_of(counts.kind)} * counts.functions()));
     arena.take(reach, counts.wall);
 }
 
-Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis const& coarse, Basis const& fine,
-                     TransferReport& report, Fault& fault) noexcept {
+Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis const& coarse,
+                     Basis const& fine, TransferReport& report, Fault& fault) noexcept {
     HARMORPH_TRY(check_alike(coarse, fine, fault));
     fine.unseal();
     fill(fine.value, 0.0);
@@ -203,8 +217,10 @@ Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis co
     Tally met = run.set_wall();
     met.merge(run.set_points());
     if (met.lost != none) {
-        return fault.refuse(Status::bad_mesh, "point # is ~ outside the coarse mesh: the meshes are not of one domain",
-                            Counts::mesh, met.lost, none, met.lost_by);
+        return fault.refuse(
+            Status::bad_mesh,
+            "point # is ~ outside the coarse mesh: the meshes are not of one domain", Counts::mesh,
+            met.lost, none, met.lost_by);
     }
     run.copy_joined_points();
     report = {met.points, met.outside, met.max_distance, met.max_distance_point, 0};
@@ -223,16 +239,20 @@ Status check_alike(Basis const& coarse, Basis const& fine, Fault& fault) noexcep
         a.offset_correction != b.offset_correction || coarse.kind() != fine.kind()) {
         return refuse("operator, scheme, weight or kind of values of the two bases differ");
     }
-    if (coarse.header->counts.control != fine.header->counts.control || !same_bytes(coarse.shape, fine.shape) ||
-        !same_bytes(coarse.indices, fine.indices) || !same_bytes(coarse.knots, fine.knots) ||
-        !same_bytes(coarse.control, fine.control) || !same_bytes(coarse.weights, fine.weights)) {
+    if (coarse.header->counts.control != fine.header->counts.control ||
+        !same_bytes(coarse.shape, fine.shape) || !same_bytes(coarse.indices, fine.indices) ||
+        !same_bytes(coarse.knots, fine.knots) || !same_bytes(coarse.control, fine.control) ||
+        !same_bytes(coarse.weights, fine.weights)) {
         return refuse("the two bases were made with different curves");
     }
     bool same_bodies = coarse.header->counts.bodies == fine.header->counts.bodies;
     for (Condition const& condition : fine.conditions) {
-        if (condition.kind == ConditionKind::rigid && !same_centre(coarse, condition)) same_bodies = false;
+        if (condition.kind == ConditionKind::rigid && !same_centre(coarse, condition))
+            same_bodies = false;
     }
-    return same_bodies ? Status::ok : refuse("the two bases have different rigid bodies, or other centres of theirs");
+    return same_bodies
+               ? Status::ok
+               : refuse("the two bases have different rigid bodies, or other centres of theirs");
 }
 
 }  // namespace harmorph

@@ -1,5 +1,5 @@
-// From a coarse mesh to a finer one of the same domain: solved functions are interpolated, and the known values on the
-// fine boundary are restored.
+// From a coarse mesh to a finer one of the same domain: solved functions are interpolated, and the
+// known values on the fine boundary are restored.
 #pragma once
 
 #include "boundary/distance.hpp"
@@ -9,34 +9,36 @@
 namespace harmorph {
 
 struct TransferReport {
-    Index points = 0;                  // interpolated: neither on the wall nor fixed
-    Index outside = 0;                 // points, also on the wall, outside the coarse mesh
+    Index points = 0;   // interpolated: neither on the wall nor fixed
+    Index outside = 0;  // points, also on the wall, outside the coarse mesh
     Real max_distance = 0;
     Index max_distance_point = none;
-    Real wall_correction = 0;          // largest difference between interpolated and boundary functions on the wall
+    Real wall_correction =
+        0;  // largest difference between interpolated and boundary functions on the wall
 };
 
-// Points of the fine mesh get the values interpolated in the coarse cell they are in. Points outside the coarse mesh
-// (beyond a curved boundary, whose coarse faces are chords of the fine boundary) get values extrapolated linearly from
-// the nearest cell; at most half the longest side of that cell away: a circular arc up to a semicircle rises no higher
-// above the chord.
+// Points of the fine mesh get the values interpolated in the coarse cell they are in. Points
+// outside the coarse mesh (beyond a curved boundary, whose coarse faces are chords of the fine
+// boundary) get values extrapolated linearly from the nearest cell; at most half the longest side
+// of that cell away: a circular arc up to a semicircle rises no higher above the chord.
 //
-// Wall points get the boundary functions instead. The difference D to the interpolated values, of second order in the
-// coarse spacing h, is large relative to the thin first layers of a viscous mesh, which would invert. So points near
-// the wall get the correction (1 - d/h) D, where d is the distance of the point from the wall, and h and D are those at
-// the foot. The strain that this adds is of first order in h, like that of the interpolation.
+// Wall points get the boundary functions instead. The difference D to the interpolated values, of
+// second order in the coarse spacing h, is large relative to the thin first layers of a viscous
+// mesh, which would invert. So points near the wall get the correction (1 - d/h) D, where d is the
+// distance of the point from the wall, and h and D are those at the foot. The strain that this adds
+// is of first order in h, like that of the interpolation.
 struct Transfer {
     Locator locator;
-    FaceDistance wall;       // faces that move, of the fine mesh
-    Span<Real> correction;   // [wall x row_length] D of each slot
-    Span<Real> reach;        // [wall] h
+    FaceDistance wall;      // faces that move, of the fine mesh
+    Span<Real> correction;  // [wall x row_length] D of each slot
+    Span<Real> reach;       // [wall] h
 
     void lay_out(Arena& arena, Analysis const& fine, Mesh const& coarse) noexcept;
 
-    // `fine` must have been made of the analysis; `coarse` must have been solved on coarse_mesh. Seals `fine`; after a
-    // refused call `fine` is unsolved.
-    Status run(Analysis const& analysis, Mesh const& coarse_mesh, Basis const& coarse, Basis const& fine,
-               TransferReport& report, Fault& fault) noexcept;
+    // `fine` must have been made of the analysis; `coarse` must have been solved on coarse_mesh.
+    // Seals `fine`; after a refused call `fine` is unsolved.
+    Status run(Analysis const& analysis, Mesh const& coarse_mesh, Basis const& coarse,
+               Basis const& fine, TransferReport& report, Fault& fault) noexcept;
 };
 
 // Same curves, bodies and way of solving? Then function i is the same function on both meshes.

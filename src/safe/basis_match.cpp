@@ -16,7 +16,8 @@ bool same_modes(Basis const& basis, Basis const& other) noexcept {
     if (modes > 0 && other.kind() != basis.kind()) return false;
     for (Index slot = 0; slot < basis.wall_point.count() && modes > 0; ++slot) {
         if (!basis.is_given(slot)) continue;
-        auto const own = basis.row(basis.wall_point[slot]), theirs = other.row(basis.wall_point[slot]);
+        auto const own = basis.row(basis.wall_point[slot]),
+                   theirs = other.row(basis.wall_point[slot]);
         for (Index plane = 0; plane < numbers_of(basis.kind()); ++plane) {
             for (Index i = n - modes; i < n; ++i) {
                 if (own[plane * n + i] != theirs[plane * n + i]) return false;
@@ -34,17 +35,21 @@ Status check_other(Basis const& basis, Basis const& other, Fault& fault) noexcep
     counts.kind = basis.header->counts.kind;
     Span<const unsigned char> const own = problem_of(basis), theirs = problem_of(other);
     bool const same = other.header->topology == basis.header->topology &&
-                      std::memcmp(&counts, &basis.header->counts, sizeof counts) == 0 && theirs.size() == own.size() &&
+                      std::memcmp(&counts, &basis.header->counts, sizeof counts) == 0 &&
+                      theirs.size() == own.size() &&
                       std::memcmp(theirs.data(), own.data(), own.size()) == 0;
     if (same && other.header->solved == 1 && same_modes(basis, other)) return Status::ok;
-    return fault.refuse(Status::bad_basis, "one of the other bases is not solved, or of another mesh or other curves");
+    return fault.refuse(Status::bad_basis,
+                        "one of the other bases is not solved, or of another mesh or other curves");
 }
 
-Status check_derivative(Plan const& plan, Basis const& basis, Basis const& derivative, Fault& fault) noexcept {
+Status check_derivative(Plan const& plan, Basis const& basis, Basis const& derivative,
+                        Fault& fault) noexcept {
     HARMORPH_TRY(plan.check_fit(derivative, fault));
     BasisCounts const &own = basis.header->counts, &its = derivative.header->counts;
     if (std::memcmp(&own, &its, sizeof own) == 0) return Status::ok;
-    return fault.refuse(Status::bad_basis, "the basis for the derivative has other functions than the basis");
+    return fault.refuse(Status::bad_basis,
+                        "the basis for the derivative has other functions than the basis");
 }
 
 }  // namespace harmorph

@@ -9,7 +9,9 @@ namespace harmorph {
 struct Block {
     Real a = 0, b = 0, c = 0, d = 0;
 
-    constexpr Vec2 operator*(Vec2 v) const noexcept { return {a * v.x + b * v.y, c * v.x + d * v.y}; }
+    constexpr Vec2 operator*(Vec2 v) const noexcept {
+        return {a * v.x + b * v.y, c * v.x + d * v.y};
+    }
     // + curvature u v^T
     constexpr void add(Real curvature, Vec2 u, Vec2 v) noexcept {
         a += curvature * u.x * v.x;
@@ -19,15 +21,22 @@ struct Block {
     }
 };
 
-constexpr Block operator+(Block p, Block q) noexcept { return {p.a + q.a, p.b + q.b, p.c + q.c, p.d + q.d}; }
-constexpr Block operator-(Block p, Block q) noexcept { return {p.a - q.a, p.b - q.b, p.c - q.c, p.d - q.d}; }
+constexpr Block operator+(Block p, Block q) noexcept {
+    return {p.a + q.a, p.b + q.b, p.c + q.c, p.d + q.d};
+}
+constexpr Block operator-(Block p, Block q) noexcept {
+    return {p.a - q.a, p.b - q.b, p.c - q.c, p.d - q.d};
+}
 constexpr Block transpose(Block p) noexcept { return {p.a, p.c, p.b, p.d}; }
 
-// Of a sum of products u v^T: with each u, or each v, turned, that is multiplied as a complex number.
+// Of a sum of products u v^T: with each u, or each v, turned, that is multiplied as a complex
+// number.
 constexpr Block turned_rows(Vec2 turn, Block p) noexcept {
     Vec2 const first = product(turn, {p.a, p.c}), second = product(turn, {p.b, p.d});
     return {first.x, second.x, first.y, second.y};
 }
-constexpr Block turned_columns(Vec2 turn, Block p) noexcept { return transpose(turned_rows(turn, transpose(p))); }
+constexpr Block turned_columns(Vec2 turn, Block p) noexcept {
+    return transpose(turned_rows(turn, transpose(p)));
+}
 
 }  // namespace harmorph

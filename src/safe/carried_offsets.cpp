@@ -5,8 +5,9 @@
 namespace harmorph {
 namespace {
 
-constexpr Index least_carried_points = 4096;    // for a thread
-constexpr Real least_residual = 1e-12;  // of the extent of the control points: below, it is rounding
+constexpr Index least_carried_points = 4096;  // for a thread
+constexpr Real least_residual =
+    1e-12;  // of the extent of the control points: below, it is rounding
 
 Real fade_of_offset(Real x) noexcept { return x < 1 ? (1 - x) * (1 - x) * (1 + 2 * x) : 0; }
 
@@ -27,9 +28,11 @@ void CarriedOffsets::init(Basis const& basis, MovementPath const& path, Points s
     Real largest = 0, extent = 0;
     for (Index slot = 0; slot < wall.count(); ++slot) {
         wall[slot] = {};
-        if (!basis.is_on_curve(slot) || path.groups[path.group_of_slot(basis, slot)].is_straight()) continue;
+        if (!basis.is_on_curve(slot) || path.groups[path.group_of_slot(basis, slot)].is_straight())
+            continue;
         Curve const curve = basis.curve(basis.wall_curve[slot]);
-        wall[slot] = start[basis.wall_point[slot]] - curve_point(curve, basis.wall_u[slot]) - basis.wall_offset[slot];
+        wall[slot] = start[basis.wall_point[slot]] - curve_point(curve, basis.wall_u[slot]) -
+                     basis.wall_offset[slot];
         largest = larger(largest, length(wall[slot]));
         extent = larger(extent, length(path.start[curve.control_point(0)]));
     }
@@ -37,9 +40,9 @@ void CarriedOffsets::init(Basis const& basis, MovementPath const& path, Points s
     if (reach == 0) fill(wall, Vec2{});
 }
 
-void CarriedOffsets::find_groups(Basis const& basis, MovementPath const& path, Points start, FaceDistance& walls,
-                                 Span<const Index> representative, Span<const std::uint8_t> held,
-                                 Executor const& executor) noexcept {
+void CarriedOffsets::find_groups(Basis const& basis, MovementPath const& path, Points start,
+                                 FaceDistance& walls, Span<const Index> representative,
+                                 Span<const std::uint8_t> held, Executor const& executor) noexcept {
     if (reach == 0 || has_groups) return;
     has_groups = true;
     walls.build(start);
@@ -47,7 +50,8 @@ void CarriedOffsets::find_groups(Basis const& basis, MovementPath const& path, P
         Index nearest = 0;
         for (Index k = begin; k < end; ++k) {
             group[k] = none;
-            if (held[k] != 0 || representative[k] != k || !walls.may_reach(start[k], reach)) continue;
+            if (held[k] != 0 || representative[k] != k || !walls.may_reach(start[k], reach))
+                continue;
             FaceDistance::Foot const foot = walls.foot(start[k], nearest);
             if (foot.face == none) continue;
             Index const slot = path.slot_of[walls.faces[foot.face].point[0]];
@@ -62,12 +66,13 @@ void CarriedOffsets::find_groups(Basis const& basis, MovementPath const& path, P
     }
 }
 
-void CarriedOffsets::find(Basis const& by, Span<const Real> reached, Points now, Span<const Index> representative,
-                          Executor const& executor) noexcept {
+void CarriedOffsets::find(Basis const& by, Span<const Real> reached, Points now,
+                          Span<const Index> representative, Executor const& executor) noexcept {
     if (reach == 0 || found_with == by.value.data()) return;
     found_with = by.value.data();
     Index const n_control = by.header->counts.control;
-    for (Index i = 0; i < control.count(); ++i) control[i] = i < 2 * n_control ? by.control[i] + reached[i] : 0;
+    for (Index i = 0; i < control.count(); ++i)
+        control[i] = i < 2 * n_control ? by.control[i] + reached[i] : 0;
     morph(by, control.data(), {}, {x.data(), y.data(), 1}, executor);
     for (Index k = 0; k < group.count(); ++k) {
         if (group[k] == none || representative[k] != k) continue;
@@ -84,7 +89,8 @@ void CarriedOffsets::find(Basis const& by, Span<const Real> reached, Points now,
 Real CarriedOffsets::largest(Basis const& basis, MovementPath const& path, Real t) const noexcept {
     TurnAt turn(path, t);
     Real most = 0;
-    for (Index slot = 0; slot < wall.count(); ++slot) most = larger(most, length(of_wall(basis, path, slot, turn)));
+    for (Index slot = 0; slot < wall.count(); ++slot)
+        most = larger(most, length(of_wall(basis, path, slot, turn)));
     return most;
 }
 

@@ -1,4 +1,5 @@
-// Gradient and Hessian of the energy of one cell by its points, summed up from those of its corners.
+// Gradient and Hessian of the energy of one cell by its points, summed up from those of its
+// corners.
 #pragma once
 
 #include "mesh/mesh.hpp"
@@ -7,7 +8,8 @@
 
 namespace harmorph {
 
-// Of a corner with the points p0, p1, p2, by its sides p1 - p0 and p2 - p1: fewer numbers than by the three points.
+// Of a corner with the points p0, p1, p2, by its sides p1 - p0 and p2 - p1: fewer numbers than by
+// the three points.
 struct CornerForm {
     Vec2 by_side, by_next;
     Block side_side, side_next, next_next;  // of the Hessian: by the first and by the second one

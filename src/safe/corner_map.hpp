@@ -1,5 +1,5 @@
-// The linear map that a corner of a cell has undergone, and derivatives of energies of that map by the corner's three
-// points.
+// The linear map that a corner of a cell has undergone, and derivatives of energies of that map by
+// the corner's three points.
 #pragma once
 
 #include "base/vec2.hpp"
@@ -25,7 +25,9 @@ struct DensityDerivatives {
 };
 
 constexpr Vec2 times_i(Vec2 a) noexcept { return {-a.y, a.x}; }
-constexpr Vec2 direction_or_x(Vec2 a, Real size) noexcept { return size > 0 ? 1 / size * a : Vec2{1, 0}; }
+constexpr Vec2 direction_or_x(Vec2 a, Real size) noexcept {
+    return size > 0 ? 1 / size * a : Vec2{1, 0};
+}
 inline Vec2 direction_or_x(Vec2 a) noexcept { return direction_or_x(a, length(a)); }
 
 // Eigenvalues of a symmetric 2 x 2 matrix, and the first one's direction.
@@ -35,19 +37,22 @@ struct Eigen {
 
     Eigen(Real a, Real b, Real c) noexcept {  // a b; b c
         Real const mean = 0.5 * (a + c), whole = 0.5 * (a - c);
-        // Of cells that have nearly collapsed derivatives are so large that their squares would overflow.
+        // Of cells that have nearly collapsed derivatives are so large that their squares would
+        // overflow.
         bool const is_large = larger(absolute(whole), absolute(b)) > 0x1p500;
         Real const unit = is_large ? 0x1p512 : 1, per_unit = is_large ? 0x1p-512 : 1;
-        Real const half = per_unit * whole, part = per_unit * b, radius = square_root(half * half + part * part);
+        Real const half = per_unit * whole, part = per_unit * b,
+                   radius = square_root(half * half + part * part);
         value[0] = mean + unit * radius;
         value[1] = mean - unit * radius;
-        axis = half >= 0 ? direction_or_x({half + radius, part}) : direction_or_x({part, radius - half});
+        axis = half >= 0 ? direction_or_x({half + radius, part})
+                         : direction_or_x({part, radius - half});
     }
 };
 
-// The linear map J from the reference triangle to another one, in complex numbers: J dX = z dX + w conj(dX), so that
-// |J|^2 = 2 p + 2 q and det J = p - q with p = |z|^2 and q = |w|^2. An energy that does not change when either triangle
-// turns is a function of p and q.
+// The linear map J from the reference triangle to another one, in complex numbers: J dX = z dX + w
+// conj(dX), so that |J|^2 = 2 p + 2 q and det J = p - q with p = |z|^2 and q = |w|^2. An energy
+// that does not change when either triangle turns is a function of p and q.
 class CornerMap {
 public:
     explicit CornerMap(Triangle const& reference) noexcept;
@@ -58,21 +63,24 @@ public:
         return product(first_, now.at[1] - now.at[0]) + product(second_, now.at[2] - now.at[1]);
     }
     Vec2 w(Triangle const& now) const noexcept {
-        return product(conjugate(first_), now.at[1] - now.at[0]) + product(conjugate(second_), now.at[2] - now.at[1]);
+        return product(conjugate(first_), now.at[1] - now.at[0]) +
+               product(conjugate(second_), now.at[2] - now.at[1]);
     }
-    // Derivatives by the three points. The Hessian is the sum of the modes, which are orthogonal as changes of J;
-    // curvatures below `least` are raised to it.
-    void differentiate(Triangle const& now, DensityDerivatives const& by, Real least, Vec2 (&gradient)[3],
-                       CornerMode (&mode)[4]) const noexcept;
+    // Derivatives by the three points. The Hessian is the sum of the modes, which are orthogonal as
+    // changes of J; curvatures below `least` are raised to it.
+    void differentiate(Triangle const& now, DensityDerivatives const& by, Real least,
+                       Vec2 (&gradient)[3], CornerMode (&mode)[4]) const noexcept;
 
 private:
     void pull_back(Vec2 by_z, Vec2 by_w, Vec2 (&at)[3]) const noexcept;
 
-    Vec2 first_, second_;  // z = first_ * (at[1] - at[0]) + second_ * (at[2] - at[1]); w the same with their conjugates
+    Vec2 first_, second_;  // z = first_ * (at[1] - at[0]) + second_ * (at[2] - at[1]); w the same
+                           // with their conjugates
     Real twice_area_;
 };
 
-inline CornerMap::CornerMap(Triangle const& reference) noexcept : twice_area_(reference.twice_area()) {
+inline CornerMap::CornerMap(Triangle const& reference) noexcept
+    : twice_area_(reference.twice_area()) {
     Vec2 const side = reference.at[1] - reference.at[0], next = reference.at[2] - reference.at[1];
     Real const half = 0.5 / twice_area_;
     first_ = half * times_i(conjugate(next));
@@ -96,7 +104,8 @@ inline void CornerMap::differentiate(Triangle const& now, DensityDerivatives con
 
     // Turning z or w leaves p and q; growing them couples the two.
     Real const size_of_z = square_root(p), size_of_w = square_root(q);
-    Vec2 const along_z = direction_or_x(z_now, size_of_z), along_w = direction_or_x(w_now, size_of_w);
+    Vec2 const along_z = direction_or_x(z_now, size_of_z),
+               along_w = direction_or_x(w_now, size_of_w);
     Eigen const growth(2 * by.by_p + 4 * p * by.by_pp, 4 * size_of_z * size_of_w * by.by_pq,
                        2 * by.by_q + 4 * q * by.by_qq);
     Real const curvature[4] = {2 * by.by_p, 2 * by.by_q, growth.value[0], growth.value[1]};

@@ -8,13 +8,14 @@ namespace harmorph {
 namespace {
 
 constexpr Real share_of_admissible = 0.9;  // that a step may take
-constexpr Real least_slope = 1e-4;         // Armijo's rule: part of the slope that the energy must fall by
+constexpr Real least_slope = 1e-4;  // Armijo's rule: part of the slope that the energy must fall by
 constexpr Index most_halvings = 30;
-constexpr Real at_rest = 1e-12;            // a step that promises less, relative to the energy, is rounding
-// Newton's step lifts a cell of the worst by a small factor only where the power is large: then farther is better.
+constexpr Real at_rest = 1e-12;  // a step that promises less, relative to the energy, is rounding
+// Newton's step lifts a cell of the worst by a small factor only where the power is large: then
+// farther is better.
 constexpr Index most_doublings = 8;
-// A power that leaves less than this part of the smallest quality has sacrificed few cells to many; the next power
-// would begin there.
+// A power that leaves less than this part of the smallest quality has sacrificed few cells to many;
+// the next power would begin there.
 constexpr Real part_kept = 0.9;
 
 struct Valid {
@@ -47,7 +48,8 @@ void Improvement::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
     arena.take(best, counts.points);
 }
 
-void Improvement::run(ImproveOptions const& options, Points from, MutablePoints to, ImproveReport& report) noexcept {
+void Improvement::run(ImproveOptions const& options, Points from, MutablePoints to,
+                      ImproveReport& report) noexcept {
     report = {};
     begin(from);
     report.unknowns = region.n;
@@ -60,16 +62,18 @@ void Improvement::run(ImproveOptions const& options, Points from, MutablePoints 
         climb(options, power, smaller(left, most_for_power), highest, report);
         if (power > 0 && score().smallest < part_kept * smallest) break;
     }
-    for (Index layers = least_layers; layers <= most_layers && begin_near_poor(options.enough, layers); layers *= 2) {
+    for (Index layers = least_layers;
+         layers <= most_layers && begin_near_poor(options.enough, layers); layers *= 2) {
         highest = score();
-        for (Index const power : powers_near_poor) climb(options, power, most_near_poor, highest, report);
+        for (Index const power : powers_near_poor)
+            climb(options, power, most_near_poor, highest, report);
     }
     for (Index k = 0; k < now.count(); ++k) to.set(k, best[k]);
 }
 
 // From `now` on; `best`, whose score is `highest`, becomes the best on the way.
-void Improvement::climb(ImproveOptions const& options, Index power, Index most_steps, Score& highest,
-                        ImproveReport& report) noexcept {
+void Improvement::climb(ImproveOptions const& options, Index power, Index most_steps,
+                        Score& highest, ImproveReport& report) noexcept {
     Real before = energy(power);
     for (Index k = 0; k < most_steps && before < infinity; ++k) {
         Real const after = step(options, power, before, report);
@@ -89,7 +93,8 @@ bool Improvement::begin_near_poor(Real enough, Index layers) noexcept {
     copy(now, Span<const Vec2>(best));
     sliding.turn_lines(as_points(now));
     fill(change, Vec2{});
-    region.choose([&](Index i) { return targets.quality(i, tangle.shape(i, as_points(now))) < enough; });
+    region.choose(
+        [&](Index i) { return targets.quality(i, tangle.shape(i, as_points(now))) < enough; });
     if (region.n_cells == 0) return false;
     region.grow(tangle, layers);
     return region.n > 0;
@@ -103,7 +108,8 @@ void Improvement::begin(Points points) noexcept {
     region.grow(tangle, Region::whole);
 }
 
-Real Improvement::step(ImproveOptions const& options, Index power, Real before, ImproveReport& report) noexcept {
+Real Improvement::step(ImproveOptions const& options, Index power, Real before,
+                       ImproveReport& report) noexcept {
     assemble(power);
     report.products += system.solve(region, options.most_products, executor);
     ++report.iterations;
@@ -121,53 +127,66 @@ Improvement::Score Improvement::score() const noexcept {
 
 void Improvement::assemble(Index power) const noexcept {
     constexpr Real floor = QualityEnergy::least_curvature;
-    system.assemble(tangle, region, executor, [&](Index cell, CornerPoints const& point, auto const& add) {
-        Vec2 gradient[3];
-        CornerMode mode[4];
-        Triangle const triangle = triangle_of(point, as_points(now));
-        Real const share = targets.share(cell), least = targets.cell[cell].least;
-        QualityEnergy const relative(targets.of(cell, point, triangle));
-        relative.differentiate(triangle, share, floor, gradient, mode);
-        add(gradient, mode);
-        if (power == 0) return;
-        QualityEnergy const absolute(targets.ideal(cell, point, triangle), power, least * least);
-        absolute.differentiate(triangle, share, floor, gradient, mode);
-        add(gradient, mode);
-    });
+    system.assemble(tangle, region, executor,
+                    [&](Index cell, CornerPoints const& point, auto const& add) {
+                        Vec2 gradient[3];
+                        CornerMode mode[4];
+                        Triangle const triangle = triangle_of(point, as_points(now));
+                        Real const share = targets.share(cell), least = targets.cell[cell].least;
+                        QualityEnergy const relative(targets.of(cell, point, triangle));
+                        relative.differentiate(triangle, share, floor, gradient, mode);
+                        add(gradient, mode);
+                        if (power == 0) return;
+                        QualityEnergy const absolute(targets.ideal(cell, point, triangle), power,
+                                                     least * least);
+                        absolute.differentiate(triangle, share, floor, gradient, mode);
+                        add(gradient, mode);
+                    });
 }
 
 Real Improvement::energy_of(Span<const Vec2> points, Index power) const noexcept {
-    return reduce_cells<Sum>(region.n_cells, executor, [&](Index k, Sum& sum) {
-        Index const cell = region.cell[k];
-        CellTriangles const corners(tangle, cell);
-        Real const share = targets.share(cell), least = targets.cell[cell].least;
-        for (Index corner = 0; corner < corners.n; ++corner) {
-            CornerPoints const& point = corners.point[corner];
-            if (!region.can_move(point)) continue;
-            Triangle const triangle = triangle_of(point, as_points(points));
-            sum.value += share * QualityEnergy(targets.of(cell, point, triangle)).energy(triangle);
-            if (power == 0) continue;
-            QualityEnergy const absolute(targets.ideal(cell, point, triangle), power, least * least);
-            sum.value += share * absolute.energy(triangle);
-        }
-    }).value;
+    return reduce_cells<Sum>(
+               region.n_cells, executor,
+               [&](Index k, Sum& sum) {
+                   Index const cell = region.cell[k];
+                   CellTriangles const corners(tangle, cell);
+                   Real const share = targets.share(cell), least = targets.cell[cell].least;
+                   for (Index corner = 0; corner < corners.n; ++corner) {
+                       CornerPoints const& point = corners.point[corner];
+                       if (!region.can_move(point)) continue;
+                       Triangle const triangle = triangle_of(point, as_points(points));
+                       sum.value +=
+                           share *
+                           QualityEnergy(targets.of(cell, point, triangle)).energy(triangle);
+                       if (power == 0) continue;
+                       QualityEnergy const absolute(targets.ideal(cell, point, triangle), power,
+                                                    least * least);
+                       sum.value += share * absolute.energy(triangle);
+                   }
+               })
+        .value;
 }
 
 bool Improvement::is_valid(Span<const Vec2> points) const noexcept {
-    if (region.n_cells > tangle.mesh.n_checked() / 2) {  // the kernels are faster; other cells have not moved
+    if (region.n_cells >
+        tangle.mesh.n_checked() / 2) {  // the kernels are faster; other cells have not moved
         return count_inverted({tangle.mesh, tangle.reversed}, as_points(points), executor) == 0;
     }
-    return reduce_cells<Valid>(region.n_cells, executor, [&](Index k, Valid& valid) {
-        CellShape const shape = tangle.shape(region.cell[k], as_points(points));
-        valid.all = valid.all && !is_inverted(shape) && !is_inverted_exactly(shape);
-    }).all;
+    return reduce_cells<Valid>(
+               region.n_cells, executor,
+               [&](Index k, Valid& valid) {
+                   CellShape const shape = tangle.shape(region.cell[k], as_points(points));
+                   valid.all = valid.all && !is_inverted(shape) && !is_inverted_exactly(shape);
+               })
+        .all;
 }
 
 Real Improvement::descend(Index power, Real before) noexcept {
     Real const slope = system.slope(region, executor);
     if (!(-slope > at_rest * before)) return before;
     OrientedMesh const cells{tangle.mesh, tangle.reversed};
-    Real const most = share_of_admissible * admissible_step(cells, as_points(now), as_points(change), executor).step;
+    Real const most = share_of_admissible *
+                      admissible_step(cells, as_points(now), as_points(change), executor).step;
     Real length = smaller(1.0, most), after = infinity;
     auto const falls_enough = [&] {
         look_ahead(length);
@@ -205,7 +224,8 @@ template <class Visit>
 void Improvement::for_points(Visit const& visit) const noexcept {
     executor.for_ranges(now.count(), 4096, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
-            if (region.unknown[k] != none) visit(k, tangle.turned_alike(k, system.step[region.unknown[k]]));
+            if (region.unknown[k] != none)
+                visit(k, tangle.turned_alike(k, system.step[region.unknown[k]]));
         }
     });
 }

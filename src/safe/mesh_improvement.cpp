@@ -6,7 +6,8 @@
 namespace harmorph {
 namespace {
 
-Status check_points(Plan const& plan, Points points, const char* inverted_cell, Fault& fault) noexcept {
+Status check_points(Plan const& plan, Points points, const char* inverted_cell,
+                    Fault& fault) noexcept {
     HARMORPH_TRY(check_range(points, plan.mesh.n_points, fault));
     OrientedMesh const& cells = plan.equations.cells;
     Index const inverted = plan.mesh.find_cell(0, plan.mesh.n_checked(), [&](Index i, Cell const&) {
@@ -26,13 +27,14 @@ void MeshImprovement::lay_out(Arena& arena, Plan const& plan) noexcept {
     arena.take(start, plan.mesh.n_points);
 }
 
-Status MeshImprovement::check(Plan const& plan, Points reference, Points from, Fault& fault) noexcept {
+Status MeshImprovement::check(Plan const& plan, Points reference, Points from,
+                              Fault& fault) noexcept {
     HARMORPH_TRY(check_points(plan, reference, "cell # of the reference mesh is inverted", fault));
     return check_points(plan, from, "cell # is inverted: only a valid mesh can be improved", fault);
 }
 
-void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points reference, Points from, MutablePoints to,
-                          ImproveReport& report) noexcept {
+void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points reference, Points from,
+                          MutablePoints to, ImproveReport& report) noexcept {
     FaceDistance& walls = plan.equations.wall;
     walls.build(reference);
     mobility.find(plan, from);
@@ -59,7 +61,8 @@ void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points refe
         stay();
         hold_first_layer(plan, reference);
         improvement.run(options, result, result, report);
-        if (smallest(result) < given) stay();  // the targets' measure is another one than the reported quality
+        if (smallest(result) < given)
+            stay();  // the targets' measure is another one than the reported quality
     }
     for (Index k = 0; k < start.count(); ++k) to.set(k, start[k]);
 }
@@ -71,7 +74,8 @@ Real MeshImprovement::smallest_held(Plan const& plan, Points reference) const no
     auto const can_move = [&](Index i) {
         Cell const cell = mesh.cell(i);
         bool any = false;
-        for (Index k = 0; k < cell.n; ++k) any = any || mobility.held[mobility.representative[cell.point[k]]] == 0;
+        for (Index k = 0; k < cell.n; ++k)
+            any = any || mobility.held[mobility.representative[cell.point[k]]] == 0;
         return any;
     };
     Real smallest = infinity;
@@ -95,7 +99,8 @@ void MeshImprovement::carry_first_layer(Points reference, Points from) noexcept 
     for (Index slot = 0; slot < wall.count; ++slot) {
         Index const top = first_layer.above[slot], foot = wall.point[slot];
         if (top == none || mobility.held[top] != 0) continue;
-        Vec2 const edge = turned(reference[top] - reference[foot], wall.turn(slot, reference, from));
+        Vec2 const edge =
+            turned(reference[top] - reference[foot], wall.turn(slot, reference, from));
         Vec2 way = from[foot] + edge - start[top];
         if (improvement.tangle.slides(top)) way = dot(mobility.line[top], way) * mobility.line[top];
         if (!(square(way) > rounding * rounding * square(edge))) continue;
@@ -116,7 +121,8 @@ bool MeshImprovement::try_top(Index top, Vec2 at, Points from) noexcept {
         Vec2 corner[4];
         for (Index k = 0; k < cell.n; ++k) corner[k] = position(cell.point[k], from);
         CellShape shape(Cell{cell.n, {0, 1, 2, 3}}, {&corner->x, &corner->y, 2}, false);
-        if (i >= improvement.tangle.mesh.n_cells) turn_guard(shape, turn_of(improvement.tangle.mesh, i));
+        if (i >= improvement.tangle.mesh.n_cells)
+            turn_guard(shape, turn_of(improvement.tangle.mesh, i));
         if (!is_inverted(shape) && !is_inverted_exactly(shape)) continue;
         start[top] = here;
         return false;
@@ -129,7 +135,8 @@ Vec2 MeshImprovement::position(Index point, Points from) const noexcept {
     Index const own = mobility.representative[point];
     Tangle const& tangle = improvement.tangle;
     if (own == point) return start[own];
-    return from[point] + tangle.turned_alike(point, tangle.turned_to_unknown(own, start[own] - from[own]));
+    return from[point] +
+           tangle.turned_alike(point, tangle.turned_to_unknown(own, start[own] - from[own]));
 }
 
 void MeshImprovement::hold_first_layer(Plan const& plan, Points reference) noexcept {
@@ -146,7 +153,8 @@ void MeshImprovement::hold_first_layer(Plan const& plan, Points reference) noexc
         if (improvement.targets.quality(i, now) >= Targets::part_of_own * quality) continue;
         for (Index k = 0; k < cell.n; ++k) held[mobility.representative[cell.point[k]]] |= poor;
     }
-    for (std::uint8_t& flags : held) flags = (flags & 1) != 0 || ((flags & top) != 0 && (flags & poor) == 0) ? 1 : 0;
+    for (std::uint8_t& flags : held)
+        flags = (flags & 1) != 0 || ((flags & top) != 0 && (flags & poor) == 0) ? 1 : 0;
 }
 
 }  // namespace harmorph

@@ -19,7 +19,8 @@ void Mobility::find(Plan const& plan, Points now) noexcept {
         representative[k] = place < 0 ? k : plan.equations.point_of(place);
         held[k] = place < 0 || is_free ? 1 : 0;
         if (line.empty()) continue;
-        line[k] = plan.equations.kinds[k] == PointKind::slip ? matrix.frame[representative[k]] : Vec2{};
+        line[k] =
+            plan.equations.kinds[k] == PointKind::slip ? matrix.frame[representative[k]] : Vec2{};
     }
     if (!turn.empty()) copy(turn, Span<const Vec2>(matrix.frame));
     sliding.line = line;

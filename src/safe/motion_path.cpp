@@ -44,9 +44,13 @@ void MovementPath::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
 void MovementPath::init(Basis const& basis, const Real* move) noexcept {
     copy(target, Span<const Real>(move, target.size()));
     fill(slot_of, none);
-    auto const note = [&](Index point, Index slot) { slot_of[point] = basis.is_given(slot) ? none : slot; };
-    for (Index slot = 0; slot < basis.wall_point.count(); ++slot) note(basis.wall_point[slot], slot);
-    for (Index k = 0; k < basis.joined_point.count(); ++k) note(basis.joined_point[k], basis.joined_slot[k]);
+    auto const note = [&](Index point, Index slot) {
+        slot_of[point] = basis.is_given(slot) ? none : slot;
+    };
+    for (Index slot = 0; slot < basis.wall_point.count(); ++slot)
+        note(basis.wall_point[slot], slot);
+    for (Index k = 0; k < basis.joined_point.count(); ++k)
+        note(basis.joined_point[k], basis.joined_slot[k]);
     find_groups(basis);
     find_anchors(basis);
     fit_all(basis, basis.kind() == ValueKind::real);
@@ -66,7 +70,8 @@ void MovementPath::fit_all(Basis const& basis, bool straight) noexcept {
     constexpr Vec2 not_at_all{1, 0};
     Index const n_shapes = counts.shapes(), first_mode = n_shapes + 2 * counts.bodies;
     if (counts.combination == 0) fit_curves(basis, straight);
-    for (Index i = 0; i < n_shapes && counts.combination != 0; ++i) set_alone(i, {}, not_at_all, false);
+    for (Index i = 0; i < n_shapes && counts.combination != 0; ++i)
+        set_alone(i, {}, not_at_all, false);
     for (Index body = 0; body < counts.bodies; ++body) {
         Index const translation = n_shapes + 2 * body, turn_of_it = translation + 1;
         Vec2 const ratio = Vec2{1, 0} + Vec2{target[2 * turn_of_it], target[2 * turn_of_it + 1]};
@@ -77,7 +82,8 @@ void MovementPath::fit_all(Basis const& basis, bool straight) noexcept {
         if (turns) drift[turn_of_it] = {};
     }
     for (Index mode = 0; mode < counts.modes; ++mode) {
-        ModeWay const way = mode_ways.empty() || straight ? ModeWay{{}, not_at_all} : mode_ways[mode];
+        ModeWay const way =
+            mode_ways.empty() || straight ? ModeWay{{}, not_at_all} : mode_ways[mode];
         set_alone(first_mode + mode, way.start, way.ratio, false);
     }
 }
@@ -86,20 +92,23 @@ void MovementPath::set_alone(Index function, Vec2 from, Vec2 ratio, bool anchore
     Vec2 const move_of_it{target[2 * function], target[2 * function + 1]};
     groups[function] = {{}, {}, ratio, 1, anchored};
     start[function] = from;
-    drift[function] = groups[function].is_straight() ? move_of_it : quotient(from + move_of_it, ratio) - from;
+    drift[function] =
+        groups[function].is_straight() ? move_of_it : quotient(from + move_of_it, ratio) - from;
 }
 
 void MovementPath::fit_curves(Basis const& basis, bool straight) noexcept {
     Index const n_control = basis.header->counts.control;
-    for (Index i = 0; i < n_control; ++i) start[i] = {basis.control[2 * i], basis.control[2 * i + 1]};
+    for (Index i = 0; i < n_control; ++i)
+        start[i] = {basis.control[2 * i], basis.control[2 * i + 1]};
     for (Index group = 0; group < n_control; ++group) fit_group(basis, group, straight);
     for (Index i = 0; i < n_control; ++i) {
         Group const& similarity = groups[group_of[i]];
         Vec2 const move_of_it{target[2 * i], target[2 * i + 1]};
         start[i] = start[i] - similarity.centre;
-        drift[i] = similarity.is_straight()
-                       ? move_of_it
-                       : quotient(start[i] + move_of_it - similarity.shift, similarity.ratio) - start[i];
+        drift[i] =
+            similarity.is_straight()
+                ? move_of_it
+                : quotient(start[i] + move_of_it - similarity.shift, similarity.ratio) - start[i];
     }
 }
 
@@ -115,7 +124,8 @@ void MovementPath::find_groups(Basis const& basis) noexcept {
         for (Index number = 0; number < basis.header->counts.curves; ++number) {
             Curve const curve = basis.curve(number);
             Index low = group_of.count();
-            for (Index k = 0; k < curve.n_indices; ++k) low = smaller(low, group_of[curve.control_point(k)]);
+            for (Index k = 0; k < curve.n_indices; ++k)
+                low = smaller(low, group_of[curve.control_point(k)]);
             for (Index k = 0; k < curve.n_indices; ++k) {
                 Index& group_number = group_of[curve.control_point(k)];
                 changed += group_number != low ? 1 : 0;
@@ -134,13 +144,13 @@ void MovementPath::join(Index group, Index other) noexcept {
     groups[low].anchored = anchored;
 }
 
-// A loop of the boundary that is wall all round is a body: its curves turn as one. Where a loop is wall in part, or of
-// curves in part and rigid in part, whatever is on it goes straight.
+// A loop of the boundary that is wall all round is a body: its curves turn as one. Where a loop is
+// wall in part, or of curves in part and rigid in part, whatever is on it goes straight.
 void MovementPath::find_anchors(Basis const& basis) noexcept {
     Index const n_shapes = basis.header->counts.shapes();
     for (Index loop = 0; loop + 1 < basis.loop_start.count(); ++loop) {
-        Span<const Index> const points =
-            basis.boundary_point.from(basis.loop_start[loop], basis.loop_start[loop + 1] - basis.loop_start[loop]);
+        Span<const Index> const points = basis.boundary_point.from(
+            basis.loop_start[loop], basis.loop_start[loop + 1] - basis.loop_start[loop]);
         Index first = none;
         bool is_body = true;
         for (Index const point : points) {
@@ -158,7 +168,8 @@ void MovementPath::find_anchors(Basis const& basis) noexcept {
         }
         if (is_body) continue;
         for (Index const point : points) {
-            if (slot_of[point] != none) groups[group_of_slot(basis, slot_of[point])].anchored = true;
+            if (slot_of[point] != none)
+                groups[group_of_slot(basis, slot_of[point])].anchored = true;
         }
     }
 }

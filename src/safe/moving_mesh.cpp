@@ -27,7 +27,8 @@ void MovingMesh::init(Plan const& plan, Basis const& basis, const Real* move) no
     Matrix const& matrix = plan.equations.matrix;
     for (Index k = 0; k < plan.mesh.n_points; ++k) {
         Index const row = matrix.row_of[matrix.components() * k];
-        bool const slides = row >= 0 && matrix.components() == 2 && matrix.row_of[2 * k + 1] == none;
+        bool const slides =
+            row >= 0 && matrix.components() == 2 && matrix.row_of[2 * k + 1] == none;
         ends[k] = row < 0 ? EndOf::prescribed : slides ? EndOf::on_line : EndOf::unknown;
         held[k] = static_cast<std::uint8_t>(row < 0 ? 1 : 0);
         representative[k] = row < 0 ? k : plan.equations.point_of(row);
@@ -49,18 +50,21 @@ void MovingMesh::begin(Plan const& plan) noexcept {
     carried.forget();
 }
 
-AdmissibleStep MovingMesh::look_ahead(Plan& plan, Basis const& basis, Basis const& by, Real to) noexcept {
+AdmissibleStep MovingMesh::look_ahead(Plan& plan, Basis const& basis, Basis const& by,
+                                      Real to) noexcept {
     Executor const& executor = plan.executor;
     aimed_time = to;
     path.at(to, aimed);
     for (Index i = 0; i < difference.count(); ++i) difference[i] = aimed[i] - reached[i];
     morph(by, difference.data(), {}, to_ahead(), executor);
-    carried.find_groups(basis, path, plan.mesh.points, plan.equations.wall, representative, held, executor);
+    carried.find_groups(basis, path, plan.mesh.points, plan.equations.wall, representative, held,
+                        executor);
     carried.find(by, reached, now(), representative, executor);
     carried.add(path, time, to, to_ahead(), executor);
-    if (carried.reach > 0) for_wall(plan, basis, [&](Index k, Vec2 start, Vec2 moved) {
-        to_ahead().set(k, start + moved - now()[k]);
-    });
+    if (carried.reach > 0)
+        for_wall(plan, basis, [&](Index k, Vec2 start, Vec2 moved) {
+            to_ahead().set(k, start + moved - now()[k]);
+        });
     put_on_slip_curves(plan);
     AdmissibleStep const limit = admissible_step(plan.equations.cells, now(), ahead(), executor);
     for (Index k = 0; k < x.count(); ++k) {
@@ -68,17 +72,21 @@ AdmissibleStep MovingMesh::look_ahead(Plan& plan, Basis const& basis, Basis cons
         ahead_y[k] = ahead_y[k] == 0 ? y[k] : y[k] + ahead_y[k];
     }
     for_wall(plan, basis, [&](Index k, Vec2 start, Vec2 moved) {
-        to_ahead().set(k, {moved.x == 0 ? start.x : start.x + moved.x, moved.y == 0 ? start.y : start.y + moved.y});
+        to_ahead().set(k, {moved.x == 0 ? start.x : start.x + moved.x,
+                           moved.y == 0 ? start.y : start.y + moved.y});
     });
     return limit;
 }
 
-// Displacements along tangents become those to the nearest places of the curves, and the mesh follows.
+// Displacements along tangents become those to the nearest places of the curves, and the mesh
+// follows.
 void MovingMesh::put_on_slip_curves(Plan const& plan) noexcept {
     SlipCurves const& curves = plan.equations.slip_curves;
     Matrix const& matrix = plan.equations.matrix;
     if (curves.count == 0) return;
-    curves.for_each([&](Index slot, Index point) { slid[slot] = curves.nearest(slot, now()[point] + ahead()[point]); });
+    curves.for_each([&](Index slot, Index point) {
+        slid[slot] = curves.nearest(slot, now()[point] + ahead()[point]);
+    });
     plan.equations.slip_followers.for_each(curves, [&](Index k, Index slot, Real part) {
         Index const point = curves.point[slot];
         Vec2 const back = slid[slot].at - (now()[point] + ahead()[point]);
@@ -89,7 +97,8 @@ void MovingMesh::put_on_slip_curves(Plan const& plan) noexcept {
         if (by.x != 0 || by.y != 0) to_ahead().set(point, slid[slot].at - now()[point]);
     });
     for (Index k = 0; k < x.count(); ++k) {  // bit by bit
-        if (matrix.slips(k)) to_ahead().set(k, ahead()[plan.equations.point_of(matrix.row_of[2 * k])]);
+        if (matrix.slips(k))
+            to_ahead().set(k, ahead()[plan.equations.point_of(matrix.row_of[2 * k])]);
     }
 }
 
@@ -101,8 +110,10 @@ void MovingMesh::advance() noexcept {
     carried.forget();
 }
 
-Vec2 MovingMesh::wall_move(Plan const& plan, Basis const& basis, Index slot, TurnAt& turn) const noexcept {
-    if (basis.is_given(slot) && !given.empty() && aimed_time >= 1) return given[slot - plan.given.first_slot];
+Vec2 MovingMesh::wall_move(Plan const& plan, Basis const& basis, Index slot,
+                           TurnAt& turn) const noexcept {
+    if (basis.is_given(slot) && !given.empty() && aimed_time >= 1)
+        return given[slot - plan.given.first_slot];
     return basis.wall_move(slot, aimed.data()) + carried.of_wall(basis, path, slot, turn);
 }
 

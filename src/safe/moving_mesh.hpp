@@ -11,20 +11,24 @@ namespace harmorph {
 struct MovingMesh {
     MovementPath path;
     CarriedOffsets carried;
-    Real time = 0;                          // 0..1 on the path
-    Span<Real> x, y;                        // [n_points] now
-    Span<Real> ahead_x, ahead_y;            // [n_points] after the step that was looked at last
-    Span<Real> reached, aimed, difference;  // [2 * functions] movements since the start: now, ahead, and ahead - now
+    Real time = 0;                // 0..1 on the path
+    Span<Real> x, y;              // [n_points] now
+    Span<Real> ahead_x, ahead_y;  // [n_points] after the step that was looked at last
+    Span<Real> reached, aimed,
+        difference;  // [2 * functions] movements since the start: now, ahead, and ahead - now
     Real aimed_time = 0;
-    Span<EndOf> ends;                       // [n_points] what is known of where points end
-    Span<Index> representative;             // [n_points] of points that a cut joins: the one that stands for all
-    Span<std::uint8_t> held;                // [n_points] 1: on the boundary, wherever the step takes it
-    Span<SlipCurves::Place> slid;           // [slots of slip curves] where sliding points are after that step
-    Span<const Vec2> given;                 // [given points] their whole displacement, bit by bit; empty: by modes
+    Span<EndOf> ends;  // [n_points] what is known of where points end
+    Span<Index>
+        representative;       // [n_points] of points that a cut joins: the one that stands for all
+    Span<std::uint8_t> held;  // [n_points] 1: on the boundary, wherever the step takes it
+    Span<SlipCurves::Place>
+        slid;                // [slots of slip curves] where sliding points are after that step
+    Span<const Vec2> given;  // [given points] their whole displacement, bit by bit; empty: by modes
 
     void lay_out(Arena& arena, Plan const& plan, BasisCounts const& counts) noexcept;
     // Before init(): displacements of given points, and the ways of the modes that carry them.
-    void take_given(Span<const Vec2> displacements, Span<const MovementPath::ModeWay> ways) noexcept {
+    void take_given(Span<const Vec2> displacements,
+                    Span<const MovementPath::ModeWay> ways) noexcept {
         given = displacements;
         path.mode_ways = ways;
     }
@@ -37,10 +41,10 @@ struct MovingMesh {
     Points ahead() const noexcept { return {ahead_x.data(), ahead_y.data(), 1}; }
     MutablePoints to_ahead() const noexcept { return {ahead_x.data(), ahead_y.data(), 1}; }
 
-    // Looks ahead to a time, by functions that were solved on the mesh as it is now. Returns how much of that
-    // displacement is admissible. Points of walls are where the B-spline, the rigid body, or the modes, and what is
-    // carried put them from the start, not from step to step: rounding does not add up.
-    // Points that slide along curves are on their curves.
+    // Looks ahead to a time, by functions that were solved on the mesh as it is now. Returns how
+    // much of that displacement is admissible. Points of walls are where the B-spline, the rigid
+    // body, or the modes, and what is carried put them from the start, not from step to step:
+    // rounding does not add up. Points that slide along curves are on their curves.
     AdmissibleStep look_ahead(Plan& plan, Basis const& basis, Basis const& by, Real to) noexcept;
     // Goes where it looked.
     void advance() noexcept;

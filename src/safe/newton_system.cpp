@@ -3,8 +3,8 @@
 namespace harmorph {
 namespace {
 
-// Entries have the size of 1 / length^2: their products are formed of parts of the size of 1. Blocks are positive
-// definite; of one that rounding made singular, all directions count alike.
+// Entries have the size of 1 / length^2: their products are formed of parts of the size of 1.
+// Blocks are positive definite; of one that rounding made singular, all directions count alike.
 Block inverse_of(Block const& block) noexcept {
     Real const unit = 1 / power_of_two_at(block.a + block.d);
     Real const a = unit * block.a, b = unit * block.b, c = unit * block.c, d = unit * block.d;
@@ -32,9 +32,10 @@ void NewtonSystem::clear_row(Region const& region, Index u) const noexcept {
     gradient[u] = {};
 }
 
-// Of what moves the points of the row and its neighbours, only the parts along their lines are left. The diagonal block
-// stays regular; across the line nothing is ever put into it.
-void NewtonSystem::constrain_row(Tangle const& tangle, Region const& region, Index u) const noexcept {
+// Of what moves the points of the row and its neighbours, only the parts along their lines are
+// left. The diagonal block stays regular; across the line nothing is ever put into it.
+void NewtonSystem::constrain_row(Tangle const& tangle, Region const& region,
+                                 Index u) const noexcept {
     Span<const Index> const neighbours = region.of(u);
     Span<Block> const row = hessian.from(region.start[u], neighbours.size());
     auto const line_of = [&](Index v) { return tangle.line[region.point[v]]; };
@@ -48,7 +49,8 @@ void NewtonSystem::constrain_row(Tangle const& tangle, Region const& region, Ind
         }
         if (tangle.slides(region.point[u])) {
             Vec2 const line = line_of(u);
-            Vec2 const moved = {block.a * line.x + block.c * line.y, block.b * line.x + block.d * line.y};
+            Vec2 const moved = {block.a * line.x + block.c * line.y,
+                                block.b * line.x + block.d * line.y};
             block = {};
             block.add(1, line, moved);
         }
@@ -62,11 +64,14 @@ void NewtonSystem::constrain_row(Tangle const& tangle, Region const& region, Ind
     inverse[u] = inverse_of(own);
 }
 
-// Each pass over the rows is one pass over the memory: sums of what it has computed are formed on the way.
-Index NewtonSystem::solve(Region const& region, Index most_products, Executor const& executor) const noexcept {
+// Each pass over the rows is one pass over the memory: sums of what it has computed are formed on
+// the way.
+Index NewtonSystem::solve(Region const& region, Index most_products,
+                          Executor const& executor) const noexcept {
     Index const n = region.n;
     auto const sum_over_rows = [&](auto const& body) {
-        return reduce_cells<Sum>(n, executor, [&](Index u, Sum& sum) { sum.value += body(u); }).value;
+        return reduce_cells<Sum>(n, executor, [&](Index u, Sum& sum) { sum.value += body(u); })
+            .value;
     };
     Real size = sum_over_rows([&](Index u) {
         step[u] = {};
@@ -77,9 +82,10 @@ Index NewtonSystem::solve(Region const& region, Index most_products, Executor co
     Real const least = enough * enough * size;
     Index products = 0;
     while (products < most_products && size > least) {
-        Real const curvature = reduce_ranges<Sum>(n, executor, [&](Index begin, Index end, Sum& sum) {
-            sum.value = multiply(region, begin, end, search, image);
-        }).value;
+        Real const curvature =
+            reduce_ranges<Sum>(n, executor, [&](Index begin, Index end, Sum& sum) {
+                sum.value = multiply(region, begin, end, search, image);
+            }).value;
         ++products;
         if (!(curvature > 0)) break;
         Real const length = size / curvature, before = size;
@@ -109,7 +115,8 @@ Real NewtonSystem::multiply(Region const& region, Index begin, Index end, Span<c
             sum = sum + block * v[other];
             to[other] = to[other] + transpose(block) * own;
         }
-        for (; entry < region.start[u + 1]; ++entry) sum = sum + hessian[entry] * v[region.neighbour[entry]];
+        for (; entry < region.start[u + 1]; ++entry)
+            sum = sum + hessian[entry] * v[region.neighbour[entry]];
         to[u] = to[u] + sum;
     }
     Real product = 0;
@@ -118,9 +125,9 @@ Real NewtonSystem::multiply(Region const& region, Index begin, Index end, Span<c
 }
 
 Real NewtonSystem::slope(Region const& region, Executor const& executor) const noexcept {
-    return reduce_cells<Sum>(region.n, executor, [&](Index u, Sum& sum) {
-        sum.value += dot(gradient[u], step[u]);
-    }).value;
+    return reduce_cells<Sum>(region.n, executor,
+                             [&](Index u, Sum& sum) { sum.value += dot(gradient[u], step[u]); })
+        .value;
 }
 
 }  // namespace harmorph

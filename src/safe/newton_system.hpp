@@ -1,4 +1,5 @@
-// A Newton step for an energy of a region's corners: gradient, convex Hessian in 2 x 2 blocks, conjugate gradients.
+// A Newton step for an energy of a region's corners: gradient, convex Hessian in 2 x 2 blocks,
+// conjugate gradients.
 #pragma once
 
 #include "base/parallel_reduce.hpp"
@@ -15,26 +16,29 @@ struct Sum {
 
 // The unknowns are movements of points; of points that slide, along their lines.
 struct NewtonSystem {
-    // Relative residual at which a direction is good enough: the energy changes in the next step anyway.
+    // Relative residual at which a direction is good enough: the energy changes in the next step
+    // anyway.
     static constexpr Real enough = 0.2;
 
-    Span<Block> hessian;     // rows as in region.neighbour, so without the blocks below the diagonal that those above
-                             // stand for; 0 across lines of sliding points
-    Span<Block> inverse;     // [n] of the diagonal blocks
-    Span<Vec2> gradient;     // [n]
-    Span<Vec2> step;         // [n]
+    Span<Block> hessian;  // rows as in region.neighbour, so without the blocks below the diagonal
+                          // that those above stand for; 0 across lines of sliding points
+    Span<Block> inverse;  // [n] of the diagonal blocks
+    Span<Vec2> gradient;  // [n]
+    Span<Vec2> step;      // [n]
     Span<Vec2> rest, search, image;  // [n] of the conjugate gradients
 
     void lay_out(Arena& arena, RegionCounts const& counts) noexcept;
-    // visit(cell, points, add) calls add(gradient, mode) for each term of the energy of a corner: its cell, the numbers
-    // of its three points, and what CornerMap::differentiate gives.
+    // visit(cell, points, add) calls add(gradient, mode) for each term of the energy of a corner:
+    // its cell, the numbers of its three points, and what CornerMap::differentiate gives.
     template <class Visit>
     void assemble(Tangle const& tangle, Region const& region, Executor const& executor,
                   Visit const& visit) const noexcept;
     // step ~ -hessian^-1 gradient: a direction of descent. Returns the number of products.
     Index solve(Region const& region, Index most_products, Executor const& executor) const noexcept;
-    // In the rows begin .. end-1 of one range, see region.neighbour: to = hessian v; returns v . to.
-    Real multiply(Region const& region, Index begin, Index end, Span<const Vec2> v, Span<Vec2> to) const noexcept;
+    // In the rows begin .. end-1 of one range, see region.neighbour: to = hessian v; returns v .
+    // to.
+    Real multiply(Region const& region, Index begin, Index end, Span<const Vec2> v,
+                  Span<Vec2> to) const noexcept;
     // gradient . step
     Real slope(Region const& region, Executor const& executor) const noexcept;
 
@@ -42,9 +46,11 @@ private:
     static constexpr Index least_rows = 512;  // for a task of its own
 
     template <class Visit>
-    void assemble_cells(Tangle const& tangle, Region const& region, Visit const& visit) const noexcept;
+    void assemble_cells(Tangle const& tangle, Region const& region,
+                        Visit const& visit) const noexcept;
     template <class Visit>
-    void assemble_row(Tangle const& tangle, Region const& region, Index u, Visit const& visit) const noexcept;
+    void assemble_row(Tangle const& tangle, Region const& region, Index u,
+                      Visit const& visit) const noexcept;
     template <class IsWanted, class Visit>
     void add_cell(Tangle const& tangle, Region const& region, Index i, IsWanted const& is_wanted,
                   Visit const& visit) const noexcept {
@@ -58,8 +64,9 @@ private:
     void constrain_row(Tangle const& tangle, Region const& region, Index u) const noexcept;
 };
 
-// On one thread, cell after cell; on several, row by row, so that threads never meet: then a corner is looked at once
-// for each of its three points. Cells are in order in both, so that each row is the same sum, bit by bit.
+// On one thread, cell after cell; on several, row by row, so that threads never meet: then a corner
+// is looked at once for each of its three points. Cells are in order in both, so that each row is
+// the same sum, bit by bit.
 template <class Visit>
 void NewtonSystem::assemble(Tangle const& tangle, Region const& region, Executor const& executor,
                             Visit const& visit) const noexcept {
@@ -70,10 +77,12 @@ void NewtonSystem::assemble(Tangle const& tangle, Region const& region, Executor
 }
 
 template <class Visit>
-void NewtonSystem::assemble_cells(Tangle const& tangle, Region const& region, Visit const& visit) const noexcept {
+void NewtonSystem::assemble_cells(Tangle const& tangle, Region const& region,
+                                  Visit const& visit) const noexcept {
     auto const is_unknown = [](Index u) { return u != none; };
     for (Index u = 0; u < region.n; ++u) clear_row(region, u);
-    for (Index const i : region.cell.first(region.n_cells)) add_cell(tangle, region, i, is_unknown, visit);
+    for (Index const i : region.cell.first(region.n_cells))
+        add_cell(tangle, region, i, is_unknown, visit);
     for (Index u = 0; u < region.n; ++u) constrain_row(tangle, region, u);
 }
 
@@ -82,14 +91,16 @@ void NewtonSystem::assemble_row(Tangle const& tangle, Region const& region, Inde
                                 Visit const& visit) const noexcept {
     auto const is_row = [u](Index v) { return v == u; };
     clear_row(region, u);
-    for (Index const i : region.cells_of(region.point[u])) add_cell(tangle, region, i, is_row, visit);
+    for (Index const i : region.cells_of(region.point[u]))
+        add_cell(tangle, region, i, is_row, visit);
     constrain_row(tangle, region, u);
 }
 
-// To those rows that is_wanted(row) asks for. A corner adds nothing to rows of other points than its three.
+// To those rows that is_wanted(row) asks for. A corner adds nothing to rows of other points than
+// its three.
 template <Index n, class IsWanted, class Visit>
-void NewtonSystem::add_cell_of(Tangle const& tangle, Region const& region, Index i, IsWanted const& is_wanted,
-                               Visit const& visit) const noexcept {
+void NewtonSystem::add_cell_of(Tangle const& tangle, Region const& region, Index i,
+                               IsWanted const& is_wanted, Visit const& visit) const noexcept {
     Cell const cell = tangle.cell(i);
     Vec2 const turn = turn_of(tangle.mesh, i);
     Index unknown[n];
@@ -104,7 +115,8 @@ void NewtonSystem::add_cell_of(Tangle const& tangle, Region const& region, Index
         if (!wanted[before] && !wanted[k] && !wanted[after]) continue;
         CornerForm corner;
         CornerPoints const point{{cell.point[before], cell.point[k], cell.point[after]}, turn};
-        visit(i, point, [&](const Vec2(&by)[3], const CornerMode(&mode)[4]) { corner.add(by, mode); });
+        visit(i, point,
+              [&](const Vec2(&by)[3], const CornerMode(&mode)[4]) { corner.add(by, mode); });
         corner.turn_back_side(turn);
         sum.add(before, k, after, corner);
     }
@@ -119,7 +131,8 @@ void NewtonSystem::add_cell_of(Tangle const& tangle, Region const& region, Index
             Index const v = unknown[other];
             if (v == none) continue;
             Size entry = 0;
-            while (entry < neighbours.size() && neighbours[entry] != v) ++entry;  // none below the diagonal
+            while (entry < neighbours.size() && neighbours[entry] != v)
+                ++entry;  // none below the diagonal
             if (entry < neighbours.size()) row[entry] = row[entry] + sum.hessian[own][other];
         }
     }

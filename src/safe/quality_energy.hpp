@@ -1,4 +1,5 @@
-// How far a corner is from the shape and size of its target, as a power of the inverse quality: infinite at inversion.
+// How far a corner is from the shape and size of its target, as a power of the inverse quality:
+// infinite at inversion.
 #pragma once
 
 #include "safe/corner_map.hpp"
@@ -6,10 +7,12 @@
 namespace harmorph {
 
 // With J the map from the target corner, p and q as of CornerMap and d = det J > 0:
-//     shape = |J|^2 / (2 d) = (p + q) / (p - q),   size = (d + 1/d) / 2,   energy = (scale shape^2 size)^power.
-// Both are 1 at the target, turned and moved at will, and larger elsewhere. 1 / (shape sqrt(size)) is the size-skew
-// quality relative to the target: P. M. Knupp, SIAM J. Sci. Comput. 23 (2001) 193, measures by the target matrix; 1 /
-// size tends to 2 min(d, 1/d), but is smooth. So with scale = least^2 the energy is (least / quality)^(2 power).
+//     shape = |J|^2 / (2 d) = (p + q) / (p - q),   size = (d + 1/d) / 2,   energy = (scale shape^2
+//     size)^power.
+// Both are 1 at the target, turned and moved at will, and larger elsewhere. 1 / (shape sqrt(size))
+// is the size-skew quality relative to the target: P. M. Knupp, SIAM J. Sci. Comput. 23 (2001) 193,
+// measures by the target matrix; 1 / size tends to 2 min(d, 1/d), but is smooth. So with scale =
+// least^2 the energy is (least / quality)^(2 power).
 class QualityEnergy {
 public:
     // Of the smallest natural curvature; turning, which changes nothing at the target, has it too.
@@ -18,10 +21,12 @@ public:
     explicit QualityEnergy(Triangle const& target, Index power = 1, Real scale = 1) noexcept
         : map_(target), power_(power), scale_(scale) {}
 
-    // Infinite where the corner has no positive area, or is so far from its target that a derivative would overflow.
+    // Infinite where the corner has no positive area, or is so far from its target that a
+    // derivative would overflow.
     Real energy(Triangle const& now) const noexcept;
-    // Derivatives by the three points, see CornerMap, of `weight` times the energy, which is finite. Curvatures below
-    // `least` times 4 power energy, that of growing at the target, are raised to it.
+    // Derivatives by the three points, see CornerMap, of `weight` times the energy, which is
+    // finite. Curvatures below `least` times 4 power energy, that of growing at the target, are
+    // raised to it.
     void differentiate(Triangle const& now, Real weight, Real least, Vec2 (&gradient)[3],
                        CornerMode (&mode)[4]) const noexcept;
 
@@ -31,14 +36,17 @@ private:
     Real scale_;
 };
 
-// Beyond `most` = room / max(s, 1) derivatives could overflow: up to 4 power energy max(s, 1) / d^2, divided by the
-// target's area.
+// Beyond `most` = room / max(s, 1) derivatives could overflow: up to 4 power energy max(s, 1) /
+// d^2, divided by the target's area.
 inline Real QualityEnergy::energy(Triangle const& now) const noexcept {
     constexpr Real least_area = 1e-50, largest = 1e280;
-    Real const d = map_.determinant(now), s = square(map_.z(now)) + square(map_.w(now)), unit = larger(1.0, s);
+    Real const d = map_.determinant(now), s = square(map_.z(now)) + square(map_.w(now)),
+               unit = larger(1.0, s);
     if (!(d > least_area * unit) || !(d < 1 / least_area)) return infinity;
-    Real const per_d = 1 / d, shape = s * per_d, size = 0.5 * (d + per_d), base = scale_ * shape * shape * size;
-    Real const small = smaller(1.0, d), room = largest * smaller(1.0, map_.twice_area()) * small * small;
+    Real const per_d = 1 / d, shape = s * per_d, size = 0.5 * (d + per_d),
+               base = scale_ * shape * shape * size;
+    Real const small = smaller(1.0, d),
+               room = largest * smaller(1.0, map_.twice_area()) * small * small;
     if (!(base * unit <= room)) return infinity;
     Real const most_before = base > 1 && power_ > 1 ? room / unit / base : infinity;
     Real product = base;
@@ -50,17 +58,20 @@ inline Real QualityEnergy::energy(Triangle const& now) const noexcept {
 }
 
 // Of the logarithm 2 ln s - 2 ln d + ln (d + 1/d) first, with s = p + q and d = p - q.
-inline void QualityEnergy::differentiate(Triangle const& now, Real weight, Real least, Vec2 (&gradient)[3],
+inline void QualityEnergy::differentiate(Triangle const& now, Real weight, Real least,
+                                         Vec2 (&gradient)[3],
                                          CornerMode (&mode)[4]) const noexcept {
     Real const d = map_.determinant(now), s = square(map_.z(now)) + square(map_.w(now));
     Real const n = static_cast<Real>(power_), scale = weight * n * energy(now);
     Real const square_of_d = d * d, per_d = 1 / d, per_below = per_d * (1 / (square_of_d + 1));
     Real const by_s = 2 / s, by_ss = -0.5 * by_s * by_s;
     Real const by_d = (square_of_d - 1) * per_below - 2 * per_d;
-    Real const by_dd = (1 + 4 * square_of_d - square_of_d * square_of_d) * per_below * per_below + 2 * per_d * per_d;
+    Real const by_dd = (1 + 4 * square_of_d - square_of_d * square_of_d) * per_below * per_below +
+                       2 * per_d * per_d;
     Real const by_p = by_s + by_d, by_q = by_s - by_d;
-    DensityDerivatives const by{scale * by_p, scale * by_q, scale * (by_ss + by_dd + n * by_p * by_p),
-                                scale * (by_ss + by_dd + n * by_q * by_q), scale * (by_ss - by_dd + n * by_p * by_q)};
+    DensityDerivatives const by{
+        scale * by_p, scale * by_q, scale * (by_ss + by_dd + n * by_p * by_p),
+        scale * (by_ss + by_dd + n * by_q * by_q), scale * (by_ss - by_dd + n * by_p * by_q)};
     map_.differentiate(now, by, least * 4 * scale, gradient, mode);
 }
 

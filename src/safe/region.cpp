@@ -6,7 +6,8 @@
 namespace harmorph {
 namespace {
 
-// visit(representative) once for each that a cell has: in a periodic mesh one cell wide, two corners have the same.
+// visit(representative) once for each that a cell has: in a periodic mesh one cell wide, two
+// corners have the same.
 template <class Visit>
 void for_each_point(Tangle const& tangle, Cell const& cell, Visit visit) noexcept {
     for (Index k = 0; k < cell.n; ++k) {
@@ -94,7 +95,8 @@ void Region::list_cells(Tangle const& tangle) noexcept {
     for (Index i = 0; i < cell.count(); ++i) {
         Cell const shape = tangle.cell(i);
         bool has_unknown = false;
-        for (Index k = 0; k < shape.n; ++k) has_unknown = has_unknown || unknown[shape.point[k]] != none;
+        for (Index k = 0; k < shape.n; ++k)
+            has_unknown = has_unknown || unknown[shape.point[k]] != none;
         if (has_unknown) cell[n_cells++] = i;
     }
 }

@@ -12,8 +12,8 @@ template <class Visit>
 void for_each_body(Plan const& plan, Visit const& visit) noexcept {
     GivenWall const& wall = plan.given;
     for (Index loop = 0; loop + 1 < wall.loop_start.count(); ++loop) {
-        Span<const Index> const points =
-            wall.boundary_point.from(wall.loop_start[loop], wall.loop_start[loop + 1] - wall.loop_start[loop]);
+        Span<const Index> const points = wall.boundary_point.from(
+            wall.loop_start[loop], wall.loop_start[loop + 1] - wall.loop_start[loop]);
         bool all = !points.empty();
         for (Index const point : points) all = all && plan.given_index(point) != none;
         if (all) visit(points);
@@ -43,17 +43,20 @@ void SafeDisplacement::lay_out(Arena& arena, Plan const& plan, Basis const& basi
     safe.lay_out(arena, plan, counts);
 }
 
-Status SafeDisplacement::run(Plan& plan, Basis const& basis, const Real* movement, PointList const& list, Points wall,
-                             SafeOptions const& options, SafeReport& report, Fault& fault) noexcept {
+Status SafeDisplacement::run(Plan& plan, Basis const& basis, const Real* movement,
+                             PointList const& list, Points wall, SafeOptions const& options,
+                             SafeReport& report, Fault& fault) noexcept {
     HARMORPH_TRY(plan.check_fit(basis, fault));
     HARMORPH_TRY(read(plan, list, wall, fault));
-    if (!plan.factored || plan.coordinates != coordinates_fingerprint(plan.mesh.points, plan.mesh.n_points)) {
+    if (!plan.factored ||
+        plan.coordinates != coordinates_fingerprint(plan.mesh.points, plan.mesh.n_points)) {
         HARMORPH_TRY(plan.factor(plan.mesh.points, fault));
     }
     Index const n_functions = basis.header->counts.functions(), n_modes = ways.count();
     fill(move, 0.0);
     if (movement != nullptr)
-        copy(move.first(2 * n_functions), Span<const Real>(movement, 2 * static_cast<Size>(n_functions)));
+        copy(move.first(2 * n_functions),
+             Span<const Real>(movement, 2 * static_cast<Size>(n_functions)));
     find_bodies(plan);
     make_modes(plan, n_functions);
 
@@ -63,13 +66,15 @@ Status SafeDisplacement::run(Plan& plan, Basis const& basis, const Real* movemen
     Arena arena = Arena::at_origin(block.data(), block.size());
     tabulated.lay_out(arena, counts);
     SolveReport solved;
-    HARMORPH_TRY(tabulate(plan, basis, all, {n_modes, 2, &modes[0].x}, work, tabulated, solved, fault));
+    HARMORPH_TRY(
+        tabulate(plan, basis, all, {n_modes, 2, &modes[0].x}, work, tabulated, solved, fault));
     safe.mesh.take_given(given, ways);
     return safe.run(plan, tabulated, move.data(), options, nullptr, report, fault);
 }
 
 // Into the order of the plan, by way of a displacement field.
-Status SafeDisplacement::read(Plan const& plan, PointList const& list, Points wall, Fault& fault) noexcept {
+Status SafeDisplacement::read(Plan const& plan, PointList const& list, Points wall,
+                              Fault& fault) noexcept {
     Displacement const& field = work.displacement;
     HARMORPH_TRY(work.displacement.find_places(plan, list, fault));
     HARMORPH_TRY(field.set(plan, list, 0, wall, fault));
@@ -109,7 +114,8 @@ void SafeDisplacement::make_modes(Plan const& plan, Index first_mode) noexcept {
         });
         Vec2 const r = similarity.ratio;
         Index const first = modes_of_body * number;
-        Span<Vec2> const translation = mode(first), position = mode(first + 1), drift = mode(first + 2);
+        Span<Vec2> const translation = mode(first), position = mode(first + 1),
+                         drift = mode(first + 2);
         Real extent = 0, largest_drift = 0;
         for (Index i = 0; i < n; ++i) {
             if (body[i] != number) continue;

@@ -29,8 +29,11 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
                       const Basis* derivative, SafeReport& report, Fault& fault) noexcept {
     Work work{plan, basis, options, derivative, report, fault, {}};
     HARMORPH_TRY(plan.check_fit(basis, fault));
-    if (!basis.header->counts.complete() || (derivative != nullptr && !derivative->header->counts.complete())) {
-        return fault.refuse(Status::bad_basis, "a share of the functions cannot move the mesh: all of them are needed");
+    if (!basis.header->counts.complete() ||
+        (derivative != nullptr && !derivative->header->counts.complete())) {
+        return fault.refuse(
+            Status::bad_basis,
+            "a share of the functions cannot move the mesh: all of them are needed");
     }
     if (derivative != nullptr) HARMORPH_TRY(check_derivative(plan, basis, *derivative, fault));
     for (Basis const& other : options.others) HARMORPH_TRY(check_other(basis, other, fault));
@@ -46,7 +49,8 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     }
     HARMORPH_TRY(check_target(target, report.crossing, fault));
 
-    report.start_quality = measure_quality(work.cells(), mesh.now(), {}, work.executor()).min_quality;
+    report.start_quality =
+        measure_quality(work.cells(), mesh.now(), {}, work.executor()).min_quality;
     report.outcome.min_quality = report.start_quality;
     plan.equations.wall.build(plan.mesh.points);
     first_layer.find(plan.mesh, plan.mesh.points, mesh.representative, plan.equations.wall);
@@ -70,7 +74,8 @@ Status SafeMorph::climb(Work& work) noexcept {
             single_step(work, other, Strategy::other, i);
     }
     if (work.is_good(work.best())) return Status::ok;
-    if (options.solves_others && options.tries(Strategy::other)) HARMORPH_TRY(other_operators(work));
+    if (options.solves_others && options.tries(Strategy::other))
+        HARMORPH_TRY(other_operators(work));
     if (work.is_good(work.best())) return Status::ok;
     HARMORPH_TRY(substeps(work));
     if (work.best().fraction < 1 && may_turn_back && mesh.path.is_bent()) {
@@ -107,13 +112,16 @@ void SafeMorph::single_step(Work& work, Basis const& by, Strategy strategy, Inde
     keep_if_better(work);
 }
 
-// No way is worse than this one: straight ahead with the functions of the start, as far as no cell inverts.
+// No way is worse than this one: straight ahead with the functions of the start, as far as no cell
+// inverts.
 void SafeMorph::longest_linear_step(Work& work) noexcept {
     constexpr Index most_trials = 8;
-    if (mesh.path.is_bent()) return;  // the derivative knows no way back; without one the path has been straightened
+    if (mesh.path.is_bent())
+        return;  // the derivative knows no way back; without one the path has been straightened
     begin(work);
     Real length = smaller(0.98 * look_ahead(work, work.basis, 1).step, 1.0);
-    for (Index trial = 0; trial < most_trials && length > work.best().fraction; ++trial, length *= 0.8) {
+    for (Index trial = 0; trial < most_trials && length > work.best().fraction;
+         ++trial, length *= 0.8) {
         look_ahead(work, work.basis, length);
         if (!is_valid(work, mesh.ahead())) continue;
         take_step(work, work.basis);
@@ -122,8 +130,8 @@ void SafeMorph::longest_linear_step(Work& work) noexcept {
     }
 }
 
-// Of the coordinates as they will be stored, after all roundings: every corner is positive exactly and as quality
-// measures it, and the boundary does not cross itself.
+// Of the coordinates as they will be stored, after all roundings: every corner is positive exactly
+// and as quality measures it, and the boundary does not cross itself.
 bool SafeMorph::is_valid(Work const& work, Points points) const noexcept {
     for (Index k = 0; k < best_x.count(); ++k) {
         if (!is_coordinate(points[k])) return false;
@@ -147,7 +155,8 @@ void SafeMorph::take_step(Work& work, Basis const& by) noexcept {
     ++work.attempt.steps;
 }
 
-// The derivative of the step that was looked at last, where points slide along curves: put back onto them.
+// The derivative of the step that was looked at last, where points slide along curves: put back
+// onto them.
 void SafeMorph::turn_sliding(Work const& work) const noexcept {
     SlipCurves const& curves = work.plan.equations.slip_curves;
     Matrix const& matrix = work.plan.equations.matrix;
@@ -157,7 +166,8 @@ void SafeMorph::turn_sliding(Work const& work) const noexcept {
         auto const row = work.derivative->row(point);
         SlipCurves::Place const& place = mesh.slid[slot];
         for (Index k = 0; k < half; ++k) {
-            Real const along = place.stretch * (place.tangent.x * row[k] + place.tangent.y * row[half + k]);
+            Real const along =
+                place.stretch * (place.tangent.x * row[k] + place.tangent.y * row[half + k]);
             row[k] = place.tangent.x * along;
             row[half + k] = place.tangent.y * along;
         }
@@ -170,17 +180,19 @@ void SafeMorph::turn_sliding(Work const& work) const noexcept {
 }
 
 void SafeMorph::measure(Work const& work, Points points, Outcome& outcome) const noexcept {
-    outcome.min_quality = measure_quality(work.cells(), points, work.mesh().points, work.executor()).min_quality;
+    outcome.min_quality =
+        measure_quality(work.cells(), points, work.mesh().points, work.executor()).min_quality;
     if (!is_finite(work.options.most_height_change)) return;
     FirstLayerChange const change = compare(first_layer, work.mesh().points, points);
     if (change.points == 0) return;
-    outcome.height_change =
-        larger(larger(change.max_ratio, change.min_ratio > 0 ? 1 / change.min_ratio : infinity), 1.0);
+    outcome.height_change = larger(
+        larger(change.max_ratio, change.min_ratio > 0 ? 1 / change.min_ratio : infinity), 1.0);
 }
 
 void SafeMorph::keep_if_better(Work& work) noexcept {
     measure(work, mesh.now(), work.attempt);
-    if (work.is_better(work.attempt, work.best())) keep(work, work.attempt, mesh.x, mesh.y, mesh.reached);
+    if (work.is_better(work.attempt, work.best()))
+        keep(work, work.attempt, mesh.x, mesh.y, mesh.reached);
 }
 
 void SafeMorph::keep(Work& work, Outcome const& outcome, Span<const Real> x, Span<const Real> y,

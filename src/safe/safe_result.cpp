@@ -1,5 +1,5 @@
-// The end of a safe morph: heights near walls brought back, the worst cells, the derivative, and what the
-// caller is told.
+// The end of a safe morph: heights near walls brought back, the worst cells, the derivative, and
+// what the caller is told.
 #include "base/range.hpp"
 #include "morph/weighted_sum.hpp"
 #include "safe/safe_work.hpp"
@@ -7,7 +7,8 @@
 namespace harmorph {
 namespace {
 
-// Mean of the corners of one of the caller's cells: a polygon has them in its triangles, those at diagonals repeatedly.
+// Mean of the corners of one of the caller's cells: a polygon has them in its triangles, those at
+// diagonals repeatedly.
 Vec2 centre_of(Mesh const& mesh, Index number, Points points) noexcept {
     Index const begin = mesh.is_of_pieces() ? mesh.piece_start[number] : number;
     Index const end = mesh.is_of_pieces() ? mesh.piece_start[number + 1] : number + 1;
@@ -33,16 +34,18 @@ Real quality_of(OrientedMesh const& cells, Index cell, Points points, Points ref
 void SafeMorph::restore_heights(Work& work) noexcept {
     constexpr Index most_halvings = 4;
     Points const before = work.mesh().points;
-    for (Index k = 0; k < kinds.count(); ++k) kinds[k] = mesh.held[k] != 0 ? PointKind::fixed : PointKind::inside;
+    for (Index k = 0; k < kinds.count(); ++k)
+        kinds[k] = mesh.held[k] != 0 ? PointKind::fixed : PointKind::inside;
     work.plan.equations.wall.build(before);
-    wall_heights.find(work.mesh(), before, kinds, mesh.representative, work.plan.equations.wall, work.executor());
+    wall_heights.find(work.mesh(), before, kinds, mesh.representative, work.plan.equations.wall,
+                      work.executor());
     bool const is_asked_for = work.options.heights > 0;
     Real amount = is_asked_for ? work.options.heights : 1;
     for (Index halving = 0; halving <= most_halvings; ++halving, amount *= 0.5) {
         copy(mesh.ahead_x, Span<const Real>(best_x));
         copy(mesh.ahead_y, Span<const Real>(best_y));
-        wall_heights.restore(work.plan.equations.wall, before, mesh.to_ahead(), mesh.representative, amount,
-                             work.executor());
+        wall_heights.restore(work.plan.equations.wall, before, mesh.to_ahead(), mesh.representative,
+                             amount, work.executor());
         if (!is_valid(work, mesh.ahead())) continue;
         Outcome outcome = work.best();
         measure(work, mesh.ahead(), outcome);
@@ -64,8 +67,9 @@ void SafeMorph::measure_worst(Work& work) const noexcept {
         if (place == SafeReport::most_worst) continue;
         if (report.n_worst < SafeReport::most_worst) ++report.n_worst;
         for (Index k = report.n_worst - 1; k > place; --k) report.worst[k] = report.worst[k - 1];
-        report.worst[place] = {cell, quality, quality_of(work.cells(), cell, work.mesh().points, work.mesh().points),
-                               centre_of(work.mesh(), cell, result())};
+        report.worst[place] = {
+            cell, quality, quality_of(work.cells(), cell, work.mesh().points, work.mesh().points),
+            centre_of(work.mesh(), cell, result())};
     }
 }
 
@@ -91,31 +95,37 @@ Status SafeMorph::finish(Work& work) noexcept {
     SafeReport& report = work.report;
     Outcome const& best = report.outcome;
     if (work.derivative != nullptr) finish_derivative(work);
-    if (work.options.heights > 0 || best.height_change > work.options.most_height_change) restore_heights(work);
+    if (work.options.heights > 0 || best.height_change > work.options.most_height_change)
+        restore_heights(work);
     report.first_layer = compare(first_layer, work.mesh().points, result());
     measure_worst(work);
     WorstCell const& worst = report.worst[0];
     if (best.fraction < 1) {
         Index const cell = work.mesh().number(report.limit.cell);
         Vec2 const at = cell != none ? centre_of(work.mesh(), cell, result()) : Vec2{};
-        const char* const text = cell != none
-                                     ? "the mesh could follow ~ of the movement; then cell # at $ stands in the way"
-                                     : "the mesh could follow ~ of the movement";
-        return work.fault.refuse_at(at.x, at.y, Status::short_of_target, text, Counts::mesh, cell, none, best.fraction);
+        const char* const text =
+            cell != none
+                ? "the mesh could follow ~ of the movement; then cell # at $ stands in the way"
+                : "the mesh could follow ~ of the movement";
+        return work.fault.refuse_at(at.x, at.y, Status::short_of_target, text, Counts::mesh, cell,
+                                    none, best.fraction);
     }
     if (work.is_good(best)) return work.fault.status;
     if (best.min_quality < work.goal()) {
-        return work.fault.refuse_at(worst.centre.x, worst.centre.y, Status::poor,
-                                    "the smallest quality is ~, less than was asked for: cell # at $", Counts::mesh,
-                                    worst.cell, none, worst.quality);
+        return work.fault.refuse_at(
+            worst.centre.x, worst.centre.y, Status::poor,
+            "the smallest quality is ~, less than was asked for: cell # at $", Counts::mesh,
+            worst.cell, none, worst.quality);
     }
     bool const shrunk = report.first_layer.min_ratio * report.first_layer.max_ratio < 1;
-    Index const point = shrunk ? report.first_layer.min_ratio_point : report.first_layer.max_ratio_point;
+    Index const point =
+        shrunk ? report.first_layer.min_ratio_point : report.first_layer.max_ratio_point;
     Vec2 const at = result()[point];
     return work.fault.refuse_at(
         at.x, at.y, Status::poor,
-        "the height of the first layer at point # $ is ~ of what it was, beyond what was asked for", Counts::mesh,
-        point, none, shrunk ? report.first_layer.min_ratio : report.first_layer.max_ratio);
+        "the height of the first layer at point # $ is ~ of what it was, beyond what was asked for",
+        Counts::mesh, point, none,
+        shrunk ? report.first_layer.min_ratio : report.first_layer.max_ratio);
 }
 
 }  // namespace harmorph

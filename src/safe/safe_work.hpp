@@ -1,4 +1,5 @@
-// What the strategies of a safe morph have in common: the arguments, the attempt at hand, and what is asked for.
+// What the strategies of a safe morph have in common: the arguments, the attempt at hand, and what
+// is asked for.
 #pragma once
 
 #include "safe/safe_morph.hpp"
@@ -12,8 +13,9 @@ struct SafeMorph::Work {
     const Basis* derivative;
     SafeReport& report;
     Fault& fault;
-    Outcome attempt;               // of the mesh at hand
-    bool derivative_of_best = true;  // the derivative is that of the best mesh, not of a later attempt
+    Outcome attempt;  // of the mesh at hand
+    bool derivative_of_best =
+        true;  // the derivative is that of the best mesh, not of a later attempt
     bool factored_again = false;
 
     Mesh const& mesh() const noexcept { return plan.mesh; }
@@ -32,7 +34,9 @@ struct SafeMorph::Work {
         Real const quality = goal() > 0 ? outcome.min_quality / goal() : 1;
         return smaller(smaller(quality, options.most_height_change / outcome.height_change), 1.0);
     }
-    bool is_good(Outcome const& outcome) const noexcept { return outcome.fraction >= 1 && score(outcome) >= 1; }
+    bool is_good(Outcome const& outcome) const noexcept {
+        return outcome.fraction >= 1 && score(outcome) >= 1;
+    }
     bool is_better(Outcome const& one, Outcome const& other) const noexcept {
         if (one.fraction != other.fraction) return one.fraction > other.fraction;
         if (score(one) != score(other)) return score(one) > score(other);

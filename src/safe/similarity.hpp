@@ -13,8 +13,9 @@ struct Similarity {
     Index members = 0;
 };
 
-// for_each(visit) calls visit(point, movement) for each member. Least squares: c = mean of the points p, d = mean of
-// the movements w, r - 1 = sum conj(p - c) (w - d) / sum |p - c|^2; r = 1 where that is not a way worth going.
+// for_each(visit) calls visit(point, movement) for each member. Least squares: c = mean of the
+// points p, d = mean of the movements w, r - 1 = sum conj(p - c) (w - d) / sum |p - c|^2; r = 1
+// where that is not a way worth going.
 template <class ForEach>
 Similarity fit_similarity(ForEach const& for_each) noexcept {
     Similarity fit;

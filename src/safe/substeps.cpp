@@ -1,17 +1,19 @@
-// A safe morph in several steps: the functions are solved again on the mesh as it moves, by another operator where the
-// one at hand is stuck.
+// A safe morph in several steps: the functions are solved again on the mesh as it moves, by another
+// operator where the one at hand is stuck.
 #include "safe/safe_work.hpp"
 
 namespace harmorph {
 namespace {
 
 constexpr Real substep_of_admissible = 0.5;  // that a substep may take
-constexpr Real least_step = 1e-4;          // of the whole way; shorter ones lead nowhere
-constexpr Index most_trials = 12;          // of a substep's length; the way is not straight
-constexpr Index usual_resolves = 5;        // what a large movement should do with
-constexpr Index most_leaps = 2;            // over the rest of the way, before all solutions are used up
-constexpr Real stuck_below = 0.5;          // of the pace that leads to the target with the resolves that are left
-constexpr Real worth_changing = 1.5;       // an operator that goes so much farther is the one from now on
+constexpr Real least_step = 1e-4;            // of the whole way; shorter ones lead nowhere
+constexpr Index most_trials = 12;            // of a substep's length; the way is not straight
+constexpr Index usual_resolves = 5;          // what a large movement should do with
+constexpr Index most_leaps = 2;  // over the rest of the way, before all solutions are used up
+constexpr Real stuck_below =
+    0.5;  // of the pace that leads to the target with the resolves that are left
+constexpr Real worth_changing =
+    1.5;  // an operator that goes so much farther is the one from now on
 
 }  // namespace
 
@@ -20,9 +22,9 @@ struct SafeMorph::OperatorChoice {
     Index quarters;
 };
 
-// The basis's own operator, and those that may help where it is stuck. Conformal functions do not follow what shears
-// cells, as bodies that pass each other do; and their exponent decides what is kept: 1 bends far, 2 keeps
-// what is near the wall.
+// The basis's own operator, and those that may help where it is stuck. Conformal functions do not
+// follow what shears cells, as bodies that pass each other do; and their exponent decides what is
+// kept: 1 bends far, 2 keeps what is near the wall.
 struct SafeMorph::Operators {
     OperatorChoice list[4];
     Index count = 0, current = 0;
@@ -49,7 +51,8 @@ Status SafeMorph::other_operators(Work& work) noexcept {
     begin(work);
     Basis const here = unsolved_copy(work.basis);
     Operators const operators(work.basis.header->method);
-    for (Index k = 1; k < operators.count && work.report.resolves < work.options.most_resolves; ++k) {
+    for (Index k = 1; k < operators.count && work.report.resolves < work.options.most_resolves;
+         ++k) {
         Status const status = solve_by(work, here, operators.list[k]);
         if (status == Status::cancelled) return status;
         if (failed(status)) continue;
@@ -64,8 +67,11 @@ Status SafeMorph::substeps(Work& work) noexcept {
     begin(work);
     Basis const here = unsolved_copy(work.basis);
     Operators operators(work.basis.header->method);
-    Index leaps = work.derivative == nullptr ? most_leaps : 0;  // the derivative does not know what untangling moves
-    // A solution that failed may have left anything in `here`; the functions of the start always serve.
+    Index leaps = work.derivative == nullptr
+                      ? most_leaps
+                      : 0;  // the derivative does not know what untangling moves
+    // A solution that failed may have left anything in `here`; the functions of the start always
+    // serve.
     const Basis* by = &work.basis;
     if (work.options.tries(Strategy::substeps)) {
         Real length = 0;
@@ -87,7 +93,8 @@ Status SafeMorph::substeps(Work& work) noexcept {
                     --leaps;
                     if (leap(work, here, false)) return Status::ok;
                 }
-                status = is_stuck(work, length) ? change_operator(work, here, operators, length) : Status::ok;
+                status = is_stuck(work, length) ? change_operator(work, here, operators, length)
+                                                : Status::ok;
             }
             if (status == Status::cancelled) return status;
             by = here.header->solved == 1 ? &here : &work.basis;
@@ -102,7 +109,8 @@ Status SafeMorph::substeps(Work& work) noexcept {
 
 // Is a step too short to reach the target with the solutions that are left?
 bool SafeMorph::is_stuck(Work const& work, Real length) const noexcept {
-    Real const left = static_cast<Real>(larger(work.options.most_resolves - work.report.resolves, Index{1}));
+    Real const left =
+        static_cast<Real>(larger(work.options.most_resolves - work.report.resolves, Index{1}));
     return length < stuck_below * (1 - mesh.time) / left;
 }
 
@@ -125,8 +133,10 @@ Basis const& SafeMorph::choose_first(Work& work, Real& length) noexcept {
     return *best;
 }
 
-// By the operator that goes farthest from here, where the one at hand, which was solved last, is stuck.
-Status SafeMorph::change_operator(Work& work, Basis const& here, Operators& operators, Real& length) noexcept {
+// By the operator that goes farthest from here, where the one at hand, which was solved last, is
+// stuck.
+Status SafeMorph::change_operator(Work& work, Basis const& here, Operators& operators,
+                                  Real& length) noexcept {
     if (operators.rest > 0) {
         --operators.rest;
         return Status::ok;
@@ -135,7 +145,8 @@ Status SafeMorph::change_operator(Work& work, Basis const& here, Operators& oper
     Index solved = first;
     for (Index k = 1; k < operators.count && is_stuck(work, length); ++k) {
         Index const number = (first + k) % operators.count;
-        if (work.report.resolves + 2 > work.options.most_resolves) break;  // it may have to be solved twice
+        if (work.report.resolves + 2 > work.options.most_resolves)
+            break;  // it may have to be solved twice
         Status const status = solve_by(work, here, operators.list[number]);
         if (status == Status::unsupported) continue;
         HARMORPH_TRY(status);
@@ -153,18 +164,21 @@ Status SafeMorph::change_operator(Work& work, Basis const& here, Operators& oper
 Status SafeMorph::solve_by(Work& work, Basis const& here, OperatorChoice const& choice) noexcept {
     Method& method = here.header->method;
     bool const is_new = method.operator_kind != choice.kind || method.quarters != choice.quarters;
-    if (!work.plan.equations.change_operator(choice.kind, choice.quarters) && is_new) return Status::unsupported;
+    if (!work.plan.equations.change_operator(choice.kind, choice.quarters) && is_new)
+        return Status::unsupported;
     method.operator_kind = choice.kind;
     method.quarters = choice.quarters;
     return solve_at_present(work, here);
 }
 
-// The longest step from here, in parts of the whole way, that takes no more than its share of what is admissible and
-// leaves enough quality for the rest. For quality no step becomes shorter than the pace that leads to the target.
+// The longest step from here, in parts of the whole way, that takes no more than its share of what
+// is admissible and leaves enough quality for the rest. For quality no step becomes shorter than
+// the pace that leads to the target.
 Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
     Index const planned = smaller(usual_resolves, work.options.most_resolves);
     Index const most = work.report.resolves < planned ? planned : work.options.most_resolves;
-    Real const pace = (1 - mesh.time) / static_cast<Real>(larger(most - work.report.resolves, Index{0}) + 1);
+    Real const pace =
+        (1 - mesh.time) / static_cast<Real>(larger(most - work.report.resolves, Index{0}) + 1);
     Real length = 1 - mesh.time;
     for (Index trial = 0; trial < most_trials && length >= least_step; ++trial) {
         Real const end = smaller(mesh.time + length, 1.0);
@@ -174,7 +188,8 @@ Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
             if (length <= 1.001 * pace || work.goal() == 0) return length;
             Outcome there;
             measure(work, mesh.ahead(), there);
-            if (there.min_quality >= work.report.start_quality * complex_power({work.options.min_quality, 0}, end).x)
+            if (there.min_quality >=
+                work.report.start_quality * complex_power({work.options.min_quality, 0}, end).x)
                 return length;
             length = larger(0.7 * length, pace);
             continue;

@@ -24,7 +24,8 @@ struct Loop {
         }
         return false;
     }
-    // The sign of the area that the loop encloses; 0 of a wall without thickness, whose area is rounding.
+    // The sign of the area that the loop encloses; 0 of a wall without thickness, whose area is
+    // rounding.
     int sense(Points at) const noexcept {
         Vec2 const origin = at[point[0]];
         Real sum = 0, size = 0;
@@ -76,20 +77,24 @@ Status check_loops(Target const& target, Fault& fault) noexcept {
         Vec2 const place = target.at_target[loop.point[0]];
         if (moves && loop.sense(target.start) * loop.sense(target.at_target) < 0) {
             return fault.refuse_at(place.x, place.y, Status::crossing,
-                                   "the boundary through point # at $ is inside out", Counts::mesh, loop.point[0]);
+                                   "the boundary through point # at $ is inside out", Counts::mesh,
+                                   loop.point[0]);
         }
         for (Index other_number = 0; other_number < n_loops; ++other_number) {
             Loop const other = loop_of(target, other_number);
-            if (other_number == number || other.point.empty() || !other.is_known(target.ends)) continue;
+            if (other_number == number || other.point.empty() || !other.is_known(target.ends))
+                continue;
             if (!moves && !other.moves(target.start, target.at_target)) continue;
-            Loop::Side const before = loop.side_of(other, target.start), after = loop.side_of(other, target.at_target);
+            Loop::Side const before = loop.side_of(other, target.start),
+                             after = loop.side_of(other, target.at_target);
             if (before == after || before == Loop::Side::on || after == Loop::Side::on) continue;
             Vec2 const at = target.at_target[other.point[0]];
-            return fault.refuse_at(at.x, at.y, Status::crossing,
-                                   after == Loop::Side::inside
-                                       ? "the body through point # at $ is inside the one through point @"
-                                       : "the body through point # at $ is outside the boundary through point @",
-                                   Counts::mesh, other.point[0], loop.point[0]);
+            return fault.refuse_at(
+                at.x, at.y, Status::crossing,
+                after == Loop::Side::inside
+                    ? "the body through point # at $ is inside the one through point @"
+                    : "the body through point # at $ is outside the boundary through point @",
+                Counts::mesh, other.point[0], loop.point[0]);
         }
     }
     return Status::ok;
@@ -103,8 +108,12 @@ Status check_corners(Target const& target, Fault& fault) noexcept {
         if (target.cells.reversed[i] != 0) shape.reverse();
         for (Index k = 0; k < shape.n; ++k) {
             Index const before = k == 0 ? shape.n - 1 : k - 1, next = k + 1 == shape.n ? 0 : k + 1;
-            auto const is_known = [&](Index point) { return target.ends[point] == EndOf::prescribed; };
-            if (!is_known(shape.point[before]) || !is_known(shape.point[k]) || !is_known(shape.point[next])) continue;
+            auto const is_known = [&](Index point) {
+                return target.ends[point] == EndOf::prescribed;
+            };
+            if (!is_known(shape.point[before]) || !is_known(shape.point[k]) ||
+                !is_known(shape.point[next]))
+                continue;
             CellShape const at = shape_of(target.cells, i, target.at_target);
             if (orientation_sign(at.at[before], at.at[k], at.at[next]) > 0) continue;
             bad_corner = shape.point[i < mesh.n_cells ? k : 1];
@@ -114,20 +123,23 @@ Status check_corners(Target const& target, Fault& fault) noexcept {
     });
     if (cell == none) return Status::ok;
     Vec2 const at = target.at_target[bad_corner];
-    return fault.refuse_at(at.x, at.y, Status::crossing,
-                           "cell # is inverted by its points on the boundary, at point @ $: a wall turns too far",
-                           Counts::mesh, mesh.number(cell), bad_corner);
+    return fault.refuse_at(
+        at.x, at.y, Status::crossing,
+        "cell # is inverted by its points on the boundary, at point @ $: a wall turns too far",
+        Counts::mesh, mesh.number(cell), bad_corner);
 }
 
 }  // namespace
 
 Status check_target(Target const& target, Crossing& crossing, Fault& fault) noexcept {
-    crossing = find_known_crossing(target.boundary_point, target.loop_start, target.at_target, target.ends);
+    crossing = find_known_crossing(target.boundary_point, target.loop_start, target.at_target,
+                                   target.ends);
     if (crossing.found) {
         Vec2 const at = target.at_target[crossing.first[0]];
-        return fault.refuse_at(at.x, at.y, Status::crossing,
-                               "the moved boundary crosses itself: the faces that begin at points # $ and @",
-                               Counts::mesh, crossing.first[0], crossing.second[0]);
+        return fault.refuse_at(
+            at.x, at.y, Status::crossing,
+            "the moved boundary crosses itself: the faces that begin at points # $ and @",
+            Counts::mesh, crossing.first[0], crossing.second[0]);
     }
     HARMORPH_TRY(check_loops(target, fault));
     return check_corners(target, fault);

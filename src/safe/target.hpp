@@ -1,4 +1,5 @@
-// Can there be a mesh at the target at all? Decided from what is prescribed there, exactly, before the mesh moves.
+// Can there be a mesh at the target at all? Decided from what is prescribed there, exactly, before
+// the mesh moves.
 #pragma once
 
 #include "basis/basis.hpp"
@@ -13,7 +14,7 @@ struct Target {
     // [n_points] `prescribed` for points of walls and fixed ones; inner points are `unknown`
     Span<const EndOf> ends;
     Points start;
-    Points at_target;           // where points are prescribed; where they slide, anywhere on their line
+    Points at_target;  // where points are prescribed; where they slide, anywhere on their line
 };
 
 // Status::crossing, with the place, if

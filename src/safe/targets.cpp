@@ -37,16 +37,18 @@ void Targets::find(OrientedMesh const& cells, FaceDistance const& walls, Points 
             target.area = corners.cell_area(shape.n);
             target.own = skew_quality(shape.n, corners);
             target.is_part = cells.mesh.is_part(i);
-            target.least = target.is_part ? part_of_own : larger(smallest, part_of_own * target.own);
+            target.least =
+                target.is_part ? part_of_own : larger(smallest, part_of_own * target.own);
             if (walls.count > 0) find_stretch(target, shape, walls, now, group);
         }
     });
 }
 
-void Targets::find_stretch(Cell& target, CellShape const& shape, FaceDistance const& walls, Points now,
-                           Index& group) const noexcept {
+void Targets::find_stretch(Cell& target, CellShape const& shape, FaceDistance const& walls,
+                           Points now, Index& group) const noexcept {
     Vec2 middle;
-    for (Index k = 0; k < shape.n; ++k) middle = middle + 1 / static_cast<Real>(shape.n) * shape.at[k];
+    for (Index k = 0; k < shape.n; ++k)
+        middle = middle + 1 / static_cast<Real>(shape.n) * shape.at[k];
     FaceDistance::Foot const foot = walls.foot(middle, group);
     if (foot.face == none) return;
     const Index(&end)[2] = walls.faces[foot.face].point;
@@ -59,13 +61,15 @@ void Targets::find_stretch(Cell& target, CellShape const& shape, FaceDistance co
     if (!(ratio < 1)) return;
     if (ratio < thin) target.any_ratio = false;
     target.along = along;
-    target.more = (1 - ratio) * (1 - distance / reach) * (length(now[end[1]] - now[end[0]]) / size - 1);
+    target.more =
+        (1 - ratio) * (1 - distance / reach) * (length(now[end[1]] - now[end[0]]) / size - 1);
 }
 
 Real Targets::quality(Index its_cell, CellShape const& now) const noexcept {
     CellCorners const corners(now);
     Cell const& its = cell[its_cell];
-    Real const found = skew_quality(now.n, corners), skew = its.is_part ? smaller(1.0, found / its.own) : found;
+    Real const found = skew_quality(now.n, corners),
+               skew = its.is_part ? smaller(1.0, found / its.own) : found;
     Real const area = corners.cell_area(now.n), before = its.area;
     return skew > 0 ? skew * square_root(smaller(area, before) / larger(area, before)) : 0;
 }

@@ -44,11 +44,13 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
         HARMORPH_TRY(check_reference(fault));
         ++report.regions;
         report.unknowns = region.n;
-        repair_region(options, is_whole ? options.iterations_in_whole : options.iterations_in_part, report);
+        repair_region(options, is_whole ? options.iterations_in_whole : options.iterations_in_part,
+                      report);
         region.keep([&](Index i) { return !is_good(i, options.margin); });
         if (is_whole && region.n_cells > 0) break;
     }
-    region.keep([&](Index i) { return !is_good(i, 0); });  // thin cells of the whole mesh are valid, too
+    region.keep(
+        [&](Index i) { return !is_good(i, 0); });  // thin cells of the whole mesh are valid, too
     report.left = region.n_cells;
     if (region.n_cells > 0) return Status::not_converged;
     write(points);
@@ -58,8 +60,8 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
 Status Untangling::check_reference(Fault& fault) const noexcept {
     for (Index const i : region.cell.first(region.n_cells)) {
         if (!is_inverted(tangle.shape(i, tangle.reference))) continue;
-        return fault.refuse(Status::bad_mesh, "cell # of the reference mesh is inverted", Counts::mesh,
-                            tangle.mesh.number(i));
+        return fault.refuse(Status::bad_mesh, "cell # of the reference mesh is inverted",
+                            Counts::mesh, tangle.mesh.number(i));
     }
     return Status::ok;
 }
@@ -68,7 +70,9 @@ bool Untangling::is_stuck(Index cell) const noexcept {
     CellTriangles const corners(tangle, cell);
     for (Index k = 0; k < corners.n; ++k) {
         CornerPoints const& triangle = corners.point[k];
-        auto const is_held = [&](Index point) { return tangle.held[tangle.representative[point]] != 0; };
+        auto const is_held = [&](Index point) {
+            return tangle.held[tangle.representative[point]] != 0;
+        };
         bool const held = is_held(triangle[0]) && is_held(triangle[1]) && is_held(triangle[2]);
         if (held && !(triangle_of(triangle, as_points(now)).twice_area() > 0)) return true;
     }
@@ -87,7 +91,8 @@ bool Untangling::is_good(Index cell, Real margin) const noexcept {
     return true;
 }
 
-void Untangling::repair_region(UntangleOptions const& options, Index most_iterations, UntangleReport& report) noexcept {
+void Untangling::repair_region(UntangleOptions const& options, Index most_iterations,
+                               UntangleReport& report) noexcept {
     constexpr Real least_gain = 0.1;  // however little the energy falls, the softness does
     copy(trial, Span<const Vec2>(now));
     Real smallest = smallest_determinant();
@@ -104,30 +109,35 @@ void Untangling::repair_region(UntangleOptions const& options, Index most_iterat
         if (smallest >= options.goal) return;
         bool const at_rest = softness == 0 && after > (1 - 1e-4) * before;
         if (smallest >= options.margin && at_rest) return;
-        Real const wanted = (1 - larger(1 - after / before, least_gain)) * regularised(smallest, softness);
+        Real const wanted =
+            (1 - larger(1 - after / before, least_gain)) * regularised(smallest, softness);
         softness = wanted > smallest ? 2 * square_root(wanted * (wanted - smallest)) : 0;
     }
 }
 
 void Untangling::assemble(Real softness) const noexcept {
     Points const at = as_points(now);
-    system.assemble(tangle, region, executor, [&](Index, CornerPoints const& point, auto const& add) {
-        Vec2 gradient[3];
-        CornerMode mode[4];
-        Distortion const distortion(triangle_of(point, tangle.reference));
-        distortion.differentiate(triangle_of(point, at), softness, least_curvature, gradient, mode);
-        add(gradient, mode);
-    });
+    system.assemble(tangle, region, executor,
+                    [&](Index, CornerPoints const& point, auto const& add) {
+                        Vec2 gradient[3];
+                        CornerMode mode[4];
+                        Distortion const distortion(triangle_of(point, tangle.reference));
+                        distortion.differentiate(triangle_of(point, at), softness, least_curvature,
+                                                 gradient, mode);
+                        add(gradient, mode);
+                    });
 }
 
-// Halves the step until the energy falls enough (Armijo's rule). Returns the energy; if no step helps, nothing moves.
+// Halves the step until the energy falls enough (Armijo's rule). Returns the energy; if no step
+// helps, nothing moves.
 Real Untangling::descend(Real softness, Real before) noexcept {
     constexpr Index most_halvings = 30;
     Real const slope = system.slope(region, executor);
     auto const for_points = [&](auto const& body) {
         executor.for_ranges(now.count(), 4096, [&](Index begin, Index end) {
             for (Index k = begin; k < end; ++k) {
-                if (region.unknown[k] != none) body(k, tangle.turned_alike(k, system.step[region.unknown[k]]));
+                if (region.unknown[k] != none)
+                    body(k, tangle.turned_alike(k, system.step[region.unknown[k]]));
             }
         });
     };
@@ -144,27 +154,33 @@ Real Untangling::descend(Real softness, Real before) noexcept {
 
 Real Untangling::energy(Span<const Vec2> at, Real softness) const noexcept {
     Points const points = as_points(at);
-    return reduce_cells<Sum>(region.n_cells, executor, [&](Index k, Sum& sum) {
-        CellTriangles const corners(tangle, region.cell[k]);
-        for (Index corner = 0; corner < corners.n; ++corner) {
-            CornerPoints const& triangle = corners.point[corner];
-            if (!region.can_move(triangle)) continue;
-            Distortion const distortion(triangle_of(triangle, tangle.reference));
-            sum.value += distortion.energy(triangle_of(triangle, points), softness);
-        }
-    }).value;
+    return reduce_cells<Sum>(
+               region.n_cells, executor,
+               [&](Index k, Sum& sum) {
+                   CellTriangles const corners(tangle, region.cell[k]);
+                   for (Index corner = 0; corner < corners.n; ++corner) {
+                       CornerPoints const& triangle = corners.point[corner];
+                       if (!region.can_move(triangle)) continue;
+                       Distortion const distortion(triangle_of(triangle, tangle.reference));
+                       sum.value += distortion.energy(triangle_of(triangle, points), softness);
+                   }
+               })
+        .value;
 }
 
 Real Untangling::smallest_determinant() const noexcept {
-    return reduce_cells<Least>(region.n_cells, executor, [&](Index k, Least& least) {
-        CellTriangles const corners(tangle, region.cell[k]);
-        for (Index corner = 0; corner < corners.n; ++corner) {
-            CornerPoints const& triangle = corners.point[corner];
-            if (!region.can_move(triangle)) continue;
-            Real const wanted = triangle_of(triangle, tangle.reference).twice_area();
-            least.merge({triangle_of(triangle, as_points(now)).twice_area() / wanted});
-        }
-    }).value;
+    return reduce_cells<Least>(
+               region.n_cells, executor,
+               [&](Index k, Least& least) {
+                   CellTriangles const corners(tangle, region.cell[k]);
+                   for (Index corner = 0; corner < corners.n; ++corner) {
+                       CornerPoints const& triangle = corners.point[corner];
+                       if (!region.can_move(triangle)) continue;
+                       Real const wanted = triangle_of(triangle, tangle.reference).twice_area();
+                       least.merge({triangle_of(triangle, as_points(now)).twice_area() / wanted});
+                   }
+               })
+        .value;
 }
 
 void Untangling::write(MutablePoints points) const noexcept {

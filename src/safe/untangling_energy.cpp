@@ -14,7 +14,8 @@ void Distortion::differentiate(Triangle const& now, Real softness, Real least, V
     Real const root = square_root(softness * softness + d * d);
     Real const numerator = 2 * (p + q) + size_weight * (d * d + 1);
     Real const scale = 1 / regularised(d, softness);
-    Real const slope = -scale / root, bend = 2 / (root * root * root);  // of 1 / chi by the determinant
+    Real const slope = -scale / root,
+               bend = 2 / (root * root * root);   // of 1 / chi by the determinant
     Real const grow = 2 + 2 * size_weight * d;    // of the numerator by p
     Real const shrink = 2 - 2 * size_weight * d;  // and by q
     DensityDerivatives by;

@@ -1,17 +1,19 @@
-// How far a triangle is from the shape and size of a reference: an energy that stays finite when it is folded.
-// V. Garanzha, I. Kaporin, L. Kudryavtseva, F. Protais, N. Ray, D. Sokolov: Foldover-free maps in 50 lines of code,
-// ACM Trans. Graph. 40 (2021), eqs. 2-4.
+// How far a triangle is from the shape and size of a reference: an energy that stays finite when it
+// is folded. V. Garanzha, I. Kaporin, L. Kudryavtseva, F. Protais, N. Ray, D. Sokolov:
+// Foldover-free maps in 50 lines of code, ACM Trans. Graph. 40 (2021), eqs. 2-4.
 #pragma once
 
 #include "safe/corner_map.hpp"
 
 namespace harmorph {
 
-// Positive for every determinant, and nearly it where that is large; increases with it. softness 0: the positive part.
+// Positive for every determinant, and nearly it where that is large; increases with it. softness 0:
+// the positive part.
 inline Real regularised(Real determinant, Real softness) noexcept {
     Real const root = square_root(softness * softness + determinant * determinant);
     if (determinant <= 0 && softness == 0) return 0;
-    return determinant > 0 ? 0.5 * (determinant + root) : 0.5 * softness * softness / (root - determinant);
+    return determinant > 0 ? 0.5 * (determinant + root)
+                           : 0.5 * softness * softness / (root - determinant);
 }
 
 // Energy of the map J from the reference, with chi the regularised determinant:
@@ -23,8 +25,8 @@ struct Distortion {
 
     Real determinant(Triangle const& now) const noexcept { return map_.determinant(now); }
     Real energy(Triangle const& now, Real softness) const noexcept;
-    // Derivatives by the three points, see CornerMap. Curvatures below `least` times that of |J|^2 / chi are raised to
-    // it: from 0 on, no mode is negative.
+    // Derivatives by the three points, see CornerMap. Curvatures below `least` times that of |J|^2
+    // / chi are raised to it: from 0 on, no mode is negative.
     void differentiate(Triangle const& now, Real softness, Real least, Vec2 (&gradient)[3],
                        CornerMode (&mode)[4]) const noexcept;
 

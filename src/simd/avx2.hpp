@@ -8,7 +8,8 @@
 
 namespace harmorph::simd::avx2 {
 
-// The same picks for words of 32 bits, as masks: which word, whether of the second vector, whether of any.
+// The same picks for words of 32 bits, as masks: which word, whether of the second vector, whether
+// of any.
 template <Index words>
 struct LanePicks {
     __m256i from, second, present;
@@ -27,7 +28,8 @@ struct LanePicks {
         present = _mm256_load_si256(reinterpret_cast<const __m256i*>(of_any));
     }
     HARMORPH_INLINE __m256 pick(__m256 a, __m256 b) const noexcept {
-        __m256 const of_a = _mm256_permutevar8x32_ps(a, from), of_b = _mm256_permutevar8x32_ps(b, from);
+        __m256 const of_a = _mm256_permutevar8x32_ps(a, from),
+                     of_b = _mm256_permutevar8x32_ps(b, from);
         __m256 const either = _mm256_blendv_ps(of_a, of_b, _mm256_castsi256_ps(second));
         return _mm256_and_ps(either, _mm256_castsi256_ps(present));
     }
@@ -41,16 +43,24 @@ struct Registers<double> : Register<double, 4> {
     static constexpr Index count = 16;
 
     using Register::load;
-    static HARMORPH_INLINE Vector load(const float* from) noexcept { return _mm256_cvtps_pd(_mm_loadu_ps(from)); }
+    static HARMORPH_INLINE Vector load(const float* from) noexcept {
+        return _mm256_cvtps_pd(_mm_loadu_ps(from));
+    }
     static HARMORPH_INLINE Vector load_part(const double* from, Index n) noexcept {
-        return _mm256_maskload_pd(from, _mm256_cmpgt_epi64(_mm256_set1_epi64x(n), _mm256_set_epi64x(3, 2, 1, 0)));
+        return _mm256_maskload_pd(
+            from, _mm256_cmpgt_epi64(_mm256_set1_epi64x(n), _mm256_set_epi64x(3, 2, 1, 0)));
     }
     static HARMORPH_INLINE Vector load_part(const float* from, Index n) noexcept {
-        return _mm256_cvtps_pd(_mm_maskload_ps(from, _mm_cmpgt_epi32(_mm_set1_epi32(n), _mm_set_epi32(3, 2, 1, 0))));
+        return _mm256_cvtps_pd(
+            _mm_maskload_ps(from, _mm_cmpgt_epi32(_mm_set1_epi32(n), _mm_set_epi32(3, 2, 1, 0))));
     }
 
-    static HARMORPH_INLINE Vector larger(Vector a, Vector b) noexcept { return _mm256_max_pd(a, b); }
-    static HARMORPH_INLINE Vector smaller(Vector a, Vector b) noexcept { return _mm256_min_pd(a, b); }
+    static HARMORPH_INLINE Vector larger(Vector a, Vector b) noexcept {
+        return _mm256_max_pd(a, b);
+    }
+    static HARMORPH_INLINE Vector smaller(Vector a, Vector b) noexcept {
+        return _mm256_min_pd(a, b);
+    }
     static HARMORPH_INLINE unsigned less(Vector a, Vector b) noexcept {
         return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_LT_OQ)));
     }
@@ -65,7 +75,9 @@ struct Registers<double> : Register<double, 4> {
     }
 
     using Picks = LanePicks<2>;
-    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept { return Picks(picked); }
+    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept {
+        return Picks(picked);
+    }
     static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
         return _mm256_castps_pd(picks.pick(_mm256_castpd_ps(a), _mm256_castpd_ps(b)));
     }
@@ -81,8 +93,12 @@ struct Registers<float> : Register<float, 8> {
     }
 
     using Picks = LanePicks<1>;
-    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept { return Picks(picked); }
-    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept { return picks.pick(a, b); }
+    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept {
+        return Picks(picked);
+    }
+    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
+        return picks.pick(a, b);
+    }
 };
 
 }  // namespace harmorph::simd::avx2

@@ -1,5 +1,5 @@
-// AVX-512: F, DQ, VL. See baseline.hpp for the manual. Where an intrinsic has a zero-masked form, that form is taken:
-// gcc warns that the plain form reads an uninitialised register.
+// AVX-512: F, DQ, VL. See baseline.hpp for the manual. Where an intrinsic has a zero-masked form,
+// that form is taken: gcc warns that the plain form reads an uninitialised register.
 #define HARMORPH_SET avx512
 #define HARMORPH_TARGET "avx512f,avx512dq,avx512vl,avx2,fma"
 #include "simd/begin.hpp"
@@ -27,12 +27,22 @@ struct Registers<double> : Register<double, 8> {
         return _mm512_maskz_cvtps_pd(every, _mm256_maskz_loadu_ps(first(n), from));
     }
 
-    static HARMORPH_INLINE Vector larger(Vector a, Vector b) noexcept { return _mm512_maskz_max_pd(every, a, b); }
-    static HARMORPH_INLINE Vector smaller(Vector a, Vector b) noexcept { return _mm512_maskz_min_pd(every, a, b); }
-    static HARMORPH_INLINE unsigned less(Vector a, Vector b) noexcept { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
-    static HARMORPH_INLINE Vector square_root(Vector v) noexcept { return _mm512_maskz_sqrt_pd(every, v); }
+    static HARMORPH_INLINE Vector larger(Vector a, Vector b) noexcept {
+        return _mm512_maskz_max_pd(every, a, b);
+    }
+    static HARMORPH_INLINE Vector smaller(Vector a, Vector b) noexcept {
+        return _mm512_maskz_min_pd(every, a, b);
+    }
+    static HARMORPH_INLINE unsigned less(Vector a, Vector b) noexcept {
+        return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
+    }
+    static HARMORPH_INLINE Vector square_root(Vector v) noexcept {
+        return _mm512_maskz_sqrt_pd(every, v);
+    }
     static constexpr bool rounds = true;
-    static HARMORPH_INLINE Words round(Vector v) noexcept { return Words(_mm512_maskz_cvtpd_epi64(every, v)); }
+    static HARMORPH_INLINE Words round(Vector v) noexcept {
+        return Words(_mm512_maskz_cvtpd_epi64(every, v));
+    }
 
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept {
         return _mm512_fmadd_pd(a, b, c);
@@ -56,10 +66,13 @@ struct Registers<double> : Register<double, 8> {
 
 private:
     static constexpr __mmask8 every = 0xff;
-    static HARMORPH_INLINE __mmask8 first(Index n) noexcept { return static_cast<__mmask8>((1 << n) - 1); }
+    static HARMORPH_INLINE __mmask8 first(Index n) noexcept {
+        return static_cast<__mmask8>((1 << n) - 1);
+    }
 };
 
-// 8 numbers, as wide as a slab of the dense kernels: half of an AVX-512 register, but 32 registers where AVX2 has 16.
+// 8 numbers, as wide as a slab of the dense kernels: half of an AVX-512 register, but 32 registers
+// where AVX2 has 16.
 template <>
 struct Registers<float> : Register<float, 8> {
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept {

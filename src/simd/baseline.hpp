@@ -1,4 +1,5 @@
-// Whatever the compiler may assume: SSE2 on x86-64, plain vectors elsewhere. The manual of Registers.
+// Whatever the compiler may assume: SSE2 on x86-64, plain vectors elsewhere. The manual of
+// Registers.
 #define HARMORPH_SET baseline
 #include "simd/begin.hpp"
 #if !defined(HARMORPH_REGISTERS_BASELINE)
@@ -7,8 +8,9 @@
 
 namespace harmorph::simd::baseline {
 
-// One register of numbers and the operations of the instruction set; see Register in begin.hpp for the rest. + - * /
-// are the compiler's vector operators, which are never contracted to fused operations.
+// One register of numbers and the operations of the instruction set; see Register in begin.hpp for
+// the rest. + - * / are the compiler's vector operators, which are never contracted to fused
+// operations.
 template <class Of>
 struct Registers;
 
@@ -16,11 +18,13 @@ template <>
 struct Registers<double> : Register<double, 2> {
     static constexpr Index count = 16;  // of the processor
 
-    // Numbers in double or in single precision; load_part: the first n, 0 <= n < lanes, and zeros. No others are read.
+    // Numbers in double or in single precision; load_part: the first n, 0 <= n < lanes, and zeros.
+    // No others are read.
     using Register::load;
     static HARMORPH_INLINE Vector load(const float* from) noexcept {
 #if defined(__SSE2__)
-        return Vector(_mm_cvtps_pd(_mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)))));
+        return Vector(_mm_cvtps_pd(
+            _mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)))));
 #else
         return Vector{static_cast<double>(from[0]), static_cast<double>(from[1])};
 #endif
@@ -67,15 +71,21 @@ struct Registers<double> : Register<double, 2> {
     static constexpr bool rounds = false;
 
     // c + a b and c - a b, with one rounding where the set has fused instructions.
-    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return c + a * b; }
-    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return c - a * b; }
+    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept {
+        return c + a * b;
+    }
+    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept {
+        return c - a * b;
+    }
 
-    // Numbers picked from two registers: lane k of the result is lane picked[k] of the first register, or lane
-    // picked[k] - lanes of the second, or 0 where picked[k] is none.
+    // Numbers picked from two registers: lane k of the result is lane picked[k] of the first
+    // register, or lane picked[k] - lanes of the second, or 0 where picked[k] is none.
     struct Picks {
         Index from[lanes];
     };
-    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept { return {{picked[0], picked[1]}}; }
+    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept {
+        return {{picked[0], picked[1]}};
+    }
     static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
         Vector v = {};
         for (Index lane = 0; lane < lanes; ++lane) {
@@ -88,8 +98,12 @@ struct Registers<double> : Register<double, 2> {
 
 template <>
 struct Registers<float> : Register<float, 4> {
-    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return c + a * b; }
-    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return c - a * b; }
+    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept {
+        return c + a * b;
+    }
+    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept {
+        return c - a * b;
+    }
 
     struct Picks {
         Index from[lanes];

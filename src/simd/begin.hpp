@@ -1,8 +1,8 @@
-// Opens the code of one instruction set. The header of the set has defined HARMORPH_SET, the name in enum Kernel, and
-// HARMORPH_TARGET, the compiler's target options, if the set needs any. From here to end.hpp all functions are compiled
-// for the set. They are in a namespace of the same name: the linker keeps one copy of an inline function, and if it
-// took the copy compiled here, a processor without the set would run it. For the same reason all shared headers come
-// before.
+// Opens the code of one instruction set. The header of the set has defined HARMORPH_SET, the name
+// in enum Kernel, and HARMORPH_TARGET, the compiler's target options, if the set needs any. From
+// here to end.hpp all functions are compiled for the set. They are in a namespace of the same name:
+// the linker keeps one copy of an inline function, and if it took the copy compiled here, a
+// processor without the set would run it. For the same reason all shared headers come before.
 #define HARMORPH_INLINE inline __attribute__((always_inline))
 
 #if defined(HARMORPH_TARGET)

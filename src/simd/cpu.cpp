@@ -21,8 +21,9 @@ unsigned saved_registers() noexcept {
 
 }  // namespace
 
-// Bit numbers: Intel 64 and IA-32 Architectures Software Developer's Manual, volume 2A, CPUID. Every question is a trap
-// on a virtual machine, so there are only two: all x86-64 processors have leaf 1, and all that have AVX have leaf 7.
+// Bit numbers: Intel 64 and IA-32 Architectures Software Developer's Manual, volume 2A, CPUID.
+// Every question is a trap on a virtual machine, so there are only two: all x86-64 processors have
+// leaf 1, and all that have AVX have leaf 7.
 Kernel best_kernel() noexcept {
     unsigned a = 0, b = 0, c = 0, d = 0;
     __cpuid(1, a, b, c, d);
@@ -32,7 +33,8 @@ Kernel best_kernel() noexcept {
     if ((saved & 0x06) != 0x06) return Kernel::baseline;
     __cpuid_count(7, 0, a, b, c, d);
     bool const has_avx2 = has_bit(b, 5);
-    bool const has_avx512 = has_bit(b, 16) && has_bit(b, 17) && has_bit(b, 31) && (saved & 0xE0) == 0xE0;  // F, DQ, VL
+    bool const has_avx512 =
+        has_bit(b, 16) && has_bit(b, 17) && has_bit(b, 31) && (saved & 0xE0) == 0xE0;  // F, DQ, VL
     return has_avx512 && has_avx2 ? Kernel::avx512 : has_avx2 ? Kernel::avx2 : Kernel::baseline;
 }
 
@@ -54,7 +56,9 @@ bool has_kernel(Kernel kernel) noexcept {
 
 Kernel best_kernel() noexcept { return Kernel::baseline; }
 
-bool has_kernel(Kernel kernel) noexcept { return kernel == Kernel::automatic || kernel == Kernel::baseline; }
+bool has_kernel(Kernel kernel) noexcept {
+    return kernel == Kernel::automatic || kernel == Kernel::baseline;
+}
 
 #endif
 

@@ -1,10 +1,10 @@
-// Compiles the kernels in the file HARMORPH_KERNELS once for each instruction set of the architecture, as
-// foreach_target of the library Highway does. The file stands in namespaces called HARMORPH_SET, uses
-// simd::HARMORPH_SET::Registers, whose manual is baseline.hpp, and specialises simd::table. Shared headers are included
-// before.
+// Compiles the kernels in the file HARMORPH_KERNELS once for each instruction set of the
+// architecture, as foreach_target of the library Highway does. The file stands in namespaces called
+// HARMORPH_SET, uses simd::HARMORPH_SET::Registers, whose manual is baseline.hpp, and specialises
+// simd::table. Shared headers are included before.
 //
-// A new instruction set is a header here that defines Registers, three lines below, a number in enum Kernel, a case in
-// table_of(), and the question to the processor in cpu.cpp.
+// A new instruction set is a header here that defines Registers, three lines below, a number in
+// enum Kernel, a case in table_of(), and the question to the processor in cpu.cpp.
 #if !defined(HARMORPH_KERNELS)
 #error "HARMORPH_KERNELS is the file of the kernels"
 #endif

@@ -1,16 +1,18 @@
-// A family of kernels is a struct of function pointers; each instruction set has one such struct, the table of the set.
+// A family of kernels is a struct of function pointers; each instruction set has one such struct,
+// the table of the set.
 #pragma once
 
 #include "simd/cpu.hpp"
 
 namespace harmorph::simd {
 
-// Specialised in the file of the kernels; null for an instruction set that this architecture does not have.
+// Specialised in the file of the kernels; null for an instruction set that this architecture does
+// not have.
 template <class Kernels, Kernel set>
 inline constexpr const Kernels* table = nullptr;
 
-// To be called where the tables are specialised; `kernel` is one for which has_kernel() holds, automatic being the
-// baseline.
+// To be called where the tables are specialised; `kernel` is one for which has_kernel() holds,
+// automatic being the baseline.
 template <class Kernels>
 Kernels const& table_of(Kernel kernel) noexcept {
     constexpr const Kernels* baseline = table<Kernels, Kernel::baseline>;

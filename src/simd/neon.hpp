@@ -1,5 +1,5 @@
-// NEON. Every 64-bit ARM processor has it, so neither a test of the processor nor a compiler option is needed. See
-// baseline.hpp for the manual.
+// NEON. Every 64-bit ARM processor has it, so neither a test of the processor nor a compiler option
+// is needed. See baseline.hpp for the manual.
 #define HARMORPH_SET neon
 #include "simd/begin.hpp"
 #if !defined(HARMORPH_REGISTERS_NEON)
@@ -23,7 +23,9 @@ struct BytePicks {
         }
         from = vld1q_u8(byte);
     }
-    HARMORPH_INLINE uint8x16_t pick(uint8x16_t a, uint8x16_t b) const noexcept { return vqtbl2q_u8({{a, b}}, from); }
+    HARMORPH_INLINE uint8x16_t pick(uint8x16_t a, uint8x16_t b) const noexcept {
+        return vqtbl2q_u8({{a, b}}, from);
+    }
 };
 
 template <class Of>
@@ -34,7 +36,9 @@ struct Registers<double> : Register<double, 2> {
     static constexpr Index count = 32;
 
     using Register::load;
-    static HARMORPH_INLINE Vector load(const float* from) noexcept { return vcvt_f64_f32(vld1_f32(from)); }
+    static HARMORPH_INLINE Vector load(const float* from) noexcept {
+        return vcvt_f64_f32(vld1_f32(from));
+    }
     static HARMORPH_INLINE Vector load_part(const double* from, Index n) noexcept {
         return Vector{n > 0 ? *from : 0, 0};
     }
@@ -43,8 +47,12 @@ struct Registers<double> : Register<double, 2> {
     }
 
     // vmaxq and vminq give NaN where any is NaN.
-    static HARMORPH_INLINE Vector larger(Vector a, Vector b) noexcept { return vbslq_f64(vcgtq_f64(a, b), a, b); }
-    static HARMORPH_INLINE Vector smaller(Vector a, Vector b) noexcept { return vbslq_f64(vcltq_f64(a, b), a, b); }
+    static HARMORPH_INLINE Vector larger(Vector a, Vector b) noexcept {
+        return vbslq_f64(vcgtq_f64(a, b), a, b);
+    }
+    static HARMORPH_INLINE Vector smaller(Vector a, Vector b) noexcept {
+        return vbslq_f64(vcltq_f64(a, b), a, b);
+    }
     static HARMORPH_INLINE unsigned less(Vector a, Vector b) noexcept {
         uint64x2_t const wanted = {1, 2};
         return static_cast<unsigned>(vaddvq_u64(vandq_u64(vcltq_f64(a, b), wanted)));
@@ -53,13 +61,17 @@ struct Registers<double> : Register<double, 2> {
     static constexpr bool rounds = true;
     static HARMORPH_INLINE Words round(Vector v) noexcept { return Words(vcvtnq_s64_f64(v)); }
 
-    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return vfmaq_f64(c, a, b); }
+    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept {
+        return vfmaq_f64(c, a, b);
+    }
     static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept {
         return vfmsq_f64(c, a, b);
     }
 
     using Picks = BytePicks<lanes>;
-    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept { return Picks(picked); }
+    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept {
+        return Picks(picked);
+    }
     static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
         return vreinterpretq_f64_u8(picks.pick(vreinterpretq_u8_f64(a), vreinterpretq_u8_f64(b)));
     }
@@ -67,13 +79,17 @@ struct Registers<double> : Register<double, 2> {
 
 template <>
 struct Registers<float> : Register<float, 4> {
-    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return vfmaq_f32(c, a, b); }
+    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept {
+        return vfmaq_f32(c, a, b);
+    }
     static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept {
         return vfmsq_f32(c, a, b);
     }
 
     using Picks = BytePicks<lanes>;
-    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept { return Picks(picked); }
+    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept {
+        return Picks(picked);
+    }
     static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
         return vreinterpretq_f32_u8(picks.pick(vreinterpretq_u8_f32(a), vreinterpretq_u8_f32(b)));
     }

@@ -64,7 +64,8 @@ Flat plane_through(Group const& group) noexcept {
     Vec3 const a = group.mesh.points[first];
     Vec3 const b = group.mesh.points[group.largest([&](Vec3 p) { return length(p - a); })];
     Vec3 const line = direction(b - a);
-    Vec3 const c = group.mesh.points[group.largest([&](Vec3 p) { return length(cross(p - a, line)); })];
+    Vec3 const c =
+        group.mesh.points[group.largest([&](Vec3 p) { return length(cross(p - a, line)); })];
     flat.point = a;
     flat.normal = direction(cross(line, c - a));
     flat.exists = length(cross(line, direction(c - a))) > 1e-12;
@@ -84,11 +85,14 @@ Real extent(SpaceMesh const& mesh) noexcept {
     return most;
 }
 
-// A coordinate plane where all points agree in one coordinate, within the tolerance: z first, then y, then x.
+// A coordinate plane where all points agree in one coordinate, within the tolerance: z first, then
+// y, then x.
 void snap_to_coordinates(Group const& group, Real tolerance, Flat& flat) noexcept {
     for (Index axis = 2; axis >= 0; --axis) {
         Real const at = flat.point[axis];
-        if (group.find([&](Index k) { return absolute(group.mesh.points[k][axis] - at) > tolerance; }) != none)
+        if (group.find([&](Index k) {
+                return absolute(group.mesh.points[k][axis] - at) > tolerance;
+            }) != none)
             continue;
         flat.normal = unit_vector(axis);
         return;
@@ -96,8 +100,9 @@ void snap_to_coordinates(Group const& group, Real tolerance, Flat& flat) noexcep
 }
 
 Index first_outside(Group const& group, Flat const& flat, Real tolerance) noexcept {
-    return group.find(
-        [&](Index k) { return absolute(along(group.mesh.points[k] - flat.point, flat.normal)) > tolerance; });
+    return group.find([&](Index k) {
+        return absolute(along(group.mesh.points[k] - flat.point, flat.normal)) > tolerance;
+    });
 }
 
 void directions_of_planes(Flat const& flat, Frame& frame) noexcept {
@@ -125,12 +130,14 @@ bool contains(Flat const& flat, Line const& line, Real size, Real tolerance) noe
 Line common_line(Flat const& a, Flat const& b, Real size, Real tolerance) noexcept {
     for (Index axis = 0; axis < 3; ++axis) {
         Line const coordinate{{}, unit_vector(axis)};
-        if (contains(a, coordinate, size, tolerance) && contains(b, coordinate, size, tolerance)) return coordinate;
+        if (contains(a, coordinate, size, tolerance) && contains(b, coordinate, size, tolerance))
+            return coordinate;
     }
     Vec3 const both = cross(a.normal, b.normal);
     Real const away = dot(b.point - a.point, b.normal) / dot(both, both);
     Vec3 const line = direction(both);
-    return {a.point + away * cross(both, a.normal), line[largest_axis(line)] < 0 ? -1.0 * line : line};
+    return {a.point + away * cross(both, a.normal),
+            line[largest_axis(line)] < 0 ? -1.0 * line : line};
 }
 
 Status directions_of_wedge(Group const& faces, Flat const& flat, Line const& axis, Frame& frame,
@@ -141,10 +148,11 @@ Status directions_of_wedge(Group const& faces, Flat const& flat, Line const& axi
     Index const far = faces.largest([&](Vec3 p) { return absolute(dot(p - axis.point, frame.y)); });
     if (dot(faces.mesh.points[far] - axis.point, frame.y) < 0) frame.y = -1.0 * frame.y;
     frame.normal = cross(frame.x, frame.y);
-    Index const beyond =
-        faces.find([&](Index k) { return frame.in_plane(faces.mesh.points[k]).y < -frame.tolerance; });
+    Index const beyond = faces.find(
+        [&](Index k) { return frame.in_plane(faces.mesh.points[k]).y < -frame.tolerance; });
     if (beyond == none) return Status::ok;
-    return fault.refuse(Status::bad_mesh, "the axis of the wedge crosses the mesh: point # is on its other side",
+    return fault.refuse(Status::bad_mesh,
+                        "the axis of the wedge crosses the mesh: point # is on its other side",
                         Counts::mesh, beyond);
 }
 
@@ -153,7 +161,8 @@ Status given_axis(SpaceMesh const& mesh, Flat const& flat, Real size, Real toler
                   Fault& fault) noexcept {
     line = {mesh.axis_point, direction(mesh.axis)};
     if (!contains(flat, line, size, tolerance)) {
-        return fault.refuse(Status::bad_argument, "space.axis does not lie in the plane of the faces");
+        return fault.refuse(Status::bad_argument,
+                            "space.axis does not lie in the plane of the faces");
     }
     return Status::ok;
 }
@@ -181,32 +190,37 @@ Vec2 Frame::in_plane(Vec3 point) const noexcept {
     return {along(point - origin, x), along(point - origin, y)};
 }
 
-Status find_frame(SpaceMesh const& mesh, Span<const std::uint8_t> in_faces, Frame& frame, Fault& fault) noexcept {
+Status find_frame(SpaceMesh const& mesh, Span<const std::uint8_t> in_faces, Frame& frame,
+                  Fault& fault) noexcept {
     Group const faces{mesh, in_faces, 1}, others{mesh, in_faces, 0};
     Real const size = extent(mesh);
     frame.tolerance = mesh.tolerance > 0 ? mesh.tolerance : default_tolerance * size;
     Flat flat = plane_through(faces);
-    if (!flat.exists) return fault.refuse(Status::bad_mesh, "all points of space.face_points lie on one line");
+    if (!flat.exists)
+        return fault.refuse(Status::bad_mesh, "all points of space.face_points lie on one line");
     snap_to_coordinates(faces, frame.tolerance, flat);
     Index const outside = first_outside(faces, flat, frame.tolerance);
     if (outside != none) {
         Real const distance = absolute(dot(mesh.points[outside] - flat.point, flat.normal));
-        return fault.refuse(Status::bad_mesh, "point # of the faces is ~ outside the plane of the others",
+        return fault.refuse(Status::bad_mesh,
+                            "point # of the faces is ~ outside the plane of the others",
                             Counts::mesh, outside, none, distance);
     }
     Flat second = plane_through(others);
     bool const flat_too = second.exists && first_outside(others, second, frame.tolerance) == none;
     bool const inclined = flat_too && length(cross(flat.normal, second.normal)) > parallel;
     bool const has_axis = length(mesh.axis) > 0;
-    frame.kind = mesh.kind != SpaceKind::found ? mesh.kind : inclined ? SpaceKind::wedge : SpaceKind::planes;
+    frame.kind = mesh.kind != SpaceKind::found ? mesh.kind
+                 : inclined                    ? SpaceKind::wedge
+                                               : SpaceKind::planes;
     if (frame.kind == SpaceKind::planes) {
         directions_of_planes(flat, frame);
         return Status::ok;
     }
     if (!has_axis && !inclined) {
-        return fault.refuse(
-            Status::bad_argument,
-            "space.axis is 0, but the other points lie in no inclined plane that would tell the axis");
+        return fault.refuse(Status::bad_argument,
+                            "space.axis is 0, but the other points lie in no inclined plane that "
+                            "would tell the axis");
     }
     Line axis;
     if (has_axis) {

@@ -6,8 +6,9 @@
 
 namespace harmorph {
 
-// A point of space as the plane sees it: its place in the plane, after a movement across the layers or a turn about the
-// axis; and where it is on this way, the distance from the plane or cosine and sine of the angle.
+// A point of space as the plane sees it: its place in the plane, after a movement across the layers
+// or a turn about the axis; and where it is on this way, the distance from the plane or cosine and
+// sine of the angle.
 struct PlacedPoint {
     Vec2 place;
     Real across = 0;
@@ -25,13 +26,18 @@ struct Frame {
     // The movement in space of a movement in the plane, for a point with this turn.
     Vec3 moved(Vec2 step, Vec2 turn) const noexcept { return step.x * x + step.y * radial(turn); }
     // The transpose.
-    Vec2 projected(Vec3 step, Vec2 turn) const noexcept { return {dot(step, x), dot(step, radial(turn))}; }
+    Vec2 projected(Vec3 step, Vec2 turn) const noexcept {
+        return {dot(step, x), dot(step, radial(turn))};
+    }
 
 private:
-    Vec3 radial(Vec2 turn) const noexcept { return kind == SpaceKind::wedge ? turn.x * y + turn.y * normal : y; }
+    Vec3 radial(Vec2 turn) const noexcept {
+        return kind == SpaceKind::wedge ? turn.x * y + turn.y * normal : y;
+    }
 };
 
 // in_faces [n_points]: 1 for the points of the faces. Refuses faces that are not in one plane.
-Status find_frame(SpaceMesh const& mesh, Span<const std::uint8_t> in_faces, Frame& frame, Fault& fault) noexcept;
+Status find_frame(SpaceMesh const& mesh, Span<const std::uint8_t> in_faces, Frame& frame,
+                  Fault& fault) noexcept;
 
 }  // namespace harmorph

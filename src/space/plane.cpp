@@ -47,12 +47,14 @@ void Plane::spread(Points displacement, SpacePoints from, MutableSpacePoints to,
         for (Index k = begin; k < end; ++k) {
             Vec3 const step = frame.moved(displacement[follows[k] - index_base], turn_of(k));
             Vec3 const old = from.given() ? from[k] : Vec3{};
-            to.set(k, {moved_by_step(old.x, step.x), moved_by_step(old.y, step.y), moved_by_step(old.z, step.z)});
+            to.set(k, {moved_by_step(old.x, step.x), moved_by_step(old.y, step.y),
+                       moved_by_step(old.z, step.z)});
         }
     });
 }
 
-void Plane::gather(SpacePoints by_space_points, MutablePoints by_points, Executor const& executor) const noexcept {
+void Plane::gather(SpacePoints by_space_points, MutablePoints by_points,
+                   Executor const& executor) const noexcept {
     executor.for_ranges(n_points, least_plane_points, [&](Index begin, Index end) {
         for (Index p = begin; p < end; ++p) {
             Vec2 sum;

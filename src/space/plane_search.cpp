@@ -80,7 +80,8 @@ void PlaneSearch::copy_cells(SpaceMesh const& mesh, Plane& plane) noexcept {
 void PlaneSearch::find_reach(Plane const& plane) noexcept {
     fill(reach, plane.frame.tolerance * plane.frame.tolerance);
     for (Index i = 0; i < plane.n_faces; ++i) {
-        Index const begin = plane.cell_start[i] - plane.index_base, end = plane.cell_start[i + 1] - plane.index_base;
+        Index const begin = plane.cell_start[i] - plane.index_base,
+                    end = plane.cell_start[i + 1] - plane.index_base;
         for (Index k = begin; k < end; ++k) {
             Index const a = plane.cell_points[k] - plane.index_base;
             Index const b = plane.cell_points[k + 1 == end ? begin : k + 1] - plane.index_base;
@@ -120,9 +121,11 @@ Status PlaneSearch::follow(SpaceMesh const& mesh, Plane& plane, Fault& fault) no
         auto const squared = [&](Index p) { return square(place_of(plane, p) - its.place); };
         Nearest const near = tree.nearest(its.place, {}, squared);
         if (near.item == none || !(near.squared <= reach[near.item])) {
-            constexpr const char* text = "point # is ~ away from being opposite to a point of the faces: "
-                                         "the mesh is not a plane one, extruded";
-            return fault.refuse(Status::bad_mesh, text, Counts::mesh, k, none, square_root(near.squared));
+            constexpr const char* text =
+                "point # is ~ away from being opposite to a point of the faces: "
+                "the mesh is not a plane one, extruded";
+            return fault.refuse(Status::bad_mesh, text, Counts::mesh, k, none,
+                                square_root(near.squared));
         }
         Real const distance = square_root(near.squared);
         if (distance > plane.max_distance) {
@@ -138,8 +141,9 @@ Status PlaneSearch::follow(SpaceMesh const& mesh, Plane& plane, Fault& fault) no
     return Status::ok;
 }
 
-// Of n points at one place of the plane, each layer has n points opposite: in the order of their numbers they follow in
-// the order of the plane's. A layer that has joined them has fewer, which follow the first.
+// Of n points at one place of the plane, each layer has n points opposite: in the order of their
+// numbers they follow in the order of the plane's. A layer that has joined them has fewer, which
+// follow the first.
 void PlaneSearch::resolve(Plane& plane, Size n_ambiguous) noexcept {
     Span<Ambiguous> const all = ambiguous.first(n_ambiguous);
     sort(all, [](Ambiguous const& a, Ambiguous const& b) {
@@ -171,13 +175,16 @@ Status PlaneSearch::list_followers(Plane& plane, Fault& fault) noexcept {
     plane.layers = 0;
     for (Index p = 0; p < plane.n_points; ++p) plane.layers = larger(plane.layers, start[p]);
     for (Index p = 0; p < plane.n_points; ++p) {
-        bool const on_axis = plane.frame.kind == SpaceKind::wedge && plane.y[p] <= plane.frame.tolerance;
+        bool const on_axis =
+            plane.frame.kind == SpaceKind::wedge && plane.y[p] <= plane.frame.tolerance;
         if (start[p] > 1 || plane.layers == 1 || on_axis) continue;
-        return fault.refuse(Status::bad_mesh, "point # of the faces has no point opposite in another layer",
+        return fault.refuse(Status::bad_mesh,
+                            "point # of the faces has no point opposite in another layer",
                             Counts::mesh, plane.space_point[p] - plane.index_base);
     }
     counts_to_starts(start);
-    for (Index k = 0; k < plane.n_space_points; ++k) plane.follower[start[plane.follows[k] - plane.index_base]++] = k;
+    for (Index k = 0; k < plane.n_space_points; ++k)
+        plane.follower[start[plane.follows[k] - plane.index_base]++] = k;
     rewind_starts(start);
     return Status::ok;
 }
@@ -194,9 +201,10 @@ Status PlaneSearch::copy_sides(SpaceMesh const& mesh, Plane& plane, Fault& fault
             if (!known) ends[n++] = p;
         }
         if (n != 2) {
-            return fault.refuse(Status::bad_mesh,
-                                "side # has points of ~ different points of the plane; 2 are possible", Counts::mesh,
-                                i, none, static_cast<Real>(n));
+            return fault.refuse(
+                Status::bad_mesh,
+                "side # has points of ~ different points of the plane; 2 are possible",
+                Counts::mesh, i, none, static_cast<Real>(n));
         }
         plane.side_points[2 * i] = ends[0];
         plane.side_points[2 * i + 1] = ends[1];

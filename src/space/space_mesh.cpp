@@ -8,14 +8,14 @@ namespace {
 Status check_rows(SpaceMesh const& mesh, Fault& fault) noexcept {
     if (mesh.face_start == nullptr) return Status::ok;
     if (mesh.face_start[0] != mesh.index_base) {
-        return fault.refuse(Status::bad_mesh, "space.face_start must begin with index_base, not #", Counts::from_zero,
-                            mesh.face_start[0]);
+        return fault.refuse(Status::bad_mesh, "space.face_start must begin with index_base, not #",
+                            Counts::from_zero, mesh.face_start[0]);
     }
     for (Index i = 0; i < mesh.n_faces; ++i) {
         Offset const n = Offset{mesh.face_start[i + 1]} - mesh.face_start[i];
         if (n >= 3 && n <= SpaceMesh::most_corners) continue;
-        return fault.refuse(Status::bad_mesh, "face # has ~ points; 3 to 1024 are possible", Counts::mesh, i, none,
-                            static_cast<Real>(n));
+        return fault.refuse(Status::bad_mesh, "face # has ~ points; 3 to 1024 are possible",
+                            Counts::mesh, i, none, static_cast<Real>(n));
     }
     return Status::ok;
 }
@@ -25,16 +25,16 @@ Status check_faces(SpaceMesh const& mesh, Fault& fault) noexcept {
         SpaceFace const face = mesh.face(i);
         for (Index k = 0; k < face.n; ++k) {
             if (face.point(k) >= 0 && face.point(k) < mesh.n_points) continue;
-            return fault.refuse(Status::bad_mesh, "face # names point @, which does not exist", Counts::mesh, i,
-                                face.point(k));
+            return fault.refuse(Status::bad_mesh, "face # names point @, which does not exist",
+                                Counts::mesh, i, face.point(k));
         }
     }
     for (Index i = 0; i < mesh.n_sides; ++i) {
         for (Index k = 0; k < 4; ++k) {
             Index const point = from_zero(mesh.side_points[Offset{4} * i + k], mesh.index_base);
             if (point >= 0 && point < mesh.n_points) continue;
-            return fault.refuse(Status::bad_mesh, "side # names point @, which does not exist", Counts::mesh, i,
-                                point);
+            return fault.refuse(Status::bad_mesh, "side # names point @, which does not exist",
+                                Counts::mesh, i, point);
         }
     }
     return Status::ok;
@@ -44,11 +44,13 @@ Status check_coordinates(SpaceMesh const& mesh, Fault& fault) noexcept {
     for (Index k = 0; k < mesh.n_points; ++k) {
         Vec3 const p = mesh.points[k];
         if (!is_finite(p.x) || !is_finite(p.y) || !is_finite(p.z)) {
-            return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite", Counts::mesh, k);
+            return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite",
+                                Counts::mesh, k);
         }
         Real const size = larger(larger(absolute(p.x), absolute(p.y)), absolute(p.z));
         if (size <= largest_coordinate) continue;
-        return fault.refuse(Status::bad_mesh, "point # has the coordinate ~; they may be as large as 1e100",
+        return fault.refuse(Status::bad_mesh,
+                            "point # has the coordinate ~; they may be as large as 1e100",
                             Counts::mesh, k, none, size);
     }
     return Status::ok;
@@ -68,24 +70,24 @@ SpaceFace SpaceMesh::face(Index i) const noexcept {
 
 Status check_counts(SpaceMesh const& mesh, Fault& fault) noexcept {
     if (mesh.index_base != 0 && mesh.index_base != 1) {
-        return fault.refuse(Status::bad_argument, "space.index_base must be 0 or 1, not #", Counts::from_zero,
-                            mesh.index_base);
+        return fault.refuse(Status::bad_argument, "space.index_base must be 0 or 1, not #",
+                            Counts::from_zero, mesh.index_base);
     }
     if (mesh.n_points < 3 || mesh.n_points > SpaceMesh::max_points) {
-        return fault.refuse(Status::bad_mesh, "space.n_points must be between 3 and 2^30, not #", Counts::from_zero,
-                            mesh.n_points);
+        return fault.refuse(Status::bad_mesh, "space.n_points must be between 3 and 2^30, not #",
+                            Counts::from_zero, mesh.n_points);
     }
     if (mesh.n_faces < 1 || mesh.n_faces > SpaceMesh::max_faces) {
-        return fault.refuse(Status::bad_mesh, "space.n_faces must be between 1 and 2^29, not #", Counts::from_zero,
-                            mesh.n_faces);
+        return fault.refuse(Status::bad_mesh, "space.n_faces must be between 1 and 2^29, not #",
+                            Counts::from_zero, mesh.n_faces);
     }
     if (mesh.n_sides < 0 || mesh.n_sides > SpaceMesh::max_faces) {
         return fault.refuse(Status::bad_argument, "space.n_sides must be between 0 and 2^29, not #",
                             Counts::from_zero, mesh.n_sides);
     }
     if (mesh.n_corners() < 3 || mesh.n_corners() > Offset{INT32_MAX} - 1) {
-        return fault.refuse(Status::bad_mesh, "space.face_start says there are ~ corners of faces", Counts::from_zero,
-                            none, none, static_cast<Real>(mesh.n_corners()));
+        return fault.refuse(Status::bad_mesh, "space.face_start says there are ~ corners of faces",
+                            Counts::from_zero, none, none, static_cast<Real>(mesh.n_corners()));
     }
     return Status::ok;
 }
@@ -95,14 +97,17 @@ Status check_space_mesh(SpaceMesh const& mesh, Fault& fault) noexcept {
     if (mesh.points.x == nullptr || mesh.points.y == nullptr || mesh.points.z == nullptr) {
         return fault.refuse(Status::bad_argument, "space.points.x, y or z is NULL");
     }
-    if (mesh.points.stride < 1) return fault.refuse(Status::bad_argument, "space.points.stride is negative");
-    if (mesh.face_points == nullptr) return fault.refuse(Status::bad_argument, "space.face_points is NULL");
+    if (mesh.points.stride < 1)
+        return fault.refuse(Status::bad_argument, "space.points.stride is negative");
+    if (mesh.face_points == nullptr)
+        return fault.refuse(Status::bad_argument, "space.face_points is NULL");
     if (mesh.n_sides > 0 && (mesh.side_points == nullptr || mesh.side_markers == nullptr)) {
-        return fault.refuse(Status::bad_argument, "space.side_points or space.side_markers is NULL");
+        return fault.refuse(Status::bad_argument,
+                            "space.side_points or space.side_markers is NULL");
     }
     if (!is_finite(mesh.tolerance) || mesh.tolerance < 0) {
-        return fault.refuse(Status::bad_argument, "space.tolerance must be a length, not ~", Counts::from_zero, none,
-                            none, mesh.tolerance);
+        return fault.refuse(Status::bad_argument, "space.tolerance must be a length, not ~",
+                            Counts::from_zero, none, none, mesh.tolerance);
     }
     bool const finite = are_finite(mesh.axis) && are_finite(mesh.axis_point);
     bool const has_axis = finite && (length(mesh.axis) > 0 || length(mesh.axis_point) > 0);

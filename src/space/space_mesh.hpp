@@ -1,4 +1,5 @@
-// The caller's mesh of three dimensions: all points, the faces of one symmetry plane, the boundary between the layers.
+// The caller's mesh of three dimensions: all points, the faces of one symmetry plane, the boundary
+// between the layers.
 #pragma once
 
 #include "base/vec3.hpp"
@@ -14,7 +15,8 @@ struct SpaceFace {
     Index index_base = 0;
 
     Index point(Index k) const noexcept {  // counted from 0
-        return static_cast<Index>(static_cast<std::uint32_t>(number[k]) - static_cast<std::uint32_t>(index_base));
+        return static_cast<Index>(static_cast<std::uint32_t>(number[k]) -
+                                  static_cast<std::uint32_t>(index_base));
     }
 };
 
@@ -37,10 +39,13 @@ struct SpaceMesh {
     static constexpr Index most_corners = 1024;  // of a face
 
     Offset n_corners() const noexcept {
-        return face_start == nullptr ? Offset{4} * n_faces : Offset{face_start[n_faces]} - index_base;
+        return face_start == nullptr ? Offset{4} * n_faces
+                                     : Offset{face_start[n_faces]} - index_base;
     }
     // Upper bound of the number of different points of the faces.
-    Index max_plane_points() const noexcept { return static_cast<Index>(smaller(n_corners(), Offset{n_points})); }
+    Index max_plane_points() const noexcept {
+        return static_cast<Index>(smaller(n_corners(), Offset{n_points}));
+    }
     SpaceFace face(Index i) const noexcept;
 };
 

@@ -1,7 +1,7 @@
 // Angles against the mathematics library.
 #include <doctest/doctest.h>
 
-#include <harmorph/base/angle.hpp>
+#include "base/angle.hpp"
 
 #include <cmath>
 #include <initializer_list>
@@ -17,7 +17,7 @@ TEST_CASE("all the way round, at any length") {
             worst = std::fmax(worst, std::fabs(angle_of({x, y}) - std::atan2(y, x)));
         }
     }
-    CHECK(worst < 2e-15);   // the last place of pi is 4e-16
+    CHECK(worst < 2e-15);  // the last place of pi is 4e-16
 }
 
 TEST_CASE("small angles keep their digits; the axes are exact; turning round changes the sign") {

@@ -3,7 +3,7 @@
 
 #include <fixtures/guarded.hpp>
 
-#include <harmorph/base/arena.hpp>
+#include "base/arena.hpp"
 
 #include <limits>
 #include <random>
@@ -25,18 +25,21 @@ struct Layout {
         Size const mark = arena.mark();
         arena.take(c, sizes[2]);
         arena.release(mark);
-        arena.take(overlaid, sizes[3]);   // where c was
+        arena.take(overlaid, sizes[3]);  // where c was
         arena.take(d, sizes[4]);
     }
 };
 
 }  // namespace
 
-TEST_CASE("the counted size suffices at any address; arrays are aligned, inside, and do not overlap unless they may") {
+TEST_CASE(
+    "the counted size suffices at any address; arrays are aligned, inside, and do not overlap "
+    "unless they may") {
     std::mt19937 random(1);
     for (int trial = 0; trial < 300; ++trial) {
         Layout layout;
-        for (std::size_t& size : layout.sizes) size = random() % 3 == 0 ? random() % 3 : random() % 500;
+        for (std::size_t& size : layout.sizes)
+            size = random() % 3 == 0 ? random() % 3 : random() % 500;
         Arena counting;
         layout.lay_out(counting);
         CHECK(!counting.placing());
@@ -74,8 +77,8 @@ TEST_CASE("one byte less is noticed, and what is missing is said") {
     for (std::size_t& size : layout.sizes) size = 100;
     Arena counting;
     layout.lay_out(counting);
-    for (std::size_t const missing :
-         {std::size_t{1}, std::size_t{70}, std::size_t{800}, counting.bytes() - 1, counting.bytes()}) {
+    for (std::size_t const missing : {std::size_t{1}, std::size_t{70}, std::size_t{800},
+                                      counting.bytes() - 1, counting.bytes()}) {
         Guarded block(counting.bytes() - missing);
         Arena placing(block.data(), block.size());
         layout.lay_out(placing);
@@ -108,7 +111,7 @@ TEST_CASE("sizes beyond all addresses are refused instead of wrapping round") {
     }
     Arena negative;
     Span<double> array;
-    negative.take(array, -1);   // a count that has overflown before
+    negative.take(array, -1);  // a count that has overflown before
     CHECK(negative.overflown());
 }
 

@@ -3,7 +3,7 @@
 
 #include <fixtures/check.hpp>
 
-#include <harmorph/base/fixed_sum.hpp>
+#include "base/fixed_sum.hpp"
 
 #include <cmath>
 #include <limits>
@@ -30,10 +30,11 @@ TEST_CASE("a number in fixed point is itself to 2^-64, and exactly so if it is n
     for (int k = 0; k < 2000; ++k) {
         double const t = std::ldexp(uniform(random), -(k % 80));
         CHECK(std::fabs(fixed(t).value() - t) <= 0x1p-64);
-        if (std::fabs(t) >= 0x1p-10) CHECK(fixed(t).value() == t);   // its last bit is 2^-63 or more
-        if (std::fabs(t) < 0.5) {   // the nearest integer, in one piece
+        if (std::fabs(t) >= 0x1p-10) CHECK(fixed(t).value() == t);  // its last bit is 2^-63 or more
+        if (std::fabs(t) < 0.5) {  // the nearest integer, in one piece
             FixedSum const its = fixed(t);
-            CHECK(its.coarse * (std::int64_t{1} << FixedSum::fine_bits) + its.fine == std::llrint(std::ldexp(t, 63)));
+            CHECK(its.coarse * (std::int64_t{1} << FixedSum::fine_bits) + its.fine ==
+                  std::llrint(std::ldexp(t, 63)));
         }
     }
     CHECK(fixed(1).value() == 1);
@@ -58,19 +59,23 @@ TEST_CASE("values of sums: cancellation, carries, and 2^30 numbers of size 1") {
     CHECK(FixedSum{-unit * most, 0}.value() == -std::ldexp(1.0, 30));
     CHECK(FixedSum{-1, fine}.value() == 0);
     CHECK(FixedSum{0, -1}.value() == -0x1p-63);
-    CHECK(FixedSum{unit, 5 * fine + 3}.value() == 1 + 5 * 0x1p-32 + 0);   // 3 * 2^-63 is below the spacing at 1
+    CHECK(FixedSum{unit, 5 * fine + 3}.value() ==
+          1 + 5 * 0x1p-32 + 0);  // 3 * 2^-63 is below the spacing at 1
     CHECK(FixedSum{0, most * (fine / 2)}.value() == 0.125);
-    for (std::int64_t const carry : {-7, 0, 1, 1000})   // however a sum is split
-        CHECK(FixedSum{3 * unit + 5 - carry, 77 + carry * fine}.value() == FixedSum{3 * unit + 5, 77}.value());
+    for (std::int64_t const carry : {-7, 0, 1, 1000})  // however a sum is split
+        CHECK(FixedSum{3 * unit + 5 - carry, 77 + carry * fine}.value() ==
+              FixedSum{3 * unit + 5, 77}.value());
 }
 
 TEST_CASE("scales: above every number, exact both ways") {
-    double const largest = std::numeric_limits<double>::max(), smallest = std::numeric_limits<double>::denorm_min();
+    double const largest = std::numeric_limits<double>::max(),
+                 smallest = std::numeric_limits<double>::denorm_min();
     for (double const x : {1.0, 0.999, 1.5, -3.0, 1e-200, 1e300, largest, 7e-286}) {
         harmorph::Index const e = BinaryScale::exponent_above(x);
         CHECK(std::ilogb(x) + 1 == e);
     }
-    for (double const x : {0.0, smallest, 1e-305}) CHECK(BinaryScale::exponent_above(x) == BinaryScale::least);
+    for (double const x : {0.0, smallest, 1e-305})
+        CHECK(BinaryScale::exponent_above(x) == BinaryScale::least);
     CHECK(BinaryScale::exponent_above(std::nan("")) == BinaryScale::not_finite);
     CHECK(BinaryScale::exponent_above(-HUGE_VAL) == BinaryScale::not_finite);
     for (int const e : {-1901, -1023, -7, -1, 0, 1, 2, 513, 1023}) {
@@ -82,12 +87,14 @@ TEST_CASE("scales: above every number, exact both ways") {
     CHECK(!BinaryScale{1024}.valid());
     CHECK(!BinaryScale{-1902}.valid());
     CHECK(BinaryScale{3}.units().down(1) == 0x1p+60);
-    CHECK(!BinaryScale::of_products(0x1p+999, 0x1p+24).finite());   // products might overflow
+    CHECK(!BinaryScale::of_products(0x1p+999, 0x1p+24).finite());  // products might overflow
     CHECK(!BinaryScale::of_products(HUGE_VAL, 0).finite());
     CHECK(!BinaryScale::of_products(1, std::nan("")).finite());
 }
 
-TEST_CASE("scales of products: above every product, below twice the largest, and of no more than is below") {
+TEST_CASE(
+    "scales of products: above every product, below twice the largest, and of no more than is "
+    "below") {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> uniform(0.25, 4);
     for (int k = 0; k < 1000; ++k) {
@@ -95,8 +102,9 @@ TEST_CASE("scales of products: above every product, below twice the largest, and
         harmorph::Index const e = BinaryScale::of_products(a, b).exponent;
         CHECK(a * b < std::ldexp(1, e));
         CHECK(2 * a * b >= std::ldexp(1, e));
-        CHECK(BinaryScale::of_products(a, b / 3).exponent <= e);   // of a part of the points
-        CHECK(BinaryScale::of_products(std::ldexp(a, -800), std::ldexp(b, 700)).exponent == e - 100);
+        CHECK(BinaryScale::of_products(a, b / 3).exponent <= e);  // of a part of the points
+        CHECK(BinaryScale::of_products(std::ldexp(a, -800), std::ldexp(b, 700)).exponent ==
+              e - 100);
     }
     CHECK(BinaryScale::of_products(1, 1).exponent == 1);
     CHECK(BinaryScale::of_products(0, 0).valid());

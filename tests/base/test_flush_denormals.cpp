@@ -1,7 +1,7 @@
 // Numbers below the normal range are flushed while they are asked to be, and no longer.
 #include <doctest/doctest.h>
 
-#include <harmorph/base/flush_denormals.hpp>
+#include "base/flush_denormals.hpp"
 
 #include <limits>
 
@@ -9,7 +9,7 @@ namespace {
 
 template <class Number>
 Number product(Number a, Number b) {
-    Number volatile x = a, y = b;   // at run time
+    Number volatile x = a, y = b;  // at run time
     Number volatile out = x * y;
     return out;
 }

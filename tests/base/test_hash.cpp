@@ -3,7 +3,7 @@
 
 #include <fixtures/executors.hpp>
 
-#include <harmorph/base/hash.hpp>
+#include "base/hash.hpp"
 
 #include <set>
 #include <vector>
@@ -14,7 +14,8 @@ TEST_CASE("hashes tell apart: order, zeros, lengths, single bits") {
     };
     std::set<std::uint64_t> seen;
     std::size_t n = 0;
-    for (std::size_t length = 0; length < 20; ++length, ++n) seen.insert(hash(std::vector<std::uint64_t>(length, 0)));
+    for (std::size_t length = 0; length < 20; ++length, ++n)
+        seen.insert(hash(std::vector<std::uint64_t>(length, 0)));
     std::vector<std::uint64_t> words = {1, 2, 3, 4, 5, 6, 7, 8, 9};
     CHECK(hash(words) == hash(words));
     for (std::size_t k = 0; k < words.size(); ++k)
@@ -35,7 +36,7 @@ TEST_CASE("hashes tell apart: order, zeros, lengths, single bits") {
 }
 
 TEST_CASE("pieces of a long block: their order counts, the number of threads does not") {
-    std::size_t const n = 40000;   // more words than a piece has
+    std::size_t const n = 40000;  // more words than a piece has
     std::vector<std::uint64_t> words(n);
     for (std::size_t k = 0; k < n; ++k) words[k] = k * k + 1;
     auto const hash = [&](std::int32_t threads) {
@@ -53,7 +54,8 @@ TEST_CASE("pieces of a long block: their order counts, the number of threads doe
         CHECK(hash(1) != whole);
         words[k] ^= 1;
     }
-    for (std::size_t k = 0; k < 8192; ++k) std::swap(words[k], words[k + 16384]);   // two pieces change places
+    for (std::size_t k = 0; k < 8192; ++k)
+        std::swap(words[k], words[k + 16384]);  // two pieces change places
     CHECK(hash(1) != whole);
     CHECK(hash(3) == hash(1));
 }

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <harmorph/base/longest_monotone.hpp>
+#include "base/longest_monotone.hpp"
 
 #include <algorithm>
 #include <random>
@@ -38,7 +38,8 @@ TEST_CASE("the longest run is non-decreasing, in order, and as long as can be") 
         CHECK(run.size() == longest(values));
         for (std::size_t l = 1; l < run.size(); ++l) {
             CHECK(run[l - 1] < run[l]);
-            CHECK(values[static_cast<std::size_t>(run[l - 1])] <= values[static_cast<std::size_t>(run[l])]);
+            CHECK(values[static_cast<std::size_t>(run[l - 1])] <=
+                  values[static_cast<std::size_t>(run[l])]);
         }
     }
 }

@@ -1,14 +1,15 @@
-// Signs of determinants: against whole numbers where they fit, and against geometry where nothing fits.
+// Signs of determinants: against whole numbers where they fit, and against geometry where nothing
+// fits.
 #include <doctest/doctest.h>
 
 #include <fixtures/perturb.hpp>
 #include <fixtures/wrong.hpp>
 
-#include <harmorph/base/predicates.hpp>
+#include "base/predicates.hpp"
 
-using harmorph::Vec2;
 using harmorph::in_circle_sign;
 using harmorph::orientation_sign;
+using harmorph::Vec2;
 
 namespace {
 
@@ -19,7 +20,8 @@ GridPoint operator-(GridPoint a, GridPoint b) { return {a.x - b.x, a.y - b.y}; }
 std::int64_t cross(GridPoint a, GridPoint b) { return a.x * b.y - a.y * b.x; }
 std::int64_t square(GridPoint a) { return a.x * a.x + a.y * a.y; }
 
-// Sums of products of two numbers below 2^62: high 2^62 + middle 2^31 + low, as not all processors have 128 bits.
+// Sums of products of two numbers below 2^62: high 2^62 + middle 2^31 + low, as not all processors
+// have 128 bits.
 class Whole {
 public:
     void add_product(std::int64_t a, std::int64_t b) {
@@ -47,7 +49,7 @@ int orientation_sign(GridPoint a, GridPoint b, GridPoint c) {
     std::int64_t const area = cross(a - c, b - c);
     return area < 0 ? -1 : area > 0;
 }
-int in_circle_sign(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {   // differences below 2^30
+int in_circle_sign(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {  // differences below 2^30
     GridPoint const p = a - d, q = b - d, r = c - d;
     Whole sum;
     sum.add_product(square(p), cross(q, r));
@@ -56,7 +58,9 @@ int in_circle_sign(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {   // di
     return sum.sign();
 }
 
-Vec2 at(GridPoint p, double scale) { return {scale * static_cast<double>(p.x), scale * static_cast<double>(p.y)}; }
+Vec2 at(GridPoint p, double scale) {
+    return {scale * static_cast<double>(p.x), scale * static_cast<double>(p.y)};
+}
 
 std::int64_t below(std::mt19937& random, std::int64_t end) {
     return static_cast<std::int64_t>(fixtures::uniform(random) * static_cast<double>(end));
@@ -75,19 +79,22 @@ double any_number(std::mt19937& random) {
 TEST_CASE("signs are those of whole numbers, in any unit of length") {
     std::mt19937 random(1);
     int degenerate = 0;
-    fixtures::Wrong wrong;   // signs, in which round
+    fixtures::Wrong wrong;  // signs, in which round
     for (int round = 0; round < 20000; ++round) {
-        // Few points on a line or a circle by chance: small numbers, and a fourth point mirrored or one step off.
+        // Few points on a line or a circle by chance: small numbers, and a fourth point mirrored or
+        // one step off.
         std::int64_t const size = round % 2 == 0 ? 8 : 20000, far = round % 3 == 0 ? 1 << 28 : 0;
         GridPoint p[4];
         for (GridPoint& one : p) one = {far + below(random, size), far + below(random, size)};
         if (round % 5 == 0) p[3] = {p[0].x + p[1].x - p[2].x, p[0].y + p[1].y - p[2].y};
         if (round % 7 == 0) p[2] = {2 * p[1].x - p[0].x, 2 * p[1].y - p[0].y};
-        int const turn = orientation_sign(p[0], p[1], p[2]), circle = in_circle_sign(p[0], p[1], p[2], p[3]);
+        int const turn = orientation_sign(p[0], p[1], p[2]),
+                  circle = in_circle_sign(p[0], p[1], p[2], p[3]);
         degenerate += (turn == 0 || circle == 0) ? 1 : 0;
         for (double const scale : {1.0, 0x1p-900, 0x1p900, 0x1p-1074, 0x1p994, 0x1p-300, 3.0}) {
             Vec2 q[4];
-            for (int k = 0; k < 4; ++k) q[k] = at(p[k], scale);   // 3 times a number below 2^30 is exact as well
+            for (int k = 0; k < 4; ++k)
+                q[k] = at(p[k], scale);  // 3 times a number below 2^30 is exact as well
             wrong.compare(round, orientation_sign(q[0], q[1], q[2]), turn);
             wrong.compare(round, in_circle_sign(q[0], q[1], q[2], q[3]), circle);
         }
@@ -118,8 +125,8 @@ TEST_CASE("a circle and a point next to it, the whole range of numbers apart") {
         CHECK(in_circle_sign(a, b, c, Vec2{0, -std::nextafter(r, 2 * r)}) == -1);
         CHECK(in_circle_sign(a, b, c, Vec2{tiny, -r}) == -1);
         CHECK(in_circle_sign(a, b, c, Vec2{tiny, 0}) == 1);
-        // Through (r, h), (0, r), (-r, 0) the centre is (t, -t), t = h^2 / (4 r - 2 h): a larger circle for either sign
-        // of h.
+        // Through (r, h), (0, r), (-r, 0) the centre is (t, -t), t = h^2 / (4 r - 2 h): a larger
+        // circle for either sign of h.
         CHECK(in_circle_sign(Vec2{r, tiny}, b, c, Vec2{0, -r}) == 1);
         CHECK(in_circle_sign(Vec2{r, -tiny}, b, c, Vec2{0, -r}) == 1);
     }
@@ -128,7 +135,7 @@ TEST_CASE("a circle and a point next to it, the whole range of numbers apart") {
 TEST_CASE("swapping two points changes the sign, whatever the sizes") {
     std::mt19937 random(2);
     int not_zero = 0;
-    fixtures::Wrong wrong;   // signs, in which round
+    fixtures::Wrong wrong;  // signs, in which round
     for (int round = 0; round < 3000; ++round) {
         Vec2 p[4];
         for (Vec2& one : p) one = {any_number(random), any_number(random)};

@@ -1,4 +1,5 @@
-// Progress and cancellation, and what calls out of order do: nothing is lost, nothing is solved by chance.
+// Progress and cancellation, and what calls out of order do: nothing is lost, nothing is solved by
+// chance.
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -32,7 +33,8 @@ struct Listener {
     }
 };
 
-std::vector<double> values_of(const hm_basis* basis, std::int32_t n_functions, std::size_t n_points) {
+std::vector<double> values_of(const hm_basis* basis, std::int32_t n_functions,
+                              std::size_t n_points) {
     std::vector<double> out, one(n_points);
     for (std::int32_t i = 0; i < n_functions; ++i) {
         REQUIRE(hm_basis_values(basis, i, 0, one.data(), nullptr) == HM_OK);
@@ -58,7 +60,7 @@ TEST_CASE("a tolerance below rounding is a warning, and the functions are there"
 }
 
 TEST_CASE("phases are reported in order, each from 0 to 1, never backwards") {
-    Case its = ring_case(60, 300, 0.5, 2);   // large enough for reports in between
+    Case its = ring_case(60, 300, 0.5, 2);  // large enough for reports in between
     Listener listener;
     hm_options const options = listener.options();
     Solved const solved(its, &options);
@@ -100,15 +102,16 @@ TEST_CASE("cancelled at any moment: nothing is lost, and doing it again gives th
             if (done) return;
             CHECK(attempt.status == HM_CANCELLED);
             CHECK(attempt.error.code == HM_CANCELLED);
-            CHECK(listener.events.size() == stop + 1);   // nothing was reported after that
+            CHECK(listener.events.size() == stop + 1);  // nothing was reported after that
             cancelled = true;
         };
         again_if_cancelled(attempt.analyse(problem, &options));
         if (cancelled) {
             CHECK(attempt.analysis == nullptr);
-            hm_status const status = hm_analysis_init(&attempt.analysis, attempt.analysis_block->data(),
-                                                      attempt.analysis_block->size(), &problem, &options, nullptr);
-            REQUIRE(status == HM_OK);   // in the same block
+            hm_status const status =
+                hm_analysis_init(&attempt.analysis, attempt.analysis_block->data(),
+                                 attempt.analysis_block->size(), &problem, &options, nullptr);
+            REQUIRE(status == HM_OK);  // in the same block
         }
         REQUIRE(attempt.prepare());
         hm_status status = hm_plan_factor(attempt.plan, nullptr, &attempt.error);
@@ -116,7 +119,8 @@ TEST_CASE("cancelled at any moment: nothing is lost, and doing it again gives th
             CHECK(status == HM_CANCELLED);
             CHECK(!cancelled);
             cancelled = true;
-            CHECK(hm_plan_solve(attempt.plan, attempt.basis, nullptr, nullptr) < 0);   // there is no factor
+            CHECK(hm_plan_solve(attempt.plan, attempt.basis, nullptr, nullptr) <
+                  0);  // there is no factor
             REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr) == HM_OK);
         }
         status = hm_plan_solve(attempt.plan, attempt.basis, nullptr, &attempt.error);
@@ -125,8 +129,10 @@ TEST_CASE("cancelled at any moment: nothing is lost, and doing it again gives th
             CHECK(!cancelled);
             cancelled = true;
             std::vector<double> values(its.mesh.x.size());
-            CHECK(hm_basis_values(attempt.basis, 0, 0, values.data(), nullptr) == HM_BAD_BASIS);   // not solved
-            REQUIRE(hm_plan_solve(attempt.plan, attempt.basis, nullptr, nullptr) == HM_OK);   // the factor stays
+            CHECK(hm_basis_values(attempt.basis, 0, 0, values.data(), nullptr) ==
+                  HM_BAD_BASIS);  // not solved
+            REQUIRE(hm_plan_solve(attempt.plan, attempt.basis, nullptr, nullptr) ==
+                    HM_OK);  // the factor stays
         }
         CHECK(cancelled);
         CHECK(same_bits(values_of(attempt.basis, 10, its.mesh.x.size()), expected));
@@ -148,7 +154,8 @@ TEST_CASE("what does not belong together is refused: no factor yet, another anal
     std::vector<double> const d(its.mesh.x.size(), 0.0);
     hm_step_report step{};
     step.struct_size = sizeof step;
-    CHECK(hm_admissible_step(attempt.basis, &mesh, nullptr, points_in(d, d), nullptr, &step, nullptr) == HM_BAD_BASIS);
+    CHECK(hm_admissible_step(attempt.basis, &mesh, nullptr, points_in(d, d), nullptr, &step,
+                             nullptr) == HM_BAD_BASIS);
     Attempt only_mesh;
     hm_problem problem = its.problem();
     problem.curves = nullptr;

@@ -1,10 +1,11 @@
-// Work that tasks share out among themselves: each piece is done once, by threads as by tasks one after the other.
+// Work that tasks share out among themselves: each piece is done once, by threads as by tasks one
+// after the other.
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
 
-#include <harmorph/base/parallel_reduce.hpp>
-#include <harmorph/base/shared_work.hpp>
+#include "base/parallel_reduce.hpp"
+#include "base/shared_work.hpp"
 
 #include <harmorph_pthreads.h>
 
@@ -12,7 +13,8 @@ using harmorph::Index;
 
 namespace {
 
-// Items of a heap: whoever takes one makes its two children ready. Returns how often each was taken.
+// Items of a heap: whoever takes one makes its two children ready. Returns how often each was
+// taken.
 std::vector<int> take_all(harmorph::Executor const& executor, Index workers) {
     constexpr Index n = 1024;
     harmorph::ReadyItems<n> ready;
@@ -34,13 +36,14 @@ std::vector<int> take_all(harmorph::Executor const& executor, Index workers) {
 
 TEST_CASE("every item that becomes ready is taken once") {
     std::vector<int> once(1024, 1);
-    once[0] = 0;   // never added
+    once[0] = 0;  // never added
     CHECK(take_all({}, 1) == once);
     fixtures::Backwards order;
     CHECK(take_all({fixtures::Backwards::run, &order, 3}, 3) == once);
     hm_pthreads pool;
     hm_executor const executor = hm_pthreads_start(&pool, 4);
-    for (int again = 0; again < 50; ++again) CHECK(take_all({executor.run, executor.user, 4}, 4) == once);
+    for (int again = 0; again < 50; ++again)
+        CHECK(take_all({executor.run, executor.user, 4}, 4) == once);
     hm_pthreads_stop(&pool);
 }
 
@@ -58,15 +61,17 @@ TEST_CASE("numbers are given to one task each") {
 
 TEST_CASE("the first item that is found in ranges, whatever their order") {
     fixtures::Backwards order;
-    for (harmorph::Executor const& executor : {harmorph::Executor{}, {fixtures::Backwards::run, &order, 3}}) {
+    for (harmorph::Executor const& executor :
+         {harmorph::Executor{}, {fixtures::Backwards::run, &order, 3}}) {
         for (Index const n : {0, 1, 5, 16, 1000}) {
             for (Index const first : {0, 1, 4, 15, 500, 999, 2000}) {
-                Index const found = harmorph::find_in_ranges(n, executor, [&](Index begin, Index end) {
-                    for (Index k = begin; k < end; ++k) {
-                        if (k == first || k > first + 3) return k;
-                    }
-                    return harmorph::none;
-                });
+                Index const found =
+                    harmorph::find_in_ranges(n, executor, [&](Index begin, Index end) {
+                        for (Index k = begin; k < end; ++k) {
+                            if (k == first || k > first + 3) return k;
+                        }
+                        return harmorph::none;
+                    });
                 CHECK(found == (first < n ? first : harmorph::none));
             }
         }

@@ -3,7 +3,7 @@
 
 #include <fixtures/core.hpp>
 
-#include <harmorph/base/sort.hpp>
+#include "base/sort.hpp"
 
 using namespace fixtures;
 
@@ -13,7 +13,10 @@ TEST_CASE("the heap sort sorts: all sizes, equal keys, sorted, reversed and rand
         for (int kind = 0; kind < 4; ++kind) {
             std::vector<int> items;
             for (int k = 0; k < n; ++k)
-                items.push_back(kind == 0 ? k : kind == 1 ? -k : static_cast<int>(random() % (kind == 2 ? 5 : 100000)));
+                items.push_back(kind == 0 ? k
+                                : kind == 1
+                                    ? -k
+                                    : static_cast<int>(random() % (kind == 2 ? 5 : 100000)));
             std::vector<int> expected = items;
             std::sort(expected.begin(), expected.end());
             harmorph::sort(span(items), [](int a, int b) { return a < b; });
@@ -27,20 +30,22 @@ TEST_CASE("the sort by insertion sorts, and keeps the order of equal keys") {
         for (int kind = 0; kind < 4; ++kind) {
             std::vector<std::pair<int, int>> items;
             for (int k = 0; k < n; ++k)
-                items.push_back({kind == 0   ? k
-                                 : kind == 1 ? -k
-                                             : static_cast<int>(random() % (kind == 2 ? 5 : 100000)),
+                items.push_back({kind == 0 ? k
+                                 : kind == 1
+                                     ? -k
+                                     : static_cast<int>(random() % (kind == 2 ? 5 : 100000)),
                                  k});
             std::vector<std::pair<int, int>> expected = items;
             std::stable_sort(expected.begin(), expected.end(),
                              [](auto const& a, auto const& b) { return a.first < b.first; });
-            harmorph::sort_by_insertion(span(items), [](auto const& a, auto const& b) { return a.first < b.first; });
+            harmorph::sort_by_insertion(
+                span(items), [](auto const& a, auto const& b) { return a.first < b.first; });
             CHECK(items == expected);
         }
 }
 
 TEST_CASE("counts become starts, filling becomes rewinding") {
-    std::vector<harmorph::Index> starts = {3, 0, 2, 5, 0, 99};   // the last place is for the total
+    std::vector<harmorph::Index> starts = {3, 0, 2, 5, 0, 99};  // the last place is for the total
     starts.back() = 0;
     CHECK(harmorph::counts_to_starts(span(starts)) == 10);
     CHECK(starts == std::vector<harmorph::Index>{0, 3, 3, 5, 10, 10});

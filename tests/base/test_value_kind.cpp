@@ -1,4 +1,5 @@
-// Values of all kinds, real, complex and 2 x 2: one basis, one morph, one adjoint, whatever a value is made of.
+// Values of all kinds, real, complex and 2 x 2: one basis, one morph, one adjoint, whatever a value
+// is made of.
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
@@ -14,7 +15,7 @@ struct Kind {
     const char* name;
     std::int32_t operator_kind;
     bool rigid, slip;
-    std::int32_t least_numbers;   // fewer cannot express the values
+    std::int32_t least_numbers;  // fewer cannot express the values
 };
 constexpr Kind kinds[] = {{"Laplace", HM_LAPLACE, false, false, 1},
                           {"weighted", HM_WEIGHTED, false, false, 1},
@@ -40,7 +41,8 @@ Case case_of(Kind const& kind) {
     return out;
 }
 
-std::vector<double> numbers(const hm_basis* basis, std::int32_t function, std::int32_t number, std::int32_t n_points) {
+std::vector<double> numbers(const hm_basis* basis, std::int32_t function, std::int32_t number,
+                            std::int32_t n_points) {
     std::vector<double> out(static_cast<std::size_t>(n_points));
     REQUIRE(hm_basis_values(basis, function, number, out.data(), nullptr) == HM_OK);
     return out;
@@ -56,14 +58,16 @@ TEST_CASE("the numbers of a value are the linear map that a morph applies") {
         Solved const solved(its, &options);
         hm_basis_info const info = solved.info();
         CHECK(info.numbers_per_value >= kind.least_numbers);
-        CHECK((info.numbers_per_value == 1 || info.numbers_per_value == 2 || info.numbers_per_value == 4));
+        CHECK((info.numbers_per_value == 1 || info.numbers_per_value == 2 ||
+               info.numbers_per_value == 4));
         CHECK(info.functions == its.curves.n_control() + 2 * info.bodies);
         CHECK(info.bodies == (kind.rigid ? 1 : 0));
         for (std::int32_t i = 0; i < info.functions; ++i) {
             std::vector<std::vector<double>> value;
             for (std::int32_t p = 0; p < info.numbers_per_value; ++p)
                 value.push_back(numbers(solved.basis, i, p, info.points));
-            Field const by_x = displacement_by(solved, i, 1), by_y = displacement_by(solved, i, {0, 1});
+            Field const by_x = displacement_by(solved, i, 1),
+                        by_y = displacement_by(solved, i, {0, 1});
             for (std::size_t k = 0; k < by_x.size(); ++k) {
                 double xx = value[0][k], xy = 0, yx = 0, yy = value[0][k];
                 if (info.numbers_per_value == 2) {
@@ -80,9 +84,11 @@ TEST_CASE("the numbers of a value are the linear map that a morph applies") {
             }
         }
         std::vector<double> to(static_cast<std::size_t>(info.points), 7);
-        CHECK(hm_basis_values(solved.basis, 0, info.numbers_per_value, to.data(), nullptr) == HM_BAD_ARGUMENT);
+        CHECK(hm_basis_values(solved.basis, 0, info.numbers_per_value, to.data(), nullptr) ==
+              HM_BAD_ARGUMENT);
         CHECK(hm_basis_values(solved.basis, 0, -1, to.data(), nullptr) == HM_BAD_ARGUMENT);
-        CHECK(hm_basis_values(solved.basis, info.functions, 0, to.data(), nullptr) == HM_BAD_ARGUMENT);
+        CHECK(hm_basis_values(solved.basis, info.functions, 0, to.data(), nullptr) ==
+              HM_BAD_ARGUMENT);
         CHECK(to[0] == 7);
     }
 }
@@ -96,10 +102,11 @@ TEST_CASE("the adjoint is the transpose of the morph, for values of all kinds") 
         std::int32_t const n = solved.info().functions;
         std::vector<double> const g = some_move(its.mesh.n_points(), 1, 5);
         std::vector<double> gradient(2 * static_cast<std::size_t>(n), -1.0);
-        REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(), nullptr, nullptr) ==
-                HM_OK);
-        for (std::int32_t k = 0; k < 2 * n; ++k) {   // each of its numbers
-            Field const by = displacement_by(solved, k / 2, k % 2 == 0 ? Complex(1, 0) : Complex(0, 1));
+        REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(),
+                           nullptr, nullptr) == HM_OK);
+        for (std::int32_t k = 0; k < 2 * n; ++k) {  // each of its numbers
+            Field const by =
+                displacement_by(solved, k / 2, k % 2 == 0 ? Complex(1, 0) : Complex(0, 1));
             double expected = 0, size = 0;
             for (std::size_t p = 0; p < by.size(); ++p) {
                 double const part[] = {g[2 * p] * by[p].real(), g[2 * p + 1] * by[p].imag()};
@@ -111,8 +118,8 @@ TEST_CASE("the adjoint is the transpose of the morph, for values of all kinds") 
         Backwards backwards;
         hm_executor const executor = backwards.executor(3);
         std::vector<double> again(gradient.size());
-        REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), again.data(), &executor, nullptr) ==
-                HM_OK);
+        REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), again.data(),
+                           &executor, nullptr) == HM_OK);
         CHECK(same_bits(again, gradient));
     }
 }
@@ -122,19 +129,21 @@ TEST_CASE("larger meshes and many functions: adjoint and morph agree beyond one 
         Case its = ring_case(14, 300, 0.5, 2, Cells::hybrid, 3, n);
         hm_options const options = options_of(HM_CONFORMAL);
         Solved const solved(its, &options);
-        std::vector<double> const move = some_move(n, 1, 4), g = some_move(its.mesh.n_points(), 1, 5);
+        std::vector<double> const move = some_move(n, 1, 4),
+                                  g = some_move(its.mesh.n_points(), 1, 5);
         Field const moved = displacement(solved, move);
         std::vector<double> gradient(2 * static_cast<std::size_t>(n));
-        REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(), nullptr, nullptr) ==
-                HM_OK);
+        REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(),
+                           nullptr, nullptr) == HM_OK);
         double here = 0, there = 0, size = 0;
         for (std::size_t k = 0; k < moved.size(); ++k) {
             here += g[2 * k] * moved[k].real() + g[2 * k + 1] * moved[k].imag();
-            size += std::fabs(g[2 * k] * moved[k].real()) + std::fabs(g[2 * k + 1] * moved[k].imag());
+            size +=
+                std::fabs(g[2 * k] * moved[k].real()) + std::fabs(g[2 * k + 1] * moved[k].imag());
         }
         for (std::size_t k = 0; k < move.size(); ++k) there += gradient[k] * move[k];
         CHECK(std::fabs(here - there) <= 1e-14 * size);
-        CHECK(std::fabs(here) > 1e-3 * size / std::sqrt(4500.0));   // the test could have failed
+        CHECK(std::fabs(here) > 1e-3 * size / std::sqrt(4500.0));  // the test could have failed
     }
 }
 
@@ -148,17 +157,19 @@ TEST_CASE("zero movement keeps every bit, and a movement that is not finite is r
         std::vector<double> x = its.mesh.x, y = its.mesh.y;
         x[3] = -0.0;
         std::vector<double> const before = x;
-        REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
+                         nullptr) == HM_OK);
         CHECK(same_bits(x, before));
         CHECK(same_bits(y, its.mesh.y));
         move.back() = std::nan("");
-        CHECK(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) ==
-              HM_BAD_ARGUMENT);
+        CHECK(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
+                       nullptr) == HM_BAD_ARGUMENT);
         CHECK(same_bits(x, before));
     }
 }
 
-TEST_CASE("values of all kinds are the same after saving and attaching; damaged values are refused") {
+TEST_CASE(
+    "values of all kinds are the same after saving and attaching; damaged values are refused") {
     for (Kind const& kind : kinds) {
         INFO(kind.name);
         Case its = case_of(kind);
@@ -172,17 +183,19 @@ TEST_CASE("values of all kinds are the same after saving and attaching; damaged 
         const hm_basis* copy = nullptr;
         REQUIRE(hm_basis_attach(&copy, whole.data(), bytes, &mesh, nullptr) == HM_OK);
         CHECK(displacement(copy, move) == displacement(solved, move));
-        Wrong accepted;   // at which size; with which byte changed
+        Wrong accepted;  // at which size; with which byte changed
         for (std::size_t size = 0; size < bytes; size += size < 800 ? 1 : 61) {
             Guarded part(size);
             if (size > 0) std::memcpy(part.data(), whole.data(), size);
-            accepted.compare(size, hm_basis_attach(&copy, part.data(), size, &mesh, nullptr), HM_BAD_BASIS);
+            accepted.compare(size, hm_basis_attach(&copy, part.data(), size, &mesh, nullptr),
+                             HM_BAD_BASIS);
         }
         CHECK(accepted == 0);
         for (std::size_t k = 0; k < bytes; k += k < 800 ? 1 : 13) {
             unsigned char& byte = whole.data()[k];
             byte = static_cast<unsigned char>(byte ^ 0x10);
-            accepted.compare(k, hm_basis_attach(&copy, whole.data(), bytes, &mesh, nullptr), HM_BAD_BASIS);
+            accepted.compare(k, hm_basis_attach(&copy, whole.data(), bytes, &mesh, nullptr),
+                             HM_BAD_BASIS);
             byte = static_cast<unsigned char>(byte ^ 0x10);
         }
         CHECK(accepted == 0);
@@ -265,19 +278,22 @@ TEST_CASE("a plan does not solve the basis of another operator, exponent or corr
         REQUIRE(attempt.prepare());
         REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr) == HM_OK);
     };
-    hm_options const options[] = {options_of(HM_WEIGHTED, 4), options_of(HM_WEIGHTED, 6), options_of(HM_LAPLACE),
-                                  options_of(HM_CONFORMAL, 4), options_of(HM_CONFORMAL, 6)};
+    hm_options const options[] = {options_of(HM_WEIGHTED, 4), options_of(HM_WEIGHTED, 6),
+                                  options_of(HM_LAPLACE), options_of(HM_CONFORMAL, 4),
+                                  options_of(HM_CONFORMAL, 6)};
     for (hm_options const& of_plan : options)
         for (hm_options const& of_basis : options) {
             Attempt a, b;
             plan_of(a, of_plan);
             plan_of(b, of_basis);
             bool const same = &of_plan == &of_basis;
-            CHECK(hm_plan_solve(a.plan, b.basis, nullptr, nullptr) == (same ? HM_OK : HM_BAD_BASIS));
+            CHECK(hm_plan_solve(a.plan, b.basis, nullptr, nullptr) ==
+                  (same ? HM_OK : HM_BAD_BASIS));
         }
 }
 
-TEST_CASE("sizes are exact for all kinds: every block at any alignment, and one byte less is refused") {
+TEST_CASE(
+    "sizes are exact for all kinds: every block at any alignment, and one byte less is refused") {
     for (Kind const& kind : kinds) {
         INFO(kind.name);
         Case its = case_of(kind);
@@ -291,11 +307,12 @@ TEST_CASE("sizes are exact for all kinds: every block at any alignment, and one 
             CHECK(attempt.guards_intact());
             hm_plan* plan = nullptr;
             hm_basis* basis = nullptr;
-            Guarded less_plan(attempt.plan_block->size() - 64), less_basis(attempt.basis_block->size() - 64);
-            CHECK(hm_plan_init(&plan, less_plan.data(), less_plan.size(), attempt.analysis, nullptr) ==
-                  HM_BLOCK_TOO_SMALL);
-            CHECK(hm_basis_init(&basis, less_basis.data(), less_basis.size(), attempt.analysis, nullptr) ==
-                  HM_BLOCK_TOO_SMALL);
+            Guarded less_plan(attempt.plan_block->size() - 64),
+                less_basis(attempt.basis_block->size() - 64);
+            CHECK(hm_plan_init(&plan, less_plan.data(), less_plan.size(), attempt.analysis,
+                               nullptr) == HM_BLOCK_TOO_SMALL);
+            CHECK(hm_basis_init(&basis, less_basis.data(), less_basis.size(), attempt.analysis,
+                                nullptr) == HM_BLOCK_TOO_SMALL);
             CHECK(less_plan.guards_intact());
             CHECK(less_basis.guards_intact());
             CHECK(plan == nullptr);

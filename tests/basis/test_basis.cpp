@@ -16,10 +16,10 @@ TEST_CASE("a copy at another address is the same basis") {
     {
         Solved const solved(its);
         expected = solved.all_values();
-        REQUIRE(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_out(moved_x, moved_y),
-                         nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+                         points_out(moved_x, moved_y), nullptr, nullptr) == HM_OK);
         copy = std::make_unique<BasisCopy>(solved);
-    }   // the original, its plan and its analysis are gone
+    }  // the original, its plan and its analysis are gone
     hm_mesh const mesh = its.mesh.view();
     REQUIRE(copy->attach(&mesh) == HM_OK);
     std::vector<double> values, x(its.mesh.x.size()), y(its.mesh.x.size());
@@ -28,17 +28,18 @@ TEST_CASE("a copy at another address is the same basis") {
         values.insert(values.end(), x.begin(), x.end());
     }
     CHECK(same_bits(values, expected));
-    REQUIRE(hm_morph(copy->basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_out(x, y), nullptr, nullptr) ==
-            HM_OK);
+    REQUIRE(hm_morph(copy->basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_out(x, y),
+                     nullptr, nullptr) == HM_OK);
     CHECK(same_bits(x, moved_x));
     CHECK(same_bits(y, moved_y));
     double error = 1;
-    CHECK(hm_boundary_error(copy->basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_in(x, y), &error,
-                            nullptr, nullptr) == HM_OK);
+    CHECK(hm_boundary_error(copy->basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+                            points_in(x, y), &error, nullptr, nullptr) == HM_OK);
     CHECK(error < 1e-14);
 }
 
-TEST_CASE("a basis gives back the curves, the points and the parameters of the problem that was solved") {
+TEST_CASE(
+    "a basis gives back the curves, the points and the parameters of the problem that was solved") {
     Case its = two_body_case();
     its.curves.index_base = 1;
     for (CurveSet::Shape& shape : its.curves.shapes)
@@ -61,7 +62,8 @@ TEST_CASE("a basis gives back the curves, the points and the parameters of the p
         CurveSet::Shape const& own = its.curves.shapes[c];
         CHECK(shape[c].degree == own.degree);
         CHECK(same_bits({shape[c].knots, shape[c].knots + own.knots.size()}, own.knots));
-        for (std::size_t k = 0; k < own.indices.size(); ++k) CHECK(shape[c].indices[k] == own.indices[k] - 1);
+        for (std::size_t k = 0; k < own.indices.size(); ++k)
+            CHECK(shape[c].indices[k] == own.indices[k] - 1);
     }
     hm_basis_info const info = solved.info();
     CHECK(info.solved == 1);
@@ -76,7 +78,8 @@ TEST_CASE("a basis gives back the curves, the points and the parameters of the p
     CHECK(info.engine == HM_DIRECT);
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
         double xy[2];
-        REQUIRE(hm_curve_point(&set, info.point_curve[k], info.point_u[k], 0, xy, nullptr) == HM_OK);
+        REQUIRE(hm_curve_point(&set, info.point_curve[k], info.point_u[k], 0, xy, nullptr) ==
+                HM_OK);
         Point const p = its.mesh.point(info.curve_point[k]);
         CHECK(distance(p, {xy[0], xy[1]}) < 0.05);
     }
@@ -91,7 +94,8 @@ TEST_CASE("moved curves: control points plus their movement, all else as it was"
     before.struct_size = after.struct_size = sizeof before;
     hm_curve shape[2], moved[2];
     REQUIRE(hm_basis_curves(solved.basis, &before, shape, 2, nullptr) == HM_OK);
-    REQUIRE(hm_moved_curves(solved.basis, move.data(), control.data(), &after, moved, 2, nullptr) == HM_OK);
+    REQUIRE(hm_moved_curves(solved.basis, move.data(), control.data(), &after, moved, 2, nullptr) ==
+            HM_OK);
     CHECK(hm_curves_check(&after, nullptr) == HM_OK);
     CHECK(after.control == control.data());
     CHECK(after.weights == before.weights);
@@ -100,12 +104,15 @@ TEST_CASE("moved curves: control points plus their movement, all else as it was"
     for (std::int32_t c = 0; c < after.n_curves; ++c) CHECK(moved[c].knots == shape[c].knots);
     // The wall is where it was, plus what hm_morph moves it by.
     std::vector<double> x(its.mesh.x), y(its.mesh.y);
-    REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
+                     nullptr) == HM_OK);
     hm_basis_info const info = solved.info();
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
         double from[2], to[2];
-        REQUIRE(hm_curve_point(&before, info.point_curve[k], info.point_u[k], 0, from, nullptr) == HM_OK);
-        REQUIRE(hm_curve_point(&after, info.point_curve[k], info.point_u[k], 0, to, nullptr) == HM_OK);
+        REQUIRE(hm_curve_point(&before, info.point_curve[k], info.point_u[k], 0, from, nullptr) ==
+                HM_OK);
+        REQUIRE(hm_curve_point(&after, info.point_curve[k], info.point_u[k], 0, to, nullptr) ==
+                HM_OK);
         auto const point = static_cast<std::size_t>(info.curve_point[k]);
         CHECK(std::abs(x[point] - its.mesh.x[point] - (to[0] - from[0])) < 1e-13);
         CHECK(std::abs(y[point] - its.mesh.y[point] - (to[1] - from[1])) < 1e-13);
@@ -113,11 +120,15 @@ TEST_CASE("moved curves: control points plus their movement, all else as it was"
     // Refused, with outputs as they were.
     std::vector<double> const kept = control;
     move[3] = std::nan("");
-    CHECK(hm_moved_curves(solved.basis, move.data(), control.data(), &after, moved, 2, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_moved_curves(solved.basis, move.data(), control.data(), &after, moved, 2, nullptr) ==
+          HM_BAD_ARGUMENT);
     move[3] = 0;
-    CHECK(hm_moved_curves(solved.basis, move.data(), control.data(), &after, moved, 0, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_moved_curves(solved.basis, nullptr, control.data(), &after, moved, 2, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_moved_curves(solved.basis, move.data(), nullptr, &after, moved, 2, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_moved_curves(solved.basis, move.data(), control.data(), &after, moved, 0, nullptr) ==
+          HM_BAD_ARGUMENT);
+    CHECK(hm_moved_curves(solved.basis, nullptr, control.data(), &after, moved, 2, nullptr) ==
+          HM_BAD_ARGUMENT);
+    CHECK(hm_moved_curves(solved.basis, move.data(), nullptr, &after, moved, 2, nullptr) ==
+          HM_BAD_ARGUMENT);
     CHECK(same_bits(control, kept));
 }
 
@@ -131,8 +142,10 @@ TEST_CASE("a basis that is not solved refuses all calls, and is not attached") {
     info.struct_size = sizeof info;
     REQUIRE(hm_basis_info_get(attempt.basis, &info, nullptr) == HM_OK);
     CHECK(info.solved == 0);
-    CHECK(hm_morph(attempt.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) == HM_BAD_BASIS);
-    CHECK(hm_adjoint(attempt.basis, points_in(x, y), move.data(), nullptr, nullptr) == HM_BAD_BASIS);
+    CHECK(hm_morph(attempt.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
+                   nullptr) == HM_BAD_BASIS);
+    CHECK(hm_adjoint(attempt.basis, points_in(x, y), move.data(), nullptr, nullptr) ==
+          HM_BAD_BASIS);
     CHECK(hm_basis_values(attempt.basis, 0, 0, x.data(), nullptr) == HM_BAD_BASIS);
     CHECK(same_bits(x, its.mesh.x));
     CHECK(same_bits(y, its.mesh.y));
@@ -141,7 +154,8 @@ TEST_CASE("a basis that is not solved refuses all calls, and is not attached") {
     CHECK(copy.attach() == HM_BAD_BASIS);
     CHECK(copy.says("not been solved"));
     REQUIRE(attempt.solve());
-    CHECK(hm_morph(attempt.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) == HM_OK);
+    CHECK(hm_morph(attempt.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
+                   nullptr) == HM_OK);
 }
 
 TEST_CASE("a basis that is written to a file and read back has the same values") {

@@ -12,8 +12,8 @@ namespace {
 
 double difference(Moved const& a, Moved const& b) {
     double worst = 0;
-    for (std::size_t k = 0; k < a.x.size(); ++k) worst =
-        std::max({worst, std::fabs(a.x[k] - b.x[k]), std::fabs(a.y[k] - b.y[k])});
+    for (std::size_t k = 0; k < a.x.size(); ++k)
+        worst = std::max({worst, std::fabs(a.x[k] - b.x[k]), std::fabs(a.y[k] - b.y[k])});
     return worst;
 }
 
@@ -27,7 +27,8 @@ std::vector<KindOfProblem> problems() {
 
 }  // namespace
 
-TEST_CASE("combined functions move points, curves and gradients as the control points they stand for") {
+TEST_CASE(
+    "combined functions move points, curves and gradients as the control points they stand for") {
     for (KindOfProblem& problem : problems())
         for (int const numbers : {1, 2}) {
             Solved const solved(problem.its, &problem.options);
@@ -44,20 +45,25 @@ TEST_CASE("combined functions move points, curves and gradients as the control p
             CHECK(made.bytes < info.bytes);
 
             Numbers const move = some_move(made.functions, 0.01, 7), whole = by.expanded(move);
-            Moved const found = displaced(combined.basis, move), expected = displaced(solved.basis, whole);
+            Moved const found = displaced(combined.basis, move),
+                        expected = displaced(solved.basis, whole);
             CHECK(difference(found, expected) < 1e-14);
             double error = 1;
             Moved const moved = morphed(combined.basis, problem.its.mesh, move);
-            REQUIRE(hm_boundary_error(combined.basis, move.data(), points_in(problem.its.mesh.x, problem.its.mesh.y),
-                                      points_in(moved.x, moved.y), &error, nullptr, nullptr) == HM_OK);
+            REQUIRE(hm_boundary_error(combined.basis, move.data(),
+                                      points_in(problem.its.mesh.x, problem.its.mesh.y),
+                                      points_in(moved.x, moved.y), &error, nullptr,
+                                      nullptr) == HM_OK);
             CHECK(error < 1e-14);
             hm_curve curve[2][2]{};
             hm_curves curves[2]{};
-            Numbers control[2] = {Numbers(2 * static_cast<std::size_t>(info.control_points)), control[0]};
+            Numbers control[2] = {Numbers(2 * static_cast<std::size_t>(info.control_points)),
+                                  control[0]};
             for (int k = 0; k < 2; ++k) {
                 curves[k].struct_size = sizeof(hm_curves);
-                REQUIRE(hm_moved_curves(k == 0 ? combined.basis : solved.basis, k == 0 ? move.data() : whole.data(),
-                                        control[k].data(), &curves[k], curve[k], 2, nullptr) == HM_OK);
+                REQUIRE(hm_moved_curves(k == 0 ? combined.basis : solved.basis,
+                                        k == 0 ? move.data() : whole.data(), control[k].data(),
+                                        &curves[k], curve[k], 2, nullptr) == HM_OK);
             }
             for (std::size_t k = 0; k < control[0].size(); ++k)
                 CHECK(control[0][k] == doctest::Approx(control[1][k]).epsilon(1e-14));
@@ -88,7 +94,9 @@ TEST_CASE("combined functions move points, curves and gradients as the control p
         }
 }
 
-TEST_CASE("combined functions are extracted, written, attached, stored in single precision, combined again") {
+TEST_CASE(
+    "combined functions are extracted, written, attached, stored in single precision, combined "
+    "again") {
     for (KindOfProblem& problem : problems()) {
         Solved const solved(problem.its, &problem.options);
         Combination const by(solved.info().control_points, 4, 2, 9), again(4, 2, 1, 10);
@@ -118,9 +126,8 @@ TEST_CASE("combined functions are extracted, written, attached, stored in single
             CHECK(part.x[k] == expected.x[static_cast<std::size_t>(points[k])]);
         double error = 1;
         Numbers const zero(points.size());
-        REQUIRE(hm_boundary_error(rows.basis, move.data(), points_in(zero, zero), points_in(part.x, part.y), &error,
-                                  nullptr,
-                                  nullptr) == HM_OK);
+        REQUIRE(hm_boundary_error(rows.basis, move.data(), points_in(zero, zero),
+                                  points_in(part.x, part.y), &error, nullptr, nullptr) == HM_OK);
         CHECK(error < 1e-14);
 
         Combined const twice(combined.basis, again);
@@ -139,16 +146,21 @@ TEST_CASE("combined functions are solved again on a moved mesh, as the control p
             Combination const by(solved.info().control_points, 3, numbers, 5);
             Combined const combined(solved.basis, by);
             REQUIRE(combined.status == HM_OK);
-            Moved const at = morphed(solved.basis, problem.its.mesh, some_move(solved.info().functions, 1e-3, 11));
-            if (hm_plan_factor(solved.plan, points_in(at.x, at.y), nullptr) != HM_OK) continue;   // bounded scheme
+            Moved const at = morphed(solved.basis, problem.its.mesh,
+                                     some_move(solved.info().functions, 1e-3, 11));
+            if (hm_plan_factor(solved.plan, points_in(at.x, at.y), nullptr) != HM_OK)
+                continue;  // bounded scheme
             REQUIRE(hm_plan_solve(solved.plan, combined.basis, nullptr, nullptr) == HM_OK);
             REQUIRE(hm_plan_solve(solved.plan, solved.basis, nullptr, nullptr) == HM_OK);
             Numbers const move = some_move(info_of(combined.basis).functions, 0.01, 7);
-            CHECK(difference(displaced(combined.basis, move), displaced(solved.basis, by.expanded(move))) < 1e-12);
+            CHECK(difference(displaced(combined.basis, move),
+                             displaced(solved.basis, by.expanded(move))) < 1e-12);
         }
 }
 
-TEST_CASE("singular matrices are refused by column; so are short blocks and numbers that are not finite") {
+TEST_CASE(
+    "singular matrices are refused by column; so are short blocks and numbers that are not "
+    "finite") {
     Case its = ring_case(4, 24, 0.5, 1);
     Solved const solved(its);
     Combination good(8, 3, 2, 4);
@@ -156,13 +168,14 @@ TEST_CASE("singular matrices are refused by column; so are short blocks and numb
         Combined const combined(solved.basis, by);
         CHECK(combined.basis == nullptr);
         CHECK(combined.error.item == item);
-        CHECK_MESSAGE(std::string(combined.error.text).find(word) != std::string::npos, combined.error.text);
+        CHECK_MESSAGE(std::string(combined.error.text).find(word) != std::string::npos,
+                      combined.error.text);
         return combined.status;
     };
     Combination zero = good, twice = good, bad = good;
     for (int row = 0; row < 8; ++row) {
-        for (int number = 0; number < 2; ++number) zero.entries[static_cast<std::size_t>((row * 3 + 1) * 2 + number)] =
-            0;
+        for (int number = 0; number < 2; ++number)
+            zero.entries[static_cast<std::size_t>((row * 3 + 1) * 2 + number)] = 0;
         Complex const turned = Complex(0.3, -2) * good.at(row, 0) + good.at(row, 1);
         twice.entries[static_cast<std::size_t>((row * 3 + 2) * 2)] = turned.real();
         twice.entries[static_cast<std::size_t>((row * 3 + 2) * 2 + 1)] = turned.imag();

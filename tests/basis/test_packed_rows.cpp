@@ -1,4 +1,5 @@
-// Shares of the functions, solved apart and put together from parcels, are the functions solved together, bit by bit.
+// Shares of the functions, solved apart and put together from parcels, are the functions solved
+// together, bit by bit.
 #include <doctest/doctest.h>
 
 #include <fixtures/c_mesh.hpp>
@@ -29,7 +30,8 @@ public:
         std::size_t bytes = 0;
         REQUIRE(hm_share_size(attempt.analysis, range.first, range.n, &bytes, nullptr) == HM_OK);
         block_ = std::make_unique<Guarded>(bytes, 40);
-        REQUIRE(hm_share_init(&basis, block_->data(), bytes, attempt.analysis, range.first, range.n, nullptr) == HM_OK);
+        REQUIRE(hm_share_init(&basis, block_->data(), bytes, attempt.analysis, range.first, range.n,
+                              nullptr) == HM_OK);
         REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr) == HM_OK);
         REQUIRE(hm_plan_solve(attempt.plan, basis, &report, nullptr) == HM_OK);
         CHECK(block_->guards_intact());
@@ -40,7 +42,7 @@ public:
         REQUIRE(hm_parcel_size(basis, n, &doubles, nullptr) == HM_OK);
         std::vector<double> out(static_cast<std::size_t>(doubles) + 1, -3.0);
         REQUIRE(hm_parcel_pack(basis, n, points.data(), out.data(), nullptr) == HM_OK);
-        CHECK(out.back() == -3.0);   // not written
+        CHECK(out.back() == -3.0);  // not written
         out.pop_back();
         return out;
     }
@@ -50,12 +52,14 @@ private:
 };
 
 hm_status unpack(Rows const& rows, std::vector<double> const& parcel, hm_error* error = nullptr) {
-    return hm_parcel_unpack(rows.basis, parcel.data(), static_cast<std::int64_t>(parcel.size()), error);
+    return hm_parcel_unpack(rows.basis, parcel.data(), static_cast<std::int64_t>(parcel.size()),
+                            error);
 }
 
 }  // namespace
 
-TEST_CASE("shares of any size make the rows that the whole basis has: the same blocks, byte by byte") {
+TEST_CASE(
+    "shares of any size make the rows that the whole basis has: the same blocks, byte by byte") {
     for (KindOfProblem& problem : kinds_of_problems()) {
         Solved const solved(problem.its, &problem.options);
         std::int32_t const n = solved.info().functions;
@@ -65,13 +69,15 @@ TEST_CASE("shares of any size make the rows that the whole basis has: the same b
             std::vector<std::unique_ptr<Share>> shares;
             for (std::int32_t part = 0; part < processes; ++part) {
                 Range its;
-                REQUIRE(hm_share_of(solved.analysis, part, processes, &its.first, &its.n, nullptr) == HM_OK);
+                REQUIRE(hm_share_of(solved.analysis, part, processes, &its.first, &its.n,
+                                    nullptr) == HM_OK);
                 CHECK((its.n == n / processes || its.n == (n - 1) / processes + 1));
                 shares.push_back(std::make_unique<Share>(problem, its));
             }
             Rows const rows(shares.back()->basis, points);
             REQUIRE(rows.status == HM_OK);
-            CHECK(info_of(rows.basis).solved == (processes == 1 ? 1 : 0));   // a share of everything needs no parcels
+            CHECK(info_of(rows.basis).solved ==
+                  (processes == 1 ? 1 : 0));  // a share of everything needs no parcels
             for (std::unique_ptr<Share> const& share : shares)
                 if (processes > 1) REQUIRE(unpack(rows, share->parcel(points)) == HM_OK);
             CHECK(bytes_of(rows.basis) == expected);
@@ -120,7 +126,8 @@ TEST_CASE("a share's memory is proportional to it") {
 }
 
 TEST_CASE("refinement of a function does not depend on those solved with it") {
-    // Very thin cells beside a free boundary on the right: rounding is felt most by the functions that reach there.
+    // Very thin cells beside a free boundary on the right: rounding is felt most by the functions
+    // that reach there.
     int const n = 24, n_control = 9;
     KindOfProblem problem;
     problem.its.mesh = square(n);
@@ -130,7 +137,8 @@ TEST_CASE("refinement of a function does not depend on those solved with it") {
     Spline line;
     line.degree = 1;
     line.knots = clamped_knots(1, n_control);
-    for (int k = 0; k < n_control; ++k) line.control.insert(line.control.end(), {k / (n_control - 1.0), 0.0});
+    for (int k = 0; k < n_control; ++k)
+        line.control.insert(line.control.end(), {k / (n_control - 1.0), 0.0});
     problem.its.curves = line;
     problem.its.put_on_curves(bottom);
     problem.its.set_free(right);
@@ -150,7 +158,9 @@ TEST_CASE("refinement of a function does not depend on those solved with it") {
     CHECK(least < most);
 }
 
-TEST_CASE("a function's bits do not depend on the engine's blocks: any share, any threads, whatever goes together") {
+TEST_CASE(
+    "a function's bits do not depend on the engine's blocks: any share, any threads, whatever goes "
+    "together") {
     struct Method {
         std::int32_t operator_kind, scheme, engine, precision;
     };
@@ -163,8 +173,9 @@ TEST_CASE("a function's bits do not depend on the engine's blocks: any share, an
                               {HM_WEIGHTED, HM_COMPACT, HM_MULTIGRID, HM_DOUBLE},
                               {HM_WEIGHTED, HM_COMPACT, HM_FAS, HM_DOUBLE},
                               {HM_LAPLACE, HM_NODAL_GRADIENT, HM_FAS, HM_DOUBLE}};
-    std::vector<KindOfProblem> problems = kinds_of_problems();   // values of all kinds
-    for (KindOfProblem& problem : problems) problem.its.mesh = two_body_case(Cells::hybrid, 8, 5).mesh;
+    std::vector<KindOfProblem> problems = kinds_of_problems();  // values of all kinds
+    for (KindOfProblem& problem : problems)
+        problem.its.mesh = two_body_case(Cells::hybrid, 8, 5).mesh;
     problems.back().its = airfoil_case(20, 10);
     problems.back().its.mesh = c_mesh(naca4({}, 16), 6, 8, stretched(1e-3, 8, 12)).mesh;
     for (Method const& method : methods)
@@ -176,19 +187,22 @@ TEST_CASE("a function's bits do not depend on the engine's blocks: any share, an
             options.engine = method.engine;
             options.precision = method.precision;
             Attempt const attempt(problem.its.problem(), &options);
-            if (attempt.status == HM_UNSUPPORTED) continue;   // bodies that turn, points that slip
+            if (attempt.status == HM_UNSUPPORTED) continue;  // bodies that turn, points that slip
             Solved const all(problem.its, &options);
             std::int32_t const n = all.info().functions;
             std::vector<double> const expected = values_in_shares(all, n);
-            INFO("operator " << method.operator_kind << ", scheme " << method.scheme << ", engine " << method.engine
-                             << ", problem " << &problem - &problems[0]);
-            CHECK(
-                same_bits(std::vector<double>(expected.begin(), expected.begin() + all.info().points), all.values(0)));
-            for (std::int32_t const width : {3, 7}) CHECK(same_bits(values_in_shares(all, width), expected));
+            INFO("operator " << method.operator_kind << ", scheme " << method.scheme << ", engine "
+                             << method.engine << ", problem " << &problem - &problems[0]);
+            CHECK(same_bits(
+                std::vector<double>(expected.begin(), expected.begin() + all.info().points),
+                all.values(0)));
+            for (std::int32_t const width : {3, 7})
+                CHECK(same_bits(values_in_shares(all, width), expected));
             std::ptrdiff_t const numbers = static_cast<std::ptrdiff_t>(expected.size()) / n;
             for (std::int32_t const alone : {0, n / 2, n - 1}) {
                 auto const begin = expected.begin() + alone * numbers;
-                CHECK(same_bits(values_of_share(all, alone, 1), std::vector<double>(begin, begin + numbers)));
+                CHECK(same_bits(values_of_share(all, alone, 1),
+                                std::vector<double>(begin, begin + numbers)));
             }
             Backwards order;
             hm_executor const executor = order.executor(3);
@@ -203,25 +217,32 @@ TEST_CASE("shares are refused where all functions are needed, and ranges that ar
     Share const share(problem, {0, 3});
     std::vector<double> x = problem.its.mesh.x, move(40, 0.1);
     hm_error error{};
-    CHECK(hm_morph(share.basis, move.data(), points_in(x, x), points_out(x, x), nullptr, &error) == HM_BAD_BASIS);
+    CHECK(hm_morph(share.basis, move.data(), points_in(x, x), points_out(x, x), nullptr, &error) ==
+          HM_BAD_BASIS);
     CHECK(std::string(error.text).find("only 3 of the 20 functions") != std::string::npos);
     CHECK(hm_adjoint(share.basis, points_in(x, x), move.data(), nullptr, nullptr) == HM_BAD_BASIS);
     std::size_t bytes = 0;
-    std::int32_t const wrong[][2] = {{-1, 2}, {0, 21}, {19, 2}, {21, 0}, {3, -1}, {2147483647, 2147483647}};
+    std::int32_t const wrong[][2] = {{-1, 2}, {0, 21}, {19, 2},
+                                     {21, 0}, {3, -1}, {2147483647, 2147483647}};
     for (auto const& its : wrong)
-        CHECK(hm_share_size(share.attempt.analysis, its[0], its[1], &bytes, &error) == HM_BAD_ARGUMENT);
+        CHECK(hm_share_size(share.attempt.analysis, its[0], its[1], &bytes, &error) ==
+              HM_BAD_ARGUMENT);
     std::int32_t first = 0, n = 0;
     for (auto const& its : {Range{0, 0}, Range{-1, 2}, Range{2, 2}})
-        CHECK(hm_share_of(share.attempt.analysis, its.first, its.n, &first, &n, nullptr) == HM_BAD_ARGUMENT);
+        CHECK(hm_share_of(share.attempt.analysis, its.first, its.n, &first, &n, nullptr) ==
+              HM_BAD_ARGUMENT);
     CHECK(hm_share_of(share.attempt.analysis, 0, 1, &first, nullptr, nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_share_of(share.attempt.analysis, 0, 1, nullptr, &n, nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_share_of(nullptr, 0, 1, &first, &n, nullptr) == HM_BAD_ARGUMENT);
     hm_basis* made = nullptr;
     std::vector<unsigned char> block(64);
-    CHECK(hm_share_init(&made, block.data(), 64, share.attempt.analysis, 0, 21, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_share_init(&made, block.data(), 64, share.attempt.analysis, 0, 1, &error) == HM_BLOCK_TOO_SMALL);
+    CHECK(hm_share_init(&made, block.data(), 64, share.attempt.analysis, 0, 21, nullptr) ==
+          HM_BAD_ARGUMENT);
+    CHECK(hm_share_init(&made, block.data(), 64, share.attempt.analysis, 0, 1, &error) ==
+          HM_BLOCK_TOO_SMALL);
     CHECK(error.value > 0);
-    CHECK(hm_share_init(&made, nullptr, 64, share.attempt.analysis, 0, 1, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_share_init(&made, nullptr, 64, share.attempt.analysis, 0, 1, nullptr) ==
+          HM_BAD_ARGUMENT);
     CHECK(made == nullptr);
 }
 
@@ -246,7 +267,7 @@ TEST_CASE("parcels out of order, of other lists or problems, truncated, or no pa
     CHECK(unpack(rows, std::vector<double>(40, 1.0)) == HM_BAD_BASIS);
     CHECK(unpack(rows, first.parcel(points)) == HM_OK);
     CHECK(info_of(rows.basis).solved == 0);
-    CHECK(unpack(rows, first.parcel(points)) == HM_BAD_BASIS);   // twice
+    CHECK(unpack(rows, first.parcel(points)) == HM_BAD_BASIS);  // twice
     CHECK(unpack(rows, second.parcel(points)) == HM_OK);
     CHECK(info_of(rows.basis).solved == 1);
     CHECK(hm_parcel_unpack(rows.basis, nullptr, 4, nullptr) == HM_BAD_ARGUMENT);

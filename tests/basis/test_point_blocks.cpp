@@ -1,8 +1,7 @@
 // Rows of points become blocks of sixteen points in place.
 #include <doctest/doctest.h>
 
-
-#include <harmorph/basis/point_blocks.hpp>
+#include "basis/point_blocks.hpp"
 
 #include <vector>
 
@@ -15,7 +14,8 @@ double number_of(Index point, Index k) { return 1 + 1000.0 * point + k; }
 
 // Rows side by side; what follows the last one is to be overwritten.
 std::vector<double> rows(Index n_points, Index numbers) {
-    std::vector<double> out(static_cast<std::size_t>(harmorph::whole_blocks(n_points) * numbers), -1);
+    std::vector<double> out(static_cast<std::size_t>(harmorph::whole_blocks(n_points) * numbers),
+                            -1);
     for (Index point = 0; point < n_points; ++point)
         for (Index k = 0; k < numbers; ++k)
             out[static_cast<std::size_t>(Offset{point} * numbers + k)] = number_of(point, k);
@@ -29,12 +29,15 @@ TEST_CASE("each number is found where its row says, points behind the last one a
         for (Index const numbers : {1, 2, 7, 8, 9, 40}) {
             if (n_points > 1000 && numbers > 9) continue;
             std::vector<double> values = rows(n_points, numbers);
-            std::vector<double> work(static_cast<std::size_t>(harmorph::RowsToBlocks::work_numbers(numbers)));
-            harmorph::RowsToBlocks{values.data(), n_points, numbers, {work.data(), work.size()}}.run({});
+            std::vector<double> work(
+                static_cast<std::size_t>(harmorph::RowsToBlocks::work_numbers(numbers)));
+            harmorph::RowsToBlocks{values.data(), n_points, numbers, {work.data(), work.size()}}
+                .run({});
             Index wrong = 0;
             for (Index point = 0; point < harmorph::whole_blocks(n_points); ++point) {
                 harmorph::RowInBlock<double> const row(values.data(), numbers, point);
-                for (Index k = 0; k < numbers; ++k) wrong += row[k] != (point < n_points ? number_of(point, k) : 0);
+                for (Index k = 0; k < numbers; ++k)
+                    wrong += row[k] != (point < n_points ? number_of(point, k) : 0);
             }
             INFO(n_points << " points, " << numbers << " numbers");
             CHECK(wrong == 0);

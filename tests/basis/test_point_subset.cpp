@@ -17,21 +17,25 @@ struct Moved {
 
 Moved morphed(const hm_basis* basis, Numbers const& move, Moved const& from) {
     Moved to{Numbers(from.x.size()), Numbers(from.x.size())};
-    REQUIRE(hm_morph(basis, move.data(), points_in(from.x, from.y), points_out(to.x, to.y), nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_morph(basis, move.data(), points_in(from.x, from.y), points_out(to.x, to.y), nullptr,
+                     nullptr) == HM_OK);
     return to;
 }
 
 }  // namespace
 
-TEST_CASE("values, morph, curves and wall points of a subset are those of the whole, with ghosts and repeats") {
+TEST_CASE(
+    "values, morph, curves and wall points of a subset are those of the whole, with ghosts and "
+    "repeats") {
     for (KindOfProblem& problem : kinds_of_problems())
         for (std::int32_t const base : {0, 1}) {
             problem.its.index_base = base;
             Solved const solved(problem.its, &problem.options);
             hm_basis_info const whole = solved.info();
-            std::vector<std::int32_t> points = random_parts(whole.points, 3, 8)[1];   // counted from 0
+            std::vector<std::int32_t> points =
+                random_parts(whole.points, 3, 8)[1];  // counted from 0
             points.push_back(whole.curve_point[3]);
-            points.push_back(points.front());   // repeats
+            points.push_back(points.front());  // repeats
             points.push_back(whole.curve_point[3]);
             std::vector<std::int32_t> numbered = points;
             for (std::int32_t& point : numbered) point += base;
@@ -54,8 +58,10 @@ TEST_CASE("values, morph, curves and wall points of a subset are those of the wh
                     CHECK(same_bits(some, pick(all, points)));
                 }
             Numbers const move = some_move(info.functions, 0.05, 3);
-            Moved const from{problem.its.mesh.x, problem.its.mesh.y}, to = morphed(solved.basis, move, from);
-            Moved const here{pick(from.x, points), pick(from.y, points)}, there = morphed(rows.basis, move, here);
+            Moved const from{problem.its.mesh.x, problem.its.mesh.y},
+                to = morphed(solved.basis, move, from);
+            Moved const here{pick(from.x, points), pick(from.y, points)},
+                there = morphed(rows.basis, move, here);
             CHECK(same_bits(there.x, pick(to.x, points)));
             CHECK(same_bits(there.y, pick(to.y, points)));
 
@@ -76,11 +82,13 @@ TEST_CASE("values, morph, curves and wall points of a subset are those of the wh
             std::int32_t worst = -1;
             Moved wrong = there;
             wrong.x[static_cast<std::size_t>(info.curve_point[5])] += 0.01;
-            REQUIRE(hm_boundary_error(rows.basis, move.data(), points_in(here.x, here.y), points_in(there.x, there.y),
-                                      &error, &worst, nullptr) == HM_OK);
+            REQUIRE(hm_boundary_error(rows.basis, move.data(), points_in(here.x, here.y),
+                                      points_in(there.x, there.y), &error, &worst,
+                                      nullptr) == HM_OK);
             CHECK(error < 1e-14);
-            REQUIRE(hm_boundary_error(rows.basis, move.data(), points_in(here.x, here.y), points_in(wrong.x, wrong.y),
-                                      &error, &worst, nullptr) == HM_OK);
+            REQUIRE(hm_boundary_error(rows.basis, move.data(), points_in(here.x, here.y),
+                                      points_in(wrong.x, wrong.y), &error, &worst,
+                                      nullptr) == HM_OK);
             CHECK(error == doctest::Approx(0.01).epsilon(1e-9));
             CHECK(worst == info.curve_point[5] + base);
         }
@@ -93,15 +101,18 @@ TEST_CASE("the row of one point takes x and y side by side, with any stride") {
     Rows const row(solved.basis, one);
     REQUIRE(row.status == HM_OK);
     Numbers const move = some_move(solved.info().functions, 0.05, 3);
-    double at[2] = {its.mesh.x[static_cast<std::size_t>(one[0])], its.mesh.y[static_cast<std::size_t>(one[0])]};
+    double at[2] = {its.mesh.x[static_cast<std::size_t>(one[0])],
+                    its.mesh.y[static_cast<std::size_t>(one[0])]};
     Moved const to = morphed(row.basis, move, {{at[0]}, {at[1]}});
     Numbers gradient(move.size()), expected(move.size());
     double const dj[2] = {0.3, -0.7};
-    REQUIRE(hm_adjoint(row.basis, points_in(dj, dj + 1, 2), expected.data(), nullptr, nullptr) == HM_OK);
-    REQUIRE(hm_adjoint(row.basis, points_in(dj, dj + 1, 1), gradient.data(), nullptr, nullptr) == HM_OK);
-    CHECK(same_bits(gradient, expected));
-    REQUIRE(hm_morph(row.basis, move.data(), points_in(at, at + 1, 1), points_out(at, at + 1, 1), nullptr, nullptr) ==
+    REQUIRE(hm_adjoint(row.basis, points_in(dj, dj + 1, 2), expected.data(), nullptr, nullptr) ==
             HM_OK);
+    REQUIRE(hm_adjoint(row.basis, points_in(dj, dj + 1, 1), gradient.data(), nullptr, nullptr) ==
+            HM_OK);
+    CHECK(same_bits(gradient, expected));
+    REQUIRE(hm_morph(row.basis, move.data(), points_in(at, at + 1, 1), points_out(at, at + 1, 1),
+                     nullptr, nullptr) == HM_OK);
     CHECK(at[0] == to.x[0]);
     CHECK(at[1] == to.y[0]);
 }
@@ -123,7 +134,8 @@ TEST_CASE("rows can be moved, saved and attached like any basis, and rows taken 
         every_other.push_back(static_cast<std::int32_t>(k));
         direct.push_back(points[k]);
     }
-    CHECK(bytes_of(Rows(attached, every_other).basis) == bytes_of(Rows(solved.basis, direct).basis));
+    CHECK(bytes_of(Rows(attached, every_other).basis) ==
+          bytes_of(Rows(solved.basis, direct).basis));
 }
 
 TEST_CASE("what needs the mesh is refused, and so are lists that are wrong") {
@@ -138,12 +150,16 @@ TEST_CASE("what needs the mesh is refused, and so are lists that are wrong") {
     quality.struct_size = sizeof quality;
     hm_step_report step{};
     step.struct_size = sizeof step;
-    CHECK(hm_quality(rows.basis, &mesh, &mesh.points, nullptr, nullptr, &quality, &error) == HM_BAD_BASIS);
+    CHECK(hm_quality(rows.basis, &mesh, &mesh.points, nullptr, nullptr, &quality, &error) ==
+          HM_BAD_BASIS);
     CHECK(std::string(error.text).find("list of points") != std::string::npos);
-    CHECK(hm_admissible_step(rows.basis, &mesh, nullptr, &mesh.points, nullptr, &step, &error) == HM_BAD_BASIS);
-    CHECK(hm_assess(rows.basis, &mesh, nullptr, &mesh.points, nullptr, &step, &quality, &error) == HM_BAD_BASIS);
+    CHECK(hm_admissible_step(rows.basis, &mesh, nullptr, &mesh.points, nullptr, &step, &error) ==
+          HM_BAD_BASIS);
+    CHECK(hm_assess(rows.basis, &mesh, nullptr, &mesh.points, nullptr, &step, &quality, &error) ==
+          HM_BAD_BASIS);
     const hm_basis* attached = nullptr;
-    CHECK(hm_basis_attach(&attached, rows.basis, info_of(rows.basis).bytes, &mesh, &error) == HM_BAD_BASIS);
+    CHECK(hm_basis_attach(&attached, rows.basis, info_of(rows.basis).bytes, &mesh, &error) ==
+          HM_BAD_BASIS);
     CHECK(std::string(error.text).find("list of points") != std::string::npos);
     CHECK(hm_plan_solve(solved.plan, rows.basis, nullptr, &error) == HM_BAD_BASIS);
 
@@ -159,25 +175,33 @@ TEST_CASE("what needs the mesh is refused, and so are lists that are wrong") {
     CHECK(hm_extract_size(nullptr, 1, &bytes, nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_extract_size(solved.basis, 1, nullptr, nullptr) == HM_BAD_ARGUMENT);
     REQUIRE(hm_extract_size(solved.basis, 1, &bytes, nullptr) == HM_OK);
-    CHECK(hm_extract_init(&made, nullptr, bytes, solved.basis, 1, &one, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_extract_init(&made, nullptr, bytes, solved.basis, 1, &one, nullptr) ==
+          HM_BAD_ARGUMENT);
     std::vector<unsigned char> block(bytes);
-    CHECK(hm_extract_init(&made, block.data(), bytes, solved.basis, 1, nullptr, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_extract_init(nullptr, block.data(), bytes, solved.basis, 1, &one, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_extract_init(&made, block.data(), bytes, solved.basis, 1, nullptr, nullptr) ==
+          HM_BAD_ARGUMENT);
+    CHECK(hm_extract_init(nullptr, block.data(), bytes, solved.basis, 1, &one, nullptr) ==
+          HM_BAD_ARGUMENT);
 }
 
-TEST_CASE("the size suffices for any list, whatever part of it are points of the wall, and repeats of them") {
+TEST_CASE(
+    "the size suffices for any list, whatever part of it are points of the wall, and repeats of "
+    "them") {
     Case its = two_body_case();
     Solved const solved(its);
     hm_basis_info const info = solved.info();
     for (std::size_t const n : {1u, 7u, 33u, 100u, 130u})
         for (std::size_t repeats = 0; repeats < n; ++repeats) {
             std::vector<std::int32_t> points(repeats + 1, info.curve_point[0]);
-            for (std::size_t k = 1; points.size() < n; ++k) points.push_back(info.curve_point[k % 96]);
+            for (std::size_t k = 1; points.size() < n; ++k)
+                points.push_back(info.curve_point[k % 96]);
             CHECK(Rows(solved.basis, points, 40).status == HM_OK);
         }
 }
 
-TEST_CASE("a block that is too small is refused, and the size suffices for the list with the most points of the wall") {
+TEST_CASE(
+    "a block that is too small is refused, and the size suffices for the list with the most points "
+    "of the wall") {
     Case its = two_body_case();
     Solved const solved(its);
     hm_basis_info const info = solved.info();
@@ -187,11 +211,12 @@ TEST_CASE("a block that is too small is refused, and the size suffices for the l
     std::int32_t const n = static_cast<std::int32_t>(wall.size());
     std::size_t need = 0;
     REQUIRE(hm_extract_size(solved.basis, n, &need, nullptr) == HM_OK);
-    std::size_t const slack = 64 + 256;   // for alignment, and for lists that repeat points
+    std::size_t const slack = 64 + 256;  // for alignment, and for lists that repeat points
     for (std::size_t give = 0; give + slack < need; give += 1024) {
         Guarded block(give);
         hm_basis* made = nullptr;
-        CHECK(hm_extract_init(&made, block.data(), give, solved.basis, n, wall.data(), nullptr) == HM_BLOCK_TOO_SMALL);
+        CHECK(hm_extract_init(&made, block.data(), give, solved.basis, n, wall.data(), nullptr) ==
+              HM_BLOCK_TOO_SMALL);
         CHECK(made == nullptr);
         CHECK(block.guards_intact());
     }

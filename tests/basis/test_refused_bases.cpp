@@ -14,7 +14,7 @@ TEST_CASE("a basis that is truncated, at any length, is refused with the reason"
     BasisCopy whole(solved);
     REQUIRE(whole.attach() == HM_OK);
     for (std::size_t size = 0; size < whole.size(); ++size) {
-        BasisCopy part(whole.data(), size);   // reading behind it would be noticed
+        BasisCopy part(whole.data(), size);  // reading behind it would be noticed
         CHECK(part.attach() == HM_BAD_BASIS);
         bool const in_header = size < sizeof(harmorph::BasisHeader);
         CHECK(part.says(size == 0 ? "not a harmorph basis" : "truncated"));
@@ -76,8 +76,10 @@ TEST_CASE("each reason to refuse a basis has a sentence of its own") {
     CHECK(copy.attach() == HM_BAD_BASIS);
     CHECK(copy.says("contradict"));
     for (harmorph::Index harmorph::BasisCounts::*count :
-         {&harmorph::BasisCounts::points, &harmorph::BasisCounts::control, &harmorph::BasisCounts::loops}) {
-        for (harmorph::Index const wrong : {-1, 0x7FFFFFFF, -0x7FFFFFFF - 1}) {   // no overflow, no reading far away
+         {&harmorph::BasisCounts::points, &harmorph::BasisCounts::control,
+          &harmorph::BasisCounts::loops}) {
+        for (harmorph::Index const wrong :
+             {-1, 0x7FFFFFFF, -0x7FFFFFFF - 1}) {  // no overflow, no reading far away
             bad = good;
             bad.counts.*count = wrong;
             copy.set(bad);
@@ -93,11 +95,14 @@ TEST_CASE("each reason to refuse a basis has a sentence of its own") {
     copy.set(good);
     CHECK(copy.attach() == HM_OK);
     const hm_basis* basis = nullptr;
-    CHECK(hm_basis_attach(&basis, copy.data() + 4, copy.size(), nullptr, nullptr) == HM_BAD_ARGUMENT);   // misaligned
+    CHECK(hm_basis_attach(&basis, copy.data() + 4, copy.size(), nullptr, nullptr) ==
+          HM_BAD_ARGUMENT);  // misaligned
     CHECK(basis == nullptr);
 }
 
-TEST_CASE("indices out of range and numbers that are not finite are found in a basis whose checksum is right") {
+TEST_CASE(
+    "indices out of range and numbers that are not finite are found in a basis whose checksum is "
+    "right") {
     Case its = two_body_case(Cells::hybrid, 4, 3);
     Solved const solved(its);
     hm_mesh const mesh = its.mesh.view();
@@ -148,8 +153,10 @@ TEST_CASE("indices out of range and numbers that are not finite are found in a b
             words[k] = wrong;
             if (attach_sealed() >= 0) {
                 ++accepted;
-                CHECK(hm_morph(copy.basis, move.data(), &mesh.points, points_out(x, y), nullptr, nullptr) == HM_OK);
-                CHECK(hm_adjoint(copy.basis, &mesh.points, gradient.data(), nullptr, nullptr) == HM_OK);
+                CHECK(hm_morph(copy.basis, move.data(), &mesh.points, points_out(x, y), nullptr,
+                               nullptr) == HM_OK);
+                CHECK(hm_adjoint(copy.basis, &mesh.points, gradient.data(), nullptr, nullptr) ==
+                      HM_OK);
             }
             words[k] = right;
         }
@@ -157,7 +164,9 @@ TEST_CASE("indices out of range and numbers that are not finite are found in a b
     CHECK(accepted < 3 * n);
 }
 
-TEST_CASE("cells and guards of polygons that do not follow each other are found in a basis whose checksum is right") {
+TEST_CASE(
+    "cells and guards of polygons that do not follow each other are found in a basis whose "
+    "checksum is right") {
     Case its = honeycomb_case();
     its.mesh.cell_layout = HM_CELLS_POLYGONS;
     Solved const solved(its);
@@ -170,18 +179,20 @@ TEST_CASE("cells and guards of polygons that do not follow each other are found 
         Index const right = number;
         number = wrong;
         basis.header->checksum = harmorph::checksum_of(*basis.header);
-        bool const is_refused = copy.attach(&mesh) == HM_BAD_BASIS && copy.says("pieces of its cells");
+        bool const is_refused =
+            copy.attach(&mesh) == HM_BAD_BASIS && copy.says("pieces of its cells");
         number = right;
         return is_refused;
     };
     Index const cell = its.mesh.n_cells() / 2;
-    CHECK(refuses(pieces.start[cell], pieces.start[cell + 1]));   // a cell without a piece
+    CHECK(refuses(pieces.start[cell], pieces.start[cell + 1]));  // a cell without a piece
     CHECK(refuses(pieces.guard_start[cell], pieces.guard_start[cell + 1] + 1));
     basis.header->checksum = harmorph::checksum_of(*basis.header);
     CHECK(copy.attach(&mesh) == HM_OK);
 }
 
-TEST_CASE("a basis with another mesh is refused; the same mesh with other coordinates is a warning") {
+TEST_CASE(
+    "a basis with another mesh is refused; the same mesh with other coordinates is a warning") {
     Case its = tiny_case();
     Solved const solved(its);
     BasisCopy copy(solved);
@@ -192,18 +203,20 @@ TEST_CASE("a basis with another mesh is refused; the same mesh with other coordi
     CHECK(copy.attach(&view) == HM_BAD_BASIS);
     CHECK(copy.says("another mesh: it has 48 points"));
     other = its;
-    std::swap(other.mesh.cells[0], other.mesh.cells[2]);   // the same counts
+    std::swap(other.mesh.cells[0], other.mesh.cells[2]);  // the same counts
     view = other.mesh.view();
     CHECK(copy.attach(&view) == HM_BAD_BASIS);
     CHECK(copy.says("the cells differ"));
     other = its;
-    std::swap(other.mesh.face_markers.front(), other.mesh.face_markers.back());   // a face each on the other's marker
+    std::swap(other.mesh.face_markers.front(),
+              other.mesh.face_markers.back());  // a face each on the other's marker
     REQUIRE(other.mesh.face_markers != its.mesh.face_markers);
     view = other.mesh.view();
     CHECK(copy.attach(&view) == HM_BAD_BASIS);
     CHECK(copy.says("its markers"));
     other = its;
-    for (std::int32_t& marker : other.mesh.face_markers) marker += 7;   // the same points on markers of other numbers
+    for (std::int32_t& marker : other.mesh.face_markers)
+        marker += 7;  // the same points on markers of other numbers
     view = other.mesh.view();
     CHECK(copy.attach(&view) == HM_BAD_BASIS);
     CHECK(copy.says("its markers"));
@@ -215,7 +228,8 @@ TEST_CASE("a basis with another mesh is refused; the same mesh with other coordi
     other.mesh.x[20] = std::nan("");
     CHECK(copy.attach(&view) == HM_BAD_MESH);
 
-    // Numbering, layout and stride are ways of writing the same mesh; so are the order of faces and that of their ends.
+    // Numbering, layout and stride are ways of writing the same mesh; so are the order of faces and
+    // that of their ends.
     other = its;
     std::reverse(other.mesh.faces.begin(), other.mesh.faces.end());
     std::reverse(other.mesh.face_markers.begin(), other.mesh.face_markers.end());
@@ -229,7 +243,8 @@ TEST_CASE("a basis with another mesh is refused; the same mesh with other coordi
     view.cell_layout = HM_CELLS_QUADS;
     view.cell_points = quads.data();
     std::vector<double> xy;
-    for (std::size_t k = 0; k < its.mesh.x.size(); ++k) xy.insert(xy.end(), {its.mesh.x[k], its.mesh.y[k]});
+    for (std::size_t k = 0; k < its.mesh.x.size(); ++k)
+        xy.insert(xy.end(), {its.mesh.x[k], its.mesh.y[k]});
     view.points = {xy.data(), xy.data() + 1, 2};
     CHECK(copy.attach(&view) == HM_OK);
 }

@@ -1,5 +1,5 @@
-// Functions in single precision: the wall moves as with double ones, the rest to the stated bound, and the adjoint is
-// the transpose of that.
+// Functions in single precision: the wall moves as with double ones, the rest to the stated bound,
+// and the adjoint is the transpose of that.
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
@@ -26,7 +26,8 @@ TEST_CASE("each number is the nearest one of single precision, and on the wall t
         CHECK(info.numbers_per_value == whole.numbers_per_value);
         CHECK(same_bits<double>({info.point_u, info.point_u + info.curve_points},
                                 {whole.point_u, whole.point_u + whole.curve_points}));
-        if (problem.its.mesh.n_points() > 10 * whole.curve_points) CHECK(3 * info.bytes < 2 * whole.bytes);
+        if (problem.its.mesh.n_points() > 10 * whole.curve_points)
+            CHECK(3 * info.bytes < 2 * whole.bytes);
         std::vector<bool> const wall = wall_of(problem.its);
         Matrices const before(solved.basis), after(single.basis);
         Wrong wrong;
@@ -35,24 +36,29 @@ TEST_CASE("each number is the nearest one of single precision, and on the wall t
             for (std::size_t i = 0; i < before.plane[p].size(); ++i)
                 for (std::size_t k = 0; k < wall.size(); ++k) {
                     double const was = before.plane[p][i][k], is = after.plane[p][i][k];
-                    wrong.compare(k, is, wall[k] ? was : static_cast<double>(static_cast<float>(was)));
-                    wrong.add(!(std::fabs(is - was) <= 0x1p-24 * std::fabs(was) + 0x1p-150), k, is - was);
+                    wrong.compare(k, is,
+                                  wall[k] ? was : static_cast<double>(static_cast<float>(was)));
+                    wrong.add(!(std::fabs(is - was) <= 0x1p-24 * std::fabs(was) + 0x1p-150), k,
+                              is - was);
                     on_wall += wall[k] && was != static_cast<double>(static_cast<float>(was));
                     rounded += is != was;
                 }
         CHECK(wrong == 0);
-        CHECK(on_wall > 10);   // the test could have failed
+        CHECK(on_wall > 10);  // the test could have failed
         CHECK(rounded > 100);
     }
 }
 
-TEST_CASE("a morph moves the wall bit by bit as double functions do, fixed points not at all, others to the bound") {
+TEST_CASE(
+    "a morph moves the wall bit by bit as double functions do, fixed points not at all, others to "
+    "the bound") {
     for (KindOfProblem& problem : problems_and_a_cut()) {
         Mesh const& mesh = problem.its.mesh;
         Solved const solved(problem.its, &problem.options);
         Single const single(solved.basis);
         Numbers const move = some_move(solved.info().functions, 0.05, 3);
-        Moved const expected = morphed(solved.basis, mesh, move), found = morphed(single.basis, mesh, move);
+        Moved const expected = morphed(solved.basis, mesh, move),
+                    found = morphed(single.basis, mesh, move);
         Moved const by = displaced(solved.basis, move), its = displaced(single.basis, move);
         std::vector<bool> const wall = wall_of(problem.its);
         Matrices const functions(solved.basis);
@@ -61,8 +67,10 @@ TEST_CASE("a morph moves the wall bit by bit as double functions do, fixed point
         for (std::size_t k = 0; k < wall.size(); ++k) {
             Magnitude const size(functions, move, k);
             double const rounding = 1e-15;
-            wrong.add(!(std::fabs(its.x[k] - by.x[k]) <= (0x1p-24 + rounding) * size.x), k, its.x[k] - by.x[k]);
-            wrong.add(!(std::fabs(its.y[k] - by.y[k]) <= (0x1p-24 + rounding) * size.y), k, its.y[k] - by.y[k]);
+            wrong.add(!(std::fabs(its.x[k] - by.x[k]) <= (0x1p-24 + rounding) * size.x), k,
+                      its.x[k] - by.x[k]);
+            wrong.add(!(std::fabs(its.y[k] - by.y[k]) <= (0x1p-24 + rounding) * size.y), k,
+                      its.y[k] - by.y[k]);
             if (wall[k]) {
                 wrong.compare(k, its.x[k], by.x[k]);
                 wrong.compare(k, its.y[k], by.y[k]);
@@ -78,8 +86,8 @@ TEST_CASE("a morph moves the wall bit by bit as double functions do, fixed point
         CHECK(wrong == 0);
         CHECK(differ > wall.size() / 4);
         double error = 1;
-        REQUIRE(hm_boundary_error(single.basis, move.data(), points_in(mesh.x, mesh.y), points_in(found.x, found.y),
-                                  &error, nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_boundary_error(single.basis, move.data(), points_in(mesh.x, mesh.y),
+                                  points_in(found.x, found.y), &error, nullptr, nullptr) == HM_OK);
         CHECK(error < 1e-14);
 
         // In place, in pairs; and the movement 0 keeps every bit.
@@ -88,12 +96,12 @@ TEST_CASE("a morph moves the wall bit by bit as double functions do, fixed point
         xy[0] = -0.0;
         Numbers const start = xy;
         double *const x = xy.data(), *const y = x + 1;
-        REQUIRE(hm_morph(single.basis, nothing.data(), points_in(x, y, 2), points_out(x, y, 2), nullptr, nullptr) ==
-                HM_OK);
+        REQUIRE(hm_morph(single.basis, nothing.data(), points_in(x, y, 2), points_out(x, y, 2),
+                         nullptr, nullptr) == HM_OK);
         CHECK(same_bits(xy, start));
         xy[0] = mesh.x[0];
-        REQUIRE(hm_morph(single.basis, move.data(), points_in(x, y, 2), points_out(x, y, 2), nullptr, nullptr) ==
-                HM_OK);
+        REQUIRE(hm_morph(single.basis, move.data(), points_in(x, y, 2), points_out(x, y, 2),
+                         nullptr, nullptr) == HM_OK);
         Wrong unequal;
         for (std::size_t k = 0; k < mesh.x.size(); ++k) {
             unequal.compare(k, xy[2 * k], found.x[k]);
@@ -106,7 +114,7 @@ TEST_CASE("a morph moves the wall bit by bit as double functions do, fixed point
 TEST_CASE("both sides of a cut move as one, on the wall and off it") {
     Case its = cut_ring(30);
     Solved const solved(its);
-    CHECK(solved.info().curve_points == 30);   // 31 points of the mesh are on the curve
+    CHECK(solved.info().curve_points == 30);  // 31 points of the mesh are on the curve
     Single const single(solved.basis);
     // The wall's other side, and not the side with the parameter.
     std::vector<std::int32_t> copy_alone = {30, 61, 5, 30};
@@ -132,7 +140,7 @@ TEST_CASE("both sides of a cut move as one, on the wall and off it") {
 
 TEST_CASE("the sum of the functions is 1 to single precision, on the curve to double") {
     Case its = ring_case(20, 60, 0.5, 2);
-    its.set_free(far_field);   // then it is 1 everywhere
+    its.set_free(far_field);  // then it is 1 everywhere
     Solved const solved(its);
     Single const single(solved.basis);
     Numbers move;
@@ -141,7 +149,7 @@ TEST_CASE("the sum of the functions is 1 to single precision, on the curve to do
     std::vector<bool> const wall = wall_of(its);
     double worst = 0;
     for (std::size_t k = 0; k < wall.size(); ++k) {
-        CHECK(std::fabs(found.x[k] - 1) <= (wall[k] ? 1e-15 : 0x1p-24 + 1e-10));   // solved to 1e-10
+        CHECK(std::fabs(found.x[k] - 1) <= (wall[k] ? 1e-15 : 0x1p-24 + 1e-10));  // solved to 1e-10
         worst = std::max(worst, std::fabs(found.x[k] - 1));
     }
     CHECK(worst > 1e-10);
@@ -170,12 +178,13 @@ TEST_CASE("the adjoint is the transpose: right to its bound, and <g, F m> = <F^T
 
 TEST_CASE("more numbers in a row than one block of them, and threads change no bit") {
     for (int const n : {150, 9}) {
-        Case its = ring_case(60, 300, 0.5, 2, Cells::quads, 3, n);   // 18300 points: several ranges
+        Case its = ring_case(60, 300, 0.5, 2, Cells::quads, 3, n);  // 18300 points: several ranges
         Solved const solved(its);
         Single const single(solved.basis);
         Numbers const move = some_move(n, 0.01, 5);
         Gradient const g(its.mesh.x.size(), 6);
-        Moved const expected = morphed(single.basis, its.mesh, move), exact = morphed(solved.basis, its.mesh, move);
+        Moved const expected = morphed(single.basis, its.mesh, move),
+                    exact = morphed(solved.basis, its.mesh, move);
         Numbers const gradient = adjoint(single.basis, g);
         CHECK(largest_difference(expected.x, exact.x) < 1e-8);
         for (std::int32_t const threads : {2, 5}) {
@@ -190,27 +199,32 @@ TEST_CASE("more numbers in a row than one block of them, and threads change no b
     }
 }
 
-TEST_CASE("parts: rows of single functions are the rows made single, and any parts give the same gradient") {
+TEST_CASE(
+    "parts: rows of single functions are the rows made single, and any parts give the same "
+    "gradient") {
     for (KindOfProblem& problem : problems_and_a_cut()) {
         Solved const solved(problem.its, &problem.options);
         Single const single(solved.basis);
         std::int32_t const n = problem.its.mesh.n_points();
         std::vector<std::int32_t> points = random_parts(n, 3, 8)[1];
-        points.insert(points.end(), {solved.info().curve_point[3], points.front(), solved.info().curve_point[3]});
+        points.insert(points.end(),
+                      {solved.info().curve_point[3], points.front(), solved.info().curve_point[3]});
         Rows const of_single(single.basis, points), of_double(solved.basis, points);
         REQUIRE(of_single.status == HM_OK);
         CHECK(bytes_of(Single(of_double.basis).basis) == bytes_of(of_single.basis));
 
-        Mesh here;   // the wall is exact wherever the list names it
+        Mesh here;  // the wall is exact wherever the list names it
         for (std::int32_t const k : points) here.add_point(problem.its.mesh.point(k));
         Numbers const move = some_move(solved.info().functions, 0.05, 3);
-        Moved const all = morphed(single.basis, problem.its.mesh, move), some = morphed(of_single.basis, here, move);
+        Moved const all = morphed(single.basis, problem.its.mesh, move),
+                    some = morphed(of_single.basis, here, move);
         CHECK(same_bits(some.x, pick(all.x, points)));
         CHECK(same_bits(some.y, pick(all.y, points)));
 
         Gradient const g(problem.its.mesh.x.size(), 5);
         Numbers const expected = adjoint(single.basis, g);
         for (std::size_t const parts : {1u, 2u, 7u, 40u})
-            CHECK(same_bits(adjoint_in_parts(single.basis, g, random_parts(n, parts, 17)), expected));
+            CHECK(
+                same_bits(adjoint_in_parts(single.basis, g, random_parts(n, parts, 17)), expected));
     }
 }

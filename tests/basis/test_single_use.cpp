@@ -1,9 +1,10 @@
-// Bases in single storage as blocks: copied, attached, damaged; what they do not hold, and what refuses them.
+// Bases in single storage as blocks: copied, attached, damaged; what they do not hold, and what
+// refuses them.
 #include <doctest/doctest.h>
 
 #include <fixtures/single.hpp>
 
-#include <harmorph/basis/single_precision.hpp>
+#include "basis/single_precision.hpp"
 
 #include <cstring>
 
@@ -21,7 +22,8 @@ TEST_CASE("copied, attached, truncated, damaged: like any basis") {
     const hm_basis* attached = nullptr;
     REQUIRE(hm_basis_attach(&attached, block.data(), bytes.size(), &mesh, nullptr) == HM_OK);
     Numbers const move = some_move(solved.info().functions, 0.1, 1);
-    Moved const expected = morphed(single.basis, its.mesh, move), found = morphed(attached, its.mesh, move);
+    Moved const expected = morphed(single.basis, its.mesh, move),
+                found = morphed(attached, its.mesh, move);
     CHECK(same_bits(found.x, expected.x));
     CHECK(same_bits(found.y, expected.y));
     for (std::size_t size = 0; size < bytes.size(); size += 8)
@@ -30,18 +32,21 @@ TEST_CASE("copied, attached, truncated, damaged: like any basis") {
     for (std::size_t k = 0; k < bytes.size(); ++k) {
         data[k] = static_cast<unsigned char>(data[k] ^ 0x11);
         INFO("byte " << k);
-        CHECK(hm_basis_attach(&attached, block.data(), bytes.size(), nullptr, nullptr) == HM_BAD_BASIS);
+        CHECK(hm_basis_attach(&attached, block.data(), bytes.size(), nullptr, nullptr) ==
+              HM_BAD_BASIS);
         data[k] = bytes[k];
     }
 }
 
-TEST_CASE("values beyond the range of single precision: large ones are refused, tiny ones keep the bound") {
+TEST_CASE(
+    "values beyond the range of single precision: large ones are refused, tiny ones keep the "
+    "bound") {
     Case its = tiny_case();
     Solved const solved(its);
     harmorph::Basis const view = harmorph::Basis::view(static_cast<void*>(solved.basis));
     Numbers all(its.mesh.x.size());
     for (double const tiny : {0x1.234567p-140, 0x1p-151, -0x1.8p-150}) {
-        view.value[0] = tiny;   // point 0, function 0
+        view.value[0] = tiny;  // point 0, function 0
         view.seal();
         REQUIRE(hm_basis_values(Single(solved.basis).basis, 0, 0, all.data(), nullptr) == HM_OK);
         CHECK(std::fabs(all[0] - tiny) <= 0x1p-150);
@@ -69,7 +74,8 @@ TEST_CASE("calls that need the functions in double precision refuse single ones"
     CHECK(refused(hm_single_size(single.basis, &bytes, &error), error));
     Numbers room(100000);
     hm_basis* made = nullptr;
-    CHECK(refused(hm_single_init(&made, room.data(), 8 * room.size(), single.basis, &error), error));
+    CHECK(
+        refused(hm_single_init(&made, room.data(), 8 * room.size(), single.basis, &error), error));
     CHECK(refused(hm_parcel_size(single.basis, 1, &doubles, &error), error));
     Numbers parcel(1000);
     CHECK(refused(hm_parcel_pack(single.basis, 1, &point, parcel.data(), &error), error));
@@ -77,18 +83,21 @@ TEST_CASE("calls that need the functions in double precision refuse single ones"
 
     REQUIRE(hm_transfer_size(solved.analysis, &mesh, &bytes, nullptr) == HM_OK);
     std::vector<unsigned char> work(bytes);
-    CHECK(refused(hm_transfer(solved.basis, work.data(), bytes, solved.analysis, single.basis, &mesh, nullptr, &error),
+    CHECK(refused(hm_transfer(solved.basis, work.data(), bytes, solved.analysis, single.basis,
+                              &mesh, nullptr, &error),
                   error));
-    CHECK(refused(hm_transfer(single.basis, work.data(), bytes, solved.analysis, solved.basis, &mesh, nullptr, &error),
+    CHECK(refused(hm_transfer(single.basis, work.data(), bytes, solved.analysis, solved.basis,
+                              &mesh, nullptr, &error),
                   error));
 
     REQUIRE(hm_morph_safe_size(solved.plan, nullptr, &bytes, nullptr) == HM_OK);
     work.resize(bytes);
     Numbers const move = some_move(20, 1e-3, 1);
     Numbers x = its.mesh.x, y = its.mesh.y;
-    auto const safe = [&](const hm_basis* by, hm_basis* derivative, hm_safe_options const* options) {
-        return hm_morph_safe(solved.plan, by, move.data(), points_out(x, y), derivative, work.data(), bytes, options,
-                             nullptr, &error);
+    auto const safe = [&](const hm_basis* by, hm_basis* derivative,
+                          hm_safe_options const* options) {
+        return hm_morph_safe(solved.plan, by, move.data(), points_out(x, y), derivative,
+                             work.data(), bytes, options, nullptr, &error);
     };
     const hm_basis* const other = single.basis;
     hm_safe_options options{};
@@ -99,10 +108,12 @@ TEST_CASE("calls that need the functions in double precision refuse single ones"
     CHECK(refused(safe(solved.basis, single.basis, nullptr), error));
     CHECK(refused(safe(solved.basis, nullptr, &options), error));
     CHECK(same_bits(x, its.mesh.x));
-    CHECK(morphed(single.basis, its.mesh, move).x != its.mesh.x);   // it has come to no harm
+    CHECK(morphed(single.basis, its.mesh, move).x != its.mesh.x);  // it has come to no harm
 }
 
-TEST_CASE("wrong arguments, shares, bases that are not solved and blocks that are too small are refused") {
+TEST_CASE(
+    "wrong arguments, shares, bases that are not solved and blocks that are too small are "
+    "refused") {
     Case its = two_body_case();
     Solved const solved(its);
     std::size_t need = 0;
@@ -117,7 +128,8 @@ TEST_CASE("wrong arguments, shares, bases that are not solved and blocks that ar
     for (std::size_t give = 0; give + 64 < need; give += 1024) {
         Guarded block(give);
         hm_error error{};
-        CHECK(hm_single_init(&made, block.data(), give, solved.basis, &error) == HM_BLOCK_TOO_SMALL);
+        CHECK(hm_single_init(&made, block.data(), give, solved.basis, &error) ==
+              HM_BLOCK_TOO_SMALL);
         CHECK(made == nullptr);
         CHECK(block.guards_intact());
         CHECK(error.value == static_cast<double>(need - give));
@@ -127,8 +139,8 @@ TEST_CASE("wrong arguments, shares, bases that are not solved and blocks that ar
     std::vector<unsigned char> block(bytes);
     hm_basis* share = nullptr;
     REQUIRE(hm_share_init(&share, block.data(), bytes, solved.analysis, 0, 3, nullptr) == HM_OK);
-    CHECK(hm_single_size(share, &bytes, nullptr) == HM_BAD_BASIS);   // not solved
+    CHECK(hm_single_size(share, &bytes, nullptr) == HM_BAD_BASIS);  // not solved
     REQUIRE(hm_plan_solve(solved.plan, share, nullptr, nullptr) == HM_OK);
-    CHECK(hm_single_size(share, &bytes, nullptr) == HM_BAD_BASIS);   // not all functions
+    CHECK(hm_single_size(share, &bytes, nullptr) == HM_BAD_BASIS);  // not all functions
     CHECK(hm_single_init(&made, room.data(), need, share, nullptr) == HM_BAD_BASIS);
 }

@@ -18,7 +18,7 @@ int count(Analysed const& seen, PointKind kind) {
 
 TEST_CASE("markers without a condition are fixed; everything else is inside") {
     Case its = tiny_case();
-    its.mesh.add_point({3, 3});   // used by no cell
+    its.mesh.add_point({3, 3});  // used by no cell
     Analysed const seen(its);
     CHECK(count(seen, PointKind::on_wall) == 8);
     CHECK(count(seen, PointKind::fixed) == 24);
@@ -35,12 +35,12 @@ TEST_CASE("a point on several markers: on a curve before fixed before free") {
     its.put_on_curves(bottom);
     its.set_free(right);
     its.set_free(top);
-    for (int order = 0; order < 2; ++order) {   // whichever is named first
+    for (int order = 0; order < 2; ++order) {  // whichever is named first
         Analysed const seen(its);
-        CHECK(seen->kinds[0] == PointKind::on_wall);    // bottom and left, which is fixed
-        CHECK(seen->kinds[6] == PointKind::on_wall);    // bottom and right, which is free
-        CHECK(seen->kinds[42] == PointKind::fixed);      // left and top
-        CHECK(seen->kinds[48] == PointKind::free);       // right and top
+        CHECK(seen->kinds[0] == PointKind::on_wall);  // bottom and left, which is fixed
+        CHECK(seen->kinds[6] == PointKind::on_wall);  // bottom and right, which is free
+        CHECK(seen->kinds[42] == PointKind::fixed);   // left and top
+        CHECK(seen->kinds[48] == PointKind::free);    // right and top
         CHECK(seen->kinds[7] == PointKind::fixed);
         CHECK(seen->kinds[13] == PointKind::free);
         CHECK(count(seen, PointKind::on_wall) == 7);
@@ -58,9 +58,9 @@ TEST_CASE("joined points are one: the other names count as unused") {
     Analysed const seen(its);
     CHECK(count(seen, PointKind::unused) == c.n_wake + 1);
     CHECK(count(seen, PointKind::on_wall) == 48);
-    CHECK(seen->kinds[c.n_wake] == PointKind::on_wall);   // the trailing edge
-    CHECK(seen->kinds[1] == PointKind::inside);            // on the wake
-    CHECK(seen->kinds[0] == PointKind::fixed);             // where the wake meets the far field
+    CHECK(seen->kinds[c.n_wake] == PointKind::on_wall);  // the trailing edge
+    CHECK(seen->kinds[1] == PointKind::inside);          // on the wake
+    CHECK(seen->kinds[0] == PointKind::fixed);           // where the wake meets the far field
 }
 
 TEST_CASE("the graph couples every pair of unknowns that share a cell, and no others") {
@@ -77,8 +77,10 @@ TEST_CASE("the graph couples every pair of unknowns that share a cell, and no ot
             harmorph::Cell const cell = mesh.cell(i);
             for (int a = 0; a < cell.n; ++a)
                 for (int b = 0; b < cell.n; ++b) {
-                    harmorph::Index const u = graph.unknown[cell.point[a]], v = graph.unknown[cell.point[b]];
-                    if (u != harmorph::none && v != harmorph::none && u != v) expected.push_back({u, v});
+                    harmorph::Index const u = graph.unknown[cell.point[a]],
+                                          v = graph.unknown[cell.point[b]];
+                    if (u != harmorph::none && v != harmorph::none && u != v)
+                        expected.push_back({u, v});
                     if (u != harmorph::none && seen->kinds[cell.point[b]] == PointKind::on_wall)
                         near_wall[static_cast<std::size_t>(u)] = 1;
                 }
@@ -96,15 +98,16 @@ TEST_CASE("the graph couples every pair of unknowns that share a cell, and no ot
     }
 }
 
-TEST_CASE("given displacements: after curves and bodies, before fixed markers; no curves are needed") {
+TEST_CASE(
+    "given displacements: after curves and bodies, before fixed markers; no curves are needed") {
     Case its;
     its.mesh = square(6);
     its.set_given(bottom);
     its.set_free(right);
     its.set_free(top);
     Analysed const alone(its);
-    CHECK(alone->kinds[0] == PointKind::on_wall);   // bottom and left, which is fixed
-    CHECK(alone->kinds[6] == PointKind::on_wall);   // bottom and right, which is free
+    CHECK(alone->kinds[0] == PointKind::on_wall);  // bottom and left, which is fixed
+    CHECK(alone->kinds[6] == PointKind::on_wall);  // bottom and right, which is free
     CHECK(alone->wall.count == 7);
     CHECK(alone->count_wall_faces() == 6);
     CHECK(alone->basis_counts().functions() == 0);

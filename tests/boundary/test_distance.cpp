@@ -26,15 +26,18 @@ TEST_CASE("random loops, wherever the point is: the distance of the nearest face
                 std::vector<Point> its;
                 Point const centre{4 * uniform(random), 4 * uniform(random)};
                 for (int k = 0; k < corners; ++k)
-                    its.push_back({centre.x + (uniform(random) - 0.5), centre.y + (uniform(random) - 0.5)});
+                    its.push_back(
+                        {centre.x + (uniform(random) - 0.5), centre.y + (uniform(random) - 0.5)});
                 loops.add(its);
             }
             FaceTree const tree(loops);
             CHECK(tree.count == n_loops * corners);
             for (int trial = 0; trial < 20; ++trial) {
                 double const size = trial % 4 == 0 ? 100 : 5;
-                Point const p{size * (uniform(random) - 0.5) + 2, size * (uniform(random) - 0.5) + 2};
-                worst = std::fmax(worst, std::fabs(tree.distance(vec(p)) - by_trying_all(loops, p)) / size);
+                Point const p{size * (uniform(random) - 0.5) + 2,
+                              size * (uniform(random) - 0.5) + 2};
+                worst = std::fmax(
+                    worst, std::fabs(tree.distance(vec(p)) - by_trying_all(loops, p)) / size);
             }
         }
     CHECK(worst < 1e-15);
@@ -51,16 +54,18 @@ TEST_CASE("bodies: within layers that are thin against the faces, far away, and 
     FaceTree const tree(loops);
     for (int trial = 0; trial < 500; ++trial) {
         std::size_t const k = random() % loops.x.size();
-        double const height = std::pow(10.0, -7 + 9 * uniform(random)), angle = 2 * pi * uniform(random);
+        double const height = std::pow(10.0, -7 + 9 * uniform(random)),
+                     angle = 2 * pi * uniform(random);
         Point const p{loops.x[k] + height * std::cos(angle), loops.y[k] + height * std::sin(angle)};
         double const expected = by_trying_all(loops, p);
         CHECK(tree.distance(vec(p)) == doctest::Approx(expected).epsilon(1e-14 + 1e-17 / expected));
     }
 }
 
-TEST_CASE("ends and degenerate faces: beyond the ends of a face its ends count; no length is a point") {
+TEST_CASE(
+    "ends and degenerate faces: beyond the ends of a face its ends count; no length is a point") {
     FaceLoops line;
-    line.add({{0, 0}, {1, 0}});   // there and back
+    line.add({{0, 0}, {1, 0}});  // there and back
     FaceTree const tree(line);
     CHECK(tree.distance({3, 0}) == 2);
     CHECK(tree.distance({-0.5, 0}) == 0.5);
@@ -68,7 +73,7 @@ TEST_CASE("ends and degenerate faces: beyond the ends of a face its ends count; 
     CHECK(tree.distance({0.25, -2}) == 2);
     CHECK(tree.distance({0.5, 0}) == 0);
 
-    FaceLoops folded;   // one segment a thousand times, among it faces of no length
+    FaceLoops folded;  // one segment a thousand times, among it faces of no length
     std::vector<Point> points;
     for (int k = 0; k < 500; ++k) points.insert(points.end(), {{0, 0}, {0, 0}, {3, 4}, {3, 4}});
     folded.add(points);
@@ -82,7 +87,7 @@ TEST_CASE("ends and degenerate faces: beyond the ends of a face its ends count; 
     FaceTree const single(place);
     CHECK(single.distance({4, 6}) == 5);
     CHECK(single.unit == 0);
-    CHECK(FaceTree(std::size_t{40}).distance({0, 0}) == harmorph::infinity);   // no face chosen
+    CHECK(FaceTree(std::size_t{40}).distance({0, 0}) == harmorph::infinity);  // no face chosen
 }
 
 TEST_CASE("only the chosen faces count, and moved coordinates count when the tree is built again") {
@@ -94,32 +99,38 @@ TEST_CASE("only the chosen faces count, and moved coordinates count when the tre
     tree.choose(boundary, [&](Index face) { return boundary.marker[face] == 2; });
     tree.build(loops.points());
     CHECK(tree.count == 37);
-    double const gap = 10 - std::cos(pi / 37);   // a side is in front
+    double const gap = 10 - std::cos(pi / 37);  // a side is in front
     CHECK(tree.distance({0, 0}) == doctest::Approx(gap));
     for (double& x : loops.x) x += 2;
     CHECK(tree.distance({0, 0}) == doctest::Approx(gap));
     tree.build(loops.points());
     CHECK(tree.distance({0, 0}) == doctest::Approx(gap + 2));
-    tree.choose(boundary, [](Index face) { return face == 117; });   // alone: the rest of its group is empty
+    tree.choose(boundary,
+                [](Index face) { return face == 117; });  // alone: the rest of its group is empty
     tree.build(loops.points());
     long double const alone =
         from_segment({20, 1}, {loops.x[117], loops.y[117]}, {loops.x[118], loops.y[118]});
     CHECK(tree.distance({20, 1}) == doctest::Approx(static_cast<double>(alone)));
 }
 
-TEST_CASE("feet: the nearest place, whichever group is tried first, also where two faces are equally near") {
+TEST_CASE(
+    "feet: the nearest place, whichever group is tried first, also where two faces are equally "
+    "near") {
     FaceLoops loops;
     // Corners at whole numbers, so that distances from both faces there are the same to the bit.
     std::vector<Point> stairs;
-    for (int k = 0; k < 40; ++k) stairs.insert(stairs.end(), {{1.0 * k, 1.0 * k}, {k + 1.0, 1.0 * k}});
+    for (int k = 0; k < 40; ++k)
+        stairs.insert(stairs.end(), {{1.0 * k, 1.0 * k}, {k + 1.0, 1.0 * k}});
     loops.add(stairs);
     FaceTree const tree(loops);
     for (int k = 1; k < 39; ++k)
-        for (Point const p : {Point{k + 1.25, k - 0.5}, Point{k + 0.375, k - 0.25}, Point{k - 3.0, k + 4.0}}) {
+        for (Point const p :
+             {Point{k + 1.25, k - 0.5}, Point{k + 0.375, k - 0.25}, Point{k - 3.0, k + 4.0}}) {
             harmorph::Index group = 0;
             FaceDistance::Foot const expected = tree.foot(vec(p), group);
             Vec2 const at = tree.at(expected, loops.points());
-            CHECK(std::hypot(at.x - p.x, at.y - p.y) == doctest::Approx(by_trying_all(loops, p)).epsilon(1e-14));
+            CHECK(std::hypot(at.x - p.x, at.y - p.y) ==
+                  doctest::Approx(by_trying_all(loops, p)).epsilon(1e-14));
             for (harmorph::Index guess = 0; guess < tree.groups.count(); ++guess) {
                 group = guess;
                 FaceDistance::Foot const seen = tree.foot(vec(p), group);
@@ -131,7 +142,9 @@ TEST_CASE("feet: the nearest place, whichever group is tried first, also where t
     CHECK(FaceTree(std::size_t{0}).foot({0, 0}, group).face == harmorph::none);
 }
 
-TEST_CASE("the box round all faces: no point nearer than the reach is left out, points twice as far off are") {
+TEST_CASE(
+    "the box round all faces: no point nearer than the reach is left out, points twice as far off "
+    "are") {
     std::mt19937 random(23);
     for (double const unit : {1e-9, 1.0, 3e7}) {
         CAPTURE(unit);

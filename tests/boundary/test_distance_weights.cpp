@@ -1,4 +1,5 @@
-// Weights of cells by their distance from faces, against repeated multiplication; scaled meshes, threads, kernels.
+// Weights of cells by their distance from faces, against repeated multiplication; scaled meshes,
+// threads, kernels.
 #include <doctest/doctest.h>
 
 #include <fixtures/airfoil.hpp>
@@ -12,7 +13,8 @@ using harmorph::FaceDistance;
 using harmorph::Index;
 using harmorph::Vec2;
 
-TEST_CASE("scaling by powers of two changes no bit of weights, up to lengths whose squares overflow") {
+TEST_CASE(
+    "scaling by powers of two changes no bit of weights, up to lengths whose squares overflow") {
     FaceLoops loops;
     Naca4 naca;
     loops.add(naca4(naca, 60).points);
@@ -46,19 +48,24 @@ TEST_CASE("weights: powers of the distance from the mean of the corners, on all 
         distance.push_back(by_trying_all(loops, barycentre(mesh, cell)));
     for (Index quarters = 0; quarters <= 16; ++quarters) {
         std::vector<double> const k = weights_of(mesh, tree, quarters);
-        double worst = 0;   // in what rounding may do
+        double worst = 0;  // in what rounding may do
         for (std::size_t cell = 0; cell < k.size(); ++cell) {
-            double const rounding = 1e-14 + quarters * 4e-16 / distance[cell];   // of either barycentre: 3 in 2^-53
-            double const fourth = (k[cell] * k[cell]) * (k[cell] * k[cell]);   // times (d / unit)^quarters is 1
+            double const rounding =
+                1e-14 + quarters * 4e-16 / distance[cell];  // of either barycentre: 3 in 2^-53
+            double const fourth =
+                (k[cell] * k[cell]) * (k[cell] * k[cell]);  // times (d / unit)^quarters is 1
             double product = fourth;
-            for (Index factor = 0; factor < quarters; ++factor) product *= distance[cell] / tree.unit;
+            for (Index factor = 0; factor < quarters; ++factor)
+                product *= distance[cell] / tree.unit;
             worst = std::fmax(worst, std::fabs(product - 1) / rounding);
         }
         CHECK(worst < 1);
     }
 }
 
-TEST_CASE("weights do not depend on the numbers of cells and points, on threads, or on where loops begin") {
+TEST_CASE(
+    "weights do not depend on the numbers of cells and points, on threads, or on where loops "
+    "begin") {
     Naca4 naca;
     Mesh const mesh = o_mesh(naca4(naca, 150), stretched(1e-4, 20, 40), Cells::triangles);
     FaceLoops loops = body_loops(mesh);
@@ -80,10 +87,12 @@ TEST_CASE("weights do not depend on the numbers of cells and points, on threads,
 
     for (std::size_t const shift : {std::size_t{3}, std::size_t{77}}) {
         FaceLoops other = loops;
-        std::rotate(other.point.begin(), other.point.begin() + static_cast<std::ptrdiff_t>(shift), other.point.end());
+        std::rotate(other.point.begin(), other.point.begin() + static_cast<std::ptrdiff_t>(shift),
+                    other.point.end());
         CHECK(weights_of(mesh, FaceTree(other), 6) == expected);
     }
-    FaceLoops scattered;   // every face a loop of its own there and back, far from its neighbours in the list
+    FaceLoops scattered;  // every face a loop of its own there and back, far from its neighbours in
+                          // the list
     for (std::size_t k = 0; k < loops.x.size(); ++k) {
         std::size_t const a = 37 * k % loops.x.size(), b = (a + 1) % loops.x.size();
         scattered.add({{loops.x[a], loops.y[a]}, {loops.x[b], loops.y[b]}});
@@ -94,15 +103,17 @@ TEST_CASE("weights do not depend on the numbers of cells and points, on threads,
     CHECK(weights_of(mesh, seeds, 6) == expected);
 }
 
-TEST_CASE("kernels give the same bits, of distances, feet and weights; images of the faces count as faces do") {
+TEST_CASE(
+    "kernels give the same bits, of distances, feet and weights; images of the faces count as "
+    "faces do") {
     Naca4 naca;
     naca.camber = 0.02;
     Mesh const ordered = o_mesh(naca4(naca, 150), stretched(1e-4, 20, 40), Cells::hybrid);
-    Mesh shuffled = ordered;   // nobody's neighbours follow it
+    Mesh shuffled = ordered;  // nobody's neighbours follow it
     shuffle_cells(shuffled, 5);
     FaceLoops loops = body_loops(ordered);
-    loops.add(ellipse_points(900, 3, 0.5, {4, 6}));   // boxes, too
-    FaceLoops twice = loops;   // what the images are of
+    loops.add(ellipse_points(900, 3, 0.5, {4, 6}));  // boxes, too
+    FaceLoops twice = loops;                         // what the images are of
     Vec2 const shift{0.5, -4.25};
     for (std::size_t loop = 0; loop + 1 < loops.loop_start.size(); ++loop) {
         std::vector<Point> moved;
@@ -115,7 +126,8 @@ TEST_CASE("kernels give the same bits, of distances, feet and weights; images of
     images.image[0] = {{1, 0}, images.inverse_unit * shift};
     std::mt19937 random(6);
     std::vector<Vec2> places;
-    for (int k = 0; k < 300; ++k) places.push_back({20 * uniform(random) - 10, 20 * uniform(random) - 10});
+    for (int k = 0; k < 300; ++k)
+        places.push_back({20 * uniform(random) - 10, 20 * uniform(random) - 10});
     for (Mesh const* mesh : {&ordered, static_cast<Mesh const*>(&shuffled)})
         for (Index const quarters : {1, 6, 16}) {
             std::vector<double> const expected = weights_of(*mesh, tree, quarters),
@@ -162,13 +174,14 @@ TEST_CASE("weights without faces, without extent, and at a distance of 0 are fin
     FaceLoops place;
     place.add({{0.5, 0.5}, {0.5, 0.5}});
     for (double const k : weights_of(mesh, FaceTree(place), 6)) CHECK(k == 1);
-    FaceLoops through;   // the mean of the first cell's corners is on it
+    FaceLoops through;  // the mean of the first cell's corners is on it
     Point const p = barycentre(mesh, 0);
     through.add({{p.x, p.y}, {p.x + 1, p.y}});
     double const k = weights_of(mesh, FaceTree(through), 16)[0];
     CHECK(k > 1e100);
     CHECK(std::isfinite(k));
     Untrapped const untrapped;
-    mesh.x[0] = mesh.y[3] = std::nan("");   // no valid mesh, but no reason to go astray
-    CHECK(weights_of(mesh, FaceTree(through), 6).size() == static_cast<std::size_t>(mesh.n_cells()));
+    mesh.x[0] = mesh.y[3] = std::nan("");  // no valid mesh, but no reason to go astray
+    CHECK(weights_of(mesh, FaceTree(through), 6).size() ==
+          static_cast<std::size_t>(mesh.n_cells()));
 }

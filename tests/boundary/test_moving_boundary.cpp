@@ -22,17 +22,19 @@ std::map<std::int32_t, std::pair<std::int32_t, double>> parameters(Solved const&
     hm_basis_info const info = solved.info();
     for (std::int32_t k = 0; k < info.curve_points; ++k)
         out[info.curve_point[k]] = {info.point_curve[k], info.point_u[k]};
-    CHECK(out.size() == static_cast<std::size_t>(info.curve_points));   // every point once
+    CHECK(out.size() == static_cast<std::size_t>(info.curve_points));  // every point once
     return out;
 }
 
 }  // namespace
 
-TEST_CASE("parameters are found where the points lie on the curve, in either direction and from any start") {
+TEST_CASE(
+    "parameters are found where the points lie on the curve, in either direction and from any "
+    "start") {
     for (int const degree : {2, 3, 5})
         for (bool const against : {false, true}) {
             Spline spline = ring(degree, 9, 0.55, 0.5, 0, 0, 0.3);
-            if (against)   // the curve runs against the boundary
+            if (against)  // the curve runs against the boundary
                 for (std::size_t k = 1; k < spline.control.size(); k += 2) spline.control[k] *= -1;
             int const n_t = 40;
             Case its = on_curve(spline, n_t);
@@ -56,13 +58,14 @@ TEST_CASE("parameters are found where the points lie on the curve, in either dir
             auto const found = parameters(solved);
             REQUIRE(found.size() == 40);
             for (int k = 0; k < n_t; ++k)
-                CHECK(std::fabs(found.at(k).second - expected[static_cast<std::size_t>(k)]) < 1e-10);
+                CHECK(std::fabs(found.at(k).second - expected[static_cast<std::size_t>(k)]) <
+                      1e-10);
         }
 }
 
 TEST_CASE("given parameters are taken as they are, the others are found") {
     Case its = tiny_case();
-    its.give(16, 0.125);   // wrong on purpose
+    its.give(16, 0.125);  // wrong on purpose
     its.give(24, 1.75);
     Solved const solved(its);
     auto const found = parameters(solved);
@@ -71,16 +74,17 @@ TEST_CASE("given parameters are taken as they are, the others are found") {
     CHECK(found.at(17).second == doctest::Approx(0.5));
     CHECK(found.at(18).second == doctest::Approx(1));
     CHECK(solved.values(0)[16] == 0.875);
-    CHECK(solved.report.max_distance == doctest::Approx(0.5));   // (4, 3) is said to be (4, 3.5)
+    CHECK(solved.report.max_distance == doctest::Approx(0.5));  // (4, 3) is said to be (4, 3.5)
     CHECK(solved.report.max_distance_point == 24);
 }
 
 TEST_CASE("a tied curve: the point at the corner gets the corner's function, exactly 1") {
-    for (std::int32_t const start : {0, 1, 2, 3}) {   // the curve may begin at any corner
+    for (std::int32_t const start : {0, 1, 2, 3}) {  // the curve may begin at any corner
         Case its = tiny_case();
         std::vector<Point> const corners = {{2, 2}, {4, 2}, {4, 4}, {2, 4}};
         std::vector<Point> turned;
-        for (std::int32_t k = 0; k < 4; ++k) turned.push_back(corners[static_cast<std::size_t>((k + start) % 4)]);
+        for (std::int32_t k = 0; k < 4; ++k)
+            turned.push_back(corners[static_cast<std::size_t>((k + start) % 4)]);
         its.curves = polyline(turned);
         Solved const solved(its);
         std::size_t const ids[] = {16, 18, 31, 29};
@@ -95,7 +99,7 @@ TEST_CASE("a tied curve: the point at the corner gets the corner's function, exa
 TEST_CASE("a blunt base: points there are on the second curve, the ends belong to both") {
     Naca4 naca;
     naca.blunt = true;
-    Outline const outline = naca4(naca, 40);   // four edges on the base
+    Outline const outline = naca4(naca, 40);  // four edges on the base
     hm_fit_options options{};
     options.struct_size = sizeof options;
     hm_fit_report report{};
@@ -105,8 +109,9 @@ TEST_CASE("a blunt base: points there are on the second curve, the ends belong t
     REQUIRE(hm_fit_size(n, &options, &bytes, nullptr) == HM_OK);
     Guarded block(bytes);
     const hm_curves* curves = nullptr;
-    REQUIRE(hm_fit(&curves, block.data(), bytes, points_in(&outline.points[0].x, &outline.points[0].y, 2), n, 1,
-                   &options, &report, nullptr) == HM_OK);
+    REQUIRE(hm_fit(&curves, block.data(), bytes,
+                   points_in(&outline.points[0].x, &outline.points[0].y, 2), n, 1, &options,
+                   &report, nullptr) == HM_OK);
     REQUIRE(curves->n_curves == 2);
     REQUIRE(report.base_points == 5);
 
@@ -125,20 +130,23 @@ TEST_CASE("a blunt base: points there are on the second curve, the ends belong t
     }
     CHECK(solved.report.max_distance == doctest::Approx(report.max_error).epsilon(0.05));
     CHECK(solved.report.partition_defect < 1e-14);
-    // Each corner has the function of one control point alone, and the base is linear between the two.
+    // Each corner has the function of one control point alone, and the base is linear between the
+    // two.
     std::vector<double> move(2 * static_cast<std::size_t>(curves->n_control), 0.0);
     for (std::int32_t i = 0; i < curves->n_control; ++i) {
         std::vector<double> const f = solved.values(i);
         CHECK((f[0] == 0 || f[0] == 1));
         CHECK((f[4] == 0 || f[4] == 1));
         for (std::size_t k = 1; k <= 3; ++k)
-            CHECK(f[k] == doctest::Approx(f[0] + (f[4] - f[0]) * static_cast<double>(k) / 4).epsilon(1e-9));
+            CHECK(f[k] ==
+                  doctest::Approx(f[0] + (f[4] - f[0]) * static_cast<double>(k) / 4).epsilon(1e-9));
     }
 }
 
 TEST_CASE("several bodies on one marker: each finds its curve") {
     Case two = two_body_case(), one = two;
-    for (std::int32_t& marker : one.mesh.face_markers) marker = marker == second_body ? body : marker;
+    for (std::int32_t& marker : one.mesh.face_markers)
+        marker = marker == second_body ? body : marker;
     one.conditions.clear();
     one.put_on_curves(body, 0, 2);
     Solved const a(two), b(one);
@@ -154,11 +162,14 @@ TEST_CASE("one body over several markers, on one curve: as if it were one marker
     Solved const a(whole), b(split);
     auto const expected = parameters(a), found = parameters(b);
     REQUIRE(found.size() == expected.size());
-    for (auto const& [point, its] : expected) CHECK(std::fabs(found.at(point).second - its.second) < 1e-12);
+    for (auto const& [point, its] : expected)
+        CHECK(std::fabs(found.at(point).second - its.second) < 1e-12);
 }
 
-TEST_CASE("markers with a curve each share their points: these belong to the control point of both") {
-    // The hole's lower side on one curve, the other three on another; the ends are common control points.
+TEST_CASE(
+    "markers with a curve each share their points: these belong to the control point of both") {
+    // The hole's lower side on one curve, the other three on another; the ends are common control
+    // points.
     Case its = tiny_case();
     for (std::size_t k = 0; k < its.mesh.face_markers.size(); ++k) {
         bool const low = its.mesh.y[static_cast<std::size_t>(its.mesh.faces[2 * k])] == 2 &&
@@ -188,7 +199,9 @@ TEST_CASE("markers with a curve each share their points: these belong to the con
     }
 }
 
-TEST_CASE("the curve of another body: points farther from it than it is large are refused, with point and distance") {
+TEST_CASE(
+    "the curve of another body: points farther from it than it is large are refused, with point "
+    "and distance") {
     for (double const size : {1.0, 1e-6, 1e6}) {
         Case its = airfoil_case();
         for (std::vector<double>* const numbers : {&its.mesh.x, &its.mesh.y, &its.curves.control})
@@ -196,28 +209,33 @@ TEST_CASE("the curve of another body: points farther from it than it is large ar
         Attempt right;
         CHECK(right.analyse(its.problem()));
         its.conditions.clear();
-        its.put_on_curves(far_field);   // on the airfoil's curve
+        its.put_on_curves(far_field);  // on the airfoil's curve
         Attempt wrong;
         CHECK(!wrong.analyse(its.problem()));
         CHECK(wrong.status == HM_BAD_CONDITION);
-        CHECK(wrong.error.value > 6 * size);   // a circle of radius 8 round the chord
+        CHECK(wrong.error.value > 6 * size);  // a circle of radius 8 round the chord
         CHECK(wrong.error.value < 9 * size);
         std::vector<std::int32_t> farthest;
         for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face)
-            if (its.mesh.face_markers[face] == far_field) farthest.push_back(its.mesh.faces[2 * face]);
+            if (its.mesh.face_markers[face] == far_field)
+                farthest.push_back(its.mesh.faces[2 * face]);
         CHECK(std::find(farthest.begin(), farthest.end(), wrong.error.item) != farthest.end());
     }
 }
 
-TEST_CASE("points farther from their curve than 5 % of its extent: a warning with the point and its distance") {
+TEST_CASE(
+    "points farther from their curve than 5 % of its extent: a warning with the point and its "
+    "distance") {
     for (double const size : {1.0, 1e-6, 1e6})
         for (double const part : {0.049, 0.051}) {
             Case its;
             its.mesh = square(10, Cells::quads, 2, 2);
-            its.curves = polyline({{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6 - 0.2 * part}, {0.4, 0.6 - 0.2 * part}});
-            its.curves.control.insert(its.curves.control.end(), {0.4, 0.6});   // of no curve
+            its.curves = polyline(
+                {{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6 - 0.2 * part}, {0.4, 0.6 - 0.2 * part}});
+            its.curves.control.insert(its.curves.control.end(), {0.4, 0.6});  // of no curve
             its.put_on_curves(body);
-            for (std::vector<double>* const numbers : {&its.mesh.x, &its.mesh.y, &its.curves.control})
+            for (std::vector<double>* const numbers :
+                 {&its.mesh.x, &its.mesh.y, &its.curves.control})
                 for (double& number : *numbers) number *= size;
             Attempt attempt;
             CHECK(attempt.analyse(its.problem()));
@@ -230,7 +248,7 @@ TEST_CASE("points farther from their curve than 5 % of its extent: a warning wit
             CHECK(attempt.error.value == doctest::Approx(0.2 * part * size));
             CHECK(its.mesh.y[static_cast<std::size_t>(attempt.error.item)] == 0.6 * size);
             CHECK(attempt.prepare());
-            CHECK(attempt.solve());   // the result can be used
+            CHECK(attempt.solve());  // the result can be used
             CHECK(attempt.status == HM_OK);
         }
 }

@@ -35,10 +35,13 @@ TEST_CASE("both sides move alike, to the last bit, and not only along the wall")
             Solved const solved(its, &options);
             Field const moved = displacement(solved, some_move(4, 1, 4));
             for (std::size_t j = 0; j <= 8; ++j) {
-                std::vector<std::int32_t> const l = points_on(its.mesh, left), r = points_on(its.mesh, right);
-                Complex const a = moved[static_cast<std::size_t>(l[j])], b = moved[static_cast<std::size_t>(r[j])];
+                std::vector<std::int32_t> const l = points_on(its.mesh, left),
+                                                r = points_on(its.mesh, right);
+                Complex const a = moved[static_cast<std::size_t>(l[j])],
+                              b = moved[static_cast<std::size_t>(r[j])];
                 CHECK(a == b);
-                CHECK((j == 0 || j == 8 ? a == 0.0 : std::abs(a) > 1e-3));   // top and bottom are fixed
+                CHECK((j == 0 || j == 8 ? a == 0.0
+                                        : std::abs(a) > 1e-3));  // top and bottom are fixed
             }
         }
 }
@@ -54,7 +57,8 @@ TEST_CASE("two and three periods with bodies that move alike are one period, rep
                 Field const expected = displacement(a, move);
                 Field found = displacement(b, repeated(move, n));
                 found.resize(expected.size());
-                // Weights see the bodies of all periods where there are several, and one where there is one.
+                // Weights see the bodies of all periods where there are several, and one where
+                // there is one.
                 bool const weighted = operator_kind != HM_LAPLACE;
                 CHECK(largest_difference(found, expected) < (weighted ? 1e-2 : 1e-13));
                 Case fixed = one;
@@ -64,7 +68,9 @@ TEST_CASE("two and three periods with bodies that move alike are one period, rep
             }
 }
 
-TEST_CASE("weighted and conformal functions of several periods are those of one, too: the wall's images count") {
+TEST_CASE(
+    "weighted and conformal functions of several periods are those of one, too: the wall's images "
+    "count") {
     for (std::int32_t const kind : {HM_CONFORMAL, HM_WEIGHTED})
         for (std::int32_t const quarters : {std::int32_t{HM_NO_WEIGHT}, 4, 16})
             for (int const n : {2, 3}) {
@@ -92,7 +98,8 @@ TEST_CASE("where the mesh is cut does not matter, and it may be turned") {
                     Field const expected = displacement(Solved(a, &options), move);
                     Field const all = displacement(Solved(b, &options), move);
                     Field found;
-                    for (std::int32_t const k : number) found.push_back(all[static_cast<std::size_t>(k)]);
+                    for (std::int32_t const k : number)
+                        found.push_back(all[static_cast<std::size_t>(k)]);
                     CHECK(largest_difference(found, expected) < 1e-12);
                 }
 }
@@ -116,7 +123,8 @@ TEST_CASE("a pair one cell apart is one period of many, too, whatever scheme and
             hm_options options = options_of(way.operator_kind, way.quarters);
             options.scheme = way.scheme;
             options.engine = way.engine;
-            INFO("operator " << way.operator_kind << ", scheme " << way.scheme << ", engine " << way.engine);
+            INFO("operator " << way.operator_kind << ", scheme " << way.scheme << ", engine "
+                             << way.engine);
             std::vector<double> const move = some_move(4, 0.3, 7);
             Field const expected = displacement(Solved(one, &options), move);
             Field found = displacement(Solved(two, &options), repeated(move, 2));
@@ -127,7 +135,9 @@ TEST_CASE("a pair one cell apart is one period of many, too, whatever scheme and
         }
 }
 
-TEST_CASE("numbering and orientation, which marker is named, and a pair of slanting sides do not matter") {
+TEST_CASE(
+    "numbering and orientation, which marker is named, and a pair of slanting sides do not "
+    "matter") {
     Case const origin = cascade(Cells::hybrid);
     hm_options const options = options_of(HM_CONFORMAL);
     std::vector<double> const move = some_move(4, 0.3, 7);
@@ -152,10 +162,12 @@ TEST_CASE("numbering and orientation, which marker is named, and a pair of slant
     Complex const turn = std::polar(2.0, 0.8);
     changed = similar(origin, turn, {3, 4});
     Field const turned_field = displacement(Solved(changed, &options), turned(move, turn));
-    for (std::size_t k = 0; k < expected.size(); ++k) CHECK(std::abs(turned_field[k] / turn - expected[k]) < 1e-12);
+    for (std::size_t k = 0; k < expected.size(); ++k)
+        CHECK(std::abs(turned_field[k] / turn - expected[k]) < 1e-12);
 
-    changed = origin;   // sheared: the sides are slanting, and still translates
-    for (std::size_t k = 0; k < changed.mesh.x.size(); ++k) changed.mesh.x[k] += 0.3 * changed.mesh.y[k];
+    changed = origin;  // sheared: the sides are slanting, and still translates
+    for (std::size_t k = 0; k < changed.mesh.x.size(); ++k)
+        changed.mesh.x[k] += 0.3 * changed.mesh.y[k];
     for (std::size_t k = 0; k < changed.curves.control.size(); k += 2)
         changed.curves.control[k] += 0.3 * changed.curves.control[k + 1];
     Solved const sheared(changed, &options);
@@ -165,15 +177,19 @@ TEST_CASE("numbering and orientation, which marker is named, and a pair of slant
               moved[static_cast<std::size_t>(points_on(changed.mesh, right)[j])]);
 }
 
-TEST_CASE("two pairs: the four corners are one point, and a translation of the body moves the whole mesh") {
+TEST_CASE(
+    "two pairs: the four corners are one point, and a translation of the body moves the whole "
+    "mesh") {
     for (std::int32_t const operator_kind : operators) {
         Case its = cascade(Cells::hybrid);
         its.set_periodic(top, bottom);
         hm_options const options = options_of(operator_kind);
         Solved const solved(its, &options);
         Field const moved = displacement(solved, some_move(4, 0.2, 12));
-        std::size_t const last = moved.size() - 1;   // the corners: the mesh's first and last points, and two more
-        std::vector<std::int32_t> const b = points_on(its.mesh, bottom), t = points_on(its.mesh, top);
+        std::size_t const last =
+            moved.size() - 1;  // the corners: the mesh's first and last points, and two more
+        std::vector<std::int32_t> const b = points_on(its.mesh, bottom),
+                                        t = points_on(its.mesh, top);
         CHECK(moved[0] == moved[last]);
         CHECK(moved[static_cast<std::size_t>(b.back())] == moved[0]);
         CHECK(moved[static_cast<std::size_t>(t.front())] == moved[0]);
@@ -201,11 +217,13 @@ TEST_CASE("a pair whose ends lie on slip lines and on free boundaries") {
     CHECK(std::fabs(freely[corner[0]].imag()) > 1e-4);
 }
 
-TEST_CASE("slip lines of two directions at the ends of a pair: the point that is on both cannot slide") {
+TEST_CASE(
+    "slip lines of two directions at the ends of a pair: the point that is on both cannot slide") {
     for (double const slope : {0.3, 0.0}) {
-        Case its = cascade(Cells::hybrid, 0, 0);   // the top is a roof
+        Case its = cascade(Cells::hybrid, 0, 0);  // the top is a roof
         for (std::size_t k = 0; k < its.mesh.x.size(); ++k)
-            its.mesh.y[k] += slope * (0.5 - std::fabs(its.mesh.x[k] - 0.5)) * std::fmax(its.mesh.y[k] - 0.75, 0.0) * 4;
+            its.mesh.y[k] += slope * (0.5 - std::fabs(its.mesh.x[k] - 0.5)) *
+                             std::fmax(its.mesh.y[k] - 0.75, 0.0) * 4;
         its.set_slip(top);
         hm_options const options = options_of(HM_CONFORMAL);
         Solved const solved(its, &options);
@@ -234,31 +252,32 @@ TEST_CASE("what is no pair is refused, with the place") {
         CHECK((attempt.error.item == l || attempt.error.item == r));
         CHECK(attempt.error.value == doctest::Approx(1e-4).epsilon(0.2));
     }
-    its = good;   // coordinates rounded as in a file
+    its = good;  // coordinates rounded as in a file
     for (std::int32_t const point : points_on(its.mesh, right))
         its.mesh.x[static_cast<std::size_t>(point)] += 1e-8 * (point % 3);
     CHECK(Attempt(its.problem(), &options).status == HM_OK);
 
-    its = good;   // a side of another number of points
+    its = good;  // a side of another number of points
     for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face) {
         Point const a = its.mesh.point(its.mesh.faces[2 * face]);
         if (its.mesh.face_markers[face] == right && a.y > 0.8) its.mesh.face_markers[face] = 50;
     }
     CHECK(refused(its, "same number of points", left) == HM_BAD_CONDITION);
 
-    its = good;   // two pieces
+    its = good;  // two pieces
     for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face) {
         Point const a = its.mesh.point(its.mesh.faces[2 * face]);
-        if (its.mesh.face_markers[face] == right && std::fabs(a.y - 0.5) < 0.01) its.mesh.face_markers[face] = 50;
+        if (its.mesh.face_markers[face] == right && std::fabs(a.y - 0.5) < 0.01)
+            its.mesh.face_markers[face] = 50;
     }
     CHECK(refused(its, "not one open piece", right) == HM_BAD_CONDITION);
 
-    its = two_body_case(Cells::quads, 4, 3);   // closed
+    its = two_body_case(Cells::quads, 4, 3);  // closed
     its.conditions.pop_back();
     its.set_periodic(second_body, far_field);
     CHECK(refused(its, "not one open piece", second_body) == HM_BAD_CONDITION);
 
-    its = good;   // of conditions
+    its = good;  // of conditions
     its.conditions.back().partner = left;
     CHECK(refused(its, "its own periodic partner", left) == HM_BAD_CONDITION);
     its = good;
@@ -271,7 +290,7 @@ TEST_CASE("what is no pair is refused, with the place") {
     its.conditions.back().partner = 99;
     CHECK(refused(its, "no boundary face has it", left) == HM_BAD_CONDITION);
 
-    its = good;   // a wall that ends on the pair
+    its = good;  // a wall that ends on the pair
     its.curves.add([] {
         Spline floor;
         floor.degree = 1;
@@ -288,7 +307,7 @@ TEST_CASE("what is no pair is refused, with the place") {
 
 TEST_CASE("a side that is the partner of two others") {
     Case its = cascade(Cells::quads);
-    its.set_periodic(top, right);   // right is left's partner already, and no translate of the top
+    its.set_periodic(top, right);  // right is left's partner already, and no translate of the top
     hm_options const options = options_of(HM_CONFORMAL);
     CHECK(Attempt(its.problem(), &options).status == HM_BAD_CONDITION);
 }

@@ -42,7 +42,9 @@ std::string refusal(Case& its) {
 
 }  // namespace
 
-TEST_CASE("two bodies under one marker, each chosen by a point: bit by bit the functions of two markers") {
+TEST_CASE(
+    "two bodies under one marker, each chosen by a point: bit by bit the functions of two "
+    "markers") {
     Case apart = two_body_case();
     std::vector<double> const expected = functions(apart);
     for (bool const other_order : {false, true}) {
@@ -50,7 +52,8 @@ TEST_CASE("two bodies under one marker, each chosen by a point: bit by bit the f
         for (int k = 0; k < 2; ++k) {
             int const number = other_order ? 1 - k : k;
             its.put_on_curves(body, number);
-            choose_piece(its, 0.6 + number, 0.4);   // off the bodies' middles, nearer to one than to the other
+            choose_piece(its, 0.6 + number,
+                         0.4);  // off the bodies' middles, nearer to one than to the other
         }
         CHECK(same_bits(functions(its), expected));
     }
@@ -62,11 +65,13 @@ TEST_CASE("two bodies under one marker, each chosen by a point: bit by bit the f
     CHECK(same_bits(functions(its), expected));
 }
 
-TEST_CASE("a piece without a condition is fixed, and a piece may be rigid while the other one is on a curve") {
+TEST_CASE(
+    "a piece without a condition is fixed, and a piece may be rigid while the other one is on a "
+    "curve") {
     Case its = one_marker(), apart = two_body_case();
     its.put_on_curves(body, 0);
     choose_piece(its, 0.5, 0.5);
-    apart.conditions.pop_back();   // the second body is a marker without a condition
+    apart.conditions.pop_back();  // the second body is a marker without a condition
     CHECK(same_bits(functions(its), functions(apart)));
     its.set_rigid(body, 1.5, 0.5);
     choose_piece(its, 1.5, 0.5);
@@ -77,7 +82,8 @@ TEST_CASE("a piece without a condition is fixed, and a piece may be rigid while 
 TEST_CASE("sides of a square under one marker: one side slides, the others are fixed") {
     Case its;
     its.mesh = square(9, Cells::quads, 3, 1);
-    for (std::int32_t& marker : its.mesh.face_markers)   // below and above: two runs of faces of one marker
+    for (std::int32_t& marker :
+         its.mesh.face_markers)  // below and above: two runs of faces of one marker
         if (marker == top) marker = bottom;
     its.curves = polyline({{3 / 9., 4 / 9.}, {6 / 9., 4 / 9.}, {6 / 9., 5 / 9.}, {3 / 9., 5 / 9.}});
     its.put_on_curves(body);
@@ -118,7 +124,8 @@ TEST_CASE("pieces that contradict each other are refused by name") {
     choose_piece(twice, 0.5, 0.5);
     twice.put_on_curves(body, 1);
     choose_piece(twice, 0.4, 0.5);
-    CHECK(refusal(twice) == "other conditions choose all of marker 1 that condition 1 (from 0) is for");
+    CHECK(refusal(twice) ==
+          "other conditions choose all of marker 1 that condition 1 (from 0) is for");
 
     Case none_left = one_marker();
     none_left.put_on_curves(body, 0);
@@ -126,7 +133,8 @@ TEST_CASE("pieces that contradict each other are refused by name") {
     none_left.put_on_curves(body, 1);
     choose_piece(none_left, 1.5, 0.5);
     none_left.add_condition(body, HM_FIXED);
-    CHECK(refusal(none_left) == "other conditions choose all of marker 1 that condition 2 (from 0) is for");
+    CHECK(refusal(none_left) ==
+          "other conditions choose all of marker 1 that condition 2 (from 0) is for");
 
     Case wholes = one_marker();
     wholes.put_on_curves(body, 0);

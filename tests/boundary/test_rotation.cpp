@@ -28,26 +28,31 @@ void refused(Case& its, hm_status status, const char* words, hm_options const& o
 
 }  // namespace
 
-TEST_CASE("one passage is an annulus whose bodies move as turned copies, with all operators and cells") {
+TEST_CASE(
+    "one passage is an annulus whose bodies move as turned copies, with all operators and cells") {
     for (std::int32_t const operator_kind : operators)
         for (Cells const kind : kinds)
             for (int const n : {2, 3, 5}) {
-                INFO("operator " << operator_kind << ", cells " << static_cast<int>(kind) << ", passages " << n);
+                INFO("operator " << operator_kind << ", cells " << static_cast<int>(kind)
+                                 << ", passages " << n);
                 Case one = passage(kind, n);
                 std::vector<std::vector<std::int32_t>> number;
                 Case all = annulus_of(one, n, number);
                 hm_options const options = options_of(operator_kind);
                 Solved const a(one, &options), b(all, &options);
                 std::vector<double> const move = some_move(n_control, 0.05, 5);
-                Field const found = displacement(a, move), expected = displacement(b, turned_copies(move, n));
+                Field const found = displacement(a, move),
+                            expected = displacement(b, turned_copies(move, n));
                 CHECK(largest_difference(found, of_passage(expected, number[0])) < 1e-14);
                 Complex const turn = turn_of_passage(n);
                 CHECK(misfit_of_sides(one.mesh, found, turn) < 1e-16);
-                CHECK(std::abs(found[static_cast<std::size_t>(points_on(one.mesh, left)[4])]) > 1e-4);
+                CHECK(std::abs(found[static_cast<std::size_t>(points_on(one.mesh, left)[4])]) >
+                      1e-4);
                 CHECK(a.info().numbers_per_value == 2);
                 Case fixed = one;
                 fixed.conditions.pop_back();
-                CHECK(largest_difference(displacement(Solved(fixed, &options), move), found) > 1e-4);
+                CHECK(largest_difference(displacement(Solved(fixed, &options), move), found) >
+                      1e-4);
             }
 }
 
@@ -67,15 +72,20 @@ TEST_CASE("a passage that is one cell wide in places, where its two sides are on
             }
 }
 
-TEST_CASE("thin cells at the hub and the sides, also with a single-precision factor: one passage gives the annulus") {
+TEST_CASE(
+    "thin cells at the hub and the sides, also with a single-precision factor: one passage gives "
+    "the annulus") {
     int const n = 5;
     for (bool const at_sides : {false, true})
         for (std::int32_t const operator_kind : operators)
             for (std::int32_t const precision : {HM_DOUBLE, HM_SINGLE}) {
                 Case flat;
                 flat.mesh = square(40, Cells::quads, 6, 6);
-                auto const squeeze = [](double t) { return 0.5 * (1 + std::tanh(6 * (2 * t - 1)) / std::tanh(6.0)); };
-                for (double& t : at_sides ? flat.mesh.x : flat.mesh.y) t = squeeze(t);   // heights of 1e-6
+                auto const squeeze = [](double t) {
+                    return 0.5 * (1 + std::tanh(6 * (2 * t - 1)) / std::tanh(6.0));
+                };
+                for (double& t : at_sides ? flat.mesh.x : flat.mesh.y)
+                    t = squeeze(t);  // heights of 1e-6
                 Case one = bent(flat, n, 0.3);
                 std::vector<std::vector<std::int32_t>> number;
                 Case all = annulus_of(one, n, number);
@@ -83,7 +93,8 @@ TEST_CASE("thin cells at the hub and the sides, also with a single-precision fac
                 options.precision = precision;
                 Solved const a(one, &options), b(all, &options);
                 std::vector<double> const move = some_move(one.curves.n_control(), 0.05, 3);
-                Field const found = displacement(a, move), expected = displacement(b, turned_copies(move, n));
+                Field const found = displacement(a, move),
+                            expected = displacement(b, turned_copies(move, n));
                 CHECK(largest_difference(found, of_passage(expected, number[0])) < 1e-11);
                 CHECK(a.report.residual < 1e-11);
             }
@@ -91,7 +102,7 @@ TEST_CASE("thin cells at the hub and the sides, also with a single-precision fac
 
 TEST_CASE("any number of threads gives the same bits") {
     Case flat;
-    flat.mesh = square(130, Cells::hybrid, 6, 6);   // several ranges of rows
+    flat.mesh = square(130, Cells::hybrid, 6, 6);  // several ranges of rows
     Case its = bent(flat, 7, 0.3);
     std::vector<double> const move = some_move(its.curves.n_control(), 0.05, 3);
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
@@ -112,7 +123,8 @@ TEST_CASE("rigid bodies in a passage turn and move as turned copies") {
         Case one = passage(Cells::hybrid, n, 0.2);
         std::vector<std::vector<std::int32_t>> number;
         Case all = annulus_of(one, n, number);
-        Complex const turn = turn_of_passage(n), centre = 1.5 * std::polar(1.0, 0.5 * std::arg(turn));
+        Complex const turn = turn_of_passage(n),
+                      centre = 1.5 * std::polar(1.0, 0.5 * std::arg(turn));
         one.curves = {};
         one.conditions = {};
         all.curves = {};
@@ -125,7 +137,7 @@ TEST_CASE("rigid bodies in a passage turn and move as turned copies") {
         }
         hm_options const options = options_of(operator_kind);
         std::vector<double> const move = {0.02, -0.03, 0.1, 0.2};
-        std::vector<double> copies;   // translations turn with the passage, rotations are the same
+        std::vector<double> copies;  // translations turn with the passage, rotations are the same
         for (int m = 0; m < n; ++m) {
             Complex const shift = Complex(move[0], move[1]) * std::pow(turn, m);
             copies.insert(copies.end(), {shift.real(), shift.imag(), move[2], move[3]});
@@ -136,7 +148,8 @@ TEST_CASE("rigid bodies in a passage turn and move as turned copies") {
     }
 }
 
-TEST_CASE("which side is named first, numbering, orientation, and where the centre is do not matter") {
+TEST_CASE(
+    "which side is named first, numbering, orientation, and where the centre is do not matter") {
     Case const origin = passage(Cells::hybrid, 5);
     std::vector<double> const move = some_move(n_control, 0.05, 7);
     for (std::int32_t const operator_kind : operators) {
@@ -154,12 +167,14 @@ TEST_CASE("which side is named first, numbering, orientation, and where the cent
         shuffle_cells(changed.mesh, 9);
         reverse_some(changed.mesh, 10);
         reverse_some_faces(changed.mesh, 11);
-        CHECK(largest_difference(of_passage(displacement(Solved(changed, &options), move), new_of), expected) < 1e-14);
+        CHECK(largest_difference(of_passage(displacement(Solved(changed, &options), move), new_of),
+                                 expected) < 1e-14);
 
         Complex const turn = std::polar(2.0, 0.8);
         changed = similar(origin, turn, {3, 4});
         Field const moved = displacement(Solved(changed, &options), turned(move, turn));
-        for (std::size_t k = 0; k < expected.size(); ++k) CHECK(std::abs(moved[k] / turn - expected[k]) < 1e-13);
+        for (std::size_t k = 0; k < expected.size(); ++k)
+            CHECK(std::abs(moved[k] / turn - expected[k]) < 1e-13);
     }
 }
 
@@ -182,7 +197,8 @@ TEST_CASE("a pair in two pieces, each a pair of its own, in either sense") {
             hm_options const options = options_of(operator_kind);
             Case its = whole;
             Field const expected = displacement(Solved(its, &options), move);
-            CHECK(largest_difference(displacement(Solved(parts, &options), move), expected) < 1e-14);
+            CHECK(largest_difference(displacement(Solved(parts, &options), move), expected) <
+                  1e-14);
         }
     }
 }
@@ -196,7 +212,8 @@ TEST_CASE("the adjoint is the transpose") {
         Field const moved = displacement(solved, move), dj = some_field(moved.size(), 4);
         std::vector<double> gradient(move.size());
         const double* const of = reinterpret_cast<const double*>(dj.data());
-        REQUIRE(hm_adjoint(solved.basis, points_in(of, of + 1, 2), gradient.data(), nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_adjoint(solved.basis, points_in(of, of + 1, 2), gradient.data(), nullptr,
+                           nullptr) == HM_OK);
         double product = 0;
         for (std::size_t k = 0; k < move.size(); ++k) product += move[k] * gradient[k];
         CHECK(std::fabs(product - dot(moved, dj)) < 1e-14 * dot_of_sizes(moved, dj));
@@ -217,20 +234,24 @@ TEST_CASE("displacements that are given: one passage of an annulus, and the exac
         Field everywhere(all.mesh.x.size());
         for (std::size_t m = 0; m < number.size(); ++m)
             for (std::size_t k = 0; k < some.size(); ++k)
-                everywhere[static_cast<std::size_t>(number[m][k])] = some[k] * std::pow(turn, static_cast<int>(m));
-        Field const found = a.displace(a.on_wall(some)), expected = b.displace(b.on_wall(everywhere));
+                everywhere[static_cast<std::size_t>(number[m][k])] =
+                    some[k] * std::pow(turn, static_cast<int>(m));
+        Field const found = a.displace(a.on_wall(some)),
+                    expected = b.displace(b.on_wall(everywhere));
         CHECK(largest_difference(found, of_passage(expected, number[0])) < 1e-14);
         CHECK(misfit_of_sides(curved.mesh, found, turn) < 1e-16);
         Field const dj = some_field(found.size(), 10);
-        CHECK(std::fabs(dot(a.adjoint(dj), a.on_wall(some)) - dot(found, dj)) < 1e-14 * dot_of_sizes(found, dj));
+        CHECK(std::fabs(dot(a.adjoint(dj), a.on_wall(some)) - dot(found, dj)) <
+              1e-14 * dot_of_sizes(found, dj));
     }
 }
 
-TEST_CASE("sides that meet in the centre: the point there stays, and displacements obey the rotation") {
+TEST_CASE(
+    "sides that meet in the centre: the point there stays, and displacements obey the rotation") {
     int const n = 6;
     Complex const turn = turn_of_passage(n);
     for (std::int32_t const operator_kind : operators) {
-        Case its = passage(Cells::triangles, n, 0.0);   // filled up to the centre
+        Case its = passage(Cells::triangles, n, 0.0);  // filled up to the centre
         std::int32_t const centre = its.mesh.add_point({0, 0});
         std::vector<std::int32_t> hub;
         for (std::size_t face = 0; face < its.mesh.face_markers.size();) {
@@ -242,22 +263,27 @@ TEST_CASE("sides that meet in the centre: the point there stays, and displacemen
             its.mesh.cells.insert(its.mesh.cells.end(), {a, b, centre});
             its.mesh.cell_start.push_back(static_cast<std::int32_t>(its.mesh.cells.size()));
             hub.insert(hub.end(), {a, b});
-            its.mesh.face_markers.erase(its.mesh.face_markers.begin() + static_cast<std::ptrdiff_t>(face));
-            its.mesh.faces.erase(its.mesh.faces.begin() + static_cast<std::ptrdiff_t>(2 * face),
-                                 its.mesh.faces.begin() + static_cast<std::ptrdiff_t>(2 * face + 2));
+            its.mesh.face_markers.erase(its.mesh.face_markers.begin() +
+                                        static_cast<std::ptrdiff_t>(face));
+            its.mesh.faces.erase(
+                its.mesh.faces.begin() + static_cast<std::ptrdiff_t>(2 * face),
+                its.mesh.faces.begin() + static_cast<std::ptrdiff_t>(2 * face + 2));
         }
         std::int32_t first = -1, last = -1;
         for (std::int32_t const k : points_on(its.mesh, left))
-            if (std::fabs(std::abs(to_complex(its.mesh.point(k))) - radius_of_hub) < 1e-12) first = k;
+            if (std::fabs(std::abs(to_complex(its.mesh.point(k))) - radius_of_hub) < 1e-12)
+                first = k;
         for (std::int32_t const k : points_on(its.mesh, right))
-            if (std::fabs(std::abs(to_complex(its.mesh.point(k))) - radius_of_hub) < 1e-12) last = k;
+            if (std::fabs(std::abs(to_complex(its.mesh.point(k))) - radius_of_hub) < 1e-12)
+                last = k;
         its.mesh.add_face(first, centre, left);
         its.mesh.add_face(centre, last, right);
         hm_options const options = options_of(operator_kind);
         Field const found = displacement(Solved(its, &options), some_move(n_control, 0.05, 5));
         CHECK(found[static_cast<std::size_t>(centre)] == 0.0);
         CHECK(std::abs(found[static_cast<std::size_t>(first)]) > 1e-4);
-        CHECK(std::abs(found[static_cast<std::size_t>(last)] - turn * found[static_cast<std::size_t>(first)]) < 1e-17);
+        CHECK(std::abs(found[static_cast<std::size_t>(last)] -
+                       turn * found[static_cast<std::size_t>(first)]) < 1e-17);
     }
 }
 
@@ -270,15 +296,16 @@ TEST_CASE("what is no rotation pair is refused, with the place") {
     {
         Attempt const attempt(its.problem(), &options);
         CHECK(attempt.status == HM_BAD_CONDITION);
-        CHECK(std::string(attempt.error.text).find("are not turned about its centre") != std::string::npos);
+        CHECK(std::string(attempt.error.text).find("are not turned about its centre") !=
+              std::string::npos);
         CHECK(attempt.error.item == points_on(its.mesh, left)[4]);
         CHECK(attempt.error.value == doctest::Approx(1e-4).epsilon(0.3));
     }
-    its = good;   // coordinates rounded as in a file
+    its = good;  // coordinates rounded as in a file
     for (std::int32_t const point : points_on(its.mesh, right))
         its.mesh.x[static_cast<std::size_t>(point)] += 1e-8 * (point % 3);
     CHECK(Attempt(its.problem(), &options).status == HM_OK);
-    its = similar(good, 1e-90, 0);   // tiny
+    its = similar(good, 1e-90, 0);  // tiny
     CHECK(Attempt(its.problem(), &options).status == HM_OK);
     its = similar(good, 1e90, 0);
     CHECK(Attempt(its.problem(), &options).status == HM_OK);
@@ -292,13 +319,13 @@ TEST_CASE("what is no rotation pair is refused, with the place") {
     its = good;
     its.conditions.back().kind = HM_PERIODIC_PAIR;
     refused(its, HM_BAD_CONDITION, "no translates", options);
-    its = cascade(Cells::quads);   // translates are turned about nothing
+    its = cascade(Cells::quads);  // translates are turned about nothing
     its.conditions.pop_back();
     its.set_rotation(left, right);
     refused(its, HM_BAD_CONDITION, "are not turned about its centre", options);
-    its = bent(cascade(Cells::quads, 0), 1, 0);   // a whole annulus, cut
+    its = bent(cascade(Cells::quads, 0), 1, 0);  // a whole annulus, cut
     refused(its, HM_BAD_CONDITION, "are not turned: HM_PERIODIC_PAIR", options);
-    its = cascade(Cells::quads);   // a quarter turn about each of two corners
+    its = cascade(Cells::quads);  // a quarter turn about each of two corners
     its.conditions.pop_back();
     its.set_rotation(bottom, left);
     CHECK(Attempt(its.problem(), &options).status == HM_OK);

@@ -26,7 +26,7 @@ TEST_CASE("a line of symmetry: the half with slip moves as the half of the whole
             Field of_whole = displacement(b, move);
             of_whole.resize(of_half.size());
             CHECK(largest_difference(of_half, of_whole) < 1e-12);
-            half.conditions.back().kind = HM_FIXED;   // and this is not for nothing
+            half.conditions.back().kind = HM_FIXED;  // and this is not for nothing
             Solved const fixed(half, &options);
             CHECK(largest_difference(displacement(fixed, move), of_whole) > 1e-2);
         }
@@ -42,7 +42,8 @@ TEST_CASE("at any angle points stay on their line to rounding, and slide") {
             Field const moved = displacement(solved, turned(some_move(8, 1, 6), turn));
             double off = 0, along = 0;
             for (std::int32_t const point : points_on(its.mesh, slip_line)) {
-                if (point == 0 || point == 16) continue;   // on the body, which moves as its curve does
+                if (point == 0 || point == 16)
+                    continue;  // on the body, which moves as its curve does
                 Complex const d = moved[static_cast<std::size_t>(point)] / turn;
                 off = std::fmax(off, std::fabs(d.imag()));
                 along = std::fmax(along, std::fabs(d.real()));
@@ -66,14 +67,17 @@ TEST_CASE("many small steps later they are still on it") {
     Mesh mesh = its.mesh;
     for (unsigned step = 0; step < 100; ++step) {
         std::vector<double> const move = some_move(8, 0.01, step);
-        REQUIRE(hm_morph(solved.basis, move.data(), points_in(mesh.x, mesh.y), points_out(mesh.x, mesh.y), nullptr,
-                         nullptr) == HM_OK);
+        REQUIRE(hm_morph(solved.basis, move.data(), points_in(mesh.x, mesh.y),
+                         points_out(mesh.x, mesh.y), nullptr, nullptr) == HM_OK);
     }
     for (std::int32_t const point : points_on(its.mesh, slip_line))
-        if (point != 0 && point != 16) CHECK(std::fabs((to_complex(mesh.point(point)) / turn).imag()) < 1e-14);
+        if (point != 0 && point != 16)
+            CHECK(std::fabs((to_complex(mesh.point(point)) / turn).imag()) < 1e-14);
 }
 
-TEST_CASE("kinds of points: corners of two lines are fixed, what is stronger wins, and lines go on over markers") {
+TEST_CASE(
+    "kinds of points: corners of two lines are fixed, what is stronger wins, and lines go on over "
+    "markers") {
     auto const kinds_of = [](Case& its, std::int32_t operator_kind) {
         hm_options const options = options_of(operator_kind);
         Attempt seen;
@@ -84,7 +88,7 @@ TEST_CASE("kinds of points: corners of two lines are fixed, what is stronger win
         for (PointKind const kind : inside(seen.analysis).kinds) out.push_back(kind);
         return out;
     };
-    Case its = tiny_case();   // point (i, j) below the hole is i + 7 j
+    Case its = tiny_case();  // point (i, j) below the hole is i + 7 j
     for (std::int32_t const side : {bottom, right, top, left}) its.set_slip(side);
     std::vector<PointKind> found = kinds_of(its, HM_CONFORMAL);
     CHECK(found[0] == PointKind::fixed);
@@ -97,7 +101,7 @@ TEST_CASE("kinds of points: corners of two lines are fixed, what is stronger win
     CHECK(std::count(found.begin(), found.end(), PointKind::slip) == 20);
     CHECK(std::count(found.begin(), found.end(), PointKind::fixed) == 4);
 
-    its = tiny_case();   // a free neighbour leaves the corner on the line, a fixed one holds it
+    its = tiny_case();  // a free neighbour leaves the corner on the line, a fixed one holds it
     its.set_slip(bottom);
     its.set_free(right);
     found = kinds_of(its, HM_LAPLACE);
@@ -105,7 +109,7 @@ TEST_CASE("kinds of points: corners of two lines are fixed, what is stronger win
     CHECK(found[6] == PointKind::slip);
     CHECK(found[13] == PointKind::free);
 
-    its = tiny_case();   // one line over two markers
+    its = tiny_case();  // one line over two markers
     for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face)
         if (its.mesh.face_markers[face] == bottom &&
             its.mesh.x[static_cast<std::size_t>(its.mesh.faces[2 * face])] > 2.5)
@@ -116,7 +120,9 @@ TEST_CASE("kinds of points: corners of two lines are fixed, what is stronger win
     for (std::size_t k = 1; k < 6; ++k) CHECK(found[k] == PointKind::slip);
 }
 
-TEST_CASE("slip beside a free boundary: points of the corner stay on the line, and the functions are Laplace's") {
+TEST_CASE(
+    "slip beside a free boundary: points of the corner stay on the line, and the functions are "
+    "Laplace's") {
     Case its = tiny_case();
     its.set_slip(bottom);
     its.set_free(right);
@@ -127,7 +133,8 @@ TEST_CASE("slip beside a free boundary: points of the corner stay on the line, a
     for (std::size_t k = 0; k < 7; ++k) CHECK(moved[k].imag() == 0);
     CHECK(moved[0] == 0.0);
     CHECK(std::fabs(moved[6].real()) > 1e-3);
-    // x and y are not coupled by lines along x: x moves as with a free bottom, y as with a fixed one.
+    // x and y are not coupled by lines along x: x moves as with a free bottom, y as with a fixed
+    // one.
     Case free_bottom = its, fixed_bottom = its;
     free_bottom.conditions[1].kind = HM_FREE;
     fixed_bottom.conditions[1].kind = HM_FIXED;
@@ -139,14 +146,16 @@ TEST_CASE("slip beside a free boundary: points of the corner stay on the line, a
     }
 }
 
-TEST_CASE("all sides of a channel slip, two bodies, one of them rigid: everything stays in its rectangle") {
+TEST_CASE(
+    "all sides of a channel slip, two bodies, one of them rigid: everything stays in its "
+    "rectangle") {
     for (std::int32_t const operator_kind : operators) {
         Case its = similar(two_body_case(Cells::hybrid, 6, 5), std::polar(1.5, 0.7), {1, 2});
         its.conditions.clear();
         its.put_on_curves(body, 0);
         Complex const centre = std::polar(1.5, 0.7) * Complex(1.5, 0.5) + Complex(1, 2);
         its.set_rigid(second_body, centre.real(), centre.imag());
-        its.set_slip(far_field);   // one marker, four lines
+        its.set_slip(far_field);  // one marker, four lines
         hm_options const options = options_of(operator_kind);
         Solved const solved(its, &options);
         std::vector<double> const move = some_move(solved.info().functions, 0.2, 10);
@@ -155,9 +164,10 @@ TEST_CASE("all sides of a channel slip, two bodies, one of them rigid: everythin
         for (std::int32_t const point : points_on(its.mesh, far_field)) {
             Complex const d = moved[static_cast<std::size_t>(point)] / std::polar(1.0, 0.7);
             CHECK(std::fmin(std::fabs(d.real()), std::fabs(d.imag())) < 1e-15);
-            Complex const at = (to_complex(its.mesh.point(point)) - Complex(1, 2)) / std::polar(1.5, 0.7);
-            bool const corner =
-                (at.real() < 1e-9 || at.real() > 2 - 1e-9) && (at.imag() < 1e-9 || at.imag() > 1 - 1e-9);
+            Complex const at =
+                (to_complex(its.mesh.point(point)) - Complex(1, 2)) / std::polar(1.5, 0.7);
+            bool const corner = (at.real() < 1e-9 || at.real() > 2 - 1e-9) &&
+                                (at.imag() < 1e-9 || at.imag() > 1 - 1e-9);
             if (corner) CHECK(d == 0.0);
             most = std::fmax(most, std::abs(d));
         }
@@ -165,7 +175,8 @@ TEST_CASE("all sides of a channel slip, two bodies, one of them rigid: everythin
     }
 }
 
-TEST_CASE("what bends a little is a curve, what bends as little as coordinates are rounded is straight") {
+TEST_CASE(
+    "what bends a little is a curve, what bends as little as coordinates are rounded is straight") {
     auto const bent = [](double by) {
         Case its = tiny_case();
         its.set_slip(bottom);
@@ -174,7 +185,8 @@ TEST_CASE("what bends a little is a curve, what bends as little as coordinates a
         Solved const solved(its, &options);
         Field const moved = displacement(solved, some_move(4, 1, 9));
         double angle = 0;
-        for (std::size_t k = 1; k < 6; ++k) angle = std::fmax(angle, std::fabs(moved[k].imag() / moved[k].real()));
+        for (std::size_t k = 1; k < 6; ++k)
+            angle = std::fmax(angle, std::fabs(moved[k].imag() / moved[k].real()));
         return angle;
     };
     CHECK(bent(0) == 0);
@@ -185,23 +197,26 @@ TEST_CASE("what bends a little is a curve, what bends as little as coordinates a
     }
 }
 
-TEST_CASE("corners: a jump of the direction that the points beside do not share, or more than 30 degrees") {
+TEST_CASE(
+    "corners: a jump of the direction that the points beside do not share, or more than 30 "
+    "degrees") {
     auto const kinds_of = [](double lift) {
         Case its = tiny_case();
         its.set_slip(bottom);
-        its.mesh.y[3] -= lift;   // of a line with faces of length 1
+        its.mesh.y[3] -= lift;  // of a line with faces of length 1
         hm_options const options = options_of(HM_CONFORMAL);
         Attempt seen;
         REQUIRE(seen.analyse(its.problem(), &options));
         std::vector<PointKind> out;
-        for (std::size_t k = 1; k < 6; ++k) out.push_back(inside(seen.analysis).kinds[static_cast<harmorph::Index>(k)]);
+        for (std::size_t k = 1; k < 6; ++k)
+            out.push_back(inside(seen.analysis).kinds[static_cast<harmorph::Index>(k)]);
         return out;
     };
     std::vector<PointKind> const flat(5, PointKind::slip);
-    CHECK(kinds_of(0.005) == flat);   // half a degree
+    CHECK(kinds_of(0.005) == flat);  // half a degree
     // 5.7 degrees at the point, 2.9 to the other side beside it: all are corners.
-    std::vector<PointKind> const corner = {PointKind::slip, PointKind::fixed, PointKind::fixed, PointKind::fixed,
-                                           PointKind::slip};
+    std::vector<PointKind> const corner = {PointKind::slip, PointKind::fixed, PointKind::fixed,
+                                           PointKind::fixed, PointKind::slip};
     CHECK(kinds_of(0.05) == corner);
 
     // A circle: its corners of 45 degrees are corners, those of 15 and 3 are not.
@@ -218,7 +233,9 @@ TEST_CASE("corners: a jump of the direction that the points beside do not share,
     }
 }
 
-TEST_CASE("on a circle points move along its tangents, also where the matrix is factored on moved coordinates") {
+TEST_CASE(
+    "on a circle points move along its tangents, also where the matrix is factored on moved "
+    "coordinates") {
     for (std::int32_t const operator_kind : operators) {
         Case its = ring_case(6, 24, 0.5, 2, Cells::hybrid);
         its.set_slip(far_field);
@@ -229,7 +246,8 @@ TEST_CASE("on a circle points move along its tangents, also where the matrix is 
             double normal = 0, along = 0;
             for (std::int32_t const point : points_on(mesh, far_field)) {
                 Complex const radius = to_complex(mesh.point(point));
-                Complex const part = moved[static_cast<std::size_t>(point)] * std::conj(radius) / std::abs(radius);
+                Complex const part =
+                    moved[static_cast<std::size_t>(point)] * std::conj(radius) / std::abs(radius);
                 normal = std::fmax(normal, std::fabs(part.real()));
                 along = std::fmax(along, std::fabs(part.imag()));
             }
@@ -237,13 +255,14 @@ TEST_CASE("on a circle points move along its tangents, also where the matrix is 
             return normal;
         };
         CHECK(largest_normal(its.mesh) < 1e-15);
-        Case turned_case = its;   // by half a face
+        Case turned_case = its;  // by half a face
         for (std::size_t k = 0; k < its.mesh.x.size(); ++k) {
             Complex const z = Complex(its.mesh.x[k], its.mesh.y[k]) * std::polar(1.0, pi / 24);
             turned_case.mesh.x[k] = z.real();
             turned_case.mesh.y[k] = z.imag();
         }
-        REQUIRE(hm_plan_factor(solved.plan, points_in(turned_case.mesh.x, turned_case.mesh.y), nullptr) == HM_OK);
+        REQUIRE(hm_plan_factor(solved.plan, points_in(turned_case.mesh.x, turned_case.mesh.y),
+                               nullptr) == HM_OK);
         REQUIRE(hm_plan_solve(solved.plan, solved.basis, nullptr, nullptr) == HM_OK);
         CHECK(largest_normal(turned_case.mesh) < 1e-6);
         // The same functions as those of the turned mesh, but for the circle through its points.

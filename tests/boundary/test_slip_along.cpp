@@ -60,9 +60,10 @@ hm_error refusal(Along& of) {
 
 }  // namespace
 
-TEST_CASE("points slide along the curve that is given, wherever that begins and whichever way it goes") {
+TEST_CASE(
+    "points slide along the curve that is given, wherever that begins and whichever way it goes") {
     Along without(circle(2, 0));
-    CHECK(without.off_circle() > 1e-8);   // the curve through twelve points
+    CHECK(without.off_circle() > 1e-8);  // the curve through twelve points
     for (double const begin : {0.0, 17.0, 90.0, 181.0}) {
         for (bool const backwards : {false, true}) {
             Along of(circle(2, begin, 4, backwards));
@@ -75,7 +76,8 @@ TEST_CASE("points slide along the curve that is given, wherever that begins and 
 TEST_CASE("points that are beside their curve keep their offset") {
     Along of(circle(2.03, 11));
     of.condition();
-    CHECK(of.off_circle() < 1.1 * 0.03 * (1 - std::cos(pi / 12)));   // between two points offsets are linear
+    CHECK(of.off_circle() <
+          1.1 * 0.03 * (1 - std::cos(pi / 12)));  // between two points offsets are linear
     CHECK(of.off_circle() > 1e-5);
 }
 
@@ -83,7 +85,8 @@ TEST_CASE("a body turns, the outer points slide along the given circle with it")
     Along of(circle(2, 11));
     of.condition();
     Safe safe(of.its);
-    std::vector<double> const move = similarity_move(of.its.curves, std::polar(1.0, 60 * pi / 180), 0, 0);
+    std::vector<double> const move =
+        similarity_move(of.its.curves, std::polar(1.0, 60 * pi / 180), 0, 0);
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR});
     REQUIRE(safe.run(move) >= HM_OK);
     CHECK(safe.is_valid());
@@ -91,7 +94,9 @@ TEST_CASE("a body turns, the outer points slide along the given circle with it")
     for (std::size_t k = 0; k < safe.x.size(); ++k) {
         if (!of.is_outer(k)) continue;
         off = std::fmax(off, std::fabs(std::hypot(safe.x[k], safe.y[k]) - 2));
-        turned += std::arg(Complex(safe.x[k], safe.y[k]) / Complex(of.its.mesh.x[k], of.its.mesh.y[k])) / 12;
+        turned +=
+            std::arg(Complex(safe.x[k], safe.y[k]) / Complex(of.its.mesh.x[k], of.its.mesh.y[k])) /
+            12;
     }
     CHECK(off < 1e-11);
     CHECK(turned > 0.5);
@@ -101,9 +106,10 @@ TEST_CASE("two arcs: points where they end are fixed, the others slide along the
     Along of(circle(2, 0, 2));
     of.curves.add(circle(2, 180, 2));
     of.condition();
-    CHECK(of.off_circle() > 0.01);   // of the two that do not slide
+    CHECK(of.off_circle() > 0.01);  // of the two that do not slide
     Safe safe(of.its);
-    REQUIRE(safe.run(similarity_move(of.its.curves, std::polar(1.0, 20 * pi / 180), 0, 0)) >= HM_OK);
+    REQUIRE(safe.run(similarity_move(of.its.curves, std::polar(1.0, 20 * pi / 180), 0, 0)) >=
+            HM_OK);
     int n_fixed = 0;
     for (std::size_t k = 0; k < safe.x.size(); ++k) {
         if (!of.is_outer(k)) continue;
@@ -114,7 +120,8 @@ TEST_CASE("two arcs: points where they end are fixed, the others slide along the
     CHECK(n_fixed == 2);
 }
 
-TEST_CASE("the conditions of a basis tell how many curves there were, and are refused without them") {
+TEST_CASE(
+    "the conditions of a basis tell how many curves there were, and are refused without them") {
     Along of(circle(2, 11));
     of.condition();
     hm_options const options = options_of(HM_CONFORMAL);
@@ -131,7 +138,8 @@ TEST_CASE("the conditions of a basis tell how many curves there were, and are re
     hm_error const error = refusal(of);
     CHECK(error.code == HM_BAD_CONDITION);
     CHECK(std::string(error.text) ==
-          "condition 1 (from 0) slides along 1 curves, but its `along` is NULL: a basis does not keep them");
+          "condition 1 (from 0) slides along 1 curves, but its `along` is NULL: a basis does not "
+          "keep them");
     of.condition();
     CHECK(of.off_circle() < 1e-11);
 }
@@ -156,16 +164,19 @@ TEST_CASE("curves that do not fit are refused, with the point") {
     far.condition();
     hm_error error = refusal(far);
     CHECK(error.code == HM_BAD_CONDITION);
-    CHECK(std::string(error.text).find("from the curve that it should slide along: is the marker another one?") !=
+    CHECK(std::string(error.text)
+              .find("from the curve that it should slide along: is the marker another one?") !=
           std::string::npos);
     CHECK(error.value == doctest::Approx(1));
     CHECK(far.is_outer(static_cast<std::size_t>(error.item)));
 
-    Spline octagon;   // in which the curve turns by 45 degrees, between points
+    Spline octagon;  // in which the curve turns by 45 degrees, between points
     octagon.degree = 1;
     for (int k = 0; k <= 8; ++k) {
         double const angle = pi * (k + 0.3) / 4;
-        if (k < 8) octagon.control.insert(octagon.control.end(), {2.05 * std::cos(angle), 2.05 * std::sin(angle)});
+        if (k < 8)
+            octagon.control.insert(octagon.control.end(),
+                                   {2.05 * std::cos(angle), 2.05 * std::sin(angle)});
         octagon.indices.push_back(k % 8);
     }
     octagon.knots = {0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 8};
@@ -173,18 +184,21 @@ TEST_CASE("curves that do not fit are refused, with the point") {
     corners.condition();
     error = refusal(corners);
     CHECK(error.code == HM_BAD_CONDITION);
-    CHECK(std::string(error.text).find("and those after it should slide has a corner between them") !=
-          std::string::npos);
+    CHECK(
+        std::string(error.text).find("and those after it should slide has a corner between them") !=
+        std::string::npos);
 
     Along of(circle(2, 0));
     of.condition().n_curves = 2;
-    CHECK(std::string(refusal(of).text) ==
-          "condition 1 (from 0) has n_curves 2, but that is not the number of curves in its `along`");
+    CHECK(
+        std::string(refusal(of).text) ==
+        "condition 1 (from 0) has n_curves 2, but that is not the number of curves in its `along`");
     of.condition().kind = HM_FIXED;
     of.its.conditions.back().n_curves = 0;
     CHECK(std::string(refusal(of).text) ==
-          "condition 1 (from 0) has curves along which to slide, which are of HM_SLIP only, but its kind is 2");
+          "condition 1 (from 0) has curves along which to slide, which are of HM_SLIP only, but "
+          "its kind is 2");
     of.condition().kind = HM_SLIP;
-    of.curves.shapes[0].knots[1] = 9;   // not in order
+    of.curves.shapes[0].knots[1] = 9;  // not in order
     CHECK(refusal(of).code == HM_BAD_CURVE);
 }

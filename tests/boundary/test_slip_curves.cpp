@@ -2,7 +2,7 @@
 // and the nearest place is the nearest one.
 #include <doctest/doctest.h>
 
-#include <harmorph/boundary/slip_curves.hpp>
+#include "boundary/slip_curves.hpp"
 
 #include <cmath>
 #include <random>
@@ -26,8 +26,10 @@ public:
     }
     void add(std::vector<Vec2> const& points, bool closed) {
         auto const n = static_cast<Index>(points.size());
-        curves.add(closed ? n : n - 1, closed, [&](Index k) { return points[static_cast<std::size_t>(k % n)]; },
-                   [&](Index k) { return k % n; });
+        curves.add(
+            closed ? n : n - 1, closed,
+            [&](Index k) { return points[static_cast<std::size_t>(k % n)]; },
+            [&](Index k) { return k % n; });
     }
     SlipCurves curves;
 
@@ -46,7 +48,9 @@ std::vector<Vec2> circle(int n, double radius, double from = 0, double to = 2 * 
 
 }  // namespace
 
-TEST_CASE("a circle stays a circle: off by at most 4.6e-6 of the radius at 45 degrees, falling with the sixth power") {
+TEST_CASE(
+    "a circle stays a circle: off by at most 4.6e-6 of the radius at 45 degrees, falling with the "
+    "sixth power") {
     double before = 0;
     for (int const n : {8, 16, 32}) {
         Curves its;
@@ -59,7 +63,8 @@ TEST_CASE("a circle stays a circle: off by at most 4.6e-6 of the radius at 45 de
             SlipCurves::Place const place = its.curves.nearest(0, p);
             off = std::fmax(off, std::fabs(length(place.at) / 3 - 1));
             CHECK(std::fabs(dot(place.at, place.tangent)) < 2e-4);
-            CHECK(std::fabs(place.stretch - 3 / 3.3) < 1e-2);   // radius of the circle / distance from its centre
+            CHECK(std::fabs(place.stretch - 3 / 3.3) <
+                  1e-2);  // radius of the circle / distance from its centre
         }
         if (n == 8) CHECK(off < 4.6e-6);
         if (n > 8) {
@@ -84,7 +89,7 @@ TEST_CASE("points of the boundary are on their curve bit by bit, and straight pa
         CHECK(std::fabs(length(place.tangent) - 1) < 1e-15);
     }
     Vec2 const along{1 / std::sqrt(10.0), 3 / std::sqrt(10.0)};
-    for (double const s : {-0.5, -0.01, 0.05, 0.3, 0.7}) {   // behind its end, too
+    for (double const s : {-0.5, -0.01, 0.05, 0.3, 0.7}) {  // behind its end, too
         Vec2 const p{s * along.x - 0.1 * along.y, s * along.y + 0.1 * along.x};
         SlipCurves::Place const place = its.curves.nearest(2, p);
         CHECK(std::fabs(place.at.x - s * along.x) < 1e-15);
@@ -99,7 +104,8 @@ TEST_CASE("no place of the curve is nearer, and the derivative is that of differ
     for (bool const closed : {false, true}) {
         Curves its;
         std::vector<Vec2> points = closed ? circle(20, 1) : std::vector<Vec2>();
-        for (int k = 0; k < 20 && !closed; ++k) points.push_back({0.2 * k, 0.1 * std::sin(0.5 * k)});
+        for (int k = 0; k < 20 && !closed; ++k)
+            points.push_back({0.2 * k, 0.1 * std::sin(0.5 * k)});
         for (Vec2& p : points) p = {1.5 * p.x, p.y + 0.02 * p.x * p.x};
         its.add(points, closed);
         for (int trial = 0; trial < 40; ++trial) {
@@ -109,11 +115,13 @@ TEST_CASE("no place of the curve is nearer, and the derivative is that of differ
             Vec2 const p{start.x + by * way.x - off * way.y, start.y + by * way.y + off * way.x};
             SlipCurves::Place const place = its.curves.nearest(slot, p);
             double const distance = length(p - place.at);
-            for (Index other = 0; other < 20; ++other) CHECK(distance <= length(p - its.curves.at[other]) + 1e-15);
+            for (Index other = 0; other < 20; ++other)
+                CHECK(distance <= length(p - its.curves.at[other]) + 1e-15);
             CHECK(std::fabs(dot(p - place.at, place.tangent)) < 1e-14);
             double const h = 1e-5;
             for (Vec2 const d : {Vec2{h, 0}, Vec2{0, h}}) {
-                Vec2 const change = its.curves.nearest(slot, p + d).at - its.curves.nearest(slot, p - d).at;
+                Vec2 const change =
+                    its.curves.nearest(slot, p + d).at - its.curves.nearest(slot, p - d).at;
                 Vec2 const expected = (2 * place.stretch * dot(place.tangent, d)) * place.tangent;
                 CHECK(length(change - expected) < 1e-3 * h);
             }

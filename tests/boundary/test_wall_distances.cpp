@@ -7,8 +7,8 @@ using namespace fixtures;
 
 namespace {
 
-// A square hole of .2 with points in the middle of its sides. Curve 0 has three of the sides, curve 1 the one at
-// x = .4, as a blunt base has the ends of the section's curve.
+// A square hole of .2 with points in the middle of its sides. Curve 0 has three of the sides, curve
+// 1 the one at x = .4, as a blunt base has the ends of the section's curve.
 Case hole() {
     Case out;
     out.mesh = square(10, Cells::quads, 2, 2);
@@ -25,7 +25,8 @@ bool is_middle_of_base(Mesh const& mesh, std::int32_t point) {
 
 }  // namespace
 
-TEST_CASE("a condition that does not name the curve of the base: refused, with the point and the curve") {
+TEST_CASE(
+    "a condition that does not name the curve of the base: refused, with the point and the curve") {
     Case its = hole();
     its.put_on_curves(body, 0, 2);
     CHECK(Attempt(its.problem()).status == HM_OK);
@@ -35,8 +36,8 @@ TEST_CASE("a condition that does not name the curve of the base: refused, with t
     CHECK(!attempt.analyse(its.problem()));
     CHECK(attempt.status == HM_BAD_CONDITION);
     INFO(attempt.error.text);
-    CHECK(std::string(attempt.error.text).find("on curve 1 (from 0), which its condition does not name") !=
-          std::string::npos);
+    CHECK(std::string(attempt.error.text)
+              .find("on curve 1 (from 0), which its condition does not name") != std::string::npos);
     CHECK(is_middle_of_base(its.mesh, attempt.error.item));
     CHECK(attempt.error.value == doctest::Approx(0.1));
 }
@@ -44,11 +45,14 @@ TEST_CASE("a condition that does not name the curve of the base: refused, with t
 TEST_CASE("points beyond the end of their curve, which would move as one: a warning") {
     Case its = hole();
     its.curves.shapes.pop_back();
-    its.curves.control.insert(its.curves.control.end(), {3, 0, 3, 3});   // of curve 1, which is far away
+    its.curves.control.insert(its.curves.control.end(),
+                              {3, 0, 3, 3});  // of curve 1, which is far away
     its.curves.add_over(1, {4, 5}, {0, 0, 1, 1});
     its.put_on_curves(body);
-    for (double& x : its.mesh.x) x = 0.4 + (x - 0.4) * (x < 0.4 ? 1 : 100);   // .1 is little of the extent then
-    for (std::size_t k = 0; k < 8; k += 2) its.curves.control[k] = 0.4 + (its.curves.control[k] - 0.4) * 100;
+    for (double& x : its.mesh.x)
+        x = 0.4 + (x - 0.4) * (x < 0.4 ? 1 : 100);  // .1 is little of the extent then
+    for (std::size_t k = 0; k < 8; k += 2)
+        its.curves.control[k] = 0.4 + (its.curves.control[k] - 0.4) * 100;
     Attempt attempt;
     CHECK(attempt.analyse(its.problem()));
     CHECK(attempt.status == HM_FAR_FROM_CURVE);
@@ -66,7 +70,8 @@ TEST_CASE("a curve in another unit is much larger than the wall: refused") {
         Attempt attempt;
         CHECK(!attempt.analyse(its.problem()));
         CHECK(attempt.status == HM_BAD_CONDITION);
-        CHECK(std::string(attempt.error.text).find("farther than that is large") != std::string::npos);
+        CHECK(std::string(attempt.error.text).find("farther than that is large") !=
+              std::string::npos);
     }
 }
 
@@ -77,6 +82,7 @@ TEST_CASE("a warning about distances is a whole sentence") {
     Attempt attempt;
     CHECK(attempt.analyse(its.problem()));
     CHECK(attempt.status == HM_FAR_FROM_CURVE);
-    CHECK(std::string(attempt.error.text).find(
-              "from its curve, above .05 of the extent of curve or wall: is the curve its own?") != std::string::npos);
+    CHECK(std::string(attempt.error.text)
+              .find("from its curve, above .05 of the extent of curve or wall: is the curve its "
+                    "own?") != std::string::npos);
 }

@@ -1,4 +1,5 @@
-// Heights above the walls brought back after conformal maps, whose stretch is known; and what must stay as it is.
+// Heights above the walls brought back after conformal maps, whose stretch is known; and what must
+// stay as it is.
 #include <doctest/doctest.h>
 
 #include <fixtures/airfoil.hpp>
@@ -17,10 +18,14 @@ namespace {
 // z + a z^2: angles are kept, lengths are scaled by |1 + 2 a z|.
 struct Quadratic {
     double a;
-    Point operator()(Point p) const { return {p.x + a * (p.x * p.x - p.y * p.y), p.y + 2 * a * p.x * p.y}; }
+    Point operator()(Point p) const {
+        return {p.x + a * (p.x * p.x - p.y * p.y), p.y + 2 * a * p.x * p.y};
+    }
 };
 
-double moved(Walls const& walls, Mesh const& from, Index k) { return distance(walls.deformed.point(k), from.point(k)); }
+double moved(Walls const& walls, Mesh const& from, Index k) {
+    return distance(walls.deformed.point(k), from.point(k));
+}
 
 bool is_still(Walls const& walls, Mesh const& from) {
     return same_bits(walls.deformed.x, from.x) && same_bits(walls.deformed.y, from.y);
@@ -41,7 +46,8 @@ Mesh hybrid_airfoil(double first = 1e-4) {
 TEST_CASE("heights of the first layers come back to a percent; angles, walls and far points stay") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Mesh mesh = annulus(60, 120, 1, 3, kind, true);
-        for (std::size_t k = 0; k < mesh.x.size(); ++k) {   // rings closer at the wall: the first at 3e-4
+        for (std::size_t k = 0; k < mesh.x.size();
+             ++k) {  // rings closer at the wall: the first at 3e-4
             double const r = std::hypot(mesh.x[k], mesh.y[k]), t = std::log(r) / std::log(3.0);
             double const wanted = 1 + 2 * (std::exp(6.5 * t) - 1) / (std::exp(6.5) - 1);
             mesh.x[k] *= wanted / r;
@@ -64,12 +70,15 @@ TEST_CASE("heights of the first layers come back to a percent; angles, walls and
         for (Index k = 0; k < mesh.n_points(); ++k) {
             Point const p = mesh.point(k);
             double const height = std::hypot(p.x, p.y) - 1;
-            if (height < 1e-12 || height > 0.5) CHECK(moved(walls, before, k) == 0);   // a quarter of the extent
+            if (height < 1e-12 || height > 0.5)
+                CHECK(moved(walls, before, k) == 0);  // a quarter of the extent
         }
     }
 }
 
-TEST_CASE("no motion is left alone to the last bit, rigid motion to rounding; scaling is undone near the wall") {
+TEST_CASE(
+    "no motion is left alone to the last bit, rigid motion to rounding; scaling is undone near the "
+    "wall") {
     Walls walls(hybrid_airfoil());
     Mesh before = walls.deformed;
     walls.restore();
@@ -88,7 +97,7 @@ TEST_CASE("no motion is left alone to the last bit, rigid motion to rounding; sc
     walls.deformed = before;
     walls.restore();
     CHECK(walls.change().mean_ratio == doctest::Approx(1).epsilon(0.01));
-    CHECK(walls.change().mean_angle < 1);   // edges that slant do so with 1.5 times the slope
+    CHECK(walls.change().mean_angle < 1);  // edges that slant do so with 1.5 times the slope
     CHECK(check(walls.deformed).min_corner > 0);
 }
 
@@ -105,7 +114,8 @@ TEST_CASE("a viscous airfoil mesh: heights come back, sharp edge and all, and no
     for (double const first : {1e-5, 1e-3})
         for (double const a : {0.001, -0.001}) {
             Walls walls(hybrid_airfoil(first));
-            std::complex<double> const inside(0.3, 0.008);   // z + a / (z - inside) is conformal outside of the airfoil
+            std::complex<double> const inside(
+                0.3, 0.008);  // z + a / (z - inside) is conformal outside of the airfoil
             walls.deform([&](Point p) {
                 std::complex<double> const z(p.x, p.y), w = z + a / (z - inside);
                 return Point{w.real(), w.imag()};
@@ -116,7 +126,7 @@ TEST_CASE("a viscous airfoil mesh: heights come back, sharp edge and all, and no
             walls.restore();
             FirstLayerChange const back = walls.change();
             CHECK(check(walls.deformed).min_corner > 0);
-            double const left = first < 1e-4 ? 2e-3 : 2e-2;   // the fade loses 3 d / reach
+            double const left = first < 1e-4 ? 2e-3 : 2e-2;  // the fade loses 3 d / reach
             CHECK(back.min_ratio > 1 - left);
             CHECK(back.max_ratio < 1 + left);
             CHECK(back.mean_angle < lost.mean_angle + 0.05);
@@ -129,8 +139,11 @@ TEST_CASE("joined points move together") {
     Mesh mesh = annulus(n_r, n_t, 1, 2);
     int const first_copy = mesh.n_points();
     for (int ring = 0; ring <= n_r; ++ring) mesh.add_point(mesh.point(ring * n_t));
-    auto const cut = [&](std::int32_t& point) { point = point % n_t == 0 ? first_copy + point / n_t : point; };
-    for (std::size_t k = 0; k < mesh.cells.size(); ++k)   // the last column: beyond the cut the points are others
+    auto const cut = [&](std::int32_t& point) {
+        point = point % n_t == 0 ? first_copy + point / n_t : point;
+    };
+    for (std::size_t k = 0; k < mesh.cells.size();
+         ++k)  // the last column: beyond the cut the points are others
         if (static_cast<int>(k / 4) % n_t == n_t - 1) cut(mesh.cells[k]);
     for (std::size_t k = 0; k < mesh.faces.size(); ++k)
         if (mesh.faces[k ^ 1] % n_t == n_t - 1) cut(mesh.faces[k]);
@@ -140,12 +153,15 @@ TEST_CASE("joined points move together") {
     walls.restore();
     for (int ring = 0; ring <= n_r; ++ring) {
         CHECK(walls.analysed->topology.representative[first_copy + ring] == ring * n_t);
-        CHECK(distance(walls.deformed.point(first_copy + ring), walls.deformed.point(ring * n_t)) == 0);
+        CHECK(distance(walls.deformed.point(first_copy + ring), walls.deformed.point(ring * n_t)) ==
+              0);
     }
     CHECK(moved(walls, before, n_t) > 0);
 }
 
-TEST_CASE("the reach: within the radius of curvature and a quarter of the extent, graded, 0 where walls end") {
+TEST_CASE(
+    "the reach: within the radius of curvature and a quarter of the extent, graded, 0 where walls "
+    "end") {
     Walls walls(hybrid_airfoil());
     walls.restore();
     harmorph::WallPoints const& wall = walls.heights.wall;
@@ -154,7 +170,7 @@ TEST_CASE("the reach: within the radius of curvature and a quarter of the extent
         Point const here = walls.mesh.point(wall.point[slot]);
         // 1.1019 * 0.12^2 at the nose
         if (std::hypot(here.x, here.y) < 0.002) CHECK(walls.heights.reach[slot] < 0.018);
-        if (here.x == 1) CHECK(walls.heights.reach[slot] < 0.01);   // the sharp edge
+        if (here.x == 1) CHECK(walls.heights.reach[slot] < 0.01);  // the sharp edge
         largest = std::fmax(largest, walls.heights.reach[slot]);
         Index const next = wall.slot[wall.next[slot]];
         double const step = std::fabs(walls.heights.reach[next] - walls.heights.reach[slot]);
@@ -178,7 +194,8 @@ TEST_CASE("the reach: within the radius of curvature and a quarter of the extent
 
 TEST_CASE("nothing moves beside a boundary that is no wall") {
     Mesh mesh = two_bodies(16, 12, {0.4, 0.3, 0}, {0.45, 0.35, 0.1});
-    for (std::int32_t& marker : mesh.face_markers) marker = marker == second_body ? std::int32_t{9} : marker;
+    for (std::int32_t& marker : mesh.face_markers)
+        marker = marker == second_body ? std::int32_t{9} : marker;
     std::vector<char> is_fixed(mesh.x.size(), 0);
     for (std::size_t k = 0; k < mesh.faces.size(); ++k)
         if (mesh.face_markers[k / 2] != body) is_fixed[static_cast<std::size_t>(mesh.faces[k])] = 1;
@@ -188,17 +205,17 @@ TEST_CASE("nothing moves beside a boundary that is no wall") {
     walls.restore();
     CHECK(!is_still(walls, before));
     for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
-        std::int32_t const next = mesh.cells[k % 4 == 3 ? k - 3 : k + 1];   // all cells are quads
-        if (is_fixed[static_cast<std::size_t>(next)]) CHECK(moved(walls, before, mesh.cells[k]) == 0);
+        std::int32_t const next = mesh.cells[k % 4 == 3 ? k - 3 : k + 1];  // all cells are quads
+        if (is_fixed[static_cast<std::size_t>(next)])
+            CHECK(moved(walls, before, mesh.cells[k]) == 0);
     }
 }
 
 TEST_CASE("two bodies: where the nearest changes nothing moves, and cells stay valid") {
-    Mesh const mesh = two_bodies(16, 12, {0.4, 0.3, 0}, {0.4, 0.35, 0.2});   // gap 0.2, much less than their extent
+    Mesh const mesh = two_bodies(16, 12, {0.4, 0.3, 0},
+                                 {0.4, 0.35, 0.2});  // gap 0.2, much less than their extent
     Walls walls(mesh);
-    walls.deform([](Point p) {
-        return Point{1 + (p.x < 1 ? 0.7 : 1.4) * (p.x - 1), p.y};
-    });
+    walls.deform([](Point p) { return Point{1 + (p.x < 1 ? 0.7 : 1.4) * (p.x - 1), p.y}; });
     Mesh const before = walls.deformed;
     REQUIRE(check(before).min_corner > 0);
     FirstLayerChange const lost = walls.change();
@@ -206,7 +223,7 @@ TEST_CASE("two bodies: where the nearest changes nothing moves, and cells stay v
     CHECK(check(walls.deformed).min_corner > 0);
     int still = 0;
     for (Index k = 0; k < mesh.n_points(); ++k) {
-        if (std::fabs(mesh.point(k).x - 1) > 1e-12) continue;   // the middle line of the gap
+        if (std::fabs(mesh.point(k).x - 1) > 1e-12) continue;  // the middle line of the gap
         CHECK(moved(walls, before, k) < 1e-3);
         ++still;
     }

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <harmorph/bspline/bspline.hpp>
+#include "bspline/bspline.hpp"
 
 #include <fixtures/spline.hpp>
 #include <fixtures/traps.hpp>
@@ -21,7 +21,8 @@ double value_sum(CurveBasis const& basis, int derivative) {
 
 std::vector<double> parameters(Curve const& curve) {
     std::vector<double> out;
-    for (int k = 0; k <= 97; ++k) out.push_back(curve.begin() + (curve.end() - curve.begin()) * k / 97.0);
+    for (int k = 0; k <= 97; ++k)
+        out.push_back(curve.begin() + (curve.end() - curve.begin()) * k / 97.0);
     for (int k = curve.degree; k <= curve.n_indices; ++k) out.push_back(curve.knots[k]);
     return out;
 }
@@ -47,8 +48,9 @@ Status refusal(Spline const& spline, std::string const& word, Fault* out = nullp
 
 TEST_CASE("B-spline basis functions are not negative, sum up to 1, and their derivatives to 0") {
     for (int degree = 1; degree <= 5; ++degree)
-        for (Spline const& spline : {fixtures::clamped(degree, 11, 1), with_weights(fixtures::clamped(degree, 9, 2)),
-                                     fixtures::periodic(degree, 8, 1, 3)}) {
+        for (Spline const& spline :
+             {fixtures::clamped(degree, 11, 1), with_weights(fixtures::clamped(degree, 9, 2)),
+              fixtures::periodic(degree, 8, 1, 3)}) {
             Curve const curve = spline.curve();
             Fault fault;
             REQUIRE(check_curve(curve, 0, fault) == Status::ok);
@@ -68,7 +70,8 @@ TEST_CASE("B-spline basis functions are not negative, sum up to 1, and their der
 
 TEST_CASE("at a clamped end the curve is at its control point, exactly") {
     for (int degree = 1; degree <= 5; ++degree)
-        for (Spline const& spline : {fixtures::clamped(degree, 9, 4), with_weights(fixtures::clamped(degree, 9, 5))}) {
+        for (Spline const& spline :
+             {fixtures::clamped(degree, 9, 4), with_weights(fixtures::clamped(degree, 9, 5))}) {
             Curve const curve = spline.curve();
             CurveBasis const first = curve_basis(curve, curve.begin(), 0);
             CurveBasis const last = curve_basis(curve, curve.end(), 0);
@@ -78,7 +81,8 @@ TEST_CASE("at a clamped end the curve is at its control point, exactly") {
             CHECK(last.value[0][degree] == 1);
             CHECK(curve_point(curve, curve.end()).x == spline.control[16]);
             CHECK(curve_point(curve, curve.end()).y == spline.control[17]);
-            CHECK((curve_point(curve, curve.end() + 1).x == spline.control[16]));  // outside: the nearer end
+            CHECK((curve_point(curve, curve.end() + 1).x ==
+                   spline.control[16]));  // outside: the nearer end
         }
 }
 
@@ -111,7 +115,8 @@ TEST_CASE("without inner knots the curve is the Bezier curve") {
         double const u = k / 10.0, v = 1 - u;
         CurveBasis const basis = curve_basis(spline.curve(), u, 1);
         double const exact[] = {v * v * v, 3 * u * v * v, 3 * u * u * v, u * u * u};
-        double const slope[] = {-3 * v * v, 3 * v * v - 6 * u * v, 6 * u * v - 3 * u * u, 3 * u * u};
+        double const slope[] = {-3 * v * v, 3 * v * v - 6 * u * v, 6 * u * v - 3 * u * u,
+                                3 * u * u};
         for (int i = 0; i < 4; ++i) {
             CHECK(basis.value[0][i] == doctest::Approx(exact[i]).epsilon(1e-15));
             CHECK(std::fabs(basis.value[1][i] - slope[i]) < 1e-14);
@@ -133,7 +138,7 @@ TEST_CASE("a rational quadratic curve is a circle") {
         Vec2 c[3];
         curve_point(circle.curve(), k / 100.0, 2, c);
         CHECK(length(c[0]) == doctest::Approx(1).epsilon(1e-15));
-        CHECK(std::fabs(dot(c[0], c[1])) < 1e-14);                       // the tangent
+        CHECK(std::fabs(dot(c[0], c[1])) < 1e-14);                      // the tangent
         CHECK(std::fabs(dot(c[0], c[2]) + square(c[1])) < 1e-13 * 10);  // d/du of that
     }
 }
@@ -142,14 +147,16 @@ TEST_CASE("a knot of multiplicity m leaves degree - m continuous derivatives") {
     for (int degree = 2; degree <= 5; ++degree)
         for (int fold = 1; fold <= degree; ++fold) {
             Spline spline = fixtures::clamped(degree, degree + 1 + fold, 8);
-            for (int k = 0; k < fold; ++k) spline.knots[static_cast<std::size_t>(degree + 1 + k)] = 0.5;
+            for (int k = 0; k < fold; ++k)
+                spline.knots[static_cast<std::size_t>(degree + 1 + k)] = 0.5;
             Curve const curve = spline.curve();
             Fault fault;
             REQUIRE(check_curve(curve, 0, fault) == Status::ok);
             Vec2 left[max_order], right[max_order];
             curve_point_in(curve, degree, 0.5, 5, left);
             curve_point_in(curve, degree + fold, 0.5, 5, right);
-            for (int d = 0; d <= degree - fold; ++d) CHECK(length(right[d] - left[d]) <= 1e-11 * (1 + length(left[d])));
+            for (int d = 0; d <= degree - fold; ++d)
+                CHECK(length(right[d] - left[d]) <= 1e-11 * (1 + length(left[d])));
             CHECK(length(right[degree - fold + 1] - left[degree - fold + 1]) > 1e-3);
             CHECK(knot_span(curve, 0.5) == degree + fold);
         }
@@ -162,7 +169,8 @@ TEST_CASE("a periodic curve is smooth at its seam") {
         Vec2 begin[max_order], end[max_order];
         curve_point(curve, curve.begin(), 5, begin);
         curve_point(curve, curve.end(), 5, end);
-        for (int d = 0; d < degree; ++d) CHECK(length(end[d] - begin[d]) < 1e-12 * (1 + length(begin[d])));
+        for (int d = 0; d < degree; ++d)
+            CHECK(length(end[d] - begin[d]) < 1e-12 * (1 + length(begin[d])));
     }
 }
 
@@ -188,7 +196,7 @@ TEST_CASE("what is wrong with a curve is said, and where") {
     bad = good;
     bad.knots.assign(12, 2);
     CHECK(refusal(bad, "no length") == Status::bad_curve);
-    for (double const factor : {1e-104, 1e100}) {   // too short, too long for derivatives
+    for (double const factor : {1e-104, 1e100}) {  // too short, too long for derivatives
         bad = good;
         for (double& knot : bad.knots) knot *= factor;
         CHECK(refusal(bad, "no length") == Status::bad_curve);

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <harmorph/bspline/corners.hpp>
+#include "bspline/corners.hpp"
 
 #include <fixtures/spline.hpp>
 
@@ -16,7 +16,8 @@ struct Measured {
     Outline outline;
     std::vector<Index> corners;
 
-    explicit Measured(std::vector<Vec2> const& given, bool is_loop = true) : points(given), corners(given.size()) {
+    explicit Measured(std::vector<Vec2> const& given, bool is_loop = true)
+        : points(given), corners(given.size()) {
         auto const n = static_cast<Index>(points.size());
         Arena counting;
         Outline().lay_out(counting, n);
@@ -26,15 +27,19 @@ struct Measured {
         outline.points = {points.data(), points.size()};
         outline.is_loop = is_loop;
         outline.measure();
-        corners.resize(static_cast<std::size_t>(find_corners(outline, {corners.data(), corners.size()})));
+        corners.resize(
+            static_cast<std::size_t>(find_corners(outline, {corners.data(), corners.size()})));
     }
 };
 
 using Indices = std::vector<Index>;
 
-Indices corners_of(std::vector<Vec2> const& points, bool is_loop = true) { return Measured(points, is_loop).corners; }
+Indices corners_of(std::vector<Vec2> const& points, bool is_loop = true) {
+    return Measured(points, is_loop).corners;
+}
 
-std::vector<Vec2> naca(fixtures::Naca4 const& shape, int n_side, double clustering, int n_base = 4) {
+std::vector<Vec2> naca(fixtures::Naca4 const& shape, int n_side, double clustering,
+                       int n_base = 4) {
     return fixtures::vectors(fixtures::naca4(shape, n_side, clustering, n_base));
 }
 
@@ -45,7 +50,8 @@ TEST_CASE("arc lengths, turns and curvature of a circle") {
         Measured const circle(fixtures::ellipse(n, 1));
         double const pi = std::acos(-1.0);
         CHECK(circle.outline.arc[n] == doctest::Approx(n * std::sin(pi / n)).epsilon(1e-12));
-        for (int k = 0; k < n; ++k) CHECK(circle.outline.curvature[k] == doctest::Approx(2).epsilon(1e-3));
+        for (int k = 0; k < n; ++k)
+            CHECK(circle.outline.curvature[k] == doctest::Approx(2).epsilon(1e-3));
         CHECK(circle.corners.empty());
     }
 }
@@ -65,40 +71,50 @@ TEST_CASE("walking a given length along the outline") {
     CHECK(line.outline.turn[1] == 0);
 }
 
-TEST_CASE("sharp trailing edges are corners, rounded noses are none, however few points there are") {
+TEST_CASE(
+    "sharp trailing edges are corners, rounded noses are none, however few points there are") {
     for (int const n : {15, 20, 50, 100, 1000, 2500})
         for (double const clustering : {0.3, 0.8, 1.0}) {
             CHECK(corners_of(naca({0.02, 0.4, 0.12, false}, n, clustering)) == Indices{0});
             CHECK(corners_of(naca({0, 0.4, 0.06, false}, n, clustering)) == Indices{0});
-            CHECK(corners_of(fixtures::vectors(fixtures::joukowski(0.1, 0.05, n, clustering))) == Indices{0});
+            CHECK(corners_of(fixtures::vectors(fixtures::joukowski(0.1, 0.05, n, clustering))) ==
+                  Indices{0});
             for (int const n_base : {1, 2, 7})
-                CHECK(corners_of(naca({0.04, 0.4, 0.15, true}, n, clustering, n_base)) == Indices{0, n_base});
+                CHECK(corners_of(naca({0.04, 0.4, 0.15, true}, n, clustering, n_base)) ==
+                      Indices{0, n_base});
         }
 }
 
 TEST_CASE("coordinates of six digits make no corners and lose none") {
     for (int const n : {100, 500, 2500}) {
-        CHECK(corners_of(fixtures::rounded_to(naca({0, 0.4, 0.12, false}, n, 0.9), 6)) == Indices{0});
-        CHECK(corners_of(fixtures::rounded_to(naca({0, 0.4, 0.12, true}, n, 0.9), 6)) == Indices{0, 4});
+        CHECK(corners_of(fixtures::rounded_to(naca({0, 0.4, 0.12, false}, n, 0.9), 6)) ==
+              Indices{0});
+        CHECK(corners_of(fixtures::rounded_to(naca({0, 0.4, 0.12, true}, n, 0.9), 6)) ==
+              Indices{0, 4});
     }
 }
 
 TEST_CASE("rounded edges, ellipses and polygons with many equal bends have no corners") {
     for (double const radius : {1e-3, 5e-3})
-        for (int const n_cap : {4, 8, 30}) CHECK(corners_of(fixtures::rounded_edge(100, radius, n_cap)).empty());
+        for (int const n_cap : {4, 8, 30})
+            CHECK(corners_of(fixtures::rounded_edge(100, radius, n_cap)).empty());
     for (int const n : {16, 30, 31, 300})
-        for (double const height : {0.2, 0.5, 1.0}) CHECK(corners_of(fixtures::ellipse(n, height)).empty());
+        for (double const height : {0.2, 0.5, 1.0})
+            CHECK(corners_of(fixtures::ellipse(n, height)).empty());
 }
 
 TEST_CASE("polygons have their corners; bends of less than five degrees are none") {
-    CHECK(corners_of(fixtures::polygon({{0.5, 0}, {0, 0.05}, {-0.5, 0}, {0, -0.05}}, 9)) == Indices{0, 9, 18, 27});
-    CHECK(corners_of(fixtures::polygon({{0.5, 0}, {0, 0.02}, {-0.5, 0}, {0, -0.02}}, 9)) == Indices{0, 18});
+    CHECK(corners_of(fixtures::polygon({{0.5, 0}, {0, 0.05}, {-0.5, 0}, {0, -0.05}}, 9)) ==
+          Indices{0, 9, 18, 27});
+    CHECK(corners_of(fixtures::polygon({{0.5, 0}, {0, 0.02}, {-0.5, 0}, {0, -0.02}}, 9)) ==
+          Indices{0, 18});
     CHECK(corners_of({{0, 0}, {0.25, 0}, {0.5, 0}, {0.5, 0.25}, {0.5, 0.5}}, false) == Indices{2});
 }
 
 TEST_CASE("a short side is short and straight") {
     for (int const n_base : {1, 5}) {
-        Measured const blunt(fixtures::vectors(fixtures::naca4({0, 0.4, 0.12, true}, 50, 0.8, n_base)));
+        Measured const blunt(
+            fixtures::vectors(fixtures::naca4({0, 0.4, 0.12, true}, 50, 0.8, n_base)));
         REQUIRE(blunt.corners.size() == 2);
         CHECK(is_short_side(blunt.outline, blunt.corners[0], blunt.corners[1]));
         CHECK(!is_short_side(blunt.outline, blunt.corners[1], blunt.corners[0]));

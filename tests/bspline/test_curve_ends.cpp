@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <harmorph/bspline/curve_ends.hpp>
+#include "bspline/curve_ends.hpp"
 
 #include <fixtures/spline.hpp>
 
@@ -16,7 +16,8 @@ struct Chosen {
     Index dropped = 0;           // corners of facets
 };
 
-Chosen choose(std::vector<Vec2> const& points, Closure wanted, bool is_loop = true, Index most = 100) {
+Chosen choose(std::vector<Vec2> const& points, Closure wanted, bool is_loop = true,
+              Index most = 100) {
     auto const n = static_cast<Index>(points.size());
     Arena counting;
     Outline().lay_out(counting, n);
@@ -34,12 +35,13 @@ Chosen choose(std::vector<Vec2> const& points, Closure wanted, bool is_loop = tr
     Index const n_corners = drop_facets(outline, corners, n_found);
     out.dropped = n_found - n_corners;
     out.course = choose_course(outline, corners.first(n_corners), wanted);
-    out.corners.resize(static_cast<std::size_t>(corners_on(out.course, outline, corners.first(n_corners), most)));
+    out.corners.resize(
+        static_cast<std::size_t>(corners_on(out.course, outline, corners.first(n_corners), most)));
     return out;
 }
 
-// Chosen alike wherever the loop begins, whichever way it runs, and however it lies: returns that choice, with the
-// first point as in the list given.
+// Chosen alike wherever the loop begins, whichever way it runs, and however it lies: returns that
+// choice, with the first point as in the list given.
 Chosen choose_always(std::vector<Vec2> points) {
     auto const n = static_cast<Index>(points.size());
     Vec2 centre;
@@ -56,7 +58,8 @@ Chosen choose_always(std::vector<Vec2> points) {
                 CHECK(course.closure == plain.course.closure);
                 CHECK(course.reason == plain.course.reason);
                 CHECK(course.base_points == plain.course.base_points);
-                bool const same_place = !backwards || plain.course.base_points == 0;  // a base is left at its other end
+                bool const same_place =
+                    !backwards || plain.course.base_points == 0;  // a base is left at its other end
                 bool const anywhere = course.reason == ClosureReason::no_corner;
                 auto const first = backwards ? n - 1 - course.first : course.first;
                 if (same_place && !anywhere) CHECK((first + places) % n == plain.course.first);
@@ -78,13 +81,14 @@ TEST_CASE("no corner: periodic; one: tied at it; a blunt base: open, the long wa
     CHECK(round.course.n_positions == 61);
     CHECK(round.course.first % 30 == 0);  // at one of the tips
     for (int const places : {0, 7, 50}) {
-        auto const sharp = choose(turned_by(fixtures::vectors(fixtures::naca4({}, 30)), places), Closure::automatic);
+        auto const sharp = choose(turned_by(fixtures::vectors(fixtures::naca4({}, 30)), places),
+                                  Closure::automatic);
         CHECK(sharp.course.closure == Closure::tied);
         CHECK(sharp.course.first == (60 - places) % 60);
         CHECK(sharp.corners.empty());
-        auto const blunt =
-            choose(turned_by(fixtures::vectors(fixtures::naca4({0, 0.4, 0.12, true}, 30, 0.8, 4)), places),
-                   Closure::automatic);   // 64 points, 5 of them on the base
+        auto const blunt = choose(
+            turned_by(fixtures::vectors(fixtures::naca4({0, 0.4, 0.12, true}, 30, 0.8, 4)), places),
+            Closure::automatic);  // 64 points, 5 of them on the base
         CHECK(blunt.course.closure == Closure::open);
         CHECK(blunt.course.first == (68 - places) % 64);
         CHECK(blunt.course.base_points == 5);
@@ -94,7 +98,8 @@ TEST_CASE("no corner: periodic; one: tied at it; a blunt base: open, the long wa
 }
 
 TEST_CASE("other corners lie on the course, the sharpest ones if there is not room for all") {
-    std::vector<Vec2> const kite = fixtures::polygon({{0.6, 0}, {0, 0.1}, {-0.4, 0}, {0, -0.1}}, 10);
+    std::vector<Vec2> const kite =
+        fixtures::polygon({{0.6, 0}, {0, 0.1}, {-0.4, 0}, {0, -0.1}}, 10);
     Chosen const all = choose(turned_by(kite, 5), Closure::automatic);
     CHECK(all.course.closure == Closure::tied);
     CHECK(all.course.first == 35);
@@ -104,7 +109,8 @@ TEST_CASE("other corners lie on the course, the sharpest ones if there is not ro
 }
 
 TEST_CASE("the caller's wish is followed") {
-    std::vector<Vec2> const blunt = fixtures::vectors(fixtures::naca4({0, 0.4, 0.12, true}, 30, 0.8, 4));
+    std::vector<Vec2> const blunt =
+        fixtures::vectors(fixtures::naca4({0, 0.4, 0.12, true}, 30, 0.8, 4));
     Chosen const tied = choose(blunt, Closure::tied);
     CHECK(tied.course.closure == Closure::tied);
     CHECK(tied.course.first == 0);
@@ -118,14 +124,16 @@ TEST_CASE("the caller's wish is followed") {
     CHECK(open.course.n_positions == 64);
     CHECK(open.corners == std::vector<Index>{4});
     Chosen const edge = choose(fixtures::rounded_edge(100, 2e-3, 8), Closure::tied);
-    CHECK(edge.course.first == 204);  // the middle of the rounded edge: the edge has points 200 to 207, and 0
-    CHECK(choose({{0, 0}, {1, 0}, {2, 1}}, Closure::automatic, false).course.closure == Closure::open);
+    CHECK(edge.course.first ==
+          204);  // the middle of the rounded edge: the edge has points 200 to 207, and 0
+    CHECK(choose({{0, 0}, {1, 0}, {2, 1}}, Closure::automatic, false).course.closure ==
+          Closure::open);
 }
 
 namespace {
 
-// NACA 00xx, closed, with points in geometric progression from the trailing edge, and one straight facet across the
-// nose that is `longer` times as long as the ones beside it.
+// NACA 00xx, closed, with points in geometric progression from the trailing edge, and one straight
+// facet across the nose that is `longer` times as long as the ones beside it.
 std::vector<Vec2> with_nose_facet(double thickness, int n_side, double longer) {
     fixtures::Naca4 const shape{0, 0.4, thickness, false};
     std::vector<Vec2> points = {{1, 0}};
@@ -150,10 +158,11 @@ std::vector<Vec2> with_nose_facet(double thickness, int n_side, double longer) {
     return points;
 }
 
-// A turbine blade: a circular arc as camber line that turns by `turning`, half circles of n_cap edges at both ends.
+// A turbine blade: a circular arc as camber line that turns by `turning`, half circles of n_cap
+// edges at both ends.
 std::vector<Vec2> blade(double turning, double thickness, double tail, int n_side, int n_cap) {
     double const pi = std::acos(-1.0), radius = 0.5 / std::sin(0.5 * turning);
-    auto const on_line = [&](double s) {   // 0 nose, 1 tail
+    auto const on_line = [&](double s) {  // 0 nose, 1 tail
         double const a = turning * (s - 0.5);
         return Vec2{radius * std::sin(a), radius * std::cos(a)};
     };
@@ -180,7 +189,8 @@ std::vector<Vec2> blade(double turning, double thickness, double tail, int n_sid
     }
     for (int k = 1; k < n_cap; ++k) {
         double const a = pi * k / n_cap;
-        out.push_back(on_line(1) + half_of(1) * (-std::cos(a) * normal(1) + std::sin(a) * ahead(1)));
+        out.push_back(on_line(1) +
+                      half_of(1) * (-std::cos(a) * normal(1) + std::sin(a) * ahead(1)));
     }
     return out;
 }
@@ -196,7 +206,8 @@ std::vector<Vec2> cut_off(double height, double slant, int n_side, int n_base) {
     }
     Vec2 const low{1, -0.5 * height}, high{1 - slant * height, 0.5 * height};
     std::vector<Vec2> base;
-    for (int k = 0; k <= n_base; ++k) base.push_back(low + (static_cast<double>(k) / n_base) * (high - low));
+    for (int k = 0; k <= n_base; ++k)
+        base.push_back(low + (static_cast<double>(k) / n_base) * (high - low));
     out.insert(out.begin(), base.begin(), base.end());
     return out;
 }
@@ -230,11 +241,13 @@ TEST_CASE("a turbine blade with round ends has no base") {
                     CAPTURE(tail);
                     CAPTURE(n_cap);
                     CAPTURE(n_side);
-                    CHECK(choose_always(blade(turning, 0.08, tail, n_side, n_cap)).course.base_points == 0);
+                    CHECK(choose_always(blade(turning, 0.08, tail, n_side, n_cap))
+                              .course.base_points == 0);
                 }
 }
 
-TEST_CASE("blunt bases, thin and thick, straight and slanted, are found at the end that is no nose") {
+TEST_CASE(
+    "blunt bases, thin and thick, straight and slanted, are found at the end that is no nose") {
     for (double const height : {2e-4, 1e-3, 1e-2, 0.05, 0.1})
         for (double const slant : {0.0, 0.5, -0.3})
             for (int const n_base : {1, 2, 6})
@@ -252,15 +265,18 @@ TEST_CASE("blunt bases, thin and thick, straight and slanted, are found at the e
 }
 
 TEST_CASE("straight pieces elsewhere are no base: ends of a plate, a step on the side, chamfers") {
-    std::vector<Vec2> const plate = fixtures::polygon({{0.5, 0.02}, {-0.5, 0.025}, {-0.48, -0.02}, {0.5, -0.02}}, 8);
+    std::vector<Vec2> const plate =
+        fixtures::polygon({{0.5, 0.02}, {-0.5, 0.025}, {-0.48, -0.02}, {0.5, -0.02}}, 8);
     Chosen const its = choose_always(plate);
     CHECK(its.course.reason == ClosureReason::corner);
     CHECK(its.corners.size() == 3);
     // Down at half chord, as in a cove, and sharp behind.
-    Chosen const step = choose_always(fixtures::polygon({{1, 0}, {0.5, 0.02}, {0.5, 0.06}, {0, 0}}, 10));
+    Chosen const step =
+        choose_always(fixtures::polygon({{1, 0}, {0.5, 0.02}, {0.5, 0.06}, {0, 0}}, 10));
     CHECK(step.course.base_points == 0);
     CHECK(step.corners.size() >= 2);
-    CHECK(choose(fixtures::ellipse(60, 0.2), Closure::automatic).course.reason == ClosureReason::no_corner);
+    CHECK(choose(fixtures::ellipse(60, 0.2), Closure::automatic).course.reason ==
+          ClosureReason::no_corner);
     CHECK(choose(plate, Closure::tied).course.reason == ClosureReason::wish);
     CHECK(choose(plate, Closure::open).course.reason == ClosureReason::wish);
     CHECK(choose(plate, Closure::automatic, false).course.reason == ClosureReason::no_loop);

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <harmorph/bspline/envelope_cholesky.hpp>
+#include "bspline/envelope_cholesky.hpp"
 
 #include <cmath>
 #include <vector>
@@ -47,7 +47,8 @@ TEST_CASE("banded and ring-shaped matrices are solved") {
                     }
                 REQUIRE(block.matrix.factor());
                 block.matrix.solve({b.data(), b.size()});
-                for (std::size_t i = 0; i < b.size(); ++i) CHECK(b[i] == doctest::Approx(x[i]).epsilon(1e-12));
+                for (std::size_t i = 0; i < b.size(); ++i)
+                    CHECK(b[i] == doctest::Approx(x[i]).epsilon(1e-12));
             }
 }
 

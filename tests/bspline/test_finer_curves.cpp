@@ -13,8 +13,8 @@ using fixtures::Spline;
 namespace {
 
 Spline with_weights(Spline spline) {
-    for (int k = 0; 2 * k < static_cast<int>(spline.control.size()); ++k) spline.weights.push_back(0.5 +
-                                                                                                   0.37 * (k % 5));
+    for (int k = 0; 2 * k < static_cast<int>(spline.control.size()); ++k)
+        spline.weights.push_back(0.5 + 0.37 * (k % 5));
     return spline;
 }
 
@@ -47,7 +47,8 @@ Finer refined(hm_curves const& curves, int curve, std::vector<double> const& u) 
     out.status = hm_refine_size(&curves, curve, n, u.data(), &bytes, &out.error);
     if (out.status < 0) return out;
     out.block.resize(bytes);
-    out.status = hm_refine(&out.curves, &out.matrix, out.block.data(), bytes, &curves, curve, n, u.data(), &out.error);
+    out.status = hm_refine(&out.curves, &out.matrix, out.block.data(), bytes, &curves, curve, n,
+                           u.data(), &out.error);
     return out;
 }
 
@@ -57,14 +58,16 @@ Finer elevated(hm_curves const& curves, int curve) {
     out.status = hm_elevate_size(&curves, curve, &bytes, &out.error);
     if (out.status < 0) return out;
     out.block.resize(bytes);
-    out.status = hm_elevate(&out.curves, &out.matrix, out.block.data(), bytes, &curves, curve, &out.error);
+    out.status =
+        hm_elevate(&out.curves, &out.matrix, out.block.data(), bytes, &curves, curve, &out.error);
     return out;
 }
 
 // The largest difference of points, and of first derivatives, of the same curve of two sets.
 double difference(hm_curves const& a, hm_curves const& b, int curve) {
     int const p = a.curve[curve].degree;
-    double const from = a.curve[curve].knots[p], to = a.curve[curve].knots[a.curve[curve].n_indices];
+    double const from = a.curve[curve].knots[p],
+                 to = a.curve[curve].knots[a.curve[curve].n_indices];
     double largest = 0;
     for (int k = 0; k <= 211; ++k) {
         double const u = k == 211 ? to : from + (to - from) * k / 211.0;
@@ -76,7 +79,8 @@ double difference(hm_curves const& a, hm_curves const& b, int curve) {
     return largest;
 }
 
-// The new set is the old one, its matrix maps the old control points to the new ones, also after they have moved.
+// The new set is the old one, its matrix maps the old control points to the new ones, also after
+// they have moved.
 void check_same(CurveSet& set, Finer const& finer) {
     REQUIRE_MESSAGE(finer.status == HM_OK, finer.error.text);
     hm_curves const old = set.view();
@@ -105,7 +109,9 @@ int uses(hm_curves const& curves, int curve, int position) {
 
 }  // namespace
 
-TEST_CASE("inserted knots and a higher degree change no point of a curve: clamped, rational, periodic, tied") {
+TEST_CASE(
+    "inserted knots and a higher degree change no point of a curve: clamped, rational, periodic, "
+    "tied") {
     for (int degree = 1; degree <= 5; ++degree)
         for (bool const rational : {false, true})
             for (int kind = 0; kind < 3; ++kind) {
@@ -137,13 +143,14 @@ TEST_CASE("repeated knots up to the degree make the curve interpolate a control 
     for (int degree = 1; degree <= 5; ++degree) {
         CurveSet set(fixtures::clamped(degree, 9, 4));
         double const u = 1.7;
-        Finer const finer = refined(set.view(), 0, std::vector<double>(static_cast<std::size_t>(degree), u));
+        Finer const finer =
+            refined(set.view(), 0, std::vector<double>(static_cast<std::size_t>(degree), u));
         double at[2];
         REQUIRE(hm_curve_point(&set.view(), 0, u, 0, at, nullptr) == HM_OK);
         double nearest = 1;
         for (int j = 0; j < finer.curves->n_control; ++j)
-            nearest = std::min(nearest,
-                    std::hypot(finer.curves->control[2 * j] - at[0], finer.curves->control[2 * j + 1] - at[1]));
+            nearest = std::min(nearest, std::hypot(finer.curves->control[2 * j] - at[0],
+                                                   finer.curves->control[2 * j + 1] - at[1]));
         CHECK(nearest < 1e-13);
         check_same(set, finer);
     }
@@ -153,12 +160,13 @@ TEST_CASE("a periodic curve stays periodic, also where the knot is inserted at i
     for (int degree = 1; degree <= 5; ++degree) {
         CurveSet set(fixtures::periodic(degree, 9, 0.3, 6));
         for (double const u : {0.0, 0.25, 4.5, 8.75}) {
-            if (degree == 1 && u == 0) continue;   // there already
+            if (degree == 1 && u == 0) continue;  // there already
             Finer const finer = refined(set.view(), 0, {u});
             REQUIRE_MESSAGE(finer.status == HM_OK, finer.error.text);
             CHECK(finer.curves->n_control == 10);
             CHECK(difference(set.view(), *finer.curves, 0) < 1e-12);
-            for (int k = 0; k < degree; ++k) CHECK(uses(*finer.curves, 0, k) == uses(*finer.curves, 0, k + 10));
+            for (int k = 0; k < degree; ++k)
+                CHECK(uses(*finer.curves, 0, k) == uses(*finer.curves, 0, k + 10));
             std::vector<double> const more = {u / 2 + 1.1, 3.3};
             Finer const finest = refined(*finer.curves, 0, more);
             REQUIRE_MESSAGE(finest.status == HM_OK, finest.error.text);
@@ -168,14 +176,17 @@ TEST_CASE("a periodic curve stays periodic, also where the knot is inserted at i
         if (degree == 5) continue;
         Finer const higher = elevated(set.view(), 0);
         CHECK(higher.curves->n_control == 18);
-        Finer const twice = degree < 4 ? elevated(*higher.curves, 0) : refined(*higher.curves, 0, {2.2});
+        Finer const twice =
+            degree < 4 ? elevated(*higher.curves, 0) : refined(*higher.curves, 0, {2.2});
         REQUIRE_MESSAGE(twice.status == HM_OK, twice.error.text);
         CHECK(twice.curves->n_control == (degree < 4 ? 27 : 19));
         CHECK(difference(set.view(), *twice.curves, 0) < 1e-12);
     }
 }
 
-TEST_CASE("a periodic curve whose knots lie in close groups: the points at the seam are found from the better end") {
+TEST_CASE(
+    "a periodic curve whose knots lie in close groups: the points at the seam are found from the "
+    "better end") {
     Spline spline = fixtures::periodic(5, 9, 0.3, 6);
     double const in_one_period[] = {0, 5e-5, 1.2e-4, 1.7e-4, 0.25, 0.5, 0.50008, 0.50015, 0.5002};
     for (std::size_t k = 0; k < spline.knots.size(); ++k)
@@ -198,8 +209,8 @@ TEST_CASE("ties and common ends persist, points that the change does not touch k
     CurveSet set;
     set.index_base = 1;
     set.add(fixtures::clamped(3, 10, 7));
-    set.add_over(1, {10, 1}, {0, 0, 1, 1});   // a base from the last to the first
-    set.control.insert(set.control.end(), {20, 20});   // used by no curve
+    set.add_over(1, {10, 1}, {0, 0, 1, 1});           // a base from the last to the first
+    set.control.insert(set.control.end(), {20, 20});  // used by no curve
     Finer const finer = refined(set.view(), 0, {2.5});
     REQUIRE(finer.status == HM_OK);
     hm_curves const& made = *finer.curves;
@@ -213,14 +224,16 @@ TEST_CASE("ties and common ends persist, points that the change does not touch k
 
     CurveSet loop(tied(3, 12, 8));
     Finer const higher = elevated(loop.view(), 0);
-    CHECK(uses(*higher.curves, 0, 0) == uses(*higher.curves, 0, higher.curves->curve[0].n_indices - 1));
+    CHECK(uses(*higher.curves, 0, 0) ==
+          uses(*higher.curves, 0, higher.curves->curve[0].n_indices - 1));
 }
 
 TEST_CASE("knots that cannot be inserted are refused by name, with nothing written") {
     CurveSet set(fixtures::clamped(3, 9, 9));
     auto const refusal = [&](std::vector<double> const& u, std::string const& word) {
         Finer const finer = refined(set.view(), 0, u);
-        CHECK_MESSAGE(std::string(finer.error.text).find(word) != std::string::npos, finer.error.text);
+        CHECK_MESSAGE(std::string(finer.error.text).find(word) != std::string::npos,
+                      finer.error.text);
         CHECK(finer.curves == nullptr);
         return finer.status;
     };
@@ -242,8 +255,8 @@ TEST_CASE("knots that cannot be inserted are refused by name, with nothing writt
         fixtures::Guarded block(bytes - short_of, 8);
         hm_error error{};
         const hm_curves* made = nullptr;
-        CHECK(hm_refine(&made, nullptr, block.data(), bytes - short_of, &set.view(), 0, 1, &u, &error) ==
-              HM_BLOCK_TOO_SMALL);
+        CHECK(hm_refine(&made, nullptr, block.data(), bytes - short_of, &set.view(), 0, 1, &u,
+                        &error) == HM_BLOCK_TOO_SMALL);
         CHECK(error.value == static_cast<double>(short_of));
         CHECK(block.untouched());
     }

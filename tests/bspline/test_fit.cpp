@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <harmorph/bspline/projection.hpp>
+#include "bspline/projection.hpp"
 
 #include <fixtures/spline.hpp>
 
@@ -20,11 +20,13 @@ std::vector<Vec2> naca(Naca4 const& shape, int n_side, double clustering = 0.8, 
     return fixtures::vectors(fixtures::naca4(shape, n_side, clustering, n_base));
 }
 
-double max_error(std::vector<Vec2> const& points, FitOptions const& options = {}, bool is_loop = true) {
+double max_error(std::vector<Vec2> const& points, FitOptions const& options = {},
+                 bool is_loop = true) {
     FitRun const run(points, options, is_loop);
     REQUIRE_MESSAGE(!failed(run.status), run.fault.sentence);
     Fault fault;
-    for (Index c = 0; c < run.fit.n_curves; ++c) CHECK(check_curve(run.fit.curve[c], c, fault) == Status::ok);
+    for (Index c = 0; c < run.fit.n_curves; ++c)
+        CHECK(check_curve(run.fit.curve[c], c, fault) == Status::ok);
     return run.report.max_error;
 }
 
@@ -32,7 +34,8 @@ FitOptions options(Index degree, Index n_control, Closure closure = Closure::aut
     return {degree, n_control, closure};
 }
 
-// Largest distance between the control points of two fits, those of the second listed backwards where `reversed`.
+// Largest distance between the control points of two fits, those of the second listed backwards
+// where `reversed`.
 double difference(FitRun const& a, FitRun const& b, int n, int shift, bool reversed) {
     double out = 0;
     for (int i = 0; i < n; ++i)
@@ -44,15 +47,17 @@ std::vector<Vec2> sampled(fixtures::Spline const& spline, int n, bool with_end) 
     Curve const curve = spline.curve();
     std::vector<Vec2> out;
     for (int k = 0; k < n; ++k)
-        out.push_back(curve_point(curve, curve.begin() + (curve.end() - curve.begin()) * k / (with_end ? n - 1.0 : n)));
+        out.push_back(curve_point(
+            curve, curve.begin() + (curve.end() - curve.begin()) * k / (with_end ? n - 1.0 : n)));
     return out;
 }
 
-void refused(std::vector<Vec2> const& points, FitOptions const& wish, bool is_loop, std::string const& word,
-             Index item) {
+void refused(std::vector<Vec2> const& points, FitOptions const& wish, bool is_loop,
+             std::string const& word, Index item) {
     FitRun const run(points, wish, is_loop);
     CHECK(run.status == Status::bad_curve);
-    CHECK_MESSAGE(std::string(run.fault.sentence).find(word) != std::string::npos, run.fault.sentence);
+    CHECK_MESSAGE(std::string(run.fault.sentence).find(word) != std::string::npos,
+                  run.fault.sentence);
     CHECK(run.fault.item == item);
 }
 
@@ -67,7 +72,8 @@ TEST_CASE("airfoils with 20 control points: sharp, blunt, rounded, cambered; few
                 CHECK(max_error(naca({camber, 0.3, 0.06, true}, n, clustering, 1)) < 2e-4);
             }
     CHECK(max_error(naca({0, 0.4, 0.12, false}, 2500)) < 3e-5);
-    for (double const radius : {5e-4, 2e-3, 5e-3}) CHECK(max_error(fixtures::rounded_edge(100, radius, 12)) < 2e-4);
+    for (double const radius : {5e-4, 2e-3, 5e-3})
+        CHECK(max_error(fixtures::rounded_edge(100, radius, 12)) < 2e-4);
     CHECK(max_error(fixtures::vectors(fixtures::joukowski(0.1, 0.05, 60))) < 1e-4);
     CHECK(max_error(fixtures::ellipse(100, 1)) < 1e-5);
     CHECK(max_error(fixtures::rounded_to(naca({0.02, 0.4, 0.12, true}, 1000), 6)) < 1e-4);
@@ -100,12 +106,16 @@ TEST_CASE("what is reported is what was made") {
         sum += distance * distance;
     }
     CHECK(run.report.max_error == largest);
-    CHECK(run.report.rms_error == doctest::Approx(std::sqrt(sum / static_cast<double>(points.size()))));
-    CHECK(std::fmin(project(wing, points[static_cast<std::size_t>(run.report.max_error_point)]).distance, 1) ==
-          largest);
+    CHECK(run.report.rms_error ==
+          doctest::Approx(std::sqrt(sum / static_cast<double>(points.size()))));
+    CHECK(std::fmin(
+              project(wing, points[static_cast<std::size_t>(run.report.max_error_point)]).distance,
+              1) == largest);
 }
 
-TEST_CASE("a tied curve begins and ends in one control point; a periodic one repeats as many as its degree") {
+TEST_CASE(
+    "a tied curve begins and ends in one control point; a periodic one repeats as many as its "
+    "degree") {
     for (Index degree = 1; degree <= 5; ++degree) {
         std::vector<Vec2> const points = naca({}, 60);
         FitRun const tied(points, options(degree, 16));
@@ -127,9 +137,10 @@ TEST_CASE("a tied curve begins and ends in one control point; a periodic one rep
 
 TEST_CASE("corners on the way are kept: polygons are reproduced") {
     for (Index degree = 1; degree <= 5; ++degree) {
-        CHECK(max_error(fixtures::polygon({{1, 0}, {0.5, 0.05}, {0, 0}, {0.5, -0.05}}, 20), options(degree, 24)) <
-              1e-13);
-        CHECK(max_error(fixtures::polygon({{0, 0}, {2, 0}, {2, 1}, {0, 1}}, 15), options(degree, 22)) < 1e-12);
+        CHECK(max_error(fixtures::polygon({{1, 0}, {0.5, 0.05}, {0, 0}, {0.5, -0.05}}, 20),
+                        options(degree, 24)) < 1e-13);
+        CHECK(max_error(fixtures::polygon({{0, 0}, {2, 0}, {2, 1}, {0, 1}}, 15),
+                        options(degree, 22)) < 1e-12);
     }
     std::vector<Vec2> bend;
     for (int k = 0; k <= 40; ++k) bend.push_back({k < 20 ? k : 20.0, k < 20 ? 0 : k - 20.0});
@@ -141,20 +152,23 @@ TEST_CASE("straight lines are reproduced to rounding") {
         for (Index const n_control : {degree + 1, degree + 4, 20}) {
             std::vector<Vec2> line;
             for (int k = 0; k < 30; ++k) line.push_back({1 + 0.1 * k * k, 5 - 0.03 * k * k});
-            CHECK(max_error(line, options(degree, n_control), false) < 1e-11);  // the line is 88 long
+            CHECK(max_error(line, options(degree, n_control), false) <
+                  1e-11);  // the line is 88 long
         }
 }
 
 TEST_CASE("points of a B-spline are fitted by it") {
     for (Index degree = 2; degree <= 5; ++degree) {
         fixtures::Spline bezier = fixtures::clamped(degree, degree + 1, 1);
-        CHECK(max_error(sampled(bezier, 60, true), options(degree, degree + 1), false) < (degree < 4 ? 1e-9 : 1e-3));
+        CHECK(max_error(sampled(bezier, 60, true), options(degree, degree + 1), false) <
+              (degree < 4 ? 1e-9 : 1e-3));
         FitRun const run(sampled(bezier, 60, true), options(degree, degree + 1), false);
         CHECK(run.report.closure == Closure::open);
     }
     // Knots are found, too, but only nearly.
     CHECK(max_error(sampled(fixtures::clamped(3, 10, 2), 200, true), options(3, 10), false) < 0.05);
-    CHECK(max_error(sampled(fixtures::clamped(3, 10, 2), 200, true), options(3, 20), false) < 0.005);
+    CHECK(max_error(sampled(fixtures::clamped(3, 10, 2), 200, true), options(3, 20), false) <
+          0.005);
 }
 
 TEST_CASE("as many control points as points: interpolation") {
@@ -178,7 +192,8 @@ TEST_CASE("the error falls with the number of control points") {
 
 TEST_CASE("the fit turns, moves and grows with the points") {
     for (std::vector<Vec2> const& points :
-         {naca({0.03, 0.4, 0.12, false}, 60), naca({0, 0.4, 0.12, true}, 61), fixtures::rounded_edge(60, 2e-3, 8),
+         {naca({0.03, 0.4, 0.12, false}, 60), naca({0, 0.4, 0.12, true}, 61),
+          fixtures::rounded_edge(60, 2e-3, 8),
           fixtures::vectors(fixtures::joukowski(0.1, 0.1, 40))}) {
         FitRun const plain(points, {});
         REQUIRE(plain.status == Status::ok);
@@ -187,12 +202,14 @@ TEST_CASE("the fit turns, moves and grows with the points") {
             FitRun const moved(fixtures::placed(points, 0.7, scale, by), {});
             REQUIRE(moved.status == Status::ok);
             CHECK(moved.report.first_point == plain.report.first_point);
-            CHECK(moved.report.max_error == doctest::Approx(plain.report.max_error * scale).epsilon(1e-5));
+            CHECK(moved.report.max_error ==
+                  doctest::Approx(plain.report.max_error * scale).epsilon(1e-5));
             std::vector<Vec2> expected;
             for (int i = 0; i < 20; ++i) expected.push_back(plain.control(i));
             expected = fixtures::placed(expected, 0.7, scale, by);
             for (int i = 0; i < 20; ++i)
-                CHECK(length(moved.control(i) - expected[static_cast<std::size_t>(i)]) < 1e-8 * scale);
+                CHECK(length(moved.control(i) - expected[static_cast<std::size_t>(i)]) <
+                      1e-8 * scale);
         }
     }
 }
@@ -258,14 +275,15 @@ TEST_CASE("facets divided by further points make no blunt base at the nose") {
         std::vector<Vec2> points;
         for (std::size_t k = 0; k < corners.size(); ++k) {
             Vec2 const from = corners[k], to = corners[(k + 1) % corners.size()];
-            for (int i = 0; i < parts; ++i) points.push_back(from + (static_cast<double>(i) / parts) * (to - from));
+            for (int i = 0; i < parts; ++i)
+                points.push_back(from + (static_cast<double>(i) / parts) * (to - from));
         }
         FitRun const run(points, {}, true);
         CHECK(run.status == Status::ok);
         CHECK(run.report.closure == Closure::tied);
         CHECK(run.fit.n_curves == 1);
         CHECK(run.report.base_points == 0);
-        CHECK(run.report.max_error < 8e-4);   // the facets themselves are that coarse
+        CHECK(run.report.max_error < 8e-4);  // the facets themselves are that coarse
     }
 }
 
@@ -280,7 +298,8 @@ TEST_CASE("a curve that runs back between two points is said") {
           "between points # and @ (from 0) the curve runs back: fewer control points help");
     // It does: of some piece of the curve near that step the direction is against it.
     Curve const& curve = run.fit.curve[0];
-    Vec2 const from = square[static_cast<std::size_t>(at)], to = square[static_cast<std::size_t>((at + 1) % 20)];
+    Vec2 const from = square[static_cast<std::size_t>(at)],
+               to = square[static_cast<std::size_t>((at + 1) % 20)];
     double const begin = project(curve, from).u;
     double const end = (at + 1) % 20 == run.report.first_point ? curve.end() : project(curve, to).u;
     double least = 1;
@@ -297,7 +316,8 @@ TEST_CASE("curves through airfoils do not run back") {
     for (int const n : {20, 60, 500})
         for (Index degree = 1; degree <= 4; ++degree)
             for (bool const blunt : {false, true}) {
-                FitRun const run(fixtures::rounded_to(naca({0.02, 0.4, 0.12, blunt}, n), 6), options(degree, 20));
+                FitRun const run(fixtures::rounded_to(naca({0.02, 0.4, 0.12, blunt}, n), 6),
+                                 options(degree, 20));
                 CHECK(run.status == Status::ok);
                 CHECK(run.report.backtrack_point == none);
                 CHECK(run.report.corners == (blunt ? 2 : 1));
@@ -305,17 +325,26 @@ TEST_CASE("curves through airfoils do not run back") {
 }
 
 TEST_CASE("points whose distance is lost in rounding of the arc length are refused") {
-    std::vector<Vec2> const points = {
-        {0, 0}, {1.0000000000000001e-17, 9.9999999999999998e-17}, {0, 0},
-        {1, 0.1000000000000001}, {1, 0.10000000000000001},
-        {1, 0.1000000000000001}, {2, 0.40000000000000002}, {2, 0.40000000000000013}, {2, 0.40000000000000002},
-        {3, 0.90000000000000013}, {3, 0.90000000000000002}, {3, 0.90000000000000013},
-        {2.9999999999999996, 1.6000000000000001},
-        {4, 1.6000000000000001}};
+    std::vector<Vec2> const points = {{0, 0},
+                                      {1.0000000000000001e-17, 9.9999999999999998e-17},
+                                      {0, 0},
+                                      {1, 0.1000000000000001},
+                                      {1, 0.10000000000000001},
+                                      {1, 0.1000000000000001},
+                                      {2, 0.40000000000000002},
+                                      {2, 0.40000000000000013},
+                                      {2, 0.40000000000000002},
+                                      {3, 0.90000000000000013},
+                                      {3, 0.90000000000000002},
+                                      {3, 0.90000000000000013},
+                                      {2.9999999999999996, 1.6000000000000001},
+                                      {4, 1.6000000000000001}};
     CHECK(FitRun(points, options(1, 11), false).status == Status::bad_curve);
 }
 
-TEST_CASE("random points: a fit that is not refused is made of well-formed curves, whose control points are in range") {
+TEST_CASE(
+    "random points: a fit that is not refused is made of well-formed curves, whose control points "
+    "are in range") {
     std::mt19937 random(34);
     auto const between = [&](double low, double high) {
         return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
@@ -326,20 +355,24 @@ TEST_CASE("random points: a fit that is not refused is made of well-formed curve
         double const unit = trial % 3 == 0 ? 9e99 : 1, tiny = trial % 2 == 0 ? 1e-16 : 1e-3;
         std::vector<Vec2> points;
         for (int k = 0; k < n; ++k) {
-            double const angle = 2 * std::acos(-1.0) * std::pow(static_cast<double>(k) / n, between(1, 1.2));
+            double const angle =
+                2 * std::acos(-1.0) * std::pow(static_cast<double>(k) / n, between(1, 1.2));
             Vec2 p{std::cos(angle), 0.1 * std::sin(angle)};
-            if (k > 0 && random() % 10 == 0) p = points.back() + Vec2{tiny * between(-1, 1), tiny * between(-1, 1)};
+            if (k > 0 && random() % 10 == 0)
+                p = points.back() + Vec2{tiny * between(-1, 1), tiny * between(-1, 1)};
             points.push_back(p);
         }
         for (Vec2& p : points) p = unit * p;
-        FitRun const run(points, options(degree, degree + 1 + static_cast<Index>(random() % 4)), trial % 4 != 0);
+        FitRun const run(points, options(degree, degree + 1 + static_cast<Index>(random() % 4)),
+                         trial % 4 != 0);
         if (failed(run.status)) {
             ++not_fitted;
             continue;
         }
         ++(run.status == Status::ok ? fitted : warned);
         Fault fault;
-        for (Index c = 0; c < run.fit.n_curves; ++c) CHECK(check_curve(run.fit.curve[c], c, fault) == Status::ok);
+        for (Index c = 0; c < run.fit.n_curves; ++c)
+            CHECK(check_curve(run.fit.curve[c], c, fault) == Status::ok);
     }
     CHECK(fitted > 50);
     CHECK(warned > 50);

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <harmorph/bspline/knots.hpp>
+#include "bspline/knots.hpp"
 
 #include <fixtures/spline.hpp>
 
@@ -15,14 +15,18 @@ struct Sites {
     std::vector<double> u, mass, capped;
     std::vector<Index> corner, section_spans;
 
-    Sites(int n, std::vector<Index> const& corners) : corner(corners), section_spans(corners.size() + 1) {
+    Sites(int n, std::vector<Index> const& corners)
+        : corner(corners), section_spans(corners.size() + 1) {
         for (int k = 0; k < n; ++k) u.push_back(k / (n - 1.0));
         mass.assign(static_cast<std::size_t>(n - 1), 1);
         capped = mass;
     }
     KnotSites view() {
-        return {{u.data(), u.size()}, {mass.data(), mass.size()}, {capped.data(), capped.size()},
-                {corner.data(), corner.size()}, {section_spans.data(), section_spans.size()}};
+        return {{u.data(), u.size()},
+                {mass.data(), mass.size()},
+                {capped.data(), capped.size()},
+                {corner.data(), corner.size()},
+                {section_spans.data(), section_spans.size()}};
     }
     std::vector<double> place(int degree, int n_indices, bool periodic) {
         std::vector<double> knots(static_cast<std::size_t>(n_indices + degree + 1));
@@ -47,10 +51,12 @@ bool is_well_formed(std::vector<double> const& knots, int degree) {
 TEST_CASE("even mass gives even knots") {
     std::vector<double> const clamped = Sites(101, {}).place(3, 8, false);
     double const expected[] = {0, 0, 0, 0, 0.2, 0.4, 0.6, 0.8, 1, 1, 1, 1};
-    for (std::size_t k = 0; k < 12; ++k) CHECK(clamped[k] == doctest::Approx(expected[k]).epsilon(1e-14));
+    for (std::size_t k = 0; k < 12; ++k)
+        CHECK(clamped[k] == doctest::Approx(expected[k]).epsilon(1e-14));
     std::vector<double> const periodic = Sites(101, {}).place(2, 12, true);
     for (int k = 0; k < 15; ++k)
-        CHECK(periodic[static_cast<std::size_t>(k)] == doctest::Approx((k - 2) / 10.0).epsilon(1e-14));
+        CHECK(periodic[static_cast<std::size_t>(k)] ==
+              doctest::Approx((k - 2) / 10.0).epsilon(1e-14));
 }
 
 TEST_CASE("knots go where the mass is, but each span keeps a point") {
@@ -60,13 +66,15 @@ TEST_CASE("knots go where the mass is, but each span keeps a point") {
         std::vector<double> const knots = sites.place(3, n_indices, false);
         CHECK(is_well_formed(knots, 3));
         for (std::size_t k = 3; k < static_cast<std::size_t>(n_indices); ++k)
-            CHECK(std::any_of(sites.u.begin(), sites.u.end(),
-                              [&](double u) { return u > knots[k] - 1e-6 && u < knots[k + 1] + 1e-6; }));
+            CHECK(std::any_of(sites.u.begin(), sites.u.end(), [&](double u) {
+                return u > knots[k] - 1e-6 && u < knots[k + 1] + 1e-6;
+            }));
     }
     Sites uneven(1001, {});
     for (std::size_t k = 0; k < 500; ++k) uneven.mass[k] = 3;
     std::vector<double> const knots = uneven.place(3, 43, false);  // 39 knots inside
-    CHECK(std::count_if(knots.begin(), knots.end(), [](double u) { return u > 0 && u < 0.5001; }) == 30);
+    CHECK(std::count_if(knots.begin(), knots.end(), [](double u) { return u > 0 && u < 0.5001; }) ==
+          30);
 }
 
 TEST_CASE("a corner gets as many knots as the degree, and every section a span") {

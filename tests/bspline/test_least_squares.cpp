@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <harmorph/bspline/least_squares.hpp>
+#include "bspline/least_squares.hpp"
 
 #include <fixtures/spline.hpp>
 
@@ -45,7 +45,8 @@ struct Problem {
 
 TEST_CASE("points of a B-spline with these knots give its control points back") {
     for (int degree = 1; degree <= 5; ++degree)
-        for (Spline const& spline : {fixtures::clamped(degree, 12, 1), fixtures::periodic(degree, 10, 0.5, 2)}) {
+        for (Spline const& spline :
+             {fixtures::clamped(degree, 12, 1), fixtures::periodic(degree, 10, 0.5, 2)}) {
             Problem problem(spline, 80);
             problem.squares.solve(0.02);
             CHECK(problem.largest_difference(spline.control) < 1e-9);
@@ -83,7 +84,8 @@ TEST_CASE("control points that no point sees are smoothed, and a straight line s
     problem.squares.solve(0.02);
     CHECK(problem.largest_difference(line.control) < 1e-3);
     for (Index k = 0; k < 50; ++k)
-        CHECK(length(curve_point(problem.squares.curve, problem.squares.u[k]) - problem.squares.points[k]) < 1e-3);
+        CHECK(length(curve_point(problem.squares.curve, problem.squares.u[k]) -
+                     problem.squares.points[k]) < 1e-3);
 }
 
 TEST_CASE("parameters are corrected towards the feet, and stay in order") {
@@ -94,7 +96,8 @@ TEST_CASE("parameters are corrected towards the feet, and stay in order") {
     copy(problem.squares.control, Span<const Real>(spline.control.data(), spline.control.size()));
     for (int times = 0; times < 4; ++times) problem.squares.correct_parameters();
     for (Index k = 1; k < 59; ++k)
-        CHECK(problem.squares.u[k] == doctest::Approx(exact[static_cast<std::size_t>(k)]).epsilon(1e-10));
+        CHECK(problem.squares.u[k] ==
+              doctest::Approx(exact[static_cast<std::size_t>(k)]).epsilon(1e-10));
     for (Index k = 1; k < 59; ++k) problem.squares.u[k] += k % 2 == 0 ? 0.1 : -0.1;  // nearly met
     problem.squares.correct_parameters();
     for (Index k = 1; k < 60; ++k) CHECK(problem.squares.u[k] > problem.squares.u[k - 1]);
@@ -108,7 +111,8 @@ TEST_CASE("solving and correcting in turn finds the parameters, too") {
         std::vector<double> arc{0};
         for (std::size_t k = 1; k < 60; ++k)
             arc.push_back(travelled += length(problem.points[k] - problem.points[k - 1]));
-        for (Index k = 0; k < 60; ++k) problem.squares.u[k] = arc[static_cast<std::size_t>(k)] / travelled;
+        for (Index k = 0; k < 60; ++k)
+            problem.squares.u[k] = arc[static_cast<std::size_t>(k)] / travelled;
         problem.squares.pinned[0] = 0;
         problem.squares.pinned[degree] = 59;
         double error = 1;

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <harmorph/bspline/projection.hpp>
+#include "bspline/projection.hpp"
 
 #include <fixtures/spline.hpp>
 
@@ -26,11 +26,13 @@ Chained chain(Curve const& curve, std::vector<Vec2> const& points, bool is_loop)
     work.lay_out(placing, n);
     Chained out;
     out.u.resize(points.size());
-    out.sum = project_chain(curve, {points.data(), points.size()}, is_loop, work, {out.u.data(), out.u.size()});
+    out.sum = project_chain(curve, {points.data(), points.size()}, is_loop, work,
+                            {out.u.data(), out.u.size()});
     return out;
 }
 
-// Steps against the direction that most steps have: 0 where monotone, 1 where the chain passes the seam.
+// Steps against the direction that most steps have: 0 where monotone, 1 where the chain passes the
+// seam.
 int turns_back(std::vector<double> const& u, bool is_loop) {
     int up = 0, down = 0;
     std::size_t const n = u.size();
@@ -45,15 +47,18 @@ std::vector<Vec2> points_on(Curve const& curve, int n, double first, double part
     std::vector<Vec2> out;
     double const range = curve.end() - curve.begin();
     for (int k = 0; k < n; ++k)
-        out.push_back(curve_point(curve, curve.begin() + range * std::fmod(first + part * k / n, 1.0)));
+        out.push_back(
+            curve_point(curve, curve.begin() + range * std::fmod(first + part * k / n, 1.0)));
     return out;
 }
 
-// Two sides 1e-4 apart, tied at (1, 0): wall points with an offset larger than that would land on the wrong side.
+// Two sides 1e-4 apart, tied at (1, 0): wall points with an offset larger than that would land on
+// the wrong side.
 Spline thin_blade() {
     Spline out;
     out.degree = 3;
-    out.control = {1, 0, 0.9, 5e-5, 0.6, 5e-5, 0.3, 5e-5, 0, 0.1, -0.1, 0, 0, -0.1, 0.3, -5e-5, 0.6, -5e-5, 0.9, -5e-5};
+    out.control = {1,    0, 0.9, 5e-5, 0.6, 5e-5,  0.3, 5e-5,  0,   0.1,
+                   -0.1, 0, 0,   -0.1, 0.3, -5e-5, 0.6, -5e-5, 0.9, -5e-5};
     for (int k = 0; k < 10; ++k) out.indices.push_back(k);
     out.indices.push_back(0);
     out.knots = {0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 8, 8, 8};
@@ -107,11 +112,13 @@ TEST_CASE("on a tied curve the nearest point of a loop gets the tied end") {
     Spline const spline = thin_blade();
     Curve const curve = spline.curve();
     std::vector<Vec2> points = points_on(curve, 60, 0);
-    points[0] = points[0] + Vec2{2e-3, 1e-3};  // off, and nearer to the upper side than to the tied end itself
+    points[0] = points[0] +
+                Vec2{2e-3, 1e-3};  // off, and nearer to the upper side than to the tied end itself
     for (std::size_t const start : {0u, 13u, 59u})
         for (int direction = 0; direction < 2; ++direction) {
             std::vector<Vec2> turned = points;
-            std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(start), turned.end());
+            std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(start),
+                        turned.end());
             if (direction == 1) std::reverse(turned.begin(), turned.end());
             Chained const found = chain(curve, turned, true);
             CHECK(turns_back(found.u, true) == 1);
@@ -131,7 +138,8 @@ TEST_CASE("a thin trailing edge does not flip points to the other side") {
         std::vector<Vec2> points;
         for (int k = 0; k < 200; ++k) {
             exact.push_back(8.0 * k / 200);
-            points.push_back(curve_point(curve, exact.back()) + Vec2{0, k == 0 ? 0 : noise(random)});
+            points.push_back(curve_point(curve, exact.back()) +
+                             Vec2{0, k == 0 ? 0 : noise(random)});
         }
         Chained const found = chain(curve, points, true);
         for (std::size_t k = 0; k < 200; ++k) {

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <harmorph/bspline/projection.hpp>
+#include "bspline/projection.hpp"
 
 #include <fixtures/spline.hpp>
 
@@ -22,7 +22,8 @@ double distance_by_brute_force(Curve const& curve, Vec2 point) {
 
 TEST_CASE("points of a curve get their parameter back") {
     for (int degree = 1; degree <= 5; ++degree)
-        for (Spline const& spline : {fixtures::clamped(degree, 12, 1), fixtures::periodic(degree, 11, 0.4, 2)}) {
+        for (Spline const& spline :
+             {fixtures::clamped(degree, 12, 1), fixtures::periodic(degree, 11, 0.4, 2)}) {
             Curve const curve = spline.curve();
             for (int k = 0; k < 200; ++k) {
                 double const u = curve.begin() + (curve.end() - curve.begin()) * (k + 0.5) / 200;
@@ -53,7 +54,8 @@ TEST_CASE("the nearest point is found wherever the point is, and at corners too"
     std::uniform_real_distribution<double> uniform(-3, 3);
     Spline corner = fixtures::clamped(3, 9, 5);
     for (std::size_t k = 5; k < 8; ++k) corner.knots[k] = 3;
-    for (Spline const& spline : {fixtures::clamped(5, 9, 6), fixtures::periodic(2, 7, 0.05, 7), corner}) {
+    for (Spline const& spline :
+         {fixtures::clamped(5, 9, 6), fixtures::periodic(2, 7, 0.05, 7), corner}) {
         Curve const curve = spline.curve();
         for (int k = 0; k < 100; ++k) {
             Vec2 const point{2 * uniform(random), uniform(random)};
@@ -62,7 +64,8 @@ TEST_CASE("the nearest point is found wherever the point is, and at corners too"
             CHECK(found.distance <= expected);
             CHECK(found.distance > expected - 1e-3);
             CHECK(length(curve_point(curve, found.u) - point) == found.distance);
-            Projection const again = harmorph::Projector(curve).nearest(point, curve.begin(), curve.end(), found.u);
+            Projection const again =
+                harmorph::Projector(curve).nearest(point, curve.begin(), curve.end(), found.u);
             CHECK(again.distance == doctest::Approx(found.distance).epsilon(1e-14));
         }
     }
@@ -85,7 +88,8 @@ TEST_CASE("what coincides with an end within rounding is the end") {
         Curve const curve = spline.curve();
         Vec2 const begin = curve_point(curve, curve.begin()), end = curve_point(curve, curve.end());
         for (double const wobble : {-2 * epsilon, 0.0, 2 * epsilon}) {
-            CHECK(project(curve, {begin.x * (1 + wobble), begin.y * (1 - wobble)}).u == curve.begin());
+            CHECK(project(curve, {begin.x * (1 + wobble), begin.y * (1 - wobble)}).u ==
+                  curve.begin());
             CHECK(project(curve, {end.x * (1 - wobble), end.y * (1 + wobble)}).u == curve.end());
         }
     }
@@ -93,7 +97,8 @@ TEST_CASE("what coincides with an end within rounding is the end") {
 
 TEST_CASE("closed curves are told from open ones, smooth seams from corners") {
     CHECK(!is_closed(fixtures::clamped(3, 9, 1).curve()));
-    for (int degree = 2; degree <= 5; ++degree) CHECK(is_periodic(fixtures::periodic(degree, 9, 0.3, 2).curve()));
+    for (int degree = 2; degree <= 5; ++degree)
+        CHECK(is_periodic(fixtures::periodic(degree, 9, 0.3, 2).curve()));
     Spline tied = fixtures::clamped(3, 9, 3);
     tied.indices = {0, 1, 2, 3, 4, 5, 6, 7, 0};
     CHECK(is_closed(tied.curve()));

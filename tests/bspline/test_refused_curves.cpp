@@ -45,7 +45,9 @@ TEST_CASE("points of curves, and knots that are to be inserted") {
     double xy[4], u[1];
     std::size_t bytes = 0;
     auto const refine = [&](double knot) {
-        return [&, knot](hm_error* e) { return u[0] = knot, hm_refine_size(&its.set, 0, 1, u, &bytes, e); };
+        return [&, knot](hm_error* e) {
+            return u[0] = knot, hm_refine_size(&its.set, 0, 1, u, &bytes, e);
+        };
     };
     check_texts({
         {HM_BAD_ARGUMENT, "the parameter 9 is outside the curve",
@@ -60,10 +62,15 @@ TEST_CASE("points of curves, and knots that are to be inserted") {
          [&](hm_error* e) { return hm_curve_point(&its.set, 1, 1, 0, xy, e); }},
         {HM_BAD_ARGUMENT, "there is no curve -1 (from 0); the set has 1",
          [&](hm_error* e) { return hm_curve_point(&its.set, -1, 1, 0, xy, e); }},
-        {HM_BAD_ARGUMENT, "knot 0 (from 0) to be inserted, 4, is not inside curve 0 (from 0)", refine(4)},
-        {HM_BAD_ARGUMENT, "knot 0 (from 0) to be inserted, 0, is not inside curve 0 (from 0)", refine(0)},
-        {HM_BAD_ARGUMENT, "knot 0 (from 0) to be inserted, NaN, is not inside curve 0 (from 0)", refine(not_a_number)},
-        {HM_BAD_CURVE, "knot 0 (from 0), 2, would be repeated 2 times, more often than the degree allows", refine(2)},
+        {HM_BAD_ARGUMENT, "knot 0 (from 0) to be inserted, 4, is not inside curve 0 (from 0)",
+         refine(4)},
+        {HM_BAD_ARGUMENT, "knot 0 (from 0) to be inserted, 0, is not inside curve 0 (from 0)",
+         refine(0)},
+        {HM_BAD_ARGUMENT, "knot 0 (from 0) to be inserted, NaN, is not inside curve 0 (from 0)",
+         refine(not_a_number)},
+        {HM_BAD_CURVE,
+         "knot 0 (from 0), 2, would be repeated 2 times, more often than the degree allows",
+         refine(2)},
     });
 }
 
@@ -71,7 +78,7 @@ TEST_CASE("sections: which curves, and an outline round nothing") {
     Square its(9), flat, point;
     point.control = {1, 1, 1, 1, 1, 1, 1, 1};
     point.set.control = point.control.data();
-    flat.control = {1, 0, 0.5, 0, 0, 0, 0.5, 0};   // there and back
+    flat.control = {1, 0, 0.5, 0, 0, 0, 0.5, 0};  // there and back
     flat.set.control = flat.control.data();
     hm_section section{};
     hm_quantity quantity{};
@@ -88,11 +95,13 @@ TEST_CASE("sections: which curves, and an outline round nothing") {
         {HM_BAD_ARGUMENT, "section.struct_size is wrong", measure(0, 0, 1)},
         {HM_BAD_ARGUMENT, "section.first_curve and n_curves, 8 and 2, exceed the curves of the set",
          measure(sizeof section, 8, 2)},
-        {HM_BAD_ARGUMENT, "section.first_curve and n_curves, -1 and 1, exceed the curves of the set",
+        {HM_BAD_ARGUMENT,
+         "section.first_curve and n_curves, -1 and 1, exceed the curves of the set",
          measure(sizeof section, -1, 1)},
         {HM_BAD_ARGUMENT, "section.first_curve and n_curves, 1 and 0, exceed the curves of the set",
          measure(sizeof section, 1, 0)},
-        {HM_BAD_ARGUMENT, "section.n_curves is 9: at most 8 curves form a section", measure(sizeof section, 0, 9)},
+        {HM_BAD_ARGUMENT, "section.n_curves is 9: at most 8 curves form a section",
+         measure(sizeof section, 0, 9)},
         {HM_BAD_CURVE, "the chord of the section has no length",
          [&](hm_error* e) {
              section = {sizeof section, 0, 1, 1, 1, 1, 1};
@@ -100,7 +109,9 @@ TEST_CASE("sections: which curves, and an outline round nothing") {
              return hm_measure(&its.set, &section, 1, &quantity, &value, nullptr, nullptr, e);
          }},
         {HM_BAD_CURVE, "the section has no extent",
-         [&](hm_error* e) { return hm_measure(&point.set, nullptr, 1, &quantity, &value, nullptr, nullptr, e); }},
+         [&](hm_error* e) {
+             return hm_measure(&point.set, nullptr, 1, &quantity, &value, nullptr, nullptr, e);
+         }},
         {HM_BAD_CURVE, "no normal to the chord meets the outline at two points",
          [&](hm_error* e) {
              section = {sizeof section, 0, 1, 20, 20, 21, 20};
@@ -135,7 +146,8 @@ TEST_CASE("a curve that stands still has no curvature there") {
     quantity.kind = HM_MIN_RADIUS;
     double value = 7;
     hm_error error{};
-    CHECK(hm_measure(&set, nullptr, 1, &quantity, &value, nullptr, nullptr, &error) == HM_BAD_CURVE);
+    CHECK(hm_measure(&set, nullptr, 1, &quantity, &value, nullptr, nullptr, &error) ==
+          HM_BAD_CURVE);
     std::string const text = error.text;
     INFO(text);
     CHECK(text.find("curve 0 (from 0) stands still at parameter ") == 0);
@@ -164,19 +176,22 @@ TEST_CASE("design variables: fields of another kind, and numbers out of range") 
     check_texts({
         {HM_BAD_ARGUMENT, "variables is NULL",
          [&](hm_error* e) { return hm_variables_size(&its.set, nullptr, nullptr, &n, &bytes, e); }},
-        {HM_BAD_ARGUMENT, "variables.struct_size is wrong", with(HM_FFD, [](auto& o) { o.struct_size = 0; })},
+        {HM_BAD_ARGUMENT, "variables.struct_size is wrong",
+         with(HM_FFD, [](auto& o) { o.struct_size = 0; })},
         {HM_BAD_ARGUMENT, "variables.kind is 9, which is unknown", with(9, [](auto&) {})},
         {HM_BAD_ARGUMENT, "variables.kind is -1, which is unknown", with(-1, [](auto&) {})},
         {HM_BAD_ARGUMENT, "variables: degrees and box are of HM_FFD only",
          with(HM_CST, [](auto& o) { o.degree_x = 1; })},
         {HM_BAD_ARGUMENT, "variables: degrees and box are of HM_FFD only",
          with(HM_CST, [](auto& o) { o.degree_y = 1; })},
-        {HM_BAD_ARGUMENT, "variables: degrees and box are of HM_FFD only", with(HM_CST, [](auto& o) { o.y_max = 1; })},
+        {HM_BAD_ARGUMENT, "variables: degrees and box are of HM_FFD only",
+         with(HM_CST, [](auto& o) { o.y_max = 1; })},
         {HM_BAD_ARGUMENT, "variables: n_upper and n_lower are not of HM_FFD",
          with(HM_FFD, [](auto& o) { o.n_upper = 1; })},
         {HM_BAD_ARGUMENT, "variables: n_upper and n_lower are not of HM_FFD",
          with(HM_FFD, [](auto& o) { o.n_lower = 1; })},
-        {HM_BAD_ARGUMENT, "variables: n_lower is not of HM_NACA4", with(HM_NACA4, [](auto& o) { o.n_lower = 1; })},
+        {HM_BAD_ARGUMENT, "variables: n_lower is not of HM_NACA4",
+         with(HM_NACA4, [](auto& o) { o.n_lower = 1; })},
         {HM_BAD_ARGUMENT, "variables: peaks are of HM_HICKS_HENNE and HM_NACA4 only",
          with(HM_CST, [](auto& o) { o.peaks = &some; })},
         {HM_BAD_ARGUMENT, "variables: peaks are of HM_HICKS_HENNE and HM_NACA4 only",
@@ -185,12 +200,16 @@ TEST_CASE("design variables: fields of another kind, and numbers out of range") 
          with(HM_FFD, [](auto& o) { o.nose_exponent = 1; })},
         {HM_BAD_ARGUMENT, "variables: the exponents are of HM_CST only",
          with(HM_FFD, [](auto& o) { o.edge_exponent = 1; })},
-        {HM_BAD_ARGUMENT, "variables: the width is of HM_HICKS_HENNE only", with(HM_CST, [](auto& o) { o.width = 2; })},
-        {HM_BAD_ARGUMENT, "variables: n_upper and n_lower are 65 and 0; together 1 to 64 on each side",
+        {HM_BAD_ARGUMENT, "variables: the width is of HM_HICKS_HENNE only",
+         with(HM_CST, [](auto& o) { o.width = 2; })},
+        {HM_BAD_ARGUMENT,
+         "variables: n_upper and n_lower are 65 and 0; together 1 to 64 on each side",
          with(HM_CST, [](auto& o) { o.n_upper = 65; })},
-        {HM_BAD_ARGUMENT, "variables: n_upper and n_lower are 1 and 65; together 1 to 64 on each side",
+        {HM_BAD_ARGUMENT,
+         "variables: n_upper and n_lower are 1 and 65; together 1 to 64 on each side",
          with(HM_CST, [](auto& o) { o.n_lower = 65; })},
-        {HM_BAD_ARGUMENT, "variables: n_upper and n_lower are 0 and 0; together 1 to 64 on each side",
+        {HM_BAD_ARGUMENT,
+         "variables: n_upper and n_lower are 0 and 0; together 1 to 64 on each side",
          with(HM_CST, [](auto& o) { o.n_upper = 0; })},
         {HM_BAD_ARGUMENT, "variables: degree_x and degree_y are 64 and 0, not 0 to 63",
          with(HM_FFD, [](auto& o) { o.degree_x = 64; })},
@@ -208,6 +227,7 @@ TEST_CASE("design variables: fields of another kind, and numbers out of range") 
          with(HM_HICKS_HENNE, [](auto& o) { o.width = -1; })},
         {HM_BAD_ARGUMENT, "variables: peak 1 (from 0) is 1.50000, not between 0 and 1",
          with(HM_HICKS_HENNE, [](auto& o) { o.n_upper = 2, o.peaks = &some; })},
-        {HM_BAD_ARGUMENT, "variables: the box is empty or not finite", with(HM_FFD, [](auto& o) { o.x_min = 1; })},
+        {HM_BAD_ARGUMENT, "variables: the box is empty or not finite",
+         with(HM_FFD, [](auto& o) { o.x_min = 1; })},
     });
 }

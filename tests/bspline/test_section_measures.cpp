@@ -37,7 +37,8 @@ struct Result {
 Result measured(CurveSet& set, hm_quantity const& asked, hm_section const* section = nullptr) {
     Result out;
     out.gradient.assign(set.control.size(), -777);
-    out.status = hm_measure(&set.view(), section, 1, &asked, &out.value, out.at, out.gradient.data(), &out.error);
+    out.status = hm_measure(&set.view(), section, 1, &asked, &out.value, out.at,
+                            out.gradient.data(), &out.error);
     return out;
 }
 
@@ -66,10 +67,12 @@ void check_gradient(CurveSet& set, hm_quantity const& asked, hm_section const* s
             slope += exact.gradient[k] * direction[k];
         }
         auto const at = [&](double step) {
-            for (std::size_t k = 0; k < start.size(); ++k) set.control[k] = start[k] + step * direction[k];
+            for (std::size_t k = 0; k < start.size(); ++k)
+                set.control[k] = start[k] + step * direction[k];
             return value_of(set, asked, section);
         };
-        worst = std::max(worst, std::fabs((8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h) - slope));
+        worst = std::max(
+            worst, std::fabs((8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h) - slope));
     }
     set.control = start;
     INFO("kind " << asked.kind << ", value " << exact.value << ", gradient up to " << size);
@@ -94,10 +97,12 @@ CurveSet circle(double radius, double cx, double cy) {
     return CurveSet(out);
 }
 
-// A cambered section of 13 points with a tied or an open trailing edge, from the trailing edge over the upper side.
+// A cambered section of 13 points with a tied or an open trailing edge, from the trailing edge over
+// the upper side.
 CurveSet section(bool open, bool rational, int degree = 3) {
     std::vector<double> const x = {1, .92, .7, .45, .2, .04, -.005, .0, .1, .35, .6, .85, 1};
-    std::vector<double> const y = {.004, .03, .08, .115, .11, .06, .012, -.03, -.06, -.055, -.04, -.015, -.006};
+    std::vector<double> const y = {.004, .03,  .08,   .115, .11,   .06,  .012,
+                                   -.03, -.06, -.055, -.04, -.015, -.006};
     Spline out;
     out.degree = degree;
     for (std::size_t k = 0; k < x.size(); ++k) {
@@ -118,14 +123,18 @@ CurveSet reversed(CurveSet set) {
     auto& shape = set.shapes[0];
     std::vector<std::int32_t> const indices = shape.indices;
     std::vector<double> const knots = shape.knots;
-    for (std::size_t k = 0; k < indices.size(); ++k) shape.indices[k] = indices[indices.size() - 1 - k];
-    for (std::size_t k = 0; k < knots.size(); ++k) shape.knots[k] = knots.back() - knots[knots.size() - 1 - k];
+    for (std::size_t k = 0; k < indices.size(); ++k)
+        shape.indices[k] = indices[indices.size() - 1 - k];
+    for (std::size_t k = 0; k < knots.size(); ++k)
+        shape.knots[k] = knots.back() - knots[knots.size() - 1 - k];
     return set;
 }
 
 }  // namespace
 
-TEST_CASE("a circle: area, moments, radius of curvature, thickness, clearance are those of the formulas") {
+TEST_CASE(
+    "a circle: area, moments, radius of curvature, thickness, clearance are those of the "
+    "formulas") {
     double const r = 0.7, cx = 3, cy = -2;
     CurveSet set = circle(r, cx, cy);
     hm_section chord{};
@@ -157,14 +166,17 @@ TEST_CASE("a circle: area, moments, radius of curvature, thickness, clearance ar
     auto const box = [&](double h) {
         return std::vector<double>{cx - h, cy - h, cx + h, cy - h, cx + h, cy + h, cx - h, cy + h};
     };
-    auto const distance = [&](std::vector<double> const& polygon) { return value_of(set, clearance(polygon)); };
+    auto const distance = [&](std::vector<double> const& polygon) {
+        return value_of(set, clearance(polygon));
+    };
     CHECK(distance(box(0.3)) == doctest::Approx(r - 0.3 * std::sqrt(2.0)).epsilon(1e-12));
     CHECK(distance(box(0.6)) == doctest::Approx(r - 0.6 * std::sqrt(2.0)).epsilon(1e-12));
     CHECK(distance({cx, cy, cx + 0.2, cy}) == doctest::Approx(r - 0.2).epsilon(1e-12));
     CHECK(distance({cx + 2, cy}) == doctest::Approx(r - 2).epsilon(1e-12));
 }
 
-TEST_CASE("polygons: areas of degree-1 outlines, and what a side is farther from than its corners") {
+TEST_CASE(
+    "polygons: areas of degree-1 outlines, and what a side is farther from than its corners") {
     Spline square;
     square.degree = 1;
     square.control = {0, 0, 4, 0, 4, 2, 0, 2};
@@ -174,7 +186,8 @@ TEST_CASE("polygons: areas of degree-1 outlines, and what a side is farther from
     CHECK(value_of(set, quantity(HM_AREA)) == doctest::Approx(8).epsilon(1e-14));
     CHECK(value_of(set, quantity(HM_MOMENT_XX)) == doctest::Approx(4 * 8 / 12.0).epsilon(1e-14));
     CHECK(value_of(set, quantity(HM_MOMENT_YY)) == doctest::Approx(2 * 64 / 12.0).epsilon(1e-14));
-    CHECK(value_of(set, clearance({1, 0.5, 3, 0.5, 2, 1.9})) == doctest::Approx(0.1).epsilon(1e-12));
+    CHECK(value_of(set, clearance({1, 0.5, 3, 0.5, 2, 1.9})) ==
+          doctest::Approx(0.1).epsilon(1e-12));
     // The outline bends in between two corners of the polygon: a notch down to (2, 1).
     Spline notched = square;
     notched.control = {0, 0, 4, 0, 4, 2, 2, 1, 0, 2};
@@ -214,14 +227,17 @@ TEST_CASE("a section of two curves may have gaps of 1e-9 of the extent; the base
         }
 }
 
-TEST_CASE("derivatives of all quantities agree with differences: tied, open, rational, both orientations") {
+TEST_CASE(
+    "derivatives of all quantities agree with differences: tied, open, rational, both "
+    "orientations") {
     std::vector<double> const box = {0.2, -0.03, 0.6, -0.02, 0.6, 0.05, 0.2, 0.06},
-        wide = {0.1, -0.2, 0.8, 0.0, 0.3, 0.3};
+                              wide = {0.1, -0.2, 0.8, 0.0, 0.3, 0.3};
     for (bool const rational : {false, true})
         for (int kind = 0; kind < 3; ++kind)
             for (bool const fixed : {rational, !rational}) {
                 if (fixed == rational && kind != 1) continue;
-                CurveSet set = kind == 2 ? reversed(section(true, rational)) : section(kind == 1, rational);
+                CurveSet set =
+                    kind == 2 ? reversed(section(true, rational)) : section(kind == 1, rational);
                 if (kind == 1) set.add_over(1, {12, 0}, {0, 0, 1, 1});
                 hm_section chord{};
                 chord.struct_size = sizeof chord;
@@ -234,8 +250,8 @@ TEST_CASE("derivatives of all quantities agree with differences: tied, open, rat
                     if (k == HM_THICKNESS || k == HM_CAMBER) continue;
                     bool const zero = (k == HM_CHORD && fixed) || (k == HM_EDGE_GAP && kind == 0);
                     if (zero) continue;
-                    check_gradient(set, quantity(k), &chord, k == HM_CURVATURE_VARIATION ||
-                                   k == HM_MIN_RADIUS ? 1e-4 : 2e-7);
+                    check_gradient(set, quantity(k), &chord,
+                                   k == HM_CURVATURE_VARIATION || k == HM_MIN_RADIUS ? 1e-4 : 2e-7);
                 }
                 for (double const station : {0.03, 0.25, 0.6, 0.93}) {
                     check_gradient(set, quantity(HM_THICKNESS, station), &chord, 2e-7);
@@ -246,10 +262,13 @@ TEST_CASE("derivatives of all quantities agree with differences: tied, open, rat
             }
 }
 
-TEST_CASE("the measures of a section do not depend on its direction, and turn, grow and move with it") {
+TEST_CASE(
+    "the measures of a section do not depend on its direction, and turn, grow and move with it") {
     for (bool const open : {false, true}) {
-        CurveSet set = section(open, true), back = reversed(section(open, true)), moved = section(open, true);
-        double const angle = 0.4, scale = 3, c = scale * std::cos(angle), s = scale * std::sin(angle);
+        CurveSet set = section(open, true), back = reversed(section(open, true)),
+                 moved = section(open, true);
+        double const angle = 0.4, scale = 3, c = scale * std::cos(angle),
+                     s = scale * std::sin(angle);
         for (std::size_t k = 0; k < moved.control.size(); k += 2) {
             double const x = moved.control[k], y = moved.control[k + 1];
             moved.control[k] = 5 + c * x - s * y;
@@ -259,8 +278,8 @@ TEST_CASE("the measures of a section do not depend on its direction, and turn, g
             double const value = value_of(set, quantity(kind, station));
             INFO("kind " << kind);
             CHECK(value_of(back, quantity(kind, station)) == doctest::Approx(value).epsilon(1e-11));
-            CHECK(value_of(moved,
-                           quantity(kind, station)) == doctest::Approx(std::pow(scale, power) * value).epsilon(1e-10));
+            CHECK(value_of(moved, quantity(kind, station)) ==
+                  doctest::Approx(std::pow(scale, power) * value).epsilon(1e-10));
         };
         check(HM_AREA, 2);
         check(HM_CHORD, 1);
@@ -281,17 +300,19 @@ TEST_CASE("the measures of a section do not depend on its direction, and turn, g
 TEST_CASE("the maximum over stations is no smaller than any station, and is one of them") {
     CurveSet set = section(true, false);
     Result const thickest = measured(set, quantity(HM_MAX_THICKNESS)),
-        cambered = measured(set, quantity(HM_MAX_CAMBER));
+                 cambered = measured(set, quantity(HM_MAX_CAMBER));
     for (int k = 1; k < 200; ++k) {
         CHECK(value_of(set, quantity(HM_THICKNESS, k / 200.0)) <= thickest.value);
-        CHECK(std::fabs(value_of(set, quantity(HM_CAMBER, k / 200.0))) <= std::fabs(cambered.value));
+        CHECK(std::fabs(value_of(set, quantity(HM_CAMBER, k / 200.0))) <=
+              std::fabs(cambered.value));
     }
     CHECK(thickest.at[0] > 0.1);
     CHECK(thickest.at[0] < 0.6);
 }
 
 TEST_CASE("what cannot be measured is refused with the reason, outputs untouched") {
-    CurveSet set = section(false, false), ring(fixtures::ring(3, 9, 1, 0.4)), line(fixtures::clamped(1, 2, 1));
+    CurveSet set = section(false, false), ring(fixtures::ring(3, 9, 1, 0.4)),
+             line(fixtures::clamped(1, 2, 1));
     auto const refusal = [&](CurveSet& of, hm_quantity const& asked, std::string const& word,
                              hm_section const* with = nullptr) {
         Result const out = measured(of, asked, with);
@@ -303,12 +324,13 @@ TEST_CASE("what cannot be measured is refused with the reason, outputs untouched
     CHECK(refusal(ring, quantity(HM_CHORD), "trailing edge") == HM_BAD_CURVE);
     CHECK(refusal(line, quantity(HM_AREA), "no area") == HM_BAD_CURVE);
     CHECK(refusal(line, quantity(HM_MIN_RADIUS), "straight") == HM_BAD_CURVE);
-    Spline cusp;   // in its middle
+    Spline cusp;  // in its middle
     cusp.control = {0, 0, 1, 1, 0, 1, 1, 0};
     cusp.knots = {0, 0, 0, 0, 1, 1, 1, 1};
     CurveSet still(cusp);
     for (int const kind : {HM_MIN_RADIUS, HM_CURVATURE_VARIATION})
-        CHECK(refusal(still, quantity(kind), "stands still at parameter 5.00000e-1") == HM_BAD_CURVE);
+        CHECK(refusal(still, quantity(kind), "stands still at parameter 5.00000e-1") ==
+              HM_BAD_CURVE);
     CHECK(refusal(set, quantity(HM_THICKNESS, 1.5), "station") == HM_BAD_ARGUMENT);
     CHECK(refusal(set, quantity(HM_AREA, 0.5), "station") == HM_BAD_ARGUMENT);
     CHECK(refusal(set, quantity(99), "kind 99") == HM_BAD_ARGUMENT);

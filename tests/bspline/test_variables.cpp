@@ -20,8 +20,12 @@ struct Map {
     std::int32_t n = 0;
     std::vector<double> matrix, errors;
 
-    double x(int point, int variable) const { return matrix[static_cast<std::size_t>(2 * (point * n + variable))]; }
-    double y(int point, int variable) const { return matrix[static_cast<std::size_t>(2 * (point * n + variable) + 1)]; }
+    double x(int point, int variable) const {
+        return matrix[static_cast<std::size_t>(2 * (point * n + variable))];
+    }
+    double y(int point, int variable) const {
+        return matrix[static_cast<std::size_t>(2 * (point * n + variable) + 1)];
+    }
 };
 
 Map mapped(CurveSet& set, hm_variables const& variables, hm_section const* section = nullptr) {
@@ -32,9 +36,8 @@ Map mapped(CurveSet& set, hm_variables const& variables, hm_section const* secti
     out.matrix.assign(static_cast<std::size_t>(2 * set.n_control() * out.n), -7);
     out.errors.assign(static_cast<std::size_t>(2 * out.n), -7);
     fixtures::Guarded work(bytes);
-    out.status = hm_variables_map(&set.view(), section, &variables, work.data(), bytes, out.matrix.data(),
-                                  out.errors.data(),
-                                  &out.error);
+    out.status = hm_variables_map(&set.view(), section, &variables, work.data(), bytes,
+                                  out.matrix.data(), out.errors.data(), &out.error);
     CHECK(work.guards_intact());
     return out;
 }
@@ -57,12 +60,14 @@ CurveSet airfoil(bool blunt, int n_control) {
     REQUIRE(run.status == harmorph::Status::ok);
     Spline spline;
     harmorph::Curve const& curve = run.fit.curve[0];
-    for (int i = 0; i < curve.n_control; ++i) spline.control.insert(spline.control.end(),
-                                                                    {run.control(i).x, run.control(i).y});
+    for (int i = 0; i < curve.n_control; ++i)
+        spline.control.insert(spline.control.end(), {run.control(i).x, run.control(i).y});
     for (int k = 0; k < curve.n_indices; ++k) spline.indices.push_back(curve.control_point(k));
     spline.knots.assign(curve.knots, curve.knots + curve.n_indices + 4);
     CurveSet set(spline);
-    if (blunt) set.add_over(1, {curve.control_point(curve.n_indices - 1), curve.control_point(0)}, {0, 0, 1, 1});
+    if (blunt)
+        set.add_over(1, {curve.control_point(curve.n_indices - 1), curve.control_point(0)},
+                     {0, 0, 1, 1});
     return set;
 }
 
@@ -97,8 +102,10 @@ hm_section unit_chord() {
     return out;
 }
 
-// The largest difference between what a variable moves the curve by and shape(station, upper) normal to the chord (0,0)
-// - (1,0), against the error that the library says. The sides meet where the curve is farthest from (1,0).
+// The largest difference between what a variable moves the curve by and shape(station, upper)
+// normal to the chord (0,0)
+// - (1,0), against the error that the library says. The sides meet where the curve is farthest from
+// (1,0).
 template <class Shape>
 void check_shape(CurveSet& set, Map const& map, int variable, Shape const& shape) {
     double worst = 0, farthest = 0, nose = 0;
@@ -118,14 +125,18 @@ void check_shape(CurveSet& set, Map const& map, int variable, Shape const& shape
         double const t = std::min(std::max(at.x, 0.0), 1.0);
         worst = std::max({worst, std::fabs(at.dx), std::fabs(at.dy - shape(t, upper))});
     }
-    INFO("variable " << variable << ", error " << map.errors[static_cast<std::size_t>(2 * variable + 1)]);
+    INFO("variable " << variable << ", error "
+                     << map.errors[static_cast<std::size_t>(2 * variable + 1)]);
     CHECK(worst <= 1.1 * map.errors[static_cast<std::size_t>(2 * variable + 1)] + 1e-12);
-    CHECK(map.errors[static_cast<std::size_t>(2 * variable)] <= map.errors[static_cast<std::size_t>(2 * variable + 1)]);
+    CHECK(map.errors[static_cast<std::size_t>(2 * variable)] <=
+          map.errors[static_cast<std::size_t>(2 * variable + 1)]);
 }
 
 }  // namespace
 
-TEST_CASE("an FFD box of degree 1 moves the curve by affine maps exactly, one of any degree moves it as a whole") {
+TEST_CASE(
+    "an FFD box of degree 1 moves the curve by affine maps exactly, one of any degree moves it as "
+    "a whole") {
     CurveSet set = airfoil(false, 20);
     for (int const degree : {1, 3}) {
         hm_variables box = kind(HM_FFD);
@@ -141,14 +152,15 @@ TEST_CASE("an FFD box of degree 1 moves the curve by affine maps exactly, one of
         for (int i = 0; i < set.n_control(); ++i) {
             double dx = 0, dy = 0, sum = 0;
             for (int node = 0; node < map.n; ++node) {
-                double const x = -0.5 + 2.0 * (node % (degree + 1)) / degree, y = node / (degree + 1) == 0 ? -1 : 1;
+                double const x = -0.5 + 2.0 * (node % (degree + 1)) / degree,
+                             y = node / (degree + 1) == 0 ? -1 : 1;
                 dx += map.x(i, node) * (0.1 + 0.3 * x - 0.7 * y);
                 dy += map.x(i, node) * (-0.2 + 0.5 * x + 0.4 * y);
                 sum += map.x(i, node);
                 CHECK(map.y(i, node) == 0);
             }
             double const x = set.control[static_cast<std::size_t>(2 * i)],
-                y = set.control[static_cast<std::size_t>(2 * i + 1)];
+                         y = set.control[static_cast<std::size_t>(2 * i + 1)];
             CHECK(sum == doctest::Approx(1).epsilon(1e-10));
             CHECK(dx == doctest::Approx(0.1 + 0.3 * x - 0.7 * y).epsilon(1e-9));
             CHECK(dy == doctest::Approx(-0.2 + 0.5 * x + 0.4 * y).epsilon(1e-9));
@@ -169,21 +181,26 @@ TEST_CASE("CST, bumps and NACA modes move the curve by their formulas, as nearly
         REQUIRE_MESSAGE(naca.status == HM_OK, naca.error.text);
         CHECK(naca.n == 2);
         for (int j = 0; j < 7; ++j) {
-            if (j >= 4) continue;   // of the upper side: check_shape tells the sides by the sign
-            check_shape(set, cst, j,
-                        [&](double t, bool upper) { return upper ? std::sqrt(t) * (1 - t) * bernstein(3, j, t) : 0; });
+            if (j >= 4) continue;  // of the upper side: check_shape tells the sides by the sign
+            check_shape(set, cst, j, [&](double t, bool upper) {
+                return upper ? std::sqrt(t) * (1 - t) * bernstein(3, j, t) : 0;
+            });
         }
         for (int j = 0; j < 3; ++j) {
             double const peak = (2 * j + 1) / 6.0;
             check_shape(set, bumps, j, [&](double t, bool upper) {
-                return upper ? std::pow(std::sin(pi * std::pow(t, std::log(0.5) / std::log(peak))), 3) : 0;
+                return upper
+                           ? std::pow(std::sin(pi * std::pow(t, std::log(0.5) / std::log(peak))), 3)
+                           : 0;
             });
             CHECK(bumps.errors[static_cast<std::size_t>(2 * j)] < 0.06);
         }
-        check_shape(set, naca, 0,
-                    [](double t, bool) { return t < 0.4 ? t * (0.8 - t) / 0.16 : (0.2 + 0.8 * t - t * t) / 0.36; });
+        check_shape(set, naca, 0, [](double t, bool) {
+            return t < 0.4 ? t * (0.8 - t) / 0.16 : (0.2 + 0.8 * t - t * t) / 0.36;
+        });
         check_shape(set, naca, 1, [](double t, bool upper) {
-            return (upper ? 5 : -5) * (0.2969 * std::sqrt(t) - t * (0.1260 + t * (0.3516 - t * (0.2843 - 0.1036 * t))));
+            return (upper ? 5 : -5) * (0.2969 * std::sqrt(t) -
+                                       t * (0.1260 + t * (0.3516 - t * (0.2843 - 0.1036 * t))));
         });
         CHECK(naca.errors[0] < 1e-3);
         CHECK(naca.errors[2] < 5e-3);
@@ -205,7 +222,9 @@ TEST_CASE("more control points approximate the shapes better") {
     }
 }
 
-TEST_CASE("a periodic section has sides by its given chord; the direction of the outline does not matter") {
+TEST_CASE(
+    "a periodic section has sides by its given chord; the direction of the outline does not "
+    "matter") {
     CurveSet ring(fixtures::ring(3, 24, 0.5, 0.1, 0.5, 0));
     hm_section const chord = unit_chord();
     CHECK(mapped(ring, kind(HM_CST, 2, 2)).status == HM_BAD_CURVE);
@@ -213,7 +232,8 @@ TEST_CASE("a periodic section has sides by its given chord; the direction of the
     REQUIRE_MESSAGE(map.status == HM_OK, map.error.text);
     CurveSet back = ring;
     std::vector<std::int32_t> const indices = ring.shapes[0].indices;
-    for (std::size_t k = 0; k < indices.size(); ++k) back.shapes[0].indices[k] = indices[indices.size() - 1 - k];
+    for (std::size_t k = 0; k < indices.size(); ++k)
+        back.shapes[0].indices[k] = indices[indices.size() - 1 - k];
     Map const reversed = mapped(back, kind(HM_CST, 2, 2), &chord);
     REQUIRE(reversed.status == HM_OK);
     for (int i = 0; i < ring.n_control(); ++i) {
@@ -232,7 +252,7 @@ TEST_CASE("the unit of a curve's parameter does not matter") {
     hm_variables const modes = kind(HM_CST, 4, 4);
     Map const plain = mapped(set, modes);
     REQUIRE(plain.status == HM_OK);
-    for (double const unit : {1.0 / (1 << 30), 1024.0 * 1024}) {   // powers of two: no bit changes
+    for (double const unit : {1.0 / (1 << 30), 1024.0 * 1024}) {  // powers of two: no bit changes
         CurveSet other = set;
         for (double& knot : other.shapes[0].knots) knot *= unit;
         Map const map = mapped(other, modes);
@@ -245,16 +265,20 @@ TEST_CASE("the unit of a curve's parameter does not matter") {
 }
 
 // The sides meet inside a span, at one fraction of the span or, backwards, at the rest.
-TEST_CASE("the functions and errors of a section with a nose inside a span do not depend on its direction") {
+TEST_CASE(
+    "the functions and errors of a section with a nose inside a span do not depend on its "
+    "direction") {
     for (int const n : {9, 10, 11, 12, 13}) {
         CurveSet set = airfoil(false, n), back = set;
         auto& shape = back.shapes[0];
         std::vector<std::int32_t> const indices = shape.indices;
         std::vector<double> const knots = shape.knots;
-        for (std::size_t k = 0; k < indices.size(); ++k) shape.indices[k] = indices[indices.size() - 1 - k];
+        for (std::size_t k = 0; k < indices.size(); ++k)
+            shape.indices[k] = indices[indices.size() - 1 - k];
         for (std::size_t k = 0; k < knots.size(); ++k)
             shape.knots[k] = knots.front() + knots.back() - knots[knots.size() - 1 - k];
-        Map const map = mapped(set, kind(HM_CST, 3, 3)), reversed = mapped(back, kind(HM_CST, 3, 3));
+        Map const map = mapped(set, kind(HM_CST, 3, 3)),
+                  reversed = mapped(back, kind(HM_CST, 3, 3));
         REQUIRE_MESSAGE(map.status == HM_OK, map.error.text);
         REQUIRE_MESSAGE(reversed.status == HM_OK, reversed.error.text);
         for (std::size_t k = 0; k < map.matrix.size(); ++k)
@@ -264,7 +288,9 @@ TEST_CASE("the functions and errors of a section with a nose inside a span do no
     }
 }
 
-TEST_CASE("variables without effect, twice the same, or out of range are refused by name, outputs untouched") {
+TEST_CASE(
+    "variables without effect, twice the same, or out of range are refused by name, outputs "
+    "untouched") {
     CurveSet set = airfoil(false, 20);
     auto const refusal = [&](hm_variables const& variables, std::string const& word) {
         Map const map = mapped(set, variables);

@@ -1,5 +1,6 @@
-// Every argument of every call is looked at: NULL is refused by the argument's name, a struct without its size,
-// coordinates without an array or with a negative stride, and a block that is one byte too short are refused, too.
+// Every argument of every call is looked at: NULL is refused by the argument's name, a struct
+// without its size, coordinates without an array or with a negative stride, and a block that is one
+// byte too short are refused, too.
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -16,15 +17,17 @@ using namespace fixtures;
 
 namespace {
 
-struct Given {   // a mesh with a solved basis, and points to read and to write
+struct Given {  // a mesh with a solved basis, and points to read and to write
     Case its = tiny_case();
     hm_mesh mesh = its.mesh_view();
     Solved solved{its.problem(mesh)};
     hm_analysis* analysis = solved.analysis;
     hm_plan* plan = solved.plan;
     hm_basis* basis = solved.basis;
-    std::vector<double> x = its.mesh.x, y = its.mesh.y, to_x = x, to_y = y, zero = std::vector<double>(x.size(), 0.0);
-    std::vector<double> move = std::vector<double>(8, 0.0), numbers = std::vector<double>(1000, 0.0);
+    std::vector<double> x = its.mesh.x, y = its.mesh.y, to_x = x, to_y = y,
+                        zero = std::vector<double>(x.size(), 0.0);
+    std::vector<double> move = std::vector<double>(8, 0.0),
+                        numbers = std::vector<double>(1000, 0.0);
     hm_points at{x.data(), y.data(), 1}, still{zero.data(), zero.data(), 1};
     hm_points_out to{to_x.data(), to_y.data(), 1};
     hm_executor executor = with_size<hm_executor>();
@@ -48,9 +51,11 @@ TEST_CASE("curves and fits") {
     double values[16] = {}, u = 0, distance = 0;
     std::int32_t control[8] = {};
     check_arguments("curves", hm_curves_check, &curves);
-    check_arguments("curves, -, -, -, control, values", hm_curve_basis, &curves, 0, 0.25, 1, control, values);
+    check_arguments("curves, -, -, -, control, values", hm_curve_basis, &curves, 0, 0.25, 1,
+                    control, values);
     check_arguments("curves, -, -, -, xy", hm_curve_point, &curves, 0, 0.25, 1, values);
-    check_arguments("curves, -, -, -, u, distance", hm_curve_project, &curves, 0, 2.0, 0.0, &u, &distance);
+    check_arguments("curves, -, -, -, u, distance", hm_curve_project, &curves, 0, 2.0, 0.0, &u,
+                    &distance);
 
     hm_fit_options options = with_size<hm_fit_options>();
     options.n_control = 8;
@@ -65,35 +70,35 @@ TEST_CASE("curves and fits") {
     const hm_curves* fitted = nullptr;
     check_arguments("-, ?options, bytes", hm_fit_size, 40, &options, &bytes);
     Guarded block(bytes);
-    check_arguments("curves, block, bytes, points, -, -, ?options, ?report", hm_fit, &fitted, block.data(), bytes,
-                    &points, 40, 1, &options, &report);
+    check_arguments("curves, block, bytes, points, -, -, ?options, ?report", hm_fit, &fitted,
+                    block.data(), bytes, &points, 40, 1, &options, &report);
 
     double const at[] = {0.3};
     const double* matrix = nullptr;
     check_arguments("curves, -, -, u, bytes", hm_refine_size, &curves, 0, 1, at, &bytes);
     Guarded refined(bytes);
-    check_arguments("finer, ?matrix, block, bytes, curves, -, -, u", hm_refine, &fitted, &matrix, refined.data(), bytes,
-                    &curves, 0, 1, at);
+    check_arguments("finer, ?matrix, block, bytes, curves, -, -, u", hm_refine, &fitted, &matrix,
+                    refined.data(), bytes, &curves, 0, 1, at);
     check_arguments("curves, -, bytes", hm_elevate_size, &curves, 0, &bytes);
     Guarded elevated(bytes);
-    check_arguments("finer, ?matrix, block, bytes, curves, -", hm_elevate, &fitted, &matrix, elevated.data(), bytes,
-                    &curves, 0);
+    check_arguments("finer, ?matrix, block, bytes, curves, -", hm_elevate, &fitted, &matrix,
+                    elevated.data(), bytes, &curves, 0);
 
     hm_section section = with_size<hm_section>();
     hm_quantity quantity = with_size<hm_quantity>();
     quantity.kind = HM_AREA;
     std::vector<double> gradient(16), map(2 * 8 * 8);
-    check_arguments("curves, ?section, -, quantities, values, ?at, ?gradients", hm_measure, &curves, &section, 1,
-                    &quantity, values, values + 2, gradient.data());
+    check_arguments("curves, ?section, -, quantities, values, ?at, ?gradients", hm_measure, &curves,
+                    &section, 1, &quantity, values, values + 2, gradient.data());
     hm_variables variables = with_size<hm_variables>();
     variables.kind = HM_FFD;
     variables.degree_x = variables.degree_y = 1;
     std::int32_t n = 0;
-    check_arguments("curves, ?section, variables, n, bytes", hm_variables_size, &curves, &section, &variables, &n,
-                    &bytes);
+    check_arguments("curves, ?section, variables, n, bytes", hm_variables_size, &curves, &section,
+                    &variables, &n, &bytes);
     Guarded work(bytes);
-    check_arguments("curves, ?section, variables, work, bytes, matrix, ?error", hm_variables_map, &curves, &section,
-                    &variables, work.data(), bytes, map.data(), values);
+    check_arguments("curves, ?section, variables, work, bytes, matrix, ?error", hm_variables_map,
+                    &curves, &section, &variables, work.data(), bytes, map.data(), values);
 }
 
 TEST_CASE("from the problem to the basis") {
@@ -108,17 +113,19 @@ TEST_CASE("from the problem to the basis") {
     std::int32_t const marker = body;
     check_arguments("problem, ?options, bytes", hm_analysis_size, &problem, &options, &g.bytes);
     Guarded analysed(g.bytes);
-    check_arguments("analysis, block, bytes, problem, ?options", hm_analysis_init, &analysis, analysed.data(), g.bytes,
-                    &problem, &options);
+    check_arguments("analysis, block, bytes, problem, ?options", hm_analysis_init, &analysis,
+                    analysed.data(), g.bytes, &problem, &options);
     check_arguments("analysis, a struct to be filled", hm_analysis_report, analysis, &of_mesh);
-    check_arguments("analysis, -, markers, -, points, -, n, is_loop", hm_analysis_boundary, analysis, 1, &marker, 0,
-                    g.list, 100, &g.n, &g.other);
+    check_arguments("analysis, -, markers, -, points, -, n, is_loop", hm_analysis_boundary,
+                    analysis, 1, &marker, 0, g.list, 100, &g.n, &g.other);
     check_arguments("analysis, bytes", hm_plan_size, analysis, &g.bytes);
     Guarded planned(g.bytes);
-    check_arguments("plan, block, bytes, analysis", hm_plan_init, &plan, planned.data(), g.bytes, analysis);
+    check_arguments("plan, block, bytes, analysis", hm_plan_init, &plan, planned.data(), g.bytes,
+                    analysis);
     check_arguments("analysis, bytes", hm_basis_size, analysis, &g.bytes);
     Guarded of_basis(g.bytes);
-    check_arguments("basis, block, bytes, analysis", hm_basis_init, &basis, of_basis.data(), g.bytes, analysis);
+    check_arguments("basis, block, bytes, analysis", hm_basis_init, &basis, of_basis.data(),
+                    g.bytes, analysis);
     check_arguments("plan, ?at", hm_plan_factor, plan, &g.at);
     check_arguments("plan, basis, ?report", hm_plan_solve, plan, basis, &solved);
     check_arguments("plan, n_points, index_base", hm_plan_points, plan, &g.n, &g.other);
@@ -127,8 +134,8 @@ TEST_CASE("from the problem to the basis") {
     check_arguments("analysis, -, -, first, n", hm_share_of, analysis, 0, 2, &first, &g.n);
     check_arguments("analysis, -, -, bytes", hm_share_size, analysis, 0, 2, &g.bytes);
     Guarded shared(g.bytes);
-    check_arguments("share, block, bytes, analysis, -, -", hm_share_init, &basis, shared.data(), g.bytes, analysis, 0,
-                    2);
+    check_arguments("share, block, bytes, analysis, -, -", hm_share_init, &basis, shared.data(),
+                    g.bytes, analysis, 0, 2);
 }
 
 TEST_CASE("what a basis is asked for") {
@@ -140,30 +147,32 @@ TEST_CASE("what a basis is asked for") {
     hm_curves curves = with_size<hm_curves>();
     hm_curve curve[2] = {with_size<hm_curve>(), with_size<hm_curve>()};
     hm_condition conditions[4] = {with_size<hm_condition>()};
-    check_arguments("basis, block, -, ?mesh", hm_basis_attach, &attached, static_cast<void*>(g.basis),
-                    static_cast<std::size_t>(info.bytes), &g.mesh);
+    check_arguments("basis, block, -, ?mesh", hm_basis_attach, &attached,
+                    static_cast<void*>(g.basis), static_cast<std::size_t>(info.bytes), &g.mesh);
     check_arguments("basis, a struct to be filled", hm_basis_info_get, g.basis, &info);
-    check_arguments("basis, a struct to be filled, !curve, -", hm_basis_curves, g.basis, &curves, curve, 2);
-    check_arguments("basis, move, control, a struct to be filled, !curve, -", hm_moved_curves, g.basis, g.move.data(),
-                    g.numbers.data(), &curves, curve, 2);
+    check_arguments("basis, a struct to be filled, !curve, -", hm_basis_curves, g.basis, &curves,
+                    curve, 2);
+    check_arguments("basis, move, control, a struct to be filled, !curve, -", hm_moved_curves,
+                    g.basis, g.move.data(), g.numbers.data(), &curves, curve, 2);
     check_arguments("basis, ?out, -, n", hm_basis_conditions, g.basis, conditions, 4, &g.n);
     check_arguments("basis, -, -, values", hm_basis_values, g.basis, 0, 0, g.numbers.data());
     check_arguments("basis, bytes", hm_single_size, g.basis, &g.bytes);
     Guarded single(g.bytes);
-    check_arguments("single, block, bytes, basis", hm_single_init, &made, single.data(), g.bytes, g.basis);
+    check_arguments("single, block, bytes, basis", hm_single_init, &made, single.data(), g.bytes,
+                    g.basis);
     double const matrix[] = {1, 0, 0, 1, 0, 0, 0, 0};
     check_arguments("basis, -, -, bytes", hm_combine_size, g.basis, 2, 1, &g.bytes);
     Guarded combined(g.bytes);
-    check_arguments("combined, block, bytes, basis, -, -, matrix", hm_combine, &made, combined.data(), g.bytes, g.basis,
-                    2, 1, matrix);
+    check_arguments("combined, block, bytes, basis, -, -, matrix", hm_combine, &made,
+                    combined.data(), g.bytes, g.basis, 2, 1, matrix);
     hm_transfer_report report = with_size<hm_transfer_report>();
     check_arguments("analysis, mesh, bytes", hm_transfer_size, g.analysis, &g.mesh, &g.bytes);
     Guarded room(g.bytes);
     Attempt fine;
     REQUIRE(fine.analyse(g.its.problem()));
     REQUIRE(fine.prepare());
-    check_arguments("basis, block, bytes, analysis, coarse, mesh, ?report", hm_transfer, fine.basis, room.data(),
-                    g.bytes, fine.analysis, g.basis, &g.mesh, &report);
+    check_arguments("basis, block, bytes, analysis, coarse, mesh, ?report", hm_transfer, fine.basis,
+                    room.data(), g.bytes, fine.analysis, g.basis, &g.mesh, &report);
 }
 
 TEST_CASE("movements, gradients, quality") {
@@ -172,35 +181,43 @@ TEST_CASE("movements, gradients, quality") {
     std::int64_t sums[64] = {}, doubles = 0;
     hm_step_report step = with_size<hm_step_report>();
     hm_quality_report quality = with_size<hm_quality_report>();
-    check_arguments("basis, move, ?from, to, ?executor", hm_morph, g.basis, g.move.data(), &g.at, &g.to, &g.executor);
-    check_arguments("basis, dj, gradient, ?executor", hm_adjoint, g.basis, &g.at, g.numbers.data(), &g.executor);
-    check_arguments("basis, move, from, to, error, ?point", hm_boundary_error, g.basis, g.move.data(), &g.at, &g.at,
-                    &error, &g.n);
+    check_arguments("basis, move, ?from, to, ?executor", hm_morph, g.basis, g.move.data(), &g.at,
+                    &g.to, &g.executor);
+    check_arguments("basis, dj, gradient, ?executor", hm_adjoint, g.basis, &g.at, g.numbers.data(),
+                    &g.executor);
+    check_arguments("basis, move, from, to, error, ?point", hm_boundary_error, g.basis,
+                    g.move.data(), &g.at, &g.at, &error, &g.n);
     check_arguments("analysis, from, to", hm_slide, g.analysis, &g.at, &g.to);
-    check_arguments("analysis, from, dj, dj_from", hm_slide_adjoint, g.analysis, &g.at, &g.at, &g.to);
-    check_arguments("basis, mesh, ?from, displacement, ?executor, a struct to be filled", hm_admissible_step, g.basis,
-                    &g.mesh, &g.at, &g.still, &g.executor, &step);
-    check_arguments("basis, mesh, ?at, ?reference, ?executor, a struct to be filled", hm_quality, g.basis, &g.mesh,
-                    &g.at, &g.at, &g.executor, &quality);
-    check_arguments("basis, mesh, ?from, displacement, ?executor, a struct to be filled, a struct to be filled",
-                    hm_assess, g.basis, &g.mesh, &g.at, &g.still, &g.executor, &step, &quality);
+    check_arguments("analysis, from, dj, dj_from", hm_slide_adjoint, g.analysis, &g.at, &g.at,
+                    &g.to);
+    check_arguments("basis, mesh, ?from, displacement, ?executor, a struct to be filled",
+                    hm_admissible_step, g.basis, &g.mesh, &g.at, &g.still, &g.executor, &step);
+    check_arguments("basis, mesh, ?at, ?reference, ?executor, a struct to be filled", hm_quality,
+                    g.basis, &g.mesh, &g.at, &g.at, &g.executor, &quality);
+    check_arguments(
+        "basis, mesh, ?from, displacement, ?executor, a struct to be filled, a struct to be filled",
+        hm_assess, g.basis, &g.mesh, &g.at, &g.still, &g.executor, &step, &quality);
 
-    check_arguments("basis, dj, scale, ?executor", hm_adjoint_scale, g.basis, &g.at, &g.n, &g.executor);
-    check_arguments("basis, dj, -, sums, ?executor", hm_adjoint_sums, g.basis, &g.at, g.n, sums, &g.executor);
-    check_arguments("basis, -, sums, gradient", hm_adjoint_finish, g.basis, g.n, sums, g.numbers.data());
+    check_arguments("basis, dj, scale, ?executor", hm_adjoint_scale, g.basis, &g.at, &g.n,
+                    &g.executor);
+    check_arguments("basis, dj, -, sums, ?executor", hm_adjoint_sums, g.basis, &g.at, g.n, sums,
+                    &g.executor);
+    check_arguments("basis, -, sums, gradient", hm_adjoint_finish, g.basis, g.n, sums,
+                    g.numbers.data());
     std::int32_t const points[] = {20, 30};
     hm_basis* rows = nullptr;
     check_arguments("basis, -, bytes", hm_extract_size, g.basis, 2, &g.bytes);
     Guarded extract(g.bytes);
-    check_arguments("rows, block, -, basis, -, points", hm_extract_init, &rows, extract.data(), g.bytes, g.basis, 2,
-                    points);
+    check_arguments("rows, block, -, basis, -, points", hm_extract_init, &rows, extract.data(),
+                    g.bytes, g.basis, 2, points);
 
-    hm_basis* share = nullptr;   // of all functions
+    hm_basis* share = nullptr;  // of all functions
     REQUIRE(hm_share_size(g.analysis, 0, 4, &g.bytes, nullptr) == HM_OK);
     Guarded shared(g.bytes);
     REQUIRE(hm_share_init(&share, shared.data(), g.bytes, g.analysis, 0, 3, nullptr) == HM_OK);
     REQUIRE(hm_plan_solve(g.plan, share, nullptr, nullptr) == HM_OK);
-    REQUIRE(hm_extract_init(&rows, extract.data(), extract.size(), share, 2, points, nullptr) == HM_OK);
+    REQUIRE(hm_extract_init(&rows, extract.data(), extract.size(), share, 2, points, nullptr) ==
+            HM_OK);
     check_arguments("basis, -, doubles", hm_parcel_size, share, 2, &doubles);
     std::vector<double> parcel(static_cast<std::size_t>(doubles));
     check_arguments("basis, -, points, parcel", hm_parcel_pack, share, 2, points, parcel.data());
@@ -215,12 +232,13 @@ TEST_CASE("large movements and better cells") {
     hm_improve_report improved = with_size<hm_improve_report>();
     check_arguments("plan, ?basis, bytes", hm_morph_safe_size, g.plan, g.basis, &g.bytes);
     Guarded work(g.bytes);
-    check_arguments("plan, basis, move, to, -, block, bytes, ?options, ?report", hm_morph_safe, g.plan, g.basis,
-                    g.move.data(), &g.to, nullptr, work.data(), g.bytes, &safe, &report);
+    check_arguments("plan, basis, move, to, -, block, bytes, ?options, ?report", hm_morph_safe,
+                    g.plan, g.basis, g.move.data(), &g.to, nullptr, work.data(), g.bytes, &safe,
+                    &report);
     check_arguments("plan, bytes", hm_improve_size, g.plan, &g.bytes);
     Guarded room(g.bytes);
-    check_arguments("plan, ?from, to, block, bytes, ?options, ?report", hm_improve, g.plan, &g.at, &g.to, room.data(),
-                    g.bytes, &better, &improved);
+    check_arguments("plan, ?from, to, block, bytes, ?options, ?report", hm_improve, g.plan, &g.at,
+                    &g.to, room.data(), g.bytes, &better, &improved);
 }
 
 TEST_CASE("given displacements") {
@@ -228,7 +246,8 @@ TEST_CASE("given displacements") {
     Displaced d(its);
     std::int32_t const n = static_cast<std::int32_t>(d.points.size());
     std::vector<double> zero(100, 0.0), x = its.mesh.x, y = its.mesh.y, modes(200, 1.0);
-    hm_points const wall{zero.data(), zero.data(), 1}, from{its.mesh.x.data(), its.mesh.y.data(), 1};
+    hm_points const wall{zero.data(), zero.data(), 1},
+        from{its.mesh.x.data(), its.mesh.y.data(), 1};
     hm_points_out const to{x.data(), y.data(), 1};
     hm_solve_report report = with_size<hm_solve_report>();
     hm_safe_options safe = with_size<hm_safe_options>();
@@ -238,21 +257,23 @@ TEST_CASE("given displacements") {
     check_arguments("plan, points, -, n", hm_given_points, d.plan, list, 100, &n_given);
     check_arguments("plan, -, bytes", hm_displace_size, d.plan, 1, &bytes);
     Guarded work(bytes);
-    check_arguments("plan, -, ?points, -, wall, ?from, to, block, bytes, ?report", hm_displace, d.plan, n,
-                    d.points.data(), 1, &wall, &from, &to, work.data(), bytes, &report);
-    check_arguments("plan, -, ?points, -, dj, gradient, block, bytes, ?report", hm_displace_adjoint, d.plan, n,
-                    d.points.data(), 1, &from, &to, work.data(), bytes, &report);
-    check_arguments("plan, basis, -, -, bytes, work_bytes", hm_tabulate_size, d.plan, d.basis, 1, 1, &bytes,
-                    &work_bytes);
+    check_arguments("plan, -, ?points, -, wall, ?from, to, block, bytes, ?report", hm_displace,
+                    d.plan, n, d.points.data(), 1, &wall, &from, &to, work.data(), bytes, &report);
+    check_arguments("plan, -, ?points, -, dj, gradient, block, bytes, ?report", hm_displace_adjoint,
+                    d.plan, n, d.points.data(), 1, &from, &to, work.data(), bytes, &report);
+    check_arguments("plan, basis, -, -, bytes, work_bytes", hm_tabulate_size, d.plan, d.basis, 1, 1,
+                    &bytes, &work_bytes);
     Guarded block(bytes), room(work_bytes);
     hm_basis* tabulated = nullptr;
-    check_arguments("tabulated, block, bytes, plan, basis, -, ?points, -, -, modes, block, bytes, ?report", hm_tabulate,
-                    &tabulated, block.data(), bytes, d.plan, d.basis, n, d.points.data(), 1, 1, modes.data(),
-                    room.data(), work_bytes, &report);
+    check_arguments(
+        "tabulated, block, bytes, plan, basis, -, ?points, -, -, modes, block, bytes, ?report",
+        hm_tabulate, &tabulated, block.data(), bytes, d.plan, d.basis, n, d.points.data(), 1, 1,
+        modes.data(), room.data(), work_bytes, &report);
     check_arguments("plan, basis, bytes", hm_displace_safe_size, d.plan, d.basis, &bytes);
     Guarded safe_work(bytes);
-    check_arguments("plan, ?basis, ?move, -, ?points, wall, to, block, bytes, ?options, ?report", hm_displace_safe,
-                    d.plan, d.basis, nullptr, n, d.points.data(), &wall, &to, safe_work.data(), bytes, &safe, &of_safe);
+    check_arguments("plan, ?basis, ?move, -, ?points, wall, to, block, bytes, ?options, ?report",
+                    hm_displace_safe, d.plan, d.basis, nullptr, n, d.points.data(), &wall, &to,
+                    safe_work.data(), bytes, &safe, &of_safe);
 }
 
 TEST_CASE("a mesh one cell thick") {
@@ -267,16 +288,18 @@ TEST_CASE("a mesh one cell thick") {
     hm_space_points_out const to{x.data(), y.data(), z.data(), 1};
     check_arguments("space, bytes", hm_plane_size, &mesh, &g.bytes);
     Guarded block(g.bytes);
-    check_arguments("plane, block, bytes, space", hm_plane_init, &plane, block.data(), g.bytes, &mesh);
+    check_arguments("plane, block, bytes, space", hm_plane_init, &plane, block.data(), g.bytes,
+                    &mesh);
     check_arguments("plane, a struct to be filled", hm_plane_info_get, plane, &info);
     check_arguments("plane, a struct to be filled", hm_plane_mesh, plane, &of_plane);
-    check_arguments("plane, basis, move, ?from, to, ?executor", hm_plane_morph, plane, g.basis, g.move.data(), &at, &to,
+    check_arguments("plane, basis, move, ?from, to, ?executor", hm_plane_morph, plane, g.basis,
+                    g.move.data(), &at, &to, &g.executor);
+    check_arguments("plane, basis, dj, gradient, ?executor", hm_plane_adjoint, plane, g.basis, &at,
+                    g.numbers.data(), &g.executor);
+    check_arguments("plane, displacement, ?from, to, ?executor", hm_plane_spread, plane, &g.still,
+                    &at, &to, &g.executor);
+    check_arguments("plane, dj, plane_dj, ?executor", hm_plane_gather, plane, &at, &g.to,
                     &g.executor);
-    check_arguments("plane, basis, dj, gradient, ?executor", hm_plane_adjoint, plane, g.basis, &at, g.numbers.data(),
-                    &g.executor);
-    check_arguments("plane, displacement, ?from, to, ?executor", hm_plane_spread, plane, &g.still, &at, &to,
-                    &g.executor);
-    check_arguments("plane, dj, plane_dj, ?executor", hm_plane_gather, plane, &at, &g.to, &g.executor);
 }
 
 TEST_CASE("structured blocks in arrays of their own") {
@@ -310,7 +333,8 @@ TEST_CASE("a part of a mesh, and its equations") {
         std::size_t bytes = 0;
         check_arguments("mesh, bytes", hm_part_size, &of_part, &bytes);
         Guarded block(bytes);
-        check_arguments("part, block, bytes, mesh", hm_part_init, &part, block.data(), bytes, &of_part);
+        check_arguments("part, block, bytes, mesh", hm_part_init, &part, block.data(), bytes,
+                        &of_part);
         hm_mesh own = with_size<hm_mesh>();
         const std::int32_t* cell = nullptr;
         std::vector<std::uint8_t> role(whole.numbers.size());
@@ -323,50 +347,59 @@ TEST_CASE("a part of a mesh, and its equations") {
         check_arguments("edges, n", hm_match_edges, edges.data(), &n_open);
         hm_equations* equations = nullptr;
         hm_equations_info info = with_size<hm_equations_info>();
-        check_arguments("part, -, problem, ?options, bytes", hm_equations_size, part, n_edges, &problem, &options,
-                        &bytes);
+        check_arguments("part, -, problem, ?options, bytes", hm_equations_size, part, n_edges,
+                        &problem, &options, &bytes);
         Guarded of_equations(bytes);
-        check_arguments("equations, block, bytes, part, -, edges, problem, ?options", hm_equations_init, &equations,
-                        of_equations.data(), bytes, part, n_edges, edges.data(), &problem, &options);
-        check_arguments("equations, a struct to be filled", hm_equations_info_get, equations, &info);
+        check_arguments("equations, block, bytes, part, -, edges, problem, ?options",
+                        hm_equations_init, &equations, of_equations.data(), bytes, part, n_edges,
+                        edges.data(), &problem, &options);
+        check_arguments("equations, a struct to be filled", hm_equations_info_get, equations,
+                        &info);
         std::vector<std::int32_t> row(2000), column(2000);
         std::vector<double> values(2000), numbers(2000), work(2000), residual(2000);
         std::int64_t n = 0;
-        check_arguments("equations, -, -, row, column, values, -, n_entries", hm_equations_entries, equations, 0,
-                        info.unknowns, row.data(), column.data(), values.data(), std::int64_t{2000}, &n);
+        check_arguments("equations, -, -, row, column, values, -, n_entries", hm_equations_entries,
+                        equations, 0, info.unknowns, row.data(), column.data(), values.data(),
+                        std::int64_t{2000}, &n);
         if (given) {
             std::vector<double> x = whole.mesh.x, y = whole.mesh.y;
             hm_points const wall{x.data(), y.data(), 1};
             std::vector<double> to_x(x.size() + 1, -7), to_y = to_x;
             hm_points_out const to{to_x.data(), to_y.data(), 1};
-            check_arguments("equations, displacement, work, right_hand_sides", hm_field_init, equations, &wall,
-                            work.data(), numbers.data());
+            check_arguments("equations, displacement, work, right_hand_sides", hm_field_init,
+                            equations, &wall, work.data(), numbers.data());
             for (double const bad : {std::numeric_limits<double>::quiet_NaN(), 2e100}) {
                 std::vector<double> wrong = whole.mesh.x;
                 std::size_t const at = static_cast<std::size_t>(
-                    std::find(whole.global_point.begin(), whole.global_point.end(), 16) - whole.global_point.begin());
-                wrong[at] = bad;   // on the body; elsewhere nothing is read
+                    std::find(whole.global_point.begin(), whole.global_point.end(), 16) -
+                    whole.global_point.begin());
+                wrong[at] = bad;  // on the body; elsewhere nothing is read
                 hm_points const spoiled{wrong.data(), y.data(), 1};
                 hm_error error{};
-                CHECK(hm_field_init(equations, &spoiled, work.data(), numbers.data(), &error) == HM_BAD_ARGUMENT);
+                CHECK(hm_field_init(equations, &spoiled, work.data(), numbers.data(), &error) ==
+                      HM_BAD_ARGUMENT);
                 CHECK(std::string(error.text) == "the displacement of point " + std::to_string(at) +
                                                      " is not finite, or beyond 1e100");
             }
-            check_arguments("equations, work, values, residuals", hm_field_residual, equations, work.data(),
-                            values.data(), residual.data());
-            check_arguments("equations, work, values, displacement", hm_field_finish, equations, work.data(),
-                            values.data(), &to);
-            CHECK(to_x.back() == -7);   // not one number more than there are points
+            check_arguments("equations, work, values, residuals", hm_field_residual, equations,
+                            work.data(), values.data(), residual.data());
+            check_arguments("equations, work, values, displacement", hm_field_finish, equations,
+                            work.data(), values.data(), &to);
+            CHECK(to_x.back() == -7);  // not one number more than there are points
             CHECK(to_y.back() == -7);
             continue;
         }
         hm_basis* rows = nullptr;
         check_arguments("equations, bytes", hm_rows_size, equations, &bytes);
         Guarded of_rows(bytes);
-        check_arguments("rows, block, bytes, equations", hm_rows_init, &rows, of_rows.data(), bytes, equations);
-        check_arguments("equations, basis, -, numbers", hm_rows_get, equations, rows, 0, numbers.data());
-        check_arguments("equations, basis, -, numbers", hm_rows_set, equations, rows, 0, numbers.data());
-        check_arguments("equations, basis, -, residual", hm_rows_residual, equations, rows, 0, residual.data());
+        check_arguments("rows, block, bytes, equations", hm_rows_init, &rows, of_rows.data(), bytes,
+                        equations);
+        check_arguments("equations, basis, -, numbers", hm_rows_get, equations, rows, 0,
+                        numbers.data());
+        check_arguments("equations, basis, -, numbers", hm_rows_set, equations, rows, 0,
+                        numbers.data());
+        check_arguments("equations, basis, -, residual", hm_rows_residual, equations, rows, 0,
+                        residual.data());
         check_arguments("equations, basis, -", hm_rows_finish, equations, rows, 1.0);
     }
 }

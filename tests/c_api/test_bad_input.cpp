@@ -17,8 +17,8 @@ double const not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 struct Spoiled {
     hm_status status;
-    const char* word;       // in the sentence
-    std::int32_t item;      // from 0; numbered by the mesh if `in_mesh`
+    const char* word;   // in the sentence
+    std::int32_t item;  // from 0; numbered by the mesh if `in_mesh`
     bool in_mesh;
     std::function<void(Case&)> change;
     std::function<void(hm_mesh&)> change_view = {};
@@ -36,12 +36,14 @@ void check_refused(Spoiled const& bad) {
         std::vector<double> const control = its.curves.control;
 
         Attempt attempt(problem);
-        INFO(std::string(bad.word) << ", index_base " << base << ": " << attempt.reached << ": " << attempt.error.text);
+        INFO(std::string(bad.word)
+             << ", index_base " << base << ": " << attempt.reached << ": " << attempt.error.text);
         CHECK(attempt.status == bad.status);
         CHECK(attempt.error.code == attempt.status);
         CHECK(std::string(attempt.error.text).find(bad.word) != std::string::npos);
         CHECK(std::string(attempt.error.text).find_first_of("#@~") == std::string::npos);
-        CHECK(attempt.error.item == (bad.item == nobody ? nobody : bad.item + (bad.in_mesh ? base : 0)));
+        CHECK(attempt.error.item ==
+              (bad.item == nobody ? nobody : bad.item + (bad.in_mesh ? base : 0)));
         CHECK(attempt.guards_intact());
         CHECK(attempt.basis == nullptr);
         CHECK(same_bits(mesh.x, its.mesh.x));
@@ -85,13 +87,43 @@ TEST_CASE("bad counts and missing arrays of a mesh") {
         {HM_BAD_ARGUMENT, "negative", nobody, false, {}, [](hm_mesh& m) { m.n_lists = -1; }},
         {HM_BAD_ARGUMENT, "cell_layout", 9, false, {}, [](hm_mesh& m) { m.cell_layout = 9; }},
         {HM_BAD_ARGUMENT, "struct_size", nobody, false, {}, [](hm_mesh& m) { m.struct_size = 0; }},
-        {HM_BAD_ARGUMENT, "cell_points", nobody, false, {}, [](hm_mesh& m) { m.cell_points = nullptr; }},
-        {HM_BAD_ARGUMENT, "cell_start", nobody, false, {}, [](hm_mesh& m) { m.cell_start = nullptr; }},
-        {HM_BAD_ARGUMENT, "mesh.points.x", nobody, false, {}, [](hm_mesh& m) { m.points.x = nullptr; }},
-        {HM_BAD_ARGUMENT, "mesh.points.y", nobody, false, {}, [](hm_mesh& m) { m.points.y = nullptr; }},
+        {HM_BAD_ARGUMENT,
+         "cell_points",
+         nobody,
+         false,
+         {},
+         [](hm_mesh& m) { m.cell_points = nullptr; }},
+        {HM_BAD_ARGUMENT,
+         "cell_start",
+         nobody,
+         false,
+         {},
+         [](hm_mesh& m) { m.cell_start = nullptr; }},
+        {HM_BAD_ARGUMENT,
+         "mesh.points.x",
+         nobody,
+         false,
+         {},
+         [](hm_mesh& m) { m.points.x = nullptr; }},
+        {HM_BAD_ARGUMENT,
+         "mesh.points.y",
+         nobody,
+         false,
+         {},
+         [](hm_mesh& m) { m.points.y = nullptr; }},
         {HM_BAD_ARGUMENT, "stride", nobody, false, {}, [](hm_mesh& m) { m.points.stride = -1; }},
-        {HM_BAD_ARGUMENT, "face_points", nobody, false, {}, [](hm_mesh& m) { m.face_points = nullptr; }},
-        {HM_BAD_ARGUMENT, "face_markers", nobody, false, {}, [](hm_mesh& m) { m.face_markers = nullptr; }},
+        {HM_BAD_ARGUMENT,
+         "face_points",
+         nobody,
+         false,
+         {},
+         [](hm_mesh& m) { m.face_points = nullptr; }},
+        {HM_BAD_ARGUMENT,
+         "face_markers",
+         nobody,
+         false,
+         {},
+         [](hm_mesh& m) { m.face_markers = nullptr; }},
         {HM_BAD_ARGUMENT, "list_start", nobody, false, {}, [](hm_mesh& m) { m.n_lists = 1; }},
     };
     for (Spoiled const& bad : all) check_refused(bad);
@@ -99,22 +131,55 @@ TEST_CASE("bad counts and missing arrays of a mesh") {
 
 TEST_CASE("bad cells") {
     Spoiled const all[] = {
-        {HM_BAD_MESH, "begin with", 5, false, {}, [](hm_mesh& m) {
+        {HM_BAD_MESH,
+         "begin with",
+         5,
+         false,
+         {},
+         [](hm_mesh& m) {
              static std::int32_t const five = 5;
              m.cell_start = &five;
          }},
-        {HM_BAD_MESH, "3 or 4", 9, true, [](Case& c) { replace_cell(c.mesh, 9, {10, 11, 18, 17, 3}); }},
-        {HM_BAD_MESH, "3 or 4", 5, true, [](Case& c) { replace_cell(c.mesh, 5, {5, 6}); }},
-        {HM_BAD_MESH, "does not exist", 7, true, [](Case& c) { replace_cell(c.mesh, 7, {8, 9, 48, 15}); }},
-        {HM_BAD_MESH, "does not exist", 7, true, [](Case& c) { replace_cell(c.mesh, 7, {8, -1, 16, 15}); }},
-        {HM_BAD_MESH, "does not exist", 20, true, [](Case& c) { replace_cell(c.mesh, 20, {24, 25, 2000000000}); }},
-        {HM_BAD_MESH, "twice", 18, true, [](Case& c) { replace_cell(c.mesh, 18, {22, 23, 22}); }},
-        {HM_BAD_MESH, "twice", 3, true, [](Case& c) { replace_cell(c.mesh, 3, {3, 4, 3, 10}); }},
-        {HM_BAD_MESH, "twice", 3, true, [](Case& c) { replace_cell(c.mesh, 3, {3, 3, 11, 10}); }},
-        {HM_BAD_MESH, "more than two cells", 8, true, [](Case& c) { c.mesh.add_cell({8, 9, 5}); }},
+        {HM_BAD_MESH, "3 or 4", 9, true,
+         [](Case& c) {
+             replace_cell(c.mesh, 9, {10, 11, 18, 17, 3});
+         }},
+        {HM_BAD_MESH, "3 or 4", 5, true,
+         [](Case& c) {
+             replace_cell(c.mesh, 5, {5, 6});
+         }},
+        {HM_BAD_MESH, "does not exist", 7, true,
+         [](Case& c) {
+             replace_cell(c.mesh, 7, {8, 9, 48, 15});
+         }},
+        {HM_BAD_MESH, "does not exist", 7, true,
+         [](Case& c) {
+             replace_cell(c.mesh, 7, {8, -1, 16, 15});
+         }},
+        {HM_BAD_MESH, "does not exist", 20, true,
+         [](Case& c) {
+             replace_cell(c.mesh, 20, {24, 25, 2000000000});
+         }},
+        {HM_BAD_MESH, "twice", 18, true,
+         [](Case& c) {
+             replace_cell(c.mesh, 18, {22, 23, 22});
+         }},
+        {HM_BAD_MESH, "twice", 3, true,
+         [](Case& c) {
+             replace_cell(c.mesh, 3, {3, 4, 3, 10});
+         }},
+        {HM_BAD_MESH, "twice", 3, true,
+         [](Case& c) {
+             replace_cell(c.mesh, 3, {3, 3, 11, 10});
+         }},
+        {HM_BAD_MESH, "more than two cells", 8, true,
+         [](Case& c) {
+             c.mesh.add_cell({8, 9, 5});
+         }},
         {HM_BAD_MESH, "inverted or empty", 0, true, [](Case& c) { c.mesh.x[8] = -1; }},
-        {HM_BAD_MESH, "inverted or empty", 24, true, [](Case& c) { c.mesh.y[35] = 4; }},   // flat
-        {HM_BAD_MESH, "inverted or empty", 0, true, [](Case& c) { c.mesh.x[8] = c.mesh.y[8] = 0.4; }},   // not convex
+        {HM_BAD_MESH, "inverted or empty", 24, true, [](Case& c) { c.mesh.y[35] = 4; }},  // flat
+        {HM_BAD_MESH, "inverted or empty", 0, true,
+         [](Case& c) { c.mesh.x[8] = c.mesh.y[8] = 0.4; }},  // not convex
         {HM_BAD_MESH, "not finite", 12, true, [](Case& c) { c.mesh.x[12] = not_a_number; }},
         {HM_BAD_MESH, "not finite", 47, true, [](Case& c) { c.mesh.y[47] = -HUGE_VAL; }},
     };
@@ -128,7 +193,8 @@ TEST_CASE("the largest and smallest of numbers as an index") {
             Case its = tiny_case();
             its.index_base = base;
             hm_mesh view = its.mesh_view();
-            std::vector<std::int32_t> cells(view.cell_points, view.cell_points + its.mesh.cells.size());
+            std::vector<std::int32_t> cells(view.cell_points,
+                                            view.cell_points + its.mesh.cells.size());
             cells[17] = number;
             view.cell_points = cells.data();
             Attempt const in_cell(its.problem(view));
@@ -136,7 +202,8 @@ TEST_CASE("the largest and smallest of numbers as an index") {
             CHECK(in_cell.error.item == 4 + base);
 
             view = its.mesh_view();
-            std::vector<std::int32_t> faces(view.face_points, view.face_points + its.mesh.faces.size());
+            std::vector<std::int32_t> faces(view.face_points,
+                                            view.face_points + its.mesh.faces.size());
             faces[17] = number;
             view.face_points = faces.data();
             Attempt const in_face(its.problem(view));
@@ -175,11 +242,15 @@ TEST_CASE("bad boundaries") {
     Spoiled const all[] = {
         {HM_BAD_MESH, "does not exist", 3, true, [](Case& c) { c.mesh.faces[6] = 48; }},
         {HM_BAD_MESH, "does not exist", 3, true, [](Case& c) { c.mesh.faces[7] = -1; }},
-        {HM_BAD_MESH, "on both sides", 8, true, [](Case& c) { c.mesh.faces[8] = 8, c.mesh.faces[9] = 9; }},
-        {HM_BAD_MESH, "an edge of no cell", 1, true, [](Case& c) { c.mesh.faces[8] = 1, c.mesh.faces[9] = 12; }},
-        {HM_BAD_MESH, "the same point", 7, true, [](Case& c) { c.mesh.faces[8] = c.mesh.faces[9] = 7; }},
+        {HM_BAD_MESH, "on both sides", 8, true,
+         [](Case& c) { c.mesh.faces[8] = 8, c.mesh.faces[9] = 9; }},
+        {HM_BAD_MESH, "an edge of no cell", 1, true,
+         [](Case& c) { c.mesh.faces[8] = 1, c.mesh.faces[9] = 12; }},
+        {HM_BAD_MESH, "the same point", 7, true,
+         [](Case& c) { c.mesh.faces[8] = c.mesh.faces[9] = 7; }},
         {HM_BAD_MESH, "no marker", 24, true, drop_last_face},
-        {HM_BAD_MESH, "no marker", 0, true, [](Case& c) { c.mesh.faces.clear(), c.mesh.face_markers.clear(); }},
+        {HM_BAD_MESH, "no marker", 0, true,
+         [](Case& c) { c.mesh.faces.clear(), c.mesh.face_markers.clear(); }},
         {HM_BAD_MESH, "two markers", 1, true, [](Case& c) { c.mesh.add_face(1, 0, right); }},
     };
     for (Spoiled const& bad : all) check_refused(bad);
@@ -187,7 +258,8 @@ TEST_CASE("bad boundaries") {
     // Lists of points, counted from 0 here.
     static std::vector<std::int32_t> starts, points;
     static std::int32_t const markers[] = {bottom, right};
-    auto const lists = [](std::vector<std::int32_t> const& its_starts, std::vector<std::int32_t> const& its_points) {
+    auto const lists = [](std::vector<std::int32_t> const& its_starts,
+                          std::vector<std::int32_t> const& its_points) {
         return [=](hm_mesh& m) {
             starts = its_starts;
             points = its_points;
@@ -202,12 +274,15 @@ TEST_CASE("bad boundaries") {
     check_refused({HM_BAD_MESH, "never decrease", 1, false, {}, lists({0, 3, 2}, {0, 1, 2})});
     check_refused({HM_BAD_MESH, "begin with", 0, false, {}, lists({1, 3}, {0, 1, 2})});
     check_refused({HM_BAD_MESH, "on both sides", 1, true, {}, lists({0, 3}, {0, 1, 8})});
-    check_refused({HM_BAD_MESH, "an edge of no cell", 13, true, {}, lists({0, 3, 6}, {0, 1, 2, 6, 13, 26})});
+    check_refused(
+        {HM_BAD_MESH, "an edge of no cell", 13, true, {}, lists({0, 3, 6}, {0, 1, 2, 6, 13, 26})});
     check_refused({HM_BAD_MESH, "does not exist", 1, true, {}, lists({0, 3}, {0, 1, 48})});
     check_refused({HM_BAD_MESH, "two markers", 0, true, {}, lists({0, 0, 2}, {0, 1})});
 }
 
-TEST_CASE("cells that were not given: their boundary edges are named, by their points, as edges of no cell") {
+TEST_CASE(
+    "cells that were not given: their boundary edges are named, by their points, as edges of no "
+    "cell") {
     // Triangles alone of a hybrid mesh. Lists begin with the bottom, whose cells are quads.
     std::int32_t const start[] = {1, 8, 15}, markers[] = {bottom, top};
     std::vector<std::int32_t> points;
@@ -237,7 +312,8 @@ TEST_CASE("cells that were not given: their boundary edges are named, by their p
         CHECK(text.find("an edge of no cell") != std::string::npos);
         std::int32_t const* const ends = in_lists ? points.data() : view.face_points;
         CHECK(attempt.error.item == ends[0]);
-        CHECK(text.find("points " + std::to_string(ends[0]) + " and " + std::to_string(ends[1])) != std::string::npos);
+        CHECK(text.find("points " + std::to_string(ends[0]) + " and " + std::to_string(ends[1])) !=
+              std::string::npos);
     }
 }
 
@@ -246,7 +322,8 @@ TEST_CASE("bad cells in two arrays") {
         Case its = tiny_case();
         its.index_base = base;
         Mixed mixed(its.mesh, base);
-        auto const refused = [&](hm_status status, const char* word, std::int32_t item, auto change) {
+        auto const refused = [&](hm_status status, const char* word, std::int32_t item,
+                                 auto change) {
             hm_mesh view = mixed.put_into(its.mesh_view());
             change(view);
             Attempt const attempt(its.problem(view));
@@ -256,9 +333,12 @@ TEST_CASE("bad cells in two arrays") {
             CHECK(attempt.error.item == item);
         };
         refused(HM_BAD_ARGUMENT, "n_quads", -1, [](hm_mesh& m) { m.n_quads = -1; });
-        refused(HM_BAD_ARGUMENT, "n_quads", mixed.rows.n_cells() + 1, [](hm_mesh& m) { m.n_quads = m.n_cells + 1; });
-        refused(HM_BAD_ARGUMENT, "quad_points is NULL", nobody, [](hm_mesh& m) { m.quad_points = nullptr; });
-        refused(HM_BAD_ARGUMENT, "cell_points is NULL", nobody, [](hm_mesh& m) { m.cell_points = nullptr; });
+        refused(HM_BAD_ARGUMENT, "n_quads", mixed.rows.n_cells() + 1,
+                [](hm_mesh& m) { m.n_quads = m.n_cells + 1; });
+        refused(HM_BAD_ARGUMENT, "quad_points is NULL", nobody,
+                [](hm_mesh& m) { m.quad_points = nullptr; });
+        refused(HM_BAD_ARGUMENT, "cell_points is NULL", nobody,
+                [](hm_mesh& m) { m.cell_points = nullptr; });
         refused(HM_BAD_ARGUMENT, "only HM_CELLS_MIXED", mixed.n_quads(),
                 [](hm_mesh& m) { m.cell_layout = HM_CELLS_TRIANGLES; });
         // Cells are counted through: quad k is cell n_triangles + k.
@@ -294,7 +374,12 @@ TEST_CASE("bad curves") {
         {HM_BAD_CURVE, "index", [](CurveSet& c) { c.shapes[0].indices[2] = 4; }, {}},
         {HM_BAD_CURVE, "index", [](CurveSet& c) { c.shapes[0].indices[2] = -1; }, {}},
         {HM_BAD_CURVE, "finite", [](CurveSet& c) { c.control[5] = not_a_number; }, {}},
-        {HM_BAD_CURVE, "weight", [](CurveSet& c) { c.weights = {1, 1, 0, 1}; }, {}},
+        {HM_BAD_CURVE,
+         "weight",
+         [](CurveSet& c) {
+             c.weights = {1, 1, 0, 1};
+         },
+         {}},
     };
     for (Bad const& bad : all) {
         Case its = tiny_case();
@@ -316,26 +401,36 @@ TEST_CASE("bad conditions and parameters") {
         {HM_BAD_CONDITION, "no condition", nobody, false, [](Case& c) { c.conditions.clear(); }},
         {HM_BAD_CONDITION, "on no boundary face", 77, false, [](Case& c) { c.set_free(77); }},
         {HM_BAD_CONDITION, "two conditions", body, false, [](Case& c) { c.set_free(body); }},
-        {HM_BAD_ARGUMENT, "kind", 0, false, [](Case& c) { c.conditions[0].kind = HM_ROTATION_PAIR + 1; }},
-        {HM_BAD_ARGUMENT, "struct_size", 0, false, [](Case& c) { c.conditions[0].struct_size = 0; }},
-        {HM_BAD_CONDITION, "curves that do not exist", 0, false, [](Case& c) { c.conditions[0].n_curves = 2; }},
-        {HM_BAD_CONDITION, "its n_curves is 0: there are 1", 0, false, [](Case& c) { c.conditions[0].n_curves = 0; }},
-        {HM_BAD_CONDITION, "curves that do not exist", 0, false, [](Case& c) { c.conditions[0].first_curve = -1; }},
-        {HM_BAD_CONDITION, "nothing moves", nobody, false, [](Case& c) { c.conditions.clear(), c.set_free(body); }},
+        {HM_BAD_ARGUMENT, "kind", 0, false,
+         [](Case& c) { c.conditions[0].kind = HM_ROTATION_PAIR + 1; }},
+        {HM_BAD_ARGUMENT, "struct_size", 0, false,
+         [](Case& c) { c.conditions[0].struct_size = 0; }},
+        {HM_BAD_CONDITION, "curves that do not exist", 0, false,
+         [](Case& c) { c.conditions[0].n_curves = 2; }},
+        {HM_BAD_CONDITION, "its n_curves is 0: there are 1", 0, false,
+         [](Case& c) { c.conditions[0].n_curves = 0; }},
+        {HM_BAD_CONDITION, "curves that do not exist", 0, false,
+         [](Case& c) { c.conditions[0].first_curve = -1; }},
+        {HM_BAD_CONDITION, "nothing moves", nobody, false,
+         [](Case& c) { c.conditions.clear(), c.set_free(body); }},
         {HM_BAD_CONDITION, "does not exist", 48, true, [](Case& c) { c.give(48, 0); }},
         {HM_BAD_CONDITION, "on no curve", 8, true, [](Case& c) { c.give(8, 0); }},
-        {HM_BAD_CONDITION, "on no curve", 0, true, [](Case& c) { c.give(0, 0); }},   // on a fixed marker
+        {HM_BAD_CONDITION, "on no curve", 0, true,
+         [](Case& c) { c.give(0, 0); }},  // on a fixed marker
         {HM_BAD_CONDITION, "which does not exist", 0, false, [](Case& c) { c.give(16, 0, 1); }},
-        {HM_BAD_CONDITION, "outside its curve", 17, true, [](Case& c) { c.give(16, 4), c.give(17, 4.001); }},
-        {HM_BAD_CONDITION, "outside its curve", 17, true, [](Case& c) { c.give(17, not_a_number); }},
+        {HM_BAD_CONDITION, "outside its curve", 17, true,
+         [](Case& c) { c.give(16, 4), c.give(17, 4.001); }},
+        {HM_BAD_CONDITION, "outside its curve", 17, true,
+         [](Case& c) { c.give(17, not_a_number); }},
     };
     for (Spoiled const& bad : all) check_refused(bad);
 }
 
-TEST_CASE("fields that are not of a condition's kind are refused by name, and which condition has them") {
+TEST_CASE(
+    "fields that are not of a condition's kind are refused by name, and which condition has them") {
     struct {
         const char* name;
-        std::int32_t kind, also;   // whose they are
+        std::int32_t kind, also;  // whose they are
         void (*set)(hm_condition& c);
     } const fields[] = {
         {"first_curve", HM_ON_CURVE, HM_ON_CURVE, [](hm_condition& c) { c.first_curve = 1; }},
@@ -371,7 +466,8 @@ TEST_CASE("nothing inside: a mesh all of whose points are on fixed markers and c
 }
 
 TEST_CASE("a part of the mesh that hangs on no known value is refused") {
-    // A second square beside the first, all of whose sides are free: constants are in the matrix's kernel.
+    // A second square beside the first, all of whose sides are free: constants are in the matrix's
+    // kernel.
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         for (int const n : {1, 2, 3, 10, 30}) {
             Case its = tiny_case();
@@ -390,6 +486,6 @@ TEST_CASE("a part of the mesh that hangs on no known value is refused") {
             Attempt const attempt(its.problem());
             INFO(n << " x " << n << ": " << attempt.reached << ": " << attempt.error.text);
             CHECK(attempt.status == HM_BAD_CONDITION);
-            CHECK(attempt.error.item >= first);   // a point of the island
+            CHECK(attempt.error.item >= first);  // a point of the island
         }
 }

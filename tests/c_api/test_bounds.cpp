@@ -1,5 +1,5 @@
-// Bounds of the fields of options and of small structs: the last value inside is accepted, the first one outside is
-// refused by the field's name.
+// Bounds of the fields of options and of small structs: the last value inside is accepted, the
+// first one outside is refused by the field's name.
 #include <doctest/doctest.h>
 
 #include <fixtures/blocks.hpp>
@@ -18,25 +18,28 @@ TEST_CASE("conditions and given parameters") {
         return hm_analysis_size(&problem, nullptr, &bytes, e);
     };
     using C = hm_condition;
-    check_changes<C>(its.conditions[0],
-                     {{nullptr, [](C&) {}},
-                      {nullptr, [](C& c) { c.piece = 1; }},
-                      {nullptr, [](C& c) { c.piece = 1, c.near_x = 3; }},
-                      {"a piece that is neither 0 nor 1", [](C& c) { c.piece = -1; }},
-                      {"a piece that is neither 0 nor 1", [](C& c) { c.piece = 2; }},
-                      {"reserved is not 0", [](C& c) { c.reserved = 1; }},
-                      {"chooses no piece", [](C& c) { c.near_x = 1; }},
-                      {"chooses no piece", [](C& c) { c.near_y = 1; }},
-                      {"has body", [](C& c) { c.body = 1; }},
-                      {"has x or y", [](C& c) { c.x = 1; }},
-                      {"has x or y", [](C& c) { c.y = 1; }},
-                      {"has partner", [](C& c) { c.partner = 1; }},
-                      {"first_curve or n_curves", [](C& c) { c.kind = HM_SLIP, c.n_curves = 0, c.first_curve = 1; }},
-                      {"a periodic pair cannot", [](C& c) { c.kind = HM_PERIODIC_PAIR, c.n_curves = 0, c.piece = 1; }},
-                      {"rigid body -1", [](C& c) { c.kind = HM_RIGID, c.n_curves = 0, c.body = -1; }},
-                      {"rigid body 1048576", [](C& c) { c.kind = HM_RIGID, c.n_curves = 0, c.body = 1 << 20; }},
-                      {"near_x or near_y", [](C& c) { c.piece = 1, c.near_y = beyond_range; }}},
-                     HM_BAD_CONDITION, size);
+    check_changes<C>(
+        its.conditions[0],
+        {{nullptr, [](C&) {}},
+         {nullptr, [](C& c) { c.piece = 1; }},
+         {nullptr, [](C& c) { c.piece = 1, c.near_x = 3; }},
+         {"a piece that is neither 0 nor 1", [](C& c) { c.piece = -1; }},
+         {"a piece that is neither 0 nor 1", [](C& c) { c.piece = 2; }},
+         {"reserved is not 0", [](C& c) { c.reserved = 1; }},
+         {"chooses no piece", [](C& c) { c.near_x = 1; }},
+         {"chooses no piece", [](C& c) { c.near_y = 1; }},
+         {"has body", [](C& c) { c.body = 1; }},
+         {"has x or y", [](C& c) { c.x = 1; }},
+         {"has x or y", [](C& c) { c.y = 1; }},
+         {"has partner", [](C& c) { c.partner = 1; }},
+         {"first_curve or n_curves",
+          [](C& c) { c.kind = HM_SLIP, c.n_curves = 0, c.first_curve = 1; }},
+         {"a periodic pair cannot",
+          [](C& c) { c.kind = HM_PERIODIC_PAIR, c.n_curves = 0, c.piece = 1; }},
+         {"rigid body -1", [](C& c) { c.kind = HM_RIGID, c.n_curves = 0, c.body = -1; }},
+         {"rigid body 1048576", [](C& c) { c.kind = HM_RIGID, c.n_curves = 0, c.body = 1 << 20; }},
+         {"near_x or near_y", [](C& c) { c.piece = 1, c.near_y = beyond_range; }}},
+        HM_BAD_CONDITION, size);
     check_changes<C>(its.conditions[0],
                      {{"struct_size of condition 0", [](C& c) { c.struct_size = 0; }},
                       {"the unknown kind -1", [](C& c) { c.kind = -1; }},
@@ -48,20 +51,21 @@ TEST_CASE("conditions and given parameters") {
         return hm_analysis_size(&problem, nullptr, &bytes, e);
     };
     using P = hm_problem;
-    check_changes<P>(its.problem(),
-                     {{nullptr, [](P&) {}},
-                      {"problem.struct_size", [](P& p) { p.struct_size = 0; }},
-                      {"given parameters", [](P& p) { p.n_given = -1; }},
-                      {"given parameters", [](P& p) { p.given_points = nullptr; }},
-                      {"given parameters", [](P& p) { p.given_curves = nullptr; }},
-                      {"given parameters", [](P& p) { p.given_u = nullptr; }},
-                      {"n_conditions is negative, or conditions is NULL", [](P& p) { p.n_conditions = -1; }},
-                      {"n_conditions is negative, or conditions is NULL", [](P& p) { p.conditions = nullptr; }}},
-                     HM_BAD_ARGUMENT, size_of);
+    check_changes<P>(
+        its.problem(),
+        {{nullptr, [](P&) {}},
+         {"problem.struct_size", [](P& p) { p.struct_size = 0; }},
+         {"given parameters", [](P& p) { p.n_given = -1; }},
+         {"given parameters", [](P& p) { p.given_points = nullptr; }},
+         {"given parameters", [](P& p) { p.given_curves = nullptr; }},
+         {"given parameters", [](P& p) { p.given_u = nullptr; }},
+         {"n_conditions is negative, or conditions is NULL", [](P& p) { p.n_conditions = -1; }},
+         {"n_conditions is negative, or conditions is NULL", [](P& p) { p.conditions = nullptr; }}},
+        HM_BAD_ARGUMENT, size_of);
 }
 
 TEST_CASE("blocks, and the distances between their points") {
-    Blocks const blocks = o_blocks(3, 4, 2, 1, 3);   // 5 x 3 points each, every second one turned
+    Blocks const blocks = o_blocks(3, 4, 2, 1, 3);  // 5 x 3 points each, every second one turned
     hm_mesh const mesh = blocks.view();
     std::vector<double> x(blocks.x.size()), y = x;
     hm_points const from{blocks.x.data(), blocks.y.data(), 1};
@@ -70,24 +74,26 @@ TEST_CASE("blocks, and the distances between their points") {
     };
     hm_block_points_out const sound{x.data(), y.data(), 1, 0};
     using B = hm_block_points_out;
-    check_changes<B>(sound,
-                     {{nullptr, [](B&) {}},
-                      {nullptr, [](B& b) { b.row = 5; }},
-                      {nullptr, [](B& b) { b.stride = 3, b.row = 1; }},
-                      {"stride or row of block 0", [](B& b) { b.row = 4; }},
-                      {"stride or row of block 0", [](B& b) { b.stride = 2, b.row = 1; }},
-                      {"stride or row of block 0", [](B& b) { b.stride = -1; }},
-                      {"stride or row of block 0", [](B& b) { b.row = -1; }},
-                      {"stride or row of block 0", [](B& b) { b.stride = (std::int64_t{1} << 40) + 1; }},
-                      {"stride or row of block 0", [](B& b) { b.row = (std::int64_t{1} << 40) + 1; }},
-                      {"x or y of block 0", [](B& b) { b.x = nullptr; }},
-                      {"x or y of block 0", [](B& b) { b.y = nullptr; }}},
-                     HM_BAD_ARGUMENT, scatter);
+    check_changes<B>(
+        sound,
+        {{nullptr, [](B&) {}},
+         {nullptr, [](B& b) { b.row = 5; }},
+         {nullptr, [](B& b) { b.stride = 3, b.row = 1; }},
+         {"stride or row of block 0", [](B& b) { b.row = 4; }},
+         {"stride or row of block 0", [](B& b) { b.stride = 2, b.row = 1; }},
+         {"stride or row of block 0", [](B& b) { b.stride = -1; }},
+         {"stride or row of block 0", [](B& b) { b.row = -1; }},
+         {"stride or row of block 0", [](B& b) { b.stride = (std::int64_t{1} << 40) + 1; }},
+         {"stride or row of block 0", [](B& b) { b.row = (std::int64_t{1} << 40) + 1; }},
+         {"x or y of block 0", [](B& b) { b.x = nullptr; }},
+         {"x or y of block 0", [](B& b) { b.y = nullptr; }}},
+        HM_BAD_ARGUMENT, scatter);
     hm_block_points_out all[6] = {sound, sound, sound, sound, sound, sound};
     struct {
         std::int32_t first, n;
         bool exists;
-    } const ranges[] = {{0, 6, true}, {5, 1, true}, {0, 0, false}, {0, 7, false}, {6, 1, false}, {-1, 1, false}};
+    } const ranges[] = {{0, 6, true},  {5, 1, true},  {0, 0, false},
+                        {0, 7, false}, {6, 1, false}, {-1, 1, false}};
     for (auto const& range : ranges) {
         hm_error error{};
         hm_status const status = hm_blocks_scatter(&mesh, range.first, range.n, &from, all, &error);
@@ -100,7 +106,7 @@ TEST_CASE("blocks, and the distances between their points") {
     hm_problem problem = with_size<hm_problem>();
     problem.mesh = &flat;
     std::size_t bytes = 0;
-    for (std::int32_t const size : {1, 1 << 30}) {   // no cells, too many
+    for (std::int32_t const size : {1, 1 << 30}) {  // no cells, too many
         sizes[2] = sizes[3] = size;
         CHECK(hm_analysis_size(&problem, nullptr, &bytes, nullptr) == HM_BAD_MESH);
     }
@@ -115,25 +121,26 @@ TEST_CASE("safe morphs and better cells") {
     REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
     auto const morph = [&](hm_safe_options const& options, hm_error* e) {
-        return hm_morph_safe(solved.plan, solved.basis, move.data(), &to, nullptr, work.data(), bytes, &options,
-                             nullptr, e);
+        return hm_morph_safe(solved.plan, solved.basis, move.data(), &to, nullptr, work.data(),
+                             bytes, &options, nullptr, e);
     };
     using S = hm_safe_options;
-    check_changes<S>(with_size<S>(),
-                     {{nullptr, [](S&) {}},
-                      {nullptr, [](S& s) { s.skipped_strategies = (2 << HM_STRATEGY_IMPROVED) - 1 - 1; }},
-                      {nullptr, [](S& s) { s.max_resolves = -1; }},
-                      {nullptr, [](S& s) { s.heights = 1, s.min_quality = 1; }},
-                      {nullptr, [](S& s) { s.min_quality = -1; }},
-                      {nullptr, [](S& s) { s.max_height_change = 1.001; }},
-                      {"skipped_strategies is -1", [](S& s) { s.skipped_strategies = -1; }},
-                      {"skipped_strategies is", [](S& s) { s.skipped_strategies = 2 << HM_STRATEGY_IMPROVED; }},
-                      {"reserved is not 0", [](S& s) { s.reserved = 1; }},
-                      {"max_height_change", [](S& s) { s.max_height_change = -1; }}},
-                     HM_BAD_ARGUMENT, morph);
+    check_changes<S>(
+        with_size<S>(),
+        {{nullptr, [](S&) {}},
+         {nullptr, [](S& s) { s.skipped_strategies = (2 << HM_STRATEGY_IMPROVED) - 1 - 1; }},
+         {nullptr, [](S& s) { s.max_resolves = -1; }},
+         {nullptr, [](S& s) { s.heights = 1, s.min_quality = 1; }},
+         {nullptr, [](S& s) { s.min_quality = -1; }},
+         {nullptr, [](S& s) { s.max_height_change = 1.001; }},
+         {"skipped_strategies is -1", [](S& s) { s.skipped_strategies = -1; }},
+         {"skipped_strategies is", [](S& s) { s.skipped_strategies = 2 << HM_STRATEGY_IMPROVED; }},
+         {"reserved is not 0", [](S& s) { s.reserved = 1; }},
+         {"max_height_change", [](S& s) { s.max_height_change = -1; }}},
+        HM_BAD_ARGUMENT, morph);
     hm_error error{};
-    CHECK(hm_morph_safe(solved.plan, solved.basis, move.data(), &to, solved.basis, work.data(), bytes, nullptr, nullptr,
-                        &error) == HM_BAD_ARGUMENT);
+    CHECK(hm_morph_safe(solved.plan, solved.basis, move.data(), &to, solved.basis, work.data(),
+                        bytes, nullptr, nullptr, &error) == HM_BAD_ARGUMENT);
     CHECK(std::string(error.text) == "derivative is the basis itself");
 
     // Some of the functions cannot move the mesh, nor be the derivative of its movement.
@@ -147,9 +154,10 @@ TEST_CASE("safe morphs and better cells") {
         hm_basis *basis, *derivative;
     } const pairs[] = {{share, nullptr}, {solved.basis, rest}};
     for (auto const& pair : pairs) {
-        CHECK(hm_morph_safe(solved.plan, pair.basis, move.data(), &to, pair.derivative, work.data(), work.size(),
-                            nullptr, nullptr, &error) == HM_BAD_BASIS);
-        CHECK(std::string(error.text) == "a share of the functions cannot move the mesh: all of them are needed");
+        CHECK(hm_morph_safe(solved.plan, pair.basis, move.data(), &to, pair.derivative, work.data(),
+                            work.size(), nullptr, nullptr, &error) == HM_BAD_BASIS);
+        CHECK(std::string(error.text) ==
+              "a share of the functions cannot move the mesh: all of them are needed");
     }
     CHECK(x == its.mesh.x);
 }
@@ -166,8 +174,9 @@ TEST_CASE("levels of a plan") {
     for (std::int32_t const level : {-1, levels + 1}) {
         hm_error error{};
         CHECK(hm_plan_level(solved.plan, level, cells.data(), &n, &error) == HM_BAD_ARGUMENT);
-        CHECK(std::string(error.text).find("there is no level " + std::to_string(level) + " (from 0): the plan has ") ==
-              0);
+        CHECK(std::string(error.text)
+                  .find("there is no level " + std::to_string(level) +
+                        " (from 0): the plan has ") == 0);
     }
     check_arguments("plan, -, cells, n_cells", hm_plan_level, solved.plan, 0, cells.data(), &n);
 }
@@ -188,13 +197,15 @@ TEST_CASE("what else a call finds wrong in its numbers") {
         CHECK(std::string(error.text).find(text) != std::string::npos);
     };
     for (double const u : {not_a_number, HUGE_VAL})
-        says(hm_curve_basis(&set.view(), 0, u, 0, control.data(), values.data(), &error), HM_BAD_ARGUMENT, "u");
-    says(hm_curve_basis(&set.view(), 0, 0.5, -1, control.data(), values.data(), &error), HM_BAD_ARGUMENT,
-         "derivatives");
+        says(hm_curve_basis(&set.view(), 0, u, 0, control.data(), values.data(), &error),
+             HM_BAD_ARGUMENT, "u");
+    says(hm_curve_basis(&set.view(), 0, 0.5, -1, control.data(), values.data(), &error),
+         HM_BAD_ARGUMENT, "derivatives");
     hm_fit_options few = with_size<hm_fit_options>();
     few.n_control = 1;
     const hm_curves* fitted = nullptr;
-    says(hm_fit(&fitted, values.data(), 8000, &points, 40, 0, &few, nullptr, &error), HM_BAD_CURVE, "are not enough");
+    says(hm_fit(&fitted, values.data(), 8000, &points, 40, 0, &few, nullptr, &error), HM_BAD_CURVE,
+         "are not enough");
 
     // Reports and arrays that are not wanted.
     REQUIRE(hm_elevate_size(&set.view(), 0, &bytes, nullptr) == HM_OK);
@@ -205,33 +216,37 @@ TEST_CASE("what else a call finds wrong in its numbers") {
     std::int32_t n = 0;
     REQUIRE(hm_variables_size(&set.view(), nullptr, &naca, &n, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
-    CHECK(hm_variables_map(&set.view(), nullptr, &naca, work.data(), bytes, values.data(), nullptr, &error) == HM_OK);
+    CHECK(hm_variables_map(&set.view(), nullptr, &naca, work.data(), bytes, values.data(), nullptr,
+                           &error) == HM_OK);
     // A chord that ends at the origin is a chord.
     hm_section chord = with_size<hm_section>();
     chord.edge_y = -1;
-    CHECK(hm_variables_map(&set.view(), &chord, &naca, work.data(), bytes, values.data(), nullptr, &error) == HM_OK);
+    CHECK(hm_variables_map(&set.view(), &chord, &naca, work.data(), bytes, values.data(), nullptr,
+                           &error) == HM_OK);
     chord.edge_y = 0, chord.nose_y = -1;
-    CHECK(hm_variables_map(&set.view(), &chord, &naca, work.data(), bytes, values.data(), nullptr, &error) == HM_OK);
+    CHECK(hm_variables_map(&set.view(), &chord, &naca, work.data(), bytes, values.data(), nullptr,
+                           &error) == HM_OK);
 
     std::int32_t const point = 0;
     says(hm_extract_size(solved.basis, -1, &bytes, &error), HM_BAD_ARGUMENT, "-1");
     hm_basis* rows = nullptr;
-    says(hm_extract_init(&rows, values.data(), 8000, solved.basis, -1, &point, &error), HM_BAD_ARGUMENT, "-1");
+    says(hm_extract_init(&rows, values.data(), 8000, solved.basis, -1, &point, &error),
+         HM_BAD_ARGUMENT, "-1");
     says(hm_parcel_pack(solved.basis, -1, &point, values.data(), &error), HM_BAD_ARGUMENT, "-1");
 
     hm_mesh broken = its.mesh_view();
     broken.cell_points = nullptr;
     hm_quality_report quality = with_size<hm_quality_report>();
-    says(hm_quality(solved.basis, &broken, nullptr, nullptr, nullptr, &quality, &error), HM_BAD_ARGUMENT,
-         "cell_points");
+    says(hm_quality(solved.basis, &broken, nullptr, nullptr, nullptr, &quality, &error),
+         HM_BAD_ARGUMENT, "cell_points");
 
     hm_improve_options improve = with_size<hm_improve_options>();
     hm_points const no_y{x.data(), nullptr, 1};
     improve.reference = &no_y;
     REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
     Guarded room(bytes);
-    says(hm_improve(solved.plan, &points, &to, room.data(), bytes, &improve, nullptr, &error), HM_BAD_ARGUMENT,
-         "reference.x or reference.y is NULL");
+    says(hm_improve(solved.plan, &points, &to, room.data(), bytes, &improve, nullptr, &error),
+         HM_BAD_ARGUMENT, "reference.x or reference.y is NULL");
 }
 
 TEST_CASE("a given displacement whose target is out of range") {
@@ -243,8 +258,8 @@ TEST_CASE("a given displacement whose target is out of range") {
     hm_points_out const to{x.data(), y.data(), 1};
     Guarded work = displaced.work_for(1);
     hm_error error{};
-    CHECK(hm_displace(displaced.plan, n, nullptr, 1, &all, &all, &to, work.data(), work.size(), nullptr, &error) ==
-          HM_BAD_ARGUMENT);
+    CHECK(hm_displace(displaced.plan, n, nullptr, 1, &all, &all, &to, work.data(), work.size(),
+                      nullptr, &error) == HM_BAD_ARGUMENT);
     CHECK(std::string(error.text).find("the target of point ") == 0);
     CHECK(std::string(error.text).find("in field 0 (from 0) is beyond 1e100") != std::string::npos);
     CHECK(x == its.mesh.x);
@@ -270,8 +285,12 @@ TEST_CASE("numbers in sentences: integers below 1e15 with all their digits, othe
     struct {
         double value;
         const char* words;
-    } const all[] = {{1, "not 1"}, {999999999999999, "not 999999999999999"}, {1e15, "not 1.00000e15"},
-                     {-999999999999999, "not -999999999999999"}, {-1e15, "not -1.00000e15"}, {1.5, "not 1.50000"}};
+    } const all[] = {{1, "not 1"},
+                     {999999999999999, "not 999999999999999"},
+                     {1e15, "not 1.00000e15"},
+                     {-999999999999999, "not -999999999999999"},
+                     {-1e15, "not -1.00000e15"},
+                     {1.5, "not 1.50000"}};
     for (auto const& one : all) {
         hm_options options = laplace();
         options.tolerance = one.value;

@@ -1,5 +1,5 @@
-// Bounds of the fields that belong to curves, sections and design variables: the last value inside is accepted, the
-// first one outside is refused by the field's name.
+// Bounds of the fields that belong to curves, sections and design variables: the last value inside
+// is accepted, the first one outside is refused by the field's name.
 #include <doctest/doctest.h>
 
 #include <fixtures/changes.hpp>
@@ -52,15 +52,18 @@ TEST_CASE("quantities of a section") {
                       {"longer than 2^20", [](Q& q) { q.n_polygon = (1 << 20) + 1; }},
                       {"the polygon is NULL", [](Q& q) { q.polygon = nullptr; }},
                       {"point 1 (from 0) of the polygon", [](Q& q) { q.polygon = bad_polygon; }},
-                      {"point 1 (from 0) of the polygon", [](Q& q) { q.polygon = far_polygon, q.n_polygon = 2; }}},
+                      {"point 1 (from 0) of the polygon",
+                       [](Q& q) { q.polygon = far_polygon, q.n_polygon = 2; }}},
                      HM_BAD_ARGUMENT, measure);
     hm_quantity two[] = {area, area};
     two[1].struct_size = 0;
     double values[2];
     hm_error error{};
-    CHECK(hm_measure(&set.view(), nullptr, 0, two, values, nullptr, nullptr, &error) == HM_BAD_ARGUMENT);
+    CHECK(hm_measure(&set.view(), nullptr, 0, two, values, nullptr, nullptr, &error) ==
+          HM_BAD_ARGUMENT);
     CHECK(std::string(error.text) == "n is 0: at least one quantity is measured");
-    CHECK(hm_measure(&set.view(), nullptr, 2, two, values, nullptr, nullptr, &error) == HM_BAD_ARGUMENT);
+    CHECK(hm_measure(&set.view(), nullptr, 2, two, values, nullptr, nullptr, &error) ==
+          HM_BAD_ARGUMENT);
     CHECK(std::string(error.text) == "struct_size of quantity 1 (from 0) is wrong");
 }
 
@@ -86,12 +89,13 @@ TEST_CASE("sections") {
                       {"an end of the chord line", [](S& s) { s.edge_x = not_a_number; }},
                       {"an end of the chord line", [](S& s) { s.edge_y = -beyond_range; }}},
                      HM_BAD_ARGUMENT, measure);
-    for (std::size_t const number : {2u, 5u}) {   // an x, a y
+    for (std::size_t const number : {2u, 5u}) {  // an x, a y
         CurveSet far = set;
         far.control[number] = 2e50;
         hm_error error{};
         double value = 0;
-        CHECK(hm_measure(&far.view(), nullptr, 1, &area, &value, nullptr, nullptr, &error) == HM_BAD_CURVE);
+        CHECK(hm_measure(&far.view(), nullptr, 1, &area, &value, nullptr, nullptr, &error) ==
+              HM_BAD_CURVE);
         CHECK(std::string(error.text).find("beyond 1e50") != std::string::npos);
         CHECK(error.item == static_cast<std::int32_t>(number / 2));
     }
@@ -99,7 +103,8 @@ TEST_CASE("sections") {
 
 TEST_CASE("design variables") {
     CurveSet set = airfoil_case().curves;
-    static double const peaks[] = {0.3, 0.6}, low[] = {0.3, 0}, high[] = {1, 0.6}, none_at_all[] = {not_a_number, 0.6};
+    static double const peaks[] = {0.3, 0.6}, low[] = {0.3, 0}, high[] = {1, 0.6},
+                        none_at_all[] = {not_a_number, 0.6};
     hm_variables box = with_size<hm_variables>();
     box.kind = HM_FFD;
     box.degree_x = box.degree_y = 1;
@@ -115,54 +120,56 @@ TEST_CASE("design variables") {
         return hm_variables_size(&set.view(), nullptr, &variables, &n, &bytes, e);
     };
     using V = hm_variables;
-    check_changes<V>(box,
-                     {{nullptr, [](V&) {}},
-                      {"variables.struct_size", [](V& v) { v.struct_size = 0; }},
-                      {"unknown", [](V& v) { v.kind = -1; }},
-                      {"unknown", [](V& v) { v.kind = HM_NACA4 + 1; }},
-                      {nullptr, [](V& v) { v.degree_x = 63, v.degree_y = 0; }},
-                      {nullptr, [](V& v) { v.degree_x = 0, v.degree_y = 63; }},
-                      {"degree_x and degree_y are -1 and 1", [](V& v) { v.degree_x = -1; }},
-                      {"degree_x and degree_y are 64 and 1", [](V& v) { v.degree_x = 64; }},
-                      {"degree_x and degree_y are 1 and -1", [](V& v) { v.degree_y = -1; }},
-                      {"degree_x and degree_y are 1 and 64", [](V& v) { v.degree_y = 64; }},
-                      {"n_upper and n_lower", [](V& v) { v.n_upper = 1; }},
-                      {"n_upper and n_lower", [](V& v) { v.n_lower = 1; }},
-                      {"peaks", [](V& v) { v.peaks = peaks; }},
-                      {"the exponents", [](V& v) { v.nose_exponent = 1; }},
-                      {"the exponents", [](V& v) { v.edge_exponent = 1; }},
-                      {"the width", [](V& v) { v.width = 2; }},
-                      {nullptr, [](V& v) { v.x_min = -1, v.x_max = 1, v.y_max = 1; }},
-                      {"the box is empty", [](V& v) { v.x_min = 1; }},
-                      {"the box is empty", [](V& v) { v.y_min = 1; }},
-                      {"the box is empty", [](V& v) { v.x_max = 1; }},
-                      {"the box is empty", [](V& v) { v.y_max = 1; }},
-                      {"not finite", [](V& v) { v.x_max = beyond_range, v.y_max = 1; }},
-                      {"not finite", [](V& v) { v.x_min = -beyond_range, v.x_max = 1, v.y_max = 1; }},
-                      {"not finite", [](V& v) { v.x_max = 1, v.y_max = not_a_number; }}},
-                     HM_BAD_ARGUMENT, size);
-    check_changes<V>(cst,
-                     {{nullptr, [](V&) {}},
-                      {nullptr, [](V& v) { v.n_upper = 64, v.n_lower = 64; }},
-                      {"n_upper and n_lower are 0 and 0", [](V& v) { v.n_upper = 0; }},
-                      {"n_upper and n_lower are 65 and 0", [](V& v) { v.n_upper = 65; }},
-                      {"n_upper and n_lower are -1 and 2", [](V& v) { v.n_upper = -1, v.n_lower = 2; }},
-                      {"n_upper and n_lower are 2 and 65", [](V& v) { v.n_lower = 65; }},
-                      {"n_upper and n_lower are 2 and -1", [](V& v) { v.n_lower = -1; }},
-                      {"degrees and box", [](V& v) { v.degree_x = 1; }},
-                      {"degrees and box", [](V& v) { v.degree_y = 1; }},
-                      {"degrees and box", [](V& v) { v.x_min = 1; }},
-                      {"degrees and box", [](V& v) { v.y_min = 1; }},
-                      {"degrees and box", [](V& v) { v.x_max = 1; }},
-                      {"degrees and box", [](V& v) { v.y_max = 1; }},
-                      {"peaks", [](V& v) { v.peaks = peaks; }},
-                      {nullptr, [](V& v) { v.nose_exponent = 10, v.edge_exponent = 10; }},
-                      {nullptr, [](V& v) { v.edge_exponent = 1; }},
-                      {"nose_exponent is 11", [](V& v) { v.nose_exponent = 11; }},
-                      {"nose_exponent is -1", [](V& v) { v.nose_exponent = -1; }},
-                      {"edge_exponent is 11", [](V& v) { v.edge_exponent = 11; }},
-                      {"edge_exponent is NaN", [](V& v) { v.edge_exponent = not_a_number; }}},
-                     HM_BAD_ARGUMENT, size);
+    check_changes<V>(
+        box,
+        {{nullptr, [](V&) {}},
+         {"variables.struct_size", [](V& v) { v.struct_size = 0; }},
+         {"unknown", [](V& v) { v.kind = -1; }},
+         {"unknown", [](V& v) { v.kind = HM_NACA4 + 1; }},
+         {nullptr, [](V& v) { v.degree_x = 63, v.degree_y = 0; }},
+         {nullptr, [](V& v) { v.degree_x = 0, v.degree_y = 63; }},
+         {"degree_x and degree_y are -1 and 1", [](V& v) { v.degree_x = -1; }},
+         {"degree_x and degree_y are 64 and 1", [](V& v) { v.degree_x = 64; }},
+         {"degree_x and degree_y are 1 and -1", [](V& v) { v.degree_y = -1; }},
+         {"degree_x and degree_y are 1 and 64", [](V& v) { v.degree_y = 64; }},
+         {"n_upper and n_lower", [](V& v) { v.n_upper = 1; }},
+         {"n_upper and n_lower", [](V& v) { v.n_lower = 1; }},
+         {"peaks", [](V& v) { v.peaks = peaks; }},
+         {"the exponents", [](V& v) { v.nose_exponent = 1; }},
+         {"the exponents", [](V& v) { v.edge_exponent = 1; }},
+         {"the width", [](V& v) { v.width = 2; }},
+         {nullptr, [](V& v) { v.x_min = -1, v.x_max = 1, v.y_max = 1; }},
+         {"the box is empty", [](V& v) { v.x_min = 1; }},
+         {"the box is empty", [](V& v) { v.y_min = 1; }},
+         {"the box is empty", [](V& v) { v.x_max = 1; }},
+         {"the box is empty", [](V& v) { v.y_max = 1; }},
+         {"not finite", [](V& v) { v.x_max = beyond_range, v.y_max = 1; }},
+         {"not finite", [](V& v) { v.x_min = -beyond_range, v.x_max = 1, v.y_max = 1; }},
+         {"not finite", [](V& v) { v.x_max = 1, v.y_max = not_a_number; }}},
+        HM_BAD_ARGUMENT, size);
+    check_changes<V>(
+        cst,
+        {{nullptr, [](V&) {}},
+         {nullptr, [](V& v) { v.n_upper = 64, v.n_lower = 64; }},
+         {"n_upper and n_lower are 0 and 0", [](V& v) { v.n_upper = 0; }},
+         {"n_upper and n_lower are 65 and 0", [](V& v) { v.n_upper = 65; }},
+         {"n_upper and n_lower are -1 and 2", [](V& v) { v.n_upper = -1, v.n_lower = 2; }},
+         {"n_upper and n_lower are 2 and 65", [](V& v) { v.n_lower = 65; }},
+         {"n_upper and n_lower are 2 and -1", [](V& v) { v.n_lower = -1; }},
+         {"degrees and box", [](V& v) { v.degree_x = 1; }},
+         {"degrees and box", [](V& v) { v.degree_y = 1; }},
+         {"degrees and box", [](V& v) { v.x_min = 1; }},
+         {"degrees and box", [](V& v) { v.y_min = 1; }},
+         {"degrees and box", [](V& v) { v.x_max = 1; }},
+         {"degrees and box", [](V& v) { v.y_max = 1; }},
+         {"peaks", [](V& v) { v.peaks = peaks; }},
+         {nullptr, [](V& v) { v.nose_exponent = 10, v.edge_exponent = 10; }},
+         {nullptr, [](V& v) { v.edge_exponent = 1; }},
+         {"nose_exponent is 11", [](V& v) { v.nose_exponent = 11; }},
+         {"nose_exponent is -1", [](V& v) { v.nose_exponent = -1; }},
+         {"edge_exponent is 11", [](V& v) { v.edge_exponent = 11; }},
+         {"edge_exponent is NaN", [](V& v) { v.edge_exponent = not_a_number; }}},
+        HM_BAD_ARGUMENT, size);
     check_changes<V>(bumps,
                      {{nullptr, [](V& v) { v.width = 1; }},
                       {nullptr, [](V& v) { v.width = 100; }},
@@ -185,12 +192,13 @@ TEST_CASE("curves: each field of the set and of a curve") {
     hm_curves const& curves = set.view();
     auto const check = [](hm_curves const& its, hm_error* e) { return hm_curves_check(&its, e); };
     using C = hm_curves;
-    check_changes<C>(curves,
-                     {{"n_control must be between 2 and 2^24, not 1", [](C& c) { c.n_control = 1; }},
-                      {"n_control must be between 2 and 2^24", [](C& c) { c.n_control = (1 << 24) + 1; }},
-                      {"n_curves must be between 1 and 2^24, not 0", [](C& c) { c.n_curves = 0; }},
-                      {"n_curves must be between 1 and 2^24", [](C& c) { c.n_curves = (1 << 24) + 1; }}},
-                     HM_BAD_CURVE, check);
+    check_changes<C>(
+        curves,
+        {{"n_control must be between 2 and 2^24, not 1", [](C& c) { c.n_control = 1; }},
+         {"n_control must be between 2 and 2^24", [](C& c) { c.n_control = (1 << 24) + 1; }},
+         {"n_curves must be between 1 and 2^24, not 0", [](C& c) { c.n_curves = 0; }},
+         {"n_curves must be between 1 and 2^24", [](C& c) { c.n_curves = (1 << 24) + 1; }}},
+        HM_BAD_CURVE, check);
     check_changes<C>(curves,
                      {{"curves.control or curves.curve is NULL", [](C& c) { c.control = nullptr; }},
                       {"curves.control or curves.curve is NULL", [](C& c) { c.curve = nullptr; }},
@@ -208,15 +216,16 @@ TEST_CASE("curves: each field of the set and of a curve") {
     for (bool const has_size : {false, true}) {
         if (has_size) its_curves[1].struct_size = sizeof(hm_curve), its_curves[1].knots = nullptr;
         else its_curves[1].struct_size = 0;
-        std::string const text =
-            has_size ? "knots of curve 1 (from 0) is NULL" : "struct_size of curve 1 (from 0) is wrong";
+        std::string const text = has_size ? "knots of curve 1 (from 0) is NULL"
+                                          : "struct_size of curve 1 (from 0) is wrong";
         std::size_t bytes = 0;
         double at[2];
         REQUIRE(hm_analysis_size(&problem, nullptr, &bytes, nullptr) == HM_OK);
         Guarded block(bytes);
         hm_analysis* analysis = nullptr;
         hm_error error{};
-        CHECK(hm_analysis_init(&analysis, block.data(), bytes, &problem, nullptr, &error) == HM_BAD_ARGUMENT);
+        CHECK(hm_analysis_init(&analysis, block.data(), bytes, &problem, nullptr, &error) ==
+              HM_BAD_ARGUMENT);
         CHECK(error.text == text);
         CHECK(hm_curves_check(&two, &error) == HM_BAD_ARGUMENT);
         CHECK(error.text == text);
@@ -275,13 +284,16 @@ TEST_CASE("an edge angle where the curve stands still") {
     angle.kind = HM_EDGE_ANGLE;
     double value = 7;
     hm_error error{};
-    CHECK(hm_measure(&curves, nullptr, 1, &angle, &value, nullptr, nullptr, &error) == HM_BAD_CURVE);
-    CHECK(std::string(error.text) == "the trailing edge has no directions: the curve stands still at its ends");
+    CHECK(hm_measure(&curves, nullptr, 1, &angle, &value, nullptr, nullptr, &error) ==
+          HM_BAD_CURVE);
+    CHECK(std::string(error.text) ==
+          "the trailing edge has no directions: the curve stands still at its ends");
     CHECK(value == 7);
 }
 
 TEST_CASE("curvature of a curve with a cusp inside a span") {
-    double const control[] = {0, 0, 1, 1, 0, 1, 1, 0}, knots[] = {0, 0, 0, 0, 1, 1, 1, 1};   // C'(1/2) = 0
+    double const control[] = {0, 0, 1, 1, 0, 1, 1, 0},
+                 knots[] = {0, 0, 0, 0, 1, 1, 1, 1};  // C'(1/2) = 0
     hm_curve const curve{sizeof curve, 3, 4, nullptr, knots};
     hm_curves curves = with_size<hm_curves>();
     curves.n_control = 4;
@@ -293,8 +305,10 @@ TEST_CASE("curvature of a curve with a cusp inside a span") {
         quantity.kind = kind;
         double value = 7;
         hm_error error{};
-        CHECK(hm_measure(&curves, nullptr, 1, &quantity, &value, nullptr, nullptr, &error) == HM_BAD_CURVE);
-        CHECK(std::string(error.text).find("stands still at parameter 5.00000e-1") != std::string::npos);
+        CHECK(hm_measure(&curves, nullptr, 1, &quantity, &value, nullptr, nullptr, &error) ==
+              HM_BAD_CURVE);
+        CHECK(std::string(error.text).find("stands still at parameter 5.00000e-1") !=
+              std::string::npos);
         CHECK(value == 7);
     }
 }

@@ -1,5 +1,5 @@
-// Bounds in what a part of a mesh says of its cells, columns and unknowns: the last value inside is accepted, the first
-// one outside is refused by name.
+// Bounds in what a part of a mesh says of its cells, columns and unknowns: the last value inside is
+// accepted, the first one outside is refused by name.
 #include <doctest/doctest.h>
 
 #include <fixtures/changes.hpp>
@@ -24,7 +24,8 @@ TEST_CASE("two cells of a part on one side of an edge") {
     hm_part* made = nullptr;
     hm_error error{};
     CHECK(hm_part_init(&made, block.data(), bytes, &part, &error) == HM_BAD_MESH);
-    CHECK(std::string(error.text) == "the cells on both sides of the edge between points 0 and 1 overlap");
+    CHECK(std::string(error.text) ==
+          "the cells on both sides of the edge between points 0 and 1 overlap");
 }
 
 TEST_CASE("columns and unknowns of a part's equations") {
@@ -51,7 +52,8 @@ TEST_CASE("columns and unknowns of a part's equations") {
     };
     for (std::int32_t const column : {-1, info.columns})
         says(hm_rows_get(equations, rows, column, numbers.data(), &error),
-             "there is no column " + std::to_string(column) + " (from 0) of " + std::to_string(info.columns));
+             "there is no column " + std::to_string(column) + " (from 0) of " +
+                 std::to_string(info.columns));
     CHECK(hm_rows_get(equations, rows, info.columns - 1, numbers.data(), &error) == HM_OK);
     for (double const largest : {-1.0, not_a_number, HUGE_VAL}) {
         CHECK(hm_rows_finish(equations, rows, largest, &error) == HM_BAD_ARGUMENT);
@@ -61,11 +63,13 @@ TEST_CASE("columns and unknowns of a part's equations") {
         std::int32_t first, n;
     } const outside[] = {{-1, 1}, {0, -1}, {0, info.unknowns + 1}, {info.unknowns, 1}};
     for (auto const& range : outside) {
-        says(hm_equations_entries(equations, range.first, range.n, nullptr, nullptr, nullptr, 0, &n, &error),
-             "from unknown " + std::to_string(range.first) + " (from 0) on there are no " + std::to_string(range.n) +
-                 " unknowns");
+        says(hm_equations_entries(equations, range.first, range.n, nullptr, nullptr, nullptr, 0, &n,
+                                  &error),
+             "from unknown " + std::to_string(range.first) + " (from 0) on there are no " +
+                 std::to_string(range.n) + " unknowns");
     }
-    CHECK(hm_equations_entries(equations, info.unknowns, 0, nullptr, nullptr, nullptr, 0, &n, &error) == HM_OK);
+    CHECK(hm_equations_entries(equations, info.unknowns, 0, nullptr, nullptr, nullptr, 0, &n,
+                               &error) == HM_OK);
     CHECK(n == 0);
 
     Case other = tiny_case();
@@ -91,7 +95,8 @@ TEST_CASE("columns and unknowns of a part's equations") {
          "the rows are finished: make new ones by hm_rows_init");
     Case two = two_body_case(Cells::hybrid, 4, 3);
     Solved const elsewhere(two, &options);
-    says(hm_rows_get(equations, elsewhere.basis, 0, numbers.data(), &error), "the rows were made of other equations");
+    says(hm_rows_get(equations, elsewhere.basis, 0, numbers.data(), &error),
+         "the rows were made of other equations");
 
     hm_part_mesh nobody = with_size<hm_part_mesh>();
     hm_mesh const mesh = parted.parts[0].mesh.view();

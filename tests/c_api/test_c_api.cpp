@@ -9,7 +9,9 @@ using namespace fixtures;
 
 namespace {
 
-bool says(hm_error const& error, const char* word) { return std::string(error.text).find(word) != std::string::npos; }
+bool says(hm_error const& error, const char* word) {
+    return std::string(error.text).find(word) != std::string::npos;
+}
 
 }  // namespace
 
@@ -18,7 +20,8 @@ TEST_CASE("versions and names") {
     CHECK(std::string(hm_version()) == HM_VERSION);
     CHECK(sizeof(hm_error) == 128);
     std::set<std::string> names;
-    for (hm_status status = HM_CROSSING; status <= HM_POOR; ++status) names.insert(hm_status_name(status));
+    for (hm_status status = HM_CROSSING; status <= HM_POOR; ++status)
+        names.insert(hm_status_name(status));
     CHECK(names.size() == 17);
     CHECK(names.count("unknown status") == 0);
     CHECK(std::string(hm_status_name(HM_BLOCK_TOO_SMALL)) == "HM_BLOCK_TOO_SMALL");
@@ -98,28 +101,41 @@ TEST_CASE("NULL where it is not allowed is refused, everywhere; hm_error may alw
         hm_basis_values(solved.basis, 4, 0, x.data(), nullptr),
         hm_morph(nullptr, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr),
         hm_morph(solved.basis, nullptr, points_in(x, y), points_out(x, y), nullptr, nullptr),
-        hm_morph(solved.basis, move.data(), points_in(x.data(), nullptr), points_out(x, y), nullptr, nullptr),
-        hm_morph(solved.basis, move.data(), points_in(x, y), points_out(nullptr, y.data()), nullptr, nullptr),
-        hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x.data(), nullptr), nullptr, nullptr),
-        hm_morph(solved.basis, move.data(), points_in(x, y, -1), points_out(x, y), nullptr, nullptr),
-        hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y, -2), nullptr, nullptr),
+        hm_morph(solved.basis, move.data(), points_in(x.data(), nullptr), points_out(x, y), nullptr,
+                 nullptr),
+        hm_morph(solved.basis, move.data(), points_in(x, y), points_out(nullptr, y.data()), nullptr,
+                 nullptr),
+        hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x.data(), nullptr), nullptr,
+                 nullptr),
+        hm_morph(solved.basis, move.data(), points_in(x, y, -1), points_out(x, y), nullptr,
+                 nullptr),
+        hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y, -2), nullptr,
+                 nullptr),
         hm_adjoint(nullptr, points_in(x, y), move.data(), nullptr, nullptr),
         hm_adjoint(solved.basis, points_in(nullptr, y.data()), move.data(), nullptr, nullptr),
         hm_adjoint(solved.basis, points_in(x.data(), nullptr), move.data(), nullptr, nullptr),
         hm_adjoint(solved.basis, points_in(x, y), nullptr, nullptr, nullptr),
-        hm_boundary_error(nullptr, move.data(), points_in(x, y), points_in(x, y), &error, nullptr, nullptr),
-        hm_boundary_error(solved.basis, nullptr, points_in(x, y), points_in(x, y), &error, nullptr, nullptr),
-        hm_boundary_error(solved.basis, move.data(), points_in(nullptr, y.data()), points_in(x, y), &error, nullptr,
+        hm_boundary_error(nullptr, move.data(), points_in(x, y), points_in(x, y), &error, nullptr,
                           nullptr),
-        hm_boundary_error(solved.basis, move.data(), points_in(x, y), points_in(x, y), nullptr, nullptr, nullptr),
+        hm_boundary_error(solved.basis, nullptr, points_in(x, y), points_in(x, y), &error, nullptr,
+                          nullptr),
+        hm_boundary_error(solved.basis, move.data(), points_in(nullptr, y.data()), points_in(x, y),
+                          &error, nullptr, nullptr),
+        hm_boundary_error(solved.basis, move.data(), points_in(x, y), points_in(x, y), nullptr,
+                          nullptr, nullptr),
         hm_admissible_step(nullptr, &mesh, nullptr, points_in(x, y), nullptr, &step, nullptr),
-        hm_admissible_step(solved.basis, nullptr, nullptr, points_in(x, y), nullptr, &step, nullptr),
-        hm_admissible_step(solved.basis, &mesh, nullptr, points_in(nullptr, y.data()), nullptr, &step, nullptr),
-        hm_admissible_step(solved.basis, &mesh, nullptr, points_in(x, y), nullptr, nullptr, nullptr),
+        hm_admissible_step(solved.basis, nullptr, nullptr, points_in(x, y), nullptr, &step,
+                           nullptr),
+        hm_admissible_step(solved.basis, &mesh, nullptr, points_in(nullptr, y.data()), nullptr,
+                           &step, nullptr),
+        hm_admissible_step(solved.basis, &mesh, nullptr, points_in(x, y), nullptr, nullptr,
+                           nullptr),
         hm_quality(nullptr, &mesh, points_in(x, y), nullptr, nullptr, &quality, nullptr),
         hm_quality(solved.basis, nullptr, points_in(x, y), nullptr, nullptr, &quality, nullptr),
-        hm_quality(solved.basis, &mesh, points_in(x.data(), nullptr), nullptr, nullptr, &quality, nullptr),
-        hm_quality(solved.basis, &mesh, points_in(x, y), points_in(x.data(), nullptr), nullptr, &quality, nullptr),
+        hm_quality(solved.basis, &mesh, points_in(x.data(), nullptr), nullptr, nullptr, &quality,
+                   nullptr),
+        hm_quality(solved.basis, &mesh, points_in(x, y), points_in(x.data(), nullptr), nullptr,
+                   &quality, nullptr),
         hm_quality(solved.basis, &mesh, points_in(x, y), nullptr, nullptr, nullptr, nullptr),
         hm_curves_check(nullptr, nullptr),
         hm_fit_size(10, nullptr, nullptr, nullptr),
@@ -164,7 +180,8 @@ TEST_CASE("reports and sentences count as the caller does") {
 
         std::int32_t const marker = body;
         std::int32_t points[8], n = 0, is_loop = 0;
-        REQUIRE(hm_analysis_boundary(solved.analysis, 1, &marker, 0, points, 8, &n, &is_loop, nullptr) == HM_OK);
+        REQUIRE(hm_analysis_boundary(solved.analysis, 1, &marker, 0, points, 8, &n, &is_loop,
+                                     nullptr) == HM_OK);
         CHECK(n == 8);
         CHECK(is_loop == 1);
         std::set<std::int32_t> const expected = {16 + base, 17 + base, 18 + base, 23 + base,
@@ -176,7 +193,8 @@ TEST_CASE("reports and sentences count as the caller does") {
         d[0] = 1;
         hm_step_report step{};
         step.struct_size = sizeof step;
-        REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, &step, nullptr) == HM_OK);
+        REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, &step,
+                                   nullptr) == HM_OK);
         CHECK(step.cell == base);
         CHECK(step.point == base);
         CHECK(step.admissible == doctest::Approx(0.5));
@@ -185,19 +203,22 @@ TEST_CASE("reports and sentences count as the caller does") {
         x[8] = -1;
         hm_quality_report quality{};
         quality.struct_size = sizeof quality;
-        REQUIRE(hm_quality(solved.basis, &mesh, points_in(x.data(), mesh.points.y), nullptr, nullptr, &quality,
-                           nullptr) == HM_OK);
+        REQUIRE(hm_quality(solved.basis, &mesh, points_in(x.data(), mesh.points.y), nullptr,
+                           nullptr, &quality, nullptr) == HM_OK);
         CHECK(quality.first_inverted == base);
         CHECK(quality.min_quality_cell == base);
         CHECK(quality.crossing_points[0] == -1);
 
         hm_error error{};
-        CHECK(hm_plan_factor(solved.plan, points_in(x.data(), mesh.points.y), &error) == HM_BAD_MESH);
+        CHECK(hm_plan_factor(solved.plan, points_in(x.data(), mesh.points.y), &error) ==
+              HM_BAD_MESH);
         CHECK(error.item == base);
         CHECK(says(error, base == 0 ? "cell 0 " : "cell 1 "));
-        for (double const bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {   // exceptions are trapped: nothing is computed
+        for (double const bad :
+             {std::nan(""), HUGE_VAL, -HUGE_VAL}) {  // exceptions are trapped: nothing is computed
             x[8] = bad;
-            CHECK(hm_plan_factor(solved.plan, points_in(x.data(), mesh.points.y), &error) == HM_BAD_MESH);
+            CHECK(hm_plan_factor(solved.plan, points_in(x.data(), mesh.points.y), &error) ==
+                  HM_BAD_MESH);
             CHECK(error.item == base + 8);
         }
 
@@ -227,8 +248,8 @@ TEST_CASE("options that do not exist are refused before anything else is done") 
     std::size_t bytes = 0;
     hm_options good{};
     good.struct_size = sizeof good;
-    for (std::int32_t hm_options::*option :
-         {&hm_options::operator_kind, &hm_options::scheme, &hm_options::engine, &hm_options::kernel}) {
+    for (std::int32_t hm_options::*option : {&hm_options::operator_kind, &hm_options::scheme,
+                                             &hm_options::engine, &hm_options::kernel}) {
         hm_options bad = good;
         bad.*option = 77;
         CHECK(hm_analysis_size(&problem, &bad, &bytes, nullptr) == HM_UNSUPPORTED);
@@ -268,14 +289,14 @@ TEST_CASE("boundaries by markers: pieces, loops, and room for the points") {
     hm_error error{};
     auto const get = [&](std::int32_t n_markers, const std::int32_t* markers, std::int32_t piece,
                          std::int32_t capacity) {
-        return hm_analysis_boundary(attempt.analysis, n_markers, markers, piece, points, capacity, &n, &is_loop,
-                                    &error);
+        return hm_analysis_boundary(attempt.analysis, n_markers, markers, piece, points, capacity,
+                                    &n, &is_loop, &error);
     };
     REQUIRE(get(4, sides, 0, 24) == HM_OK);
     REQUIRE(n == 24);
     CHECK(is_loop == 1);
     REQUIRE(get(1, sides, 0, 24) == HM_OK);
-    REQUIRE(n == 7);   // the mesh on the left
+    REQUIRE(n == 7);  // the mesh on the left
     CHECK(is_loop == 0);
     CHECK(points[0] == 0);
     CHECK(points[6] == 6);
@@ -291,7 +312,7 @@ TEST_CASE("boundaries by markers: pieces, loops, and room for the points") {
     CHECK(get(2, two, 2, 24) == HM_BAD_CONDITION);
     CHECK(get(2, two, -1, 24) == HM_BAD_CONDITION);
     points[3] = -9;
-    CHECK(get(1, sides, 0, 3) == HM_BAD_ARGUMENT);   // too small, but tells how many
+    CHECK(get(1, sides, 0, 3) == HM_BAD_ARGUMENT);  // too small, but tells how many
     REQUIRE(n == 7);
     CHECK(points[2] == 2);
     CHECK(points[3] == -9);

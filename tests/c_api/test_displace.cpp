@@ -19,7 +19,8 @@ struct Arguments {
     Displaced displaced{its};
     std::int32_t n_fields = 2;
     std::vector<std::int32_t> list = displaced.points;
-    std::vector<double> wall = std::vector<double>(32, 0.125), mesh = std::vector<double>(4 * its.mesh.x.size(), 0.5);
+    std::vector<double> wall = std::vector<double>(32, 0.125),
+                        mesh = std::vector<double>(4 * its.mesh.x.size(), 0.5);
     std::vector<hm_points> given, dj;
     std::vector<hm_points_out> to, gradient;
     hm_solve_report report{};
@@ -40,12 +41,12 @@ struct Arguments {
         }
     }
     hm_status displace(hm_error& error) {
-        return hm_displace(displaced.plan, n, points, n_fields, given.data(), nullptr, to.data(), work.data(), bytes,
-                           &report, &error);
+        return hm_displace(displaced.plan, n, points, n_fields, given.data(), nullptr, to.data(),
+                           work.data(), bytes, &report, &error);
     }
     hm_status adjoint(hm_error& error) {
-        return hm_displace_adjoint(displaced.plan, n, points, n_fields, dj.data(), gradient.data(), work.data(), bytes,
-                                   &report, &error);
+        return hm_displace_adjoint(displaced.plan, n, points, n_fields, dj.data(), gradient.data(),
+                                   work.data(), bytes, &report, &error);
     }
 };
 
@@ -69,16 +70,23 @@ TEST_CASE("spoiled arguments of displacements and of the adjoint") {
         {HM_BLOCK_TOO_SMALL, "more bytes", -1, Call::either, [](Arguments& a) { --a.bytes; }},
         {HM_BAD_ARGUMENT, "a list may have", -5, Call::either, [](Arguments& a) { a.n = -5; }},
         {HM_BAD_CONDITION, "is not in the list", any, Call::either, [](Arguments& a) { --a.n; }},
-        {HM_BAD_CONDITION, "whose displacements are given", 0, Call::either, [](Arguments& a) { a.list[3] = 0; }},
-        {HM_BAD_CONDITION, "is not in the list", any, Call::either, [](Arguments& a) { a.list[3] = a.list[4]; }},
-        {HM_BAD_ARGUMENT, "no point of the mesh", 2, Call::either, [](Arguments& a) { a.list[2] = 48; }},
-        {HM_BAD_ARGUMENT, "no point of the mesh", 2, Call::either, [](Arguments& a) { a.list[2] = -1; }},
-        {HM_BAD_ARGUMENT, "n is 7", 7, Call::either, [](Arguments& a) { a.points = nullptr, a.n = 7; }},
-        {HM_BAD_ARGUMENT, "struct_size", -1, Call::either, [](Arguments& a) { a.report.struct_size = 0; }},
+        {HM_BAD_CONDITION, "whose displacements are given", 0, Call::either,
+         [](Arguments& a) { a.list[3] = 0; }},
+        {HM_BAD_CONDITION, "is not in the list", any, Call::either,
+         [](Arguments& a) { a.list[3] = a.list[4]; }},
+        {HM_BAD_ARGUMENT, "no point of the mesh", 2, Call::either,
+         [](Arguments& a) { a.list[2] = 48; }},
+        {HM_BAD_ARGUMENT, "no point of the mesh", 2, Call::either,
+         [](Arguments& a) { a.list[2] = -1; }},
+        {HM_BAD_ARGUMENT, "n is 7", 7, Call::either,
+         [](Arguments& a) { a.points = nullptr, a.n = 7; }},
+        {HM_BAD_ARGUMENT, "struct_size", -1, Call::either,
+         [](Arguments& a) { a.report.struct_size = 0; }},
         {HM_BAD_ARGUMENT, "wall", -1, Call::displace, [](Arguments& a) { a.given[1].y = nullptr; }},
         {HM_BAD_ARGUMENT, "to", -1, Call::displace, [](Arguments& a) { a.to[1].x = nullptr; }},
         {HM_BAD_ARGUMENT, "dj", -1, Call::adjoint, [](Arguments& a) { a.dj[1].x = nullptr; }},
-        {HM_BAD_ARGUMENT, "gradient", -1, Call::adjoint, [](Arguments& a) { a.gradient[1].x = nullptr; }},
+        {HM_BAD_ARGUMENT, "gradient", -1, Call::adjoint,
+         [](Arguments& a) { a.gradient[1].x = nullptr; }},
         {HM_BAD_ARGUMENT, "in field 1 (from 0) is not finite", any, Call::displace,
          [](Arguments& a) { a.wall[17] = not_a_number; }},
         {HM_BAD_ARGUMENT, "in field 0 (from 0) is beyond 1e100", any, Call::displace,
@@ -93,7 +101,8 @@ TEST_CASE("spoiled arguments of displacements and of the adjoint") {
             std::vector<double> const before = arguments.out;
             bad.spoil(arguments);
             hm_error error{};
-            hm_status const status = call == Call::displace ? arguments.displace(error) : arguments.adjoint(error);
+            hm_status const status =
+                call == Call::displace ? arguments.displace(error) : arguments.adjoint(error);
             INFO(std::string(bad.named) << ": " << error.text);
             CHECK(status == bad.status);
             if (bad.item != any) CHECK(error.item == bad.item);
@@ -121,7 +130,8 @@ TEST_CASE("a repeated point with another displacement") {
     CHECK(std::string(error.text).find("two displacements") != std::string::npos);
 }
 
-TEST_CASE("plans that cannot: no given marker, no factor, a marker that is both given and on a curve") {
+TEST_CASE(
+    "plans that cannot: no given marker, no factor, a marker that is both given and on a curve") {
     Case curves = tiny_case();
     Solved const solved(curves);
     std::size_t bytes = 0;

@@ -1,6 +1,6 @@
-// What lay in a block before decides nothing: every call of the C interface gives the same bits, whatever bytes its
-// block and its outputs held; and no call that succeeds raises a floating-point exception that a debugging build would
-// trap.
+// What lay in a block before decides nothing: every call of the C interface gives the same bits,
+// whatever bytes its block and its outputs held; and no call that succeeds raises a floating-point
+// exception that a debugging build would trap.
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
@@ -66,7 +66,7 @@ Report filled_report() {
 
 void check_fills(std::function<void(Record&)> const& calls) {
     std::vector<unsigned char> expected;
-    for (int const fill : {0x00, 0xFF, 0x7F}) {   // 0, NaN, nearly the largest number
+    for (int const fill : {0x00, 0xFF, 0x7F}) {  // 0, NaN, nearly the largest number
         Guarded::fill = static_cast<unsigned char>(fill);
         Record record;
         std::feclearexcept(FE_ALL_EXCEPT);
@@ -88,26 +88,29 @@ struct Way {
     hm_options options;
 };
 
-// Every row of the header's table of operators, schemes and engines, with what an option adds to it.
+// Every row of the header's table of operators, schemes and engines, with what an option adds to
+// it.
 std::vector<Way> ways() {
-    auto const way = [](std::string const& name, std::int32_t operator_kind, std::int32_t scheme, std::int32_t engine) {
+    auto const way = [](std::string const& name, std::int32_t operator_kind, std::int32_t scheme,
+                        std::int32_t engine) {
         Way out{name, options_of(operator_kind)};
         out.options.scheme = scheme;
         out.options.engine = engine;
         return out;
     };
-    std::vector<Way> out = {way("conformal", HM_CONFORMAL, HM_COMPACT, HM_DIRECT),
-                            way("Laplace", HM_LAPLACE, HM_COMPACT, HM_DIRECT),
-                            way("weighted", HM_WEIGHTED, HM_COMPACT, HM_DIRECT),
-                            way("Laplace, bounded", HM_LAPLACE, HM_BOUNDED, HM_DIRECT),
-                            way("weighted, bounded", HM_WEIGHTED, HM_BOUNDED, HM_DIRECT),
-                            way("Laplace, multigrid", HM_LAPLACE, HM_COMPACT, HM_MULTIGRID),
-                            way("weighted, multigrid", HM_WEIGHTED, HM_COMPACT, HM_MULTIGRID),
-                            way("Laplace, FAS", HM_LAPLACE, HM_COMPACT, HM_FAS),
-                            way("weighted, FAS", HM_WEIGHTED, HM_COMPACT, HM_FAS),
-                            way("nodal gradients", HM_LAPLACE, HM_NODAL_GRADIENT, HM_DIRECT),
-                            way("nodal gradients, FAS", HM_LAPLACE, HM_NODAL_GRADIENT, HM_FAS),
-                            way("plain nodal gradients, FAS", HM_LAPLACE, HM_NODAL_GRADIENT_PLAIN, HM_FAS)};
+    std::vector<Way> out = {
+        way("conformal", HM_CONFORMAL, HM_COMPACT, HM_DIRECT),
+        way("Laplace", HM_LAPLACE, HM_COMPACT, HM_DIRECT),
+        way("weighted", HM_WEIGHTED, HM_COMPACT, HM_DIRECT),
+        way("Laplace, bounded", HM_LAPLACE, HM_BOUNDED, HM_DIRECT),
+        way("weighted, bounded", HM_WEIGHTED, HM_BOUNDED, HM_DIRECT),
+        way("Laplace, multigrid", HM_LAPLACE, HM_COMPACT, HM_MULTIGRID),
+        way("weighted, multigrid", HM_WEIGHTED, HM_COMPACT, HM_MULTIGRID),
+        way("Laplace, FAS", HM_LAPLACE, HM_COMPACT, HM_FAS),
+        way("weighted, FAS", HM_WEIGHTED, HM_COMPACT, HM_FAS),
+        way("nodal gradients", HM_LAPLACE, HM_NODAL_GRADIENT, HM_DIRECT),
+        way("nodal gradients, FAS", HM_LAPLACE, HM_NODAL_GRADIENT, HM_FAS),
+        way("plain nodal gradients, FAS", HM_LAPLACE, HM_NODAL_GRADIENT_PLAIN, HM_FAS)};
     Way single = out[0], offset = out[0], real_single = out[1];
     single.name = "conformal, single precision";
     single.options.precision = HM_SINGLE;
@@ -117,7 +120,8 @@ std::vector<Way> ways() {
     offset.options.offset_correction = 1;
     out.insert(out.end(), {single, real_single, offset});
     for (Way& its : out)
-        if (its.options.engine == HM_FAS) its.options.max_iterations = 5;   // enough to touch all that an iteration has
+        if (its.options.engine == HM_FAS)
+            its.options.max_iterations = 5;  // enough to touch all that an iteration has
     return out;
 }
 
@@ -132,7 +136,9 @@ Case block() {
 
 }  // namespace
 
-TEST_CASE("analysis, plan and basis: every operator, scheme and engine, with one thread and with several") {
+TEST_CASE(
+    "analysis, plan and basis: every operator, scheme and engine, with one thread and with "
+    "several") {
     for (Way& way : ways())
         for (std::int32_t const threads : {1, 3}) {
             INFO(way.name << ", " << threads << " threads");
@@ -161,100 +167,113 @@ TEST_CASE("analysis, plan and basis: every operator, scheme and engine, with one
         }
 }
 
-TEST_CASE("problems of each kind of value: morph, adjoint, measures, shares, parcels, rows, single precision") {
-    for (KindOfProblem const& problem : problems_and_a_cut()) check_fills([&](Record& record) {
-        Case its = problem.its;
-        Attempt const solved(its.problem(), &problem.options);
-        record.add_solution(solved);
-        REQUIRE(solved.status >= 0);
-        hm_mesh const& mesh = its.mesh_view();
-        std::size_t const n = its.mesh.x.size();
-        std::int32_t const functions = info_of(solved.basis).functions,
-                           numbers = info_of(solved.basis).numbers_per_value;
-        std::vector<double> const move = some_move(functions, 0.01, 3), gradient = some_move(mesh.n_points, 1, 4);
-        std::vector<double> x = filled<double>(n), y = filled<double>(n);
-        record.add(
-            hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_out(x, y), nullptr, nullptr));
-        record.add(x);
-        record.add(y);
-        double error = 0;
-        std::int32_t point = 0;
-        record.add(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_in(x, y),
-                                     &error, &point, nullptr));
-        record.add(error);
-        hm_quality_report quality = filled_report<hm_quality_report>();
-        record.add(hm_quality(solved.basis, &mesh, points_in(x, y), points_in(its.mesh.x, its.mesh.y), nullptr,
-                              &quality, nullptr));
-        record.add(quality);
-        record.add(hm_morph(solved.basis, move.data(), nullptr, points_out(x, y), nullptr, nullptr));
-        record.add(x);
-        hm_step_report step = filled_report<hm_step_report>();
-        record.add(hm_admissible_step(solved.basis, &mesh, nullptr, points_in(x, y), nullptr, &step, nullptr));
-        record.add(step);
-        quality = filled_report<hm_quality_report>();
-        record.add(hm_assess(solved.basis, &mesh, nullptr, points_in(x, y), nullptr, &step, &quality, nullptr));
-        record.add(step);
-        record.add(quality);
-        std::vector<double> sums = filled<double>(2 * static_cast<std::size_t>(functions));
-        record.add(hm_adjoint(solved.basis, points_in(&gradient[0], &gradient[1], 2), sums.data(), nullptr, nullptr));
-        record.add(sums);
-        std::int32_t scale = 0;
-        std::vector<std::int64_t> parts = filled<std::int64_t>(4 * static_cast<std::size_t>(functions * numbers));
-        record.add(hm_adjoint_scale(solved.basis, points_in(&gradient[0], &gradient[1], 2), &scale, nullptr, nullptr));
-        record.add(hm_adjoint_sums(solved.basis, points_in(&gradient[0], &gradient[1], 2), scale, parts.data(), nullptr,
-                                   nullptr));
-        record.add(parts);
-        sums = filled<double>(sums.size());
-        record.add(hm_adjoint_finish(solved.basis, scale, parts.data(), sums.data(), nullptr));
-        record.add(sums);
+TEST_CASE(
+    "problems of each kind of value: morph, adjoint, measures, shares, parcels, rows, single "
+    "precision") {
+    for (KindOfProblem const& problem : problems_and_a_cut())
+        check_fills([&](Record& record) {
+            Case its = problem.its;
+            Attempt const solved(its.problem(), &problem.options);
+            record.add_solution(solved);
+            REQUIRE(solved.status >= 0);
+            hm_mesh const& mesh = its.mesh_view();
+            std::size_t const n = its.mesh.x.size();
+            std::int32_t const functions = info_of(solved.basis).functions,
+                               numbers = info_of(solved.basis).numbers_per_value;
+            std::vector<double> const move = some_move(functions, 0.01, 3),
+                                      gradient = some_move(mesh.n_points, 1, 4);
+            std::vector<double> x = filled<double>(n), y = filled<double>(n);
+            record.add(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+                                points_out(x, y), nullptr, nullptr));
+            record.add(x);
+            record.add(y);
+            double error = 0;
+            std::int32_t point = 0;
+            record.add(hm_boundary_error(solved.basis, move.data(),
+                                         points_in(its.mesh.x, its.mesh.y), points_in(x, y), &error,
+                                         &point, nullptr));
+            record.add(error);
+            hm_quality_report quality = filled_report<hm_quality_report>();
+            record.add(hm_quality(solved.basis, &mesh, points_in(x, y),
+                                  points_in(its.mesh.x, its.mesh.y), nullptr, &quality, nullptr));
+            record.add(quality);
+            record.add(
+                hm_morph(solved.basis, move.data(), nullptr, points_out(x, y), nullptr, nullptr));
+            record.add(x);
+            hm_step_report step = filled_report<hm_step_report>();
+            record.add(hm_admissible_step(solved.basis, &mesh, nullptr, points_in(x, y), nullptr,
+                                          &step, nullptr));
+            record.add(step);
+            quality = filled_report<hm_quality_report>();
+            record.add(hm_assess(solved.basis, &mesh, nullptr, points_in(x, y), nullptr, &step,
+                                 &quality, nullptr));
+            record.add(step);
+            record.add(quality);
+            std::vector<double> sums = filled<double>(2 * static_cast<std::size_t>(functions));
+            record.add(hm_adjoint(solved.basis, points_in(&gradient[0], &gradient[1], 2),
+                                  sums.data(), nullptr, nullptr));
+            record.add(sums);
+            std::int32_t scale = 0;
+            std::vector<std::int64_t> parts =
+                filled<std::int64_t>(4 * static_cast<std::size_t>(functions * numbers));
+            record.add(hm_adjoint_scale(solved.basis, points_in(&gradient[0], &gradient[1], 2),
+                                        &scale, nullptr, nullptr));
+            record.add(hm_adjoint_sums(solved.basis, points_in(&gradient[0], &gradient[1], 2),
+                                       scale, parts.data(), nullptr, nullptr));
+            record.add(parts);
+            sums = filled<double>(sums.size());
+            record.add(hm_adjoint_finish(solved.basis, scale, parts.data(), sums.data(), nullptr));
+            record.add(sums);
 
-        Single const single(solved.basis);
-        record.add(bytes_of(single.basis));
-        std::vector<std::vector<std::int32_t>> const lists = random_parts(mesh.n_points, 2, 5);
-        Rows const rows(solved.basis, lists[0]);
-        record.add(bytes_of(rows.basis));
-        std::unique_ptr<Guarded> blocks[2];
-        hm_basis* shares[2] = {};
-        for (std::int32_t k = 0; k < 2; ++k) {
-            std::int32_t first = -1, held = -1;
-            std::size_t bytes = 0;
-            REQUIRE(hm_share_of(solved.analysis, k, 2, &first, &held, nullptr) == HM_OK);
-            REQUIRE(hm_share_size(solved.analysis, first, held, &bytes, nullptr) == HM_OK);
-            blocks[k] = std::make_unique<Guarded>(bytes);
-            REQUIRE(hm_share_init(&shares[k], blocks[k]->data(), bytes, solved.analysis, first, held, nullptr) ==
-                    HM_OK);
-            hm_solve_report report = filled_report<hm_solve_report>();
-            record.add(hm_plan_solve(solved.plan, shares[k], &report, nullptr));
-            record.add(report);
-            record.add(bytes_of(shares[k]));
-        }
-        Rows const joined(shares[0], lists[1]);
-        for (hm_basis const* share : shares) {
-            std::int64_t doubles = 0;
-            std::int32_t const n_points = static_cast<std::int32_t>(lists[1].size());
-            REQUIRE(hm_parcel_size(share, n_points, &doubles, nullptr) == HM_OK);
-            std::vector<double> parcel = filled<double>(static_cast<std::size_t>(doubles));
-            record.add(hm_parcel_pack(share, n_points, lists[1].data(), parcel.data(), nullptr));
-            record.add(parcel);
-            record.add(hm_parcel_unpack(joined.basis, parcel.data(), doubles, nullptr));
-        }
-        record.add(bytes_of(joined.basis));
-    });
+            Single const single(solved.basis);
+            record.add(bytes_of(single.basis));
+            std::vector<std::vector<std::int32_t>> const lists = random_parts(mesh.n_points, 2, 5);
+            Rows const rows(solved.basis, lists[0]);
+            record.add(bytes_of(rows.basis));
+            std::unique_ptr<Guarded> blocks[2];
+            hm_basis* shares[2] = {};
+            for (std::int32_t k = 0; k < 2; ++k) {
+                std::int32_t first = -1, held = -1;
+                std::size_t bytes = 0;
+                REQUIRE(hm_share_of(solved.analysis, k, 2, &first, &held, nullptr) == HM_OK);
+                REQUIRE(hm_share_size(solved.analysis, first, held, &bytes, nullptr) == HM_OK);
+                blocks[k] = std::make_unique<Guarded>(bytes);
+                REQUIRE(hm_share_init(&shares[k], blocks[k]->data(), bytes, solved.analysis, first,
+                                      held, nullptr) == HM_OK);
+                hm_solve_report report = filled_report<hm_solve_report>();
+                record.add(hm_plan_solve(solved.plan, shares[k], &report, nullptr));
+                record.add(report);
+                record.add(bytes_of(shares[k]));
+            }
+            Rows const joined(shares[0], lists[1]);
+            for (hm_basis const* share : shares) {
+                std::int64_t doubles = 0;
+                std::int32_t const n_points = static_cast<std::int32_t>(lists[1].size());
+                REQUIRE(hm_parcel_size(share, n_points, &doubles, nullptr) == HM_OK);
+                std::vector<double> parcel = filled<double>(static_cast<std::size_t>(doubles));
+                record.add(
+                    hm_parcel_pack(share, n_points, lists[1].data(), parcel.data(), nullptr));
+                record.add(parcel);
+                record.add(hm_parcel_unpack(joined.basis, parcel.data(), doubles, nullptr));
+            }
+            record.add(bytes_of(joined.basis));
+        });
 }
 
 TEST_CASE("coarse to fine") {
-    for (KindOfProblem const& problem : kinds_of_problems()) check_fills([&](Record& record) {
-        Case coarse = problem.its, fine = problem.its;
-        perturb(fine.mesh, 0.1, 8);
-        Solved const solved(coarse, &problem.options);
-        TransferAttempt attempt;
-        std::memset(&attempt.transfer, Guarded::fill, sizeof attempt.transfer);
-        attempt.transfer.struct_size = sizeof attempt.transfer;
-        REQUIRE(attempt.open(fine.problem(), &problem.options));
-        REQUIRE(attempt.fill_from(solved.basis, coarse.mesh_view()));
-        record.add(attempt.transfer);
-        record.add(bytes_of(attempt.basis));
-    });
+    for (KindOfProblem const& problem : kinds_of_problems())
+        check_fills([&](Record& record) {
+            Case coarse = problem.its, fine = problem.its;
+            perturb(fine.mesh, 0.1, 8);
+            Solved const solved(coarse, &problem.options);
+            TransferAttempt attempt;
+            std::memset(&attempt.transfer, Guarded::fill, sizeof attempt.transfer);
+            attempt.transfer.struct_size = sizeof attempt.transfer;
+            REQUIRE(attempt.open(fine.problem(), &problem.options));
+            REQUIRE(attempt.fill_from(solved.basis, coarse.mesh_view()));
+            record.add(attempt.transfer);
+            record.add(bytes_of(attempt.basis));
+        });
 }
 
 TEST_CASE("fits of every closure, and the points of a curve") {
@@ -276,16 +295,20 @@ TEST_CASE("fits of every closure, and the points of a curve") {
                 const hm_curves* curves = nullptr;
                 hm_error error{};
                 hm_status const status =
-                    hm_fit(&curves, block.data(), bytes, points_in(xy, xy + 1, 2), n, 1, &options, &report, &error);
+                    hm_fit(&curves, block.data(), bytes, points_in(xy, xy + 1, 2), n, 1, &options,
+                           &report, &error);
                 record.add_outcome(status, error);
                 if (status < 0) return;
                 record.add(report);
-                record.add(std::vector<double>(curves->control, curves->control + 2 * curves->n_control));
+                record.add(
+                    std::vector<double>(curves->control, curves->control + 2 * curves->n_control));
                 for (std::int32_t k = 0; k < curves->n_curves; ++k) {
                     hm_curve const& its = curves->curve[k];
-                    record.add(std::vector<double>(its.knots, its.knots + its.n_indices + its.degree + 1));
+                    record.add(
+                        std::vector<double>(its.knots, its.knots + its.n_indices + its.degree + 1));
                     if (its.indices != nullptr)
-                        record.add(std::vector<std::int32_t>(its.indices, its.indices + its.n_indices));
+                        record.add(
+                            std::vector<std::int32_t>(its.indices, its.indices + its.n_indices));
                     double u = 0, distance = 0;
                     record.add(hm_curve_project(curves, k, 0.3, 0.2, &u, &distance, nullptr));
                     record.add(u);
@@ -294,7 +317,8 @@ TEST_CASE("fits of every closure, and the points of a curve") {
                     std::vector<std::int32_t> control = filled<std::int32_t>(6);
                     values.resize(3 * static_cast<std::size_t>(its.degree + 1));
                     control.resize(static_cast<std::size_t>(its.degree + 1));
-                    record.add(hm_curve_basis(curves, k, u, 2, control.data(), values.data(), nullptr));
+                    record.add(
+                        hm_curve_basis(curves, k, u, 2, control.data(), values.data(), nullptr));
                     record.add(hm_curve_point(curves, k, u, 2, at.data(), nullptr));
                     record.add(control);
                     record.add(values);
@@ -305,31 +329,37 @@ TEST_CASE("fits of every closure, and the points of a curve") {
 }
 
 TEST_CASE("the boundary of a mesh, and its report") {
-    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) check_fills([&](Record& record) {
-        Case its = airfoil_case(30, 12, kind);
-        Attempt attempt;
-        REQUIRE(attempt.analyse(its.problem()));
-        hm_mesh_report report = filled_report<hm_mesh_report>();
-        record.add(hm_analysis_report(attempt.analysis, &report, nullptr));
-        record.add(report);
-        std::vector<std::int32_t> points = filled<std::int32_t>(500);
-        std::int32_t const marker = body;
-        std::int32_t n = 0, is_loop = -1;
-        record.add(hm_analysis_boundary(attempt.analysis, 1, &marker, 0, points.data(), 500, &n, &is_loop, nullptr));
-        REQUIRE(n > 0);
-        record.add(std::vector<std::int32_t>(points.begin(), points.begin() + n));
-        record.add(is_loop);
-    });
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
+        check_fills([&](Record& record) {
+            Case its = airfoil_case(30, 12, kind);
+            Attempt attempt;
+            REQUIRE(attempt.analyse(its.problem()));
+            hm_mesh_report report = filled_report<hm_mesh_report>();
+            record.add(hm_analysis_report(attempt.analysis, &report, nullptr));
+            record.add(report);
+            std::vector<std::int32_t> points = filled<std::int32_t>(500);
+            std::int32_t const marker = body;
+            std::int32_t n = 0, is_loop = -1;
+            record.add(hm_analysis_boundary(attempt.analysis, 1, &marker, 0, points.data(), 500, &n,
+                                            &is_loop, nullptr));
+            REQUIRE(n > 0);
+            record.add(std::vector<std::int32_t>(points.begin(), points.begin() + n));
+            record.add(is_loop);
+        });
 }
 
-// Far turns, so that every strategy is tried: bounded functions, which cannot be solved again, leave the rest to
-// untangling.
-TEST_CASE("safe morphs: every operator and scheme that the direct engine solves, every strategy, to the end or not") {
+// Far turns, so that every strategy is tried: bounded functions, which cannot be solved again,
+// leave the rest to untangling.
+TEST_CASE(
+    "safe morphs: every operator and scheme that the direct engine solves, every strategy, to the "
+    "end or not") {
     for (Way& way : ways()) {
         if (way.options.engine != HM_DIRECT) continue;
         for (double const degrees : {20.0, 75.0, 100.0})
-            for (std::int32_t const skipped : {0, 1 << HM_STRATEGY_SUBSTEPS, 1 << HM_STRATEGY_UNTANGLED}) {
-                INFO(way.name << ", turned by " << degrees << " degrees, without the strategies " << skipped);
+            for (std::int32_t const skipped :
+                 {0, 1 << HM_STRATEGY_SUBSTEPS, 1 << HM_STRATEGY_UNTANGLED}) {
+                INFO(way.name << ", turned by " << degrees << " degrees, without the strategies "
+                              << skipped);
                 check_fills([&](Record& record) {
                     Case its = block();
                     Solved const solved(its, &way.options);
@@ -337,10 +367,12 @@ TEST_CASE("safe morphs: every operator and scheme that the direct engine solves,
                     REQUIRE(derivative.analyse(its.problem(), &way.options));
                     REQUIRE(derivative.prepare());
                     std::size_t bytes = 0;
-                    REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
+                    REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) ==
+                            HM_OK);
                     Guarded work(bytes);
-                    std::vector<double> const move =
-                        similarity_move(its.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), {0.5, 0.5}, 0.03);
+                    std::vector<double> const move = similarity_move(
+                        its.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), {0.5, 0.5},
+                        0.03);
                     std::vector<double> x = filled<double>(its.mesh.x.size()), y = x,
                                         reached = filled<double>(move.size());
                     hm_safe_options options{};
@@ -351,9 +383,9 @@ TEST_CASE("safe morphs: every operator and scheme that the direct engine solves,
                     options.reached = reached.data();
                     hm_safe_report report = filled_report<hm_safe_report>();
                     hm_error error{};
-                    hm_status const status =
-                        hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(x, y), derivative.basis,
-                                      work.data(), bytes, &options, &report, &error);
+                    hm_status const status = hm_morph_safe(
+                        solved.plan, solved.basis, move.data(), points_out(x, y), derivative.basis,
+                        work.data(), bytes, &options, &report, &error);
                     REQUIRE(status >= 0);
                     record.add_outcome(status, error);
                     record.add(report);
@@ -378,15 +410,16 @@ TEST_CASE("improvements: of a mesh with layers, and of one whose sides slide") {
             std::vector<double> const move =
                 similarity_move(its.curves, std::polar(1.0, 0.04), {0.5, slides ? 0.5 : 0.0}, 0.01);
             std::vector<double> x = its.mesh.x, y = its.mesh.y;
-            REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) == HM_OK);
+            REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
+                             nullptr) == HM_OK);
             hm_improve_options options{};
             options.struct_size = sizeof options;
             hm_points const reference = {its.mesh.x.data(), its.mesh.y.data(), 1};
             options.reference = &reference;
             hm_improve_report report = filled_report<hm_improve_report>();
             hm_error error{};
-            hm_status const status = hm_improve(solved.plan, points_in(x, y), points_out(x, y), work.data(), bytes,
-                                                &options, &report, &error);
+            hm_status const status = hm_improve(solved.plan, points_in(x, y), points_out(x, y),
+                                                work.data(), bytes, &options, &report, &error);
             INFO(error.text);
             REQUIRE(status == HM_OK);
             record.add_outcome(status, error);

@@ -1,4 +1,5 @@
-// Improving the mesh of a plan: conditions hold, first layers stay, bad input is refused and nothing has moved.
+// Improving the mesh of a plan: conditions hold, first layers stay, bad input is refused and
+// nothing has moved.
 #include <doctest/doctest.h>
 
 #include <fixtures/cascade.hpp>
@@ -22,17 +23,24 @@ struct Morphed {
     hm_error error{};
     std::size_t bytes = 0;
 
-    Morphed(Case const& of, std::vector<double> const& move, hm_options const& options = options_of(HM_CONFORMAL))
-        : its(of), solved(its.problem(), &options), x(its.mesh.x.size()), y(x), better_x(x), better_y(x) {
-        REQUIRE(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_out(x, y), nullptr,
-                         nullptr) == HM_OK);
+    Morphed(Case const& of, std::vector<double> const& move,
+            hm_options const& options = options_of(HM_CONFORMAL))
+        : its(of),
+          solved(its.problem(), &options),
+          x(its.mesh.x.size()),
+          y(x),
+          better_x(x),
+          better_y(x) {
+        REQUIRE(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+                         points_out(x, y), nullptr, nullptr) == HM_OK);
         REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
         report.struct_size = sizeof report;
     }
     hm_status improve(hm_improve_options const* options = nullptr) {
         Guarded work(bytes);
-        hm_status const status = hm_improve(solved.plan, points_in(x, y), points_out(better_x, better_y), work.data(),
-                                            bytes, options, &report, &error);
+        hm_status const status =
+            hm_improve(solved.plan, points_in(x, y), points_out(better_x, better_y), work.data(),
+                       bytes, options, &report, &error);
         CHECK(work.guards_intact());
         CHECK(solved.guards_intact());
         return status;
@@ -41,8 +49,8 @@ struct Morphed {
         hm_quality_report out{};
         out.struct_size = sizeof out;
         hm_mesh const& mesh = its.mesh_view();
-        REQUIRE(hm_quality(solved.basis, &mesh, points_in(at_x, at_y), points_in(its.mesh.x, its.mesh.y), nullptr, &out,
-                           nullptr) == HM_OK);
+        REQUIRE(hm_quality(solved.basis, &mesh, points_in(at_x, at_y),
+                           points_in(its.mesh.x, its.mesh.y), nullptr, &out, nullptr) == HM_OK);
         return out;
     }
     bool stays(std::int32_t point) const {
@@ -67,7 +75,8 @@ TEST_CASE("hm_improve: better cells, the report is that of hm_quality, and walls
     Complex const turn = std::polar(1.0, 0.6);
     Morphed out(its, similarity_move(its.curves, turn, 0.25));
     REQUIRE(out.improve() == HM_OK);
-    hm_quality_report const before = out.quality(out.x, out.y), after = out.quality(out.better_x, out.better_y);
+    hm_quality_report const before = out.quality(out.x, out.y),
+                            after = out.quality(out.better_x, out.better_y);
     CHECK(out.report.min_quality_before == before.min_quality);
     CHECK(out.report.mean_quality_before == before.mean_quality);
     CHECK(out.report.min_quality_cell_before == before.min_quality_cell);
@@ -80,8 +89,10 @@ TEST_CASE("hm_improve: better cells, the report is that of hm_quality, and walls
     CHECK(out.report.iterations > 0);
     std::vector<std::int32_t> const on_wall = points_on(its.mesh, body);
     std::int32_t held = its.mesh.n_points() - out.report.movable;
-    CHECK(held >= static_cast<std::int32_t>(on_wall.size() + points_on(its.mesh, far_field).size()));
-    for (std::int32_t const marker : {static_cast<std::int32_t>(body), static_cast<std::int32_t>(far_field)})
+    CHECK(held >=
+          static_cast<std::int32_t>(on_wall.size() + points_on(its.mesh, far_field).size()));
+    for (std::int32_t const marker :
+         {static_cast<std::int32_t>(body), static_cast<std::int32_t>(far_field)})
         for (std::int32_t const point : points_on(its.mesh, marker)) CHECK(out.stays(point));
 }
 
@@ -89,10 +100,12 @@ TEST_CASE("hm_improve: the first layer gets back the heights that a conformal mo
     std::size_t const around = 48;
     Case with_hanging_nodes = ring_case(12, static_cast<int>(around), 0.5, 2);
     // Points between those above the wall: the mesh is finer behind the first layer.
-    with_hanging_nodes.mesh = refined(with_hanging_nodes.mesh, [](Point p) { return std::hypot(p.x, p.y) > 0.62; });
+    with_hanging_nodes.mesh =
+        refined(with_hanging_nodes.mesh, [](Point p) { return std::hypot(p.x, p.y) > 0.62; });
     with_hanging_nodes.mesh.cell_layout = HM_CELLS_POLYGONS;
-    for (Case const& its : {ring_case(12, static_cast<int>(around), 0.5, 2, Cells::quads),
-                            ring_case(12, static_cast<int>(around), 0.5, 2, Cells::hybrid), with_hanging_nodes}) {
+    for (Case const& its :
+         {ring_case(12, static_cast<int>(around), 0.5, 2, Cells::quads),
+          ring_case(12, static_cast<int>(around), 0.5, 2, Cells::hybrid), with_hanging_nodes}) {
         Morphed out(its, some_move(8, 0.12, 3));
         REQUIRE(out.improve() == HM_OK);
         double worst_before = 0, worst = 0;
@@ -110,7 +123,9 @@ TEST_CASE("hm_improve: the first layer gets back the heights that a conformal mo
     }
 }
 
-TEST_CASE("hm_improve: a first layer whose heights would make a worse cell stays where it is, the others improve") {
+TEST_CASE(
+    "hm_improve: a first layer whose heights would make a worse cell stays where it is, the others "
+    "improve") {
     int const around = 16;
     for (unsigned const seed : {1u, 2u, 3u}) {
         Morphed out(ring_case(12, around, 0.3, 2, Cells::triangles), some_move(8, 0.03, seed));
@@ -150,7 +165,8 @@ TEST_CASE("hm_improve: sliding points stay on their lines, corners stay") {
 TEST_CASE("hm_improve: periodic pairs move together, and the cut between them is not felt") {
     for (Cells const kind : {Cells::quads, Cells::hybrid}) {
         Case its = cascade(kind, 0.2);
-        std::vector<double> const move = similarity_move(its.curves, std::polar(1.0, 0.5), {0.5, 0.5}, {0.08, 0.02});
+        std::vector<double> const move =
+            similarity_move(its.curves, std::polar(1.0, 0.5), {0.5, 0.5}, {0.08, 0.02});
         Morphed out(its, move);
         REQUIRE(out.improve() == HM_OK);
         CHECK(out.report.min_quality > out.report.min_quality_before);
@@ -173,7 +189,8 @@ TEST_CASE("hm_improve: periodic pairs move together, and the cut between them is
         for (std::size_t k = 0; k < number.size(); ++k) {
             auto const there = static_cast<std::size_t>(number[k]);
             double const shift = elsewhere.mesh.x[there] - plain.mesh.x[k];
-            CHECK(second.better_x[there] - shift == doctest::Approx(first.better_x[k]).epsilon(1e-6));
+            CHECK(second.better_x[there] - shift ==
+                  doctest::Approx(first.better_x[k]).epsilon(1e-6));
             CHECK(second.better_y[there] == doctest::Approx(first.better_y[k]).epsilon(1e-6));
         }
     }
@@ -203,8 +220,8 @@ TEST_CASE("hm_improve: in place, and with threads, the same bits") {
     options.executor = &executor;
     Morphed other(its, move, options);
     Guarded work(other.bytes);
-    REQUIRE(hm_improve(other.solved.plan, points_in(other.x, other.y), points_out(other.x, other.y), work.data(),
-                       other.bytes, nullptr, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_improve(other.solved.plan, points_in(other.x, other.y), points_out(other.x, other.y),
+                       work.data(), other.bytes, nullptr, nullptr, nullptr) == HM_OK);
     CHECK(other.x == out.better_x);
     CHECK(other.y == out.better_y);
 }
@@ -225,8 +242,8 @@ TEST_CASE("hm_improve: what cannot be improved is refused by name, and nothing h
     out.x[25] = x + 0.2;
     refuses(HM_BAD_MESH, "is inverted");
     out.x[25] = x;
-    CHECK(hm_improve(out.solved.plan, nullptr, points_out(out.better_x, out.better_y), nullptr, 0, nullptr, nullptr,
-                     &out.error) == HM_BAD_ARGUMENT);
+    CHECK(hm_improve(out.solved.plan, nullptr, points_out(out.better_x, out.better_y), nullptr, 0,
+                     nullptr, nullptr, &out.error) == HM_BAD_ARGUMENT);
     CHECK(hm_improve_size(nullptr, &out.bytes, &out.error) == HM_BAD_ARGUMENT);
     hm_improve_options options{};
     options.struct_size = sizeof options;
@@ -239,8 +256,9 @@ TEST_CASE("hm_improve: what cannot be improved is refused by name, and nothing h
     CHECK(out.report.iterations == 1);
     for (std::size_t const missing : {std::size_t{1}, std::size_t{64}, out.bytes}) {
         Guarded work(out.bytes - missing);
-        CHECK(hm_improve(out.solved.plan, points_in(out.x, out.y), points_out(out.better_x, out.better_y), work.data(),
-                         out.bytes - missing, nullptr, nullptr, &out.error) == HM_BLOCK_TOO_SMALL);
+        CHECK(hm_improve(out.solved.plan, points_in(out.x, out.y),
+                         points_out(out.better_x, out.better_y), work.data(), out.bytes - missing,
+                         nullptr, nullptr, &out.error) == HM_BLOCK_TOO_SMALL);
         CHECK(out.error.value == static_cast<double>(missing));
         CHECK(work.untouched());
     }

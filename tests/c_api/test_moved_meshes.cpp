@@ -30,42 +30,52 @@ struct Moved {
         REQUIRE(hm_improve_size(solved->plan, &improve, nullptr) == HM_OK);
         work.resize((safe > improve ? safe : improve) / 8 + 1);
     }
-    hm_status go() { return hm_morph(solved->basis, move.data(), &own, &in_place, nullptr, nullptr); }
-    hm_status safe(hm_points_out const& to, hm_error* error) {
-        return hm_morph_safe(solved->plan, solved->basis, move.data(), &to, nullptr, work.data(), work.size() * 8,
-                             nullptr, nullptr, error);
+    hm_status go() {
+        return hm_morph(solved->basis, move.data(), &own, &in_place, nullptr, nullptr);
     }
-    hm_status improve(hm_points_out const& to, hm_improve_options const* asked, hm_improve_report* report,
-                      hm_error* error) {
-        return hm_improve(solved->plan, &own, &to, work.data(), work.size() * 8, asked, report, error);
+    hm_status safe(hm_points_out const& to, hm_error* error) {
+        return hm_morph_safe(solved->plan, solved->basis, move.data(), &to, nullptr, work.data(),
+                             work.size() * 8, nullptr, nullptr, error);
+    }
+    hm_status improve(hm_points_out const& to, hm_improve_options const* asked,
+                      hm_improve_report* report, hm_error* error) {
+        return hm_improve(solved->plan, &own, &to, work.data(), work.size() * 8, asked, report,
+                          error);
     }
 };
 
 }  // namespace
 
-TEST_CASE("a safe morph from a mesh that was moved in place is refused, until the basis is solved there") {
+TEST_CASE(
+    "a safe morph from a mesh that was moved in place is refused, until the basis is solved "
+    "there") {
     Moved o;
     std::vector<double> x(o.x.size()), y(o.x.size());
     hm_points_out const to{x.data(), y.data(), 1};
     CHECK(o.safe(to, nullptr) == HM_OK);
     REQUIRE(o.go() == HM_OK);
-    check_texts({{HM_BAD_MESH, "the mesh has moved since the basis was solved: solve again, or put the points back",
-                  [&](hm_error* e) { return o.safe(to, e); }}});
+    check_texts(
+        {{HM_BAD_MESH,
+          "the mesh has moved since the basis was solved: solve again, or put the points back",
+          [&](hm_error* e) { return o.safe(to, e); }}});
     REQUIRE(hm_plan_factor(o.solved->plan, nullptr, nullptr) == HM_OK);
     REQUIRE(hm_plan_solve(o.solved->plan, o.solved->basis, nullptr, nullptr) == HM_OK);
     CHECK(o.safe(to, nullptr) == HM_OK);
-    o.x = o.its.mesh.x;   // the functions are those of the moved mesh now
+    o.x = o.its.mesh.x;  // the functions are those of the moved mesh now
     o.y = o.its.mesh.y;
     CHECK(o.safe(to, nullptr) == HM_BAD_MESH);
 }
 
-TEST_CASE("a mesh that was moved in place is improved with the reference of before, and not without") {
+TEST_CASE(
+    "a mesh that was moved in place is improved with the reference of before, and not without") {
     Moved o;
     REQUIRE(o.go() == HM_OK);
     std::vector<double> x(o.x.size()), y(o.x.size());
     hm_points_out const to{x.data(), y.data(), 1};
-    check_texts({{HM_BAD_MESH, "the mesh's coordinates have changed since the analysis: give those as the reference",
-                  [&](hm_error* e) { return o.improve(to, nullptr, nullptr, e); }}});
+    check_texts(
+        {{HM_BAD_MESH,
+          "the mesh's coordinates have changed since the analysis: give those as the reference",
+          [&](hm_error* e) { return o.improve(to, nullptr, nullptr, e); }}});
     hm_points const before{o.its.mesh.x.data(), o.its.mesh.y.data(), 1};
     hm_improve_options asked{};
     asked.struct_size = sizeof asked;
@@ -84,13 +94,17 @@ TEST_CASE("a mesh of other cells is refused, also with as many points and cells 
     hm_step_report step{};
     quality.struct_size = sizeof quality;
     step.struct_size = sizeof step;
-    std::vector<std::int32_t> turned(o.its.mesh.cells);   // each point has the number of the next one
+    std::vector<std::int32_t> turned(
+        o.its.mesh.cells);  // each point has the number of the next one
     for (std::int32_t& point : turned) point = (point + 1) % o.mesh.n_points;
     hm_mesh renumbered = o.mesh, other_cell = o.mesh;
     renumbered.cell_points = turned.data();
-    std::vector<std::int32_t> changed(o.its.mesh.cells);   // the last of the 64 cells that are compared
-    std::int32_t const first = o.its.mesh.cell_start[static_cast<std::size_t>(63LL * o.mesh.n_cells / 64)];
-    std::swap(changed[static_cast<std::size_t>(first)], changed[static_cast<std::size_t>(first) + 1]);
+    std::vector<std::int32_t> changed(
+        o.its.mesh.cells);  // the last of the 64 cells that are compared
+    std::int32_t const first =
+        o.its.mesh.cell_start[static_cast<std::size_t>(63LL * o.mesh.n_cells / 64)];
+    std::swap(changed[static_cast<std::size_t>(first)],
+              changed[static_cast<std::size_t>(first) + 1]);
     other_cell.cell_points = changed.data();
     const char* const text = "the basis belongs to another mesh: the cells differ";
     hm_basis* const basis = o.solved->basis;
@@ -100,17 +114,20 @@ TEST_CASE("a mesh of other cells is refused, also with as many points and cells 
     check_texts({
         {HM_BAD_BASIS, text, [&](hm_error* e) { return measure(renumbered, e); }},
         {HM_BAD_BASIS, text, [&](hm_error* e) { return measure(other_cell, e); }},
-        {HM_BAD_BASIS, text, [&](hm_error* e) {
+        {HM_BAD_BASIS, text,
+         [&](hm_error* e) {
              return hm_admissible_step(basis, &renumbered, nullptr, &none, nullptr, &step, e);
          }},
-        {HM_BAD_BASIS, text, [&](hm_error* e) {
+        {HM_BAD_BASIS, text,
+         [&](hm_error* e) {
              return hm_assess(basis, &renumbered, nullptr, &none, nullptr, &step, &quality, e);
          }},
     });
     CHECK(measure(o.mesh, nullptr) == HM_OK);
 }
 
-TEST_CASE("a morph into arrays that share numbers of other points is refused, and changes nothing") {
+TEST_CASE(
+    "a morph into arrays that share numbers of other points is refused, and changes nothing") {
     Moved o;
     std::int32_t const n = o.mesh.n_points;
     std::vector<double> pairs(2 * o.x.size() + 4);
@@ -130,8 +147,10 @@ TEST_CASE("a morph into arrays that share numbers of other points is refused, an
          morph({xy, xy + 1, 2}, {xy, xy + 1, 1})},
         {HM_BAD_ARGUMENT, "from.x and from.y have numbers in common: the stride of x,y pairs is 2",
          morph({xy + 1, xy, 0}, {xy, xy + 1, 2})},
-        {HM_BAD_ARGUMENT, "to has numbers of `from`, but of other points", morph({xy, xy + 1, 2}, {xy + 2, xy + 3, 2})},
-        {HM_BAD_ARGUMENT, "to has numbers of `from`, but of other points", morph({xy, xy + n, 1}, {xy + n, xy, 1})},
+        {HM_BAD_ARGUMENT, "to has numbers of `from`, but of other points",
+         morph({xy, xy + 1, 2}, {xy + 2, xy + 3, 2})},
+        {HM_BAD_ARGUMENT, "to has numbers of `from`, but of other points",
+         morph({xy, xy + n, 1}, {xy + n, xy, 1})},
     });
     CHECK(pairs == as_given);
     CHECK(morph({xy, xy + 1, 2}, {xy, xy + 1, 2})(nullptr) == HM_OK);

@@ -1,4 +1,5 @@
-// Options that do not go with the engine are refused, never left out: who sets one must not believe that it counts.
+// Options that do not go with the engine are refused, never left out: who sets one must not believe
+// that it counts.
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -10,17 +11,21 @@ namespace {
 struct Wish {
     const char* name;
     void (*set)(hm_options&);
-    bool by_engine[3];   // direct, multigrid, fas
+    bool by_engine[3];  // direct, multigrid, fas
 };
 
 double history[2000];
 
 constexpr Wish wishes[] = {
     {"levels", [](hm_options& o) { o.levels = 3; }, {false, true, true}},
-    {"agglomeration", [](hm_options& o) { o.agglomeration = HM_AGGLOMERATE_ISOTROPIC; }, {false, true, true}},
+    {"agglomeration",
+     [](hm_options& o) { o.agglomeration = HM_AGGLOMERATE_ISOTROPIC; },
+     {false, true, true}},
     {"block_width", [](hm_options& o) { o.block_width = 4; }, {false, true, true}},
     {"max_iterations", [](hm_options& o) { o.max_iterations = 1000; }, {false, true, true}},
-    {"history", [](hm_options& o) { o.history = history, o.history_length = 2000; }, {false, true, true}},
+    {"history",
+     [](hm_options& o) { o.history = history, o.history_length = 2000; },
+     {false, true, true}},
     {"start", [](hm_options& o) { o.start = HM_START_ZERO; }, {false, false, true}},
     {"precision", [](hm_options& o) { o.precision = HM_SINGLE; }, {true, false, false}},
     {"tolerance", [](hm_options& o) { o.tolerance = 1e-9; }, {true, true, true}},

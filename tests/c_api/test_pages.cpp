@@ -16,12 +16,14 @@ std::size_t misplaced(void* block) { return reinterpret_cast<std::uintptr_t>(blo
 }  // namespace
 
 TEST_CASE("blocks of any size are aligned inside the caller's memory, wherever the memory begins") {
-    for (std::size_t const bytes : {std::size_t{1}, std::size_t{1000}, huge_page - 1, huge_page, 3 * huge_page + 5}) {
+    for (std::size_t const bytes :
+         {std::size_t{1}, std::size_t{1000}, huge_page - 1, huge_page, 3 * huge_page + 5}) {
         std::size_t const alignment = hm_pages_alignment(bytes), room = hm_pages_room(bytes);
         CHECK(alignment == (bytes < huge_page ? 64 : huge_page));
         std::vector<unsigned char> memory(room + 64);
         for (std::size_t const offset : {0, 1, 8, 63}) {
-            auto* const block = static_cast<unsigned char*>(hm_pages_place(memory.data() + offset, bytes));
+            auto* const block =
+                static_cast<unsigned char*>(hm_pages_place(memory.data() + offset, bytes));
             REQUIRE(block >= memory.data() + offset);
             CHECK(misplaced(block) % alignment == 0);
             CHECK(static_cast<std::size_t>(block - (memory.data() + offset)) <= room - bytes);
@@ -36,7 +38,8 @@ TEST_CASE("blocks of any size are aligned inside the caller's memory, wherever t
 
 TEST_CASE("whole huge pages inside the block are asked for, and the contents stay") {
     std::vector<unsigned char> memory(4 * huge_page);
-    for (std::size_t k = 0; k < memory.size(); ++k) memory[k] = static_cast<unsigned char>(k * 7 % 251);
+    for (std::size_t k = 0; k < memory.size(); ++k)
+        memory[k] = static_cast<unsigned char>(k * 7 % 251);
     unsigned char* const first = memory.data() + (huge_page - misplaced(memory.data())) % huge_page;
     // Inside: none, one and two; the system may refuse.
     for (std::size_t const bytes : {huge_page - 1, huge_page, 2 * huge_page + 1}) {
@@ -50,6 +53,7 @@ TEST_CASE("whole huge pages inside the block are asked for, and the contents sta
     CHECK(hm_pages_ask(first, 0) == 0);
     CHECK(hm_pages_ask(first, SIZE_MAX) == 0);
     std::size_t changed = 0;
-    for (std::size_t k = 0; k < memory.size(); ++k) changed += memory[k] != static_cast<unsigned char>(k * 7 % 251);
+    for (std::size_t k = 0; k < memory.size(); ++k)
+        changed += memory[k] != static_cast<unsigned char>(k * 7 % 251);
     CHECK(changed == 0);
 }

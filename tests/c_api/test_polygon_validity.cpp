@@ -1,4 +1,5 @@
-// Validity and quality of polygons as the header defines them, and the movements that keep cells valid.
+// Validity and quality of polygons as the header defines them, and the movements that keep cells
+// valid.
 #include <doctest/doctest.h>
 
 #include <fixtures/polygon_cases.hpp>
@@ -6,7 +7,8 @@
 
 using namespace fixtures;
 
-TEST_CASE("polygons with a coordinate that is not finite count as inverted, whichever corner it is") {
+TEST_CASE(
+    "polygons with a coordinate that is not finite count as inverted, whichever corner it is") {
     Untrapped const untrapped;
     for (NamedCase& named : polygon_cases()) {
         CAPTURE(named.name);
@@ -27,7 +29,9 @@ TEST_CASE("polygons with a coordinate that is not finite count as inverted, whic
     }
 }
 
-TEST_CASE("polygons: the admissible step ends where a cell is no longer sound; quality and assessment agree") {
+TEST_CASE(
+    "polygons: the admissible step ends where a cell is no longer sound; quality and assessment "
+    "agree") {
     for (NamedCase& named : polygon_cases()) {
         for (std::int32_t const base : {0, 1}) {
             CAPTURE(named.name);
@@ -43,15 +47,16 @@ TEST_CASE("polygons: the admissible step ends where a cell is no longer sound; q
             for (unsigned seed = 1; seed <= 6; ++seed) {
                 std::vector<double> const move = some_move(solved.info().functions, 0.3, seed);
                 std::vector<double> dx(mesh.x.size()), dy(dx);
-                REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) == HM_OK);
+                REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr,
+                                 nullptr) == HM_OK);
                 hm_step_report step{}, also_step{};
                 step.struct_size = also_step.struct_size = sizeof step;
-                REQUIRE(hm_admissible_step(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, &step, nullptr) ==
-                        HM_OK);
+                REQUIRE(hm_admissible_step(solved.basis, &view, nullptr, points_in(dx, dy), nullptr,
+                                           &step, nullptr) == HM_OK);
                 hm_quality_report assessed{};
                 assessed.struct_size = sizeof assessed;
-                REQUIRE(hm_assess(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, &also_step, &assessed,
-                                  nullptr) == HM_OK);
+                REQUIRE(hm_assess(solved.basis, &view, nullptr, points_in(dx, dy), nullptr,
+                                  &also_step, &assessed, nullptr) == HM_OK);
                 CHECK(also_step.admissible == step.admissible);
                 CHECK(also_step.cell == step.cell);
                 if (!(step.admissible < 1e6)) continue;
@@ -75,23 +80,28 @@ TEST_CASE("polygons: the admissible step ends where a cell is no longer sound; q
                 std::vector<std::int32_t> const corners = corners_of(mesh, step.cell - base);
                 CHECK(std::count(corners.begin(), corners.end(), step.point - base) == 1);
                 at(1, x, y);
-                hm_quality_report const measured = quality_of(solved, view, x, y, points_in(mesh.x, mesh.y));
+                hm_quality_report const measured =
+                    quality_of(solved, view, x, y, points_in(mesh.x, mesh.y));
                 CHECK(measured.inverted == assessed.inverted);
                 CHECK(measured.min_quality == doctest::Approx(assessed.min_quality).epsilon(1e-9));
-                CHECK(measured.mean_quality == doctest::Approx(assessed.mean_quality).epsilon(1e-9));
+                CHECK(measured.mean_quality ==
+                      doctest::Approx(assessed.mean_quality).epsilon(1e-9));
             }
             CHECK(stopped >= 3);
         }
     }
 }
 
-TEST_CASE("polygons: a convex corner may not become reflex though all triangles stay positive, a flat one may bend") {
+TEST_CASE(
+    "polygons: a convex corner may not become reflex though all triangles stay positive, a flat "
+    "one may bend") {
     // A regular hexagon inside a ring of quadrilaterals; one corner is pushed inwards.
     double const pi = std::acos(-1.0);
     Case its;
     for (int ring_number = 0; ring_number < 3; ++ring_number) {
-        for (int k = 0; k < 12; ++k) {   // corners and middles of the sides
-            double const flat = k % 2 == 0 ? 1 : std::cos(pi / 6), r = (1 + ring_number) * flat, angle = pi * k / 6;
+        for (int k = 0; k < 12; ++k) {  // corners and middles of the sides
+            double const flat = k % 2 == 0 ? 1 : std::cos(pi / 6), r = (1 + ring_number) * flat,
+                         angle = pi * k / 6;
             its.mesh.add_point({r * std::cos(angle), r * std::sin(angle)});
         }
     }
@@ -121,27 +131,32 @@ TEST_CASE("polygons: a convex corner may not become reflex though all triangles 
         y[point] *= part;
         return quality_of(solved, view, x, y);
     };
-    // The corner 0 is flat when it lies between its neighbours, at a distance of cos^2(pi / 6) from the centre.
+    // The corner 0 is flat when it lies between its neighbours, at a distance of cos^2(pi / 6) from
+    // the centre.
     double const straight = std::pow(std::cos(pi / 6), 2);
     CHECK(quality_with(0, straight + 1e-9).inverted == 0);
     hm_quality_report const reflex = quality_with(0, straight - 1e-9);
     CHECK(reflex.inverted == 1);
     CHECK(reflex.first_inverted == 0);
-    CHECK(quality_with(1, 0.9).inverted == 0);    // the middle of a side
-    // Bent by 45 degrees towards the inside: the neighbours, at a distance of 1, are half a side away on the side.
+    CHECK(quality_with(1, 0.9).inverted == 0);  // the middle of a side
+    // Bent by 45 degrees towards the inside: the neighbours, at a distance of 1, are half a side
+    // away on the side.
     double const bent = (std::cos(pi / 6) - 0.5 * std::tan(pi / 8)) / std::cos(pi / 6);
     CHECK(quality_with(1, bent + 1e-9).inverted == 0);
     CHECK(quality_with(1, bent - 1e-9).inverted == 1);
 
-    // The same as a movement, also where all points go far along: those differences are without rounding.
-    double const tick = std::ldexp(1, -20), inwards_x = 0.75, inwards_y = tick * std::round(std::sqrt(0.1875) / tick);
+    // The same as a movement, also where all points go far along: those differences are without
+    // rounding.
+    double const tick = std::ldexp(1, -20), inwards_x = 0.75,
+                 inwards_y = tick * std::round(std::sqrt(0.1875) / tick);
     auto const step_with = [&](double together) {
         std::vector<double> dx(its.mesh.x.size(), together), dy(dx);
         dx[1] -= inwards_x;
         dy[1] -= inwards_y;
         hm_step_report step{};
         step.struct_size = sizeof step;
-        REQUIRE(hm_admissible_step(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, &step, nullptr) == HM_OK);
+        REQUIRE(hm_admissible_step(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, &step,
+                                   nullptr) == HM_OK);
         CHECK(step.cell == 0);
         return step.admissible;
     };
@@ -162,9 +177,11 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
         Guarded work(bytes);
         std::int32_t const n = solved.info().functions;
         std::vector<std::vector<double>> moves = {some_move(n, 0.12, 5), std::vector<double>()};
-        moves[1] = turned_by(1.2, its.curves, std::string(named.name) == "hanging nodes" ? Complex(0.5, 0.5) : 0);
+        moves[1] = turned_by(1.2, its.curves,
+                             std::string(named.name) == "hanging nodes" ? Complex(0.5, 0.5) : 0);
         for (std::vector<double> const& move : moves) {
-            for (std::int32_t const skipped : {0, without({HM_STRATEGY_LINEAR, HM_STRATEGY_SUBSTEPS})}) {
+            for (std::int32_t const skipped :
+                 {0, without({HM_STRATEGY_LINEAR, HM_STRATEGY_SUBSTEPS})}) {
                 CAPTURE(skipped);
                 std::vector<double> x = its.mesh.x, y = its.mesh.y;
                 hm_safe_options safe{};
@@ -174,15 +191,17 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
                 report.struct_size = sizeof report;
                 hm_error error{};
                 REQUIRE(hm_plan_factor(solved.plan, nullptr, nullptr) == HM_OK);
-                hm_status const status = hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(x, y),
-                                                       nullptr, work.data(), work.size(), &safe, &report, &error);
+                hm_status const status =
+                    hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(x, y), nullptr,
+                                  work.data(), work.size(), &safe, &report, &error);
                 INFO(error.text);
                 REQUIRE(status >= HM_OK);
                 CHECK(work.guards_intact());
                 CHECK(report.inverted == 0);
                 CHECK(is_sound(its.mesh, x, y));
                 if (skipped == 0) CHECK(report.step_fraction == 1);
-                hm_quality_report const measured = quality_of(solved, view, x, y, points_in(its.mesh.x, its.mesh.y));
+                hm_quality_report const measured =
+                    quality_of(solved, view, x, y, points_in(its.mesh.x, its.mesh.y));
                 CHECK(measured.min_quality == report.min_quality);
                 CHECK(measured.min_quality_cell == report.min_quality_cell);
                 CHECK(report.worst[0].cell == report.min_quality_cell);
@@ -194,8 +213,9 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
                 hm_improve_report improved{};
                 improved.struct_size = sizeof improved;
                 std::vector<double> better_x(x.size()), better_y(x.size());
-                REQUIRE(hm_improve(solved.plan, points_in(x, y), points_out(better_x, better_y), improve_work.data(),
-                                   bytes, nullptr, &improved, &error) == HM_OK);
+                REQUIRE(hm_improve(solved.plan, points_in(x, y), points_out(better_x, better_y),
+                                   improve_work.data(), bytes, nullptr, &improved,
+                                   &error) == HM_OK);
                 CHECK(improve_work.guards_intact());
                 CHECK(is_sound(its.mesh, better_x, better_y));
                 CHECK(improved.min_quality_before == measured.min_quality);
@@ -207,8 +227,9 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
         hm_improve_report report{};
         report.struct_size = sizeof report;
         Guarded improve_work(bytes);
-        REQUIRE(hm_improve(solved.plan, points_in(its.mesh.x, its.mesh.y), points_out(same_x, same_y),
-                           improve_work.data(), bytes, nullptr, &report, nullptr) == HM_OK);
+        REQUIRE(hm_improve(solved.plan, points_in(its.mesh.x, its.mesh.y),
+                           points_out(same_x, same_y), improve_work.data(), bytes, nullptr, &report,
+                           nullptr) == HM_OK);
         CHECK(largest_difference(same_x, its.mesh.x) < 1e-12);
         CHECK(largest_difference(same_y, its.mesh.y) < 1e-12);
     }
@@ -221,11 +242,12 @@ TEST_CASE("polygons: the last strategy untangles cells that one step inverts") {
     Solved const solved(its.problem(view), &options);
     std::vector<double> move, x(its.mesh.x.size()), y(x);
     hm_quality_report morphed{};
-    for (double angle = 0.1; morphed.inverted == 0; angle *= 1.1) {   // the smallest of these turns that inverts a cell
+    for (double angle = 0.1; morphed.inverted == 0;
+         angle *= 1.1) {  // the smallest of these turns that inverts a cell
         REQUIRE(angle < 3);
         move = turned_by(angle, its.curves, 0);
-        REQUIRE(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_out(x, y), nullptr,
-                         nullptr) == HM_OK);
+        REQUIRE(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+                         points_out(x, y), nullptr, nullptr) == HM_OK);
         morphed = quality_of(solved, view, x, y);
     }
     REQUIRE(morphed.self_crossing == 0);
@@ -239,8 +261,8 @@ TEST_CASE("polygons: the last strategy untangles cells that one step inverts") {
     safe.skipped_strategies = without({HM_STRATEGY_SUBSTEPS});
     hm_safe_report report{};
     report.struct_size = sizeof report;
-    REQUIRE(hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(x, y), nullptr, work.data(), work.size(),
-                          &safe, &report, nullptr) >= HM_OK);
+    REQUIRE(hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(x, y), nullptr,
+                          work.data(), work.size(), &safe, &report, nullptr) >= HM_OK);
     CHECK(report.untangled > 0);
     CHECK(is_sound(its.mesh, x, y));
 }

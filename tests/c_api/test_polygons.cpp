@@ -1,5 +1,5 @@
-// Meshes of polygons with hanging nodes through the whole interface: linear fields are exact, every engine and derived
-// basis takes these meshes, and meshes that are none are refused.
+// Meshes of polygons with hanging nodes through the whole interface: linear fields are exact, every
+// engine and derived basis takes these meshes, and meshes that are none are refused.
 #include <doctest/doctest.h>
 
 #include <fixtures/displaced.hpp>
@@ -60,21 +60,25 @@ TEST_CASE("polygons: linear fields are exact") {
             if (kind == HM_WEIGHTED) options.exponent_quarters = HM_NO_WEIGHT;
             hm_mesh const view = in_polygons(its.mesh_view());
             Displaced displaced(its.problem(view), &options);
-            Field field;   // of conformal functions z -> a z + b, of others any linear one
+            Field field;  // of conformal functions z -> a z + b, of others any linear one
             for (std::size_t k = 0; k < its.mesh.x.size(); ++k) {
                 double const x = its.mesh.x[k], y = its.mesh.y[k];
-                field.push_back(kind == HM_CONFORMAL ? Complex(0.3, 0.4) * Complex(x, y) + Complex(1, -2)
-                                                     : Complex(2 * x - 3 * y + 1, x + 0.5 * y - 4));
+                field.push_back(kind == HM_CONFORMAL
+                                    ? Complex(0.3, 0.4) * Complex(x, y) + Complex(1, -2)
+                                    : Complex(2 * x - 3 * y + 1, x + 0.5 * y - 4));
             }
             Field const found = displaced.displace(displaced.on_wall(field));
             double worst = 0;
-            for (std::size_t k = 0; k < field.size(); ++k) worst = std::max(worst, std::abs(found[k] - field[k]));
+            for (std::size_t k = 0; k < field.size(); ++k)
+                worst = std::max(worst, std::abs(found[k] - field[k]));
             CHECK(worst < 1e-11);
         }
     }
 }
 
-TEST_CASE("polygons: a mesh of triangles and quadrilaterals has the functions of the other layouts, bit by bit") {
+TEST_CASE(
+    "polygons: a mesh of triangles and quadrilaterals has the functions of the other layouts, bit "
+    "by bit") {
     Case its;
     its.mesh = annulus(6, 24, 0.5, 3, Cells::hybrid, true);
     its.curves = ring(3, 8, 0.5, 0.5);
@@ -84,7 +88,8 @@ TEST_CASE("polygons: a mesh of triangles and quadrilaterals has the functions of
     CHECK(same_bits(a.all_values(), b.all_values()));
     // Either basis goes with the mesh as polygons or rows; cells are the same.
     const hm_basis* attached = nullptr;
-    CHECK(hm_basis_attach(&attached, b.basis, static_cast<std::size_t>(b.info().bytes), &rows, nullptr) == HM_OK);
+    CHECK(hm_basis_attach(&attached, b.basis, static_cast<std::size_t>(b.info().bytes), &rows,
+                          nullptr) == HM_OK);
     CHECK(quality_of(b, rows, its.mesh.x, its.mesh.y).inverted == 0);
     hm_quality_report const one = quality_of(a, rows, its.mesh.x, its.mesh.y);
     hm_quality_report const other = quality_of(b, polygons, its.mesh.x, its.mesh.y);
@@ -92,7 +97,8 @@ TEST_CASE("polygons: a mesh of triangles and quadrilaterals has the functions of
     CHECK(one.mean_quality == doctest::Approx(other.mean_quality).epsilon(1e-14));
     hm_quality_report report{};
     report.struct_size = sizeof report;
-    CHECK(hm_quality(a.basis, &polygons, nullptr, nullptr, nullptr, &report, nullptr) == HM_BAD_BASIS);
+    CHECK(hm_quality(a.basis, &polygons, nullptr, nullptr, nullptr, &report, nullptr) ==
+          HM_BAD_BASIS);
 }
 
 TEST_CASE("polygons: every engine, scheme and kind of derived basis takes meshes of polygons") {
@@ -101,8 +107,9 @@ TEST_CASE("polygons: every engine, scheme and kind of derived basis takes meshes
     struct Way {
         std::int32_t operator_kind, scheme, engine;
     };
-    for (Way const way : {Way{HM_LAPLACE, HM_BOUNDED, HM_DIRECT}, Way{HM_LAPLACE, HM_NODAL_GRADIENT, HM_DIRECT},
-                          Way{HM_WEIGHTED, HM_COMPACT, HM_MULTIGRID}, Way{HM_LAPLACE, HM_COMPACT, HM_FAS}}) {
+    for (Way const way :
+         {Way{HM_LAPLACE, HM_BOUNDED, HM_DIRECT}, Way{HM_LAPLACE, HM_NODAL_GRADIENT, HM_DIRECT},
+          Way{HM_WEIGHTED, HM_COMPACT, HM_MULTIGRID}, Way{HM_LAPLACE, HM_COMPACT, HM_FAS}}) {
         hm_options options = laplace();
         options.operator_kind = way.operator_kind;
         options.scheme = way.scheme;
@@ -140,7 +147,8 @@ TEST_CASE("polygons: every engine, scheme and kind of derived basis takes meshes
 TEST_CASE("polygons: functions are transferred between meshes of polygons") {
     Case coarse = honeycomb_case(6, 24), fine = honeycomb_case(12, 48);
     fine.curves = coarse.curves;
-    hm_mesh const coarse_view = in_polygons(coarse.mesh_view()), fine_view = in_polygons(fine.mesh_view());
+    hm_mesh const coarse_view = in_polygons(coarse.mesh_view()),
+                  fine_view = in_polygons(fine.mesh_view());
     Solved const source(coarse.problem(coarse_view));
     Attempt target;
     REQUIRE(target.analyse(fine.problem(fine_view)));
@@ -151,8 +159,8 @@ TEST_CASE("polygons: functions are transferred between meshes of polygons") {
     Guarded work(bytes);
     hm_transfer_report report{};
     report.struct_size = sizeof report;
-    REQUIRE(hm_transfer(target.basis, work.data(), bytes, target.analysis, source.basis, &coarse_view, &report,
-                        &error) >= HM_OK);
+    REQUIRE(hm_transfer(target.basis, work.data(), bytes, target.analysis, source.basis,
+                        &coarse_view, &report, &error) >= HM_OK);
     CHECK(work.guards_intact());
     Solved const exact(fine.problem(fine_view));
     std::vector<double> interpolated(fine.mesh.x.size());
@@ -160,7 +168,8 @@ TEST_CASE("polygons: functions are transferred between meshes of polygons") {
     CHECK(largest_difference(interpolated, exact.values(2)) < 0.05);
 }
 
-TEST_CASE("polygons: damaged bases and meshes that are no mesh of polygons are refused with the reason") {
+TEST_CASE(
+    "polygons: damaged bases and meshes that are no mesh of polygons are refused with the reason") {
     Case its = honeycomb_case(4, 12);
     hm_mesh const view = in_polygons(its.mesh_view());
     Solved const solved(its.problem(view));
@@ -206,7 +215,7 @@ TEST_CASE("polygons: damaged bases and meshes that are no mesh of polygons are r
     cells[8] = cells[6];
     not_analysed("cell 1 has point");
     cells = its.mesh.cells;
-    std::swap(cells[7], cells[9]);   // its sides cross
+    std::swap(cells[7], cells[9]);  // its sides cross
     not_analysed("");
 }
 

@@ -1,5 +1,5 @@
-// The range of coordinates: what is outside is refused by name, and inside, at any scale and far from the origin, a
-// call that succeeds keeps what the header promises, by measures taken here.
+// The range of coordinates: what is outside is refused by name, and inside, at any scale and far
+// from the origin, a call that succeeds keeps what the header promises, by measures taken here.
 #include <doctest/doctest.h>
 
 #include <fixtures/operators.hpp>
@@ -23,12 +23,17 @@ Case block(Cells kind) {
 }
 
 long double exact_twice_area(Mesh const& mesh, std::int32_t a, std::int32_t b, std::int32_t c) {
-    auto const x = [&](std::int32_t k) -> long double { return mesh.x[static_cast<std::size_t>(k)]; };
-    auto const y = [&](std::int32_t k) -> long double { return mesh.y[static_cast<std::size_t>(k)]; };
+    auto const x = [&](std::int32_t k) -> long double {
+        return mesh.x[static_cast<std::size_t>(k)];
+    };
+    auto const y = [&](std::int32_t k) -> long double {
+        return mesh.y[static_cast<std::size_t>(k)];
+    };
     return (x(b) - x(a)) * (y(c) - y(a)) - (x(c) - x(a)) * (y(b) - y(a));
 }
 
-// Cells with a corner that has no positive area, or no area at all; all of square() run counter-clockwise.
+// Cells with a corner that has no positive area, or no area at all; all of square() run
+// counter-clockwise.
 int inverted_cells(Mesh const& mesh) {
     int out = 0;
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
@@ -36,8 +41,9 @@ int inverted_cells(Mesh const& mesh) {
         std::size_t const n = static_cast<std::size_t>(mesh.cell_start[cell + 1]) - begin;
         bool valid = true;
         for (std::size_t k = 0; k < n; ++k)
-            valid = valid && exact_twice_area(mesh, mesh.cells[begin + k], mesh.cells[begin + (k + 1) % n],
-                                              mesh.cells[begin + (k + n - 1) % n]) > 0;
+            valid = valid &&
+                    exact_twice_area(mesh, mesh.cells[begin + k], mesh.cells[begin + (k + 1) % n],
+                                     mesh.cells[begin + (k + n - 1) % n]) > 0;
         out += valid ? 0 : 1;
     }
     return out;
@@ -46,13 +52,16 @@ int inverted_cells(Mesh const& mesh) {
 // Pairs of faces whose ends lie on both sides of each other.
 int crossings(Mesh const& mesh) {
     auto const parts = [&](std::size_t face, std::size_t other) {
-        long double const c = exact_twice_area(mesh, mesh.faces[face], mesh.faces[face + 1], mesh.faces[other]);
-        long double const d = exact_twice_area(mesh, mesh.faces[face], mesh.faces[face + 1], mesh.faces[other + 1]);
+        long double const c =
+            exact_twice_area(mesh, mesh.faces[face], mesh.faces[face + 1], mesh.faces[other]);
+        long double const d =
+            exact_twice_area(mesh, mesh.faces[face], mesh.faces[face + 1], mesh.faces[other + 1]);
         return (c > 0 && d < 0) || (c < 0 && d > 0);
     };
     int out = 0;
     for (std::size_t face = 0; face < mesh.faces.size(); face += 2)
-        for (std::size_t other = 0; other < face; other += 2) out += parts(face, other) && parts(other, face) ? 1 : 0;
+        for (std::size_t other = 0; other < face; other += 2)
+            out += parts(face, other) && parts(other, face) ? 1 : 0;
     return out;
 }
 
@@ -65,28 +74,32 @@ Attempt analysed(Case& its) {
 hm_quality_report quality_of(Attempt const& solved, Case& its, Mesh const& at) {
     hm_quality_report out{};
     out.struct_size = sizeof out;
-    REQUIRE(hm_quality(solved.basis, &its.mesh_view(), points_in(at.x, at.y), points_in(its.mesh.x, its.mesh.y),
-                       nullptr, &out, nullptr) == HM_OK);
+    REQUIRE(hm_quality(solved.basis, &its.mesh_view(), points_in(at.x, at.y),
+                       points_in(its.mesh.x, its.mesh.y), nullptr, &out, nullptr) == HM_OK);
     return out;
 }
 
-// What holds of any movement, whatever the mesh: the admissible step, the assessment, and a safe morph.
-void check_promises(Case& its, hm_options const& options, std::vector<double> const& move, bool& ended) {
+// What holds of any movement, whatever the mesh: the admissible step, the assessment, and a safe
+// morph.
+void check_promises(Case& its, hm_options const& options, std::vector<double> const& move,
+                    bool& ended) {
     Solved const solved(its, &options);
     Mesh moved = its.mesh;
     std::size_t const n = moved.x.size();
     double size = 0, way = 0;
-    for (std::size_t k = 0; k < n; ++k) size = std::max({size, std::fabs(moved.x[k]), std::fabs(moved.y[k])});
+    for (std::size_t k = 0; k < n; ++k)
+        size = std::max({size, std::fabs(moved.x[k]), std::fabs(moved.y[k])});
     for (double const its_move : move) way = std::max(way, std::fabs(its_move));
 
     std::vector<double> dx(n), dy(n);
-    REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) ==
+            HM_OK);
     hm_step_report step{};
     step.struct_size = sizeof step;
     hm_quality_report assessed{};
     assessed.struct_size = sizeof assessed;
-    REQUIRE(hm_assess(solved.basis, &its.mesh_view(), nullptr, points_in(dx, dy), nullptr, &step, &assessed, nullptr) ==
-            HM_OK);
+    REQUIRE(hm_assess(solved.basis, &its.mesh_view(), nullptr, points_in(dx, dy), nullptr, &step,
+                      &assessed, nullptr) == HM_OK);
     for (std::size_t k = 0; k < n; ++k) {
         moved.x[k] += dx[k];
         moved.y[k] += dy[k];
@@ -107,15 +120,17 @@ void check_promises(Case& its, hm_options const& options, std::vector<double> co
     safe.struct_size = sizeof safe;
     safe.max_resolves = 3;
     safe.reached = reached.data();
-    hm_status const status = hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(moved.x, moved.y),
-                                           nullptr, work.data(), bytes, &safe, nullptr, nullptr);
+    hm_status const status =
+        hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(moved.x, moved.y), nullptr,
+                      work.data(), bytes, &safe, nullptr, nullptr);
     ended = status == HM_OK;
     if (status < 0) {
         CHECK(status == HM_CROSSING);
         return;
     }
     Wrong not_finite;
-    for (std::size_t k = 0; k < n; ++k) not_finite.add(!std::isfinite(moved.x[k] + moved.y[k]), k, moved.x[k]);
+    for (std::size_t k = 0; k < n; ++k)
+        not_finite.add(!std::isfinite(moved.x[k] + moved.y[k]), k, moved.x[k]);
     CHECK(not_finite == 0);
     CHECK(inverted_cells(moved) == 0);
     CHECK(quality_of(solved, its, moved).inverted == 0);
@@ -136,7 +151,8 @@ TEST_CASE("coordinates beyond 1e100 are refused, with the point and the value") 
     CHECK(refused.status == HM_BAD_MESH);
     CHECK(refused.error.item == 17);
     CHECK(refused.error.value == -1.5e100);
-    CHECK(refused.error.text == std::string("point 17 has the coordinate -1.50000e100; they may be as large as 1e100"));
+    CHECK(refused.error.text ==
+          std::string("point 17 has the coordinate -1.50000e100; they may be as large as 1e100"));
 }
 
 TEST_CASE("control points and centres beyond 1e100 are refused") {
@@ -150,7 +166,9 @@ TEST_CASE("control points and centres beyond 1e100 are refused") {
     CHECK(analysed(its).status == HM_BAD_CONDITION);
 }
 
-TEST_CASE("cells whose heights are lost in the digits of their coordinates are refused, thicker ones are not") {
+TEST_CASE(
+    "cells whose heights are lost in the digits of their coordinates are refused, thicker ones are "
+    "not") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         double const height = kind == Cells::quads ? 0.1 : 0.1 * std::sqrt(0.5);
         for (double const offset : {0x1p40, 0x1p46, 0x1p48}) {
@@ -175,7 +193,9 @@ TEST_CASE("heights below 1e-100 are refused") {
     CHECK(refused.error.value == doctest::Approx(1e-101));
 }
 
-TEST_CASE("a power of two as the unit of length changes no bit of the functions, of steps and of safe morphs") {
+TEST_CASE(
+    "a power of two as the unit of length changes no bit of the functions, of steps and of safe "
+    "morphs") {
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE, HM_WEIGHTED})
         for (double const degrees : {20.0, 100.0}) {
             Case its = block(Cells::hybrid);
@@ -190,17 +210,18 @@ TEST_CASE("a power of two as the unit of length changes no bit of the functions,
                 Solved const solved(scaled, &options);
                 std::vector<double> const scaled_move = turned(move, unit);
                 std::vector<double> dx(scaled.mesh.x.size()), dy = dx, x = dx, y = dx;
-                REQUIRE(hm_morph(solved.basis, scaled_move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) ==
-                        HM_OK);
+                REQUIRE(hm_morph(solved.basis, scaled_move.data(), nullptr, points_out(dx, dy),
+                                 nullptr, nullptr) == HM_OK);
                 hm_step_report step{};
                 step.struct_size = sizeof step;
-                REQUIRE(hm_admissible_step(solved.basis, &scaled.mesh_view(), nullptr, points_in(dx, dy), nullptr,
-                                           &step, nullptr) == HM_OK);
+                REQUIRE(hm_admissible_step(solved.basis, &scaled.mesh_view(), nullptr,
+                                           points_in(dx, dy), nullptr, &step, nullptr) == HM_OK);
                 std::size_t bytes = 0;
                 REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
                 Guarded work(bytes);
-                REQUIRE(hm_morph_safe(solved.plan, solved.basis, scaled_move.data(), points_out(x, y), nullptr,
-                                      work.data(), bytes, nullptr, nullptr, nullptr) >= HM_OK);
+                REQUIRE(hm_morph_safe(solved.plan, solved.basis, scaled_move.data(),
+                                      points_out(x, y), nullptr, work.data(), bytes, nullptr,
+                                      nullptr, nullptr) >= HM_OK);
                 for (double& coordinate : x) coordinate /= unit;
                 std::vector<double> const values = solved.all_values();
                 if (unit == 1) {
@@ -217,7 +238,9 @@ TEST_CASE("a power of two as the unit of length changes no bit of the functions,
 
 TEST_CASE("random problems of scales 1e-80 to 1e80, near the origin and far from it") {
     std::mt19937 random(20);
-    auto const between = [&](double low, double high) { return low + (high - low) * uniform(random); };
+    auto const between = [&](double low, double high) {
+        return low + (high - low) * uniform(random);
+    };
     int ended = 0, short_of_target = 0;
     for (int problem = 0; problem < 240; ++problem) {
         Cells const kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
@@ -225,7 +248,8 @@ TEST_CASE("random problems of scales 1e-80 to 1e80, near the origin and far from
         perturb(its.mesh, between(0, 0.3), static_cast<unsigned>(problem));
         hm_options options = options_of(problem % 4 == 3 ? HM_LAPLACE : problem % 4);
         if (problem % 4 == 3) options.scheme = HM_BOUNDED;
-        double const scale = std::pow(10.0, between(-80, 80)), far = std::pow(10.0, between(-2, 10));
+        double const scale = std::pow(10.0, between(-80, 80)),
+                     far = std::pow(10.0, between(-2, 10));
         Complex const offset = scale * far * Complex(between(-1, 1), between(-1, 1));
         its = similar(its, std::polar(scale, between(0, 6.28)), problem % 2 == 0 ? 0 : offset);
         double const way = scale * std::pow(10.0, between(-3, 1));
@@ -235,7 +259,8 @@ TEST_CASE("random problems of scales 1e-80 to 1e80, near the origin and far from
             move[k] = shift.real() + 0.2 * way * between(-1, 1);
             move[k + 1] = shift.imag() + 0.2 * way * between(-1, 1);
         }
-        INFO("problem " << problem << ", scale " << scale << ", offset " << offset.real() << ", " << offset.imag());
+        INFO("problem " << problem << ", scale " << scale << ", offset " << offset.real() << ", "
+                        << offset.imag());
         bool reached = false;
         check_promises(its, options, move, reached);
         ++(reached ? ended : short_of_target);
@@ -245,7 +270,8 @@ TEST_CASE("random problems of scales 1e-80 to 1e80, near the origin and far from
 }
 
 // The functions of a body are its points' offsets from the centre.
-TEST_CASE("a body whose size is no number of single precision is refused there, and finite otherwise") {
+TEST_CASE(
+    "a body whose size is no number of single precision is refused there, and finite otherwise") {
     for (double const scale : {1e-40, 1e-8, 1.0, 1e20, 1e40}) {
         Case its = block(Cells::hybrid);
         its.conditions.clear();

@@ -1,5 +1,5 @@
-// What calls with a plan or a basis refuse, with the whole sentence that says so: room in arrays, numbers out of range,
-// objects that do not belong together, steps in the wrong order.
+// What calls with a plan or a basis refuse, with the whole sentence that says so: room in arrays,
+// numbers out of range, objects that do not belong together, steps in the wrong order.
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -7,8 +7,8 @@
 #include <fixtures/refused.hpp>
 #include <fixtures/transferred.hpp>
 
-#include <harmorph/base/arena.hpp>
-#include <harmorph/basis/basis.hpp>
+#include "base/arena.hpp"
+#include "basis/basis.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -40,17 +40,23 @@ TEST_CASE("arguments that every call checks") {
         {HM_BAD_ARGUMENT, "the struct_size of a struct to be filled is wrong",
          [&](hm_error* e) { return hm_basis_info_get(o.basis, &info, e); }},
         {HM_BAD_ARGUMENT, "to is NULL",
-         [&](hm_error* e) { return hm_morph(o.basis, o.move.data(), nullptr, nullptr, nullptr, e); }},
+         [&](hm_error* e) {
+             return hm_morph(o.basis, o.move.data(), nullptr, nullptr, nullptr, e);
+         }},
         {HM_BAD_ARGUMENT, "to.x or to.y is NULL",
          [&](hm_error* e) { return hm_morph(o.basis, o.move.data(), nullptr, &no_x, nullptr, e); }},
         {HM_BAD_ARGUMENT, "to.stride is negative",
-         [&](hm_error* e) { return hm_morph(o.basis, o.move.data(), nullptr, &backwards, nullptr, e); }},
+         [&](hm_error* e) {
+             return hm_morph(o.basis, o.move.data(), nullptr, &backwards, nullptr, e);
+         }},
         {HM_BAD_ARGUMENT, "move is NULL",
          [&](hm_error* e) { return hm_morph(o.basis, nullptr, nullptr, &o.out, nullptr, e); }},
         {HM_BAD_ARGUMENT, "basis is NULL",
-         [&](hm_error* e) { return hm_morph(nullptr, o.move.data(), nullptr, &o.out, nullptr, e); }},
+         [&](hm_error* e) {
+             return hm_morph(nullptr, o.move.data(), nullptr, &o.out, nullptr, e);
+         }},
     });
-    harmorph::Arena arena;   // of a size query: more than there can be
+    harmorph::Arena arena;  // of a size query: more than there can be
     harmorph::Span<double> numbers;
     arena.take(numbers, std::numeric_limits<std::size_t>::max() / 24);
     arena.take(numbers, std::numeric_limits<std::size_t>::max() / 24);
@@ -64,7 +70,8 @@ TEST_CASE("room for fewer than there are, and numbers that there are not") {
     std::int32_t n = 0, is_loop = 0;
     std::int32_t const marker = body, nobody = 77;
     auto const boundary = [&](std::int32_t n_markers, std::int32_t piece, hm_error* e) {
-        return hm_analysis_boundary(o.solved.analysis, n_markers, &marker, piece, nullptr, 0, &n, &is_loop, e);
+        return hm_analysis_boundary(o.solved.analysis, n_markers, &marker, piece, nullptr, 0, &n,
+                                    &is_loop, e);
     };
     hm_curves curves{};
     hm_curve curve{};
@@ -79,7 +86,8 @@ TEST_CASE("room for fewer than there are, and numbers that there are not") {
          [&](hm_error* e) { return boundary(1, 1, e); }},
         {HM_BAD_CONDITION, "no boundary face has these markers; the first one is 77",
          [&](hm_error* e) {
-             return hm_analysis_boundary(o.solved.analysis, 1, &nobody, 0, nullptr, 0, &n, &is_loop, e);
+             return hm_analysis_boundary(o.solved.analysis, 1, &nobody, 0, nullptr, 0, &n, &is_loop,
+                                         e);
          }},
         {HM_BAD_ARGUMENT, "n_markers is 0, capacity is 0: one is too small",
          [&](hm_error* e) { return boundary(0, 1, e); }},
@@ -105,12 +113,13 @@ TEST_CASE("combined functions, gradients in parts, parcels") {
     std::int32_t scale = 0;
     hm_points const dj = o.points;
     REQUIRE(hm_adjoint_scale(o.basis, &dj, &scale, nullptr, nullptr) == HM_OK);
-    std::string const too_small =
-        "scale is " + std::to_string(scale - 1) + ", these points alone need " + std::to_string(scale);
+    std::string const too_small = "scale is " + std::to_string(scale - 1) +
+                                  ", these points alone need " + std::to_string(scale);
     hm_basis *share = nullptr, *rows = nullptr;
     REQUIRE(hm_share_size(o.solved.analysis, 0, 2, &bytes, nullptr) == HM_OK);
     Guarded share_block(bytes);
-    REQUIRE(hm_share_init(&share, share_block.data(), bytes, o.solved.analysis, 0, 2, nullptr) == HM_OK);
+    REQUIRE(hm_share_init(&share, share_block.data(), bytes, o.solved.analysis, 0, 2, nullptr) ==
+            HM_OK);
     REQUIRE(hm_plan_solve(o.solved.plan, share, nullptr, nullptr) == HM_OK);
     std::int32_t const list[] = {20, 30};
     REQUIRE(hm_extract_size(share, 2, &bytes, nullptr) == HM_OK);
@@ -119,7 +128,7 @@ TEST_CASE("combined functions, gradients in parts, parcels") {
     REQUIRE(hm_parcel_size(share, 2, &doubles, nullptr) == HM_OK);
     std::vector<double> parcel(static_cast<std::size_t>(doubles));
     REQUIRE(hm_parcel_pack(share, 2, list, parcel.data(), nullptr) == HM_OK);
-    hm_basis* const few = share;   // for all points, but no rows of all functions
+    hm_basis* const few = share;  // for all points, but no rows of all functions
     std::int64_t n_few = 0;
     std::vector<std::int32_t> everywhere(48);
     for (std::size_t k = 0; k < 48; ++k) everywhere[k] = static_cast<std::int32_t>(k);
@@ -160,11 +169,13 @@ TEST_CASE("a basis of another version, of another machine, of a mesh that has mo
     std::vector<double> x = o.x;
     x[3] += 0.25;
     moved.points.x = x.data();
-    std::string const text = "the basis has format version " + std::to_string(header.format) + ", this library reads " +
-                             std::to_string(harmorph::BasisHeader::current_format) + ": solve it again";
+    std::string const text =
+        "the basis has format version " + std::to_string(header.format) + ", this library reads " +
+        std::to_string(harmorph::BasisHeader::current_format) + ": solve it again";
     auto const attach = [&](std::size_t shift) {
         return [&, shift](hm_error* e) {
-            return hm_basis_attach(&attached, reinterpret_cast<char*>(copy.data()) + shift, info.bytes, nullptr, e);
+            return hm_basis_attach(&attached, reinterpret_cast<char*>(copy.data()) + shift,
+                                   info.bytes, nullptr, e);
         };
     };
     check_texts({{HM_BAD_BASIS, text.c_str(), attach(0)},
@@ -174,7 +185,9 @@ TEST_CASE("a basis of another version, of another machine, of a mesh that has mo
     check_texts({{HM_BAD_BASIS, "the basis was written with another byte order", attach(0)}});
     CHECK(attached == nullptr);
     check_texts({{HM_MOVED, "the mesh's coordinates are not those the basis was solved on",
-                  [&](hm_error* e) { return hm_basis_attach(&attached, o.basis, info.bytes, &moved, e); }}});
+                  [&](hm_error* e) {
+                      return hm_basis_attach(&attached, o.basis, info.bytes, &moved, e);
+                  }}});
     CHECK(attached == o.basis);
 }
 
@@ -202,9 +215,11 @@ TEST_CASE("steps in the wrong order") {
          [&](hm_error* e) { return hm_plan_solve(attempt.plan, attempt.basis, nullptr, e); }},
         {HM_BAD_ARGUMENT, "the plan has no factor: hm_plan_factor comes first",
          [&](hm_error* e) {
-             return hm_displace(of_given.plan, n, nullptr, 1, &wall, nullptr, &to, work.data(), bytes, nullptr, e);
+             return hm_displace(of_given.plan, n, nullptr, 1, &wall, nullptr, &to, work.data(),
+                                bytes, nullptr, e);
          }},
-        {HM_BAD_ARGUMENT, "the plan has no levels: they are made by hm_plan_factor of other engines",
+        {HM_BAD_ARGUMENT,
+         "the plan has no levels: they are made by hm_plan_factor of other engines",
          [&](hm_error* e) { return hm_plan_level(attempt.plan, 0, cells, &n_cells, e); }},
     });
 }
@@ -231,7 +246,8 @@ TEST_CASE("functions of other curves or bodies are not interpolated") {
     x[30] += 0.01;
     moved.points.x = x.data();
     Case same = tiny_case();
-    CHECK(transfer(same, o.basis, moved) == "the coarse mesh's coordinates are not those its basis was solved on");
+    CHECK(transfer(same, o.basis, moved) ==
+          "the coarse mesh's coordinates are not those its basis was solved on");
     CHECK(transfer(other, o.basis, o.mesh) == "the two bases were made with different curves");
     CHECK(transfer(off_centre, of_rigid.basis, rigid.mesh_view()) ==
           "the two bases have different rigid bodies, or other centres of theirs");
@@ -246,41 +262,49 @@ TEST_CASE("modes: numbers, lists, and what they do not go with") {
     std::vector<double> modes(200, 1.0);
     std::vector<std::int32_t> list(100, displaced.points[0]), twice = displaced.points;
     twice.push_back(twice[0]);
-    std::vector<double> dx(twice.size(), 0.0), dy(twice.size(), 0.0), x = its.mesh.x, y = its.mesh.y;
+    std::vector<double> dx(twice.size(), 0.0), dy(twice.size(), 0.0), x = its.mesh.x,
+                                                                      y = its.mesh.y;
     dx.back() = 1;
     hm_points const wall{dx.data(), dy.data(), 1}, from{its.mesh.x.data(), its.mesh.y.data(), 1};
     hm_points_out const to{x.data(), y.data(), 1};
     Guarded room = displaced.work_for(1);
     std::vector<double> far(twice.size(), 0.0);
-    far[0] = 5;   // across the body
+    far[0] = 5;  // across the body
     hm_points const across{far.data(), dy.data(), 1};
     hm_error crossing{};
-    CHECK(hm_displace(displaced.plan, n, nullptr, 1, &across, &from, &to, room.data(), room.size(), nullptr,
-                      &crossing) == HM_CROSSING);
-    CHECK(std::string(crossing.text).find("the moved boundary crosses itself: the faces that begin at points ") == 0);
-    REQUIRE(hm_tabulate_size(displaced.plan, displaced.basis, 1, 1, &bytes, &work_bytes, nullptr) == HM_OK);
+    CHECK(hm_displace(displaced.plan, n, nullptr, 1, &across, &from, &to, room.data(), room.size(),
+                      nullptr, &crossing) == HM_CROSSING);
+    CHECK(std::string(crossing.text)
+              .find("the moved boundary crosses itself: the faces that begin at points ") == 0);
+    REQUIRE(hm_tabulate_size(displaced.plan, displaced.basis, 1, 1, &bytes, &work_bytes, nullptr) ==
+            HM_OK);
     Guarded block(bytes), work(work_bytes);
     check_texts({
         {HM_BAD_ARGUMENT, "numbers must be 1 or 2, not 0",
-         [&](hm_error* e) { return hm_tabulate_size(displaced.plan, displaced.basis, 1, 0, &bytes, &work_bytes, e); }},
+         [&](hm_error* e) {
+             return hm_tabulate_size(displaced.plan, displaced.basis, 1, 0, &bytes, &work_bytes, e);
+         }},
         {HM_BAD_ARGUMENT, "point 17 has two displacements in field 0 (from 0)",
          [&](hm_error* e) {
-             return hm_displace(displaced.plan, n + 1, twice.data(), 1, &wall, nullptr, &to, room.data(), room.size(),
-                                nullptr, e);
+             return hm_displace(displaced.plan, n + 1, twice.data(), 1, &wall, nullptr, &to,
+                                room.data(), room.size(), nullptr, e);
          }},
         {HM_BAD_ARGUMENT, "the list is longer than twice the mesh: 97 points",
          [&](hm_error* e) {
-             return hm_tabulate(&made, block.data(), bytes, displaced.plan, displaced.basis, 97, list.data(), 1, 1,
-                                modes.data(), work.data(), work_bytes, nullptr, e);
+             return hm_tabulate(&made, block.data(), bytes, displaced.plan, displaced.basis, 97,
+                                list.data(), 1, 1, modes.data(), work.data(), work_bytes, nullptr,
+                                e);
          }},
     });
-    REQUIRE(hm_tabulate(&made, block.data(), block.size(), displaced.plan, displaced.basis, n, nullptr, 1, 1,
-                        modes.data(), work.data(), work_bytes, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_tabulate(&made, block.data(), block.size(), displaced.plan, displaced.basis, n,
+                        nullptr, 1, 1, modes.data(), work.data(), work_bytes, nullptr,
+                        nullptr) == HM_OK);
     TransferAttempt transfer;
     REQUIRE(transfer.open(its.problem()));
     CHECK_FALSE(transfer.fill_from(made, its.mesh_view()));
     CHECK(transfer.status == HM_UNSUPPORTED);
-    CHECK(std::string(transfer.error.text) == "the basis has functions by table, this call needs one without");
+    CHECK(std::string(transfer.error.text) ==
+          "the basis has functions by table, this call needs one without");
 }
 
 TEST_CASE("options of the safe morph and of better cells") {
@@ -293,18 +317,19 @@ TEST_CASE("options of the safe morph and of better cells") {
     REQUIRE(hm_improve_size(o.solved.plan, &bytes, nullptr) == HM_OK);
     Guarded room(bytes);
     hm_basis const* nobody = nullptr;
-    hm_basis* derivative = nullptr;   // of two functions
+    hm_basis* derivative = nullptr;  // of two functions
     double matrix[] = {1, 0, 0, 1, 0, 0, 0, 0};
     REQUIRE(hm_combine_size(o.basis, 2, 1, &bytes, nullptr) == HM_OK);
     Guarded combined(bytes);
-    REQUIRE(hm_combine(&derivative, combined.data(), bytes, o.basis, 2, 1, matrix, nullptr) == HM_OK);
+    REQUIRE(hm_combine(&derivative, combined.data(), bytes, o.basis, 2, 1, matrix, nullptr) ==
+            HM_OK);
     auto const morph = [&](std::function<void()> const& change) {
         return [&, change](hm_error* e) {
             safe = {};
             safe.struct_size = sizeof safe;
             change();
-            return hm_morph_safe(o.solved.plan, o.basis, o.move.data(), &o.out, nullptr, work.data(), work.size(),
-                                 &safe, nullptr, e);
+            return hm_morph_safe(o.solved.plan, o.basis, o.move.data(), &o.out, nullptr,
+                                 work.data(), work.size(), &safe, nullptr, e);
         };
     };
     auto const improve = [&](std::function<void()> const& change) {
@@ -312,7 +337,8 @@ TEST_CASE("options of the safe morph and of better cells") {
             better = {};
             better.struct_size = sizeof better;
             change();
-            return hm_improve(o.solved.plan, &o.points, &o.out, room.data(), room.size(), &better, nullptr, e);
+            return hm_improve(o.solved.plan, &o.points, &o.out, room.data(), room.size(), &better,
+                              nullptr, e);
         };
     };
     struct {
@@ -331,25 +357,30 @@ TEST_CASE("options of the safe morph and of better cells") {
     folded[8] = 5;
     hm_points const reference{folded.data(), o.its.mesh.y.data(), 1};
     const char* const strategies =
-        "safe options: skipped_strategies is 1048576, which names strategies there are not, or reserved is not 0";
+        "safe options: skipped_strategies is 1048576, which names strategies there are not, or "
+        "reserved is not 0";
     check_texts({
-        {HM_BAD_ARGUMENT, "safe options: struct_size is wrong", morph([&] { safe.struct_size = 0; })},
-        {HM_UNSUPPORTED, "safe options: fields are set that this version of the library does not know",
+        {HM_BAD_ARGUMENT, "safe options: struct_size is wrong",
+         morph([&] { safe.struct_size = 0; })},
+        {HM_UNSUPPORTED,
+         "safe options: fields are set that this version of the library does not know",
          [&](hm_error* e) {
-             return hm_morph_safe(o.solved.plan, o.basis, o.move.data(), &o.out, nullptr, work.data(), work.size(),
-                                  &younger.safe, nullptr, e);
+             return hm_morph_safe(o.solved.plan, o.basis, o.move.data(), &o.out, nullptr,
+                                  work.data(), work.size(), &younger.safe, nullptr, e);
          }},
-        {HM_UNSUPPORTED, "improve options: fields are set that this version of the library does not know",
+        {HM_UNSUPPORTED,
+         "improve options: fields are set that this version of the library does not know",
          [&](hm_error* e) {
-             return hm_improve(o.solved.plan, &o.points, &o.out, room.data(), room.size(), &younger_better.better,
-                               nullptr, e);
+             return hm_improve(o.solved.plan, &o.points, &o.out, room.data(), room.size(),
+                               &younger_better.better, nullptr, e);
          }},
         {HM_BAD_BASIS, "the basis for the derivative has other functions than the basis",
          [&](hm_error* e) {
-             return hm_morph_safe(o.solved.plan, o.basis, o.move.data(), &o.out, derivative, work.data(), work.size(),
-                                  nullptr, nullptr, e);
+             return hm_morph_safe(o.solved.plan, o.basis, o.move.data(), &o.out, derivative,
+                                  work.data(), work.size(), nullptr, nullptr, e);
          }},
-        {HM_BAD_MESH, "cell 1 of the reference mesh is inverted", improve([&] { better.reference = &reference; })},
+        {HM_BAD_MESH, "cell 1 of the reference mesh is inverted",
+         improve([&] { better.reference = &reference; })},
         {HM_BAD_ARGUMENT, strategies, morph([&] { safe.skipped_strategies = 1 << 20; })},
         {HM_BAD_ARGUMENT, "safe options: others is NULL, or n_others is -1, not 0 .. 64",
          morph([&] { safe.n_others = -1; })},
@@ -357,9 +388,12 @@ TEST_CASE("options of the safe morph and of better cells") {
          morph([&] { safe.n_others = 65; })},
         {HM_BAD_ARGUMENT, "safe options: others is NULL, or n_others is 1, not 0 .. 64",
          morph([&] { safe.n_others = 1; })},
-        {HM_BAD_ARGUMENT, "safe options: heights must be between 0 and 1, not 2", morph([&] { safe.heights = 2; })},
-        {HM_BAD_ARGUMENT, "safe options: heights must be between 0 and 1, not -1", morph([&] { safe.heights = -1; })},
-        {HM_BAD_ARGUMENT, "safe options: min_quality must be at most 1, not 2", morph([&] { safe.min_quality = 2; })},
+        {HM_BAD_ARGUMENT, "safe options: heights must be between 0 and 1, not 2",
+         morph([&] { safe.heights = 2; })},
+        {HM_BAD_ARGUMENT, "safe options: heights must be between 0 and 1, not -1",
+         morph([&] { safe.heights = -1; })},
+        {HM_BAD_ARGUMENT, "safe options: min_quality must be at most 1, not 2",
+         morph([&] { safe.min_quality = 2; })},
         {HM_BAD_ARGUMENT, "safe options: min_quality must be at most 1, not NaN",
          morph([&] { safe.min_quality = std::numeric_limits<double>::quiet_NaN(); })},
         {HM_BAD_ARGUMENT, "safe options: max_height_change must be 0 or above 1, not 1",
@@ -368,12 +402,16 @@ TEST_CASE("options of the safe morph and of better cells") {
          morph([&] { safe.max_height_change = std::numeric_limits<double>::quiet_NaN(); })},
         {HM_BAD_ARGUMENT, "basis 0 (from 0) of others is NULL",
          morph([&] { safe.others = &nobody, safe.n_others = 1; })},
-        {HM_BAD_ARGUMENT, "improve options: struct_size is wrong", improve([&] { better.struct_size = 0; })},
-        {HM_BAD_ARGUMENT, "improve options: max_iterations is 10001, not 0 .. 10000, or reserved is not 0",
+        {HM_BAD_ARGUMENT, "improve options: struct_size is wrong",
+         improve([&] { better.struct_size = 0; })},
+        {HM_BAD_ARGUMENT,
+         "improve options: max_iterations is 10001, not 0 .. 10000, or reserved is not 0",
          improve([&] { better.max_iterations = 10001; })},
-        {HM_BAD_ARGUMENT, "improve options: max_iterations is -1, not 0 .. 10000, or reserved is not 0",
+        {HM_BAD_ARGUMENT,
+         "improve options: max_iterations is -1, not 0 .. 10000, or reserved is not 0",
          improve([&] { better.max_iterations = -1; })},
-        {HM_BAD_ARGUMENT, "improve options: max_iterations is 0, not 0 .. 10000, or reserved is not 0",
+        {HM_BAD_ARGUMENT,
+         "improve options: max_iterations is 0, not 0 .. 10000, or reserved is not 0",
          improve([&] { better.reserved = 1; })},
     });
 }
@@ -382,16 +420,17 @@ TEST_CASE("a safe displacement that turns a body inside out") {
     Case its = given_instead(tiny_case());
     Displaced displaced(its);
     std::vector<double> dx, dy(displaced.points.size(), 0.0), x = its.mesh.x, y = its.mesh.y;
-    for (std::int32_t const point : displaced.points) dx.push_back(2 * (3 - its.mesh.point(point).x));
+    for (std::int32_t const point : displaced.points)
+        dx.push_back(2 * (3 - its.mesh.point(point).x));
     hm_points const wall{dx.data(), dy.data(), 1};
     hm_points_out const to{x.data(), y.data(), 1};
     std::size_t bytes = 0;
     REQUIRE(hm_displace_safe_size(displaced.plan, displaced.basis, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
     hm_error error{};
-    CHECK(hm_displace_safe(displaced.plan, displaced.basis, nullptr, static_cast<std::int32_t>(dx.size()),
-                           displaced.points.data(), &wall, &to, work.data(), bytes, nullptr, nullptr,
-                           &error) == HM_CROSSING);
+    CHECK(hm_displace_safe(displaced.plan, displaced.basis, nullptr,
+                           static_cast<std::int32_t>(dx.size()), displaced.points.data(), &wall,
+                           &to, work.data(), bytes, nullptr, nullptr, &error) == HM_CROSSING);
     CHECK(std::string(error.text) == "the boundary through point 17 at (3, 2) is inside out");
     CHECK(x == its.mesh.x);
 }

@@ -1,4 +1,5 @@
-// What a problem may have wrong, with the whole sentence that says so: options, counts and arrays, curves, conditions.
+// What a problem may have wrong, with the whole sentence that says so: options, counts and arrays,
+// curves, conditions.
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -34,7 +35,8 @@ void check(std::initializer_list<Bad> all) {
 }
 
 // The same, where the case itself is spoiled.
-void check(std::initializer_list<std::pair<const char*, std::function<void(Case&)>>> all, hm_status status) {
+void check(std::initializer_list<std::pair<const char*, std::function<void(Case&)>>> all,
+           hm_status status) {
     for (auto const& bad : all) {
         Case its = tiny_case();
         bad.second(its);
@@ -56,10 +58,14 @@ TEST_CASE("options that are out of range or unknown") {
          [](auto&, auto& o, auto&) { o.operator_kind = 7; }},
         {HM_UNSUPPORTED, "options.operator_kind is -1, which is unknown",
          [](auto&, auto& o, auto&) { o.operator_kind = -1; }},
-        {HM_UNSUPPORTED, "options.scheme is 9, which is unknown", [](auto&, auto& o, auto&) { o.scheme = 9; }},
-        {HM_UNSUPPORTED, "options.scheme is -1, which is unknown", [](auto&, auto& o, auto&) { o.scheme = -1; }},
-        {HM_UNSUPPORTED, "options.engine is 5, which is unknown", [](auto&, auto& o, auto&) { o.engine = 5; }},
-        {HM_UNSUPPORTED, "options.engine is -2, which is unknown", [](auto&, auto& o, auto&) { o.engine = -2; }},
+        {HM_UNSUPPORTED, "options.scheme is 9, which is unknown",
+         [](auto&, auto& o, auto&) { o.scheme = 9; }},
+        {HM_UNSUPPORTED, "options.scheme is -1, which is unknown",
+         [](auto&, auto& o, auto&) { o.scheme = -1; }},
+        {HM_UNSUPPORTED, "options.engine is 5, which is unknown",
+         [](auto&, auto& o, auto&) { o.engine = 5; }},
+        {HM_UNSUPPORTED, "options.engine is -2, which is unknown",
+         [](auto&, auto& o, auto&) { o.engine = -2; }},
         {HM_BAD_ARGUMENT, "options.exponent_quarters must be between -1 and 16, not 17",
          [](auto&, auto& o, auto&) { o.exponent_quarters = 17; }},
         {HM_BAD_ARGUMENT, "options.exponent_quarters must be between -1 and 16, not -2",
@@ -80,16 +86,23 @@ TEST_CASE("options that are out of range or unknown") {
          [](auto&, auto& o, auto&) { o.agglomeration = -1; }},
         {HM_BAD_ARGUMENT, "options.block_width must be 0, 4, 8 or 16, not 5",
          [](auto&, auto& o, auto&) { o.block_width = 5; }},
-        {HM_BAD_ARGUMENT, "options: max_iterations or history_length is negative, or history is NULL",
+        {HM_BAD_ARGUMENT,
+         "options: max_iterations or history_length is negative, or history is NULL",
          [](auto&, auto& o, auto&) { o.max_iterations = -1; }},
-        {HM_BAD_ARGUMENT, "options: max_iterations or history_length is negative, or history is NULL",
+        {HM_BAD_ARGUMENT,
+         "options: max_iterations or history_length is negative, or history is NULL",
          [](auto&, auto& o, auto&) { o.history_length = -1; }},
-        {HM_BAD_ARGUMENT, "options: max_iterations or history_length is negative, or history is NULL",
+        {HM_BAD_ARGUMENT,
+         "options: max_iterations or history_length is negative, or history is NULL",
          [](auto&, auto& o, auto&) { o.history_length = 3; }},
-        {HM_BAD_ARGUMENT, "options.start is 7, which is unknown", [](auto&, auto& o, auto&) { o.start = 7; }},
-        {HM_BAD_ARGUMENT, "options.start is -1, which is unknown", [](auto&, auto& o, auto&) { o.start = -1; }},
-        {HM_BAD_ARGUMENT, "options.struct_size is wrong", [](auto&, auto& o, auto&) { o.struct_size = 0; }},
-        {HM_BAD_ARGUMENT, "options.struct_size is wrong", [](auto&, auto& o, auto&) { o.struct_size = 5000; }},
+        {HM_BAD_ARGUMENT, "options.start is 7, which is unknown",
+         [](auto&, auto& o, auto&) { o.start = 7; }},
+        {HM_BAD_ARGUMENT, "options.start is -1, which is unknown",
+         [](auto&, auto& o, auto&) { o.start = -1; }},
+        {HM_BAD_ARGUMENT, "options.struct_size is wrong",
+         [](auto&, auto& o, auto&) { o.struct_size = 0; }},
+        {HM_BAD_ARGUMENT, "options.struct_size is wrong",
+         [](auto&, auto& o, auto&) { o.struct_size = 5000; }},
         {HM_UNSUPPORTED, "options.block_width goes with the engines multigrid and fas only",
          [](auto&, auto& o, auto&) { o.block_width = 4; }},
         {HM_UNSUPPORTED, "options.max_iterations goes with the engines multigrid and fas only",
@@ -101,14 +114,18 @@ TEST_CASE("options that are out of range or unknown") {
          }},
         {HM_UNSUPPORTED, "options.start goes with the engine fas only",
          [](auto&, auto& o, auto&) { o.engine = HM_MULTIGRID, o.start = HM_START_ZERO; }},
-        {HM_BAD_ARGUMENT, "options.reserved must be 0", [](auto&, auto& o, auto&) { o.reserved = 1; }},
+        {HM_BAD_ARGUMENT, "options.reserved must be 0",
+         [](auto&, auto& o, auto&) { o.reserved = 1; }},
         {HM_BAD_ARGUMENT, "options.tolerance must be at least 0 and below 1, not 1",
          [](auto&, auto& o, auto&) { o.tolerance = 1; }},
         {HM_BAD_ARGUMENT, "options.tolerance must be at least 0 and below 1, not -2",
          [](auto&, auto& o, auto&) { o.tolerance = -2; }},
-        {HM_UNSUPPORTED, "options.precision 3 is unknown", [](auto&, auto& o, auto&) { o.precision = 3; }},
-        {HM_UNSUPPORTED, "options.precision -1 is unknown", [](auto&, auto& o, auto&) { o.precision = -1; }},
-        {HM_BAD_ARGUMENT, "executor.struct_size is wrong", [](auto&, auto& o, auto&) { o.executor = &executor; }},
+        {HM_UNSUPPORTED, "options.precision 3 is unknown",
+         [](auto&, auto& o, auto&) { o.precision = 3; }},
+        {HM_UNSUPPORTED, "options.precision -1 is unknown",
+         [](auto&, auto& o, auto&) { o.precision = -1; }},
+        {HM_BAD_ARGUMENT, "executor.struct_size is wrong",
+         [](auto&, auto& o, auto&) { o.executor = &executor; }},
         {HM_UNSUPPORTED, "executor.kernel is 99, which is unknown",
          [](auto&, auto& o, auto&) {
              executor.struct_size = sizeof executor;
@@ -127,7 +144,8 @@ TEST_CASE("options that are out of range or unknown") {
 TEST_CASE("counts and arrays of a problem and of the mesh") {
     static std::int32_t const sizes[] = {1, 5};
     check({
-        {HM_BAD_ARGUMENT, "problem.struct_size is wrong", [](auto& p, auto&, auto&) { p.struct_size = 4; }},
+        {HM_BAD_ARGUMENT, "problem.struct_size is wrong",
+         [](auto& p, auto&, auto&) { p.struct_size = 4; }},
         {HM_BAD_ARGUMENT, "mesh is NULL", [](auto& p, auto&, auto&) { p.mesh = nullptr; }},
         {HM_BAD_ARGUMENT, "n_conditions is negative, or conditions is NULL",
          [](auto& p, auto&, auto&) { p.n_conditions = -1; }},
@@ -137,22 +155,33 @@ TEST_CASE("counts and arrays of a problem and of the mesh") {
          [](auto& p, auto&, auto&) { p.n_conditions = 0; }},
         {HM_BAD_ARGUMENT, "given parameters: negative number, or an array is NULL",
          [](auto& p, auto&, auto&) { p.n_given = -1; }},
-        {HM_BAD_ARGUMENT, "mesh.struct_size is wrong", [](auto&, auto&, auto& m) { m.struct_size = 0; }},
-        {HM_BAD_ARGUMENT, "mesh.cell_layout 99 is unknown", [](auto&, auto&, auto& m) { m.cell_layout = 99; }},
-        {HM_BAD_ARGUMENT, "mesh.cell_layout -1 is unknown", [](auto&, auto&, auto& m) { m.cell_layout = -1; }},
-        {HM_BAD_ARGUMENT, "mesh.index_base must be 0 or 1, not 2", [](auto&, auto&, auto& m) { m.index_base = 2; }},
-        {HM_BAD_MESH, "mesh.n_points must be between 3 and 2^30, not 2", [](auto&, auto&, auto& m) { m.n_points = 2; }},
-        {HM_BAD_MESH, "mesh.n_cells must be between 1 and 2^29, not 0", [](auto&, auto&, auto& m) { m.n_cells = 0; }},
+        {HM_BAD_ARGUMENT, "mesh.struct_size is wrong",
+         [](auto&, auto&, auto& m) { m.struct_size = 0; }},
+        {HM_BAD_ARGUMENT, "mesh.cell_layout 99 is unknown",
+         [](auto&, auto&, auto& m) { m.cell_layout = 99; }},
+        {HM_BAD_ARGUMENT, "mesh.cell_layout -1 is unknown",
+         [](auto&, auto&, auto& m) { m.cell_layout = -1; }},
+        {HM_BAD_ARGUMENT, "mesh.index_base must be 0 or 1, not 2",
+         [](auto&, auto&, auto& m) { m.index_base = 2; }},
+        {HM_BAD_MESH, "mesh.n_points must be between 3 and 2^30, not 2",
+         [](auto&, auto&, auto& m) { m.n_points = 2; }},
+        {HM_BAD_MESH, "mesh.n_cells must be between 1 and 2^29, not 0",
+         [](auto&, auto&, auto& m) { m.n_cells = 0; }},
         {HM_BAD_ARGUMENT, "mesh.n_faces and mesh.n_lists must not be negative",
          [](auto&, auto&, auto& m) { m.n_faces = -1; }},
         {HM_BAD_ARGUMENT, "mesh.n_faces and mesh.n_lists must not be negative",
          [](auto&, auto&, auto& m) { m.n_lists = -1; }},
-        {HM_BAD_MESH, "a structured block needs ni, nj >= 2 and ni*nj = n_points; ni is 1, nj is 48",
+        {HM_BAD_MESH,
+         "a structured block needs ni, nj >= 2 and ni*nj = n_points; ni is 1, nj is 48",
          [](auto&, auto&, auto& m) { m.cell_layout = HM_CELLS_STRUCTURED, m.ni = 1, m.nj = 48; }},
         {HM_BAD_MESH, "a structured block needs ni, nj >= 2 and ni*nj = n_points; ni is 7, nj is 7",
-         [](auto&, auto&, auto& m) { m.cell_layout = HM_CELLS_STRUCTURED, m.ni = m.nj = 7, m.n_cells = 36; }},
+         [](auto&, auto&, auto& m) {
+             m.cell_layout = HM_CELLS_STRUCTURED, m.ni = m.nj = 7, m.n_cells = 36;
+         }},
         {HM_BAD_MESH, "a structured block has (ni-1)*(nj-1) cells, mesh.n_cells says 34",
-         [](auto&, auto&, auto& m) { m.cell_layout = HM_CELLS_STRUCTURED, m.ni = 8, m.nj = 6, m.n_cells = 34; }},
+         [](auto&, auto&, auto& m) {
+             m.cell_layout = HM_CELLS_STRUCTURED, m.ni = 8, m.nj = 6, m.n_cells = 34;
+         }},
         {HM_BAD_ARGUMENT, "mesh.n_blocks is 1, but only HM_CELLS_BLOCKS has blocks",
          [](auto&, auto&, auto& m) { m.n_blocks = 1; }},
         {HM_BAD_ARGUMENT, "mesh.n_blocks must be between 1 and 65536, not 0",
@@ -163,15 +192,18 @@ TEST_CASE("counts and arrays of a problem and of the mesh") {
          [](auto&, auto&, auto& m) {
              m.cell_layout = HM_CELLS_BLOCKS, m.n_blocks = 1, m.block_sizes = sizes, m.n_cells = 0;
          }},
-        {HM_BAD_ARGUMENT, "mesh.cell_start is NULL", [](auto&, auto&, auto& m) { m.cell_start = nullptr; }},
+        {HM_BAD_ARGUMENT, "mesh.cell_start is NULL",
+         [](auto&, auto&, auto& m) { m.cell_start = nullptr; }},
         {HM_BAD_ARGUMENT, "mesh.cell_start is NULL",
          [](auto&, auto&, auto& m) { m.cell_layout = HM_CELLS_POLYGONS, m.cell_start = nullptr; }},
-        {HM_BAD_ARGUMENT, "mesh.cell_points is NULL", [](auto&, auto&, auto& m) { m.cell_points = nullptr; }},
+        {HM_BAD_ARGUMENT, "mesh.cell_points is NULL",
+         [](auto&, auto&, auto& m) { m.cell_points = nullptr; }},
         {HM_BAD_ARGUMENT, "mesh.quad_points is NULL",
          [](auto&, auto&, auto& m) { m.cell_layout = HM_CELLS_MIXED, m.n_quads = 1; }},
         {HM_BAD_ARGUMENT, "mesh.points.x or mesh.points.y is NULL",
          [](auto&, auto&, auto& m) { m.points.x = nullptr; }},
-        {HM_BAD_ARGUMENT, "mesh.points.stride is negative", [](auto&, auto&, auto& m) { m.points.stride = -1; }},
+        {HM_BAD_ARGUMENT, "mesh.points.stride is negative",
+         [](auto&, auto&, auto& m) { m.points.stride = -1; }},
         {HM_BAD_ARGUMENT, "mesh.face_points or mesh.face_markers is NULL",
          [](auto&, auto&, auto& m) { m.face_points = nullptr; }},
         {HM_BAD_ARGUMENT, "mesh.list_start, list_points or list_markers is NULL",
@@ -213,7 +245,8 @@ TEST_CASE("arrays of curves, and the kinds of conditions") {
          [&](auto& p, auto&, auto&) { change(p).kind = 9; }},
         {HM_BAD_ARGUMENT, "struct_size of condition 0 (from 0) is wrong",
          [&](auto& p, auto&, auto&) { change(p).struct_size = 0; }},
-        {HM_BAD_CONDITION, "condition 0 (from 0) names rigid body -1 (from 0), which there cannot be",
+        {HM_BAD_CONDITION,
+         "condition 0 (from 0) names rigid body -1 (from 0), which there cannot be",
          [&](auto& p, auto&, auto&) { change(p).kind = HM_RIGID, condition.body = -1; }},
     });
 }
@@ -230,8 +263,10 @@ TEST_CASE("a mesh that contradicts itself, and conditions that contradict each o
                 c.set_rigid(body, 3, 3);
                 c.set_rigid(top, 2, 3);
             }},
-           {"a parameter is given for point 0, which is on no curve's marker", [](Case& c) { c.give(0, 0.5); }},
-           {"point 16 is 1.41421e2 from its curve, farther than that is large: is its marker another one?",
+           {"a parameter is given for point 0, which is on no curve's marker",
+            [](Case& c) { c.give(0, 0.5); }},
+           {"point 16 is 1.41421e2 from its curve, farther than that is large: is its marker "
+            "another one?",
             [](Case& c) {
                 for (double& number : c.curves.control) number += 100;
             }}},
@@ -239,7 +274,8 @@ TEST_CASE("a mesh that contradicts itself, and conditions that contradict each o
 }
 
 TEST_CASE("polygons with more corners than cells can be counted") {
-    std::vector<std::int32_t> start(600001);   // of these the library knows how many corners there are
+    std::vector<std::int32_t> start(
+        600001);  // of these the library knows how many corners there are
     for (std::size_t k = 0; k < start.size(); ++k) start[k] = static_cast<std::int32_t>(1000 * k);
     Case its = tiny_case();
     hm_mesh mesh = its.mesh_view();
@@ -262,8 +298,9 @@ TEST_CASE("a body that single precision cannot turn") {
     options.precision = HM_SINGLE;
     Attempt const attempt(its.problem(), &options);
     CHECK(attempt.status == HM_UNSUPPORTED);
-    CHECK(std::string(attempt.error.text) ==
-          "point 17 is 1.00000e25 from the centre of its body: single precision takes 1e-12 .. 1e24");
+    CHECK(
+        std::string(attempt.error.text) ==
+        "point 17 is 1.00000e25 from the centre of its body: single precision takes 1e-12 .. 1e24");
     its.conditions.back().x = 1e24;
     Attempt const nearer(its.problem(), &options);
     CHECK_MESSAGE(nearer.status >= HM_OK, nearer.error.text);
@@ -271,10 +308,12 @@ TEST_CASE("a body that single precision cannot turn") {
 
 TEST_CASE("four translations of a periodic mesh, which no lattice has") {
     Case its = tiny_case();
-    for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face) {   // each side in two halves
+    for (std::size_t face = 0; face < its.mesh.face_markers.size();
+         ++face) {  // each side in two halves
         std::int32_t& marker = its.mesh.face_markers[face];
         if (marker == body) continue;
-        Point const a = its.mesh.point(its.mesh.faces[2 * face]), b = its.mesh.point(its.mesh.faces[2 * face + 1]);
+        Point const a = its.mesh.point(its.mesh.faces[2 * face]),
+                    b = its.mesh.point(its.mesh.faces[2 * face + 1]);
         bool const upright = marker == left || marker == right;
         marker += (upright ? a.y + b.y : a.x + b.x) < 6 ? 20 : 40;
     }
@@ -284,7 +323,8 @@ TEST_CASE("four translations of a periodic mesh, which no lattice has") {
     its.set_periodic(left + 40, right + 20);
     Attempt const attempt(its.problem());
     CHECK(attempt.status == HM_BAD_CONDITION);
-    CHECK(std::string(attempt.error.text) == "periodic marker 54: there are already 3 other translations");
+    CHECK(std::string(attempt.error.text) ==
+          "periodic marker 54: there are already 3 other translations");
 }
 
 TEST_CASE("a fit: options, and counts of points") {
@@ -306,16 +346,24 @@ TEST_CASE("a fit: options, and counts of points") {
         };
     };
     check_texts({
-        {HM_BAD_CURVE, "points 1 (from 0) and 2 (from 0) follow each other and coincide", fit(twice, HM_OPEN)},
-        {HM_BAD_CURVE, "only a loop of points can have a tied or periodic curve", fit(apart, HM_PERIODIC)},
+        {HM_BAD_CURVE, "points 1 (from 0) and 2 (from 0) follow each other and coincide",
+         fit(twice, HM_OPEN)},
+        {HM_BAD_CURVE, "only a loop of points can have a tied or periodic curve",
+         fit(apart, HM_PERIODIC)},
         {HM_BAD_ARGUMENT, "fit options: struct_size is wrong",
-         [&](hm_error* e) { return options.struct_size = 0, hm_fit_size(20, &options, &bytes, e); }},
+         [&](hm_error* e) {
+             return options.struct_size = 0, hm_fit_size(20, &options, &bytes, e);
+         }},
         {HM_BAD_ARGUMENT, "fit options: closed is 9, which is unknown",
          [&](hm_error* e) {
-             return options.struct_size = sizeof options, options.closed = 9, hm_fit_size(20, &options, &bytes, e);
+             return options.struct_size = sizeof options, options.closed = 9,
+                    hm_fit_size(20, &options, &bytes, e);
          }},
         {HM_BAD_CURVE, "2147483647 points are too many",
-         [&](hm_error* e) { return options.closed = 0, hm_fit_size(2147483647, &options, &bytes, e); }},
-        {HM_BAD_ARGUMENT, "bytes is NULL", [&](hm_error* e) { return hm_fit_size(20, &options, nullptr, e); }},
+         [&](hm_error* e) {
+             return options.closed = 0, hm_fit_size(2147483647, &options, &bytes, e);
+         }},
+        {HM_BAD_ARGUMENT, "bytes is NULL",
+         [&](hm_error* e) { return hm_fit_size(20, &options, nullptr, e); }},
     });
 }

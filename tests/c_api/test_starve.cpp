@@ -1,4 +1,5 @@
-// Every block that is too small is refused, and nothing outside of it is touched; exactly the stated size suffices.
+// Every block that is too small is refused, and nothing outside of it is touched; exactly the
+// stated size suffices.
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -12,10 +13,11 @@ using namespace fixtures;
 
 namespace {
 
-constexpr std::size_t shifts[] = {0, 1, 8, 40, 63};   // of a block's beginning against a multiple of 64
+constexpr std::size_t shifts[] = {0, 1, 8, 40,
+                                  63};  // of a block's beginning against a multiple of 64
 
-// Sizes below `need`: all that end near an array's end matter, so go in steps that hit every multiple of 64 and its
-// neighbours, every small one, and the last ones.
+// Sizes below `need`: all that end near an array's end matter, so go in steps that hit every
+// multiple of 64 and its neighbours, every small one, and the last ones.
 std::vector<std::size_t> sizes_below(std::size_t need) {
     std::set<std::size_t> sizes;
     for (std::size_t size = 0; size < need && size < 300; ++size) sizes.insert(size);
@@ -23,7 +25,8 @@ std::vector<std::size_t> sizes_below(std::size_t need) {
     for (std::size_t size = 0; size < need; size += step)
         for (std::size_t near : {size, size + 1, size + 63})
             if (near < need) sizes.insert(near);
-    for (std::size_t short_of = 1; short_of <= 130 && short_of <= need; ++short_of) sizes.insert(need - short_of);
+    for (std::size_t short_of = 1; short_of <= 130 && short_of <= need; ++short_of)
+        sizes.insert(need - short_of);
     return {sizes.begin(), sizes.end()};
 }
 
@@ -60,7 +63,8 @@ TEST_CASE("analysis: with curves and without, at every size below the required o
         REQUIRE(hm_analysis_size(&problem, nullptr, &need, nullptr) == HM_OK);
         starve(need, [&](void* block, std::size_t bytes, hm_error& error) {
             hm_analysis* analysis = nullptr;
-            hm_status const status = hm_analysis_init(&analysis, block, bytes, &problem, nullptr, &error);
+            hm_status const status =
+                hm_analysis_init(&analysis, block, bytes, &problem, nullptr, &error);
             CHECK((analysis != nullptr) == (status >= 0));
             return status;
         });
@@ -113,8 +117,8 @@ TEST_CASE("fit: at every size below the required one") {
     REQUIRE(hm_fit_size(n, &options, &need, nullptr) == HM_OK);
     starve(need, [&](void* block, std::size_t bytes, hm_error& error) {
         const hm_curves* curves = nullptr;
-        hm_status const status = hm_fit(&curves, block, bytes, points_in(xy, xy + 1, 2), n, 1, &options, nullptr,
-                                        &error);
+        hm_status const status = hm_fit(&curves, block, bytes, points_in(xy, xy + 1, 2), n, 1,
+                                        &options, nullptr, &error);
         CHECK((curves != nullptr) == (status >= 0));
         return status;
     });
@@ -137,15 +141,20 @@ TEST_CASE("plane: at every size below the required one; the smallest block moves
             std::vector<double> x = space.x, y = space.y, z = space.z, gradient(8);
             hm_space_points const from = space.points();
             hm_space_points_out const to{x.data(), y.data(), z.data(), 1};
-            REQUIRE(hm_plane_morph(plane, solved.basis, move.data(), &from, &to, nullptr, nullptr) == HM_OK);
-            REQUIRE(hm_plane_adjoint(plane, solved.basis, &from, gradient.data(), nullptr, nullptr) == HM_OK);
+            REQUIRE(hm_plane_morph(plane, solved.basis, move.data(), &from, &to, nullptr,
+                                   nullptr) == HM_OK);
+            REQUIRE(hm_plane_adjoint(plane, solved.basis, &from, gradient.data(), nullptr,
+                                     nullptr) == HM_OK);
             return status;
         });
     }
 }
 
-TEST_CASE("blocks of exactly the stated size carry the whole way, at every alignment, on every kind of mesh") {
-    // Guards are checked after the solution: no kernel writes past its block, whatever the sizes of its fronts.
+TEST_CASE(
+    "blocks of exactly the stated size carry the whole way, at every alignment, on every kind of "
+    "mesh") {
+    // Guards are checked after the solution: no kernel writes past its block, whatever the sizes of
+    // its fronts.
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         for (int const n : {4, 7, 8, 9, 17}) {
             Case its = ring_case(7, 24, 0.5, 2, kind, 2, n);
@@ -182,13 +191,14 @@ TEST_CASE("blocks for several threads: exactly the stated size, and one byte les
             CHECK(attempt.report.residual < 1e-12);
             hm_plan* plan = nullptr;
             Guarded less(attempt.plan_block->size() - 1, shift);
-            CHECK(hm_plan_init(&plan, less.data(), less.size(), attempt.analysis, nullptr) == HM_BLOCK_TOO_SMALL);
+            CHECK(hm_plan_init(&plan, less.data(), less.size(), attempt.analysis, nullptr) ==
+                  HM_BLOCK_TOO_SMALL);
             CHECK(plan == nullptr);
             CHECK(less.untouched());
             hm_analysis* analysis = nullptr;
             Guarded small(attempt.analysis_block->size() - 1, shift);
-            CHECK(hm_analysis_init(&analysis, small.data(), small.size(), &problem, &options, nullptr) ==
-                  HM_BLOCK_TOO_SMALL);
+            CHECK(hm_analysis_init(&analysis, small.data(), small.size(), &problem, &options,
+                                   nullptr) == HM_BLOCK_TOO_SMALL);
             CHECK(analysis == nullptr);
             CHECK(small.untouched());
         }

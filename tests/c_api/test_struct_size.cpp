@@ -1,4 +1,5 @@
-// Callers that are older or younger than the library: structs that are shorter or longer than it knows them.
+// Callers that are older or younger than the library: structs that are shorter or longer than it
+// knows them.
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -10,7 +11,8 @@ using namespace fixtures;
 
 namespace {
 
-std::vector<double> values_of(const hm_basis* basis, std::int32_t n_functions, std::size_t n_points) {
+std::vector<double> values_of(const hm_basis* basis, std::int32_t n_functions,
+                              std::size_t n_points) {
     std::vector<double> out, one(n_points);
     for (std::int32_t i = 0; i < n_functions; ++i) {
         REQUIRE(hm_basis_values(basis, i, 0, one.data(), nullptr) == HM_OK);
@@ -19,14 +21,16 @@ std::vector<double> values_of(const hm_basis* basis, std::int32_t n_functions, s
     return out;
 }
 
-// Of a struct that ends before the field at this place. A struct's size is a multiple of its alignment: where pointers
-// have 32 bits, that field may still be in it.
+// Of a struct that ends before the field at this place. A struct's size is a multiple of its
+// alignment: where pointers have 32 bits, that field may still be in it.
 template <class Struct>
 std::uint64_t size_before(std::size_t place) {
     return (place + alignof(Struct) - 1) / alignof(Struct) * alignof(Struct);
 }
 
-bool says(hm_error const& error, const char* word) { return std::string(error.text).find(word) != std::string::npos; }
+bool says(hm_error const& error, const char* word) {
+    return std::string(error.text).find(word) != std::string::npos;
+}
 
 }  // namespace
 
@@ -34,8 +38,8 @@ TEST_CASE("a struct of an older caller is shorter: what is missing has its defau
     Case its = tiny_case();
     Solved const reference(its);
     hm_mesh mesh = its.mesh.view();
-    mesh.struct_size = size_before<hm_mesh>(offsetof(hm_mesh, n_lists));   // no boundary lists yet
-    if (mesh.struct_size <= offsetof(hm_mesh, n_lists)) mesh.n_lists = 1000;   // not looked at
+    mesh.struct_size = size_before<hm_mesh>(offsetof(hm_mesh, n_lists));  // no boundary lists yet
+    if (mesh.struct_size <= offsetof(hm_mesh, n_lists)) mesh.n_lists = 1000;  // not looked at
     hm_problem problem = its.problem(mesh);
     problem.struct_size = offsetof(hm_problem, n_given);
     problem.n_given = 1000;
@@ -48,7 +52,9 @@ TEST_CASE("a struct of an older caller is shorter: what is missing has its defau
     CHECK(same_bits(values_of(attempt.basis, 4, 48), reference.all_values()));
 }
 
-TEST_CASE("a mesh of an older caller has no second array of cells: what lies behind the mesh is not looked at") {
+TEST_CASE(
+    "a mesh of an older caller has no second array of cells: what lies behind the mesh is not "
+    "looked at") {
     Case its = tiny_case();
     Solved const reference(its);
     hm_mesh mesh = its.mesh.view();
@@ -62,7 +68,7 @@ TEST_CASE("a mesh of an older caller has no second array of cells: what lies beh
     if (!has_no_quads) return;
     Mixed const mixed(its.mesh);
     hm_mesh short_of_quads = mixed.put_into(its.mesh.view());
-    short_of_quads.struct_size = offsetof(hm_mesh, n_quads);   // then all cells are triangles
+    short_of_quads.struct_size = offsetof(hm_mesh, n_quads);  // then all cells are triangles
     short_of_quads.n_cells = mixed.n_triangles();
     Attempt const triangles(its.problem(short_of_quads));
     CHECK(triangles.status == HM_BAD_MESH);
@@ -83,7 +89,7 @@ TEST_CASE("a struct of a younger caller is longer: what is unknown is left alone
         double more[3] = {1, 2, 3};
     };
     its.add_condition(top, HM_FIXED);
-    Longer conditions[2];   // an array whose elements are as long as the first one says
+    Longer conditions[2];  // an array whose elements are as long as the first one says
     for (std::size_t k = 0; k < 2; ++k) {
         conditions[k].condition = its.conditions[k];
         conditions[k].condition.struct_size = sizeof(Longer);
@@ -104,7 +110,7 @@ TEST_CASE("a struct of a younger caller is longer: what is unknown is left alone
     info.info.struct_size = sizeof info;
     REQUIRE(hm_basis_info_get(attempt.basis, &info.info, nullptr) == HM_OK);
     CHECK(info.info.points == 48);
-    CHECK(info.info.struct_size == sizeof info);   // stays the caller's
+    CHECK(info.info.struct_size == sizeof info);  // stays the caller's
     for (unsigned char const byte : info.more) CHECK(byte == 0x5A);
 }
 
@@ -115,7 +121,8 @@ TEST_CASE("reports are filled as far as the caller's struct goes, for each of th
     std::vector<double> const d(48, 0.0);
     auto const shortened = [&](auto whole, auto call) {
         using Report = decltype(whole);
-        for (std::size_t size = sizeof(std::uint64_t); size <= sizeof(Report); size += alignof(Report)) {
+        for (std::size_t size = sizeof(std::uint64_t); size <= sizeof(Report);
+             size += alignof(Report)) {
             Report report;
             std::memset(static_cast<void*>(&report), 0x5A, sizeof report);
             report.struct_size = size;
@@ -125,22 +132,29 @@ TEST_CASE("reports are filled as far as the caller's struct goes, for each of th
             for (std::size_t k = size; k < sizeof report; ++k) CHECK(bytes[k] == 0x5A);
         }
     };
-    shortened(hm_mesh_report{}, [&](hm_mesh_report* r) { return hm_analysis_report(solved.analysis, r, nullptr); });
-    shortened(hm_basis_info{}, [&](hm_basis_info* r) { return hm_basis_info_get(solved.basis, r, nullptr); });
-    shortened(hm_solve_report{},
-              [&](hm_solve_report* r) { return hm_plan_solve(solved.plan, solved.basis, r, nullptr); });
+    shortened(hm_mesh_report{},
+              [&](hm_mesh_report* r) { return hm_analysis_report(solved.analysis, r, nullptr); });
+    shortened(hm_basis_info{},
+              [&](hm_basis_info* r) { return hm_basis_info_get(solved.basis, r, nullptr); });
+    shortened(hm_solve_report{}, [&](hm_solve_report* r) {
+        return hm_plan_solve(solved.plan, solved.basis, r, nullptr);
+    });
     shortened(hm_step_report{}, [&](hm_step_report* r) {
-        return hm_admissible_step(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, r, nullptr);
+        return hm_admissible_step(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, r,
+                                  nullptr);
     });
     shortened(hm_quality_report{}, [&](hm_quality_report* r) {
         return hm_quality(solved.basis, &mesh, &mesh.points, nullptr, nullptr, r, nullptr);
     });
 }
 
-TEST_CASE("a struct_size that was never set, or with which the next struct of an array were not aligned, is refused") {
+TEST_CASE(
+    "a struct_size that was never set, or with which the next struct of an array were not aligned, "
+    "is refused") {
     Case its = tiny_case();
     std::size_t bytes = 0;
-    for (std::uint64_t const size : {std::uint64_t{0}, std::uint64_t{7}, std::uint64_t{75}, std::uint64_t{1} << 40}) {
+    for (std::uint64_t const size :
+         {std::uint64_t{0}, std::uint64_t{7}, std::uint64_t{75}, std::uint64_t{1} << 40}) {
         hm_problem problem = its.problem();
         hm_options options{};
         hm_error error{};

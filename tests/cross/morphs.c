@@ -1,8 +1,10 @@
-/* Checksums of fits, bases, morphs and all that follows, with the baseline kernel: the same lines on every processor.
+/* Checksums of fits, bases, morphs and all that follows, with the baseline kernel: the same lines
+ * on every processor.
  *
  *     morphs                 prints the checksums
  *     morphs save FILE       writes a basis in single precision
- *     morphs attach FILE     attaches a basis that another machine wrote: the checksum of its use, or the refusal */
+ *     morphs attach FILE     attaches a basis that another machine wrote: the checksum of its use,
+ * or the refusal */
 #include "case.h"
 
 #include <stdio.h>
@@ -14,39 +16,40 @@ static double x_new[POINTS], y_new[POINTS];
 static int32_t triangles[6 * (NI - 1) * (NJ - 1)];
 
 static const struct {
-    const char *name;
+    const char* name;
     int32_t operator_kind, scheme, engine, precision;
-    int safe;   /* a safe morph, too: substeps and untangling take most of the time */
-} methods[] = {{"conformal", HM_CONFORMAL, HM_COMPACT, HM_DIRECT, HM_DOUBLE, 1},
-               {"conformal by a single-precision factor", HM_CONFORMAL, HM_COMPACT, HM_DIRECT, HM_SINGLE, 0},
-               {"Laplace", HM_LAPLACE, HM_COMPACT, HM_DIRECT, HM_DOUBLE, 0},
-               {"weighted", HM_WEIGHTED, HM_COMPACT, HM_DIRECT, HM_DOUBLE, 0},
-               {"bounded", HM_LAPLACE, HM_BOUNDED, HM_DIRECT, HM_DOUBLE, 1},
-               {"nodal gradients", HM_LAPLACE, HM_NODAL_GRADIENT, HM_DIRECT, HM_DOUBLE, 0},
-               {"multigrid", HM_LAPLACE, HM_COMPACT, HM_MULTIGRID, HM_DOUBLE, 0},
-               {"FAS", HM_LAPLACE, HM_COMPACT, HM_FAS, HM_DOUBLE, 0}};
+    int safe; /* a safe morph, too: substeps and untangling take most of the time */
+} methods[] = {
+    {"conformal", HM_CONFORMAL, HM_COMPACT, HM_DIRECT, HM_DOUBLE, 1},
+    {"conformal by a single-precision factor", HM_CONFORMAL, HM_COMPACT, HM_DIRECT, HM_SINGLE, 0},
+    {"Laplace", HM_LAPLACE, HM_COMPACT, HM_DIRECT, HM_DOUBLE, 0},
+    {"weighted", HM_WEIGHTED, HM_COMPACT, HM_DIRECT, HM_DOUBLE, 0},
+    {"bounded", HM_LAPLACE, HM_BOUNDED, HM_DIRECT, HM_DOUBLE, 1},
+    {"nodal gradients", HM_LAPLACE, HM_NODAL_GRADIENT, HM_DIRECT, HM_DOUBLE, 0},
+    {"multigrid", HM_LAPLACE, HM_COMPACT, HM_MULTIGRID, HM_DOUBLE, 0},
+    {"FAS", HM_LAPLACE, HM_COMPACT, HM_FAS, HM_DOUBLE, 0}};
 
 static hm_error error;
 
-static void check(hm_status status, const char *what) {
+static void check(hm_status status, const char* what) {
     if (status >= 0) return;
     printf("refused: %s: %s: %s\n", what, hm_status_name(status), error.text);
     exit(1);
 }
-static void *block_of(size_t bytes) {
-    void *block = malloc(bytes);
+static void* block_of(size_t bytes) {
+    void* block = malloc(bytes);
     if (block == NULL) exit(1);
     return block;
 }
-static void say(const char *mesh, const char *method, const char *what, uint64_t sum) {
+static void say(const char* mesh, const char* method, const char* what, uint64_t sum) {
     printf("%s, %s, %s: %08lx%08lx\n", mesh, method, what, (unsigned long)(sum >> 32),
            (unsigned long)(sum & 0xffffffffu));
 }
 
-static const hm_curves *fit(void **block) {
+static const hm_curves* fit(void** block) {
     hm_fit_options options = {sizeof options};
     hm_points wall;
-    const hm_curves *curves = NULL;
+    const hm_curves* curves = NULL;
     size_t bytes;
     options.n_control = CONTROL;
     options.closed = HM_PERIODIC;
@@ -58,12 +61,13 @@ static const hm_curves *fit(void **block) {
 }
 
 /* The plan and the basis of a method; blocks [3] are the caller's to free. */
-static hm_plan *solve(const hm_mesh *mesh, const hm_curves *curves, int method, hm_basis **basis, void **blocks) {
+static hm_plan* solve(const hm_mesh* mesh, const hm_curves* curves, int method, hm_basis** basis,
+                      void** blocks) {
     hm_condition on_curve = {sizeof on_curve};
     hm_problem problem = {sizeof problem};
     hm_options options = {sizeof options};
-    hm_analysis *analysis = NULL;
-    hm_plan *plan = NULL;
+    hm_analysis* analysis = NULL;
+    hm_plan* plan = NULL;
     size_t bytes;
     on_curve.marker = WALL;
     on_curve.kind = HM_ON_CURVE;
@@ -78,43 +82,47 @@ static hm_plan *solve(const hm_mesh *mesh, const hm_curves *curves, int method, 
     options.engine = methods[method].engine;
     options.precision = methods[method].precision;
     check(hm_analysis_size(&problem, &options, &bytes, &error), "hm_analysis_size");
-    check(hm_analysis_init(&analysis, blocks[0] = block_of(bytes), bytes, &problem, &options, &error),
-          "hm_analysis_init");
+    check(
+        hm_analysis_init(&analysis, blocks[0] = block_of(bytes), bytes, &problem, &options, &error),
+        "hm_analysis_init");
     check(hm_plan_size(analysis, &bytes, &error), "hm_plan_size");
-    check(hm_plan_init(&plan, blocks[1] = block_of(bytes), bytes, analysis, &error), "hm_plan_init");
+    check(hm_plan_init(&plan, blocks[1] = block_of(bytes), bytes, analysis, &error),
+          "hm_plan_init");
     check(hm_basis_size(analysis, &bytes, &error), "hm_basis_size");
-    check(hm_basis_init(basis, blocks[2] = block_of(bytes), bytes, analysis, &error), "hm_basis_init");
+    check(hm_basis_init(basis, blocks[2] = block_of(bytes), bytes, analysis, &error),
+          "hm_basis_init");
     check(hm_plan_factor(plan, NULL, &error), "hm_plan_factor");
     check(hm_plan_solve(plan, *basis, NULL, &error), "hm_plan_solve");
     return plan;
 }
 
-static void print_safe_morph(const hm_mesh *mesh, const char *name, const char *method, hm_plan *plan,
-                             const hm_basis *basis) {
+static void print_safe_morph(const hm_mesh* mesh, const char* name, const char* method,
+                             hm_plan* plan, const hm_basis* basis) {
     const hm_points to_read = {x_new, y_new, 1};
     const hm_points_out to = {x_new, y_new, 1};
     hm_quality_report quality = {sizeof quality};
     uint64_t sum;
-    void *work;
+    void* work;
     size_t bytes;
     make_move(1, memory.move);
     check(hm_morph_safe_size(plan, basis, &bytes, &error), "hm_morph_safe_size");
     work = block_of(bytes);
-    check(hm_morph_safe(plan, basis, memory.move, &to, NULL, work, bytes, NULL, NULL, &error), "hm_morph_safe");
+    check(hm_morph_safe(plan, basis, memory.move, &to, NULL, work, bytes, NULL, NULL, &error),
+          "hm_morph_safe");
     free(work);
     check(hm_quality(basis, mesh, &to_read, &mesh->points, NULL, &quality, &error), "hm_quality");
     sum = add_numbers(add_numbers(empty_sum, x_new, POINTS), y_new, POINTS);
     say(name, method, "safe morph", add_numbers(sum, &quality.mean_quality, 1));
 }
 
-static void print_sums(const hm_mesh *mesh, const char *name) {
+static void print_sums(const hm_mesh* mesh, const char* name) {
     void *curve_block, *blocks[3];
-    const hm_curves *curves = fit(&curve_block);
+    const hm_curves* curves = fit(&curve_block);
     int method;
     say(name, "cubic", "fit", add_numbers(empty_sum, curves->control, 2 * CONTROL));
     for (method = 0; method < (int)(sizeof methods / sizeof methods[0]); ++method) {
-        hm_basis *basis = NULL;
-        hm_plan *plan = solve(mesh, curves, method, &basis, blocks);
+        hm_basis* basis = NULL;
+        hm_plan* plan = solve(mesh, curves, method, &basis, blocks);
         hm_basis_info info = {sizeof info};
         uint64_t sum;
         check(hm_basis_info_get(basis, &info, &error), "hm_basis_info_get");
@@ -127,12 +135,12 @@ static void print_sums(const hm_mesh *mesh, const char *name) {
     free(curve_block);
 }
 
-static int save(const hm_mesh *mesh, const char *path) {
+static int save(const hm_mesh* mesh, const char* path) {
     void *curve_block, *blocks[3], *block;
     hm_basis *basis = NULL, *single = NULL;
     hm_basis_info info = {sizeof info};
     size_t bytes;
-    FILE *file = fopen(path, "wb");
+    FILE* file = fopen(path, "wb");
     solve(mesh, fit(&curve_block), 0, &basis, blocks);
     check(hm_single_size(basis, &bytes, &error), "hm_single_size");
     block = block_of(bytes);
@@ -141,10 +149,10 @@ static int save(const hm_mesh *mesh, const char *path) {
     return file == NULL || fwrite(single, 1, info.bytes, file) != info.bytes || fclose(file) != 0;
 }
 
-static int attach(const hm_mesh *mesh, const char *path) {
-    FILE *file = fopen(path, "rb");
+static int attach(const hm_mesh* mesh, const char* path) {
+    FILE* file = fopen(path, "rb");
     const size_t room = (size_t)1 << 20;
-    void *block = block_of(room);
+    void* block = block_of(room);
     const size_t bytes = file == NULL ? 0 : fread(block, 1, room, file);
     uint64_t sum;
     check(use_basis(block, bytes, mesh, &memory, &sum, &error), "hm_basis_attach");
@@ -152,7 +160,7 @@ static int attach(const hm_mesh *mesh, const char *path) {
     return 0;
 }
 
-int main(int n, char **arguments) {
+int main(int n, char** arguments) {
     hm_mesh mesh = make_mesh(&memory);
     int32_t i, j, *to = triangles;
     if (n == 3 && strcmp(arguments[1], "save") == 0) return save(&mesh, arguments[2]);

@@ -1,5 +1,6 @@
-// The dense kernels against plain loops, real and complex, in double and in single precision, for every size up to 60
-// and round the borders of blocks, tiles and strips, on every kind of processor at hand.
+// The dense kernels against plain loops, real and complex, in double and in single precision, for
+// every size up to 60 and round the borders of blocks, tiles and strips, on every kind of processor
+// at hand.
 #include <doctest/doctest.h>
 
 #include <fixtures/front.hpp>
@@ -14,8 +15,10 @@ template <class Its>
 class FrontCheck {
 public:
     FrontCheck(Kernel kernel, Index pivots, Index border)
-        : n_(static_cast<std::size_t>(pivots + border)), p_(static_cast<std::size_t>(pivots)),
-          expected_(some_matrix<Its>(n_, static_cast<unsigned>(n_ * 1000 + p_))), front_(kernel, expected_, pivots) {
+        : n_(static_cast<std::size_t>(pivots + border)),
+          p_(static_cast<std::size_t>(pivots)),
+          expected_(some_matrix<Its>(n_, static_cast<unsigned>(n_ * 1000 + p_))),
+          front_(kernel, expected_, pivots) {
         REQUIRE(expected_.factor(p_));
         CHECK(front_.factor() == harmorph::none);
         front_.update_border();
@@ -29,15 +32,18 @@ private:
     static constexpr Index slab = dense::slab;
 
     void compare(const Number* found, harmorph::Offset plane, Entry exact) {
-        double const error = std::abs(Its::get(found, plane) - exact) / std::sqrt(static_cast<double>(n_));
-        if (!(error <= worst_)) worst_ = error;   // NaN stays
+        double const error =
+            std::abs(Its::get(found, plane) - exact) / std::sqrt(static_cast<double>(n_));
+        if (!(error <= worst_)) worst_ = error;  // NaN stays
     }
     void check_factor() {
         worst_ = 0;
         auto const panel = front_.panel();
-        for (Index k = 0; k < front_.pivots; ++k)   // behind each diagonal block, which holds its inverse
+        for (Index k = 0; k < front_.pivots;
+             ++k)  // behind each diagonal block, which holds its inverse
             for (Index c = std::min(panel.pivots, (k / slab + 1) * slab); c < front_.size; ++c)
-                compare(panel.at(k, c), slab, expected_.at(static_cast<std::size_t>(k), static_cast<std::size_t>(c)));
+                compare(panel.at(k, c), slab,
+                        expected_.at(static_cast<std::size_t>(k), static_cast<std::size_t>(c)));
         auto const update = front_.update_matrix();
         auto const left = [&](Index r, Index c) {
             return expected_.at(p_ + static_cast<std::size_t>(r), p_ + static_cast<std::size_t>(c));
@@ -96,7 +102,8 @@ void check_front(Kernel kernel, Index pivots, Index border) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("every number of pivots from 1 to 60, with and without a border", Its, ALL_ARITHMETICS) {
+TEST_CASE_TEMPLATE("every number of pivots from 1 to 60, with and without a border", Its,
+                   ALL_ARITHMETICS) {
     for (Kernel const kernel : fixtures::usable_kernels())
         for (Index pivots = 1; pivots <= 60; ++pivots) {
             check_front<Its>(kernel, pivots, 0);
@@ -104,16 +111,18 @@ TEST_CASE_TEMPLATE("every number of pivots from 1 to 60, with and without a bord
         }
 }
 
-TEST_CASE_TEMPLATE("every border from 0 to 60, and those round whole tiles and bands", Its, ALL_ARITHMETICS) {
+TEST_CASE_TEMPLATE("every border from 0 to 60, and those round whole tiles and bands", Its,
+                   ALL_ARITHMETICS) {
     for (Kernel const kernel : fixtures::usable_kernels()) {
-        for (Index border = 0; border <= 60; ++border) check_front<Its>(kernel, border % 41 + 1, border);
+        for (Index border = 0; border <= 60; ++border)
+            check_front<Its>(kernel, border % 41 + 1, border);
         for (Index const border : {71, 72, 73, 95, 96, 97, 127, 128, 129, 136, 193})
             check_front<Its>(kernel, 9, border);
     }
 }
 
-TEST_CASE_TEMPLATE("large fronts: more than one strip of pivots, borders that fill several tiles", Its,
-                   ALL_ARITHMETICS) {
+TEST_CASE_TEMPLATE("large fronts: more than one strip of pivots, borders that fill several tiles",
+                   Its, ALL_ARITHMETICS) {
     Index const sizes[][2] = {{127, 130}, {128, 0}, {129, 64}, {100, 203}, {256, 29}, {257, 3}};
     for (Kernel const kernel : fixtures::usable_kernels())
         for (auto const& size : sizes) check_front<Its>(kernel, size[0], size[1]);
@@ -132,10 +141,12 @@ TEST_CASE_TEMPLATE("any number of threads, in any order: the same bits", Its, AL
                 REQUIRE(front.factor() == harmorph::none);
                 front.update_border();
                 std::vector<Number> y(n);
-                for (std::size_t k = 0; k < n; ++k) y[k] = static_cast<Number>(std::sin(static_cast<double>(k)));
+                for (std::size_t k = 0; k < n; ++k)
+                    y[k] = static_cast<Number>(std::sin(static_cast<double>(k)));
                 dense::solve_forward(kernel, front.panel(), y.data(), 32, front.executor);
                 dense::solve_backward(kernel, front.panel(), y.data(), 32, front.executor);
-                for (std::vector<Number>* array : {&front.data, &front.update}) array->resize(array->size() - behind);
+                for (std::vector<Number>* array : {&front.data, &front.update})
+                    array->resize(array->size() - behind);
                 if (threads == 1) {
                     first[0] = front.data;
                     first[1] = front.update;
@@ -144,7 +155,7 @@ TEST_CASE_TEMPLATE("any number of threads, in any order: the same bits", Its, AL
                 CHECK(same_bits(front.data, first[0]));
                 CHECK(same_bits(front.update, first[1]));
                 CHECK(same_bits(y, first[2]));
-                CHECK((threads > 1) == (front.order.calls > 0));   // they were put to work
+                CHECK((threads > 1) == (front.order.calls > 0));  // they were put to work
             }
         }
     }

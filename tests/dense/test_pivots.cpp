@@ -8,7 +8,8 @@
 using namespace fixtures;
 using namespace fixtures::fronts;
 
-TEST_CASE_TEMPLATE("a pivot that is not positive is found, wherever it is, and named", Its, ALL_ARITHMETICS) {
+TEST_CASE_TEMPLATE("a pivot that is not positive is found, wherever it is, and named", Its,
+                   ALL_ARITHMETICS) {
     Untrapped const untrapped;
     for (Kernel const kernel : fixtures::usable_kernels())
         for (Index const n : {1, 5, 8, 9, 64, 100, 130, 260})
@@ -20,14 +21,14 @@ TEST_CASE_TEMPLATE("a pivot that is not positive is found, wherever it is, and n
                         for (std::size_t k = 0; k < a.n; ++k) a.at(at, k) = a.at(k, at) = 0;
                     a.at(at, at) = value;
                     Front<Its> front(kernel, a, n);
-                    INFO("kernel " << static_cast<int>(kernel) << ", n " << n << ", bad " << bad << ", value "
-                                   << value);
+                    INFO("kernel " << static_cast<int>(kernel) << ", n " << n << ", bad " << bad
+                                   << ", value " << value);
                     CHECK(front.factor() == bad);
                 }
 }
 
-TEST_CASE_TEMPLATE("a singular matrix is found up to rounding: springs that are tied to nothing", Its,
-                   ALL_ARITHMETICS) {
+TEST_CASE_TEMPLATE("a singular matrix is found up to rounding: springs that are tied to nothing",
+                   Its, ALL_ARITHMETICS) {
     for (Kernel const kernel : fixtures::usable_kernels())
         for (std::size_t const n : {2u, 8u, 9u, 32u, 33u, 100u}) {
             typename Its::Matrix a(n);
@@ -44,10 +45,11 @@ TEST_CASE_TEMPLATE("a singular matrix is found up to rounding: springs that are 
         }
 }
 
-// Conductances over 30 orders of magnitude, ties to the ground weaker than all of them: the solution for a load of what
-// ties each is 1 everywhere. With stored diagonals, not a digit of it would be left.
-TEST_CASE_TEMPLATE("conductances lose nothing, however uneven they are", Its, Arithmetic<double, false>,
-                   Arithmetic<float, false>) {
+// Conductances over 30 orders of magnitude, ties to the ground weaker than all of them: the
+// solution for a load of what ties each is 1 everywhere. With stored diagonals, not a digit of it
+// would be left.
+TEST_CASE_TEMPLATE("conductances lose nothing, however uneven they are", Its,
+                   Arithmetic<double, false>, Arithmetic<float, false>) {
     using Number = typename Its::Number;
     Index const sizes[][2] = {{1, 0}, {9, 0}, {40, 0}, {150, 0}, {300, 0}};
     for (Kernel const kernel : fixtures::usable_kernels())
@@ -57,7 +59,8 @@ TEST_CASE_TEMPLATE("conductances lose nothing, however uneven they are", Its, Ar
             std::mt19937 random(static_cast<unsigned>(n));
             for (std::size_t i = 0; i < n; ++i)
                 for (std::size_t j = i + 1; j < n; ++j)
-                    if (j == i + 1 || uniform(random) < 0.2) a.at(i, j) = -std::pow(10.0, 24 * uniform(random) - 12);
+                    if (j == i + 1 || uniform(random) < 0.2)
+                        a.at(i, j) = -std::pow(10.0, 24 * uniform(random) - 12);
             Front<Its> front(kernel, a, size[0]);
             std::size_t const row = dense::slab;
             std::vector<Number> y(row * n, Number{0});
@@ -71,7 +74,9 @@ TEST_CASE_TEMPLATE("conductances lose nothing, however uneven they are", Its, Ar
             dense::solve_forward(kernel, front.panel(), y.data(), dense::slab, front.executor);
             dense::solve_backward(kernel, front.panel(), y.data(), dense::slab, front.executor);
             double worst = 0;
-            for (std::size_t i = 0; i < n; ++i) worst = std::max(worst, std::abs(static_cast<double>(y[row * i]) - 1));
-            CHECK(worst < 20 * std::sqrt(static_cast<double>(n)) * std::numeric_limits<Number>::epsilon());
+            for (std::size_t i = 0; i < n; ++i)
+                worst = std::max(worst, std::abs(static_cast<double>(y[row * i]) - 1));
+            CHECK(worst <
+                  20 * std::sqrt(static_cast<double>(n)) * std::numeric_limits<Number>::epsilon());
         }
 }

@@ -7,12 +7,14 @@
 using namespace fixtures;
 using namespace fixtures::fronts;
 
-TEST_CASE_TEMPLATE("panels and update matrices: a place of its own for every entry on and above the diagonal", Number,
-                   double, float) {
+TEST_CASE_TEMPLATE(
+    "panels and update matrices: a place of its own for every entry on and above the diagonal",
+    Number, double, float) {
     constexpr Index slab = dense::slab;
     for (Index const pivots : {1, 7, 8, 15, 16, 17, 33, 128, 300})
         for (Index const border : {0, 1, 8, 17, 33, 200}) {
-            std::vector<Number> times(static_cast<std::size_t>(dense::panel_entries(pivots, border)), Number{0});
+            std::vector<Number> times(
+                static_cast<std::size_t>(dense::panel_entries(pivots, border)), Number{0});
             dense::Panel<Number> const panel{times.data(), pivots, border};
             for (Index k = 0; k < pivots; ++k)
                 for (Index c = k; c < panel.front(); ++c) {
@@ -35,12 +37,14 @@ TEST_CASE_TEMPLATE("panels and update matrices: a place of its own for every ent
         }
 }
 
-TEST_CASE_TEMPLATE("a child is added to its parent entry by entry, wherever its rows go", Its, ALL_ARITHMETICS) {
+TEST_CASE_TEMPLATE("a child is added to its parent entry by entry, wherever its rows go", Its,
+                   ALL_ARITHMETICS) {
     std::mt19937 random(11);
     for (Kernel const kernel : fixtures::usable_kernels())
         for (int round = 0; round < 60; ++round) {
-            Index const pivots = 1 + static_cast<Index>(random() % 40), border = static_cast<Index>(random() % 70);
-            double const kept = uniform(random);   // runs of neighbours, or scattered rows
+            Index const pivots = 1 + static_cast<Index>(random() % 40),
+                        border = static_cast<Index>(random() % 70);
+            double const kept = uniform(random);  // runs of neighbours, or scattered rows
             std::vector<Index> targets;
             for (Index t = 0; t < pivots + border; ++t)
                 if (uniform(random) < kept) targets.push_back(t);
@@ -48,25 +52,30 @@ TEST_CASE_TEMPLATE("a child is added to its parent entry by entry, wherever its 
             auto const child = some_matrix<Its>(targets.size(), 2);
             Front<Its> from(kernel, child, 0), to(kernel, parent, pivots);
             Front<Its> const before = to;
-            dense::extend_add(kernel, from.update_matrix(), targets.data(), to.panel(), to.update_matrix());
+            dense::extend_add(kernel, from.update_matrix(), targets.data(), to.panel(),
+                              to.update_matrix());
             double worst = 0;
             auto const compare = [&](auto const* found, auto const* old, Index i, Index j) {
                 auto const row = std::find(targets.begin(), targets.end(), i),
                            column = std::find(targets.begin(), targets.end(), j);
                 typename Its::Entry exact = Its::get(old, Front<Its>::slab);
                 if (row != targets.end() && column != targets.end())
-                    exact += Its::get(from.update_matrix().at(static_cast<Index>(row - targets.begin()),
-                                                              static_cast<Index>(column - targets.begin())),
-                                      Front<Its>::slab);
+                    exact += Its::get(
+                        from.update_matrix().at(static_cast<Index>(row - targets.begin()),
+                                                static_cast<Index>(column - targets.begin())),
+                        Front<Its>::slab);
                 worst = std::fmax(worst, std::abs(Its::get(found, Front<Its>::slab) - exact));
             };
             Front<Its> old = before;
             for (Index i = 0; i < pivots; ++i)
-                for (Index j = i; j < pivots + border; ++j) compare(to.panel().at(i, j), old.panel().at(i, j), i, j);
+                for (Index j = i; j < pivots + border; ++j)
+                    compare(to.panel().at(i, j), old.panel().at(i, j), i, j);
             for (Index i = 0; i < border; ++i)
                 for (Index j = i; j < border; ++j)
-                    compare(to.update_matrix().at(i, j), old.update_matrix().at(i, j), pivots + i, pivots + j);
-            INFO("kernel " << static_cast<int>(kernel) << ", " << pivots << " pivots, border " << border);
+                    compare(to.update_matrix().at(i, j), old.update_matrix().at(i, j), pivots + i,
+                            pivots + j);
+            INFO("kernel " << static_cast<int>(kernel) << ", " << pivots << " pivots, border "
+                           << border);
             CHECK(worst <= 1e3 * std::numeric_limits<typename Its::Number>::epsilon());
             CHECK(to.is_poisoned_behind());
             CHECK(from.is_poisoned_behind());

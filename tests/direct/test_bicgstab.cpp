@@ -4,7 +4,7 @@
 #include <fixtures/guarded.hpp>
 #include <fixtures/perturb.hpp>
 
-#include <harmorph/direct/bicgstab.hpp>
+#include "direct/bicgstab.hpp"
 
 #include <cmath>
 #include <random>
@@ -29,7 +29,8 @@ struct Dense {
         for (Index i = 0; i < n; ++i)
             for (Index k = 0; k < width; ++k) {
                 double sum = 0;
-                for (Index j = 0; j < n; ++j) sum += entry[static_cast<std::size_t>(i * n + j)] * from[j * width + k];
+                for (Index j = 0; j < n; ++j)
+                    sum += entry[static_cast<std::size_t>(i * n + j)] * from[j * width + k];
                 to[i * width + k] = sum;
             }
     }
@@ -83,7 +84,9 @@ double column_norm(std::vector<double> const& rows, Index k) {
 
 }  // namespace
 
-TEST_CASE("unsymmetric equations: residuals are reduced as asked for, in fewer iterations than there are unknowns") {
+TEST_CASE(
+    "unsymmetric equations: residuals are reduced as asked for, in fewer iterations than there are "
+    "unknowns") {
     for (unsigned seed = 0; seed < 20; ++seed) {
         Dense const matrix = unsymmetric(seed);
         std::vector<double> const b = random_numbers(n * width, seed + 100);
@@ -97,7 +100,9 @@ TEST_CASE("unsymmetric equations: residuals are reduced as asked for, in fewer i
     }
 }
 
-TEST_CASE("the bits of a column do not depend on the other columns; columns that are not asked for are left out") {
+TEST_CASE(
+    "the bits of a column do not depend on the other columns; columns that are not asked for are "
+    "left out") {
     Dense const matrix = unsymmetric(3);
     std::vector<double> const b = random_numbers(n * width, 4);
     std::vector<double> alone(b.size());
@@ -113,7 +118,8 @@ TEST_CASE("a right-hand side of 0 has the solution 0, without an iteration") {
     for (Index k = 0; k < width; ++k) CHECK(column_norm(solved.x, k) == 0);
 }
 
-// Equations of pairs of unknowns: each image is orthogonal to what it is made of, but for a part `along`.
+// Equations of pairs of unknowns: each image is orthogonal to what it is made of, but for a part
+// `along`.
 Dense quarter_turns(Index n_pairs, double along) {
     Dense out = unsymmetric(7);
     for (Index i = 0; i < n; ++i)
@@ -166,8 +172,9 @@ TEST_CASE("a failure of the preconditioner ends the iteration") {
     engine.lay_out(arena, n, width);
     std::vector<double> b = random_numbers(n * width, 10);
     Index iterations = 0;
-    Status const status = engine.run({b.data(), b.size()}, width, 1e-10, 100, iterations, [](const double*, double*) {},
-                                     [](double*) { return Status::cancelled; });
+    Status const status = engine.run(
+        {b.data(), b.size()}, width, 1e-10, 100, iterations, [](const double*, double*) {},
+        [](double*) { return Status::cancelled; });
     CHECK(status == Status::cancelled);
     CHECK(iterations == 0);
 }

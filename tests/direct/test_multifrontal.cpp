@@ -22,13 +22,16 @@ void check_against_dense(Case& its, double tolerance) {
     double worst = 0;
     for (Index i = 0; i < solved.report.functions; ++i) {
         std::vector<double> const found = solved.values(i);
-        auto const on_wall = [&](Index slot) { return found[static_cast<std::size_t>(analysis.wall.point[slot])]; };
+        auto const on_wall = [&](Index slot) {
+            return found[static_cast<std::size_t>(analysis.wall.point[slot])];
+        };
         std::vector<double> b = laplace.couplings_times(on_wall);
         for (double& value : b) value = -value;
         std::vector<double> const expected = a.solve(b);
         for (std::size_t k = 0; k < expected.size(); ++k) {
             double const error =
-                std::fabs(found[static_cast<std::size_t>(laplace.point_at(static_cast<Index>(k)))] - expected[k]);
+                std::fabs(found[static_cast<std::size_t>(laplace.point_at(static_cast<Index>(k)))] -
+                          expected[k]);
             if (!(error <= worst)) worst = error;
         }
     }
@@ -43,14 +46,14 @@ TEST_CASE("small meshes of every kind: the same as dense Cholesky") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Case tiny = tiny_case();
         check_against_dense(tiny, 1e-14);
-        for (int const n_r : {2, 3, 7, 12}) {   // from a single leaf to several levels of separators
+        for (int const n_r : {2, 3, 7, 12}) {  // from a single leaf to several levels of separators
             Case its = ring_case(n_r, 5 * n_r, 0.5, 2, kind, 2, 5);
             check_against_dense(its, 1e-13);
         }
         Case two = two_body_case(kind, 8, 5);
         check_against_dense(two, 1e-13);
         Case with_free = ring_case(7, 30, 0.5, 2, kind);
-        with_free.set_free(far_field);   // then every sum of functions is 1
+        with_free.set_free(far_field);  // then every sum of functions is 1
         perturb(with_free.mesh, 0.3, 2);
         Solved const solved(with_free);
         // nothing is fixed: constants are known from the wall alone
@@ -70,7 +73,8 @@ TEST_CASE("any number of right-hand sides: 2 to 40, and more than a block of the
     }
 }
 
-TEST_CASE("residuals stay at rounding on viscous meshes, with sharp and with blunt trailing edges") {
+TEST_CASE(
+    "residuals stay at rounding on viscous meshes, with sharp and with blunt trailing edges") {
     for (double const first : {1e-3, 1e-5})
         for (bool const blunt : {false, true}) {
             Naca4 naca;
@@ -91,8 +95,10 @@ TEST_CASE("residuals stay at rounding on viscous meshes, with sharp and with blu
 TEST_CASE("two parts that are not joined are solved side by side") {
     Case its = tiny_case(), alone = its;
     std::int32_t const first = its.mesh.n_points();
-    for (std::int32_t k = 0; k < first; ++k) its.mesh.add_point({its.mesh.point(k).x + 20, its.mesh.point(k).y});
-    for (std::size_t k = 0, n = its.mesh.cells.size(); k < n; ++k) its.mesh.cells.push_back(its.mesh.cells[k] + first);
+    for (std::int32_t k = 0; k < first; ++k)
+        its.mesh.add_point({its.mesh.point(k).x + 20, its.mesh.point(k).y});
+    for (std::size_t k = 0, n = its.mesh.cells.size(); k < n; ++k)
+        its.mesh.cells.push_back(its.mesh.cells[k] + first);
     for (std::size_t k = 1, n = its.mesh.cell_start.size(); k < n; ++k)
         its.mesh.cell_start.push_back(its.mesh.cell_start[n - 1] + its.mesh.cell_start[k]);
     for (std::size_t k = 0, n = its.mesh.face_markers.size(); k < n; ++k)
@@ -102,7 +108,8 @@ TEST_CASE("two parts that are not joined are solved side by side") {
     its.put_on_curves(second_body, 1);
     Solved const both(its), one(alone);
     for (std::int32_t i = 0; i < 4; ++i) {
-        std::vector<double> const f = both.values(i), g = both.values(4 + i), expected = one.values(i);
+        std::vector<double> const f = both.values(i), g = both.values(4 + i),
+                                  expected = one.values(i);
         std::size_t const n = static_cast<std::size_t>(first);
         CHECK(largest_difference({f.begin(), f.begin() + first}, expected) < 1e-14);
         CHECK(largest_difference({g.begin() + first, g.end()}, expected) < 1e-14);
@@ -115,8 +122,9 @@ TEST_CASE("two parts that are not joined are solved side by side") {
 
 namespace {
 
-double largest_error(FrontalSystem const& system, std::vector<double> const& sides, std::vector<double> const& found,
-                     ComplexDenseMatrix const& factored, Index width) {
+double largest_error(FrontalSystem const& system, std::vector<double> const& sides,
+                     std::vector<double> const& found, ComplexDenseMatrix const& factored,
+                     Index width) {
     double worst = 0;
     for (Index i = 0; i < width; ++i) {
         std::vector<std::complex<double>> b;
@@ -124,7 +132,8 @@ double largest_error(FrontalSystem const& system, std::vector<double> const& sid
             b.push_back(system.entry(sides, k, static_cast<std::size_t>(i)));
         b = factored.solve(b);
         for (std::size_t k = 0; k < b.size(); ++k) {
-            double const error = std::abs(system.entry(found, k, static_cast<std::size_t>(i)) - b[k]);
+            double const error =
+                std::abs(system.entry(found, k, static_cast<std::size_t>(i)) - b[k]);
             if (!(error <= worst)) worst = error;
         }
     }
@@ -166,7 +175,9 @@ TEST_CASE("targets: where the positions of a border are in the parent's front") 
     CHECK(wrong == 0);
 }
 
-TEST_CASE("Hermitian matrices with random circulations: the solution of dense Cholesky, in both precisions") {
+TEST_CASE(
+    "Hermitian matrices with random circulations: the solution of dense Cholesky, in both "
+    "precisions") {
     for (Cells const kind : {Cells::quads, Cells::triangles})
         for (int const n_r : {3, 9})
             for (Index const threads : {1, 3}) {
@@ -185,9 +196,10 @@ TEST_CASE("Hermitian matrices with random circulations: the solution of dense Ch
                         std::vector<double> found = sides;
                         system.solve(found);
                         double const error = largest_error(system, sides, found, dense, width);
-                        INFO(dense.n << " unknowns, " << threads << " threads, " << width << " sides");
+                        INFO(dense.n << " unknowns, " << threads << " threads, " << width
+                                     << " sides");
                         CHECK(error < (precision == HM_DOUBLE ? 1e-13 : 1e-4));
-                        if (precision == HM_SINGLE && dense.n > 50) CHECK(error > 1e-10);   // it is
+                        if (precision == HM_SINGLE && dense.n > 50) CHECK(error > 1e-10);  // it is
                     }
             }
 }
@@ -212,7 +224,9 @@ TEST_CASE("right-hand sides in single precision: the bits of those in double tha
         }
 }
 
-TEST_CASE("right-hand sides of one number each: most of the tree is passed over, wherever that number is") {
+TEST_CASE(
+    "right-hand sides of one number each: most of the tree is passed over, wherever that number "
+    "is") {
     for (Index const threads : {1, 3})
         for (bool const complex : {false, true}) {
             Case its = ring_case(6, 30, 0.5, 2, Cells::hybrid, 2, 5);
@@ -223,19 +237,23 @@ TEST_CASE("right-hand sides of one number each: most of the tree is passed over,
             system.randomise(9, complex ? 0.8 : 0);
             ComplexDenseMatrix dense(system.assembled.size());
             if (complex) dense = system.assembled.complex_unknowns();
-            else std::copy_n(system.assembled.unknowns().entries.begin(), dense.entries.size(), dense.entries.begin());
+            else
+                std::copy_n(system.assembled.unknowns().entries.begin(), dense.entries.size(),
+                            dense.entries.begin());
             REQUIRE(dense.factor());
             system.factorise();
             std::size_t const n = dense.n, length = static_cast<std::size_t>(system.row_length());
             double worst = 0;
-            for (std::size_t at = 0; at < n; ++at) {   // of three sides two are apart, and one has nothing at all
+            for (std::size_t at = 0; at < n;
+                 ++at) {  // of three sides two are apart, and one has nothing at all
                 std::vector<double> sides(n * length, 0.0);
                 sides[at * length] = 1;
                 sides[(n - 1 - at) * length + length - 1] = -2;
                 std::vector<double> found = sides;
                 system.solve(found);
                 worst = std::fmax(worst, largest_error(system, sides, found, dense, width));
-                for (std::size_t k = 0; k < n; ++k) worst = std::fmax(worst, std::fabs(found[k * length + 1]));
+                for (std::size_t k = 0; k < n; ++k)
+                    worst = std::fmax(worst, std::fabs(found[k * length + 1]));
             }
             INFO(threads << " threads, complex " << complex);
             CHECK(worst < 1e-13);
@@ -245,10 +263,13 @@ TEST_CASE("right-hand sides of one number each: most of the tree is passed over,
         }
 }
 
-TEST_CASE("right-hand sides that are not finite are told from zeros: what they reach is not finite either") {
+TEST_CASE(
+    "right-hand sides that are not finite are told from zeros: what they reach is not finite "
+    "either") {
     Untrapped const untrapped;
     for (Index const threads : {1, 3})
-        for (double const bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        for (double const bad :
+             {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
             Case its = ring_case(9, 45, 0.5, 2, Cells::hybrid, 2, 5);
             Threads const lanes(threads);
             Analysed const seen(its, &lanes.options);
@@ -308,7 +329,8 @@ TEST_CASE("a complex system is the real one of twice the size, [[a, -b], [b, a]]
     system.solve(sides);
     double worst = 0;
     for (std::size_t i = 0; i < n; ++i)
-        worst = std::fmax(worst, std::fmax(std::fabs(sides[2 * i] - b[i]), std::fabs(sides[2 * i + 1] - b[n + i])));
+        worst = std::fmax(worst, std::fmax(std::fabs(sides[2 * i] - b[i]),
+                                           std::fabs(sides[2 * i + 1] - b[n + i])));
     CHECK(worst < 1e-13);
 }
 
@@ -325,7 +347,8 @@ TEST_CASE("a Hermitian matrix that is not positive definite is refused, by posit
                 harmorph::Matrix& matrix = system.assembled.matrix;
                 matrix.row_sum[bad] -= matrix.diagonal[bad] + 1;
                 harmorph::Fault fault;
-                CHECK(system.engine.factorise(matrix, harmorph::Progress{}, fault) == harmorph::Status::not_positive);
+                CHECK(system.engine.factorise(matrix, harmorph::Progress{}, fault) ==
+                      harmorph::Status::not_positive);
                 CHECK(fault.item == bad);
             }
     }

@@ -1,11 +1,11 @@
 /* Writes a ring as a CGNS file with libcgns, independently of the program.
  *
  *   make_cgns FILE KIND REAL
- *     KIND   plane: structured, 2D; planes: two structured zones; block: structured, one cell thick; cells: QUAD_4 and
- *            TRI_3 in one section of MIXED elements, BAR_2 at the boundary; polygons: NGON_n; solid: HEXA_8 between two
- *            planes; cube: three cells thick; and what is wrong: nan: plane with a coordinate that is not finite; skew:
- *            block with a point that is opposite none; outside: cells with a point that does not exist
- *     REAL   double or single */
+ *     KIND   plane: structured, 2D; planes: two structured zones; block: structured, one cell
+ * thick; cells: QUAD_4 and TRI_3 in one section of MIXED elements, BAR_2 at the boundary; polygons:
+ * NGON_n; solid: HEXA_8 between two planes; cube: three cells thick; and what is wrong: nan: plane
+ * with a coordinate that is not finite; skew: block with a point that is opposite none; outside:
+ * cells with a point that does not exist REAL   double or single */
 #include <cgnslib.h>
 #include <math.h>
 #include <stdio.h>
@@ -28,22 +28,24 @@ static double angle(int i) { return 2 * pi * (i % around + .25) / around; }
 
 /* Points i0 .. i0+ni-1 round, all rings, nk layers. */
 static void write_coordinates(int i0, int ni, int nk, int dimensions) {
-    static const char *const names[] = {"CoordinateX", "CoordinateY", "CoordinateZ"};
+    static const char* const names[] = {"CoordinateX", "CoordinateY", "CoordinateZ"};
     int d, i, j, k, c;
     for (d = 0; d < dimensions; ++d) {
-        double *values = malloc(sizeof(double) * (size_t)(ni * (outwards + 1) * nk));
-        float *singles = malloc(sizeof(float) * (size_t)(ni * (outwards + 1) * nk));
+        double* values = malloc(sizeof(double) * (size_t)(ni * (outwards + 1) * nk));
+        float* singles = malloc(sizeof(float) * (size_t)(ni * (outwards + 1) * nk));
         int n = 0;
         for (k = 0; k < nk; ++k)
             for (j = 0; j <= outwards; ++j)
                 for (i = i0; i < i0 + ni; ++i, ++n) {
-                    values[n] = d == 0 ? radius(j) * cos(angle(i)) : d == 1 ? radius(j) * sin(angle(i)) : .5 * k;
+                    values[n] = d == 0   ? radius(j) * cos(angle(i))
+                                : d == 1 ? radius(j) * sin(angle(i))
+                                         : .5 * k;
                     if (has_nan && d == 1 && n == 30) values[n] = strtod("nan", NULL);
                     if (is_skew && d == 0 && k == 1 && i == 3 && j == 2) values[n] += .3;
                     singles[n] = (float)values[n];
                 }
         call(cg_coord_write(file, base, zone, is_single ? RealSingle : RealDouble, names[d],
-                            is_single ? (void *)singles : (void *)values, &c));
+                            is_single ? (void*)singles : (void*)values, &c));
         /* What stands beside the numbers must survive. */
         call(cg_goto(file, base, "Zone_t", zone, "GridCoordinates_t", 1, names[d], 0, "end"));
         call(cg_descriptor_write("Comment", "a ring"));
@@ -52,16 +54,18 @@ static void write_coordinates(int i0, int ni, int nk, int dimensions) {
     }
 }
 
-static void open_zone(const char *name, int cell_dimensions, cgsize_t *size, ZoneType_t type) {
+static void open_zone(const char* name, int cell_dimensions, cgsize_t* size, ZoneType_t type) {
     if (base == 0) call(cg_base_write(file, "Base", cell_dimensions, cell_dimensions, &base));
     call(cg_zone_write(file, base, name, size, type, &zone));
 }
 
-static void condition(const char *name, BCType_t type, PointSetType_t set, cgsize_t n, const cgsize_t *items,
-                      int elements) {
+static void condition(const char* name, BCType_t type, PointSetType_t set, cgsize_t n,
+                      const cgsize_t* items, int elements) {
     int c;
     call(cg_boco_write(file, base, zone, name, type, set, n, items, &c));
-    if (elements != 0) call(cg_boco_gridlocation_write(file, base, zone, c, elements == 1 ? EdgeCenter : FaceCenter));
+    if (elements != 0)
+        call(cg_boco_gridlocation_write(file, base, zone, c,
+                                        elements == 1 ? EdgeCenter : FaceCenter));
 }
 
 static void structured(int parts, int nk) {
@@ -82,7 +86,8 @@ static void structured(int parts, int nk) {
         open_zone(name, dimensions, nk > 1 ? size3 : size2, Structured);
         write_coordinates(part * (ni - 1), ni, nk, dimensions);
         if (nk > 1) {
-            cgsize_t w[6] = {1, 1, 1, 0, 1, 0}, f[6] = {1, 0, 1, 0, 0, 0}, s[6] = {1, 1, 1, 0, 0, 1};
+            cgsize_t w[6] = {1, 1, 1, 0, 1, 0}, f[6] = {1, 0, 1, 0, 0, 0},
+                     s[6] = {1, 1, 1, 0, 0, 1};
             w[3] = f[3] = s[3] = ni;
             w[5] = f[5] = nk;
             f[1] = f[4] = s[4] = outwards + 1;
@@ -101,7 +106,8 @@ static void structured(int parts, int nk) {
     }
 }
 
-static void section(const char *name, ElementType_t type, int n, int width, const cgsize_t *elements) {
+static void section(const char* name, ElementType_t type, int n, int width,
+                    const cgsize_t* elements) {
     int s;
     (void)width;
     call(cg_section_write(file, base, zone, name, type, number + 1, number + n, 0, elements, &s));
@@ -109,7 +115,7 @@ static void section(const char *name, ElementType_t type, int n, int width, cons
 }
 
 /* nk 1: cells of two dimensions; 2: hexahedra. */
-static void unstructured(const char *kind, int nk) {
+static void unstructured(const char* kind, int nk) {
     enum { n_cells = around * outwards, layer = around * (outwards + 1) };
     static cgsize_t data[10 * n_cells], start[2 * n_cells + 1], bars[4 * around], wall[2], far[2];
     cgsize_t size[3];
@@ -118,7 +124,8 @@ static void unstructured(const char *kind, int nk) {
     size[2] = 0;
     for (j = 0; j < outwards; ++j)
         for (i = 0; i < around; ++i) {
-            int a = j * around + i + 1, b = j * around + (i + 1) % around + 1, c = b + around, d = a + around;
+            int a = j * around + i + 1, b = j * around + (i + 1) % around + 1, c = b + around,
+                d = a + around;
             if (is_mixed && j == outwards - 1) { /* the outermost ring in triangles */
                 start[cells++] = n;
                 data[n++] = TRI_3, data[n++] = a, data[n++] = b, data[n++] = c;
@@ -130,7 +137,8 @@ static void unstructured(const char *kind, int nk) {
                 int e = (i + 2) % around + 1;
                 if (i % 2 != 0) continue;
                 start[cells++] = n;
-                data[n++] = a, data[n++] = b, data[n++] = e, data[n++] = e + around, data[n++] = c, data[n++] = d;
+                data[n++] = a, data[n++] = b, data[n++] = e, data[n++] = e + around, data[n++] = c,
+                data[n++] = d;
                 continue;
             }
             start[cells++] = n;
@@ -144,7 +152,8 @@ static void unstructured(const char *kind, int nk) {
     open_zone("Ring", nk == 1 ? 2 : 3, size, Unstructured);
     write_coordinates(0, around, nk, nk == 1 ? 2 : 3);
     if (is_mixed || strcmp(kind, "polygons") == 0) {
-        call(cg_poly_section_write(file, base, zone, "Cells", is_mixed ? MIXED : NGON_n, 1, cells, 0, data, start, &s));
+        call(cg_poly_section_write(file, base, zone, "Cells", is_mixed ? MIXED : NGON_n, 1, cells,
+                                   0, data, start, &s));
         number = cells;
     } else {
         section("Cells", nk == 1 ? QUAD_4 : HEXA_8, cells, 0, data);
@@ -165,8 +174,8 @@ static void unstructured(const char *kind, int nk) {
     condition("far", BCFarfield, PointRange, 2, far, nk);
 }
 
-int main(int argc, char **argv) {
-    const char *kind;
+int main(int argc, char** argv) {
+    const char* kind;
     if (argc != 4) return 2;
     kind = argv[2];
     is_single = strcmp(argv[3], "single") == 0;

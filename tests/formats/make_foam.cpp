@@ -1,8 +1,9 @@
 // Writes a ring of quads, one cell thick, as an OpenFOAM case, independently of the program.
 //
 //   make_foam FOLDER STORAGE PLANE [COORDINATES]
-//     STORAGE      text, binary-32, binary-64, binary-single: how numbers are stored; 32 and 64: bits of labels
-//     PLANE        z, y: between coordinate planes; inclined; wedge: about the x axis; polygons: z, with the cells of
+//     STORAGE      text, binary-32, binary-64, binary-single: how numbers are stored; 32 and 64:
+//     bits of labels PLANE        z, y: between coordinate planes; inclined; wedge: about the x
+//     axis; polygons: z, with the cells of
 //                  the innermost ring joined in pairs, which have six corners, and hanging nodes
 //     COORDINATES  an SU2 file of the ring in the plane's coordinates, from where x and y are taken
 #include <algorithm>
@@ -23,7 +24,7 @@ namespace {
 using Vector = std::array<double, 3>;
 
 constexpr int around = 24, outwards = 6, layer = around * (outwards + 1);
-std::vector<double> x, y; // point (i, j) is number j * around + i
+std::vector<double> x, y;  // point (i, j) is number j * around + i
 std::string storage, plane;
 
 int point(int i, int j) { return j * around + i % around; }
@@ -40,7 +41,8 @@ void make_coordinates() {
     const double pi = std::acos(-1.0);
     for (int j = 0; j <= outwards; ++j) {
         for (int i = 0; i < around; ++i) {
-            const double r = std::pow(4.0, double(j) / outwards), angle = 2 * pi * (i + .25) / around;
+            const double r = std::pow(4.0, double(j) / outwards),
+                         angle = 2 * pi * (i + .25) / around;
             x.push_back(r * std::cos(angle));
             y.push_back(r * std::sin(angle) + (plane == "wedge" ? 6 : 0));
         }
@@ -50,8 +52,7 @@ void make_coordinates() {
 void read_coordinates(const char* path) {
     std::ifstream file(path);
     std::string line;
-    while (std::getline(file, line) && line.compare(0, 6, "NPOIN=") != 0) {
-    }
+    while (std::getline(file, line) && line.compare(0, 6, "NPOIN=") != 0) {}
     for (int k = 0; k < layer && std::getline(file, line); ++k) {
         std::istringstream words(line);
         double a = 0, b = 0;
@@ -66,7 +67,7 @@ Vector place(int k) {
     const double a = x[std::size_t(k % layer)], b = y[std::size_t(k % layer)], up = k / layer;
     if (plane == "z" || plane == "polygons") return {a, b, .5 * up};
     if (plane == "y") return {a, -.5 * up, b};
-    if (plane == "inclined") { // turned about the y axis, which the library takes as its x
+    if (plane == "inclined") {  // turned about the y axis, which the library takes as its x
         const double c = std::cos(.5), s = std::sin(.5);
         return {-c * b + s * up, a, s * b + c * up};
     }
@@ -104,9 +105,10 @@ struct Face {
 
 // The normal points out of the owner.
 Face face(std::vector<int> points, int owner, int neighbour = -1) {
-    Vector normal = {0, 0, 0}; // of all corners: one of them may be reflex
+    Vector normal = {0, 0, 0};  // of all corners: one of them may be reflex
     for (std::size_t k = 1; k + 1 < points.size(); ++k) {
-        const Vector a = minus(place(points[k]), place(points[0])), b = minus(place(points[k + 1]), place(points[0]));
+        const Vector a = minus(place(points[k]), place(points[0])),
+                     b = minus(place(points[k + 1]), place(points[0]));
         for (std::size_t d = 0; d < 3; ++d)
             normal[d] += a[(d + 1) % 3] * b[(d + 2) % 3] - a[(d + 2) % 3] * b[(d + 1) % 3];
     }
@@ -125,11 +127,14 @@ struct Out {
         const bool text = storage == "text";
         const std::string label = storage == "binary-64" ? "64" : "32",
                           scalar = storage == "binary-single" ? "32" : "64";
-        file << "/*---- a test ----*\\\n\\*----*/\nFoamFile\n{\n    version     2.0;\n    format      "
-             << (text ? "ascii" : "binary") << ";\n    arch        \"LSB;label=" << label << ";scalar=" << scalar
-             << "\";\n    class       " << type << ";\n    object      " << name << ";\n}\n// * * * //\n\n";
+        file << "/*---- a test ----*\\\n\\*----*/\nFoamFile\n{\n    version     2.0;\n    format   "
+                "   "
+             << (text ? "ascii" : "binary") << ";\n    arch        \"LSB;label=" << label
+             << ";scalar=" << scalar << "\";\n    class       " << type << ";\n    object      "
+             << name << ";\n}\n// * * * //\n\n";
     }
-    template <class Number> void raw(Number value) {
+    template <class Number>
+    void raw(Number value) {
         char bytes[sizeof value];
         std::memcpy(bytes, &value, sizeof value);
         file.write(bytes, sizeof value);
@@ -137,12 +142,9 @@ struct Out {
     void labels(const std::vector<int>& values) {
         file << values.size() << "\n(" << (storage == "text" ? "\n" : "");
         for (const int value : values) {
-            if (storage == "text")
-                file << value << "\n";
-            else if (storage == "binary-64")
-                raw(std::int64_t{value});
-            else
-                raw(std::int32_t{value});
+            if (storage == "text") file << value << "\n";
+            else if (storage == "binary-64") raw(std::int64_t{value});
+            else raw(std::int32_t{value});
         }
         file << ")\n";
     }
@@ -153,21 +155,25 @@ void write(const std::string& folder) {
     const std::string mesh = folder + "/constant/polyMesh";
     std::vector<Face> faces;
     const auto add_inner = [&faces](int a, int b, int cell, int other) {
-        if (cell != other) faces.push_back(face(across(a, b), std::min(cell, other), std::max(cell, other)));
+        if (cell != other)
+            faces.push_back(face(across(a, b), std::min(cell, other), std::max(cell, other)));
     };
     for (int j = 0; j < outwards; ++j) {
         for (int i = 0; i < around; ++i) {
             add_inner(point(i + 1, j), point(i + 1, j + 1), cell_of(i, j), cell_of(i + 1, j));
-            if (j + 1 < outwards) add_inner(point(i, j + 1), point(i + 1, j + 1), cell_of(i, j), cell_of(i, j + 1));
+            if (j + 1 < outwards)
+                add_inner(point(i, j + 1), point(i + 1, j + 1), cell_of(i, j), cell_of(i, j + 1));
         }
     }
     std::stable_sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
         return a.owner != b.owner ? a.owner < b.owner : a.neighbour < b.neighbour;
     });
     const std::size_t n_inner = faces.size();
-    for (int i = 0; i < around; ++i) faces.push_back(face(across(point(i, 0), point(i + 1, 0)), cell_of(i, 0)));
+    for (int i = 0; i < around; ++i)
+        faces.push_back(face(across(point(i, 0), point(i + 1, 0)), cell_of(i, 0)));
     for (int i = 0; i < around; ++i) {
-        faces.push_back(face(across(point(i, outwards), point(i + 1, outwards)), cell_of(i, outwards - 1)));
+        faces.push_back(
+            face(across(point(i, outwards), point(i + 1, outwards)), cell_of(i, outwards - 1)));
     }
     for (const int up : {0, 1}) {
         for (int cell = 0; cell < n_cells(); ++cell) {
@@ -184,10 +190,8 @@ void write(const std::string& folder) {
         std::snprintf(text, sizeof text, "(%.17g %.17g %.17g)\n", p[0], p[1], p[2]);
         if (storage == "text") points.file << text;
         for (const double value : p) {
-            if (storage == "binary-single")
-                points.raw(static_cast<float>(value));
-            else if (storage != "text")
-                points.raw(value);
+            if (storage == "binary-single") points.raw(static_cast<float>(value));
+            else if (storage != "text") points.raw(value);
         }
     }
     points.file << ")\n\n// * * * //\n";
@@ -216,8 +220,8 @@ void write(const std::string& folder) {
     std::size_t first = n_inner;
     const auto patch = [&](const char* name, const char* type, int n) {
         boundary.file << "    " << name << "\n    {\n        type            " << type
-                      << ";\n        inGroups        1(" << type << ");\n        nFaces          " << n
-                      << ";\n        startFace       " << first << ";\n    }\n";
+                      << ";\n        inGroups        1(" << type << ");\n        nFaces          "
+                      << n << ";\n        startFace       " << first << ";\n    }\n";
         first += std::size_t(n);
     };
     boundary.file << (plane == "wedge" ? 5 : 4) << "\n(\n";
@@ -238,23 +242,25 @@ void write(const std::string& folder) {
             << "FoamFile { version 2.0; format ascii; class dictionary; object " << name << "; }\n"
             << entries;
     };
-    dictionary("controlDict", "application simpleFoam; startFrom startTime; startTime 0; stopAt endTime; endTime 1;\n"
-                              "deltaT 1; writeControl timeStep; writeInterval 1;\n");
-    dictionary("fvSchemes", "ddtSchemes {} gradSchemes {} divSchemes {} laplacianSchemes {} interpolationSchemes {}\n"
-                            "snGradSchemes {}\n");
+    dictionary(
+        "controlDict",
+        "application simpleFoam; startFrom startTime; startTime 0; stopAt endTime; endTime 1;\n"
+        "deltaT 1; writeControl timeStep; writeInterval 1;\n");
+    dictionary(
+        "fvSchemes",
+        "ddtSchemes {} gradSchemes {} divSchemes {} laplacianSchemes {} interpolationSchemes {}\n"
+        "snGradSchemes {}\n");
     dictionary("fvSolution", "");
 }
 
-} // namespace
+}  // namespace
 
 int main(int argc, char** argv) {
     if (argc < 4) return 2;
     storage = argv[2];
     plane = argv[3];
-    if (argc > 4)
-        read_coordinates(argv[4]);
-    else
-        make_coordinates();
+    if (argc > 4) read_coordinates(argv[4]);
+    else make_coordinates();
     write(argv[1]);
     return 0;
 }

@@ -1,5 +1,6 @@
-// Reads mesh files that are cut off, or have some bytes changed, and writes what can be read with other coordinates.
-// Each must be read or refused with the file's name and a reason; sanitizers see the rest. Random, but always the same.
+// Reads mesh files that are cut off, or have some bytes changed, and writes what can be read with
+// other coordinates. Each must be read or refused with the file's name and a reason; sanitizers see
+// the rest. Random, but always the same.
 //
 //   mutate SCRATCH TIMES FILES...
 //
@@ -26,14 +27,16 @@ void change(std::string& bytes, std::mt19937& random) {
     const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
     if (below(3) == 0) return bytes.resize(below(bytes.size()));
     // Sizes stand at the beginning of most files.
-    const std::size_t range = below(2) == 0 ? bytes.size() : std::min<std::size_t>(bytes.size(), 200);
+    const std::size_t range =
+        below(2) == 0 ? bytes.size() : std::min<std::size_t>(bytes.size(), 200);
     for (std::size_t n = 1 + below(4); n > 0; --n) {
         static const char other[] = "0123456789-. \n$=\0\xff\x7f";
-        bytes[below(range)] = below(2) == 0 ? other[below(sizeof other - 1)] : static_cast<char>(below(256));
+        bytes[below(range)] =
+            below(2) == 0 ? other[below(sizeof other - 1)] : static_cast<char>(below(256));
     }
 }
 
-} // namespace
+}  // namespace
 
 int main(int argc, char** argv) {
     const std::string scratch = argv[1];
@@ -46,7 +49,8 @@ int main(int argc, char** argv) {
         const bool is_foam = folder != std::string::npos;
         const std::string copy = is_foam ? path : scratch + path.substr(path.find_last_of('.'));
         const std::string points = is_foam ? path.substr(0, folder + 9) + "points" : copy;
-        const std::string named = is_foam ? path.substr(0, folder + 8) : copy; // what a message must begin with
+        const std::string named =
+            is_foam ? path.substr(0, folder + 8) : copy;  // what a message must begin with
         for (int time = 0; time < times; ++time) {
             std::string bytes = whole;
             change(bytes, random);
@@ -62,8 +66,11 @@ int main(int argc, char** argv) {
                 ++read;
             } catch (const cli::Failure& failure) {
                 const std::string text = failure.what();
-                const bool says = text.compare(0, named.size(), named) == 0 && text.size() > named.size() + 10;
-                if (!says) std::printf("%s, change %d: no place or reason: %s\n", argv[file], time, text.c_str());
+                const bool says =
+                    text.compare(0, named.size(), named) == 0 && text.size() > named.size() + 10;
+                if (!says)
+                    std::printf("%s, change %d: no place or reason: %s\n", argv[file], time,
+                                text.c_str());
                 ++(says ? refused : failed);
             } catch (const std::exception& error) {
                 std::printf("%s, change %d: %s\n", argv[file], time, error.what());

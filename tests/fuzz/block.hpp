@@ -1,5 +1,5 @@
-// A block of memory that ends at a page nobody may touch. It holds arbitrary bytes, and begins wherever its size and
-// `shift` put its beginning: at all alignments.
+// A block of memory that ends at a page nobody may touch. It holds arbitrary bytes, and begins
+// wherever its size and `shift` put its beginning: at all alignments.
 #pragma once
 
 #include "failure.hpp"
@@ -26,11 +26,13 @@ public:
         mapped_ = (bytes + shift + page - 1) / page * page + page;
         memory_ = static_cast<unsigned char*>(
             mmap(nullptr, mapped_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
-        expect(memory_ != MAP_FAILED && mprotect(memory_ + mapped_ - page, page, PROT_NONE) == 0, "no memory");
+        expect(memory_ != MAP_FAILED && mprotect(memory_ + mapped_ - page, page, PROT_NONE) == 0,
+               "no memory");
         end_ = memory_ + mapped_ - page;
         if (fill != 0) std::memset(data(), fill, bytes);
         std::memset(end_ - shift, mark, shift);
-        static bool const undefined = std::getenv("HARMORPH_UNDEFINED") != nullptr;   // what valgrind is to think of it
+        static bool const undefined =
+            std::getenv("HARMORPH_UNDEFINED") != nullptr;  // what valgrind is to think of it
         if (undefined) VALGRIND_MAKE_MEM_UNDEFINED(data(), bytes);
     }
     ~Block() { munmap(memory_, mapped_); }
@@ -50,4 +52,4 @@ private:
     unsigned char *memory_, *end_;
 };
 
-}   // namespace fuzz
+}  // namespace fuzz

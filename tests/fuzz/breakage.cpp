@@ -18,15 +18,19 @@ void break_points(Problem& its, Input& input) {
     double& number = some(its.coordinates, input);
     switch (input.below(4)) {
         case 0: number = input.wild(); break;
-        case 1: number = some(its.coordinates, input); break;              // points in one place, cells without area
-        case 2: number += input.between(-3, 3) * its.size() / 10; break;   // inverted cells
+        case 1:
+            number = some(its.coordinates, input);
+            break;  // points in one place, cells without area
+        case 2: number += input.between(-3, 3) * its.size() / 10; break;  // inverted cells
         default:
-            for (double& each : its.coordinates) each *= input.any_of({1e-200, 1e-90, 1e95, 1e200, 0.0});
+            for (double& each : its.coordinates)
+                each *= input.any_of({1e-200, 1e-90, 1e95, 1e200, 0.0});
     }
 }
 void break_indices(Problem& its, Input& input) {
-    std::vector<std::int32_t>* const arrays[] = {&its.cells, &its.quads,      &its.cell_start,   &its.faces,
-                                                 &its.lists, &its.list_start, &its.face_markers, &its.list_markers};
+    std::vector<std::int32_t>* const arrays[] = {
+        &its.cells, &its.quads,      &its.cell_start,   &its.faces,
+        &its.lists, &its.list_start, &its.face_markers, &its.list_markers};
     std::vector<std::int32_t>& array = *arrays[input.below(8)];
     if (array.empty()) return;
     std::int32_t& index = some(array, input);
@@ -90,7 +94,8 @@ void break_conditions(Problem& its, Input& input) {
         case 4: condition.body = input.wild_index(); break;
         case 5: condition.partner = input.wild_index(); break;
         case 6:
-            if (condition.kind == HM_SLIP) condition.along = condition.along == nullptr ? &its.on_walls.view : nullptr;
+            if (condition.kind == HM_SLIP)
+                condition.along = condition.along == nullptr ? &its.on_walls.view : nullptr;
             else condition.x = input.wild();
             break;
         default:
@@ -117,7 +122,8 @@ void break_options(Problem& its, Input& input) {
 }
 void break_given(Problem& its, Input& input) {
     for (std::int32_t k = input.from(1, 3); k > 0; --k) {
-        its.given_points.push_back(input.one_in(4) ? input.wild_index() : input.from(0, its.mesh.n_points));
+        its.given_points.push_back(input.one_in(4) ? input.wild_index()
+                                                   : input.from(0, its.mesh.n_points));
         its.given_curves.push_back(input.one_in(4) ? input.wild_index() : 0);
         its.given_u.push_back(input.one_in(4) ? input.wild() : input.between(0, 1));
     }
@@ -127,7 +133,7 @@ void break_given(Problem& its, Input& input) {
     its.problem.given_u = its.given_u.data();
 }
 
-}   // namespace
+}  // namespace
 
 void break_something(Problem& its, Input& input) {
     switch (input.below(9)) {
@@ -151,4 +157,4 @@ void break_something(Problem& its, Input& input) {
     }
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -1,4 +1,5 @@
-// The functions of a solution: finite, solutions of their equation, basis functions on curves; and derived bases.
+// The functions of a solution: finite, solutions of their equation, basis functions on curves; and
+// derived bases.
 #include "solution_check.hpp"
 
 #include <cmath>
@@ -15,18 +16,23 @@ void SolutionCheck::values() {
     for (std::int32_t i = 0; i < info_.functions; ++i)
         for (std::int32_t number = 0; number < info_.numbers_per_value; ++number) {
             Numbers& found = value_[std::size_t(i)][std::size_t(number)];
-            expect(hm_basis_values(its_.basis, i, number, found.data(), &error_) == HM_OK, "no values");
+            expect(hm_basis_values(its_.basis, i, number, found.data(), &error_) == HM_OK,
+                   "no values");
             for (double const its : found) {
                 expect(std::isfinite(its), "a value is not finite");
                 largest_ = std::max(largest_, std::abs(its));
             }
         }
-    bool const is_laplace = problem_.options.operator_kind == HM_LAPLACE && problem_.options.scheme == HM_COMPACT;
-    if (!is_laplace || judged_.ambiguous > 0 || its_.status != HM_OK || problem_.options.engine != HM_DIRECT) return;
+    bool const is_laplace =
+        problem_.options.operator_kind == HM_LAPLACE && problem_.options.scheme == HM_COMPACT;
+    if (!is_laplace || judged_.ambiguous > 0 || its_.status != HM_OK ||
+        problem_.options.engine != HM_DIRECT)
+        return;
     for (std::vector<Numbers> const& function : value_)
         for (Numbers const& its : function) {
             double const residual = laplace_residual(problem_.domain, judged_, its, inside);
-            expect(residual < 1e-7, "Laplace's equation has the residual " + std::to_string(residual));
+            expect(residual < 1e-7,
+                   "Laplace's equation has the residual " + std::to_string(residual));
         }
 }
 
@@ -36,10 +42,12 @@ void SolutionCheck::wall() {
     for (std::int32_t slot = 0; slot < info_.curve_points; ++slot) {
         std::int32_t const curve = info_.point_curve[slot];
         if (curve >= info_.curves) continue;
-        Numbers const expected = basis_functions(problem_.on_walls.view, curve, info_.point_u[slot]);
+        Numbers const expected =
+            basis_functions(problem_.on_walls.view, curve, info_.point_u[slot]);
         for (std::size_t i = 0; i < expected.size(); ++i) {
             double const found = value_[i][0][std::size_t(info_.curve_point[slot])];
-            expect(std::abs(found - expected[i]) < 1e-11, "a point of the wall has another basis function");
+            expect(std::abs(found - expected[i]) < 1e-11,
+                   "a point of the wall has another basis function");
         }
     }
 }
@@ -48,32 +56,38 @@ void SolutionCheck::wall() {
 void SolutionCheck::derived_bases() {
     hm_basis *single = nullptr, *rows = nullptr, *combined = nullptr;
     hm_status const made = make_object(
-        in_its_blocks(), error_, [&](std::size_t* bytes) { return hm_single_size(its_.basis, bytes, &error_); },
+        in_its_blocks(), error_,
+        [&](std::size_t* bytes) { return hm_single_size(its_.basis, bytes, &error_); },
         [&](void* memory, std::size_t bytes) {
             return hm_single_init(&single, memory, bytes, its_.basis, &error_);
         });
     std::vector<std::int32_t> points(input_.below(20) + 1);
-    for (std::int32_t& k : points) k = input_.from(0, problem_.mesh.n_points - 1) + problem_.mesh.index_base;
+    for (std::int32_t& k : points)
+        k = input_.from(0, problem_.mesh.n_points - 1) + problem_.mesh.index_base;
     std::int32_t const n = static_cast<std::int32_t>(points.size());
     hm_basis const* const whole = made >= 0 && input_.one_in(2) ? single : its_.basis;
-    std::size_t bytes = 0;   // for any n points: these may need less
+    std::size_t bytes = 0;  // for any n points: these may need less
     expect(hm_extract_size(whole, n, &bytes, &error_) == HM_OK, "no size of an extract");
-    expect(hm_extract_init(&rows, its_.block(bytes).data(), bytes, whole, n, points.data(), &error_) == HM_OK,
+    expect(hm_extract_init(&rows, its_.block(bytes).data(), bytes, whole, n, points.data(),
+                           &error_) == HM_OK,
            "no extract");
     Numbers matrix(static_cast<std::size_t>(2 * info_.functions));
     for (double& number : matrix) number = input_.between(-1, 1);
     make_object(
-        in_its_blocks(), error_, [&](std::size_t* size) { return hm_combine_size(its_.basis, 2, 1, size, &error_); },
+        in_its_blocks(), error_,
+        [&](std::size_t* size) { return hm_combine_size(its_.basis, 2, 1, size, &error_); },
         [&](void* memory, std::size_t size) {
             return hm_combine(&combined, memory, size, its_.basis, 2, 1, matrix.data(), &error_);
         });
     Numbers x(n_), y(n_), few_x(points.size()), few_y(points.size());
     hm_points_out const all{x.data(), y.data(), 1}, few{few_x.data(), few_y.data(), 1};
-    expect(hm_morph(whole, move_.data(), nullptr, &all, nullptr, &error_) == HM_OK, "no displacement");
-    expect(hm_morph(rows, move_.data(), nullptr, &few, nullptr, &error_) == HM_OK, "no displacement of an extract");
+    expect(hm_morph(whole, move_.data(), nullptr, &all, nullptr, &error_) == HM_OK,
+           "no displacement");
+    expect(hm_morph(rows, move_.data(), nullptr, &few, nullptr, &error_) == HM_OK,
+           "no displacement of an extract");
     for (std::size_t k = 0; k < points.size(); ++k)
         expect(few_x[k] == x[static_cast<std::size_t>(points[k] - problem_.mesh.index_base)],
                "an extract moves otherwise");
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -1,4 +1,5 @@
-// Morphs of a solution: displacements, admissible steps and quality against the reference, and the adjoint.
+// Morphs of a solution: displacements, admissible steps and quality against the reference, and the
+// adjoint.
 #include "solution_check.hpp"
 
 #include <cmath>
@@ -9,8 +10,11 @@ void SolutionCheck::displacement() {
     Numbers dx(n_, 7), dy(n_, 7), x(n_, 7), y(n_, 7);
     hm_points_out const out{dx.data(), dy.data(), 1}, at{x.data(), y.data(), 1};
     hm_points const by{dx.data(), dy.data(), 1}, to{x.data(), y.data(), 1};
-    expect(hm_morph(its_.basis, move_.data(), nullptr, &out, nullptr, &error_) == HM_OK, "no displacement");
-    expect(hm_morph(its_.basis, move_.data(), &problem_.mesh.points, &at, nullptr, &error_) == HM_OK, "no morph");
+    expect(hm_morph(its_.basis, move_.data(), nullptr, &out, nullptr, &error_) == HM_OK,
+           "no displacement");
+    expect(
+        hm_morph(its_.basis, move_.data(), &problem_.mesh.points, &at, nullptr, &error_) == HM_OK,
+        "no morph");
     double largest = 0;
     for (double const number : move_) largest = std::max(largest, std::abs(number));
     for (std::size_t k = 0; k < n_; ++k) {
@@ -26,13 +30,15 @@ void SolutionCheck::displacement() {
     quality(to, moved(x, y));
 }
 
-// A component of the displacement of a point: real values f, complex ones a + i b, or matrices, times the movement.
+// A component of the displacement of a point: real values f, complex ones a + i b, or matrices,
+// times the movement.
 void SolutionCheck::is_sum(double found, std::size_t point, std::size_t component) const {
     Wide sum = 0, size = 0;
     for (std::size_t i = 0; i < value_.size(); ++i) {
         auto const f = [&](std::size_t number) { return Wide(value_[i][number][point]); };
         Wide of_x = component == 0 ? f(0) : 0, of_y = component == 1 ? f(0) : 0;
-        if (info_.numbers_per_value == 2) (component == 0 ? of_y : of_x) = component == 0 ? -f(1) : f(1);
+        if (info_.numbers_per_value == 2)
+            (component == 0 ? of_y : of_x) = component == 0 ? -f(1) : f(1);
         if (info_.numbers_per_value == 4) of_x = f(2 * component), of_y = f(2 * component + 1);
         sum += of_x * move_[2 * i] + of_y * move_[2 * i + 1];
         size += std::abs(of_x * move_[2 * i]) + std::abs(of_y * move_[2 * i + 1]);
@@ -47,14 +53,18 @@ void SolutionCheck::pairs_move_alike(Numbers const& dx, Numbers const& dy, doubl
         bool const is_turned = condition.kind == HM_ROTATION_PAIR;
         if (!is_turned && condition.kind != HM_PERIODIC_PAIR) continue;
         double largest = 0;
-        for (std::size_t k = 0; k < n_; ++k) largest = std::max({largest, std::abs(dx[k]), std::abs(dy[k])});
+        for (std::size_t k = 0; k < n_; ++k)
+            largest = std::max({largest, std::abs(dx[k]), std::abs(dy[k])});
         // How well the angle is known from the coordinates.
         double const turning = is_turned ? 1e-13 * largest * problem_.size() / extent() : 0;
         for (Domain::Image const& image : problem_.domain.images) {
             std::size_t const from = std::size_t(image.of), to = std::size_t(image.at);
-            Point const by{dx[from], dy[from]}, expected = is_turned ? turned(by, problem_.domain.turn) : by;
-            expect(std::abs(dx[to] - expected.x) <= turning + rounding, "the points of a pair move differently");
-            expect(std::abs(dy[to] - expected.y) <= turning + rounding, "the points of a pair move differently");
+            Point const by{dx[from], dy[from]},
+                expected = is_turned ? turned(by, problem_.domain.turn) : by;
+            expect(std::abs(dx[to] - expected.x) <= turning + rounding,
+                   "the points of a pair move differently");
+            expect(std::abs(dy[to] - expected.y) <= turning + rounding,
+                   "the points of a pair move differently");
         }
     }
 }
@@ -62,47 +72,55 @@ void SolutionCheck::pairs_move_alike(Numbers const& dx, Numbers const& dy, doubl
 void SolutionCheck::step(hm_points const& by, std::vector<Point> const& displacement) {
     hm_step_report report{};
     report.struct_size = sizeof report;
-    expect(hm_admissible_step(its_.basis, &problem_.mesh, nullptr, &by, nullptr, &report, &error_) == HM_OK,
+    expect(hm_admissible_step(its_.basis, &problem_.mesh, nullptr, &by, nullptr, &report,
+                              &error_) == HM_OK,
            "no step");
     double const s = report.admissible;
     expect(s > 0, "no step is admissible from a valid mesh");
     for (double const part : {0.25, 0.5, 0.75, 0.999999}) {
         double const t = std::isfinite(s) ? part * s : 4 * part;
         double const sine = smallest_sine(judged_, problem_.domain.points, displacement, t);
-        expect(sine > -1e-12,
-               "a cell is inverted before the admissible step: sine " + std::to_string(sine * 1e12) + "e-12");
+        expect(sine > -1e-12, "a cell is inverted before the admissible step: sine " +
+                                  std::to_string(sine * 1e12) + "e-12");
     }
     if (!std::isfinite(s) || judged_.ambiguous > 0) return;
     double const sine = smallest_sine(judged_, problem_.domain.points, displacement, s);
-    expect(sine < 1e-9, "no cell has lost its area at the admissible step " + std::to_string(s) + " of cell " +
-                            std::to_string(report.cell) + ": sine " + std::to_string(sine));
+    expect(sine < 1e-9, "no cell has lost its area at the admissible step " + std::to_string(s) +
+                            " of cell " + std::to_string(report.cell) + ": sine " +
+                            std::to_string(sine));
 }
 
 void SolutionCheck::quality(hm_points const& to, std::vector<Point> const& at) {
     hm_quality_report report{};
     report.struct_size = sizeof report;
-    expect(hm_quality(its_.basis, &problem_.mesh, &to, nullptr, nullptr, &report, &error_) == HM_OK, "no quality");
-    // Four differences, two products and their difference are rounded to 2^-53 each: 4.5e-16 of the sides' lengths.
+    expect(hm_quality(its_.basis, &problem_.mesh, &to, nullptr, nullptr, &report, &error_) == HM_OK,
+           "no quality");
+    // Four differences, two products and their difference are rounded to 2^-53 each: 4.5e-16 of the
+    // sides' lengths.
     double const rounding = 5e-16;
     std::int32_t const least = inverted_cells(judged_, at, -rounding),
                        most = inverted_cells(judged_, at, rounding) + judged_.ambiguous;
     expect(report.inverted >= least && report.inverted <= most,
            std::to_string(report.inverted) + " inverted cells instead of " + std::to_string(least));
-    expect(std::isfinite(report.mean_quality) && report.min_quality >= 0 && report.mean_quality <= 1,
-           "quality out of range");
+    expect(
+        std::isfinite(report.mean_quality) && report.min_quality >= 0 && report.mean_quality <= 1,
+        "quality out of range");
     Crossings const expected = find_crossings(problem_.domain, at);
     if (expected.crosses) expect(report.self_crossing == 1, "a crossing is not found");
-    if (report.self_crossing == 0) expect(report.crossing_points[0] == -1, "points of a crossing that is none");
+    if (report.self_crossing == 0)
+        expect(report.crossing_points[0] == -1, "points of a crossing that is none");
 }
 
 // <g, sum F dP> = <F^T g, dP>.
 void SolutionCheck::adjoint() {
     Numbers gx(n_), gy(n_), dx(n_), dy(n_), gradient(move_.size());
-    for (std::size_t k = 0; k < n_; ++k) gx[k] = input_.between(-1, 1), gy[k] = input_.between(-1, 1);
+    for (std::size_t k = 0; k < n_; ++k)
+        gx[k] = input_.between(-1, 1), gy[k] = input_.between(-1, 1);
     hm_points const g{gx.data(), gy.data(), 1};
     hm_points_out const out{dx.data(), dy.data(), 1};
     expect(hm_adjoint(its_.basis, &g, gradient.data(), nullptr, &error_) == HM_OK, "no gradient");
-    expect(hm_morph(its_.basis, move_.data(), nullptr, &out, nullptr, &error_) == HM_OK, "no displacement");
+    expect(hm_morph(its_.basis, move_.data(), nullptr, &out, nullptr, &error_) == HM_OK,
+           "no displacement");
     Wide left = 0, right = 0, size = 0;
     for (std::size_t k = 0; k < n_; ++k) {
         left += Wide(gx[k]) * dx[k] + Wide(gy[k]) * dy[k];
@@ -112,10 +130,11 @@ void SolutionCheck::adjoint() {
         right += Wide(gradient[i]) * move_[i];
         size += std::abs(Wide(gradient[i]) * move_[i]);
     }
-    Wide moves = 0;   // the header: sums are in units of 2^-63 of the product of the largest numbers
+    Wide moves = 0;  // the header: sums are in units of 2^-63 of the product of the largest numbers
     for (double const number : move_) moves += std::abs(number);
     Wide const unit = 2 * largest_ * Wide(n_) * 0x1p-63L;
-    expect(std::abs(left - right) <= 1e-13L * size + unit * moves, "the adjoint is not the transpose");
+    expect(std::abs(left - right) <= 1e-13L * size + unit * moves,
+           "the adjoint is not the transpose");
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -12,7 +12,9 @@ void SolutionCheck::improvement() {
     hm_points const from{from_x.data(), from_y.data(), 1};
     Numbers small = move_;
     for (double& number : small) number *= 0.05;
-    expect(hm_morph(its_.basis, small.data(), &problem_.mesh.points, &moved_to, nullptr, &error_) == HM_OK, "no morph");
+    expect(hm_morph(its_.basis, small.data(), &problem_.mesh.points, &moved_to, nullptr, &error_) ==
+               HM_OK,
+           "no morph");
     slide(from_x, from_y);
     hm_improve_options options{};
     options.struct_size = sizeof options;
@@ -20,17 +22,21 @@ void SolutionCheck::improvement() {
     hm_improve_report report{};
     report.struct_size = sizeof report;
     hm_status const status = make_object(
-        in_its_blocks(), error_, [&](std::size_t* bytes) { return hm_improve_size(its_.plan, bytes, &error_); },
+        in_its_blocks(), error_,
+        [&](std::size_t* bytes) { return hm_improve_size(its_.plan, bytes, &error_); },
         [&](void* memory, std::size_t bytes) {
             return hm_improve(its_.plan, &from, &out, memory, bytes, &options, &report, &error_);
         });
     if (status < 0) {
-        for (std::size_t k = 0; k < n_; ++k) expect(x[k] == 7 && y[k] == 7, "a refused call has written");
+        for (std::size_t k = 0; k < n_; ++k)
+            expect(x[k] == 7 && y[k] == 7, "a refused call has written");
         return;
     }
-    expect(inverted_cells(judged_, moved(x, y), rounding_of_turns()) == 0, "an improved mesh has inverted cells");
+    expect(inverted_cells(judged_, moved(x, y), rounding_of_turns()) == 0,
+           "an improved mesh has inverted cells");
     expect(report.min_quality > 0, "the report of an improvement has inverted cells");
-    expect(report.min_quality >= report.min_quality_before, "an improvement lowers the smallest quality");
+    expect(report.min_quality >= report.min_quality_before,
+           "an improvement lowers the smallest quality");
 }
 
 // Onto the curves of the sides that slide, in place: points of other sides stay.
@@ -42,7 +48,8 @@ void SolutionCheck::slide(Numbers& x, Numbers& y) {
     expect_told(status, error_);
     std::vector<std::int32_t> slides(n_, 1);
     for (Face const& face : problem_.domain.faces)
-        if (!marker_slides(face.marker)) slides[std::size_t(face.from)] = slides[std::size_t(face.to)] = 0;
+        if (!marker_slides(face.marker))
+            slides[std::size_t(face.from)] = slides[std::size_t(face.to)] = 0;
     for (std::size_t k = 0; k < n_; ++k) {
         bool const is_same = x[k] == before_x[k] && y[k] == before_y[k];
         if (status < 0) expect(is_same, "a refused call of hm_slide has written");
@@ -73,23 +80,25 @@ void SolutionCheck::safe_morph() {
     hm_safe_report report{};
     report.struct_size = sizeof report;
     Block& work = its_.block(bytes);
-    status = hm_morph_safe(its_.plan, its_.basis, move_.data(), &out, nullptr, work.data(), bytes - 1, &options,
-                           &report, &error_);
+    status = hm_morph_safe(its_.plan, its_.basis, move_.data(), &out, nullptr, work.data(),
+                           bytes - 1, &options, &report, &error_);
     expect(status < 0, "work space that is one byte too small is taken");
     Exceptions::clear();
-    status = hm_morph_safe(its_.plan, its_.basis, move_.data(), &out, nullptr, work.data(), bytes, &options,
-                           &report, &error_);
+    status = hm_morph_safe(its_.plan, its_.basis, move_.data(), &out, nullptr, work.data(), bytes,
+                           &options, &report, &error_);
     expect_told(status, error_);
     if (status >= 0) Exceptions::expect_none("hm_morph_safe");
     if (status < 0) {
-        for (std::size_t k = 0; k < n_; ++k) expect(x[k] == 7 && y[k] == 7, "a refused call has written");
+        for (std::size_t k = 0; k < n_; ++k)
+            expect(x[k] == 7 && y[k] == 7, "a refused call has written");
         for (double const its : reached)
             expect(its == 7, "a refused call has written the movement that it reached");
         return;
     }
     std::vector<Point> const at = moved(x, y);
     for (Point const& p : at)
-        expect(std::isfinite(p.x) && std::isfinite(p.y), "a safe morph leads to what is not finite");
+        expect(std::isfinite(p.x) && std::isfinite(p.y),
+               "a safe morph leads to what is not finite");
     std::int32_t const inverted = inverted_cells(judged_, at, rounding_of_turns());
     expect(inverted == 0, std::to_string(inverted) + " inverted cells after a safe morph");
     expect(report.inverted == 0, "the report of a safe morph counts inverted cells");
@@ -109,8 +118,10 @@ void SolutionCheck::safe_morph() {
     wall_is_at(at, reached, report.turned_offset);
 }
 
-// Points of curves have moved as the B-spline of the movement that was reached, but for offsets that turned along.
-void SolutionCheck::wall_is_at(std::vector<Point> const& at, Numbers const& reached, double turned_offset) {
+// Points of curves have moved as the B-spline of the movement that was reached, but for offsets
+// that turned along.
+void SolutionCheck::wall_is_at(std::vector<Point> const& at, Numbers const& reached,
+                               double turned_offset) {
     double const size = problem_.size();
     double largest = size;
     for (double const number : reached) largest = std::max(largest, std::abs(number));
@@ -130,4 +141,4 @@ void SolutionCheck::wall_is_at(std::vector<Point> const& at, Numbers const& reac
     }
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -43,17 +43,20 @@ bool CurveArrays::add_fit(std::vector<Point> const& points, bool is_loop, Input&
     Block const block(bytes, input.below(64), static_cast<int>(input.below(256)));
     const hm_curves* fitted = nullptr;
     hm_points const at{&points[0].x, &points[0].y, 2};
-    hm_status const status = hm_fit(&fitted, block.data(), bytes, &at, n, is_loop, &options, nullptr, &error);
+    hm_status const status =
+        hm_fit(&fitted, block.data(), bytes, &at, n, is_loop, &options, nullptr, &error);
     block.expect_intact();
     if (status < 0) return false;
-    expect(hm_curves_check(fitted, &error) == HM_OK, std::string("a fitted curve is refused: ") + error.text);
+    expect(hm_curves_check(fitted, &error) == HM_OK,
+           std::string("a fitted curve is refused: ") + error.text);
     control.insert(control.end(), fitted->control, fitted->control + 2 * fitted->n_control);
     for (std::int32_t c = 0; c < fitted->n_curves; ++c) {
         hm_curve const& made = fitted->curve[c];
         std::vector<std::int32_t> its_indices;
         for (std::int32_t k = 0; k < made.n_indices; ++k)
             its_indices.push_back(first + (made.indices != nullptr ? made.indices[k] : k));
-        add_curve(made.degree, its_indices, {made.knots, made.knots + made.n_indices + made.degree + 1});
+        add_curve(made.degree, its_indices,
+                  {made.knots, made.knots + made.n_indices + made.degree + 1});
     }
     return true;
 }
@@ -67,7 +70,8 @@ void CurveArrays::add_polygon(std::vector<Point> const& points, bool is_loop) {
     }
     if (is_loop) its_indices.push_back(first);
     std::vector<double> its_knots{0};
-    for (std::size_t k = 0; k < its_indices.size(); ++k) its_knots.push_back(static_cast<double>(k));
+    for (std::size_t k = 0; k < its_indices.size(); ++k)
+        its_knots.push_back(static_cast<double>(k));
     its_knots.push_back(its_knots.back());
     add_curve(1, its_indices, its_knots);
 }
@@ -83,4 +87,4 @@ void CurveArrays::add_curve(std::int32_t degree, std::vector<std::int32_t> const
     curve.push_back(made);
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

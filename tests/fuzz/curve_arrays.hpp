@@ -19,8 +19,8 @@ struct CurveArrays {
     std::vector<hm_curve> curve;
     hm_curves view{};
 
-    // Through or near these points: a fitted curve, or the polygon of the points. is_loop: the last point is followed
-    // by the first one.
+    // Through or near these points: a fitted curve, or the polygon of the points. is_loop: the last
+    // point is followed by the first one.
     void add(std::vector<Point> const& points, bool is_loop, Input& input);
     // Fills `view`, when all curves are there; sometimes with weights.
     void finish(Input& input);
@@ -32,4 +32,4 @@ private:
                    std::vector<double> const& its_knots);
 };
 
-}   // namespace fuzz
+}  // namespace fuzz

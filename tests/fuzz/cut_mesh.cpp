@@ -1,4 +1,5 @@
-// A mesh cut into parts: equations of the parts, solved here by elimination, against the functions of the whole mesh.
+// A mesh cut into parts: equations of the parts, solved here by elimination, against the functions
+// of the whole mesh.
 #include "work_in_parts.hpp"
 
 #include <harmorph_distributed.h>
@@ -13,7 +14,7 @@ using Numbers = std::vector<double>;
 
 // Own cells of a part, with points of its own numbering.
 struct Part {
-    std::vector<std::int32_t> point, start{0}, corners, faces, markers;   // point: in the whole mesh
+    std::vector<std::int32_t> point, start{0}, corners, faces, markers;  // point: in the whole mesh
     std::vector<std::int64_t> numbers;
     Numbers x, y;
     hm_mesh mesh{};
@@ -25,7 +26,8 @@ struct Part {
 
 class CutMesh {
 public:
-    CutMesh(Solution& whole, Input& input) : its_(whole), input_(input), domain_(whole.problem.domain) {
+    CutMesh(Solution& whole, Input& input)
+        : its_(whole), input_(input), domain_(whole.problem.domain) {
         n_parts_ = input_.from(1, 3);
         cut();
     }
@@ -42,7 +44,8 @@ private:
     static std::size_t at(std::int64_t k) { return static_cast<std::size_t>(k); }
     template <class Size, class Init>
     hm_status object(Size const& size, Init const& init) {
-        return make_object([this](std::size_t bytes) -> Block& { return its_.block(bytes); }, error_, size, init);
+        return make_object([this](std::size_t bytes) -> Block& { return its_.block(bytes); },
+                           error_, size, init);
     }
 
     // Its points in the order of the mesh's arrays, on which the division of a polygon depends.
@@ -60,7 +63,8 @@ private:
         std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> owner;
         std::vector<std::map<std::int32_t, std::int32_t>> local(parts_.size());
         auto const point_of = [&](std::size_t p, std::int32_t k) {
-            auto const [found, is_new] = local[p].insert({k, static_cast<std::int32_t>(parts_[p].point.size())});
+            auto const [found, is_new] =
+                local[p].insert({k, static_cast<std::int32_t>(parts_[p].point.size())});
             if (is_new) {
                 parts_[p].point.push_back(k);
                 parts_[p].numbers.push_back(3 * std::int64_t{k} + 5);
@@ -71,7 +75,8 @@ private:
         };
         for (std::size_t c = 0; c < domain_.cells.size(); ++c) {
             Cell const cell = given_cell(c);
-            std::size_t const p = c < parts_.size() ? c : input_.below(static_cast<std::uint32_t>(n_parts_));
+            std::size_t const p =
+                c < parts_.size() ? c : input_.below(static_cast<std::uint32_t>(n_parts_));
             for (std::size_t k = 0; k < cell.size(); ++k) {
                 owner[std::minmax(cell[k], cell[(k + 1) % cell.size()])] = p;
                 parts_[p].corners.push_back(point_of(p, cell[k]));
@@ -110,30 +115,36 @@ private:
                        [&](void* memory, std::size_t bytes) {
                            return hm_part_init(&part.part, memory, bytes, &of, &error_);
                        });
-            expect(status == HM_OK, "a part is refused of a mesh that is taken: " + std::string(error_.text));
+            expect(status == HM_OK,
+                   "a part is refused of a mesh that is taken: " + std::string(error_.text));
             std::int32_t n = 0;
             hm_part_edges(part.part, nullptr, 0, &n, &error_);
             edges.resize(edges.size() + at(n));
-            expect(hm_part_edges(part.part, edges.data() + edges.size() - at(n), n, &n, &error_) == HM_OK, "no edges");
+            expect(hm_part_edges(part.part, edges.data() + edges.size() - at(n), n, &n, &error_) ==
+                       HM_OK,
+                   "no edges");
         }
         std::int64_t n = static_cast<std::int64_t>(edges.size());
-        expect(hm_match_edges(edges.data(), &n, &error_) == HM_OK, "parts do not match: " + std::string(error_.text));
+        expect(hm_match_edges(edges.data(), &n, &error_) == HM_OK,
+               "parts do not match: " + std::string(error_.text));
         edges.resize(at(n));
         for (Part& part : parts_) {
             std::int32_t const n_edges = static_cast<std::int32_t>(edges.size());
             hm_status const status = object(
                 [&](std::size_t* bytes) {
-                    return hm_equations_size(part.part, n_edges, &its_.problem.problem, &its_.problem.options, bytes,
-                                             &error_);
+                    return hm_equations_size(part.part, n_edges, &its_.problem.problem,
+                                             &its_.problem.options, bytes, &error_);
                 },
                 [&](void* memory, std::size_t bytes) {
-                    return hm_equations_init(&part.equations, memory, bytes, part.part, n_edges, edges.data(),
-                                             &its_.problem.problem, &its_.problem.options, &error_);
+                    return hm_equations_init(&part.equations, memory, bytes, part.part, n_edges,
+                                             edges.data(), &its_.problem.problem,
+                                             &its_.problem.options, &error_);
                 });
             if (status == HM_UNSUPPORTED) return false;
             expect(status >= 0, "equations are refused: " + std::string(error_.text));
             part.info.struct_size = sizeof part.info;
-            expect(hm_equations_info_get(part.equations, &part.info, &error_) == HM_OK, "no equations");
+            expect(hm_equations_info_get(part.equations, &part.info, &error_) == HM_OK,
+                   "no equations");
             hm_status const rows = object(
                 [&](std::size_t* bytes) { return hm_rows_size(part.equations, bytes, &error_); },
                 [&](void* memory, std::size_t bytes) {
@@ -146,7 +157,8 @@ private:
 
     void number_unknowns() {
         for (Part const& part : parts_)
-            for (std::int32_t k = 0; k < part.info.unknowns; ++k) place_.insert({part.info.unknown[k], 0});
+            for (std::int32_t k = 0; k < part.info.unknowns; ++k)
+                place_.insert({part.info.unknown[k], 0});
         std::size_t k = 0;
         for (auto& each : place_) each.second = k++;
         size_ = place_.size() * at(parts_[0].info.numbers);
@@ -161,20 +173,22 @@ private:
             for (std::int32_t p = 0; p < part.info.numbers; ++p) take(place(part, unknown, p), k++);
     }
 
-    // A = L L^T of the sum of all parts' entries, columns by substitution, each refined until next to nothing changes.
-    // The first correction is what rounding makes of a solution. Where that is more than is allowed for, cells are too
-    // thin for this elimination, and nothing is compared.
+    // A = L L^T of the sum of all parts' entries, columns by substitution, each refined until next
+    // to nothing changes. The first correction is what rounding makes of a solution. Where that is
+    // more than is allowed for, cells are too thin for this elimination, and nothing is compared.
     void solve() {
         std::vector<Numbers> a(size_, Numbers(size_, 0));
         for (Part const& part : parts_) {
             std::int64_t n = 0;
-            hm_equations_entries(part.equations, 0, part.info.unknowns, nullptr, nullptr, nullptr, 0, &n, &error_);
+            hm_equations_entries(part.equations, 0, part.info.unknowns, nullptr, nullptr, nullptr,
+                                 0, &n, &error_);
             expect(n == part.info.entries, "another number of entries");
             std::size_t const square = at(part.info.numbers * part.info.numbers);
             std::vector<std::int32_t> row(at(n) + 1), column = row;
             Numbers values(row.size() * square);
-            expect(hm_equations_entries(part.equations, 0, part.info.unknowns, row.data(), column.data(), values.data(),
-                                        n, &n, &error_) == HM_OK, "no entries");
+            expect(hm_equations_entries(part.equations, 0, part.info.unknowns, row.data(),
+                                        column.data(), values.data(), n, &n, &error_) == HM_OK,
+                   "no entries");
             for (std::size_t e = 0; e < at(n); ++e)
                 for (std::int32_t p = 0; p < part.info.numbers; ++p)
                     for (std::int32_t q = 0; q < part.info.numbers; ++q) {
@@ -197,10 +211,13 @@ private:
                 for (Part& part : parts_) {
                     Numbers its(at(part.info.unknowns * part.info.numbers) + 1);
                     hm_status const status =
-                        step == 0 ? hm_rows_get(part.equations, part.rows, column, its.data(), &error_)
-                                  : hm_rows_residual(part.equations, part.rows, column, its.data(), &error_);
+                        step == 0
+                            ? hm_rows_get(part.equations, part.rows, column, its.data(), &error_)
+                            : hm_rows_residual(part.equations, part.rows, column, its.data(),
+                                               &error_);
                     expect(status == HM_OK, "no right-hand side");
-                    for_each_number(part, [&](std::size_t to, std::size_t from) { b[to] += its[from]; });
+                    for_each_number(part,
+                                    [&](std::size_t to, std::size_t from) { b[to] += its[from]; });
                 }
                 for (std::size_t i = 0; i < size_; ++i) {
                     for (std::size_t k = 0; k < i; ++k) b[i] -= a[i][k] * b[k];
@@ -220,8 +237,11 @@ private:
                 if (step == 3) is_accurate_ = is_accurate_ && change <= 1e-10 * largest;
                 for (Part& part : parts_) {
                     Numbers its(at(part.info.unknowns * part.info.numbers) + 1);
-                    for_each_number(part, [&](std::size_t from, std::size_t to) { its[to] = x[from]; });
-                    expect(hm_rows_set(part.equations, part.rows, column, its.data(), &error_) == HM_OK, "not set");
+                    for_each_number(part,
+                                    [&](std::size_t from, std::size_t to) { its[to] = x[from]; });
+                    expect(hm_rows_set(part.equations, part.rows, column, its.data(), &error_) ==
+                               HM_OK,
+                           "not set");
                 }
             }
         }
@@ -233,19 +253,23 @@ private:
         if (its_.status != HM_OK || !is_accurate_) return;
         hm_basis_info info{};
         info.struct_size = sizeof info;
-        expect(hm_basis_info_get(its_.basis, &info, &error_) == HM_OK, "no information about a solved basis");
+        expect(hm_basis_info_get(its_.basis, &info, &error_) == HM_OK,
+               "no information about a solved basis");
         Numbers whole(domain_.points.size());
         for (std::int32_t i = 0; i < info.functions; ++i)
             for (std::int32_t number = 0; number < info.numbers_per_value; ++number) {
-                expect(hm_basis_values(its_.basis, i, number, whole.data(), &error_) == HM_OK, "no values");
+                expect(hm_basis_values(its_.basis, i, number, whole.data(), &error_) == HM_OK,
+                       "no values");
                 double largest = 1;
                 for (double const its : whole) largest = std::max(largest, std::abs(its));
                 for (Part& part : parts_) {
                     Numbers own(part.x.size());
-                    expect(hm_basis_values(part.rows, i, number, own.data(), &error_) == HM_OK, "no values of a part");
+                    expect(hm_basis_values(part.rows, i, number, own.data(), &error_) == HM_OK,
+                           "no values of a part");
                     for (std::size_t k = 0; k < own.size(); ++k) {
                         double const off = std::abs(own[k] - whole[at(part.point[k])]) / largest;
-                        expect(off <= 1e-6, "a part has another function: off by " + std::to_string(off * 1e9) + "e-9");
+                        expect(off <= 1e-6, "a part has another function: off by " +
+                                                std::to_string(off * 1e9) + "e-9");
                     }
                 }
             }
@@ -262,8 +286,8 @@ private:
     hm_error error_{};
 };
 
-}   // namespace
+}  // namespace
 
 void check_cut_mesh(Solution& whole, Input& input) { CutMesh(whole, input).all(); }
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -12,15 +12,18 @@ std::string describe(Problem const& problem) {
         out += line;
     };
     hm_options const& o = problem.options;
-    add("    operator %d, scheme %d, engine %d, kernel %d, precision %d, exponent %d, offset %d\n", o.operator_kind,
-        o.scheme, o.engine, o.kernel, o.precision, o.exponent_quarters, o.offset_correction);
-    add("    %d points of size %g, %zu cells in layout %d, %d control points\n", problem.mesh.n_points, problem.size(),
-        problem.domain.cells.size(), problem.mesh.cell_layout, problem.on_walls.view.n_control);
+    add("    operator %d, scheme %d, engine %d, kernel %d, precision %d, exponent %d, offset %d\n",
+        o.operator_kind, o.scheme, o.engine, o.kernel, o.precision, o.exponent_quarters,
+        o.offset_correction);
+    add("    %d points of size %g, %zu cells in layout %d, %d control points\n",
+        problem.mesh.n_points, problem.size(), problem.domain.cells.size(),
+        problem.mesh.cell_layout, problem.on_walls.view.n_control);
     for (hm_condition const& its : problem.conditions)
-        add("    marker %d: condition %d, curves %d + %d\n", its.marker, its.kind, its.first_curve, its.n_curves);
+        add("    marker %d: condition %d, curves %d + %d\n", its.marker, its.kind, its.first_curve,
+            its.n_curves);
     for (hm_curve const& its : problem.on_walls.curve)
         add("    curve of degree %d, %d indices\n", its.degree, its.n_indices);
     return out;
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

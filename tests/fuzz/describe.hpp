@@ -9,4 +9,4 @@ namespace fuzz {
 
 std::string describe(Problem const& problem);
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -18,10 +18,13 @@ struct Grid {
     }
 };
 
-// Rectangles of cells that are taken out; they have no point in common with each other or with the sides.
+// Rectangles of cells that are taken out; they have no point in common with each other or with the
+// sides.
 struct Hole {
     std::int32_t i0, i1, j0, j1;
-    bool has(std::int32_t i, std::int32_t j) const { return i >= i0 && i < i1 && j >= j0 && j < j1; }
+    bool has(std::int32_t i, std::int32_t j) const {
+        return i >= i0 && i < i1 && j >= j0 && j < j1;
+    }
 };
 
 void add_hole(Domain& domain, Grid const& grid, Hole const& hole, std::int32_t marker) {
@@ -35,9 +38,9 @@ void add_hole(Domain& domain, Grid const& grid, Hole const& hole, std::int32_t m
     domain.walls.push_back(loop);
 }
 
-void add_cell(Domain& domain, Input& input, std::uint32_t split, std::int32_t a, std::int32_t b, std::int32_t c,
-              std::int32_t d) {
-    if (a == b) {   // at the tip
+void add_cell(Domain& domain, Input& input, std::uint32_t split, std::int32_t a, std::int32_t b,
+              std::int32_t c, std::int32_t d) {
+    if (a == b) {  // at the tip
         domain.cells.push_back({a, c, d});
     } else if (split == 0 || (split == 1 && input.one_in(2))) {
         domain.cells.push_back({a, b, c, d});
@@ -71,11 +74,13 @@ void drop_unused(Domain& domain) {
     domain.points = points;
 }
 
-// The rectangle becomes one passage of an annulus: x is the angle, y the radius, and the sides may be curved. With a
-// tip it is a sector.
+// The rectangle becomes one passage of an annulus: x is the angle, y the radius, and the sides may
+// be curved. With a tip it is a sector.
 void bend(Domain& domain, Grid const& grid, Input& input) {
-    double const angle = 2 * std::acos(-1.0) / input.from(2, 40), twist = input.any_of({0.0, 0.0, 0.1, -0.3});
-    double const highest = domain.points.back().y, hub = grid.has_tip ? 0 : grid.nx / angle * input.between(0.2, 3);
+    double const angle = 2 * std::acos(-1.0) / input.from(2, 40),
+                 twist = input.any_of({0.0, 0.0, 0.1, -0.3});
+    double const highest = domain.points.back().y,
+                 hub = grid.has_tip ? 0 : grid.nx / angle * input.between(0.2, 3);
     for (Point& p : domain.points) {
         double const from_top = angle * p.x / grid.nx + twist * p.y / highest, radius = hub + p.y;
         p = {radius * std::sin(from_top), radius * std::cos(from_top)};
@@ -88,7 +93,7 @@ void bend(Domain& domain, Grid const& grid, Input& input) {
     }
 }
 
-}   // namespace
+}  // namespace
 
 Domain make_domain(Input& input) {
     Domain out;
@@ -105,9 +110,10 @@ Domain make_domain(Input& input) {
         if (two) hole_in(middle + 1, grid.nx - 1);
     }
 
-    double const stretch = input.any_of({1.0, 1.0, 1.2, 3.0, 10.0}), noise = input.any_of({0.0, 0.1, 0.3, 0.6});
+    double const stretch = input.any_of({1.0, 1.0, 1.2, 3.0, 10.0}),
+                 noise = input.any_of({0.0, 0.1, 0.3, 0.6});
     double const pi = std::acos(-1.0), growth = input.between(1.2, 2);
-    double const ratio = input.between(0.3, 1);   // of a ring's axes
+    double const ratio = input.between(0.3, 1);  // of a ring's axes
     std::int32_t const columns = grid.is_ring ? grid.nx : grid.nx + 1;
     for (std::int32_t j = 0; j <= grid.ny; ++j)
         for (std::int32_t i = 0; i < columns; ++i) {
@@ -121,11 +127,12 @@ Domain make_domain(Input& input) {
             }
         }
     std::uint32_t const sides = grid.is_ring ? 2 : input.below(9);
-    if (sides % 3 != 2) {   // sides are straight again, and opposite ones translates of each other
+    if (sides % 3 != 2) {  // sides are straight again, and opposite ones translates of each other
         for (std::int32_t i = 0; i < columns; ++i) {
             Point &bottom = out.points[static_cast<std::size_t>(grid.at(i, 0))],
                   &top = out.points[static_cast<std::size_t>(grid.at(i, grid.ny))];
-            double const highest = stretch == 1 ? grid.ny : (std::pow(stretch, grid.ny) - 1) / (stretch - 1);
+            double const highest =
+                stretch == 1 ? grid.ny : (std::pow(stretch, grid.ny) - 1) / (stretch - 1);
             bottom = {i + 0.0, 0};
             top = {i + 0.0, highest};
         }
@@ -137,7 +144,8 @@ Domain make_domain(Input& input) {
         }
         bool const is_passage = !holes.empty() && (sides == 3 || sides == 6);
         grid.has_tip = is_passage && input.one_in(4);
-        for (std::int32_t j = 0; j <= grid.ny; ++j) out.images.push_back({grid.at(0, j), grid.at(grid.nx, j)});
+        for (std::int32_t j = 0; j <= grid.ny; ++j)
+            out.images.push_back({grid.at(0, j), grid.at(grid.nx, j)});
         if (is_passage) bend(out, grid, input);
     }
 
@@ -148,8 +156,9 @@ Domain make_domain(Input& input) {
             bool is_hole = false;
             for (Hole const& hole : holes) is_hole = is_hole || hole.has(i, j);
             if (is_hole) continue;
-            std::int32_t a = grid.at(i, j), b = grid.at(i + 1, j), c = grid.at(i + 1, j + 1), d = grid.at(i, j + 1);
-            if (grid.is_ring) std::swap(b, d);   // all cells run counter-clockwise
+            std::int32_t a = grid.at(i, j), b = grid.at(i + 1, j), c = grid.at(i + 1, j + 1),
+                         d = grid.at(i, j + 1);
+            if (grid.is_ring) std::swap(b, d);  // all cells run counter-clockwise
             add_cell(out, input, split, a, b, c, d);
         }
     if (split != 0 || grid.has_tip) out.ni = 0;
@@ -165,7 +174,9 @@ Domain make_domain(Input& input) {
     } else {
         bool const side_moves = holes.empty();
         for (std::int32_t i = 0; i < grid.nx; ++i) {
-            if (!grid.has_tip) out.faces.push_back({grid.at(i, 0), grid.at(i + 1, 0), side_moves ? first_wall : low});
+            if (!grid.has_tip)
+                out.faces.push_back(
+                    {grid.at(i, 0), grid.at(i + 1, 0), side_moves ? first_wall : low});
             out.faces.push_back({grid.at(i, grid.ny), grid.at(i + 1, grid.ny), high});
         }
         for (std::int32_t j = 0; j < grid.ny; ++j) {
@@ -183,10 +194,11 @@ Domain make_domain(Input& input) {
     if (out.ni == 0) drop_unused(out);
 
     double const size = input.one_in(6) ? std::pow(10.0, input.from(-95, 95)) : 1;
-    Point const centre = input.one_in(6) ? Point{size * input.from(-1000000, 1000000), size} : Point{0, 0};
+    Point const centre =
+        input.one_in(6) ? Point{size * input.from(-1000000, 1000000), size} : Point{0, 0};
     for (Point& p : out.points) p = {centre.x + size * p.x, centre.y + size * p.y};
     out.centre = centre;
     return out;
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -1,11 +1,12 @@
-// That no floating-point exception was raised since the last call of clear(), but inexact and underflow.
+// That no floating-point exception was raised since the last call of clear(), but inexact and
+// underflow.
 #pragma once
 
 #include "failure.hpp"
 
 #include <cfenv>
 
-#ifdef __clang__   // what a test computes stays on its side of clear(); see src/base/types.hpp
+#ifdef __clang__  // what a test computes stays on its side of clear(); see src/base/types.hpp
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wignored-pragmas"
 #pragma float_control(except, on)
@@ -23,4 +24,4 @@ struct Exceptions {
     }
 };
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -1,4 +1,5 @@
-// A property that does not hold. libFuzzer ends there, with the bytes that led to it; the plain main counts it.
+// A property that does not hold. libFuzzer ends there, with the bytes that led to it; the plain
+// main counts it.
 #pragma once
 
 #include <stdexcept>
@@ -14,4 +15,4 @@ inline void expect(bool holds, std::string const& what) {
     if (!holds) throw Failure(what);
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -1,23 +1,27 @@
-// The block of a solved basis, damaged anywhere, through every call that takes a basis. A damaged block is refused by
-// its checksum; half of them are sealed again by the library's own checksum, so that what lies behind it is tested,
-// too.
+// The block of a solved basis, damaged anywhere, through every call that takes a basis. A damaged
+// block is refused by its checksum; half of them are sealed again by the library's own checksum, so
+// that what lies behind it is tested, too.
 #include "solution.hpp"
 #include "target.hpp"
 
-#include <harmorph/basis/basis.hpp>
+#include "basis/basis.hpp"
 
 namespace fuzz {
 namespace {
 
-// Every call with a basis that was attached: it may refuse, or compute anything, but touch no memory of others.
+// Every call with a basis that was attached: it may refuse, or compute anything, but touch no
+// memory of others.
 void use(const hm_basis* basis, Problem const& problem, Input& input) {
     hm_basis_info info{};
     info.struct_size = sizeof info;
     hm_error error{};
     if (hm_basis_info_get(basis, &info, &error) < 0) return;
-    expect(info.points >= 0 && info.points < 1 << 20 && info.functions >= 0, "sizes that the block cannot hold");
-    if (info.functions > 1 << 16) return;   // of a share, which holds few of the functions that it claims there are
-    std::size_t const n = static_cast<std::size_t>(info.points), pairs = 2 * static_cast<std::size_t>(info.functions);
+    expect(info.points >= 0 && info.points < 1 << 20 && info.functions >= 0,
+           "sizes that the block cannot hold");
+    if (info.functions > 1 << 16)
+        return;  // of a share, which holds few of the functions that it claims there are
+    std::size_t const n = static_cast<std::size_t>(info.points),
+                      pairs = 2 * static_cast<std::size_t>(info.functions);
     std::vector<double> move(pairs + 2), x(n + 1), y(n + 1), gradient(pairs + 2);
     for (double& number : move) number = input.between(-1, 1);
     hm_points_out const out{x.data(), y.data(), 1};
@@ -34,14 +38,16 @@ void use(const hm_basis* basis, Problem const& problem, Input& input) {
         double xy[4], u, distance;
         for (std::int32_t c = 0; c < set.n_curves; ++c) {
             hm_curve_point(&set, c, input.between(-1, 10), 1, xy, &error);
-            hm_curve_project(&set, c, input.between(-1, 1), input.between(-1, 1), &u, &distance, &error);
+            hm_curve_project(&set, c, input.between(-1, 1), input.between(-1, 1), &u, &distance,
+                             &error);
         }
     }
     hm_condition conditions[16];
     conditions[0].struct_size = sizeof conditions[0];
     std::int32_t n_conditions = 0;
     hm_basis_conditions(basis, conditions, 16, &n_conditions, &error);
-    if (info.functions > 0) hm_basis_values(basis, input.from(0, info.functions - 1), 0, x.data(), &error);
+    if (info.functions > 0)
+        hm_basis_values(basis, input.from(0, info.functions - 1), 0, x.data(), &error);
     hm_step_report step{};
     step.struct_size = sizeof step;
     hm_quality_report quality{};
@@ -53,7 +59,8 @@ void use(const hm_basis* basis, Problem const& problem, Input& input) {
         hm_basis* single = nullptr;
         hm_single_init(&single, block.data(), bytes, basis, &error);
     }
-    std::int32_t const few[] = {problem.mesh.index_base, info.points - 1 + problem.mesh.index_base, 0, 1};
+    std::int32_t const few[] = {problem.mesh.index_base, info.points - 1 + problem.mesh.index_base,
+                                0, 1};
     if (hm_extract_size(basis, 4, &bytes, &error) >= 0 && bytes < 1 << 24) {
         Block const block(bytes, 0, 0x7F);
         hm_basis* rows = nullptr;
@@ -61,7 +68,7 @@ void use(const hm_basis* basis, Problem const& problem, Input& input) {
     }
 }
 
-}   // namespace
+}  // namespace
 
 Outcome run_basis(Input& input) {
     std::unique_ptr<Problem> const problem = make_problem(input);
@@ -69,7 +76,8 @@ Outcome run_basis(Input& input) {
     if (solution.status < 0) return Outcome::refused;
     hm_basis_info info{};
     info.struct_size = sizeof info;
-    expect(hm_basis_info_get(solution.basis, &info, nullptr) == HM_OK, "no information about a solved basis");
+    expect(hm_basis_info_get(solution.basis, &info, nullptr) == HM_OK,
+           "no information about a solved basis");
 
     Block const copy(info.bytes, 8 * input.below(8) + (8 - info.bytes % 8) % 8, 0);
     std::memcpy(copy.data(), static_cast<const void*>(solution.basis), info.bytes);
@@ -85,17 +93,19 @@ Outcome run_basis(Input& input) {
     for (std::int32_t k = input.from(cut ? 0 : 1, 4); k > 0; --k) {
         std::size_t const most = input.one_in(2) ? std::min(of_header, info.bytes) : info.bytes;
         std::size_t const at = input.below(static_cast<std::uint32_t>(most));
-        copy.data()[at] =
-            static_cast<unsigned char>(input.one_in(2) ? copy.data()[at] ^ 1u << input.below(8) : input.below(256));
+        copy.data()[at] = static_cast<unsigned char>(
+            input.one_in(2) ? copy.data()[at] ^ 1u << input.below(8) : input.below(256));
     }
     bool const sealed = !cut && input.one_in(2);
-    bool const same = std::memcmp(copy.data(), static_cast<const void*>(solution.basis), info.bytes) == 0;
+    bool const same =
+        std::memcmp(copy.data(), static_cast<const void*>(solution.basis), info.bytes) == 0;
     if (sealed) {
         harmorph::BasisHeader& header = *reinterpret_cast<harmorph::BasisHeader*>(copy.data());
-        header.bytes = info.bytes;   // the checksum reads as far
+        header.bytes = info.bytes;  // the checksum reads as far
         header.checksum = harmorph::checksum_of(header);
     }
-    status = hm_basis_attach(&attached, copy.data(), bytes, input.one_in(2) ? &problem->mesh : nullptr, &error);
+    status = hm_basis_attach(&attached, copy.data(), bytes,
+                             input.one_in(2) ? &problem->mesh : nullptr, &error);
     expect_told(status, error);
     if (!sealed && (cut || !same)) expect(status == HM_BAD_BASIS, "a damaged basis is taken");
     if (status < 0) return Outcome::refused;
@@ -103,4 +113,4 @@ Outcome run_basis(Input& input) {
     return Outcome::done;
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -1,6 +1,7 @@
-// Files through the readers of the program: meshes of all formats, curves, movements, bases. A file is read, or refused
-// with its name and a reason. What a mesh was read from is written again with other coordinates. Most files are one of
-// the small ones below, damaged; some are the bytes of the case as they are, which libFuzzer shapes.
+// Files through the readers of the program: meshes of all formats, curves, movements, bases. A file
+// is read, or refused with its name and a reason. What a mesh was read from is written again with
+// other coordinates. Most files are one of the small ones below, damaged; some are the bytes of the
+// case as they are, which libFuzzer shapes.
 #include "mesh/basis_file.hpp"
 #include "curves/curve_file.hpp"
 #include "failure.hpp"
@@ -20,26 +21,34 @@ namespace fuzz {
 namespace {
 
 const char* const mesh_files[] = {
-    "NDIME= 2\nNELEM= 2\n5 0 1 2 0\n9 1 3 4 2 1\nNPOIN= 5\n0 0 0\n1 0 1\n0 1 2\n2 0 3\n2 1.5 4\nNMARK= 1\nMARKER_TAG= "
+    "NDIME= 2\nNELEM= 2\n5 0 1 2 0\n9 1 3 4 2 1\nNPOIN= 5\n0 0 0\n1 0 1\n0 1 2\n2 0 3\n2 1.5 "
+    "4\nNMARK= 1\nMARKER_TAG= "
     "wall\n"
     "MARKER_ELEMS= 5\n3 0 1\n3 1 3\n3 3 4\n3 4 2\n3 2 0\n",
-    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 3 \"wall\"\n$EndPhysicalNames\n$Nodes\n3\n1 0 0 0\n2 1 "
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 3 "
+    "\"wall\"\n$EndPhysicalNames\n$Nodes\n3\n1 0 0 0\n2 1 "
     "0 0\n3 0 1 "
-    "0\n$EndNodes\n$Elements\n4\n1 1 2 3 1 1 2\n2 1 2 3 1 2 3\n3 1 2 3 1 3 1\n4 2 2 7 1 1 2 3\n$EndElements\n",
-    "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0 1 0 0 1 1 0 0 1 "
+    "0\n$EndNodes\n$Elements\n4\n1 1 2 3 1 1 2\n2 1 2 3 1 2 3\n3 1 2 3 1 3 1\n4 2 2 7 1 1 2 "
+    "3\n$EndElements\n",
+    "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0 1 "
+    "0 0 1 1 0 0 1 "
     "0\nCELLS 2 8\n3 0 "
     "1 2\n3 0 2 3\nCELL_TYPES 2\n5\n5\n",
     "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
     "byte_order=\"LittleEndian\"><UnstructuredGrid><Piece "
-    "NumberOfPoints=\"3\" NumberOfCells=\"1\"><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" "
+    "NumberOfPoints=\"3\" NumberOfCells=\"1\"><Points><DataArray type=\"Float64\" "
+    "NumberOfComponents=\"3\" "
     "format=\"ascii\">0 0 0 1 0 0 "
-    "0 1 0</DataArray></Points><Cells><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 "
+    "0 1 0</DataArray></Points><Cells><DataArray type=\"Int32\" Name=\"connectivity\" "
+    "format=\"ascii\">0 1 "
     "2</DataArray><DataArray "
-    "type=\"Int32\" Name=\"offsets\" format=\"ascii\">3</DataArray><DataArray type=\"UInt8\" Name=\"types\" "
+    "type=\"Int32\" Name=\"offsets\" format=\"ascii\">3</DataArray><DataArray type=\"UInt8\" "
+    "Name=\"types\" "
     "format=\"ascii\">5</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>\n",
     "3 3\n0 1 2 0 1 2 0 1 2\n0 0 0 1 1 1 2 2 2\n",
     "4 1 0 0 1 0 0\n0 0 0  1 0 0  1 1 0  0 1 0\n1 2 3 4\n5\n",
-    "(0 \"grid\")\n(2 2)\n(10 (0 1 3 0 2))\n(10 (1 1 3 1 2)(0 0 1 0 0 1))\n(12 (0 1 1 0))\n(12 (2 1 1 1 1))\n(13 (0 1 "
+    "(0 \"grid\")\n(2 2)\n(10 (0 1 3 0 2))\n(10 (1 1 3 1 2)(0 0 1 0 0 1))\n(12 (0 1 1 0))\n(12 (2 "
+    "1 1 1 1))\n(13 (0 1 "
     "3 0))\n(13 "
     "(3 1 3 3 2)(\n1 2 1 0\n2 3 1 0\n3 1 1 0))\n(45 (3 wall wall)())\n"};
 const char* const curve_files[] = {
@@ -55,8 +64,9 @@ const char* one_of(const char* const (&files)[n], Input& input) {
 // A damaged copy of it.
 std::string damaged(std::string text, Input& input) {
     if (input.one_in(8)) return input.rest();
-    static const char* const words[] = {"-1",   "0",  "1e999", "nan", "2147483648", "99999999999999999999",
-                                        "\r\n", "\t", "",      "\"",  "<",          "("};
+    static const char* const words[] = {
+        "-1",   "0",  "1e999", "nan", "2147483648", "99999999999999999999",
+        "\r\n", "\t", "",      "\"",  "<",          "("};
     for (std::int32_t k = input.from(0, 4); k > 0; --k) {
         std::size_t const at = input.below(static_cast<std::uint32_t>(text.size() + 1));
         switch (input.below(5)) {
@@ -67,7 +77,9 @@ std::string damaged(std::string text, Input& input) {
                 if (at < text.size()) text[at] = static_cast<char>(input.below(256));
                 break;
             default:
-                text.insert(at, text.substr(input.below(static_cast<std::uint32_t>(text.size() + 1)), input.below(40)));
+                text.insert(at,
+                            text.substr(input.below(static_cast<std::uint32_t>(text.size() + 1)),
+                                        input.below(40)));
         }
     }
     return text;
@@ -114,10 +126,11 @@ std::string square() {
         if (k % 4 < 3) out << "9 " << k << ' ' << k + 1 << ' ' << k + 5 << ' ' << k + 4 << '\n';
     out << "NPOIN= 16\n";
     for (int k = 0; k < 16; ++k) out << k % 4 << ' ' << k / 4 << '\n';
-    out << "NMARK= 2\nMARKER_TAG= wall\nMARKER_ELEMS= 3\n3 0 1\n3 1 2\n3 2 3\nMARKER_TAG= far\nMARKER_ELEMS= 9\n";
+    out << "NMARK= 2\nMARKER_TAG= wall\nMARKER_ELEMS= 3\n3 0 1\n3 1 2\n3 2 3\nMARKER_TAG= "
+           "far\nMARKER_ELEMS= 9\n";
     for (int k = 0; k < 3; ++k)
-        out << "3 " << 4 * k << ' ' << 4 * k + 4 << "\n3 " << 4 * k + 3 << ' ' << 4 * k + 7 << "\n3 " << 12 + k << ' '
-            << 13 + k << '\n';
+        out << "3 " << 4 * k << ' ' << 4 * k + 4 << "\n3 " << 4 * k + 3 << ' ' << 4 * k + 7
+            << "\n3 " << 12 + k << ' ' << 13 + k << '\n';
     return out.str();
 }
 
@@ -136,13 +149,16 @@ struct SolvedSquare {
         on_curve.marker = mesh.find_markers("wall")[0];
         on_curve.n_curves = 1;
         hm_mesh const view = mesh.view();
-        hm_problem const problem{sizeof problem, &view, &curves, 1, &on_curve, 0, nullptr, nullptr, nullptr};
+        hm_problem const problem{sizeof problem, &view,   &curves, 1, &on_curve, 0,
+                                 nullptr,        nullptr, nullptr};
         std::vector<char> blocks[3];
         hm_analysis* analysis = nullptr;
         hm_plan* plan = nullptr;
         hm_basis* basis = nullptr;
         std::size_t bytes = 0;
-        auto const block = [&](int k) { return blocks[k].resize(bytes), static_cast<void*>(blocks[k].data()); };
+        auto const block = [&](int k) {
+            return blocks[k].resize(bytes), static_cast<void*>(blocks[k].data());
+        };
         hm_analysis_size(&problem, nullptr, &bytes, nullptr);
         hm_analysis_init(&analysis, block(0), bytes, &problem, nullptr, nullptr);
         hm_plan_size(analysis, &bytes, nullptr);
@@ -150,14 +166,15 @@ struct SolvedSquare {
         hm_basis_size(analysis, &bytes, nullptr);
         hm_basis_init(&basis, block(2), bytes, analysis, nullptr);
         hm_plan_factor(plan, nullptr, nullptr);
-        expect(hm_plan_solve(plan, basis, nullptr, nullptr) == HM_OK, "the square cannot be solved");
+        expect(hm_plan_solve(plan, basis, nullptr, nullptr) == HM_OK,
+               "the square cannot be solved");
         std::ostringstream out;
         cli::write_basis(out, basis, mesh, {});
         basis_text = out.str();
     }
 };
 
-}   // namespace
+}  // namespace
 
 Outcome run_files(Input& input) {
     static Scratch const scratch;
@@ -176,10 +193,11 @@ Outcome run_files(Input& input) {
         static cli::Basis const basis(whole.write(square.basis_text), square.mesh);
         if (what == 2) cli::read_moves(path, basis, square.mesh);
     } catch (cli::Failure const& failure) {
-        expect(std::string(failure.what()).find(path) != std::string::npos, std::string("no name: ") + failure.what());
+        expect(std::string(failure.what()).find(path) != std::string::npos,
+               std::string("no name: ") + failure.what());
         return Outcome::refused;
     }
     return Outcome::done;
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

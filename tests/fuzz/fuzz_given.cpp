@@ -1,6 +1,6 @@
-// Displacements that are given at points of the wall: fields, their transpose, modes as functions of a second basis,
-// and the safe way. Lists of points, fields and memory are right or wrong; what succeeds has the given bits at the
-// wall, is linear, and is the transpose of the transpose.
+// Displacements that are given at points of the wall: fields, their transpose, modes as functions
+// of a second basis, and the safe way. Lists of points, fields and memory are right or wrong; what
+// succeeds has the given bits at the wall, is linear, and is the transpose of the transpose.
 #include "describe.hpp"
 #include "exceptions.hpp"
 #include "reference.hpp"
@@ -48,13 +48,16 @@ void give_walls(Problem& its, Input& input) {
 
 class Given {
 public:
-    Given(Solution& solution, Input& input) : its_(solution), input_(input), n_(solution.problem.domain.points.size()) {
+    Given(Solution& solution, Input& input)
+        : its_(solution), input_(input), n_(solution.problem.domain.points.size()) {
         std::int32_t n = 0;
         hm_status status = hm_given_points(its_.plan, nullptr, 0, &n, &error_);
         expect(n >= 0 && status == (n > 0 ? HM_BAD_ARGUMENT : HM_OK), "the number of given points");
         points_.resize(static_cast<std::size_t>(n));
-        expect(hm_given_points(its_.plan, points_.data(), n, &n, &error_) == HM_OK, "no given points");
-        is_direct_ = its_.problem.options.engine == HM_DIRECT && its_.problem.options.precision == HM_DOUBLE;
+        expect(hm_given_points(its_.plan, points_.data(), n, &n, &error_) == HM_OK,
+               "no given points");
+        is_direct_ =
+            its_.problem.options.engine == HM_DIRECT && its_.problem.options.precision == HM_DOUBLE;
     }
 
     Outcome run() {
@@ -98,10 +101,11 @@ private:
         hm_points_out const out = to.out();
         Exceptions::clear();
         hm_status const status = make_object(
-            block(), error_, [&](std::size_t* bytes) { return hm_displace_size(its_.plan, 1, bytes, &error_); },
+            block(), error_,
+            [&](std::size_t* bytes) { return hm_displace_size(its_.plan, 1, bytes, &error_); },
             [&](void* memory, std::size_t bytes) {
-                return hm_displace(its_.plan, count(), points_.data(), 1, &given, nullptr, &out, memory, bytes, nullptr,
-                                   &error_);
+                return hm_displace(its_.plan, count(), points_.data(), 1, &given, nullptr, &out,
+                                   memory, bytes, nullptr, &error_);
             });
         if (status < 0) expect(to == Field(n_, 7), "a refused displacement has written");
         else Exceptions::expect_none("hm_displace");
@@ -114,7 +118,8 @@ private:
             expect(moved.y[place(k)] == wall.y[k], "a point of the wall has other bits");
         }
         for (std::size_t k = 0; k < n_; ++k)
-            expect(std::isfinite(moved.x[k]) && std::isfinite(moved.y[k]), "a displacement is not finite");
+            expect(std::isfinite(moved.x[k]) && std::isfinite(moved.y[k]),
+                   "a displacement is not finite");
     }
 
     // The same field three times as far, and one that is zero.
@@ -125,24 +130,29 @@ private:
         if (displace(farther, three) == HM_OK && is_direct_ && its_.status == HM_OK) {
             double const size = std::max(moved.largest(), wall.largest());
             for (std::size_t k = 0; k < n_; ++k) {
-                expect(std::abs(three.x[k] - 3 * moved.x[k]) <= 1e-7 * size, "displacements are not linear");
-                expect(std::abs(three.y[k] - 3 * moved.y[k]) <= 1e-7 * size, "displacements are not linear");
+                expect(std::abs(three.x[k] - 3 * moved.x[k]) <= 1e-7 * size,
+                       "displacements are not linear");
+                expect(std::abs(three.y[k] - 3 * moved.y[k]) <= 1e-7 * size,
+                       "displacements are not linear");
             }
         }
         if (displace(Field(points_.size()), none) >= 0)
-            for (std::size_t k = 0; k < n_; ++k) expect(none.x[k] == 0 && none.y[k] == 0, "moved by nothing");
+            for (std::size_t k = 0; k < n_; ++k)
+                expect(none.x[k] == 0 && none.y[k] == 0, "moved by nothing");
     }
 
     // <g, displacement> = <gradient, wall>.
     void transpose(Field const& wall, Field const& moved) {
         Field g(n_), gradient(points_.size(), 7);
-        for (std::size_t k = 0; k < n_; ++k) g.x[k] = input_.between(-1, 1), g.y[k] = input_.between(-1, 1);
+        for (std::size_t k = 0; k < n_; ++k)
+            g.x[k] = input_.between(-1, 1), g.y[k] = input_.between(-1, 1);
         hm_points const dj = g.in();
         hm_points_out const out = gradient.out();
         std::size_t bytes = 0;
         expect(hm_displace_size(its_.plan, 1, &bytes, &error_) == HM_OK, "no size");
-        hm_status const status = hm_displace_adjoint(its_.plan, count(), points_.data(), 1, &dj, &out,
-                                                     its_.block(bytes).data(), bytes, nullptr, &error_);
+        hm_status const status =
+            hm_displace_adjoint(its_.plan, count(), points_.data(), 1, &dj, &out,
+                                its_.block(bytes).data(), bytes, nullptr, &error_);
         expect_told(status, error_);
         if (status != HM_OK) return;
         Wide left = 0, right = 0, size = 0;
@@ -152,10 +162,12 @@ private:
         }
         for (std::size_t k = 0; k < points_.size(); ++k) {
             right += Wide(gradient.x[k]) * wall.x[k] + Wide(gradient.y[k]) * wall.y[k];
-            size += std::abs(Wide(gradient.x[k]) * wall.x[k]) + std::abs(Wide(gradient.y[k]) * wall.y[k]);
+            size += std::abs(Wide(gradient.x[k]) * wall.x[k]) +
+                    std::abs(Wide(gradient.y[k]) * wall.y[k]);
         }
-        expect(std::abs(left - right) <= 1e-7L * size,
-               "the adjoint is not the transpose: " + std::to_string(double((left - right) / size)));
+        expect(
+            std::abs(left - right) <= 1e-7L * size,
+            "the adjoint is not the transpose: " + std::to_string(double((left - right) / size)));
     }
 
     // A mode as a function: its amplitude moves the points as the field does.
@@ -163,32 +175,39 @@ private:
         Field one = wall, moved(n_, 7), by_mode(n_, 7);
         std::fill(one.y.begin(), one.y.end(), 0.0);
         std::size_t bytes = 0, work_bytes = 0;
-        hm_status status = hm_tabulate_size(its_.plan, its_.basis, 1, 1, &bytes, &work_bytes, &error_);
+        hm_status status =
+            hm_tabulate_size(its_.plan, its_.basis, 1, 1, &bytes, &work_bytes, &error_);
         expect_told(status, error_);
         if (status < 0) return;
         hm_basis* all = nullptr;
         Block &memory = its_.block(bytes), &work = its_.block(work_bytes);
         auto const tabulate = [&](std::size_t room, std::size_t work_room) {
-            return hm_tabulate(&all, memory.data(), room, its_.plan, its_.basis, count(), points_.data(), 1, 1,
-                               one.x.data(), work.data(), work_room, nullptr, &error_);
+            return hm_tabulate(&all, memory.data(), room, its_.plan, its_.basis, count(),
+                               points_.data(), 1, 1, one.x.data(), work.data(), work_room, nullptr,
+                               &error_);
         };
         expect(tabulate(bytes - 1, work_bytes) < 0, "a block that is one byte too small is taken");
-        expect(tabulate(bytes, work_bytes - 1) < 0, "work space that is one byte too small is taken");
+        expect(tabulate(bytes, work_bytes - 1) < 0,
+               "work space that is one byte too small is taken");
         status = tabulate(bytes, work_bytes);
         expect_told(status, error_);
         if (status < 0 || displace(one, moved) < 0) return;
         hm_basis_info info{};
         info.struct_size = sizeof info;
-        expect(hm_basis_info_get(all, &info, &error_) == HM_OK, "no information about a tabulated basis");
+        expect(hm_basis_info_get(all, &info, &error_) == HM_OK,
+               "no information about a tabulated basis");
         Numbers move(2 * static_cast<std::size_t>(info.functions));
         move[move.size() - 2] = 1;
         hm_points_out const out = by_mode.out();
-        expect(hm_morph(all, move.data(), nullptr, &out, nullptr, &error_) == HM_OK, "no displacement by a mode");
+        expect(hm_morph(all, move.data(), nullptr, &out, nullptr, &error_) == HM_OK,
+               "no displacement by a mode");
         if (!is_direct_ || status != HM_OK || its_.status != HM_OK) return;
         double const size = std::max(moved.largest(), one.largest());
         for (std::size_t k = 0; k < n_; ++k) {
-            expect(std::abs(by_mode.x[k] - moved.x[k]) <= 1e-7 * size, "a mode moves otherwise than its field");
-            expect(std::abs(by_mode.y[k] - moved.y[k]) <= 1e-7 * size, "a mode moves otherwise than its field");
+            expect(std::abs(by_mode.x[k] - moved.x[k]) <= 1e-7 * size,
+                   "a mode moves otherwise than its field");
+            expect(std::abs(by_mode.y[k] - moved.y[k]) <= 1e-7 * size,
+                   "a mode moves otherwise than its field");
         }
     }
 
@@ -201,10 +220,12 @@ private:
         options.max_resolves = input_.from(-1, 2);
         hm_status const status = make_object(
             block(), error_,
-            [&](std::size_t* bytes) { return hm_displace_safe_size(its_.plan, its_.basis, bytes, &error_); },
+            [&](std::size_t* bytes) {
+                return hm_displace_safe_size(its_.plan, its_.basis, bytes, &error_);
+            },
             [&](void* memory, std::size_t bytes) {
-                return hm_displace_safe(its_.plan, its_.basis, nullptr, count(), points_.data(), &given, &out, memory,
-                                        bytes, &options, nullptr, &error_);
+                return hm_displace_safe(its_.plan, its_.basis, nullptr, count(), points_.data(),
+                                        &given, &out, memory, bytes, &options, nullptr, &error_);
             });
         if (status < 0) {
             expect(moved == Field(n_, 7), "a refused displacement has written");
@@ -212,7 +233,8 @@ private:
         }
         std::vector<Point> at;
         for (std::size_t k = 0; k < n_; ++k) at.push_back({moved.x[k], moved.y[k]});
-        expect(inverted_cells(judge_by_header(its_.problem.domain), at) == 0, "a safe displacement has inverted cells");
+        expect(inverted_cells(judge_by_header(its_.problem.domain), at) == 0,
+               "a safe displacement has inverted cells");
     }
 
     // One thing about the call is wrong.
@@ -227,8 +249,12 @@ private:
         hm_points_out out = to.out();
         std::int32_t const what = input_.from(0, 8);
         switch (what) {
-            case 0: wall.x[input_.below(static_cast<std::uint32_t>(count()))] = input_.wild(); break;
-            case 1: list[input_.below(static_cast<std::uint32_t>(count()))] = input_.wild_index(); break;
+            case 0:
+                wall.x[input_.below(static_cast<std::uint32_t>(count()))] = input_.wild();
+                break;
+            case 1:
+                list[input_.below(static_cast<std::uint32_t>(count()))] = input_.wild_index();
+                break;
             case 2: n = input_.any_of({-1, 0, count() - 1, count() + 1, count() + 3}); break;
             case 3: fields = input_.any_of({-1, 0, 1 << 21}); break;
             case 4: bytes = input_.below(static_cast<std::uint32_t>(bytes)); break;
@@ -237,8 +263,9 @@ private:
             case 7: given.y = nullptr; break;
             default: out.x = nullptr;
         }
-        hm_status const status = hm_displace(its_.plan, n, list.data(), fields, &given, nullptr, &out,
-                                             its_.block(bytes).data(), bytes, nullptr, &error_);
+        hm_status const status =
+            hm_displace(its_.plan, n, list.data(), fields, &given, nullptr, &out,
+                        its_.block(bytes).data(), bytes, nullptr, &error_);
         expect_told(status, error_);
         if (what >= 3) expect(status < 0, "a wrong argument is taken");
         if (status < 0) expect(to == Field(n_, 7), "a refused displacement has written");
@@ -254,7 +281,7 @@ private:
     bool is_direct_;
 };
 
-}   // namespace
+}  // namespace
 
 Outcome run_given(Input& input) {
     std::unique_ptr<Problem> const problem = make_problem(input);
@@ -269,4 +296,4 @@ Outcome run_given(Input& input) {
     }
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

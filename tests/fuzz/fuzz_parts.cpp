@@ -19,4 +19,4 @@ Outcome run_parts(Input& input) {
     return Outcome::done;
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

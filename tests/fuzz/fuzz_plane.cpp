@@ -1,6 +1,7 @@
-// Plane meshes as solvers with three dimensions have them: layers of points in any order, along a coordinate, inclined,
-// or turned about an axis. Of what the library takes, each point follows the point of the plane that it was made from;
-// spreading and gathering are transposes; and a mesh with something wrong is refused, or a plane mesh all the same.
+// Plane meshes as solvers with three dimensions have them: layers of points in any order, along a
+// coordinate, inclined, or turned about an axis. Of what the library takes, each point follows the
+// point of the plane that it was made from; spreading and gathering are transposes; and a mesh with
+// something wrong is refused, or a plane mesh all the same.
 #include "exceptions.hpp"
 #include "solution.hpp"
 #include "target.hpp"
@@ -20,13 +21,15 @@ using Numbers = std::vector<double>;
 struct Frame {
     Vec3 origin{}, along{1, 0, 0}, up{0, 1, 0}, across{0, 0, 1};
     bool is_wedge = false;
-    double step = 0.5;   // from layer to layer: a length, or an angle
+    double step = 0.5;  // from layer to layer: a length, or an angle
 
     Vec3 place(Point p, std::int32_t layer) const {
         double const angle = is_wedge ? step * layer : 0;
-        double const height = p.y * std::cos(angle), depth = is_wedge ? p.y * std::sin(angle) : step * layer;
+        double const height = p.y * std::cos(angle),
+                     depth = is_wedge ? p.y * std::sin(angle) : step * layer;
         Vec3 out{};
-        for (std::size_t d = 0; d < 3; ++d) out[d] = origin[d] + p.x * along[d] + height * up[d] + depth * across[d];
+        for (std::size_t d = 0; d < 3; ++d)
+            out[d] = origin[d] + p.x * along[d] + height * up[d] + depth * across[d];
         return out;
     }
 };
@@ -43,11 +46,12 @@ public:
         double const size = problem.size();
         frame_.step = frame_.is_wedge ? 0.05 : 0.3 * size;
         layers_ = input.from(1, 3);
-        double lift = 0;   // a wedge's mesh lies on one side of its axis
+        double lift = 0;  // a wedge's mesh lies on one side of its axis
         for (Point const& p : domain_.points) lift = std::max(lift, -p.y);
         if (frame_.is_wedge) lift += size;
         std::set<std::pair<double, double>> places;
-        for (Point const& p : domain_.points) has_twins = !places.insert({p.x, p.y + lift}).second || has_twins;
+        for (Point const& p : domain_.points)
+            has_twins = !places.insert({p.x, p.y + lift}).second || has_twins;
         std::size_t const n = domain_.points.size();
         std::vector<std::int32_t> order(n * static_cast<std::size_t>(layers_));
         for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<std::int32_t>(k);
@@ -102,7 +106,8 @@ public:
             case 1: some(z) += 0.1; break;
             case 2: some(faces_) = input.wild_index(); break;
             case 3:
-                if (!sides_.empty()) some(sides_) = input.one_in(2) ? input.wild_index() : some(faces_);
+                if (!sides_.empty())
+                    some(sides_) = input.one_in(2) ? input.wild_index() : some(faces_);
                 break;
             case 4: some(start_) = some(start_); break;
             case 5: space.kind = input.from(-1, 3); break;
@@ -114,15 +119,18 @@ public:
 
     hm_space_mesh space{};
     Numbers x, y, z;
-    bool has_twins = false;                  // points of the plane in one place: numbers decide who follows whom
-    std::vector<std::int32_t> plane_point;   // of each point of space: the point of the domain
+    bool has_twins = false;  // points of the plane in one place: numbers decide who follows whom
+    std::vector<std::int32_t> plane_point;  // of each point of space: the point of the domain
 
 private:
-    std::size_t number(std::vector<std::int32_t> const& order, std::int32_t layer, std::int32_t k) const {
+    std::size_t number(std::vector<std::int32_t> const& order, std::int32_t layer,
+                       std::int32_t k) const {
         std::size_t const n = domain_.points.size();
-        return static_cast<std::size_t>(order[static_cast<std::size_t>(layer) * n + static_cast<std::size_t>(k)]);
+        return static_cast<std::size_t>(
+            order[static_cast<std::size_t>(layer) * n + static_cast<std::size_t>(k)]);
     }
-    std::int32_t numbered(std::vector<std::int32_t> const& order, std::int32_t layer, std::int32_t k) const {
+    std::int32_t numbered(std::vector<std::int32_t> const& order, std::int32_t layer,
+                          std::int32_t k) const {
         return static_cast<std::int32_t>(number(order, layer, k)) + space.index_base;
     }
 
@@ -134,12 +142,14 @@ private:
 
 class Layers {
 public:
-    Layers(Space& space, hm_plane* plane, Block& block) : space_(space), plane_(plane), block_(block) {
+    Layers(Space& space, hm_plane* plane, Block& block)
+        : space_(space), plane_(plane), block_(block) {
         info_.struct_size = sizeof info_;
         mesh_.struct_size = sizeof mesh_;
         expect(hm_plane_info_get(plane_, &info_, nullptr) == HM_OK, "no information about a plane");
         expect(hm_plane_mesh(plane_, &mesh_, nullptr) == HM_OK, "no mesh of a plane");
-        expect(mesh_.n_points == info_.n_points && info_.n_space_points == space.space.n_points, "counts differ");
+        expect(mesh_.n_points == info_.n_points && info_.n_space_points == space.space.n_points,
+               "counts differ");
     }
 
     // Points that were one point of the domain follow one point of the plane, and no others do.
@@ -148,7 +158,8 @@ public:
         for (std::int32_t k = 0; k < info_.n_space_points; ++k) {
             std::int32_t const its = info_.follows[k] - mesh_.index_base;
             expect(its >= 0 && its < info_.n_points, "a point follows none");
-            auto const found = leader.insert({space_.plane_point[static_cast<std::size_t>(k)], its}).first;
+            auto const found =
+                leader.insert({space_.plane_point[static_cast<std::size_t>(k)], its}).first;
             expect(found->second == its, "layers follow different points");
         }
     }
@@ -156,29 +167,38 @@ public:
     // <g, spread d> = <gather g, d>, and d = 0 moves no bit.
     void transpose(Input& input) {
         std::size_t const n = static_cast<std::size_t>(info_.n_points), all = space_.x.size();
-        Numbers dx(n), dy(n), gx(all), gy(all), gz(all), sx(all, 7), sy(all, 7), sz(all, 7), px(n, 7), py(n, 7);
-        for (std::size_t k = 0; k < n; ++k) dx[k] = input.between(-1, 1), dy[k] = input.between(-1, 1);
+        Numbers dx(n), dy(n), gx(all), gy(all), gz(all), sx(all, 7), sy(all, 7), sz(all, 7),
+            px(n, 7), py(n, 7);
+        for (std::size_t k = 0; k < n; ++k)
+            dx[k] = input.between(-1, 1), dy[k] = input.between(-1, 1);
         for (std::size_t k = 0; k < all; ++k)
-            gx[k] = input.between(-1, 1), gy[k] = input.between(-1, 1), gz[k] = input.between(-1, 1);
+            gx[k] = input.between(-1, 1), gy[k] = input.between(-1, 1),
+            gz[k] = input.between(-1, 1);
         hm_points const d{dx.data(), dy.data(), 1};
         hm_space_points const g{gx.data(), gy.data(), gz.data(), 1}, from = space_.space.points;
         hm_space_points_out const to{sx.data(), sy.data(), sz.data(), 1};
         hm_points_out const gathered{px.data(), py.data(), 1};
-        expect(hm_plane_spread(plane_, &d, nullptr, &to, nullptr, nullptr) == HM_OK, "nothing is spread");
-        expect(hm_plane_gather(plane_, &g, &gathered, nullptr, nullptr) == HM_OK, "nothing is gathered");
+        expect(hm_plane_spread(plane_, &d, nullptr, &to, nullptr, nullptr) == HM_OK,
+               "nothing is spread");
+        expect(hm_plane_gather(plane_, &g, &gathered, nullptr, nullptr) == HM_OK,
+               "nothing is gathered");
         long double left = 0, right = 0, size = 0;
         for (std::size_t k = 0; k < all; ++k) {
-            long double const its = static_cast<long double>(gx[k]) * sx[k] + static_cast<long double>(gy[k]) * sy[k] +
+            long double const its = static_cast<long double>(gx[k]) * sx[k] +
+                                    static_cast<long double>(gy[k]) * sy[k] +
                                     static_cast<long double>(gz[k]) * sz[k];
             left += its;
             size += std::abs(gx[k] * sx[k]) + std::abs(gy[k] * sy[k]) + std::abs(gz[k] * sz[k]);
         }
         for (std::size_t k = 0; k < n; ++k)
-            right += static_cast<long double>(px[k]) * dx[k] + static_cast<long double>(py[k]) * dy[k];
-        expect(std::abs(left - right) <= 1e-13L * size, "what is gathered is not the transpose of what is spread");
+            right +=
+                static_cast<long double>(px[k]) * dx[k] + static_cast<long double>(py[k]) * dy[k];
+        expect(std::abs(left - right) <= 1e-13L * size,
+               "what is gathered is not the transpose of what is spread");
         std::fill(dx.begin(), dx.end(), 0.0);
         std::fill(dy.begin(), dy.end(), 0.0);
-        expect(hm_plane_spread(plane_, &d, &from, &to, nullptr, nullptr) == HM_OK, "nothing is spread");
+        expect(hm_plane_spread(plane_, &d, &from, &to, nullptr, nullptr) == HM_OK,
+               "nothing is spread");
         for (std::size_t k = 0; k < all; ++k) {
             bool const same = sx[k] == space_.x[k] && sy[k] == space_.y[k] && sz[k] == space_.z[k];
             expect(same, "a point that stays has other bits");
@@ -194,7 +214,7 @@ private:
     hm_mesh mesh_{};
 };
 
-}   // namespace
+}  // namespace
 
 Outcome run_plane(Input& input) {
     std::unique_ptr<Problem> const problem = make_problem(input);
@@ -205,12 +225,16 @@ Outcome run_plane(Input& input) {
     hm_error error{};
     hm_plane* plane = nullptr;
     auto const block = [&](std::size_t bytes) -> Block& {
-        blocks.push_back(std::make_unique<Block>(bytes, input.below(64), input.any_of({0, 0xFF, 0x7F})));
+        blocks.push_back(
+            std::make_unique<Block>(bytes, input.below(64), input.any_of({0, 0xFF, 0x7F})));
         return *blocks.back();
     };
     hm_status const status = make_object(
-        block, error, [&](std::size_t* bytes) { return hm_plane_size(&space.space, bytes, &error); },
-        [&](void* memory, std::size_t bytes) { return hm_plane_init(&plane, memory, bytes, &space.space, &error); });
+        block, error,
+        [&](std::size_t* bytes) { return hm_plane_size(&space.space, bytes, &error); },
+        [&](void* memory, std::size_t bytes) {
+            return hm_plane_init(&plane, memory, bytes, &space.space, &error);
+        });
     if (status < 0) return Outcome::refused;
     Layers layers(space, plane, *blocks.back());
     if (!is_broken && !space.has_twins) layers.followers();
@@ -218,4 +242,4 @@ Outcome run_plane(Input& input) {
     return Outcome::done;
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -1,4 +1,5 @@
-// Any problem, valid or broken, through the calls of the C interface; what succeeds is compared with what it has to be.
+// Any problem, valid or broken, through the calls of the C interface; what succeeds is compared
+// with what it has to be.
 #include "describe.hpp"
 #include "solution_check.hpp"
 #include "target.hpp"
@@ -11,14 +12,17 @@ namespace fuzz {
 SolutionCheck::SolutionCheck(Solution& solution, Input& input)
     : its_(solution), problem_(solution.problem), input_(input) {
     info_.struct_size = sizeof info_;
-    expect(hm_basis_info_get(its_.basis, &info_, &error_) == HM_OK, "no information about a solved basis");
+    expect(hm_basis_info_get(its_.basis, &info_, &error_) == HM_OK,
+           "no information about a solved basis");
     judged_ = judge_by_header(problem_.domain);
     n_ = problem_.domain.points.size();
     move_.resize(2 * static_cast<std::size_t>(info_.functions));
     double const far = input_.any_of({1e-6, 0.02, 0.3, 2.0}) * extent();
     for (double& number : move_) number = far * input_.between(-1, 1);
-    for (std::size_t k = 2 * static_cast<std::size_t>(problem_.on_walls.view.n_control) + 2; k < move_.size(); k += 4)
-        move_[k] = input_.between(-2, 0.5), move_[k + 1] = input_.between(-1, 1);   // turns of bodies
+    for (std::size_t k = 2 * static_cast<std::size_t>(problem_.on_walls.view.n_control) + 2;
+         k < move_.size(); k += 4)
+        move_[k] = input_.between(-2, 0.5),
+        move_[k + 1] = input_.between(-1, 1);  // turns of bodies
 }
 
 void SolutionCheck::all() {
@@ -49,12 +53,13 @@ std::vector<Point> SolutionCheck::moved(Numbers const& x, Numbers const& y) cons
 
 namespace {
 
-// What a solution gives, to compare bits: its functions, and where it takes the mesh by a movement that needs more than
-// one linear step, as often as not.
+// What a solution gives, to compare bits: its functions, and where it takes the mesh by a movement
+// that needs more than one linear step, as often as not.
 std::vector<double> results_of(Solution& its) {
     hm_basis_info info{};
     info.struct_size = sizeof info;
-    expect(hm_basis_info_get(its.basis, &info, nullptr) == HM_OK, "no information about a solved basis");
+    expect(hm_basis_info_get(its.basis, &info, nullptr) == HM_OK,
+           "no information about a solved basis");
     std::size_t const n = its.problem.domain.points.size();
     std::vector<double> all{double(its.status), its.report.residual}, values(n), x(n), y(n);
     for (std::int32_t i = 0; i < info.functions; ++i)
@@ -65,12 +70,14 @@ std::vector<double> results_of(Solution& its) {
     std::size_t bytes = 0;
     if (hm_morph_safe_size(its.plan, its.basis, &bytes, nullptr) < 0) return all;
     std::vector<double> move(2 * static_cast<std::size_t>(info.functions));
-    for (std::size_t k = 0; k < move.size(); ++k) move[k] = 0.05 * its.problem.size() * (k % 3 == 0 ? 1 : -0.5);
-    for (std::size_t k = 2 * static_cast<std::size_t>(its.problem.on_walls.view.n_control) + 2; k < move.size(); k += 4)
+    for (std::size_t k = 0; k < move.size(); ++k)
+        move[k] = 0.05 * its.problem.size() * (k % 3 == 0 ? 1 : -0.5);
+    for (std::size_t k = 2 * static_cast<std::size_t>(its.problem.on_walls.view.n_control) + 2;
+         k < move.size(); k += 4)
         move[k] = -0.5, move[k + 1] = 0.7;
     hm_points_out const out{x.data(), y.data(), 1};
-    all.push_back(hm_morph_safe(its.plan, its.basis, move.data(), &out, nullptr, its.block(bytes).data(), bytes,
-                                nullptr, nullptr, nullptr));
+    all.push_back(hm_morph_safe(its.plan, its.basis, move.data(), &out, nullptr,
+                                its.block(bytes).data(), bytes, nullptr, nullptr, nullptr));
     all.insert(all.end(), x.begin(), x.end());
     all.insert(all.end(), y.begin(), y.end());
     return all;
@@ -93,7 +100,8 @@ Outcome run_with(Cells cells, Input& input) {
     Solution solution(*problem, input);
     if (!is_broken && solution.status >= 0) Exceptions::expect_none("a solution");
     if (is_broken)
-        Exceptions::expect_none(solution.status >= 0 ? "a broken problem that is solved" : solution.error.text);
+        Exceptions::expect_none(solution.status >= 0 ? "a broken problem that is solved"
+                                                     : solution.error.text);
     if (!is_broken && solution.analysis != nullptr)
         expect(inverted_cells(judge_by_header(problem->domain), problem->domain.points) == 0,
                "a mesh with inverted cells is taken");
@@ -109,10 +117,10 @@ Outcome run_with(Cells cells, Input& input) {
     return Outcome::done;
 }
 
-}   // namespace
+}  // namespace
 
 Outcome run_problem(Input& input) { return run_with(Cells::triangles_and_quads, input); }
 
 Outcome run_polygons(Input& input) { return run_with(Cells::polygons, input); }
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -1,5 +1,5 @@
-// Calls in any order, with objects of two problems that may or may not belong together. Each is refused with a reason
-// and writes nothing, or succeeds with finite numbers.
+// Calls in any order, with objects of two problems that may or may not belong together. Each is
+// refused with a reason and writes nothing, or succeeds with finite numbers.
 #include "solution.hpp"
 #include "target.hpp"
 
@@ -11,16 +11,21 @@ namespace {
 
 class Sequence {
 public:
-    explicit Sequence(Input& input) : input_(input), problem_{make_problem(input), make_problem(input)} {
+    explicit Sequence(Input& input)
+        : input_(input), problem_{make_problem(input), make_problem(input)} {
         for (std::size_t k = 0; k < 2; ++k) {
             all_[k].emplace(*problem_[k], input);
             std::size_t bytes = 0;
-            if (all_[k]->analysis == nullptr || hm_basis_size(all_[k]->analysis, &bytes, nullptr) < 0) continue;
-            hm_basis* fresh = nullptr;   // a basis that is not solved
-            if (hm_basis_init(&fresh, all_[k]->block(bytes).data(), bytes, all_[k]->analysis, nullptr) >= 0)
+            if (all_[k]->analysis == nullptr ||
+                hm_basis_size(all_[k]->analysis, &bytes, nullptr) < 0)
+                continue;
+            hm_basis* fresh = nullptr;  // a basis that is not solved
+            if (hm_basis_init(&fresh, all_[k]->block(bytes).data(), bytes, all_[k]->analysis,
+                              nullptr) >= 0)
                 fresh_[k] = fresh;
         }
-        std::size_t const most = std::max(problem_[0]->domain.points.size(), problem_[1]->domain.points.size());
+        std::size_t const most =
+            std::max(problem_[0]->domain.points.size(), problem_[1]->domain.points.size());
         x_.assign(most, 7);
         y_.assign(most, 7);
         move_.resize(2 * most + 200);
@@ -71,7 +76,9 @@ private:
                 report.struct_size = sizeof report;
                 return hm_plan_solve(plan, basis, &report, &error_);
             }
-            case 2: return hm_morph(basis, move_.data(), input_.one_in(2) ? &in : nullptr, &out, nullptr, &error_);
+            case 2:
+                return hm_morph(basis, move_.data(), input_.one_in(2) ? &in : nullptr, &out,
+                                nullptr, &error_);
             case 3: {
                 std::vector<double> gradient(move_.size());
                 return hm_adjoint(basis, &in, gradient.data(), nullptr, &error_);
@@ -96,8 +103,8 @@ private:
                 if (input_.one_in(3)) options.others = &other, options.n_others = 1;
                 hm_basis* const derivative = input_.one_in(3) ? some_basis() : nullptr;
                 if (derivative == basis || (options.n_others > 0 && other == nullptr)) return none;
-                return hm_morph_safe(plan, basis, move_.data(), &out, derivative, work.data(), bytes, &options, nullptr,
-                                     &error_);
+                return hm_morph_safe(plan, basis, move_.data(), &out, derivative, work.data(),
+                                     bytes, &options, nullptr, &error_);
             }
             case 7: {
                 Solution& fine = some();
@@ -107,7 +114,8 @@ private:
                 Block const work(bytes, 0, 0x7F);
                 hm_basis* const coarse = some_basis();
                 if (coarse == nullptr || coarse == basis) return none;
-                return hm_transfer(basis, work.data(), bytes, fine.analysis, coarse, &mesh, nullptr, &error_);
+                return hm_transfer(basis, work.data(), bytes, fine.analysis, coarse, &mesh, nullptr,
+                                   &error_);
             }
             case 8: {
                 double doubles[4096];
@@ -120,9 +128,10 @@ private:
             case 9: {
                 Solution& its = some();
                 if (its.analysis == nullptr) return none;
-                std::int32_t const functions = its.problem.functions(), first = input_.from(-1, functions);
-                hm_status const status =
-                    hm_share_size(its.analysis, first, input_.from(-1, functions + 1), &bytes, &error_);
+                std::int32_t const functions = its.problem.functions(),
+                                   first = input_.from(-1, functions);
+                hm_status const status = hm_share_size(
+                    its.analysis, first, input_.from(-1, functions + 1), &bytes, &error_);
                 return status;
             }
             default: {
@@ -140,8 +149,8 @@ private:
     hm_error error_{};
 };
 
-}   // namespace
+}  // namespace
 
 Outcome run_sequence(Input& input) { return Sequence(input).run(); }
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -1,6 +1,6 @@
-// Calls with curves alone: points and projections, refined and elevated curves, measures and design variables. Each is
-// refused with a reason, without an exception, and writes nothing, or succeeds with finite numbers; changed curves are
-// the same curves.
+// Calls with curves alone: points and projections, refined and elevated curves, measures and design
+// variables. Each is refused with a reason, without an exception, and writes nothing, or succeeds
+// with finite numbers; changed curves are the same curves.
 #include "exceptions.hpp"
 #include "solution.hpp"
 #include "target.hpp"
@@ -12,8 +12,10 @@ namespace {
 
 class Shape {
 public:
-    Shape(Problem const& problem, Input& input) : problem_(problem), set_(problem.on_walls.view), input_(input) {
-        number_ = input.one_in(16) ? input.wild_index() : input.from(0, std::max(0, set_.n_curves - 1));
+    Shape(Problem const& problem, Input& input)
+        : problem_(problem), set_(problem.on_walls.view), input_(input) {
+        number_ =
+            input.one_in(16) ? input.wild_index() : input.from(0, std::max(0, set_.n_curves - 1));
         for (double const its : problem.on_walls.control) size_ = std::max(size_, std::abs(its));
     }
 
@@ -44,7 +46,8 @@ private:
         return make_object(block, error_, size, init);
     }
     static void expect_finite(Numbers const& numbers, const char* what) {
-        for (double const its : numbers) expect(std::isfinite(its), std::string(what) + ": not finite");
+        for (double const its : numbers)
+            expect(std::isfinite(its), std::string(what) + ": not finite");
     }
     static void expect_untouched(Numbers const& numbers) {
         for (double const its : numbers) expect(its == 7, "a refused call has written");
@@ -76,9 +79,11 @@ private:
         Exceptions::clear();
         status = hm_curve_project(&set_, number_, x, y, &u, &distance, &error_);
         if (judged(status) == Outcome::refused) return Outcome::refused;
-        expect(hm_curve_point(&set_, number_, u, 0, xy.data(), &error_) == HM_OK, "no point at the foot");
+        expect(hm_curve_point(&set_, number_, u, 0, xy.data(), &error_) == HM_OK,
+               "no point at the foot");
         double const found = std::hypot(xy[0] - x, xy[1] - y);
-        expect(std::abs(found - distance) <= 1e-9 * (found + size_), "the distance is not that to the foot");
+        expect(std::abs(found - distance) <= 1e-9 * (found + size_),
+               "the distance is not that to the foot");
         return Outcome::done;
     }
 
@@ -89,7 +94,8 @@ private:
             hm_curve const& its = set_.curve[number_];
             double const begin = its.knots[its.degree], end = its.knots[its.n_indices];
             for (double& knot : u)
-                knot = input_.one_in(12) ? input_.wild() : begin + input_.between(0, 1) * (end - begin);
+                knot = input_.one_in(12) ? input_.wild()
+                                         : begin + input_.between(0, 1) * (end - begin);
         }
         std::int32_t const n = static_cast<std::int32_t>(u.size());
         Exceptions::clear();
@@ -102,16 +108,21 @@ private:
             },
             [&](void* memory, std::size_t bytes) {
                 return elevated ? hm_elevate(&made, &matrix, memory, bytes, &set_, number_, &error_)
-                                : hm_refine(&made, &matrix, memory, bytes, &set_, number_, n, u.data(), &error_);
+                                : hm_refine(&made, &matrix, memory, bytes, &set_, number_, n,
+                                            u.data(), &error_);
             });
         if (judged(status) == Outcome::refused) return Outcome::refused;
-        expect(hm_curves_check(made, &error_) == HM_OK, std::string("a changed curve is refused: ") + error_.text);
+        expect(hm_curves_check(made, &error_) == HM_OK,
+               std::string("a changed curve is refused: ") + error_.text);
         hm_curve const& its = set_.curve[number_];
         for (int k = 0; k < 5; ++k) {
-            double const at = its.knots[its.degree] + 0.25 * k * (its.knots[its.n_indices] - its.knots[its.degree]);
+            double const at = its.knots[its.degree] +
+                              0.25 * k * (its.knots[its.n_indices] - its.knots[its.degree]);
             double before[2], after[2];
-            expect(hm_curve_point(&set_, number_, at, 0, before, &error_) == HM_OK, "no point of a curve");
-            expect(hm_curve_point(made, number_, at, 0, after, &error_) == HM_OK, "no point of a changed curve");
+            expect(hm_curve_point(&set_, number_, at, 0, before, &error_) == HM_OK,
+                   "no point of a curve");
+            expect(hm_curve_point(made, number_, at, 0, after, &error_) == HM_OK,
+                   "no point of a changed curve");
             double const off = std::hypot(after[0] - before[0], after[1] - before[1]);
             expect(off <= 1e-9 * size_, "a changed curve is another one");
         }
@@ -123,22 +134,27 @@ private:
         out.struct_size = sizeof out;
         if (input_.one_in(2)) out.n_curves = 1, out.first_curve = number_;
         if (input_.one_in(3))
-            out.nose_x = size_ * number(), out.edge_x = size_ * number(), out.edge_y = size_ * number();
+            out.nose_x = size_ * number(), out.edge_x = size_ * number(),
+            out.edge_y = size_ * number();
         return out;
     }
 
     Outcome measure() {
-        Numbers const polygon{size_ * number(), size_ * number(), 0, 0, size_ * number(), size_ * number()};
+        Numbers const polygon{size_ * number(), size_ * number(), 0, 0,
+                              size_ * number(), size_ * number()};
         hm_quantity quantity{};
         quantity.struct_size = sizeof quantity;
         quantity.kind = input_.from(HM_AREA, HM_CLEARANCE + (input_.one_in(16) ? 1 : 0));
-        if (quantity.kind == HM_THICKNESS || quantity.kind == HM_CAMBER) quantity.station = number();
-        if (quantity.kind == HM_CLEARANCE) quantity.polygon = polygon.data(), quantity.n_polygon = input_.from(1, 3);
+        if (quantity.kind == HM_THICKNESS || quantity.kind == HM_CAMBER)
+            quantity.station = number();
+        if (quantity.kind == HM_CLEARANCE)
+            quantity.polygon = polygon.data(), quantity.n_polygon = input_.from(1, 3);
         Numbers value(1, 7), at(2, 7), gradient(problem_.on_walls.control.size(), 7);
         hm_section const outline = section();
         Exceptions::clear();
-        hm_status const status = hm_measure(&set_, input_.one_in(2) ? &outline : nullptr, 1, &quantity, value.data(),
-                                            at.data(), gradient.data(), &error_);
+        hm_status const status =
+            hm_measure(&set_, input_.one_in(2) ? &outline : nullptr, 1, &quantity, value.data(),
+                       at.data(), gradient.data(), &error_);
         if (status < 0) expect_untouched(value), expect_untouched(at), expect_untouched(gradient);
         else
             expect_finite(value, "a measure"), expect_finite(at, "where it is"),
@@ -153,10 +169,15 @@ private:
         Numbers peaks(16);
         for (double& peak : peaks) peak = number();
         if (its.kind == HM_FFD) its.degree_x = input_.from(0, 4), its.degree_y = input_.from(0, 3);
-        else its.n_upper = input_.from(0, 6), its.n_lower = its.kind == HM_NACA4 ? 0 : input_.from(0, 6);
-        if (its.kind == HM_FFD && input_.one_in(3)) its.x_min = -size_, its.x_max = size_ * number(), its.y_max = size_;
-        if (its.kind == HM_CST && input_.one_in(2)) its.nose_exponent = number(), its.edge_exponent = number();
-        if (its.kind == HM_HICKS_HENNE && input_.one_in(2)) its.width = 3 * number(), its.peaks = peaks.data();
+        else
+            its.n_upper = input_.from(0, 6),
+            its.n_lower = its.kind == HM_NACA4 ? 0 : input_.from(0, 6);
+        if (its.kind == HM_FFD && input_.one_in(3))
+            its.x_min = -size_, its.x_max = size_ * number(), its.y_max = size_;
+        if (its.kind == HM_CST && input_.one_in(2))
+            its.nose_exponent = number(), its.edge_exponent = number();
+        if (its.kind == HM_HICKS_HENNE && input_.one_in(2))
+            its.width = 3 * number(), its.peaks = peaks.data();
         hm_section const outline = section();
         const hm_section* const given = input_.one_in(2) ? &outline : nullptr;
         std::int32_t n = 0;
@@ -166,11 +187,14 @@ private:
         if (judged(status) == Outcome::refused) return Outcome::refused;
         Numbers matrix(problem_.on_walls.control.size() * static_cast<std::size_t>(n), 7),
             error(2 * static_cast<std::size_t>(n), 7);
-        status = in_block([&](std::size_t* bytes) { return hm_variables_size(&set_, given, &its, &n, bytes, &error_); },
-                          [&](void* memory, std::size_t bytes) {
-                              return hm_variables_map(&set_, given, &its, memory, bytes, matrix.data(), error.data(),
-                                                      &error_);
-                          });
+        status = in_block(
+            [&](std::size_t* bytes) {
+                return hm_variables_size(&set_, given, &its, &n, bytes, &error_);
+            },
+            [&](void* memory, std::size_t bytes) {
+                return hm_variables_map(&set_, given, &its, memory, bytes, matrix.data(),
+                                        error.data(), &error_);
+            });
         if (status < 0) expect_untouched(matrix), expect_untouched(error);
         else expect_finite(matrix, "a map of variables"), expect_finite(error, "its error");
         return judged(status);
@@ -186,7 +210,7 @@ private:
     std::deque<Block> blocks_;
 };
 
-}   // namespace
+}  // namespace
 
 Outcome run_shape(Input& input) {
     std::unique_ptr<Problem> const problem = make_problem(input);
@@ -195,4 +219,4 @@ Outcome run_shape(Input& input) {
     return Shape(*problem, input).run();
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -1,7 +1,7 @@
-// Functions of a random problem on a mesh that is twice as fine: each cell has a new point on each side, and a
-// quadrilateral another one inside. The new points of sides are half way between two coarse points, so that the
-// transferred functions have to be half way, too, up to the correction of the wall;
-// curve points have the basis functions.
+// Functions of a random problem on a mesh that is twice as fine: each cell has a new point on each
+// side, and a quadrilateral another one inside. The new points of sides are half way between two
+// coarse points, so that the transferred functions have to be half way, too, up to the correction
+// of the wall; curve points have the basis functions.
 #include "describe.hpp"
 #include "reference.hpp"
 #include "solution.hpp"
@@ -25,11 +25,14 @@ public:
             std::size_t const n = cell.size();
             Cell middle(n);
             for (std::size_t k = 0; k < n; ++k) middle[k] = between(cell[k], cell[(k + 1) % n]);
-            std::int32_t const inside =
-                n == 4 ? add({(point(cell[0]).x + point(cell[1]).x + point(cell[2]).x + point(cell[3]).x) / 4,
-                              (point(cell[0]).y + point(cell[1]).y + point(cell[2]).y + point(cell[3]).y) / 4},
-                             cell)
-                       : -1;
+            std::int32_t const inside = n == 4 ? add({(point(cell[0]).x + point(cell[1]).x +
+                                                       point(cell[2]).x + point(cell[3]).x) /
+                                                          4,
+                                                      (point(cell[0]).y + point(cell[1]).y +
+                                                       point(cell[2]).y + point(cell[3]).y) /
+                                                          4},
+                                                     cell)
+                                               : -1;
             for (std::size_t k = 0; k < n; ++k)
                 if (n == 4) add_cell({cell[k], middle[k], inside, middle[(k + 3) % 4]});
                 else add_cell({cell[k], middle[k], middle[(k + 2) % 3]});
@@ -57,7 +60,8 @@ public:
         out.face_markers = markers_.data();
         return out;
     }
-    // The coarse points between which a point is: the same one twice, the ends of a side, or the corners of a cell.
+    // The coarse points between which a point is: the same one twice, the ends of a side, or the
+    // corners of a cell.
     std::vector<Cell> const& parents() const { return parents_; }
     std::vector<std::int32_t> const& faces() const { return faces_; }
 
@@ -70,7 +74,9 @@ private:
     }
     std::int32_t between(std::int32_t a, std::int32_t b) {
         auto const [found, is_new] = middle_.try_emplace(std::minmax(a, b), 0);
-        if (is_new) found->second = add({(point(a).x + point(b).x) / 2, (point(a).y + point(b).y) / 2}, {a, b});
+        if (is_new)
+            found->second =
+                add({(point(a).x + point(b).x) / 2, (point(a).y + point(b).y) / 2}, {a, b});
         return found->second;
     }
     void add_cell(Cell const& cell) {
@@ -88,7 +94,10 @@ private:
 class Transferred {
 public:
     explicit Transferred(Solution& coarse)
-        : coarse_(coarse), fine_(coarse.problem.domain), mesh_(fine_.view()), problem_(coarse.problem.problem) {
+        : coarse_(coarse),
+          fine_(coarse.problem.domain),
+          mesh_(fine_.view()),
+          problem_(coarse.problem.problem) {
         problem_.mesh = &mesh_;
     }
 
@@ -97,14 +106,22 @@ public:
         auto const block = [this](std::size_t bytes) -> Block& { return coarse_.block(bytes); };
         hm_analysis* analysis = nullptr;
         hm_status status = make_object(
-            block, error_, [&](std::size_t* bytes) { return hm_analysis_size(&problem_, &options, bytes, &error_); },
+            block, error_,
+            [&](std::size_t* bytes) {
+                return hm_analysis_size(&problem_, &options, bytes, &error_);
+            },
             [&](void* memory, std::size_t bytes) {
                 return hm_analysis_init(&analysis, memory, bytes, &problem_, &options, &error_);
             });
-        if (status < 0) return Outcome::refused;   // the curve may leave the finer wall, or rounding invert a thin cell
+        if (status < 0)
+            return Outcome::refused;  // the curve may leave the finer wall, or rounding invert a
+                                      // thin cell
         status = make_object(
-            block, error_, [&](std::size_t* bytes) { return hm_basis_size(analysis, bytes, &error_); },
-            [&](void* memory, std::size_t bytes) { return hm_basis_init(&basis_, memory, bytes, analysis, &error_); });
+            block, error_,
+            [&](std::size_t* bytes) { return hm_basis_size(analysis, bytes, &error_); },
+            [&](void* memory, std::size_t bytes) {
+                return hm_basis_init(&basis_, memory, bytes, analysis, &error_);
+            });
         expect(status >= 0, "no basis of an analysis");
         std::size_t bytes = 0;
         hm_mesh const& from = coarse_.problem.mesh;
@@ -113,10 +130,12 @@ public:
         expect(status == HM_OK, "no size of a transfer");
         report_.struct_size = sizeof report_;
         Block& work = coarse_.block(bytes);
-        status = hm_transfer(basis_, work.data(), bytes - 1, analysis, coarse_.basis, &from, &report_, &error_);
+        status = hm_transfer(basis_, work.data(), bytes - 1, analysis, coarse_.basis, &from,
+                             &report_, &error_);
         expect(status == HM_BLOCK_TOO_SMALL, "work space that is one byte too small is taken");
         expect(report_.points == 0, "a refused call has written its report");
-        status = hm_transfer(basis_, work.data(), bytes, analysis, coarse_.basis, &from, &report_, &error_);
+        status = hm_transfer(basis_, work.data(), bytes, analysis, coarse_.basis, &from, &report_,
+                             &error_);
         expect_told(status, error_);
         coarse_.expect_intact();
         if (status < 0) {
@@ -135,18 +154,23 @@ private:
     void check() {
         hm_basis_info info{};
         info.struct_size = sizeof info;
-        expect(hm_basis_info_get(basis_, &info, &error_) == HM_OK, "no information about a transferred basis");
+        expect(hm_basis_info_get(basis_, &info, &error_) == HM_OK,
+               "no information about a transferred basis");
         expect((report_.outside == 0) == (report_.max_distance_point == -1),
                "points outside, and none that is farthest");
-        expect(std::isfinite(report_.max_distance) && report_.max_distance >= 0, "a distance that is none");
+        expect(std::isfinite(report_.max_distance) && report_.max_distance >= 0,
+               "a distance that is none");
         expect(std::isfinite(report_.wall_correction), "a correction that is not finite");
-        expect(report_.boundary_error <= 1e-11 || info.offset_correction != 0, "the wall has other basis functions");
+        expect(report_.boundary_error <= 1e-11 || info.offset_correction != 0,
+               "the wall has other basis functions");
         mark_points(info);
         Numbers coarse(at(coarse_.problem.mesh.n_points)), fine(at(mesh_.n_points));
         for (std::int32_t i = 0; i < info.functions; ++i)
             for (std::int32_t number = 0; number < info.numbers_per_value; ++number) {
-                expect(hm_basis_values(coarse_.basis, i, number, coarse.data(), &error_) == HM_OK, "no coarse values");
-                expect(hm_basis_values(basis_, i, number, fine.data(), &error_) == HM_OK, "no values");
+                expect(hm_basis_values(coarse_.basis, i, number, coarse.data(), &error_) == HM_OK,
+                       "no coarse values");
+                expect(hm_basis_values(basis_, i, number, fine.data(), &error_) == HM_OK,
+                       "no values");
                 between(coarse, fine);
             }
         if (info.offset_correction == 0) on_curves(info);
@@ -163,9 +187,11 @@ private:
         Judged const judged = judge_by_header(coarse_.problem.domain);
         std::vector<Point> const& points = coarse_.problem.domain.points;
         for (JudgedCorner const& its : judged.corners) {
-            Point const a = points[at(its.before)], b = points[at(its.here)], c = points[at(its.after)];
+            Point const a = points[at(its.before)], b = points[at(its.here)],
+                        c = points[at(its.after)];
             area = std::min(area, std::abs((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x)));
-            side = std::max({side, std::hypot(b.x - a.x, b.y - a.y), std::hypot(c.x - b.x, c.y - b.y)});
+            side = std::max(
+                {side, std::hypot(b.x - a.x, b.y - a.y), std::hypot(c.x - b.x, c.y - b.y)});
         }
         rounding_ = 1e-12 + 1e-14 * (coarse_.problem.size() / area) * side;
     }
@@ -175,7 +201,9 @@ private:
     void between(Numbers const& coarse, Numbers const& fine) const {
         double largest = 0, correction = 0;
         for (double const its : coarse) largest = std::max(largest, std::abs(its));
-        auto const mean = [&](Cell const& of) { return (coarse[at(of[0])] + coarse[at(of[1])]) / 2; };
+        auto const mean = [&](Cell const& of) {
+            return (coarse[at(of[0])] + coarse[at(of[1])]) / 2;
+        };
         for (std::size_t k = 0; k < fine.size(); ++k)
             if (what_[k] == What::on_curve)
                 correction = std::max(correction, std::abs(fine[k] - mean(fine_.parents()[k])));
@@ -185,7 +213,8 @@ private:
             if (what_[k] != What::inside) continue;
             Cell const& from = fine_.parents()[k];
             if (from.size() == 2) {
-                expect(std::abs(fine[k] - mean(from)) <= within, "a point half way has a function that is not");
+                expect(std::abs(fine[k] - mean(from)) <= within,
+                       "a point half way has a function that is not");
                 continue;
             }
             double least = coarse[at(from[0])], most = least;
@@ -203,7 +232,8 @@ private:
             for (std::int32_t slot = 0; slot < info.curve_points; ++slot) {
                 if (info.point_curve[slot] >= info.curves) continue;
                 double const expected =
-                    basis_functions(coarse_.problem.on_walls.view, info.point_curve[slot], info.point_u[slot])[at(i)];
+                    basis_functions(coarse_.problem.on_walls.view, info.point_curve[slot],
+                                    info.point_u[slot])[at(i)];
                 expect(std::abs(fine[at(info.curve_point[slot])] - expected) < 1e-11,
                        "a curve point has another function");
             }
@@ -223,7 +253,7 @@ private:
     double rounding_ = 0;
 };
 
-}   // namespace
+}  // namespace
 
 Outcome run_transfer(Input& input) {
     std::unique_ptr<Problem> const problem = make_problem(input);
@@ -236,4 +266,4 @@ Outcome run_transfer(Input& input) {
     }
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

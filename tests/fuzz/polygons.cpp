@@ -8,25 +8,27 @@ namespace fuzz {
 namespace {
 
 using Wide = long double;
-using Side = std::pair<std::int32_t, std::int32_t>;   // from a point to the next one of a cell
+using Side = std::pair<std::int32_t, std::int32_t>;  // from a point to the next one of a cell
 constexpr std::size_t most_corners = 10;
 
 std::map<Side, std::size_t> cells_by_side(std::vector<Cell> const& cells) {
     std::map<Side, std::size_t> out;
     for (std::size_t c = 0; c < cells.size(); ++c)
-        for (std::size_t k = 0; k < cells[c].size(); ++k) out[{cells[c][k], cells[c][(k + 1) % cells[c].size()]}] = c;
+        for (std::size_t k = 0; k < cells[c].size(); ++k)
+            out[{cells[c][k], cells[c][(k + 1) % cells[c].size()]}] = c;
     return out;
 }
 
 std::size_t common_points(Cell const& a, Cell const& b) {
-    return static_cast<std::size_t>(
-        std::count_if(a.begin(), a.end(), [&](std::int32_t k) { return std::find(b.begin(), b.end(), k) != b.end(); }));
+    return static_cast<std::size_t>(std::count_if(a.begin(), a.end(), [&](std::int32_t k) {
+        return std::find(b.begin(), b.end(), k) != b.end();
+    }));
 }
 
 // a without its side from `from` to `to`, and in place of that the rest of b.
 Cell merged(Cell a, Cell b, std::int32_t from, std::int32_t to) {
-    std::rotate(a.begin(), std::find(a.begin(), a.end(), to), a.end());       // to ... from
-    std::rotate(b.begin(), std::find(b.begin(), b.end(), from), b.end());     // from ... to
+    std::rotate(a.begin(), std::find(a.begin(), a.end(), to), a.end());    // to ... from
+    std::rotate(b.begin(), std::find(b.begin(), b.end(), from), b.end());  // from ... to
     a.insert(a.end(), b.begin() + 1, b.end() - 1);
     return a;
 }
@@ -39,9 +41,12 @@ void merge_some(Domain& domain, Input& input) {
             std::size_t const k = input.below(static_cast<std::uint32_t>(cells[c].size()));
             std::int32_t const from = cells[c][k], to = cells[c][(k + 1) % cells[c].size()];
             auto const other = cell_at.find({to, from});
-            if (other == cell_at.end() || cells[c].size() + cells[other->second].size() > most_corners) continue;
+            if (other == cell_at.end() ||
+                cells[c].size() + cells[other->second].size() > most_corners)
+                continue;
             std::size_t const d = other->second;
-            if (common_points(cells[c], cells[d]) != 2) continue;   // else a point would be left inside
+            if (common_points(cells[c], cells[d]) != 2)
+                continue;  // else a point would be left inside
             cells[c] = merged(cells[c], cells[d], from, to);
             cells[d].clear();
             for (std::size_t i = 0; i < cells[c].size(); ++i)
@@ -50,7 +55,9 @@ void merge_some(Domain& domain, Input& input) {
             cell_at.erase({to, from});
         }
     }
-    cells.erase(std::remove_if(cells.begin(), cells.end(), [](Cell const& cell) { return cell.empty(); }), cells.end());
+    cells.erase(
+        std::remove_if(cells.begin(), cells.end(), [](Cell const& cell) { return cell.empty(); }),
+        cells.end());
 }
 
 void split_edges(Domain& domain, Input& input) {
@@ -59,7 +66,8 @@ void split_edges(Domain& domain, Input& input) {
         auto const [from, to] = side;
         auto const other = cell_at.find({to, from});
         if (from > to || other == cell_at.end() || !input.one_in(12)) continue;
-        Point const a = domain.points[static_cast<std::size_t>(from)], b = domain.points[static_cast<std::size_t>(to)];
+        Point const a = domain.points[static_cast<std::size_t>(from)],
+                    b = domain.points[static_cast<std::size_t>(to)];
         std::int32_t const middle = static_cast<std::int32_t>(domain.points.size());
         domain.points.push_back({a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2});
         Cell &left = domain.cells[c], &right = domain.cells[other->second];
@@ -72,7 +80,8 @@ struct WidePoint {
     Wide x, y;
 };
 
-// The header: convex if the tangent of the exterior angle is above 1/8, flat within this tolerance, or reflex.
+// The header: convex if the tangent of the exterior angle is above 1/8, flat within this tolerance,
+// or reflex.
 enum class Kind { convex, flat, reflex };
 Kind kind_of(WidePoint a, WidePoint b, WidePoint c) {
     Wide const ux = b.x - a.x, uy = b.y - a.y, vx = c.x - b.x, vy = c.y - b.y;
@@ -80,12 +89,14 @@ Kind kind_of(WidePoint a, WidePoint b, WidePoint c) {
     return turn > limit ? Kind::convex : turn < -limit ? Kind::reflex : Kind::flat;
 }
 
-// The division whose worst triangle is best, and so on in its parts: shapes are area / sum of squared sides.
+// The division whose worst triangle is best, and so on in its parts: shapes are area / sum of
+// squared sides.
 class Division {
 public:
     explicit Division(std::vector<WidePoint> const& at) : at_(at), known_(at.size() * at.size()) {}
 
-    // The triangles between the corners i .. j, behind `out`; false: there are two ways that are equally good.
+    // The triangles between the corners i .. j, behind `out`; false: there are two ways that are
+    // equally good.
     bool collect(std::size_t i, std::size_t j, std::vector<std::array<std::size_t, 3>>& out) {
         if (j == i + 1) return true;
         Part const part = best(i, j);
@@ -128,7 +139,7 @@ private:
     std::vector<Part> known_;
 };
 
-}   // namespace
+}  // namespace
 
 void make_polygons(Domain& domain, Input& input) {
     domain.has_polygons = true;
@@ -151,8 +162,10 @@ Judged judge_by_header(Domain const& domain) {
             at.push_back({Wide(p.x) - origin.x, Wide(p.y) - origin.y});
         }
         std::vector<Kind> kinds;
-        for (std::size_t k = 0; k < n; ++k) kinds.push_back(kind_of(at[(k + n - 1) % n], at[k], at[(k + 1) % n]));
-        bool const is_convex = std::count(kinds.begin(), kinds.end(), Kind::convex) == std::ptrdiff_t(n);
+        for (std::size_t k = 0; k < n; ++k)
+            kinds.push_back(kind_of(at[(k + n - 1) % n], at[k], at[(k + 1) % n]));
+        bool const is_convex =
+            std::count(kinds.begin(), kinds.end(), Kind::convex) == std::ptrdiff_t(n);
         bool const whole = n == 3 || (n == 4 && (is_convex || !domain.has_polygons));
         out.is_divided.push_back(!whole);
         for (std::size_t k = 0; k < n; ++k) {
@@ -175,4 +188,4 @@ Judged judge_by_header(Domain const& domain) {
     return out;
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -5,12 +5,12 @@
 
 namespace fuzz {
 
-// Some cells become one with a neighbour, and some edges inside get a point in their middle: polygons, convex or not,
-// with hanging nodes. From then on has_polygons.
+// Some cells become one with a neighbour, and some edges inside get a point in their middle:
+// polygons, convex or not, with hanging nodes. From then on has_polygons.
 void make_polygons(Domain& domain, Input& input);
 
-// Three points of a cell, counter-clockwise: the area at `here` between its two sides, the first one turned back by an
-// angle of this cosine and sine, has to be positive.
+// Three points of a cell, counter-clockwise: the area at `here` between its two sides, the first
+// one turned back by an angle of this cosine and sine, has to be positive.
 struct JudgedCorner {
     std::size_t cell;
     std::int32_t before, here, after;
@@ -18,14 +18,14 @@ struct JudgedCorner {
 };
 
 struct Judged {
-    std::vector<JudgedCorner> corners;       // of each cell in turn
-    std::vector<std::array<std::int32_t, 3>> triangles; // of divided cells
-    std::vector<bool> is_divided;            // [cells]
-    std::int32_t ambiguous = 0;              // cells with two divisions that are equally good: no triangles
+    std::vector<JudgedCorner> corners;                   // of each cell in turn
+    std::vector<std::array<std::int32_t, 3>> triangles;  // of divided cells
+    std::vector<bool> is_divided;                        // [cells]
+    std::int32_t ambiguous = 0;  // cells with two divisions that are equally good: no triangles
 };
 
-// Of cells as they are listed, which run counter-clockwise. Divisions are found by recursion, in more digits than the
-// library has.
+// Of cells as they are listed, which run counter-clockwise. Divisions are found by recursion, in
+// more digits than the library has.
 Judged judge_by_header(Domain const& domain);
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -17,12 +17,14 @@ std::int32_t count(std::size_t n) { return static_cast<std::int32_t>(n); }
 void write_points(Problem& its, Input& input) {
     std::size_t const n = its.domain.points.size(), stride = input.below(3) + 1u;
     bool const interleaved = stride > 1 && input.one_in(2);
-    std::size_t const reach = (n - 1) * stride + 1;   // nothing behind the last point is read
+    std::size_t const reach = (n - 1) * stride + 1;  // nothing behind the last point is read
     its.coordinates.assign(interleaved ? reach + 1 : 2 * reach, 0.0);
     double* const x = its.coordinates.data();
     double* const y = interleaved ? x + 1 : x + reach;
-    for (std::size_t k = 0; k < n; ++k) x[k * stride] = its.domain.points[k].x, y[k * stride] = its.domain.points[k].y;
-    its.mesh.points = {x, y, static_cast<std::int64_t>(stride == 1 && input.one_in(2) ? 0 : stride)};
+    for (std::size_t k = 0; k < n; ++k)
+        x[k * stride] = its.domain.points[k].x, y[k * stride] = its.domain.points[k].y;
+    its.mesh.points = {x, y,
+                       static_cast<std::int64_t>(stride == 1 && input.one_in(2) ? 0 : stride)};
 }
 
 void write_cells(Problem& its, Input& input) {
@@ -41,7 +43,8 @@ void write_cells(Problem& its, Input& input) {
     }
     mesh.n_cells = count(cells.size());
     auto const put = [&](std::vector<std::int32_t>& to, Cell const& cell, std::size_t width) {
-        for (std::size_t k = 0; k < width; ++k) to.push_back(cell[std::min(k, cell.size() - 1)] + mesh.index_base);
+        for (std::size_t k = 0; k < width; ++k)
+            to.push_back(cell[std::min(k, cell.size() - 1)] + mesh.index_base);
     };
     std::uint32_t const layout = its.domain.has_polygons ? 3 : input.below(4);
     if (its.domain.ni > 0 && layout == 0) {
@@ -89,8 +92,8 @@ void write_boundary(Problem& its, Input& input) {
             its.face_markers.push_back(face.marker);
             continue;
         }
-        bool const goes_on =
-            k > 0 && its.domain.faces[k - 1].to == face.from && its.domain.faces[k - 1].marker == face.marker;
+        bool const goes_on = k > 0 && its.domain.faces[k - 1].to == face.from &&
+                             its.domain.faces[k - 1].marker == face.marker;
         if (!goes_on) {
             if (k > 0) its.list_start.push_back(count(its.lists.size()) + mesh.index_base);
             its.lists.push_back(face.from + mesh.index_base);
@@ -110,7 +113,8 @@ void write_boundary(Problem& its, Input& input) {
 
 std::vector<Point> points_of(Domain const& domain, std::vector<std::int32_t> const& numbers) {
     std::vector<Point> points;
-    for (std::int32_t const k : numbers) points.push_back(domain.points[static_cast<std::size_t>(k)]);
+    for (std::int32_t const k : numbers)
+        points.push_back(domain.points[static_cast<std::size_t>(k)]);
     return points;
 }
 
@@ -139,13 +143,15 @@ void write_conditions(Problem& its, Input& input) {
         if (its.domain.walls_are_loops && input.one_in(3)) {
             hm_condition& body = add(marker, HM_RIGID);
             body.body = bodies++;
-            Point const start = its.domain.points[static_cast<std::size_t>(its.domain.walls[wall][0])];
+            Point const start =
+                its.domain.points[static_cast<std::size_t>(its.domain.walls[wall][0])];
             body.x = start.x;
             body.y = start.y;
             continue;
         }
         std::int32_t const first = count(its.on_walls.curve.size());
-        its.on_walls.add(points_of(its.domain, its.domain.walls[wall]), its.domain.walls_are_loops, input);
+        its.on_walls.add(points_of(its.domain, its.domain.walls[wall]), its.domain.walls_are_loops,
+                         input);
         hm_condition& on_curve = add(marker, HM_ON_CURVE);
         on_curve.first_curve = first;
         on_curve.n_curves = count(its.on_walls.curve.size()) - first;
@@ -158,7 +164,8 @@ void write_conditions(Problem& its, Input& input) {
             if (points.empty()) continue;
             hm_condition& slips = add(marker, HM_SLIP);
             if (input.one_in(2)) continue;
-            bool const is_loop = points.front().x == points.back().x && points.front().y == points.back().y;
+            bool const is_loop =
+                points.front().x == points.back().x && points.front().y == points.back().y;
             if (is_loop) points.pop_back();
             CurveArrays& along = its.along[marker - 2];
             along.add(points, is_loop, input);
@@ -184,7 +191,8 @@ void choose_options(Problem& its, Input& input) {
     hm_options& o = its.options = sized<hm_options>();
     o.operator_kind = input.from(0, 2);
     if (o.operator_kind != HM_CONFORMAL && input.one_in(3)) o.scheme = input.any_of({2, 2, 1, 3});
-    if (o.operator_kind != HM_CONFORMAL && o.scheme != HM_BOUNDED && input.one_in(3)) o.engine = input.from(1, 2);
+    if (o.operator_kind != HM_CONFORMAL && o.scheme != HM_BOUNDED && input.one_in(3))
+        o.engine = input.from(1, 2);
     if (o.engine == HM_DIRECT && input.one_in(4)) o.precision = HM_SINGLE;
     if (o.engine != HM_DIRECT) {
         o.levels = input.from(0, 3);
@@ -197,13 +205,13 @@ void choose_options(Problem& its, Input& input) {
     if (!input.one_in(4)) return;
     its.executor = sized<hm_executor>();
     its.executor.run = [](void*, std::int32_t n, void (*task)(void*, std::int32_t), void* context) {
-        while (n-- > 0) task(context, n);   // in another order
+        while (n-- > 0) task(context, n);  // in another order
     };
     its.executor.n_threads = input.from(1, 5);
     o.executor = &its.executor;
 }
 
-}   // namespace
+}  // namespace
 
 std::int32_t Problem::functions() const {
     std::int32_t bodies = 0;
@@ -240,4 +248,4 @@ std::unique_ptr<Problem> make_problem(Input& input, Cells cells) {
     return out;
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -14,22 +14,26 @@ WidePoint operator-(WidePoint a, WidePoint b) { return {a.x - b.x, a.y - b.y}; }
 Wide cross(WidePoint a, WidePoint b) { return a.x * b.y - a.y * b.x; }
 Wide dot(WidePoint a, WidePoint b) { return a.x * b.x + a.y * b.y; }
 
-// Twice the area of a corner, its first side turned back, less `sine` times the lengths of its sides. Products of
-// differences of doubles need 128 bits.
+// Twice the area of a corner, its first side turned back, less `sine` times the lengths of its
+// sides. Products of differences of doubles need 128 bits.
 __float128 corner(std::vector<Point> const& at, JudgedCorner const& its, double sine = 0) {
     auto const p = [&](std::int32_t k) { return at[static_cast<std::size_t>(k)]; };
-    __float128 const ax = __float128(p(its.here).x) - p(its.before).x, ay = __float128(p(its.here).y) - p(its.before).y;
-    __float128 const bx = __float128(p(its.after).x) - p(its.here).x, by = __float128(p(its.after).y) - p(its.here).y;
+    __float128 const ax = __float128(p(its.here).x) - p(its.before).x,
+                     ay = __float128(p(its.here).y) - p(its.before).y;
+    __float128 const bx = __float128(p(its.after).x) - p(its.here).x,
+                     by = __float128(p(its.after).y) - p(its.here).y;
     __float128 const area = its.cosine * (ax * by - ay * bx) + its.sine * (ax * bx + ay * by);
     if (sine == 0) return area;
-    return area - sine * (std::hypot(Wide(ax), Wide(ay)) * __float128(std::hypot(Wide(bx), Wide(by))));
+    return area -
+           sine * (std::hypot(Wide(ax), Wide(ay)) * __float128(std::hypot(Wide(bx), Wide(by))));
 }
-__float128 corner(std::vector<Point> const& at, std::int32_t before, std::int32_t here, std::int32_t after) {
+__float128 corner(std::vector<Point> const& at, std::int32_t before, std::int32_t here,
+                  std::int32_t after) {
     return corner(at, {0, before, here, after});
 }
 int sign(__float128 x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
-}   // namespace
+}  // namespace
 
 std::int32_t inverted_cells(Judged const& judged, std::vector<Point> const& at, double sine) {
     std::vector<bool> is_inverted(judged.is_divided.size(), false);
@@ -47,28 +51,35 @@ Crossings find_crossings(Domain const& domain, std::vector<Point> const& at) {
     for (std::size_t i = 0; i < domain.faces.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
             Face const &f = domain.faces[i], &g = domain.faces[j];
-            if (same(f.from, g.from) || same(f.from, g.to) || same(f.to, g.from) || same(f.to, g.to)) {
-                out.touches = true;   // may coincide or lie on each other; not judged here
+            if (same(f.from, g.from) || same(f.from, g.to) || same(f.to, g.from) ||
+                same(f.to, g.to)) {
+                out.touches = true;  // may coincide or lie on each other; not judged here
                 continue;
             }
-            int const a = sign(corner(at, f.from, f.to, g.from)), b = sign(corner(at, f.from, f.to, g.to));
-            int const c = sign(corner(at, g.from, g.to, f.from)), d = sign(corner(at, g.from, g.to, f.to));
+            int const a = sign(corner(at, f.from, f.to, g.from)),
+                      b = sign(corner(at, f.from, f.to, g.to));
+            int const c = sign(corner(at, g.from, g.to, f.from)),
+                      d = sign(corner(at, g.from, g.to, f.to));
             out.crosses = out.crosses || (a * b < 0 && c * d < 0);
         }
     return out;
 }
 
-double smallest_sine(Judged const& judged, std::vector<Point> const& at, std::vector<Point> const& by, double step) {
+double smallest_sine(Judged const& judged, std::vector<Point> const& at,
+                     std::vector<Point> const& by, double step) {
     Wide least = 1;
     // From one point to another; differences first: of large numbers nothing would be left.
     auto const edge = [](std::vector<Point> const& of, std::int32_t from, std::int32_t to) {
         return wide(of[static_cast<std::size_t>(to)]) - wide(of[static_cast<std::size_t>(from)]);
     };
-    auto const lengths = [](WidePoint a, WidePoint b) { return std::sqrt(dot(a, a)) * std::sqrt(dot(b, b)); };
+    auto const lengths = [](WidePoint a, WidePoint b) {
+        return std::sqrt(dot(a, a)) * std::sqrt(dot(b, b));
+    };
     for (JudgedCorner const& its : judged.corners) {
         WidePoint const a0 = edge(at, its.before, its.here), b0 = edge(at, its.here, its.after);
         WidePoint const u = edge(by, its.before, its.here), v = edge(by, its.here, its.after);
-        WidePoint const a{a0.x + step * u.x, a0.y + step * u.y}, b{b0.x + step * v.x, b0.y + step * v.y};
+        WidePoint const a{a0.x + step * u.x, a0.y + step * u.y},
+            b{b0.x + step * v.x, b0.y + step * v.y};
         Wide const area = its.cosine * cross(a, b) + its.sine * dot(a, b);
         least = std::min(least, area / std::max(lengths(a, b), lengths(a0, b0)));
     }
@@ -80,7 +91,7 @@ std::vector<double> basis_functions(hm_curves const& curves, std::int32_t number
     std::int32_t const degree = curve.degree, n = curve.n_indices;
     const double* const knot = curve.knots;
     std::vector<Wide> value(static_cast<std::size_t>(n + degree), 0);
-    std::int32_t span = degree;   // the last one that is not empty and begins at or before u
+    std::int32_t span = degree;  // the last one that is not empty and begins at or before u
     for (std::int32_t k = degree; k < n; ++k)
         if (knot[k] < knot[k + 1] && knot[k] <= u) span = k;
     value[static_cast<std::size_t>(span)] = 1;
@@ -88,16 +99,19 @@ std::vector<double> basis_functions(hm_curves const& curves, std::int32_t number
         for (std::int32_t k = 0; k + p < n + degree; ++k) {
             Wide const left = Wide(knot[k + p]) - knot[k],
                        right = k + p + 1 < n + degree + 1 ? Wide(knot[k + p + 1]) - knot[k + 1] : 0;
-            Wide const here = value[static_cast<std::size_t>(k)], next = value[static_cast<std::size_t>(k + 1)];
+            Wide const here = value[static_cast<std::size_t>(k)],
+                       next = value[static_cast<std::size_t>(k + 1)];
             value[static_cast<std::size_t>(k)] =
-                (left > 0 ? (u - knot[k]) / left * here : 0) + (right > 0 ? (knot[k + p + 1] - u) / right * next : 0);
+                (left > 0 ? (u - knot[k]) / left * here : 0) +
+                (right > 0 ? (knot[k + p + 1] - u) / right * next : 0);
         }
     std::vector<Wide> sum(static_cast<std::size_t>(curves.n_control), 0);
     Wide total = 0;
     for (std::int32_t k = 0; k < n; ++k) {
-        std::size_t const c =
-            static_cast<std::size_t>(curve.indices != nullptr ? curve.indices[k] - curves.index_base : k);
-        Wide const part = value[static_cast<std::size_t>(k)] * (curves.weights != nullptr ? curves.weights[c] : 1);
+        std::size_t const c = static_cast<std::size_t>(
+            curve.indices != nullptr ? curve.indices[k] - curves.index_base : k);
+        Wide const part = value[static_cast<std::size_t>(k)] *
+                          (curves.weights != nullptr ? curves.weights[c] : 1);
         sum[c] += part;
         total += part;
     }
@@ -106,23 +120,26 @@ std::vector<double> basis_functions(hm_curves const& curves, std::int32_t number
     return out;
 }
 
-double laplace_residual(Domain const& domain, Judged const& judged, std::vector<double> const& values,
-                        std::vector<bool> const& inside) {
+double laplace_residual(Domain const& domain, Judged const& judged,
+                        std::vector<double> const& values, std::vector<bool> const& inside) {
     std::vector<Wide> sum(values.size(), 0), size(values.size(), 0);
     Wide largest = 0;
     for (double const value : values) largest = std::max(largest, std::abs(Wide(value)));
     auto const add_triangle = [&](std::int32_t a, std::int32_t b, std::int32_t c, Wide part) {
-        std::size_t const k[] = {static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)};
-        WidePoint const p[] = {wide(domain.points[k[0]]), wide(domain.points[k[1]]), wide(domain.points[k[2]])};
+        std::size_t const k[] = {static_cast<std::size_t>(a), static_cast<std::size_t>(b),
+                                 static_cast<std::size_t>(c)};
+        WidePoint const p[] = {wide(domain.points[k[0]]), wide(domain.points[k[1]]),
+                               wide(domain.points[k[2]])};
         Wide const area = cross(p[1] - p[0], p[2] - p[0]);
-        for (int i = 0; i < 3; ++i) {   // the edge opposite to corner i has half its cotangent
+        for (int i = 0; i < 3; ++i) {  // the edge opposite to corner i has half its cotangent
             std::size_t const j = k[(i + 1) % 3], l = k[(i + 2) % 3];
             Wide const weight = part * dot(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]) / area / 2;
             Wide const flux = weight * (Wide(values[l]) - values[j]);
             sum[j] += flux;
             sum[l] -= flux;
             for (std::size_t const end : {j, l})
-                size[end] += std::abs(weight) * (std::abs(values[l]) + std::abs(values[j]) + 1e-3L * largest);
+                size[end] += std::abs(weight) *
+                             (std::abs(values[l]) + std::abs(values[j]) + 1e-3L * largest);
         }
     };
     for (auto const& [a, b, c] : judged.triangles) add_triangle(a, b, c, 1);
@@ -140,8 +157,9 @@ double laplace_residual(Domain const& domain, Judged const& judged, std::vector<
     }
     double worst = 0;
     for (std::size_t k = 0; k < values.size(); ++k)
-        if (inside[k] && size[k] > 0) worst = std::max(worst, static_cast<double>(std::abs(sum[k]) / size[k]));
+        if (inside[k] && size[k] > 0)
+            worst = std::max(worst, static_cast<double>(std::abs(sum[k]) / size[k]));
     return worst;
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

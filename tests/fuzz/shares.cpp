@@ -1,4 +1,5 @@
-// Shares of the functions, rows for lists of points, and sums of gradients: bit by bit those of the whole basis.
+// Shares of the functions, rows for lists of points, and sums of gradients: bit by bit those of the
+// whole basis.
 #include "work_in_parts.hpp"
 
 #include <harmorph_distributed.h>
@@ -12,10 +13,13 @@ using Numbers = std::vector<double>;
 
 class Shares {
 public:
-    Shares(Solution& whole, Input& input) : its_(whole), input_(input), n_(whole.problem.domain.points.size()) {
+    Shares(Solution& whole, Input& input)
+        : its_(whole), input_(input), n_(whole.problem.domain.points.size()) {
         info_.struct_size = sizeof info_;
-        expect(hm_basis_info_get(its_.basis, &info_, &error_) == HM_OK, "no information about a solved basis");
-        for (std::int32_t k = 0; k < its_.problem.mesh.n_points; ++k) lists_[input_.below(2)].push_back(k);
+        expect(hm_basis_info_get(its_.basis, &info_, &error_) == HM_OK,
+               "no information about a solved basis");
+        for (std::int32_t k = 0; k < its_.problem.mesh.n_points; ++k)
+            lists_[input_.below(2)].push_back(k);
     }
 
     void all() {
@@ -28,7 +32,8 @@ public:
 private:
     template <class Size, class Init>
     hm_status object(Size const& size, Init const& init) {
-        return make_object([this](std::size_t bytes) -> Block& { return its_.block(bytes); }, error_, size, init);
+        return make_object([this](std::size_t bytes) -> Block& { return its_.block(bytes); },
+                           error_, size, init);
     }
 
     hm_basis* share(std::int32_t part, std::int32_t n_parts) {
@@ -38,7 +43,9 @@ private:
         expect(first == next_ && n >= 0, "shares have gaps");
         next_ = first + n;
         hm_status const status = object(
-            [&](std::size_t* bytes) { return hm_share_size(its_.analysis, first, n, bytes, &error_); },
+            [&](std::size_t* bytes) {
+                return hm_share_size(its_.analysis, first, n, bytes, &error_);
+            },
             [&](void* memory, std::size_t bytes) {
                 return hm_share_init(&made, memory, bytes, its_.analysis, first, n, &error_);
             });
@@ -60,15 +67,18 @@ private:
             if (part == 0) {
                 std::size_t bytes = 0;
                 expect(hm_extract_size(its, n, &bytes, &error_) == HM_OK, "no size of rows");
-                expect(hm_extract_init(&rows, its_.block(bytes).data(), bytes, its, n, points.data(), &error_) == HM_OK,
+                expect(hm_extract_init(&rows, its_.block(bytes).data(), bytes, its, n,
+                                       points.data(), &error_) == HM_OK,
                        "no rows: " + std::string(error_.text));
-                if (n_parts == 1) break;   // all functions: the rows have their values
+                if (n_parts == 1) break;  // all functions: the rows have their values
             }
             std::int64_t doubles = 0;
             expect(hm_parcel_size(its, n, &doubles, &error_) == HM_OK, "no size of a parcel");
             Numbers parcel(static_cast<std::size_t>(doubles));
-            expect(hm_parcel_pack(its, n, points.data(), parcel.data(), &error_) == HM_OK, "no parcel");
-            expect(hm_parcel_unpack(rows, parcel.data(), doubles - 1, &error_) < 0, "a truncated parcel is taken");
+            expect(hm_parcel_pack(its, n, points.data(), parcel.data(), &error_) == HM_OK,
+                   "no parcel");
+            expect(hm_parcel_unpack(rows, parcel.data(), doubles - 1, &error_) < 0,
+                   "a truncated parcel is taken");
             expect(hm_parcel_unpack(rows, parcel.data(), doubles, &error_) == HM_OK,
                    "a parcel is refused: " + std::string(error_.text));
         }
@@ -76,18 +86,23 @@ private:
         Numbers of_rows(list.size()), of_all(n_);
         for (std::int32_t i = 0; i < info_.functions; ++i)
             for (std::int32_t number = 0; number < info_.numbers_per_value; ++number) {
-                expect(hm_basis_values(rows, i, number, of_rows.data(), &error_) == HM_OK, "no values of rows");
-                expect(hm_basis_values(its_.basis, i, number, of_all.data(), &error_) == HM_OK, "no values");
+                expect(hm_basis_values(rows, i, number, of_rows.data(), &error_) == HM_OK,
+                       "no values of rows");
+                expect(hm_basis_values(its_.basis, i, number, of_all.data(), &error_) == HM_OK,
+                       "no values");
                 for (std::size_t k = 0; k < list.size(); ++k)
-                    expect(of_rows[k] == of_all[static_cast<std::size_t>(list[k])], "a share has other bits");
+                    expect(of_rows[k] == of_all[static_cast<std::size_t>(list[k])],
+                           "a share has other bits");
             }
     }
 
     // Sums of two lists, elementwise, and the whole: bit by bit.
     void gradient() {
-        std::size_t const n_sums = 4 * static_cast<std::size_t>(info_.functions * info_.numbers_per_value);
+        std::size_t const n_sums =
+            4 * static_cast<std::size_t>(info_.functions * info_.numbers_per_value);
         Numbers x(n_), y(n_), whole(2 * static_cast<std::size_t>(info_.functions)), summed = whole;
-        for (std::size_t k = 0; k < n_; ++k) x[k] = input_.between(-1, 1), y[k] = input_.between(-1, 1);
+        for (std::size_t k = 0; k < n_; ++k)
+            x[k] = input_.between(-1, 1), y[k] = input_.between(-1, 1);
         if (input_.one_in(8)) x[input_.below(static_cast<std::uint32_t>(n_))] = input_.wild();
         hm_points const dj{x.data(), y.data(), 1};
         expect(hm_adjoint(its_.basis, &dj, whole.data(), nullptr, &error_) == HM_OK, "no gradient");
@@ -104,17 +119,20 @@ private:
                 hm_points const of{part_x[p].data(), part_y[p].data(), 1};
                 std::int32_t its = 0;
                 if (pass == 0) {
-                    expect(hm_adjoint_scale(its_.basis, &of, &its, nullptr, &error_) == HM_OK, "no scale");
+                    expect(hm_adjoint_scale(its_.basis, &of, &its, nullptr, &error_) == HM_OK,
+                           "no scale");
                     scale = p == 0 ? its : std::max(scale, its);
                     continue;
                 }
-                expect(hm_adjoint_sums(its_.basis, &of, scale, of_part.data(), nullptr, &error_) == HM_OK,
+                expect(hm_adjoint_sums(its_.basis, &of, scale, of_part.data(), nullptr, &error_) ==
+                           HM_OK,
                        "no sums: " + std::string(error_.text));
                 for (std::size_t k = 0; k < n_sums; ++k)
                     sums[k] = static_cast<std::int64_t>(static_cast<std::uint64_t>(sums[k]) +
                                                         static_cast<std::uint64_t>(of_part[k]));
             }
-        expect(hm_adjoint_finish(its_.basis, scale, sums.data(), summed.data(), &error_) == HM_OK, "no total");
+        expect(hm_adjoint_finish(its_.basis, scale, sums.data(), summed.data(), &error_) == HM_OK,
+               "no total");
         for (std::size_t k = 0; k < whole.size(); ++k)
             expect(whole[k] == summed[k] || (std::isnan(whole[k]) && std::isnan(summed[k])),
                    "sums of parts have other bits");
@@ -129,8 +147,8 @@ private:
     std::int32_t next_ = 0;
 };
 
-}   // namespace
+}  // namespace
 
 void check_shares(Solution& whole, Input& input) { Shares(whole, input).all(); }
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -11,7 +11,8 @@ void expect_told(hm_status status, hm_error const& error) {
 }
 
 Block& Solution::block(std::size_t bytes) {
-    blocks_.emplace_back(bytes, input_.one_in(2) ? input_.below(64) : 0, input_.any_of({0, 0xFF, 0x7F, 0xA5}));
+    blocks_.emplace_back(bytes, input_.one_in(2) ? input_.below(64) : 0,
+                         input_.any_of({0, 0xFF, 0x7F, 0xA5}));
     return blocks_.back();
 }
 
@@ -21,18 +22,27 @@ void Solution::expect_intact() const {
 
 Solution::Solution(Problem const& its_problem, Input& input) : problem(its_problem), input_(input) {
     auto const make = [&](auto const& size, auto const& init) {
-        status = make_object([this](std::size_t bytes) -> Block& { return block(bytes); }, error, size, init);
+        status = make_object([this](std::size_t bytes) -> Block& { return block(bytes); }, error,
+                             size, init);
         return status >= 0;
     };
     bool const made =
-        make([&](std::size_t* bytes) { return hm_analysis_size(&problem.problem, &problem.options, bytes, &error); },
-             [&](void* memory, std::size_t bytes) {
-                 return hm_analysis_init(&analysis, memory, bytes, &problem.problem, &problem.options, &error);
-             }) &&
+        make(
+            [&](std::size_t* bytes) {
+                return hm_analysis_size(&problem.problem, &problem.options, bytes, &error);
+            },
+            [&](void* memory, std::size_t bytes) {
+                return hm_analysis_init(&analysis, memory, bytes, &problem.problem,
+                                        &problem.options, &error);
+            }) &&
         make([&](std::size_t* bytes) { return hm_plan_size(analysis, bytes, &error); },
-             [&](void* memory, std::size_t bytes) { return hm_plan_init(&plan, memory, bytes, analysis, &error); }) &&
+             [&](void* memory, std::size_t bytes) {
+                 return hm_plan_init(&plan, memory, bytes, analysis, &error);
+             }) &&
         make([&](std::size_t* bytes) { return hm_basis_size(analysis, bytes, &error); },
-             [&](void* memory, std::size_t bytes) { return hm_basis_init(&basis, memory, bytes, analysis, &error); });
+             [&](void* memory, std::size_t bytes) {
+                 return hm_basis_init(&basis, memory, bytes, analysis, &error);
+             });
     if (!made) return;
     status = hm_plan_factor(plan, nullptr, &error);
     expect_told(status, error);
@@ -43,4 +53,4 @@ Solution::Solution(Problem const& its_problem, Input& input) : problem(its_probl
     expect_intact();
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

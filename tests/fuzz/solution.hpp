@@ -1,4 +1,5 @@
-// A problem on its way through the calls: analysis, plan, basis, each in a block of exactly its size.
+// A problem on its way through the calls: analysis, plan, basis, each in a block of exactly its
+// size.
 #pragma once
 
 #include "problem.hpp"
@@ -7,7 +8,8 @@
 
 namespace fuzz {
 
-// Objects of one problem, as far as they could be made. Each call's promises about refusals and blocks are checked.
+// Objects of one problem, as far as they could be made. Each call's promises about refusals and
+// blocks are checked.
 class Solution {
 public:
     Solution(Problem const& problem, Input& input);
@@ -16,7 +18,7 @@ public:
     hm_analysis* analysis = nullptr;
     hm_plan* plan = nullptr;
     hm_basis* basis = nullptr;
-    hm_status status = 0;   // of the last call: negative if it was refused
+    hm_status status = 0;  // of the last call: negative if it was refused
     hm_error error{};
     hm_solve_report report{};
 
@@ -32,7 +34,8 @@ private:
 // That a refusal has a code, and a text of one line.
 void expect_told(hm_status status, hm_error const& error);
 
-// The size, one byte less, exactly that. block(bytes) gives a Block; size(bytes) and init(memory, bytes) write `error`.
+// The size, one byte less, exactly that. block(bytes) gives a Block; size(bytes) and init(memory,
+// bytes) write `error`.
 template <class MakeBlock, class Size, class Init>
 hm_status make_object(MakeBlock const& block, hm_error& error, Size const& size, Init const& init) {
     std::size_t bytes = 0;
@@ -40,7 +43,7 @@ hm_status make_object(MakeBlock const& block, hm_error& error, Size const& size,
     expect_told(status, error);
     if (status < 0) return status;
     expect(bytes > 0, "an object without a size");
-    if (bytes > std::size_t{1} << 28) return HM_BAD_ARGUMENT;   // of counts that were made wrong
+    if (bytes > std::size_t{1} << 28) return HM_BAD_ARGUMENT;  // of counts that were made wrong
     Block& its = block(bytes);
     hm_status const less = init(its.data(), bytes - 1);
     expect_told(less, error);
@@ -54,4 +57,4 @@ hm_status make_object(MakeBlock const& block, hm_error& error, Size const& size,
     return status;
 }
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -1,4 +1,5 @@
-// What a solved problem has to be: functions, morphs, derived bases and safe morphs against what the header says.
+// What a solved problem has to be: functions, morphs, derived bases and safe morphs against what
+// the header says.
 #pragma once
 
 #include "exceptions.hpp"
@@ -53,8 +54,8 @@ private:
     hm_error error_{};
     std::size_t n_ = 0;
     Numbers move_;
-    double largest_ = 0;   // of the functions' values
-    std::vector<std::vector<Numbers>> value_;   // of each function, its numbers at each point
+    double largest_ = 0;                       // of the functions' values
+    std::vector<std::vector<Numbers>> value_;  // of each function, its numbers at each point
 };
 
-}   // namespace fuzz
+}  // namespace fuzz

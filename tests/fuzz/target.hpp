@@ -9,7 +9,7 @@ enum class Outcome { done, refused };
 
 // These throw a Failure if a property does not hold.
 Outcome run_problem(Input& input);
-Outcome run_polygons(Input& input);   // problems with meshes of polygons
+Outcome run_polygons(Input& input);  // problems with meshes of polygons
 Outcome run_basis(Input& input);
 Outcome run_sequence(Input& input);
 Outcome run_files(Input& input);
@@ -23,9 +23,10 @@ struct Target {
     const char* name;
     Outcome (*run)(Input& input);
 };
-inline constexpr Target targets[] = {
-    {"problem", run_problem},   {"polygons", run_polygons}, {"basis", run_basis}, {"given", run_given},
-    {"parts", run_parts},       {"plane", run_plane},       {"transfer", run_transfer},
-    {"sequence", run_sequence}, {"files", run_files},       {"shape", run_shape}};
+inline constexpr Target targets[] = {{"problem", run_problem},   {"polygons", run_polygons},
+                                     {"basis", run_basis},       {"given", run_given},
+                                     {"parts", run_parts},       {"plane", run_plane},
+                                     {"transfer", run_transfer}, {"sequence", run_sequence},
+                                     {"files", run_files},       {"shape", run_shape}};
 
-}   // namespace fuzz
+}  // namespace fuzz

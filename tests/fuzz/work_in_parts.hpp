@@ -6,12 +6,12 @@
 
 namespace fuzz {
 
-// Functions in shares, whose parcels make rows for lists of points: the bits of the whole basis. Gradients summed over
-// lists: the bits of hm_adjoint.
+// Functions in shares, whose parcels make rows for lists of points: the bits of the whole basis.
+// Gradients summed over lists: the bits of hm_adjoint.
 void check_shares(Solution& whole, Input& input);
 
-// A mesh that no process has as a whole, cut anywhere: the equations of the parts, added up and solved by elimination,
-// give the functions of the whole mesh.
+// A mesh that no process has as a whole, cut anywhere: the equations of the parts, added up and
+// solved by elimination, give the functions of the whole mesh.
 void check_cut_mesh(Solution& whole, Input& input);
 
-}   // namespace fuzz
+}  // namespace fuzz

@@ -1,4 +1,5 @@
-// Meshes of several structured blocks: O-, C- and H-topologies against the same meshes with one point for each place.
+// Meshes of several structured blocks: O-, C- and H-topologies against the same meshes with one
+// point for each place.
 #include <doctest/doctest.h>
 
 #include <fixtures/blocks.hpp>
@@ -24,7 +25,8 @@ std::vector<Topology> topologies() {
     Case airfoil = airfoil_case(12, 8, Cells::quads);
     Naca4 naca;
     naca.camber = 0.02;
-    out.push_back({"C, 8 blocks", c_blocks(c_mesh(naca4(naca, 12), 6, 4, stretched(1e-2, 4, 9))), airfoil.curves, 2});
+    out.push_back({"C, 8 blocks", c_blocks(c_mesh(naca4(naca, 12), 6, 4, stretched(1e-2, 4, 9))),
+                   airfoil.curves, 2});
     out.push_back({"H, 8 blocks", h_blocks(6), polyline({{1, 1}, {2, 1}, {2, 2}, {1, 2}}), 2});
     return out;
 }
@@ -42,11 +44,15 @@ hm_mesh_report report_of(hm_mesh const& mesh) {
     return out;
 }
 
-bool says(hm_error const& error, const char* words) { return std::string(error.text).find(words) != std::string::npos; }
+bool says(hm_error const& error, const char* words) {
+    return std::string(error.text).find(words) != std::string::npos;
+}
 
 }  // namespace
 
-TEST_CASE("blocks: interfaces close, and the functions are those of the mesh with one point for each place") {
+TEST_CASE(
+    "blocks: interfaces close, and the functions are those of the mesh with one point for each "
+    "place") {
     for (Topology& its : topologies()) {
         CAPTURE(its.name);
         std::vector<std::int32_t> number;
@@ -73,7 +79,8 @@ TEST_CASE("blocks: interfaces close, and the functions are those of the mesh wit
                     REQUIRE(hm_basis_values(several.basis, i, n, a.data(), nullptr) == HM_OK);
                     REQUIRE(hm_basis_values(one.basis, i, n, b.data(), nullptr) == HM_OK);
                     for (std::size_t k = 0; k < a.size(); ++k) {
-                        worst = std::max(worst, std::fabs(a[k] - b[static_cast<std::size_t>(number[k])]));
+                        worst = std::max(worst,
+                                         std::fabs(a[k] - b[static_cast<std::size_t>(number[k])]));
                     }
                 }
             }
@@ -81,7 +88,8 @@ TEST_CASE("blocks: interfaces close, and the functions are those of the mesh wit
             // Points at one place stay at one place, bit by bit.
             std::vector<double> const move = some_move(several.info().functions, 0.02, 4);
             std::vector<double> x = its.blocks.x, y = its.blocks.y;
-            REQUIRE(hm_morph(several.basis, move.data(), &blocks.points, points_out(x, y), nullptr, nullptr) == HM_OK);
+            REQUIRE(hm_morph(several.basis, move.data(), &blocks.points, points_out(x, y), nullptr,
+                             nullptr) == HM_OK);
             bool together = true;
             std::vector<std::size_t> first(joined.mesh.x.size(), x.size());
             for (std::size_t k = 0; k < x.size(); ++k) {
@@ -95,7 +103,9 @@ TEST_CASE("blocks: interfaces close, and the functions are those of the mesh wit
     }
 }
 
-TEST_CASE("blocks: numbers of cells and points in reports; both index bases; a saved basis knows the mesh") {
+TEST_CASE(
+    "blocks: numbers of cells and points in reports; both index bases; a saved basis knows the "
+    "mesh") {
     Blocks const blocks = h_blocks(4);
     Case its;
     its.curves = polyline({{1, 1}, {2, 1}, {2, 2}, {1, 2}});
@@ -110,7 +120,8 @@ TEST_CASE("blocks: numbers of cells and points in reports; both index bases; a s
         x[static_cast<std::size_t>(point)] += 10;
         hm_quality_report quality{};
         quality.struct_size = sizeof quality;
-        REQUIRE(hm_quality(solved.basis, &mesh, points_in(x, y), nullptr, nullptr, &quality, nullptr) == HM_OK);
+        REQUIRE(hm_quality(solved.basis, &mesh, points_in(x, y), nullptr, nullptr, &quality,
+                           nullptr) == HM_OK);
         CHECK(quality.inverted >= 2);
         CHECK(quality.first_inverted == 7 * 16 + base);
         const hm_basis* attached = nullptr;
@@ -124,7 +135,8 @@ TEST_CASE("blocks: numbers of cells and points in reports; both index bases; a s
     }
 }
 
-TEST_CASE("blocks: a side that is a cut in part has lists; a marker on a side says the same as faces") {
+TEST_CASE(
+    "blocks: a side that is a cut in part has lists; a marker on a side says the same as faces") {
     Naca4 const naca;
     CMesh const c = c_mesh(naca4(naca, 12), 6, 4, stretched(1e-2, 4, 9));
     Blocks one;
@@ -160,23 +172,30 @@ TEST_CASE("blocks: what is wrong is refused") {
         CHECK(says(attempt.error, words));
     };
     REQUIRE(report_of(good.view()).inverted == 0);
-    refused(HM_BAD_ARGUMENT, "block_sizes is NULL", [](Blocks&, hm_mesh& m) { m.block_sizes = nullptr; });
+    refused(HM_BAD_ARGUMENT, "block_sizes is NULL",
+            [](Blocks&, hm_mesh& m) { m.block_sizes = nullptr; });
     refused(HM_BAD_ARGUMENT, "n_blocks must be", [](Blocks&, hm_mesh& m) { m.n_blocks = 0; });
     refused(HM_BAD_ARGUMENT, "n_blocks must be", [](Blocks&, hm_mesh& m) { m.n_blocks = -1; });
-    refused(HM_BAD_ARGUMENT, "only HM_CELLS_BLOCKS", [](Blocks&, hm_mesh& m) { m.cell_layout = HM_CELLS_QUADS; });
+    refused(HM_BAD_ARGUMENT, "only HM_CELLS_BLOCKS",
+            [](Blocks&, hm_mesh& m) { m.cell_layout = HM_CELLS_QUADS; });
     refused(HM_BAD_MESH, "block 1 (from 0) has ni or nj below 2", [](Blocks& b, hm_mesh& m) {
         b.sizes[2] = 1;
         m.n_cells = 80;
     });
-    refused(HM_BAD_MESH, "together, but mesh.n_points is", [](Blocks& b, hm_mesh&) { b.sizes[0] += 1; });
-    refused(HM_BAD_MESH, "together, but mesh.n_cells is", [](Blocks&, hm_mesh& m) { m.n_cells = 5; });
-    refused(HM_BAD_MESH, "has one cell and no marker", [](Blocks& b, hm_mesh&) { b.markers[2] = HM_NO_MARKER; });
-    refused(HM_BAD_MESH, "has one cell and no marker", [](Blocks& b, hm_mesh&) { b.x[0] *= 1 + 1e-9; });
-    refused(HM_BAD_MESH, "more than two cells", [](Blocks& b, hm_mesh& m) {   // a block twice
+    refused(HM_BAD_MESH, "together, but mesh.n_points is",
+            [](Blocks& b, hm_mesh&) { b.sizes[0] += 1; });
+    refused(HM_BAD_MESH, "together, but mesh.n_cells is",
+            [](Blocks&, hm_mesh& m) { m.n_cells = 5; });
+    refused(HM_BAD_MESH, "has one cell and no marker",
+            [](Blocks& b, hm_mesh&) { b.markers[2] = HM_NO_MARKER; });
+    refused(HM_BAD_MESH, "has one cell and no marker",
+            [](Blocks& b, hm_mesh&) { b.x[0] *= 1 + 1e-9; });
+    refused(HM_BAD_MESH, "more than two cells", [](Blocks& b, hm_mesh& m) {  // a block twice
         b.sizes.insert(b.sizes.end(), {b.sizes[0], b.sizes[1]});
         std::size_t const n = static_cast<std::size_t>(b.sizes[0] * b.sizes[1]);
         for (std::vector<double>* values : {&b.x, &b.y}) {
-            std::vector<double> const first(values->begin(), values->begin() + static_cast<std::ptrdiff_t>(n));
+            std::vector<double> const first(values->begin(),
+                                            values->begin() + static_cast<std::ptrdiff_t>(n));
             values->insert(values->end(), first.begin(), first.end());
         }
         b.markers.insert(b.markers.end(), 4, HM_NO_MARKER);
@@ -184,19 +203,24 @@ TEST_CASE("blocks: what is wrong is refused") {
     });
 }
 
-TEST_CASE("blocks in arrays of their own, with ghost points or j the faster index: gathered and scattered") {
+TEST_CASE(
+    "blocks in arrays of their own, with ghost points or j the faster index: gathered and "
+    "scattered") {
     Blocks const blocks = o_blocks(3, 8, 5, 0.5, 3);
     hm_mesh const mesh = blocks.view();
     std::size_t const n = blocks.x.size();
     std::int32_t const count = mesh.n_blocks;
-    struct Array { std::vector<double> x, y; std::int64_t stride, row, begin; };
+    struct Array {
+        std::vector<double> x, y;
+        std::int64_t stride, row, begin;
+    };
     std::vector<Array> arrays;
     std::vector<hm_block_points> in;
     std::vector<hm_block_points_out> out;
     for (std::int32_t b = 0; b < count; ++b) {
         std::int64_t const ni = mesh.block_sizes[2 * b], nj = mesh.block_sizes[2 * b + 1];
         Array a;
-        if (b % 2 == 0) a = {{}, {}, 1, ni + 2, ni + 3};        // one layer of ghost points
+        if (b % 2 == 0) a = {{}, {}, 1, ni + 2, ni + 3};  // one layer of ghost points
         else a = {{}, {}, nj, 1, 0};
         a.x.assign(static_cast<std::size_t>((ni + 2) * (nj + 2)), -7);
         a.y = a.x;
@@ -206,7 +230,8 @@ TEST_CASE("blocks in arrays of their own, with ghost points or j the faster inde
         in.push_back({a.x.data() + a.begin, a.y.data() + a.begin, a.stride, a.row});
         out.push_back({a.x.data() + a.begin, a.y.data() + a.begin, a.stride, a.row});
     }
-    REQUIRE(hm_blocks_scatter(&mesh, 0, count, points_in(blocks.x, blocks.y), out.data(), nullptr) == HM_OK);
+    REQUIRE(hm_blocks_scatter(&mesh, 0, count, points_in(blocks.x, blocks.y), out.data(),
+                              nullptr) == HM_OK);
     std::size_t point = 0, wrong = 0;
     for (std::int32_t b = 0; b < count; ++b) {
         std::size_t touched = 0;
@@ -218,7 +243,8 @@ TEST_CASE("blocks in arrays of their own, with ghost points or j the faster inde
             }
         }
         std::vector<double> const& all = arrays[static_cast<std::size_t>(b)].x;
-        CHECK(static_cast<std::size_t>(std::count(all.begin(), all.end(), -7)) == all.size() - touched);
+        CHECK(static_cast<std::size_t>(std::count(all.begin(), all.end(), -7)) ==
+              all.size() - touched);
     }
     CHECK(point == n);
     CHECK(wrong == 0);
@@ -230,7 +256,8 @@ TEST_CASE("blocks in arrays of their own, with ghost points or j the faster inde
     x.assign(n, 0);
     REQUIRE(hm_blocks_gather(&mesh, 1, 1, &in[1], points_out(x, y), nullptr) == HM_OK);
     std::size_t const first = static_cast<std::size_t>(mesh.block_sizes[0] * mesh.block_sizes[1]);
-    std::size_t const last = first + static_cast<std::size_t>(mesh.block_sizes[2] * mesh.block_sizes[3]);
+    std::size_t const last =
+        first + static_cast<std::size_t>(mesh.block_sizes[2] * mesh.block_sizes[3]);
     for (std::size_t k = 0; k < n; ++k) {
         if (x[k] != (k >= first && k < last ? blocks.x[k] : 0)) ++wrong;
     }
@@ -239,7 +266,8 @@ TEST_CASE("blocks in arrays of their own, with ghost points or j the faster inde
     // Refused, and nothing is written.
     std::vector<double> const before = x;
     hm_error error{};
-    CHECK(hm_blocks_gather(&mesh, count, 1, in.data(), points_out(x, y), &error) == HM_BAD_ARGUMENT);
+    CHECK(hm_blocks_gather(&mesh, count, 1, in.data(), points_out(x, y), &error) ==
+          HM_BAD_ARGUMENT);
     CHECK(hm_blocks_gather(&mesh, 0, 0, in.data(), points_out(x, y), &error) == HM_BAD_ARGUMENT);
     CHECK(hm_blocks_gather(&mesh, 0, 1, nullptr, points_out(x, y), &error) == HM_BAD_ARGUMENT);
     hm_block_points bad = in[0];
@@ -251,7 +279,8 @@ TEST_CASE("blocks in arrays of their own, with ghost points or j the faster inde
     CHECK(hm_blocks_gather(&mesh, 0, 1, &bad, points_out(x, y), &error) == HM_BAD_ARGUMENT);
     hm_block_points_out overlapping = out[0];
     overlapping.row = 2;
-    CHECK(hm_blocks_scatter(&mesh, 0, 1, points_in(blocks.x, blocks.y), &overlapping, &error) == HM_BAD_ARGUMENT);
+    CHECK(hm_blocks_scatter(&mesh, 0, 1, points_in(blocks.x, blocks.y), &overlapping, &error) ==
+          HM_BAD_ARGUMENT);
     hm_mesh none = mesh;
     none.n_points += 1;
     CHECK(hm_blocks_gather(&none, 0, 1, in.data(), points_out(x, y), &error) == HM_BAD_MESH);

@@ -33,8 +33,10 @@ struct Lists {
     std::vector<std::int32_t> start{0}, points, markers;
     explicit Lists(harmorph::Boundary const& boundary) {
         for (std::int32_t loop = 0; loop < boundary.n_loops; ++loop)
-            for (std::int32_t k = boundary.loop_start[loop]; k < boundary.loop_start[loop + 1]; ++k) {
-                bool const goes_on = k > boundary.loop_start[loop] && boundary.marker[k] == boundary.marker[k - 1];
+            for (std::int32_t k = boundary.loop_start[loop]; k < boundary.loop_start[loop + 1];
+                 ++k) {
+                bool const goes_on =
+                    k > boundary.loop_start[loop] && boundary.marker[k] == boundary.marker[k - 1];
                 if (!goes_on) {
                     if (!points.empty()) start.push_back(static_cast<std::int32_t>(points.size()));
                     points.push_back(boundary.point[k]);
@@ -56,16 +58,19 @@ struct Lists {
 
 }  // namespace
 
-TEST_CASE("loops close, hold every face once, and have the mesh on their left, whatever the cells' sense") {
+TEST_CASE(
+    "loops close, hold every face once, and have the mesh on their left, whatever the cells' "
+    "sense") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Mesh mesh = two_bodies(8, 5, Ellipse{}, Ellipse{0.25, 0.06, 0.4}, kind);
         Faces given;
-        for (std::size_t k = 0; k < mesh.faces.size(); k += 2) given.insert({mesh.faces[k], mesh.faces[k + 1]});
+        for (std::size_t k = 0; k < mesh.faces.size(); k += 2)
+            given.insert({mesh.faces[k], mesh.faces[k + 1]});
         double const area = check(mesh).area;
         for (int change = 0; change < 4; ++change) {
             if (change == 1) reverse_all(mesh);
             if (change == 2) reverse_some(mesh, 3);
-            if (change == 3) reverse_some_faces(mesh, 4);   // faces need no sense
+            if (change == 3) reverse_some_faces(mesh, 4);  // faces need no sense
             Analysed const seen(mesh);
             CHECK(seen->boundary.n_loops == 3);
             CHECK(seen->boundary.count == mesh.n_faces());
@@ -103,7 +108,7 @@ TEST_CASE("ordered lists of points say the same as faces; both together too") {
     both.list_start = lists.start.data();
     both.list_points = lists.points.data();
     both.list_markers = lists.markers.data();
-    Analysed const with_both(both);   // a face given twice with one marker is one face
+    Analysed const with_both(both);  // a face given twice with one marker is one face
     CHECK(faces_of(with_both->boundary) == faces_of(with_faces->boundary));
 
     Case its = tiny_case();
@@ -117,7 +122,8 @@ TEST_CASE("a bow-tie: two parts of the mesh that share one point only") {
         for (int i = 0; i < 3; ++i) mesh.add_point({1.0 * i, 1.0 * j});
     mesh.add_cell({0, 1, 4, 3});
     mesh.add_cell({4, 5, 8, 7});
-    std::int32_t const edges[][2] = {{0, 1}, {1, 4}, {4, 3}, {3, 0}, {4, 5}, {5, 8}, {8, 7}, {7, 4}};
+    std::int32_t const edges[][2] = {{0, 1}, {1, 4}, {4, 3}, {3, 0},
+                                     {4, 5}, {5, 8}, {8, 7}, {7, 4}};
     for (auto const& edge : edges) mesh.add_face(edge[0], edge[1], body);
     Analysed const seen(mesh);
     Faces expected;
@@ -131,7 +137,8 @@ TEST_CASE("pieces: runs of faces that are on, across the place where a loop is c
     Mesh const mesh = square(6);
     Analysed const seen(mesh);
     for (std::int32_t const first : {bottom, right, top, left}) {
-        std::int32_t const second = first == left ? bottom : first + 1;   // follows it counter-clockwise
+        std::int32_t const second =
+            first == left ? bottom : first + 1;  // follows it counter-clockwise
         std::vector<std::vector<std::int32_t>> pieces;
         std::vector<bool> closed;
         auto const is_on = [&](std::int32_t face) {
@@ -151,7 +158,8 @@ TEST_CASE("pieces: runs of faces that are on, across the place where a loop is c
         REQUIRE(closed.size() == 1);
         CHECK(!closed[0]);
         for (std::size_t k = 0; k + 1 < pieces[0].size(); ++k)
-            CHECK(distance(mesh.point(pieces[0][k]), mesh.point(pieces[0][k + 1])) == doctest::Approx(1.0 / 6));
+            CHECK(distance(mesh.point(pieces[0][k]), mesh.point(pieces[0][k + 1])) ==
+                  doctest::Approx(1.0 / 6));
     }
 }
 
@@ -161,9 +169,11 @@ TEST_CASE("the cut of a C-mesh is joined: both sides of the wake are one") {
     CHECK(seen->boundary.n_loops == 2);
     CHECK(seen->boundary.count == c.mesh.n_faces());
     std::int32_t joined = 0;
-    for (std::int32_t k = 0; k < c.mesh.n_points(); ++k) joined += seen->topology.representative[k] != k;
+    for (std::int32_t k = 0; k < c.mesh.n_points(); ++k)
+        joined += seen->topology.representative[k] != k;
     CHECK(joined == c.n_wake + 1);
-    for (std::int32_t k = 0; k <= c.n_wake; ++k) CHECK(seen->topology.representative[c.ni - 1 - k] == k);
+    for (std::int32_t k = 0; k <= c.n_wake; ++k)
+        CHECK(seen->topology.representative[c.ni - 1 - k] == k);
 
     Case its = airfoil_case(24, 12);
     its.mesh = c.mesh;
@@ -174,7 +184,8 @@ TEST_CASE("the cut of a C-mesh is joined: both sides of the wake are one") {
         for (std::size_t k = 0; k <= static_cast<std::size_t>(c.n_wake); ++k)
             CHECK(f[k] == f[static_cast<std::size_t>(c.ni) - 1 - k]);
     }
-    CHECK(solved.values(0)[static_cast<std::size_t>(c.n_wake)] == 1);   // the trailing edge, from below
+    CHECK(solved.values(0)[static_cast<std::size_t>(c.n_wake)] ==
+          1);  // the trailing edge, from below
 }
 
 TEST_CASE("the seam of an O-mesh block is joined: the functions are those of the closed mesh") {
@@ -187,7 +198,7 @@ TEST_CASE("the seam of an O-mesh block is joined: the functions are those of the
         open.mesh.add_face(i + 1, i, body);
         open.mesh.add_face(n_r * (n_t + 1) + i, n_r * (n_t + 1) + i + 1, far_field);
     }
-    open.give(n_t, open.given_u[0]);   // the first point's other name
+    open.give(n_t, open.given_u[0]);  // the first point's other name
     hm_mesh view = open.mesh.view();
     view.cell_layout = HM_CELLS_STRUCTURED;
     view.n_cells = 0;
@@ -202,8 +213,9 @@ TEST_CASE("the seam of an O-mesh block is joined: the functions are those of the
         for (int j = 0; j <= n_r; ++j)
             for (int k = 0; k <= n_t; ++k) {
                 std::size_t const here = static_cast<std::size_t>(j * (n_t + 1) + k);
-                worst =
-                    std::fmax(worst, std::fabs(found[here] - expected[static_cast<std::size_t>(j * n_t + k % n_t)]));
+                worst = std::fmax(
+                    worst,
+                    std::fabs(found[here] - expected[static_cast<std::size_t>(j * n_t + k % n_t)]));
             }
         CHECK(worst < 1e-13);
     }

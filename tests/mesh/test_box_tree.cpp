@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
-#include <harmorph/mesh/box_tree.hpp>
+#include "mesh/box_tree.hpp"
 
 using namespace fixtures;
 using harmorph::Box;
@@ -62,7 +62,9 @@ Box box_of(Vec2 corner, Vec2 size) {
 std::vector<Box> random_boxes(std::size_t n, unsigned seed, double grid = 0) {
     std::mt19937 random(seed);
     std::vector<Box> boxes;
-    auto const place = [&] { return grid > 0 ? std::floor(uniform(random) / grid) * grid : uniform(random); };
+    auto const place = [&] {
+        return grid > 0 ? std::floor(uniform(random) / grid) * grid : uniform(random);
+    };
     for (std::size_t k = 0; k < n; ++k) {
         Vec2 const corner{place(), place()};
         boxes.push_back(box_of(corner, {0.05 * uniform(random), 0.05 * uniform(random)}));
@@ -81,18 +83,24 @@ TEST_CASE("the nearest item is as near as any, for every number of items") {
             Vec2 const point{3 * uniform(random) - 1, 3 * uniform(random) - 1};
             Nearest const found = tree.nearest(point), expected = by_looking(boxes, point);
             CHECK(found.squared == expected.squared);
-            if (n > 0) CHECK(boxes[static_cast<std::size_t>(found.item)].squared_distance(point) == found.squared);
+            if (n > 0)
+                CHECK(boxes[static_cast<std::size_t>(found.item)].squared_distance(point) ==
+                      found.squared);
         }
     }
 }
 
-TEST_CASE("many items: in random places, on a coarse grid with coincident centres, all in one place, on one line") {
+TEST_CASE(
+    "many items: in random places, on a coarse grid with coincident centres, all in one place, on "
+    "one line") {
     std::vector<Box> same(3000, box_of({0.5, 0.5}, {0.1, 0.1})), line;
     for (int k = 0; k < 3000; ++k) line.push_back(box_of({0.25, 1.0 - k / 3000.0}, {0, 0}));
-    for (std::vector<Box> const& boxes : {random_boxes(3000, 1), random_boxes(3000, 2, 0.25), same, line}) {
+    for (std::vector<Box> const& boxes :
+         {random_boxes(3000, 1), random_boxes(3000, 2, 0.25), same, line}) {
         Tree const tree(boxes);
         std::vector<int> seen(boxes.size(), 0);
-        for (BoxTree::Entry const& entry : tree.tree().entry) ++seen[static_cast<std::size_t>(entry.item)];
+        for (BoxTree::Entry const& entry : tree.tree().entry)
+            ++seen[static_cast<std::size_t>(entry.item)];
         CHECK(seen == std::vector<int>(boxes.size(), 1));
         std::mt19937 random(9);
         for (int k = 0; k < 200; ++k) {
@@ -104,7 +112,8 @@ TEST_CASE("many items: in random places, on a coarse grid with coincident centre
 
 TEST_CASE("few items are asked, and none that cannot be nearer than what is known") {
     std::vector<Box> boxes;
-    for (int k = 0; k < 40000; ++k) boxes.push_back(box_of({(k % 200) / 200.0, (k / 200) / 200.0}, {0.004, 0.004}));
+    for (int k = 0; k < 40000; ++k)
+        boxes.push_back(box_of({(k % 200) / 200.0, (k / 200) / 200.0}, {0.004, 0.004}));
     Tree const tree(boxes);
     std::mt19937 random(5);
     int asked = 0;

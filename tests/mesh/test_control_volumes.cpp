@@ -3,7 +3,7 @@
 
 #include <fixtures/agglomerated.hpp>
 
-#include <harmorph/mesh/control_volumes.hpp>
+#include "mesh/control_volumes.hpp"
 
 using namespace fixtures;
 using harmorph::Index;
@@ -16,7 +16,7 @@ struct Measured {
     std::vector<double> area, shortest;
 
     explicit Measured(Case& its) : seen(its) {
-        std::size_t const n = its.mesh.x.size();   // of all points, not of unknowns alone
+        std::size_t const n = its.mesh.x.size();  // of all points, not of unknowns alone
         place.resize(n);
         std::iota(place.begin(), place.end(), 0);
         area.resize(n);
@@ -46,7 +46,8 @@ TEST_CASE("control volumes fill the mesh without gaps, whatever the sense of its
     }
 }
 
-TEST_CASE("on a grid of rectangles: the rectangle inside, half of it on sides, and the shorter side") {
+TEST_CASE(
+    "on a grid of rectangles: the rectangle inside, half of it on sides, and the shorter side") {
     Case its = square_on_curve(8, Cells::quads, 0, 0);
     for (double& y : its.mesh.y) y *= 0.25;
     for (std::size_t k = 1; k < its.curves.control.size(); k += 2) its.curves.control[k] *= 0.25;

@@ -5,8 +5,8 @@
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/wrong.hpp>
 
-#include <harmorph/mesh/delaunay.hpp>
-#include <harmorph/base/predicates.hpp>
+#include "mesh/delaunay.hpp"
+#include "base/predicates.hpp"
 
 #include <set>
 
@@ -73,7 +73,7 @@ Index check_flipped(Mesh const& mesh) {
     REQUIRE(found.status == harmorph::Status::ok);
     MeshCheck const before = check(mesh), after = check(found.mesh_with_faces_of(mesh));
     CHECK(after.min_corner > 0);
-    CHECK(after.bad_edges == 0);   // the boundary is where it was
+    CHECK(after.bad_edges == 0);  // the boundary is where it was
     CHECK(after.unmarked == 0);
     CHECK(after.stray == 0);
     CHECK(after.quads == 0);
@@ -83,7 +83,7 @@ Index check_flipped(Mesh const& mesh) {
     CHECK(after.loops == before.loops);
     CHECK(std::fabs(after.area - before.area) <= 1e-12 * before.area);
     CHECK(found.not_delaunay() == 0);
-    Wrong clockwise;   // the sign of the triangle opposite of a point
+    Wrong clockwise;  // the sign of the triangle opposite of a point
     auto const add = [&](Index begin, Index end, Index opposite) {
         int const sign = orientation_sign(found.at(begin), found.at(end), found.at(opposite));
         clockwise.add(sign <= 0, opposite, sign);
@@ -100,7 +100,8 @@ Index check_flipped(Mesh const& mesh) {
 Mesh fan(int n, double thin) {
     Mesh mesh;
     double const pi = std::acos(-1.0);
-    for (int k = 0; k < n; ++k) mesh.add_point({std::cos(2 * pi * k / n), thin * std::sin(2 * pi * k / n)});
+    for (int k = 0; k < n; ++k)
+        mesh.add_point({std::cos(2 * pi * k / n), thin * std::sin(2 * pi * k / n)});
     for (int k = 1; k + 1 < n; ++k) mesh.add_cell({0, k, k + 1});
     for (int k = 0; k < n; ++k) mesh.add_face(k, (k + 1) % n, body);
     return mesh;
@@ -118,12 +119,13 @@ TEST_CASE("in a convex domain no point is inside the circle of any triangle") {
             CHECK((thin == 1 || flips > 0));
             Flipped const found(mesh);
             std::vector<std::int32_t> const corner = found.triangles();
-            Wrong inside;   // points in the circle of a triangle
+            Wrong inside;  // points in the circle of a triangle
             for (std::size_t k = 0; k < corner.size(); k += 3)
                 for (Index point = 0; point < mesh.n_points(); ++point) {
                     harmorph::Vec2 const a = found.at(corner[k]), b = found.at(corner[k + 1]),
                                          c = found.at(corner[k + 2]);
-                    inside.add(in_circle_sign(a, b, c, found.at(point)) > 0, point, static_cast<double>(k / 3));
+                    inside.add(in_circle_sign(a, b, c, found.at(point)) > 0, point,
+                               static_cast<double>(k / 3));
                 }
             CHECK(inside == 0);
         }
@@ -141,7 +143,7 @@ TEST_CASE("points on common circles: nothing is left to flip, and nothing is fli
     for (Cells const kind : kinds) {
         Mesh mesh = square(12, kind);
         CHECK(check_flipped(mesh) == 0);
-        for (double& x : mesh.x) x = 1e5 + x / 3;   // rounded: no longer on circles exactly
+        for (double& x : mesh.x) x = 1e5 + x / 3;  // rounded: no longer on circles exactly
         check_flipped(mesh);
         for (double& y : mesh.y) y *= 1e-5;
         check_flipped(mesh);
@@ -173,7 +175,9 @@ TEST_CASE("coordinates of any size that is supported") {
     }
 }
 
-TEST_CASE("neither the numbering of points, nor order and sense of cells matter where no four points are on a circle") {
+TEST_CASE(
+    "neither the numbering of points, nor order and sense of cells matter where no four points are "
+    "on a circle") {
     auto const edges_of = [](Mesh const& mesh, std::vector<std::int32_t> const& old_of) {
         std::set<Edge> out;
         Flipped const found(mesh);
@@ -211,14 +215,16 @@ TEST_CASE("the cut of a C-mesh is no boundary: its points are one, and its edges
     CHECK(rows.triangulation.flips > 0);
     CHECK(structured.triangles() == rows.triangles());
     int boundary = 0;
-    rows.triangulation.for_each_edge([&](DelaunayEdge const& edge) { boundary += edge.right == none; });
+    rows.triangulation.for_each_edge(
+        [&](DelaunayEdge const& edge) { boundary += edge.right == none; });
     CHECK(boundary == c.mesh.n_faces());
-    for (std::int32_t const point : rows.triangles()) CHECK(rows.seen->topology.representative[point] == point);
+    for (std::int32_t const point : rows.triangles())
+        CHECK(rows.seen->topology.representative[point] == point);
 }
 
 TEST_CASE("a cell without area is refused, and named") {
     Mesh mesh = square(4, Cells::hybrid);
-    mesh.x[12] = mesh.x[7];   // an inner point on another one
+    mesh.x[12] = mesh.x[7];  // an inner point on another one
     mesh.y[12] = mesh.y[7];
     Flipped const found(mesh);
     CHECK(found.status == harmorph::Status::bad_mesh);
@@ -233,6 +239,7 @@ TEST_CASE("more cells than can be split are refused before anything is read") {
     harmorph::Triangulation triangulation;
     harmorph::Fault fault;
     CHECK(triangulation.build(of, fault) == harmorph::Status::unsupported);
-    CHECK(std::string(fault.sentence) == "the bounded scheme can split no more than 2^28 cells, the mesh has #");
+    CHECK(std::string(fault.sentence) ==
+          "the bounded scheme can split no more than 2^28 cells, the mesh has #");
     CHECK(fault.item == of.mesh.n_cells);
 }

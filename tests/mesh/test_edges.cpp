@@ -20,7 +20,8 @@ struct Edges {
     // join: a pair of points that are one.
     explicit Edges(Mesh const& mesh, bool listed = true, std::pair<Index, Index> join = {0, 0})
         : representative(listed ? mesh.x.size() : 0) {
-        for (std::size_t k = 0; k < representative.size(); ++k) representative[k] = static_cast<Index>(k);
+        for (std::size_t k = 0; k < representative.size(); ++k)
+            representative[k] = static_cast<Index>(k);
         if (listed) representative[static_cast<std::size_t>(join.second)] = join.first;
         harmorph::Mesh const view = core_mesh(mesh);
         harmorph::Arena counting;
@@ -43,7 +44,8 @@ TEST_CASE("all edges of all cells, each once, with its cells and their sense") {
         Mesh mesh = two_bodies(6, 4, Ellipse{}, Ellipse{0.2, 0.05, 0.3}, kind);
         renumber_points(mesh, 2);
         reverse_some(mesh, 3);
-        std::map<Edge, std::set<std::pair<Index, bool>>> expected;   // cell, and whether it runs from the larger point
+        std::map<Edge, std::set<std::pair<Index, bool>>>
+            expected;  // cell, and whether it runs from the larger point
         harmorph::Mesh const view = core_mesh(mesh);
         for (Index c = 0; c < view.n_cells; ++c) {
             harmorph::Cell const cell = view.cell(c);
@@ -62,8 +64,10 @@ TEST_CASE("all edges of all cells, each once, with its cells and their sense") {
             CHECK(low < high);
             std::set<std::pair<Index, bool>> cells;
             for (Index const code : {found.edges.first[edge].code, found.edges.second[edge]})
-                if (code >= 0) cells.insert({harmorph::cell_of_side(code), harmorph::runs_backwards(code)});
-            wrong.add(cells != expected[{low, high}], edge, static_cast<double>(cells.size()));   // cells of it
+                if (code >= 0)
+                    cells.insert({harmorph::cell_of_side(code), harmorph::runs_backwards(code)});
+            wrong.add(cells != expected[{low, high}], edge,
+                      static_cast<double>(cells.size()));  // cells of it
             CHECK(found.edges.is_boundary(edge) == (cells.size() == 1));
             CHECK(found.edges.find(low, high) == edge);
             CHECK(found.edges.find(high, low) == edge);
@@ -73,7 +77,8 @@ TEST_CASE("all edges of all cells, each once, with its cells and their sense") {
         bool agree = true;
         for (auto const& edge : expected) {
             n_boundary += edge.second.size() == 1 ? 1 : 0;
-            agree = agree && (edge.second.size() == 1 || edge.second.begin()->second != edge.second.rbegin()->second);
+            agree = agree && (edge.second.size() == 1 ||
+                              edge.second.begin()->second != edge.second.rbegin()->second);
         }
         CHECK(found.edges.n_boundary == n_boundary);
         CHECK(found.edges.agree == agree);
@@ -117,7 +122,8 @@ TEST_CASE("fans: a point of hundreds of edges") {
     Mesh mesh;
     mesh.add_point({0, 0});
     for (int k = 0; k < n; ++k)
-        mesh.add_point({std::cos(2 * std::acos(-1.0) * k / n), std::sin(2 * std::acos(-1.0) * k / n)});
+        mesh.add_point(
+            {std::cos(2 * std::acos(-1.0) * k / n), std::sin(2 * std::acos(-1.0) * k / n)});
     for (int k = 0; k < n; ++k) mesh.add_cell({0, 1 + k, 1 + (k + 1) % n});
     shuffle_cells(mesh, 4);
     Edges const found(mesh);
@@ -135,7 +141,7 @@ TEST_CASE("an edge of three cells is refused, and named") {
     CHECK(found.fault.item == 5);
     CHECK(found.fault.other == 6);
     Mesh twice = square(3);
-    twice.add_cell({0, 1, 5, 4});   // a cell given twice
+    twice.add_cell({0, 1, 5, 4});  // a cell given twice
     twice.add_cell({0, 1, 5, 4});
     CHECK(Edges(twice).status == harmorph::Status::bad_mesh);
 }

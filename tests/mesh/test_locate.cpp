@@ -4,7 +4,7 @@
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/core.hpp>
 #include <fixtures/traps.hpp>
-#include <harmorph/mesh/locate.hpp>
+#include "mesh/locate.hpp"
 
 using namespace fixtures;
 using harmorph::Index;
@@ -25,7 +25,9 @@ public:
         locator_.build(analysed_->topology);
         REQUIRE(block_->guards_intact());
     }
-    Location locate(Vec2 point, Index hint = harmorph::none) const { return locator_.locate(point, hint); }
+    Location locate(Vec2 point, Index hint = harmorph::none) const {
+        return locator_.locate(point, hint);
+    }
 
 private:
     Mesh mesh_;
@@ -37,15 +39,17 @@ private:
 template <class Field>
 double interpolated(Location const& found, Field field) {
     double sum = 0;
-    for (Index k = 0; k < found.weights.n; ++k) sum += found.weights.weight[k] * field(found.weights.point[k]);
+    for (Index k = 0; k < found.weights.n; ++k)
+        sum += found.weights.weight[k] * field(found.weights.point[k]);
     return sum;
 }
 
 // Of a linear field at the point.
 double linear_error(Mesh const& mesh, Location const& found, Vec2 p) {
     auto const field = [](double x, double y) { return 3 + 2 * x - 5 * y; };
-    return std::fabs(interpolated(found, [&](Index k) { return field(mesh.point(k).x, mesh.point(k).y); }) -
-                     field(p.x, p.y));
+    return std::fabs(
+        interpolated(found, [&](Index k) { return field(mesh.point(k).x, mesh.point(k).y); }) -
+        field(p.x, p.y));
 }
 
 bool is_corner(Location const& found, Index point) {
@@ -76,7 +80,8 @@ std::vector<Mesh> some_meshes() {
 
 }  // namespace
 
-TEST_CASE("weights: 1 at points of the mesh; middles of cells and of sides are found in their cells") {
+TEST_CASE(
+    "weights: 1 at points of the mesh; middles of cells and of sides are found in their cells") {
     for (Mesh const& mesh : some_meshes()) {
         Finder const finder(mesh);
         for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
@@ -94,7 +99,8 @@ TEST_CASE("weights: 1 at points of the mesh; middles of cells and of sides are f
                 CHECK(side.distance == 0);
                 CHECK(is_corner(side, its[k]));
                 CHECK(is_corner(side, its[(k + 1) % its.size()]));
-                CHECK(interpolated(side, [&](Index p) { return p == its[k] ? 1.0 : 0.0; }) == doctest::Approx(0.5));
+                CHECK(interpolated(side, [&](Index p) { return p == its[k] ? 1.0 : 0.0; }) ==
+                      doctest::Approx(0.5));
             }
             Location const inside = finder.locate(middle);
             CHECK(inside.cell == static_cast<Index>(cell));
@@ -103,16 +109,20 @@ TEST_CASE("weights: 1 at points of the mesh; middles of cells and of sides are f
     }
 }
 
-TEST_CASE("weights add up to 1, are not negative inside, and reproduce linear fields inside and outside") {
+TEST_CASE(
+    "weights add up to 1, are not negative inside, and reproduce linear fields inside and "
+    "outside") {
     for (Mesh const& mesh : some_meshes()) {
         Finder const finder(mesh);
         std::mt19937 random(11);
         int outside = 0;
         for (int k = 0; k < 400; ++k) {
             std::size_t const cell = random() % (mesh.cell_start.size() - 1);
-            Point const corner = mesh.point(mesh.cells[static_cast<std::size_t>(mesh.cell_start[cell])]);
+            Point const corner =
+                mesh.point(mesh.cells[static_cast<std::size_t>(mesh.cell_start[cell])]);
             double const size = k % 2 == 0 ? 0.2 : 0.01;
-            Vec2 const p{corner.x + size * (uniform(random) - 0.5), corner.y + size * (uniform(random) - 0.5)};
+            Vec2 const p{corner.x + size * (uniform(random) - 0.5),
+                         corner.y + size * (uniform(random) - 0.5)};
             Location const found = finder.locate(p);
             REQUIRE(found.cell != harmorph::none);
             outside += found.distance > 0 ? 1 : 0;
@@ -124,7 +134,8 @@ TEST_CASE("weights add up to 1, are not negative inside, and reproduce linear fi
             }
             CHECK(std::fabs(sum - 1) <= 1e-14 * largest);
             if (found.distance == 0) CHECK(least > -1e-8);
-            if (found.distance <= found.longest_side) CHECK(linear_error(mesh, found, p) <= 1e-11 * largest);
+            if (found.distance <= found.longest_side)
+                CHECK(linear_error(mesh, found, p) <= 1e-11 * largest);
         }
         CHECK(outside > 5);
     }
@@ -139,13 +150,16 @@ TEST_CASE("a point without a number is in no cell, and nothing is read of any") 
 }
 
 TEST_CASE("outside, the distance is that from the boundary") {
-    Mesh const mesh = square(9, Cells::hybrid, 3, 3);   // unit square; the hole is the square from 1/3 to 2/3
+    Mesh const mesh =
+        square(9, Cells::hybrid, 3, 3);  // unit square; the hole is the square from 1/3 to 2/3
     Finder const finder(mesh);
     std::mt19937 random(12);
     for (int k = 0; k < 300; ++k) {
         double const x = 3 * uniform(random) - 1, y = 3 * uniform(random) - 1;
-        double const dx = std::fmax(0, std::fmax(-x, x - 1)), dy = std::fmax(0, std::fmax(-y, y - 1));
-        double const into_hole = std::fmin(std::fmin(x - 1.0 / 3, 2.0 / 3 - x), std::fmin(y - 1.0 / 3, 2.0 / 3 - y));
+        double const dx = std::fmax(0, std::fmax(-x, x - 1)),
+                     dy = std::fmax(0, std::fmax(-y, y - 1));
+        double const into_hole =
+            std::fmin(std::fmin(x - 1.0 / 3, 2.0 / 3 - x), std::fmin(y - 1.0 / 3, 2.0 / 3 - y));
         double const expected = into_hole > 0 ? into_hole : std::sqrt(dx * dx + dy * dy);
         CHECK(finder.locate({x, y}).distance == doctest::Approx(expected).epsilon(1e-12));
     }
@@ -163,16 +177,18 @@ TEST_CASE("a continuous field: neither the hint nor the numbering matters") {
         std::mt19937 random(25);
         std::vector<double> field, its_field(mesh.x.size());
         for (std::size_t k = 0; k < mesh.x.size(); ++k) field.push_back(uniform(random));
-        for (std::size_t k = 0; k < mesh.x.size(); ++k) its_field[static_cast<std::size_t>(new_of[k])] = field[k];
+        for (std::size_t k = 0; k < mesh.x.size(); ++k)
+            its_field[static_cast<std::size_t>(new_of[k])] = field[k];
         for (int k = 0; k < 300; ++k) {
             double const r = 0.52 + 1.43 * uniform(random), angle = 7 * uniform(random);
             Vec2 const p{r * std::cos(angle), r * std::sin(angle)};
-            double const value =
-                interpolated(finder.locate(p), [&](Index i) { return field[static_cast<std::size_t>(i)]; });
+            double const value = interpolated(
+                finder.locate(p), [&](Index i) { return field[static_cast<std::size_t>(i)]; });
             Index const hint = static_cast<Index>(random() % static_cast<unsigned>(mesh.n_cells()));
             auto const same = [&](Location const& found, std::vector<double> const& values) {
-                CHECK(interpolated(found, [&](Index i) { return values[static_cast<std::size_t>(i)]; }) ==
-                      doctest::Approx(value).epsilon(1e-12));
+                CHECK(interpolated(found, [&](Index i) {
+                          return values[static_cast<std::size_t>(i)];
+                      }) == doctest::Approx(value).epsilon(1e-12));
             };
             same(finder.locate(p, hint), field);
             same(its_finder.locate(p, hint), its_field);

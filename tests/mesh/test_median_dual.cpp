@@ -21,7 +21,8 @@ double open_by(Scheme const& scheme, Mesh const& mesh) {
         add(face.begin, face.normal.x, face.normal.y);
         add(face.end, -face.normal.x, -face.normal.y);
     }
-    for_each_half_face(mesh, [&](std::int32_t point, Point normal) { add(point, normal.x, normal.y); });
+    for_each_half_face(mesh,
+                       [&](std::int32_t point, Point normal) { add(point, normal.x, normal.y); });
     double out = 0;
     for (Point const p : sum) out = std::fmax(out, std::hypot(p.x, p.y));
     return out;
@@ -42,7 +43,8 @@ TEST_CASE("volumes fill the domain, and close, in whatever sense cells run") {
             for (Index point = 0; point < mesh.n_points(); ++point) {
                 double const its = scheme.area[static_cast<std::size_t>(point)];
                 CHECK(its > 0);
-                CHECK(its == doctest::Approx(plain.area[static_cast<std::size_t>(point)]).epsilon(1e-12));
+                CHECK(its ==
+                      doctest::Approx(plain.area[static_cast<std::size_t>(point)]).epsilon(1e-12));
                 area += its;
             }
             CHECK(area == doctest::Approx(expected.area).epsilon(1e-13));
@@ -51,7 +53,9 @@ TEST_CASE("volumes fill the domain, and close, in whatever sense cells run") {
     }
 }
 
-TEST_CASE("volumes of a triangle are thirds; on squares faces are as long as cells, and normal to edges") {
+TEST_CASE(
+    "volumes of a triangle are thirds; on squares faces are as long as cells, and normal to "
+    "edges") {
     Mesh one;
     one.add_point({0, 0});
     one.add_point({3, 0.5});
@@ -69,8 +73,10 @@ TEST_CASE("volumes of a triangle are thirds; on squares faces are as long as cel
         Point const a = mesh.point(face.begin), b = mesh.point(face.end);
         bool const horizontal = a.y == b.y;
         double const across = horizontal ? a.y : a.x;
-        double const length = across == 0 || across == 1 ? 0.5 / 6 : 1.0 / 6;   // half a cell along the boundary
-        CHECK((horizontal ? face.normal.x : face.normal.y) == doctest::Approx(length).epsilon(1e-13));
+        double const length =
+            across == 0 || across == 1 ? 0.5 / 6 : 1.0 / 6;  // half a cell along the boundary
+        CHECK((horizontal ? face.normal.x : face.normal.y) ==
+              doctest::Approx(length).epsilon(1e-13));
         CHECK(std::fabs(horizontal ? face.normal.y : face.normal.x) < 1e-15);
     }
 }
@@ -86,7 +92,7 @@ TEST_CASE("the points of a cut have one volume") {
         joined += is_joined;
         area += scheme.area[static_cast<std::size_t>(point)];
     }
-    CHECK(joined == c.n_wake + 1);   // one for each point of the wake, the trailing edge among them
+    CHECK(joined == c.n_wake + 1);  // one for each point of the wake, the trailing edge among them
     CHECK(area == doctest::Approx(check(c.mesh).area).epsilon(1e-12));
     CHECK(open_by(scheme, c.mesh) < 1e-13);
 }

@@ -1,4 +1,5 @@
-// The same cells come out of every layout; what is wrong is refused, and the first offender is named.
+// The same cells come out of every layout; what is wrong is refused, and the first offender is
+// named.
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
@@ -24,7 +25,8 @@ void check_same(hm_mesh const& first, hm_mesh const& second) {
     CHECK(check_mesh(b, fault) == Status::ok);
     REQUIRE(a.n_cells == b.n_cells);
     Wrong different;
-    for (Index i = 0; i < a.n_cells; ++i) different.add(!same_cell(a.cell(i), b.cell(i)), i, a.cell(i).n);
+    for (Index i = 0; i < a.n_cells; ++i)
+        different.add(!same_cell(a.cell(i), b.cell(i)), i, a.cell(i).n);
     Index next = 0;
     a.for_each_cell([&](Index i, harmorph::Cell const& cell) {
         different.compare(next, i, next);
@@ -33,7 +35,8 @@ void check_same(hm_mesh const& first, hm_mesh const& second) {
     });
     CHECK(next == a.n_cells);
     CHECK(different == 0);
-    CHECK(a.find_cell([&](Index i, harmorph::Cell const&) { return i == a.n_cells - 1; }) == a.n_cells - 1);
+    CHECK(a.find_cell([&](Index i, harmorph::Cell const&) { return i == a.n_cells - 1; }) ==
+          a.n_cells - 1);
     CHECK(a.find_cell([](Index, harmorph::Cell const&) { return false; }) == harmorph::none);
     CHECK(fingerprint_of(a) == fingerprint_of(b));
     CHECK(sample_of(a) == sample_of(b));
@@ -64,7 +67,7 @@ TEST_CASE("rows, triangles, quads and blocks: the same cells") {
         fixed.cell_start = nullptr;
         check_same(fixed, quads.mesh.view());
 
-        for (Case* its : {&triangles, &hybrid}) {   // width 4, the last point of a triangle repeated
+        for (Case* its : {&triangles, &hybrid}) {  // width 4, the last point of a triangle repeated
             std::vector<std::int32_t> wide = quads_of(its->mesh);
             for (std::int32_t& point : wide) point += base;
             hm_mesh view = its->mesh_view();
@@ -85,7 +88,7 @@ TEST_CASE("rows, triangles, quads and blocks: the same cells") {
         block.cell_start = block.cell_points = nullptr;
         block.ni = block.nj = 7;
         check_same(block, quads.mesh.view());
-        block.n_cells = 0;   // may be left out
+        block.n_cells = 0;  // may be left out
         check_same(block, quads.mesh.view());
     }
 }
@@ -136,7 +139,8 @@ TEST_CASE("blocks that are not square: i is fastest") {
 TEST_CASE("coordinates with any stride, and 0 for 1") {
     Mesh const mesh = square(6, Cells::hybrid, 2, 2);
     std::vector<double> structs;
-    for (std::size_t k = 0; k < mesh.x.size(); ++k) structs.insert(structs.end(), {-1, mesh.y[k], -2, mesh.x[k]});
+    for (std::size_t k = 0; k < mesh.x.size(); ++k)
+        structs.insert(structs.end(), {-1, mesh.y[k], -2, mesh.x[k]});
     hm_mesh view = mesh.view();
     view.points = {structs.data() + 3, structs.data() + 1, 4};
     harmorph::Mesh const strided = core_mesh(view);
@@ -178,7 +182,7 @@ TEST_CASE("the first of several offenders is named") {
     CHECK(fault.item == 4);
     CHECK(fault.other == 48);
     mesh = good;
-    mesh.cell_start[4] = 18;   // cell 3 has 6 points
+    mesh.cell_start[4] = 18;  // cell 3 has 6 points
     fault = refusal(core_mesh(mesh));
     CHECK(fault.item == 3);
     CHECK(fault.value == 6);
@@ -193,6 +197,6 @@ TEST_CASE("areas of cells, in both senses") {
     harmorph::Points const points{xy, xy + 1, 2};
     harmorph::Cell const quad{4, {0, 1, 2, 3}}, triangle{3, {0, 1, 2}}, backwards{4, {3, 2, 1, 0}};
     CHECK(cell_area(triangle, points) == 2);
-    CHECK(cell_area(quad, points) == 3.5);   // shoelace
+    CHECK(cell_area(quad, points) == 3.5);  // shoelace
     CHECK(cell_area(backwards, points) == -3.5);
 }

@@ -5,7 +5,7 @@
 #include <fixtures/perturb.hpp>
 #include <fixtures/square.hpp>
 
-#include <harmorph/mesh/cell_shape.hpp>
+#include "mesh/cell_shape.hpp"
 
 using namespace fixtures;
 using harmorph::Index;
@@ -16,10 +16,12 @@ std::vector<std::uint8_t> reversed_of(Analysed const& seen) {
     return {seen->topology.reversed.begin(), seen->topology.reversed.end()};
 }
 std::vector<std::uint8_t> all(Mesh const& mesh, int value) {
-    return std::vector<std::uint8_t>(static_cast<std::size_t>(mesh.n_cells()), static_cast<std::uint8_t>(value));
+    return std::vector<std::uint8_t>(static_cast<std::size_t>(mesh.n_cells()),
+                                     static_cast<std::uint8_t>(value));
 }
 
-// A strip of quads between two rings of points, closed with or without a twist. Its place in the plane is of no matter.
+// A strip of quads between two rings of points, closed with or without a twist. Its place in the
+// plane is of no matter.
 Mesh strip(int n, bool twisted) {
     Mesh mesh;
     for (int k = 0; k < 2 * n; ++k) {
@@ -52,7 +54,8 @@ TEST_CASE("counter-clockwise, clockwise and mixed meshes") {
         harmorph::Mesh const view = core_mesh(mesh);
         int turned = 0;
         for (Index i = 0; i < view.n_cells; ++i) {
-            CHECK((cell_area(view.cell(i), view.points) < 0) == (found[static_cast<std::size_t>(i)] != 0));
+            CHECK((cell_area(view.cell(i), view.points) < 0) ==
+                  (found[static_cast<std::size_t>(i)] != 0));
             turned += found[static_cast<std::size_t>(i)];
         }
         CHECK(turned > mesh.n_cells() / 4);
@@ -60,7 +63,9 @@ TEST_CASE("counter-clockwise, clockwise and mixed meshes") {
     }
 }
 
-TEST_CASE("no corner is lower than the least height: the smallest corner area over the longest side of a cell") {
+TEST_CASE(
+    "no corner is lower than the least height: the smallest corner area over the longest side of a "
+    "cell") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         for (bool const clockwise : {false, true}) {
             Mesh mesh = square(9, kind);
@@ -72,12 +77,14 @@ TEST_CASE("no corner is lower than the least height: the smallest corner area ov
                 harmorph::CellShape const shape(cell, view.points, clockwise);
                 harmorph::CellCorners const corners(shape);
                 double longest = 0;
-                for (Index k = 0; k < cell.n; ++k) longest = std::fmax(longest, length(corners.side[k]));
+                for (Index k = 0; k < cell.n; ++k)
+                    longest = std::fmax(longest, length(corners.side[k]));
                 lowest = std::fmin(lowest, corners.smallest_height(cell.n));
                 bound = std::fmin(bound, corners.smallest() / longest);
             });
             harmorph::Sense const sense = common_sense(view, found);
-            CHECK(sense == (clockwise ? harmorph::Sense::clockwise : harmorph::Sense::counter_clockwise));
+            CHECK(sense ==
+                  (clockwise ? harmorph::Sense::clockwise : harmorph::Sense::counter_clockwise));
             CHECK(found <= lowest);
             CHECK(found <= bound);
             CHECK(found > (1 - 1e-8) * bound);
@@ -91,7 +98,7 @@ TEST_CASE("no corner is lower than the least height: the smallest corner area ov
 TEST_CASE("inverted cells do not turn: they agree with their neighbours, not with their own area") {
     for (bool const clockwise : {false, true}) {
         Mesh mesh = square(6, Cells::triangles);
-        mesh.x[8] = 10;   // point (1, 1) far out: cells round it fold over
+        mesh.x[8] = 10;  // point (1, 1) far out: cells round it fold over
         if (clockwise) reverse_all(mesh);
         Analysed const seen(mesh);
         CHECK(reversed_of(seen) == all(mesh, clockwise ? 1 : 0));
@@ -110,13 +117,14 @@ TEST_CASE("parts that are not joined settle their sense each for itself") {
     Mesh const other = square(4, Cells::triangles);
     for (std::size_t k = 0; k < other.x.size(); ++k) mesh.add_point({other.x[k] + 5, other.y[k]});
     std::int32_t const n_cells = mesh.n_cells();
-    for (std::size_t k = 0; k < other.cells.size(); k += 3)   // clockwise
+    for (std::size_t k = 0; k < other.cells.size(); k += 3)  // clockwise
         mesh.add_cell({other.cells[k] + n, other.cells[k + 2] + n, other.cells[k + 1] + n});
     for (std::size_t k = 0; k < other.faces.size(); k += 2)
         mesh.add_face(other.faces[k] + n, other.faces[k + 1] + n, 77);
     Analysed const seen(mesh);
     std::vector<std::uint8_t> const found = reversed_of(seen);
-    for (std::size_t k = 0; k < found.size(); ++k) CHECK(found[k] == (k < static_cast<std::size_t>(n_cells) ? 0 : 1));
+    for (std::size_t k = 0; k < found.size(); ++k)
+        CHECK(found[k] == (k < static_cast<std::size_t>(n_cells) ? 0 : 1));
     CHECK(seen->boundary.n_loops == 2);
 }
 

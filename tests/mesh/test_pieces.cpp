@@ -1,10 +1,11 @@
-// Division of polygons: triangles of positive area that are together the polygon, the best there are; guards.
+// Division of polygons: triangles of positive area that are together the polygon, the best there
+// are; guards.
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
 #include <fixtures/polygons.hpp>
 
-#include <harmorph/mesh/pieces.hpp>
+#include "mesh/pieces.hpp"
 
 using namespace fixtures;
 
@@ -15,7 +16,8 @@ struct Divided {
     Mesh mesh;
     harmorph::Mesh pieces;
 
-    explicit Divided(std::vector<Point> const& corners, std::int32_t index_base = 0) : base_(index_base) {
+    explicit Divided(std::vector<Point> const& corners, std::int32_t index_base = 0)
+        : base_(index_base) {
         for (Point const p : corners) mesh.cells.push_back(mesh.add_point(p) + index_base);
         mesh.cell_start = {index_base, mesh.n_points() + index_base};
         hm_mesh view = in_polygons(mesh.view());
@@ -30,7 +32,9 @@ struct Divided {
         REQUIRE(block_->guards_intact());
         pieces = division_.pieces.mesh(given);
     }
-    Point corner(std::int32_t piece, std::int32_t k) const { return mesh.point(pieces.cell(piece).point[k]); }
+    Point corner(std::int32_t piece, std::int32_t k) const {
+        return mesh.point(pieces.cell(piece).point[k]);
+    }
     double twice_area_of(std::int32_t piece) const {
         return twice_area(corner(piece, 0), corner(piece, 1), corner(piece, 2));
     }
@@ -39,7 +43,9 @@ struct Divided {
         for (std::int32_t i = 0; i < pieces.n_cells; ++i) worst = std::min(worst, shape(piece(i)));
         return worst;
     }
-    std::array<Point, 3> piece(std::int32_t i) const { return {corner(i, 0), corner(i, 1), corner(i, 2)}; }
+    std::array<Point, 3> piece(std::int32_t i) const {
+        return {corner(i, 0), corner(i, 1), corner(i, 2)};
+    }
     static double shape(std::array<Point, 3> const& t) {
         double squares = 0;
         for (std::size_t k = 0; k < 3; ++k) squares += std::pow(distance(t[k], t[(k + 1) % 3]), 2);
@@ -52,7 +58,8 @@ private:
     std::unique_ptr<Guarded> block_;
 };
 
-// The largest shape that the worst triangle can have, by trying all triangulations of the corners begin .. end.
+// The largest shape that the worst triangle can have, by trying all triangulations of the corners
+// begin .. end.
 double best_of_all(std::vector<Point> const& p, std::size_t begin, std::size_t end) {
     if (end - begin < 2) return 1;
     double best = -1;
@@ -68,7 +75,8 @@ std::vector<Point> star(int n, double depth, unsigned seed) {
     std::mt19937 random(seed);
     std::vector<Point> out;
     for (int k = 0; k < n; ++k) {
-        double const angle = 2 * pi * (k + 0.4 * uniform(random)) / n, r = 1 - depth * uniform(random);
+        double const angle = 2 * pi * (k + 0.4 * uniform(random)) / n,
+                     r = 1 - depth * uniform(random);
         out.push_back({r * std::cos(angle), r * std::sin(angle)});
     }
     return out;
@@ -90,20 +98,23 @@ std::vector<Point> with_middles(std::vector<Point> const& p, int per_side) {
 
 TEST_CASE("a polygon is divided into n - 2 triangles of positive area; each corner has a guard") {
     std::vector<std::vector<Point>> polygons = {
-        with_middles({{0, 0}, {2, 0}, {2, 1}, {0, 1}}, 1), with_middles({{0, 0}, {1, 0}, {0, 1}}, 3),
-        {{0, 0}, {1, 0}, {2, 0}, {1, 2}},                                  // a triangle with one hanging node
-        {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}},                  // an L
+        with_middles({{0, 0}, {2, 0}, {2, 1}, {0, 1}}, 1),
+        with_middles({{0, 0}, {1, 0}, {0, 1}}, 3),
+        {{0, 0}, {1, 0}, {2, 0}, {1, 2}},                  // a triangle with one hanging node
+        {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}},  // an L
         {{0, 0}, {4, 0}, {4, 4}, {3, 4}, {3, 1}, {1, 1}, {1, 4}, {0, 4}},  // a U
         {{0, 0}, {2, 0.5}, {0, 1}, {0.4, 0.5}},                            // an arrow
     };
-    for (unsigned seed = 1; seed <= 40; ++seed) polygons.push_back(star(5 + static_cast<int>(seed) % 11, 0.6, seed));
+    for (unsigned seed = 1; seed <= 40; ++seed)
+        polygons.push_back(star(5 + static_cast<int>(seed) % 11, 0.6, seed));
     polygons.push_back(star(300, 0.3, 7));
     for (std::vector<Point> polygon : polygons) {
         for (bool const clockwise : {false, true}) {
             CAPTURE(polygon.size());
             CAPTURE(clockwise);
             std::size_t convex = 0;
-            for (std::size_t k = 0; k < polygon.size(); ++k) convex += is_convex_corner(polygon, k) ? 1 : 0;
+            for (std::size_t k = 0; k < polygon.size(); ++k)
+                convex += is_convex_corner(polygon, k) ? 1 : 0;
             std::vector<Point> given = polygon;
             if (clockwise) std::reverse(given.begin(), given.end());
             Divided const its(given, clockwise ? 1 : 0);
@@ -139,7 +150,9 @@ TEST_CASE("the worst triangle is the best that any triangulation has") {
     }
 }
 
-TEST_CASE("triangles and convex quadrilaterals stay whole; a cell whose sides cross has an inverted triangle") {
+TEST_CASE(
+    "triangles and convex quadrilaterals stay whole; a cell whose sides cross has an inverted "
+    "triangle") {
     Divided const triangle({{0, 0}, {1, 0}, {0, 1}}), quad({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1);
     CHECK(triangle.pieces.n_checked() == 1);
     CHECK(triangle.pieces.cell(0).n == 3);
@@ -154,7 +167,7 @@ TEST_CASE("triangles and convex quadrilaterals stay whole; a cell whose sides cr
     }
     CHECK(smallest < 0);
     CHECK(largest > 0);
-    Divided const point({{1, 1}, {1, 1}, {1, 1}, {1, 1}, {1, 1}});   // nothing is divided by 0
+    Divided const point({{1, 1}, {1, 1}, {1, 1}, {1, 1}, {1, 1}});  // nothing is divided by 0
     CHECK(point.pieces.n_cells == 3);
 }
 

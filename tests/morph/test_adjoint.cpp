@@ -26,7 +26,8 @@ TEST_CASE("the same bits for any parts of the mesh") {
         Numbers const expected = adjoint(solved.basis, g);
         std::int32_t const n = problem.its.mesh.n_points();
         for (std::size_t const parts : {1u, 2u, 3u, 7u, 40u})
-            CHECK(same_bits(adjoint_in_parts(solved.basis, g, random_parts(n, parts, 17)), expected));
+            CHECK(
+                same_bits(adjoint_in_parts(solved.basis, g, random_parts(n, parts, 17)), expected));
         auto with_an_empty_one = random_parts(n, 2, 1);
         with_an_empty_one.insert(with_an_empty_one.begin(), std::vector<std::int32_t>{});
         CHECK(same_bits(adjoint_in_parts(solved.basis, g, with_an_empty_one), expected));
@@ -61,7 +62,8 @@ TEST_CASE("rows far from the wall, where all values are small, are scaled like t
     Rows const rows(solved.basis, points);
     Numbers const ones(static_cast<std::size_t>(n), 1.0);
     std::int32_t whole = 0, part = 0;
-    REQUIRE(hm_adjoint_scale(solved.basis, points_in(ones, ones), &whole, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_adjoint_scale(solved.basis, points_in(ones, ones), &whole, nullptr, nullptr) ==
+            HM_OK);
     REQUIRE(hm_adjoint_scale(rows.basis, points_in(ones, ones), &part, nullptr, nullptr) == HM_OK);
     CHECK(part == whole);
 }
@@ -74,7 +76,9 @@ TEST_CASE("more numbers in a row than are summed in one block") {
                     adjoint(solved.basis, g)));
 }
 
-TEST_CASE("a gradient times a power of two gives the same bits times it, from the smallest to the largest") {
+TEST_CASE(
+    "a gradient times a power of two gives the same bits times it, from the smallest to the "
+    "largest") {
     Case its = two_body_case();
     Solved const solved(its);
     Gradient const g(its.mesh.x.size(), 9);
@@ -97,7 +101,8 @@ TEST_CASE("one number that is not finite makes the gradient NaN, wherever it is"
         Gradient g(its.mesh.x.size(), 11);
         g.y[5] = bad;
         for (double const value : adjoint(solved.basis, g)) CHECK(std::isnan(value));
-        for (double const value : adjoint_in_parts(solved.basis, g, random_parts(its.mesh.n_points(), 3, 2)))
+        for (double const value :
+             adjoint_in_parts(solved.basis, g, random_parts(its.mesh.n_points(), 3, 2)))
             CHECK(std::isnan(value));
     }
     Gradient zero(its.mesh.x.size(), 12);
@@ -127,11 +132,17 @@ TEST_CASE("scales that do not fit are refused") {
     CHECK(error.item == scale - 1);
     for (std::int32_t const absurd : {5000, -5000}) {
         CHECK(sum_at(absurd) == HM_BAD_ARGUMENT);
-        CHECK(hm_adjoint_finish(solved.basis, absurd, sums.data(), gradient.data(), &error) == HM_BAD_ARGUMENT);
+        CHECK(hm_adjoint_finish(solved.basis, absurd, sums.data(), gradient.data(), &error) ==
+              HM_BAD_ARGUMENT);
     }
-    CHECK(hm_adjoint_scale(solved.basis, points_in(nullptr, g.y.data()), &scale, nullptr, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_adjoint_scale(solved.basis, points_in(g.x, g.y), nullptr, nullptr, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_adjoint_sums(solved.basis, points_in(g.x, g.y), scale, nullptr, nullptr, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_adjoint_finish(solved.basis, scale, nullptr, gradient.data(), nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_adjoint_finish(nullptr, scale, sums.data(), gradient.data(), nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_adjoint_scale(solved.basis, points_in(nullptr, g.y.data()), &scale, nullptr,
+                           nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_adjoint_scale(solved.basis, points_in(g.x, g.y), nullptr, nullptr, nullptr) ==
+          HM_BAD_ARGUMENT);
+    CHECK(hm_adjoint_sums(solved.basis, points_in(g.x, g.y), scale, nullptr, nullptr, nullptr) ==
+          HM_BAD_ARGUMENT);
+    CHECK(hm_adjoint_finish(solved.basis, scale, nullptr, gradient.data(), nullptr) ==
+          HM_BAD_ARGUMENT);
+    CHECK(hm_adjoint_finish(nullptr, scale, sums.data(), gradient.data(), nullptr) ==
+          HM_BAD_ARGUMENT);
 }

@@ -4,7 +4,7 @@
 #include <fixtures/core.hpp>
 #include <fixtures/traps.hpp>
 
-#include <harmorph/morph/admissible_step.hpp>
+#include "morph/admissible_step.hpp"
 
 using namespace fixtures;
 using harmorph::AdmissibleStep;
@@ -17,7 +17,10 @@ struct Displaced {
     mutable std::vector<std::uint8_t> reversed;
 
     explicit Displaced(Mesh const& its_mesh)
-        : mesh(its_mesh), dx(mesh.x.size(), 0.0), dy(dx), reversed(static_cast<std::size_t>(mesh.n_cells()), 0) {}
+        : mesh(its_mesh),
+          dx(mesh.x.size(), 0.0),
+          dy(dx),
+          reversed(static_cast<std::size_t>(mesh.n_cells()), 0) {}
 
     AdmissibleStep step() const {
         harmorph::Mesh const view = core_mesh(mesh);
@@ -37,11 +40,12 @@ struct Displaced {
     bool valid_after(double s) const { return check(after(s)).min_corner > 0; }
 };
 
-double mean_quality(Solved const& solved, hm_mesh const& mesh, Mesh const& at, Mesh const& reference) {
+double mean_quality(Solved const& solved, hm_mesh const& mesh, Mesh const& at,
+                    Mesh const& reference) {
     hm_quality_report report{};
     report.struct_size = sizeof report;
-    REQUIRE(hm_quality(solved.basis, &mesh, points_in(at.x, at.y), points_in(reference.x, reference.y), nullptr,
-                       &report, nullptr) == HM_OK);
+    REQUIRE(hm_quality(solved.basis, &mesh, points_in(at.x, at.y),
+                       points_in(reference.x, reference.y), nullptr, &report, nullptr) == HM_OK);
     return report.mean_quality;
 }
 
@@ -67,8 +71,10 @@ Displaced random_displacement(Mesh const& mesh, double size, unsigned seed) {
 }  // namespace
 
 TEST_CASE("roots of the quadratic, in all cases of its signs") {
-    // With these displacements twice the area is (1 + p s)(1 + q s) - r s^2 = 1 + (p + q) s + (p q - r) s^2.
-    double const values[] = {-3, -1, -0.5, -0x1p-10, 0, 0x1p-10, 0.5, 1, 3};   // exact, and so double roots are
+    // With these displacements twice the area is (1 + p s)(1 + q s) - r s^2 = 1 + (p + q) s + (p q
+    // - r) s^2.
+    double const values[] = {-3,      -1,  -0.5, -0x1p-10, 0,
+                             0x1p-10, 0.5, 1,    3};  // exact, and so double roots are
     int unlimited = 0, limited = 0;
     for (double const p : values)
         for (double const q : values)
@@ -78,7 +84,8 @@ TEST_CASE("roots of the quadratic, in all cases of its signs") {
                 its.dy[2] = q;
                 its.dy[1] = 1;
                 its.dx[2] = r;
-                long double const a = static_cast<long double>(p) * q - r, b = static_cast<long double>(p) + q;
+                long double const a = static_cast<long double>(p) * q - r,
+                                  b = static_cast<long double>(p) + q;
                 long double const discriminant = b * b - 4 * a;
                 long double expected = HUGE_VALL;
                 auto const offer = [&](long double s) {
@@ -98,7 +105,8 @@ TEST_CASE("roots of the quadratic, in all cases of its signs") {
                     CHECK(its.point(found) == -1);
                     ++unlimited;
                 } else {
-                    CHECK(found.step == doctest::Approx(static_cast<double>(expected)).epsilon(1e-7));
+                    CHECK(found.step ==
+                          doctest::Approx(static_cast<double>(expected)).epsilon(1e-7));
                     CHECK(found.cell == 0);
                     CHECK(its.point(found) == 0);
                     ++limited;
@@ -108,18 +116,20 @@ TEST_CASE("roots of the quadratic, in all cases of its signs") {
     CHECK(limited > 50);
 }
 
-// Needles: two sides of length 1 and one of 1e-10, at any angle and with the short side anywhere in the order of the
-// points. The product of the long sides would have lost six digits of the area. Alone, and behind 64 cells that limit
-// the step to a little more.
+// Needles: two sides of length 1 and one of 1e-10, at any angle and with the short side anywhere in
+// the order of the points. The product of the long sides would have lost six digits of the area.
+// Alone, and behind 64 cells that limit the step to a little more.
 TEST_CASE("the step of a needle has the digits of its short side") {
     std::mt19937 random(8);
     int limited = 0;
     for (int trial = 0; trial < 300; ++trial) {
         double const angle = 6.3 * uniform(random), size = 1e-10;
         auto const any = [&] { return size * (2 * uniform(random) - 1); };
-        double const turned = angle + 0.3 + 2.5 * uniform(random);   // of the short side against the long ones
-        Point const corner[] = {
-            {0, 0}, {std::cos(angle), std::sin(angle)}, {size * std::cos(turned), size * std::sin(turned)}};
+        double const turned =
+            angle + 0.3 + 2.5 * uniform(random);  // of the short side against the long ones
+        Point const corner[] = {{0, 0},
+                                {std::cos(angle), std::sin(angle)},
+                                {size * std::cos(turned), size * std::sin(turned)}};
         Mesh mesh;
         for (int k = 0; k < 3; ++k) mesh.add_point(corner[(k + trial) % 3]);
         mesh.add_cell({0, 1, 2});
@@ -127,13 +137,17 @@ TEST_CASE("the step of a needle has the digits of its short side") {
         for (std::size_t k = 0; k < 3; ++k) alone.dx[k] = any(), alone.dy[k] = any();
 
         auto const side = [&](std::vector<double> const& of, int to) {
-            std::size_t const from = static_cast<std::size_t>(3 - trial % 3) % 3;   // the point at the origin
-            return static_cast<long double>(of[(from + static_cast<std::size_t>(to)) % 3]) - of[from];
+            std::size_t const from =
+                static_cast<std::size_t>(3 - trial % 3) % 3;  // the point at the origin
+            return static_cast<long double>(of[(from + static_cast<std::size_t>(to)) % 3]) -
+                   of[from];
         };
-        long double const ax = side(mesh.x, 1), ay = side(mesh.y, 1), bx = side(mesh.x, 2), by = side(mesh.y, 2);
+        long double const ax = side(mesh.x, 1), ay = side(mesh.y, 1), bx = side(mesh.x, 2),
+                          by = side(mesh.y, 2);
         long double const ux = side(alone.dx, 1), uy = side(alone.dy, 1), vx = side(alone.dx, 2),
                           vy = side(alone.dy, 2);
-        long double const c = ax * by - ay * bx, b = ax * vy - ay * vx + ux * by - uy * bx, a = ux * vy - uy * vx;
+        long double const c = ax * by - ay * bx, b = ax * vy - ay * vx + ux * by - uy * bx,
+                          a = ux * vy - uy * vx;
         long double const root = b * b - 4 * a * c;
         if (b >= 0 || root < 0.01L * b * b) continue;
         ++limited;
@@ -163,14 +177,14 @@ TEST_CASE("the step of a needle has the digits of its short side") {
 TEST_CASE("a double root: the area touches 0 and grows again; that is a limit") {
     Displaced its = one_triangle();
     its.dx[1] = -1;
-    its.dy[2] = -1;   // (1 - s)^2
+    its.dy[2] = -1;  // (1 - s)^2
     CHECK(its.step().step == 1);
 }
 
 TEST_CASE("rigid and growing motions are unlimited; a collapse is not") {
     Mesh const mesh = square(6, Cells::hybrid, 2, 2);
     Displaced its(mesh);
-    CHECK(its.step().step == HUGE_VAL);   // no motion
+    CHECK(its.step().step == HUGE_VAL);  // no motion
     for (std::size_t k = 0; k < its.dx.size(); ++k) its.dx[k] = 0.3, its.dy[k] = -7;
     CHECK(its.step().step == HUGE_VAL);
     for (std::size_t k = 0; k < its.dx.size(); ++k) its.dx[k] = mesh.x[k], its.dy[k] = mesh.y[k];
@@ -182,7 +196,9 @@ TEST_CASE("rigid and growing motions are unlimited; a collapse is not") {
     CHECK(its.step().step == doctest::Approx(3).epsilon(1e-12));
 }
 
-TEST_CASE("exact on meshes: valid a millionth before, inverted a millionth behind, all the way valid up to it") {
+TEST_CASE(
+    "exact on meshes: valid a millionth before, inverted a millionth behind, all the way valid up "
+    "to it") {
     int limited = 0;
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         for (unsigned seed = 0; seed < 20; ++seed) {
@@ -202,7 +218,8 @@ TEST_CASE("exact on meshes: valid a millionth before, inverted a millionth behin
             for (int k = 0; k < cell.n; ++k) {
                 Point const a = flat.point(cell.point[k]), b = flat.point(cell.next(k)),
                             c = flat.point(cell.previous(k));
-                if (cell.point[k] == its.point(found)) seen = std::fabs(twice_area(a, b, c)) < 1e-12;
+                if (cell.point[k] == its.point(found))
+                    seen = std::fabs(twice_area(a, b, c)) < 1e-12;
             }
             CHECK(seen);
         }
@@ -214,10 +231,12 @@ TEST_CASE("the same as bisection, where the motion is a bending that grows") {
         Mesh const mesh = annulus(8, 40, 0.5, 2, kind);
         Displaced its(mesh);
         for (std::size_t k = 0; k < its.dx.size(); ++k)
-            its.dy[k] = std::exp(-10 * std::pow(mesh.x[k] - 0.4, 2)) * (2 - std::hypot(mesh.x[k], mesh.y[k]));
+            its.dy[k] = std::exp(-10 * std::pow(mesh.x[k] - 0.4, 2)) *
+                        (2 - std::hypot(mesh.x[k], mesh.y[k]));
         double low = 0, high = 1;
         while (its.valid_after(high)) high *= 2;
-        for (int k = 0; k < 60; ++k) (its.valid_after(0.5 * (low + high)) ? low : high) = 0.5 * (low + high);
+        for (int k = 0; k < 60; ++k)
+            (its.valid_after(0.5 * (low + high)) ? low : high) = 0.5 * (low + high);
         CHECK(its.step().step == doctest::Approx(high).epsilon(1e-10));
     }
 }
@@ -239,7 +258,7 @@ TEST_CASE("clockwise cells have the same steps; an inverted mesh allows none") {
     Displaced flat = one_triangle();
     flat.mesh.x[2] = 2;
     flat.mesh.y[2] = 0;
-    flat.dy[2] = 1;   // would become valid, but is not
+    flat.dy[2] = 1;  // would become valid, but is not
     CHECK(flat.step().step == 0);
 }
 
@@ -256,7 +275,9 @@ TEST_CASE("a displacement that is not a number allows no step") {
     }
 }
 
-TEST_CASE("a smaller displacement allows the larger step, to rounding; scaling by a power of two exactly") {
+TEST_CASE(
+    "a smaller displacement allows the larger step, to rounding; scaling by a power of two "
+    "exactly") {
     Mesh const mesh = annulus(5, 24, 0.5, 2, Cells::hybrid);
     Displaced const its = random_displacement(mesh, 0.01, 6);
     Displaced small = its;
@@ -278,12 +299,13 @@ TEST_CASE("with a basis: half the admissible step of a movement is a valid mesh,
     for (unsigned seed = 0; seed < 5; ++seed) {
         std::vector<double> const move = some_move(its.curves.n_control(), 0.05, seed);
         Displaced displaced(its.mesh);
-        REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(displaced.dx, displaced.dy), nullptr,
-                         nullptr) == HM_OK);
+        REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(displaced.dx, displaced.dy),
+                         nullptr, nullptr) == HM_OK);
         hm_step_report report{};
         report.struct_size = sizeof report;
-        REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, points_in(displaced.dx, displaced.dy), nullptr,
-                                   &report, nullptr) == HM_OK);
+        REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr,
+                                   points_in(displaced.dx, displaced.dy), nullptr, &report,
+                                   nullptr) == HM_OK);
         REQUIRE(report.admissible < HUGE_VAL);
         CHECK(displaced.valid_after(0.5 * report.admissible));
         CHECK(displaced.valid_after(0.999999 * report.admissible));
@@ -291,22 +313,29 @@ TEST_CASE("with a basis: half the admissible step of a movement is a valid mesh,
     }
 }
 
-TEST_CASE("from other coordinates than the mesh's own: the limit is that of the start, as bisection finds it") {
+TEST_CASE(
+    "from other coordinates than the mesh's own: the limit is that of the start, as bisection "
+    "finds it") {
     Case its = airfoil_case();
     Solved const solved(its);
     Displaced start(its.mesh), now(its.mesh);
     std::vector<double> const move = some_move(its.curves.n_control(), 0.05, 3);
-    REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(start.dx, start.dy), nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(start.dx, start.dy), nullptr,
+                     nullptr) == HM_OK);
     double const limit = start.step().step;
-    now.mesh = start.after(0.5 * limit);   // as in a code that morphs from the first mesh at each time step
+    now.mesh =
+        start.after(0.5 * limit);  // as in a code that morphs from the first mesh at each time step
     hm_mesh const mesh = now.mesh.view();
     hm_step_report report{}, assessed{};
     report.struct_size = assessed.struct_size = sizeof report;
     hm_quality_report quality{};
     quality.struct_size = sizeof quality;
-    auto const from = points_in(its.mesh.x, its.mesh.y), displacement = points_in(start.dx, start.dy);
-    REQUIRE(hm_admissible_step(solved.basis, &mesh, from, displacement, nullptr, &report, nullptr) == HM_OK);
-    REQUIRE(hm_assess(solved.basis, &mesh, from, displacement, nullptr, &assessed, &quality, nullptr) == HM_OK);
+    auto const from = points_in(its.mesh.x, its.mesh.y),
+               displacement = points_in(start.dx, start.dy);
+    REQUIRE(hm_admissible_step(solved.basis, &mesh, from, displacement, nullptr, &report,
+                               nullptr) == HM_OK);
+    REQUIRE(hm_assess(solved.basis, &mesh, from, displacement, nullptr, &assessed, &quality,
+                      nullptr) == HM_OK);
     CHECK(assessed.admissible == report.admissible);
     CHECK(quality.mean_quality == mean_quality(solved, mesh, start.after(1), its.mesh));
 
@@ -318,6 +347,7 @@ TEST_CASE("from other coordinates than the mesh's own: the limit is that of the 
     }
     CHECK(report.admissible == doctest::Approx(valid).epsilon(1e-10));
 
-    REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, displacement, nullptr, &report, nullptr) == HM_OK);
+    REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, displacement, nullptr, &report,
+                               nullptr) == HM_OK);
     CHECK(report.admissible == doctest::Approx(valid - 0.5 * limit).epsilon(1e-10));
 }

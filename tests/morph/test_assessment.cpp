@@ -17,12 +17,14 @@ struct Both {
     }
     // To rounding: areas of reference come from diagonals here, from corners there.
     bool agrees_with(Both const& other) const {
-        auto const near = [](double a, double b) { return a == doctest::Approx(b).epsilon(1e-12) || a == b; };
+        auto const near = [](double a, double b) {
+            return a == doctest::Approx(b).epsilon(1e-12) || a == b;
+        };
         hm_quality_report const &a = quality, &b = other.quality;
         return std::memcmp(&step, &other.step, sizeof step) == 0 && a.inverted == b.inverted &&
-               a.first_inverted == b.first_inverted && a.min_area == b.min_area && near(a.min_quality, b.min_quality) &&
-               near(a.mean_quality, b.mean_quality) && a.min_quality_cell == b.min_quality_cell &&
-               a.self_crossing == b.self_crossing &&
+               a.first_inverted == b.first_inverted && a.min_area == b.min_area &&
+               near(a.min_quality, b.min_quality) && near(a.mean_quality, b.mean_quality) &&
+               a.min_quality_cell == b.min_quality_cell && a.self_crossing == b.self_crossing &&
                std::memcmp(a.crossing_points, b.crossing_points, sizeof a.crossing_points) == 0;
     }
     bool same_as(Both const& other) const {
@@ -33,10 +35,12 @@ struct Both {
 
 }  // namespace
 
-TEST_CASE("the same step and the same quality as one after the other, before the morph instead of after it") {
+TEST_CASE(
+    "the same step and the same quality as one after the other, before the morph instead of after "
+    "it") {
     for (std::int32_t const base : {0, 1})
         for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
-            for (double const size : {0.0, 1e-5, 1.0}) {   // from nothing at all to a tangle
+            for (double const size : {0.0, 1e-5, 1.0}) {  // from nothing at all to a tangle
                 Case its = airfoil_case(40, 12, kind);
                 its.index_base = base;
                 if (base == 1) reverse_some(its.mesh, 3);
@@ -45,23 +49,25 @@ TEST_CASE("the same step and the same quality as one after the other, before the
                 std::size_t const n = its.mesh.x.size();
                 std::vector<double> const move = some_move(its.curves.n_control(), size, 5);
                 std::vector<double> dx(n), dy(n), x(n), y(n);
-                REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) == HM_OK);
-                REQUIRE(hm_morph(solved.basis, move.data(), &mesh.points, points_out(x, y), nullptr, nullptr) == HM_OK);
+                REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr,
+                                 nullptr) == HM_OK);
+                REQUIRE(hm_morph(solved.basis, move.data(), &mesh.points, points_out(x, y), nullptr,
+                                 nullptr) == HM_OK);
                 Both apart, together;
-                REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, points_in(dx, dy), nullptr, &apart.step,
-                                           nullptr) == HM_OK);
-                REQUIRE(hm_quality(solved.basis, &mesh, points_in(x, y), &mesh.points, nullptr, &apart.quality,
-                                   nullptr) == HM_OK);
-                REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), nullptr, &together.step,
-                                  &together.quality, nullptr) == HM_OK);
+                REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, points_in(dx, dy), nullptr,
+                                           &apart.step, nullptr) == HM_OK);
+                REQUIRE(hm_quality(solved.basis, &mesh, points_in(x, y), &mesh.points, nullptr,
+                                   &apart.quality, nullptr) == HM_OK);
+                REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), nullptr,
+                                  &together.step, &together.quality, nullptr) == HM_OK);
                 CHECK(together.agrees_with(apart));
                 CHECK((together.quality.inverted > 0) == (size == 1.0));
                 CHECK((together.step.admissible < 1) == (size == 1.0));
                 Backwards order;
                 hm_executor const executor = order.executor(4);
                 Both threaded;
-                REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), &executor, &threaded.step,
-                                  &threaded.quality, nullptr) == HM_OK);
+                REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), &executor,
+                                  &threaded.step, &threaded.quality, nullptr) == HM_OK);
                 CHECK(threaded.same_as(together));
                 CHECK(order.tasks > 1);
             }
@@ -74,18 +80,23 @@ TEST_CASE("NULL and foreign meshes are refused") {
     std::vector<double> const d(its.mesh.x.size(), 0.0);
     Both both;
     hm_status const refused[] = {
-        hm_assess(nullptr, &mesh, nullptr, points_in(d, d), nullptr, &both.step, &both.quality, nullptr),
-        hm_assess(solved.basis, nullptr, nullptr, points_in(d, d), nullptr, &both.step, &both.quality, nullptr),
-        hm_assess(solved.basis, &mesh, nullptr, points_in(nullptr, d.data()), nullptr, &both.step, &both.quality,
+        hm_assess(nullptr, &mesh, nullptr, points_in(d, d), nullptr, &both.step, &both.quality,
                   nullptr),
-        hm_assess(solved.basis, &mesh, nullptr, points_in(d.data(), nullptr), nullptr, &both.step, &both.quality,
+        hm_assess(solved.basis, nullptr, nullptr, points_in(d, d), nullptr, &both.step,
+                  &both.quality, nullptr),
+        hm_assess(solved.basis, &mesh, nullptr, points_in(nullptr, d.data()), nullptr, &both.step,
+                  &both.quality, nullptr),
+        hm_assess(solved.basis, &mesh, nullptr, points_in(d.data(), nullptr), nullptr, &both.step,
+                  &both.quality, nullptr),
+        hm_assess(solved.basis, &mesh, nullptr, points_in(d, d, -1), nullptr, &both.step,
+                  &both.quality, nullptr),
+        hm_assess(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, nullptr, &both.quality,
                   nullptr),
-        hm_assess(solved.basis, &mesh, nullptr, points_in(d, d, -1), nullptr, &both.step, &both.quality, nullptr),
-        hm_assess(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, nullptr, &both.quality, nullptr),
-        hm_assess(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, &both.step, nullptr, nullptr),
+        hm_assess(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, &both.step, nullptr,
+                  nullptr),
     };
     for (hm_status const status : refused) CHECK(status == HM_BAD_ARGUMENT);
-    CHECK(hm_assess(solved.basis, &foreign, nullptr, points_in(d, d), nullptr, &both.step, &both.quality, nullptr) ==
-          HM_BAD_BASIS);
+    CHECK(hm_assess(solved.basis, &foreign, nullptr, points_in(d, d), nullptr, &both.step,
+                    &both.quality, nullptr) == HM_BAD_BASIS);
     CHECK(both.same_as(Both()));
 }

@@ -18,8 +18,10 @@ TEST_CASE("batches find what single cells show, in all layouts, valid and invert
 }
 
 TEST_CASE("structured blocks: batches run on from row to row and from block to block") {
-    for (std::vector<Index> const& sizes : std::vector<std::vector<Index>>{
-             {200, 15}, {41, 12, 2, 2, 130, 3, 5, 60, 67, 30}, {2, 700, 2, 700, 66, 17, 2, 2, 2, 2}}) {
+    for (std::vector<Index> const& sizes :
+         std::vector<std::vector<Index>>{{200, 15},
+                                         {41, 12, 2, 2, 130, 3, 5, 60, 67, 30},
+                                         {2, 700, 2, 700, 66, 17, 2, 2, 2, 2}}) {
         CAPTURE(sizes.size());
         for (double const noise : {0.0, 0.2, 0.9}) {
             for (double const size : {0.0, 1e-3, 0.3, 5.0}) check_all(Grid(sizes, noise, size, 11));
@@ -50,17 +52,22 @@ std::vector<double> in_pairs(std::vector<double> const& x, std::vector<double> c
     return pairs;
 }
 
-TEST_CASE("points or displacements in pairs give the bits of points in two arrays, in all layouts") {
+TEST_CASE(
+    "points or displacements in pairs give the bits of points in two arrays, in all layouts") {
     for (CellLayout const layout : layouts) {
         CAPTURE(static_cast<int>(layout));
         Grid const grid(layout, 0.2, 0.3, 11);
-        std::vector<double> const pairs = in_pairs(grid.x, grid.y), changes = in_pairs(grid.dx, grid.dy);
-        Points const at = {pairs.data(), pairs.data() + 1, 2}, by = {changes.data(), changes.data() + 1, 2};
+        std::vector<double> const pairs = in_pairs(grid.x, grid.y),
+                                  changes = in_pairs(grid.dx, grid.dy);
+        Points const at = {pairs.data(), pairs.data() + 1, 2},
+                     by = {changes.data(), changes.data() + 1, 2};
         for (harmorph::Kernel const kernel : usable_kernels()) {
             harmorph::Executor executor;
             executor.kernel = kernel;
-            Assessment const apart = harmorph::assess(grid.cells, grid.points(), grid.change(), executor);
-            harmorph::Quality const skew = harmorph::measure_quality(grid.cells, grid.points(), {}, executor);
+            Assessment const apart =
+                harmorph::assess(grid.cells, grid.points(), grid.change(), executor);
+            harmorph::Quality const skew =
+                harmorph::measure_quality(grid.cells, grid.points(), {}, executor);
             for (Points const points : {at, grid.points()}) {
                 for (Points const change : {by, grid.change()}) {
                     Assessment const found = harmorph::assess(grid.cells, points, change, executor);
@@ -73,7 +80,8 @@ TEST_CASE("points or displacements in pairs give the bits of points in two array
     }
 }
 
-TEST_CASE("lists of any number of cells, in steps of eight and not, are looked at to the last one") {
+TEST_CASE(
+    "lists of any number of cells, in steps of eight and not, are looked at to the last one") {
     for (CellLayout const layout : {CellLayout::rows, CellLayout::triangles, CellLayout::quads}) {
         CAPTURE(static_cast<int>(layout));
         for (Index n = 1; n <= 40; ++n) {
@@ -86,11 +94,13 @@ TEST_CASE("lists of any number of cells, in steps of eight and not, are looked a
 }
 
 TEST_CASE("cells whose index base is 1 are the same cells") {
-    for (CellLayout const layout : {CellLayout::rows, CellLayout::triangles, CellLayout::quads, CellLayout::mixed}) {
+    for (CellLayout const layout :
+         {CellLayout::rows, CellLayout::triangles, CellLayout::quads, CellLayout::mixed}) {
         CAPTURE(static_cast<int>(layout));
         Grid grid(layout, 0.2, 0.3, 13);
         Assessment const from_zero = harmorph::assess(grid.cells, grid.points(), grid.change(), {});
-        for (std::vector<Index>* const list : {&grid.triangles, &grid.quads, &grid.row_points, &grid.starts})
+        for (std::vector<Index>* const list :
+             {&grid.triangles, &grid.quads, &grid.row_points, &grid.starts})
             for (Index& index : *list) ++index;
         grid.cells.mesh.index_base = 1;
         check_all(grid);

@@ -3,7 +3,7 @@
 
 #include <fixtures/core.hpp>
 
-#include <harmorph/morph/crossing.hpp>
+#include "morph/crossing.hpp"
 
 using namespace fixtures;
 using harmorph::Crossing;
@@ -23,21 +23,26 @@ struct Polygons {
         }
         loop_start.push_back(static_cast<std::int32_t>(point.size()));
     }
-    Crossing find() const { return find_crossing(span(point), span(loop_start), {x.data(), y.data(), 1}); }
+    Crossing find() const {
+        return find_crossing(span(point), span(loop_start), {x.data(), y.data(), 1});
+    }
 
-    Point at(std::int32_t k) const { return {x[static_cast<std::size_t>(k)], y[static_cast<std::size_t>(k)]}; }
+    Point at(std::int32_t k) const {
+        return {x[static_cast<std::size_t>(k)], y[static_cast<std::size_t>(k)]};
+    }
     bool crosses(const harmorph::Index* first, const harmorph::Index* second) const {
         Point const a = at(first[0]), b = at(first[1]), c = at(second[0]), d = at(second[1]);
         auto const sides = [](double s, double t) { return (s < 0 && t > 0) || (s > 0 && t < 0); };
-        return sides(twice_area(a, b, c), twice_area(a, b, d)) && sides(twice_area(c, d, a), twice_area(c, d, b));
+        return sides(twice_area(a, b, c), twice_area(a, b, d)) &&
+               sides(twice_area(c, d, a), twice_area(c, d, b));
     }
     bool any_crossing() const {
         std::vector<std::array<harmorph::Index, 2>> faces;
         for (std::size_t loop = 0; loop + 1 < loop_start.size(); ++loop)
             for (std::int32_t k = loop_start[loop]; k < loop_start[loop + 1]; ++k)
-                faces.push_back(
-                    {point[static_cast<std::size_t>(k)],
-                     point[static_cast<std::size_t>(k + 1 == loop_start[loop + 1] ? loop_start[loop] : k + 1)]});
+                faces.push_back({point[static_cast<std::size_t>(k)],
+                                 point[static_cast<std::size_t>(
+                                     k + 1 == loop_start[loop + 1] ? loop_start[loop] : k + 1)]});
         for (std::size_t i = 0; i < faces.size(); ++i)
             for (std::size_t j = 0; j < i; ++j)
                 if (crosses(faces[i].data(), faces[j].data())) return true;
@@ -47,7 +52,8 @@ struct Polygons {
         for (std::size_t loop = 0; loop + 1 < loop_start.size(); ++loop)
             for (std::int32_t k = loop_start[loop]; k < loop_start[loop + 1]; ++k) {
                 std::int32_t const next = k + 1 == loop_start[loop + 1] ? loop_start[loop] : k + 1;
-                if (point[static_cast<std::size_t>(k)] == face[0] && point[static_cast<std::size_t>(next)] == face[1])
+                if (point[static_cast<std::size_t>(k)] == face[0] &&
+                    point[static_cast<std::size_t>(next)] == face[1])
                     return true;
             }
         return false;
@@ -55,11 +61,13 @@ struct Polygons {
 };
 
 // A part of a circle, closed by a chord.
-std::vector<Point> circle(int n, double r, Point centre, double wobble = 0, unsigned seed = 1, double part = 1) {
+std::vector<Point> circle(int n, double r, Point centre, double wobble = 0, unsigned seed = 1,
+                          double part = 1) {
     std::mt19937 random(seed);
     std::vector<Point> out;
     for (int k = 0; k < n; ++k) {
-        double const angle = 2 * std::acos(-1.0) * part * k / n, its = r * (1 + wobble * (2 * uniform(random) - 1));
+        double const angle = 2 * std::acos(-1.0) * part * k / n,
+                     its = r * (1 + wobble * (2 * uniform(random) - 1));
         out.push_back({centre.x + its * std::cos(angle), centre.y + its * std::sin(angle)});
     }
     return out;
@@ -67,7 +75,9 @@ std::vector<Point> circle(int n, double r, Point centre, double wobble = 0, unsi
 
 }  // namespace
 
-TEST_CASE("random polygons: found if and only if any pair of faces crosses, and the pair that is named does") {
+TEST_CASE(
+    "random polygons: found if and only if any pair of faces crosses, and the pair that is named "
+    "does") {
     int crossed = 0, clear = 0;
     std::mt19937 random(7);
     for (int trial = 0; trial < 2000; ++trial) {
@@ -77,8 +87,9 @@ TEST_CASE("random polygons: found if and only if any pair of faces crosses, and 
             int const n = 3 + static_cast<int>(random() % 40);
             double const wobble = trial % 2 == 0 ? 0.3 : 0, part = random() % 2 == 0 ? 1 : 0.5;
             Point const centre{4 * uniform(random), 4 * uniform(random)};
-            std::vector<Point> its = circle(n, 0.5, centre, wobble, static_cast<unsigned>(trial), part);
-            if (random() % 8 == 0) {   // one point far out of place, or nearly
+            std::vector<Point> its =
+                circle(n, 0.5, centre, wobble, static_cast<unsigned>(trial), part);
+            if (random() % 8 == 0) {  // one point far out of place, or nearly
                 Point& moved = its[random() % its.size()];
                 moved.x += 0.7 * (2 * uniform(random) - 1);
                 moved.y += 0.7 * (2 * uniform(random) - 1);
@@ -116,20 +127,20 @@ TEST_CASE("faces that close a loop take part") {
                       {1.2 * middle.x, 1.2 * middle.y - 0.01}});
         Crossing const found = polygons.find();
         REQUIRE(found.found);
-        bool const names_it =
-            (found.first[0] == n - 1 && found.first[1] == 0) || (found.second[0] == n - 1 && found.second[1] == 0);
+        bool const names_it = (found.first[0] == n - 1 && found.first[1] == 0) ||
+                              (found.second[0] == n - 1 && found.second[1] == 0);
         CHECK(names_it);
     }
 }
 
 TEST_CASE("touching is not crossing") {
-    Polygons corner;   // corner on side, corner on corner
+    Polygons corner;  // corner on side, corner on corner
     corner.add({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
     corner.add({{1, 0.5}, {2, 0}, {2, 1}});
     corner.add({{0, 0}, {-1, 0}, {-1, -1}});
     corner.add({{0.5, 1}, {0.75, 2}, {0.25, 2}});
     CHECK(!corner.find().found);
-    Polygons twice;   // a bow-tie boundary passes its point twice
+    Polygons twice;  // a bow-tie boundary passes its point twice
     twice.x = {0, 1, 0, -1, -1};
     twice.y = {0, 1, 1, 0, -1};
     twice.point = {0, 1, 2, 0, 3, 4};
@@ -137,23 +148,39 @@ TEST_CASE("touching is not crossing") {
     CHECK(!twice.find().found);
 }
 
-TEST_CASE("faces that lie on each other cross, and are named, however they are turned and where their loops begin") {
+TEST_CASE(
+    "faces that lie on each other cross, and are named, however they are turned and where their "
+    "loops begin") {
     struct {
         std::vector<Point> first, second;
         bool cross;
     } const all[] = {
-        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 4}, {3, 4}, {2, 6}}, true},            // a side on a part of a side
-        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{3, 4}, {5, 4}, {5, 6}, {3, 6}}, true},    // sides on parts of each other
-        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 0}, {3, 0}, {3, 2}, {1, 2}}, true},    // from inside
-        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{2, 2}, {2, 4}, {3, 4}, {3, 6}, {1, 6}, {1, 2}}, true},   // and through it
-        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{4, 4}, {8, 4}, {8, 8}}, false},           // on one line, end to end
-        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{5, 4}, {8, 4}, {8, 8}}, false},           // on one line, apart
-        {{{0, 0}, {4, 0}, {2, 0}, {2, 4}}, {{9, 9}, {10, 9}, {9, 10}}, true},          // folded back by half
-        {{{0, 0}, {2, 0}, {4, 0}, {1, 0}, {0, 4}}, {{9, 9}, {10, 9}, {9, 10}}, true},  // by one and a half
-        {{{0, 0}, {1, 0}, {3, 0}, {1, 0}}, {{9, 9}, {10, 9}, {9, 10}}, false}};        // a plate without thickness
+        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}},
+         {{1, 4}, {3, 4}, {2, 6}},
+         true},  // a side on a part of a side
+        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}},
+         {{3, 4}, {5, 4}, {5, 6}, {3, 6}},
+         true},  // sides on parts of each other
+        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 0}, {3, 0}, {3, 2}, {1, 2}}, true},  // from inside
+        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}},
+         {{2, 2}, {2, 4}, {3, 4}, {3, 6}, {1, 6}, {1, 2}},
+         true},  // and through it
+        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}},
+         {{4, 4}, {8, 4}, {8, 8}},
+         false},  // on one line, end to end
+        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{5, 4}, {8, 4}, {8, 8}}, false},  // on one line, apart
+        {{{0, 0}, {4, 0}, {2, 0}, {2, 4}},
+         {{9, 9}, {10, 9}, {9, 10}},
+         true},  // folded back by half
+        {{{0, 0}, {2, 0}, {4, 0}, {1, 0}, {0, 4}},
+         {{9, 9}, {10, 9}, {9, 10}},
+         true},  // by one and a half
+        {{{0, 0}, {1, 0}, {3, 0}, {1, 0}},
+         {{9, 9}, {10, 9}, {9, 10}},
+         false}};  // a plate without thickness
     for (auto const& pair : all)
-        for (Complex const by :
-             {Complex(1, 0), Complex(0, 1), Complex(3, 4), Complex(-1, 2)})   // whole numbers stay exact
+        for (Complex const by : {Complex(1, 0), Complex(0, 1), Complex(3, 4),
+                                 Complex(-1, 2)})  // whole numbers stay exact
             for (std::size_t start = 0; start < pair.first.size(); ++start) {
                 Polygons its;
                 for (std::vector<Point> const* polygon : {&pair.first, &pair.second}) {
@@ -162,7 +189,8 @@ TEST_CASE("faces that lie on each other cross, and are named, however they are t
                         Complex const z = Complex(p.x, p.y) * by;
                         turned.push_back({z.real(), z.imag()});
                     }
-                    std::ptrdiff_t const by_start = polygon == &pair.first ? static_cast<std::ptrdiff_t>(start) : 0;
+                    std::ptrdiff_t const by_start =
+                        polygon == &pair.first ? static_cast<std::ptrdiff_t>(start) : 0;
                     std::rotate(turned.begin(), turned.begin() + by_start, turned.end());
                     its.add(turned);
                 }
@@ -175,34 +203,61 @@ TEST_CASE("faces that lie on each other cross, and are named, however they are t
             }
 }
 
-TEST_CASE("faces with the same ends: walls that came together cross, the two sides of a wall do not") {
+TEST_CASE(
+    "faces with the same ends: walls that came together cross, the two sides of a wall do not") {
     // The mesh is on the left: bodies run clockwise, what is round the mesh runs counter-clockwise.
     struct {
         const char* name;
         std::vector<std::vector<Point>> loops;
         bool cross;
     } const all[] = {
-        {"two bodies, by one side", {{{0, 0}, {0, 4}, {4, 4}, {4, 0}}, {{4, 0}, {4, 4}, {8, 4}, {8, 0}}}, true},
+        {"two bodies, by one side",
+         {{{0, 0}, {0, 4}, {4, 4}, {4, 0}}, {{4, 0}, {4, 4}, {8, 4}, {8, 0}}},
+         true},
         {"by three faces, round a corner",
-         {{{0, 0}, {0, 4}, {2, 4}, {4, 4}, {4, 0}}, {{4, 0}, {4, 4}, {2, 4}, {0, 4}, {0, 6}, {8, 6}, {8, 0}}}, true},
+         {{{0, 0}, {0, 4}, {2, 4}, {4, 4}, {4, 0}},
+          {{4, 0}, {4, 4}, {2, 4}, {0, 4}, {0, 6}, {8, 6}, {8, 0}}},
+         true},
         {"one fills the gap of the other",
-         {{{0, 0}, {0, 4}, {2, 4}, {2, 2}, {4, 2}, {4, 4}, {6, 4}, {6, 0}}, {{2, 4}, {4, 4}, {4, 2}, {2, 2}}}, true},
+         {{{0, 0}, {0, 4}, {2, 4}, {2, 2}, {4, 2}, {4, 4}, {6, 4}, {6, 0}},
+          {{2, 4}, {4, 4}, {4, 2}, {2, 2}}},
+         true},
         {"a body on the channel's wall",
          {{{0, 0}, {2, 0}, {4, 0}, {6, 0}, {6, 6}, {0, 6}}, {{2, 0}, {2, 2}, {4, 2}, {4, 0}}},
          true},
         {"a slot that closed from the outside",
          {{{0, 0}, {0, 6}, {2, 6}, {2, 4}, {1, 2}, {3, 2}, {2, 4}, {2, 6}, {4, 6}, {4, 0}}},
          true},
-        {"two meshes with a wall between", {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{4, 0}, {8, 0}, {8, 4}, {4, 4}}}, false},
-        {"one mesh inside a closed wall, one outside", {{{0, 0}, {4, 0}, {2, 4}}, {{0, 0}, {2, 4}, {4, 0}}}, false},
+        {"two meshes with a wall between",
+         {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{4, 0}, {8, 0}, {8, 4}, {4, 4}}},
+         false},
+        {"one mesh inside a closed wall, one outside",
+         {{{0, 0}, {4, 0}, {2, 4}}, {{0, 0}, {2, 4}, {4, 0}}},
+         false},
         {"a plate", {{{0, 0}, {1, 0}, {3, 0}, {4, 1}, {3, 0}, {1, 0}}}, false},
-        {"a body with a thin tail", {{{0, 0}, {-1, -2}, {-2, 0}, {-1, 2}, {0, 0}, {3, 0}, {5, 1}, {3, 0}}}, false},
+        {"a body with a thin tail",
+         {{{0, 0}, {-1, -2}, {-2, 0}, {-1, 2}, {0, 0}, {3, 0}, {5, 1}, {3, 0}}},
+         false},
         {"a fin on the channel's wall",
-         {{{0, 0}, {3, 0}, {3, 2}, {3, 4}, {3, 2}, {3, 0}, {6, 0}, {6, 6}, {0, 6}}}, false},
+         {{{0, 0}, {3, 0}, {3, 2}, {3, 4}, {3, 2}, {3, 0}, {6, 0}, {6, 6}, {0, 6}}},
+         false},
         {"a plate from one wall of the channel to the body inside",
-         {{{0, 0}, {6, 0}, {6, 9}, {3, 9}, {3, 7}, {3, 6}, {5, 4}, {1, 4}, {3, 6}, {3, 7}, {3, 9}, {0, 9}}}, false},
+         {{{0, 0},
+           {6, 0},
+           {6, 9},
+           {3, 9},
+           {3, 7},
+           {3, 6},
+           {5, 4},
+           {1, 4},
+           {3, 6},
+           {3, 7},
+           {3, 9},
+           {0, 9}}},
+         false},
         {"a plate through the channel",
-         {{{0, 0}, {6, 0}, {6, 3}, {2, 3}, {0, 3}}, {{0, 3}, {2, 3}, {6, 3}, {6, 6}, {0, 6}}}, false}};
+         {{{0, 0}, {6, 0}, {6, 3}, {2, 3}, {0, 3}}, {{0, 3}, {2, 3}, {6, 3}, {6, 6}, {0, 6}}},
+         false}};
     for (auto const& one : all)
         for (Complex const by : {Complex(1, 0), Complex(0, 1), Complex(3, 4), Complex(-1, 2)})
             for (std::size_t start = 0; start < one.loops[0].size(); ++start) {
@@ -213,7 +268,8 @@ TEST_CASE("faces with the same ends: walls that came together cross, the two sid
                         Complex const z = Complex(p.x, p.y) * by;
                         turned.push_back({z.real(), z.imag()});
                     }
-                    std::ptrdiff_t const by_start = static_cast<std::ptrdiff_t>(start % loop.size());
+                    std::ptrdiff_t const by_start =
+                        static_cast<std::ptrdiff_t>(start % loop.size());
                     std::rotate(turned.begin(), turned.begin() + by_start, turned.end());
                     its.add(turned);
                 }
@@ -229,24 +285,28 @@ TEST_CASE("faces with the same ends: walls that came together cross, the two sid
 
 TEST_CASE("a point beside a line by the last bit is beside it") {
     for (double const off : {0.0, 1.0, -1.0}) {
-        Polygons its;   // the line y = x / 3 from 0 to 9, and a face that lies on it, but for one end
+        Polygons
+            its;  // the line y = x / 3 from 0 to 9, and a face that lies on it, but for one end
         its.add({{0, 0}, {9, 3}, {9, 9}});
         double const y = std::nextafter(2.0, 2 + off);
         its.add({{3, 1}, {6, y}, {6, -5}, {3, -5}});
-        CHECK(its.find().found == (off == 0 || off > 0));   // on it, through it, or touching it from outside
+        CHECK(its.find().found ==
+              (off == 0 || off > 0));  // on it, through it, or touching it from outside
     }
 }
 
 TEST_CASE("a boundary that passes exactly through points has crossed, wherever its loops begin") {
-    for (int const steps : {1, 2, 3, 4}) {      // of the square's sides: the bar passes through points of it, or
-                                                // through faces
-        for (double const turn : {0.0, 0.5}) {  // a rotation by a power of i keeps coordinates exact
+    for (int const steps : {1, 2, 3, 4}) {  // of the square's sides: the bar passes through points
+                                            // of it, or through faces
+        for (double const turn :
+             {0.0, 0.5}) {  // a rotation by a power of i keeps coordinates exact
             std::vector<Point> square, bar = {{1, 1}, {6, 1}, {6, 3}, {1, 3}};
             Point const corners[] = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
             for (int side = 0; side < 4; ++side)
                 for (int k = 0; k < steps; ++k) {
                     Point const a = corners[side], b = corners[(side + 1) % 4];
-                    square.push_back({a.x + (b.x - a.x) * k / steps, a.y + (b.y - a.y) * k / steps});
+                    square.push_back(
+                        {a.x + (b.x - a.x) * k / steps, a.y + (b.y - a.y) * k / steps});
                 }
             for (std::vector<Point>* polygon : {&square, &bar})
                 for (Point& p : *polygon)
@@ -260,11 +320,11 @@ TEST_CASE("a boundary that passes exactly through points has crossed, wherever i
             }
         }
     }
-    Polygons corners;   // a diamond whose corner is the other's corner, and goes on inside it
+    Polygons corners;  // a diamond whose corner is the other's corner, and goes on inside it
     corners.add({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
     corners.add({{2, 2}, {3, 1}, {1, 1}});
     CHECK(corners.find().found);
-    Polygons beside;    // the same corner, passed by outside
+    Polygons beside;  // the same corner, passed by outside
     beside.add({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
     beside.add({{2, 2}, {4, 1}, {4, 4}});
     CHECK(!beside.find().found);
@@ -278,26 +338,28 @@ TEST_CASE("a figure of eight, and a body that enters another") {
     bodies.add(circle(200, 1, {0, 0}));
     bodies.add(circle(150, 1, {2.001, 0}));
     CHECK(!bodies.find().found);
-    bodies.add(circle(100, 0.3, {0.2, 0.1}));   // inside the first: crosses nothing
+    bodies.add(circle(100, 0.3, {0.2, 0.1}));  // inside the first: crosses nothing
     CHECK(!bodies.find().found);
     bodies.add(circle(100, 0.3, {0.8, 0.1}));
     CHECK(bodies.find().found);
 }
 
-TEST_CASE("boundaries of valid meshes do not cross; a wall that is pushed through another wall does") {
+TEST_CASE(
+    "boundaries of valid meshes do not cross; a wall that is pushed through another wall does") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Case its = airfoil_case(40, 12, kind);
         Solved const solved(its);
         hm_mesh const mesh = its.mesh.view();
         hm_quality_report report{};
         report.struct_size = sizeof report;
-        REQUIRE(hm_quality(solved.basis, &mesh, &mesh.points, nullptr, nullptr, &report, nullptr) == HM_OK);
+        REQUIRE(hm_quality(solved.basis, &mesh, &mesh.points, nullptr, nullptr, &report, nullptr) ==
+                HM_OK);
         CHECK(report.self_crossing == 0);
         for (std::int32_t const point : report.crossing_points) CHECK(point == -1);
         Mesh crossed = its.mesh;
-        for (std::size_t k = 10; k < 20; ++k) crossed.y[k] -= 0.2;   // on the upper side
-        REQUIRE(hm_quality(solved.basis, &mesh, points_in(crossed.x, crossed.y), nullptr, nullptr, &report, nullptr) ==
-                HM_OK);
+        for (std::size_t k = 10; k < 20; ++k) crossed.y[k] -= 0.2;  // on the upper side
+        REQUIRE(hm_quality(solved.basis, &mesh, points_in(crossed.x, crossed.y), nullptr, nullptr,
+                           &report, nullptr) == HM_OK);
         CHECK(report.self_crossing == 1);
         for (std::int32_t const point : report.crossing_points) {
             CHECK(point >= 0);
@@ -306,24 +368,30 @@ TEST_CASE("boundaries of valid meshes do not cross; a wall that is pushed throug
     }
 }
 
-TEST_CASE("many bodies: the only pair that overlaps is found among them, and none where none does") {
+TEST_CASE(
+    "many bodies: the only pair that overlaps is found among them, and none where none does") {
     for (bool const overlap : {false, true}) {
         Polygons polygons;
         for (int i = 0; i < 20; ++i)
             for (int j = 0; j < 20; ++j)
-                polygons.add(circle(12, 0.3, {1.0 * i - (overlap && i == 19 && j == 7 ? 0.5 : 0), 1.0 * j}));
+                polygons.add(
+                    circle(12, 0.3, {1.0 * i - (overlap && i == 19 && j == 7 ? 0.5 : 0), 1.0 * j}));
         CHECK(polygons.find().found == overlap);
     }
 }
 
-TEST_CASE("points that are all in one place, and a loop that is folded onto a line along an axis, cross nothing") {
+TEST_CASE(
+    "points that are all in one place, and a loop that is folded onto a line along an axis, cross "
+    "nothing") {
     Polygons collapsed, folded;
     collapsed.add(std::vector<Point>(3000, Point{0.5, -0.25}));
     CHECK(!collapsed.find().found);
     std::vector<Point> line;
-    for (int k = 0; k < 3000; ++k) line.push_back({std::cos(2 * std::acos(-1.0) * k / 3000), 0.125});
+    for (int k = 0; k < 3000; ++k)
+        line.push_back({std::cos(2 * std::acos(-1.0) * k / 3000), 0.125});
     folded.add(line);
-    CHECK(folded.find().found);   // faces lie on each other
-    CHECK(!find_crossing(span(folded.point), span(folded.loop_start), {folded.x.data(), folded.y.data(), 1}, {},
-                         harmorph::Overlaps::ignored).found);
+    CHECK(folded.find().found);  // faces lie on each other
+    CHECK(!find_crossing(span(folded.point), span(folded.loop_start),
+                         {folded.x.data(), folded.y.data(), 1}, {}, harmorph::Overlaps::ignored)
+               .found);
 }

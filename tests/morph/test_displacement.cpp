@@ -1,5 +1,5 @@
-// Displacements given at wall points: what functions of curves give for the same wall, the transpose,
-// and all that lists allow.
+// Displacements given at wall points: what functions of curves give for the same wall, the
+// transpose, and all that lists allow.
 #include <doctest/doctest.h>
 
 #include <fixtures/c_mesh.hpp>
@@ -27,10 +27,14 @@ std::vector<Setting> const settings = {
     {"laplace", options_of(HM_LAPLACE)},
     {"weighted", options_of(HM_WEIGHTED)},
     {"bounded", with(options_of(HM_WEIGHTED), [](hm_options& o) { o.scheme = HM_BOUNDED; })},
-    {"conformal, single", with(options_of(HM_CONFORMAL), [](hm_options& o) { o.precision = HM_SINGLE; })},
-    {"laplace, single", with(options_of(HM_LAPLACE), [](hm_options& o) { o.precision = HM_SINGLE; })},
-    {"multigrid", with(options_of(HM_LAPLACE), [](hm_options& o) { o.engine = HM_MULTIGRID, o.tolerance = 1e-12; })},
-    {"fas", with(options_of(HM_LAPLACE), [](hm_options& o) { o.engine = HM_FAS, o.tolerance = 1e-11; })},
+    {"conformal, single",
+     with(options_of(HM_CONFORMAL), [](hm_options& o) { o.precision = HM_SINGLE; })},
+    {"laplace, single",
+     with(options_of(HM_LAPLACE), [](hm_options& o) { o.precision = HM_SINGLE; })},
+    {"multigrid", with(options_of(HM_LAPLACE),
+                       [](hm_options& o) { o.engine = HM_MULTIGRID, o.tolerance = 1e-12; })},
+    {"fas",
+     with(options_of(HM_LAPLACE), [](hm_options& o) { o.engine = HM_FAS, o.tolerance = 1e-11; })},
 };
 
 bool iterates(hm_options const& options) { return options.engine != HM_DIRECT; }
@@ -45,7 +49,7 @@ Case cut_airfoil() {
 struct Problem {
     const char* name;
     Case its;
-    bool slips = false;   // or is periodic: not for the bounded scheme's edges beside the pair
+    bool slips = false;  // or is periodic: not for the bounded scheme's edges beside the pair
 };
 
 std::vector<Problem> problems() {
@@ -67,7 +71,9 @@ bool goes_together(Problem const& problem, hm_options const& options) {
 
 }  // namespace
 
-TEST_CASE("the displacements of curves and rigid bodies, given point by point, move the mesh as the functions do") {
+TEST_CASE(
+    "the displacements of curves and rigid bodies, given point by point, move the mesh as the "
+    "functions do") {
     for (Problem& problem : problems())
         for (Setting const& setting : settings) {
             if (!goes_together(problem, setting.options)) continue;
@@ -78,14 +84,17 @@ TEST_CASE("the displacements of curves and rigid bodies, given point by point, m
             Case given = given_instead(problem.its);
             Displaced displaced(given, &setting.options);
             Field const wall = displaced.on_wall(expected), found = displaced.displace(wall);
-            CHECK(largest_difference(found, expected) < (iterates(setting.options) ? 1e-10 : 1e-12));
+            CHECK(largest_difference(found, expected) <
+                  (iterates(setting.options) ? 1e-10 : 1e-12));
             CHECK(displaced.on_wall(found) == wall);
             CHECK(displaced.displace_report.functions == 1);
             CHECK(displaced.displace_report.residual < 1e-10);
         }
 }
 
-TEST_CASE("one marker given beside a curve: the two displacements add up, and each leaves the other's wall alone") {
+TEST_CASE(
+    "one marker given beside a curve: the two displacements add up, and each leaves the other's "
+    "wall alone") {
     for (Setting const& setting : settings) {
         Case curves = two_body_case(Cells::hybrid, 8, 6), both = curves;
         both.conditions.clear();
@@ -100,20 +109,24 @@ TEST_CASE("one marker given beside a curve: the two displacements add up, and ea
             CHECK(found[static_cast<std::size_t>(point)] == 0.0);
         REQUIRE(hm_plan_solve(displaced.plan, displaced.basis, nullptr, nullptr) == HM_OK);
         Field const by_curve = displacement(displaced.basis, move);
-        for (std::int32_t const point : displaced.points) CHECK(by_curve[static_cast<std::size_t>(point)] == 0.0);
+        for (std::int32_t const point : displaced.points)
+            CHECK(by_curve[static_cast<std::size_t>(point)] == 0.0);
         for (std::size_t k = 0; k < found.size(); ++k) found[k] += by_curve[k];
         INFO(std::string(setting.name));
         CHECK(largest_difference(found, expected) < (iterates(setting.options) ? 1e-10 : 1e-12));
     }
 }
 
-TEST_CASE("linear maps of the boundary: translations exact, similarities if conformal, all maps if Laplace's") {
+TEST_CASE(
+    "linear maps of the boundary: translations exact, similarities if conformal, all maps if "
+    "Laplace's") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         for (Setting const& setting : settings) {
             Case its;
             its.mesh = square(8, kind, 2, 2);
             perturb(its.mesh, 0.2, 5);
-            for (int const marker : {int{body}, int{left}, int{right}, int{bottom}, int{top}}) its.set_given(marker);
+            for (int const marker : {int{body}, int{left}, int{right}, int{bottom}, int{top}})
+                its.set_given(marker);
             std::int32_t const operator_kind = setting.options.operator_kind;
             Complex const similar = operator_kind == HM_WEIGHTED ? 0 : Complex(-0.3, 0.7);
             Complex const conjugate = operator_kind == HM_LAPLACE ? Complex(0.2, 0.1) : 0;
@@ -122,7 +135,8 @@ TEST_CASE("linear maps of the boundary: translations exact, similarities if conf
                 expected.push_back(similar * z + conjugate * std::conj(z) + Complex(3, 4));
             Displaced displaced(its, &setting.options);
             INFO(std::string(setting.name));
-            CHECK(largest_difference(displaced.displace(displaced.on_wall(expected)), expected) < 1e-10);
+            CHECK(largest_difference(displaced.displace(displaced.on_wall(expected)), expected) <
+                  1e-10);
         }
 }
 
@@ -151,7 +165,8 @@ TEST_CASE("many fields at once are those of single calls") {
             walls.push_back(some_field(displaced.points.size(), k));
             gradients.push_back(some_field(static_cast<std::size_t>(its.mesh.n_points()), k));
         }
-        std::vector<Field> const moved = displaced.displace(walls), of_wall = displaced.adjoint(gradients);
+        std::vector<Field> const moved = displaced.displace(walls),
+                                 of_wall = displaced.adjoint(gradients);
         CHECK(displaced.displace_report.functions == 29);
         double const near = iterates(setting.options) ? 1e-9 : 1e-13;
         for (std::size_t k = 0; k < walls.size(); k += 7) {
@@ -185,7 +200,9 @@ TEST_CASE("the same bits for any number of threads, in one block and in several"
     }
 }
 
-TEST_CASE("lists: any order, repeated points, both sides of a cut; the gradient is where a point stands first") {
+TEST_CASE(
+    "lists: any order, repeated points, both sides of a cut; the gradient is where a point stands "
+    "first") {
     Case its = given_instead(cut_airfoil());
     its.index_base = 1;
     Displaced displaced(its);
@@ -200,24 +217,28 @@ TEST_CASE("lists: any order, repeated points, both sides of a cut; the gradient 
     for (std::size_t k = body_points.size(); k-- > 0;) list.push_back(body_points[k] + 1);
     list.push_back(list[5]);
     Field by_list;
-    for (std::int32_t const point : list) by_list.push_back(expected[static_cast<std::size_t>(point - 1)]);
+    for (std::int32_t const point : list)
+        by_list.push_back(expected[static_cast<std::size_t>(point - 1)]);
     CHECK(displaced.displace(by_list, &list) == expected);
     Field const found = displaced.adjoint(dj, &list);
     CHECK(found.back() == 0.0);
-    CHECK(std::fabs(dot(found, by_list) - dot(gradient, wall)) < 1e-13 * dot_of_sizes(gradient, wall));
+    CHECK(std::fabs(dot(found, by_list) - dot(gradient, wall)) <
+          1e-13 * dot_of_sizes(gradient, wall));
     CHECK(std::abs(found[5]) > 0);
 }
 
-TEST_CASE("from coordinates: moved points, unmoved bits, moved plans, and walls that cross are refused") {
+TEST_CASE(
+    "from coordinates: moved points, unmoved bits, moved plans, and walls that cross are refused") {
     Case its = given_instead(tiny_case());
     Displaced displaced(its);
     std::size_t const n = its.mesh.x.size(), n_wall = displaced.points.size();
-    std::vector<double> x = its.mesh.x, y = its.mesh.y, to_x(n, 7), to_y(n, 7), wall_x(n_wall, 0), wall_y(n_wall, 0.25);
+    std::vector<double> x = its.mesh.x, y = its.mesh.y, to_x(n, 7), to_y(n, 7), wall_x(n_wall, 0),
+                        wall_y(n_wall, 0.25);
     Guarded work = displaced.work_for(1);
     auto const displace = [&] {
-        return hm_displace(displaced.plan, static_cast<std::int32_t>(n_wall), nullptr, 1, points_in(wall_x, wall_y),
-                           points_in(x, y), points_out(to_x, to_y), work.data(), work.size(), nullptr,
-                           &displaced.error);
+        return hm_displace(displaced.plan, static_cast<std::int32_t>(n_wall), nullptr, 1,
+                           points_in(wall_x, wall_y), points_in(x, y), points_out(to_x, to_y),
+                           work.data(), work.size(), nullptr, &displaced.error);
     };
     REQUIRE(displace() == HM_OK);
     CHECK(to_x == x);
@@ -227,7 +248,7 @@ TEST_CASE("from coordinates: moved points, unmoved bits, moved plans, and walls 
     }
     std::vector<double> const before = to_y;
 
-    for (std::size_t k = 0; k < n_wall; ++k) {   // the hole's left side passes its right one
+    for (std::size_t k = 0; k < n_wall; ++k) {  // the hole's left side passes its right one
         std::size_t const point = static_cast<std::size_t>(displaced.points[k]);
         wall_x[k] = x[point] < 3 ? 2.5 : 0;
         wall_y[k] = 0;
@@ -236,7 +257,8 @@ TEST_CASE("from coordinates: moved points, unmoved bits, moved plans, and walls 
     CHECK(displaced.error.item >= 0);
     CHECK(to_y == before);
 
-    // After a step the plan is factored where the mesh is; the coordinates are then those of that mesh.
+    // After a step the plan is factored where the mesh is; the coordinates are then those of that
+    // mesh.
     std::fill(wall_x.begin(), wall_x.end(), 0.125);
     REQUIRE(hm_plan_factor(displaced.plan, points_in(x, before), &displaced.error) == HM_OK);
     y = before;
@@ -255,8 +277,8 @@ TEST_CASE("a basis without functions: for quality, step and assessment") {
     step.struct_size = sizeof step;
     quality.struct_size = sizeof quality;
     for (int solved = 0; solved < 2; ++solved) {
-        REQUIRE(hm_assess(displaced.basis, &its.mesh_view(), nullptr, points_in(xy, xy + 1, 2), nullptr, &step,
-                          &quality, &displaced.error) == HM_OK);
+        REQUIRE(hm_assess(displaced.basis, &its.mesh_view(), nullptr, points_in(xy, xy + 1, 2),
+                          nullptr, &step, &quality, &displaced.error) == HM_OK);
         CHECK(step.admissible > 1);
         CHECK(quality.inverted == 0);
         hm_solve_report report{};
@@ -266,10 +288,13 @@ TEST_CASE("a basis without functions: for quality, step and assessment") {
     }
 }
 
-TEST_CASE("the residual that is reported is that of the solution: small, but there, as numbers are rounded") {
+TEST_CASE(
+    "the residual that is reported is that of the solution: small, but there, as numbers are "
+    "rounded") {
     Case its = given_instead(airfoil_case());
     Displaced displaced(its);
-    Field const wall = some_field(displaced.points.size(), 3, 0.01), j = some_field(its.mesh.x.size(), 4);
+    Field const wall = some_field(displaced.points.size(), 3, 0.01),
+                j = some_field(its.mesh.x.size(), 4);
     for (bool const transposed : {false, true}) {
         displaced.displace_report.residual = -1;
         if (transposed) displaced.adjoint(j);

@@ -21,7 +21,8 @@ TEST_CASE("B-spline functions given as tables are the functions of the curve") {
         std::vector<Field> modes(8);
         for (std::int32_t const point : displaced.points)
             for (std::int32_t i = 0; i < 8; ++i)
-                modes[static_cast<std::size_t>(i)].push_back(solved.values(i)[static_cast<std::size_t>(point)]);
+                modes[static_cast<std::size_t>(i)].push_back(
+                    solved.values(i)[static_cast<std::size_t>(point)]);
         Tabulated const tabulated(displaced.plan, displaced.basis, modes, 1);
         REQUIRE_MESSAGE(tabulated.status == HM_OK, tabulated.error.text);
         hm_basis_info const info = info_of(tabulated.basis);
@@ -30,7 +31,7 @@ TEST_CASE("B-spline functions given as tables are the functions of the curve") {
         CHECK(info.numbers_per_value == solved.info().numbers_per_value);
         Numbers const move = some_move(8, 0.1, 3);
         Moved const expected = morphed(solved.basis, curve.mesh, move),
-            found = morphed(tabulated.basis, curve.mesh, move);
+                    found = morphed(tabulated.basis, curve.mesh, move);
         for (std::size_t k = 0; k < found.x.size(); ++k) {
             CHECK(found.x[k] == doctest::Approx(expected.x[k]).epsilon(1e-12));
             CHECK(found.y[k] == doctest::Approx(expected.y[k]).epsilon(1e-12));
@@ -38,7 +39,9 @@ TEST_CASE("B-spline functions given as tables are the functions of the curve") {
     }
 }
 
-TEST_CASE("modes beside curves and bodies: as displaced, the other functions as they were, exact transpose") {
+TEST_CASE(
+    "modes beside curves and bodies: as displaced, the other functions as they were, exact "
+    "transpose") {
     Case slipping = given_instead(half_ring(8, 16, Cells::hybrid, 0.2, 4));
     Case curve = curve_and_table(), rigid = curve_and_table();
     rigid.conditions.clear();
@@ -52,14 +55,16 @@ TEST_CASE("modes beside curves and bodies: as displaced, the other functions as 
                 INFO(solved.error.text);
                 REQUIRE(solved.status == HM_OK);
                 std::vector<std::int32_t> const points = given_points(solved.plan);
-                std::vector<Field> modes = {some_field(points.size(), 5, 0.02), some_field(points.size(), 6, 0.02)};
+                std::vector<Field> modes = {some_field(points.size(), 5, 0.02),
+                                            some_field(points.size(), 6, 0.02)};
                 for (Field& mode : modes)
                     for (auto& value : mode)
                         if (numbers == 1) value = value.real();
                 Tabulated const tabulated(solved.plan, solved.basis, modes, numbers);
                 REQUIRE_MESSAGE(tabulated.status == HM_OK, tabulated.error.text);
                 hm_basis_info const before = info_of(solved.basis), info = info_of(tabulated.basis);
-                INFO("operator " << kind << ", matrix of " << numbers << ", values of " << info.numbers_per_value);
+                INFO("operator " << kind << ", matrix of " << numbers << ", values of "
+                                 << info.numbers_per_value);
                 CHECK(info.functions == before.functions + 2);
 
                 // Amplitudes alone: the displacement of the sum of the modes times amplitudes.
@@ -68,19 +73,21 @@ TEST_CASE("modes beside curves and bodies: as displaced, the other functions as 
                 move[move.size() - 4] = a.real(), move[move.size() - 3] = a.imag();
                 move[move.size() - 2] = b.real(), move[move.size() - 1] = b.imag();
                 Field wall;
-                for (std::size_t k = 0; k < points.size(); ++k) wall.push_back(a * modes[0][k] + b * modes[1][k]);
+                for (std::size_t k = 0; k < points.size(); ++k)
+                    wall.push_back(a * modes[0][k] + b * modes[1][k]);
                 Moved const found = displaced(tabulated.basis, move);
                 std::size_t bytes = 0;
                 REQUIRE(hm_displace_size(solved.plan, 1, &bytes, nullptr) == HM_OK);
                 Guarded work(bytes);
                 Moved expected = found;
                 Numbers wall_x, wall_y;
-                for (auto const& value : wall) wall_x.push_back(value.real()), wall_y.push_back(value.imag());
+                for (auto const& value : wall)
+                    wall_x.push_back(value.real()), wall_y.push_back(value.imag());
                 hm_points const from{wall_x.data(), wall_y.data(), 1};
                 hm_points_out const to{expected.x.data(), expected.y.data(), 1};
-                REQUIRE(hm_displace(solved.plan, static_cast<std::int32_t>(points.size()), nullptr, 1, &from, nullptr,
-                                    &to,
-                                    work.data(), bytes, nullptr, nullptr) == HM_OK);
+                REQUIRE(hm_displace(solved.plan, static_cast<std::int32_t>(points.size()), nullptr,
+                                    1, &from, nullptr, &to, work.data(), bytes, nullptr,
+                                    nullptr) == HM_OK);
                 for (std::size_t k = 0; k < found.x.size(); ++k) {
                     CHECK(std::fabs(found.x[k] - expected.x[k]) < 1e-14);
                     CHECK(std::fabs(found.y[k] - expected.y[k]) < 1e-14);
@@ -101,7 +108,8 @@ TEST_CASE("modes beside curves and bodies: as displaced, the other functions as 
                 }
 
                 Gradient const g(found.x.size(), 8);
-                Numbers const all = some_move(info.functions, 0.01, 9), slope = adjoint(tabulated.basis, g);
+                Numbers const all = some_move(info.functions, 0.01, 9),
+                              slope = adjoint(tabulated.basis, g);
                 Moved const moved = displaced(tabulated.basis, all);
                 double work_on_wall = 0, work_on_mesh = 0, parts = 0;
                 for (std::size_t k = 0; k < all.size(); ++k) work_on_wall += all[k] * slope[k];
@@ -117,17 +125,20 @@ TEST_CASE("modes beside curves and bodies: as displaced, the other functions as 
                 std::memcpy(block.data(), copy.data(), copy.size());
                 hm_mesh const mesh = its->mesh_view();
                 const hm_basis* attached = nullptr;
-                REQUIRE(hm_basis_attach(&attached, block.data(), copy.size(), &mesh, nullptr) == HM_OK);
+                REQUIRE(hm_basis_attach(&attached, block.data(), copy.size(), &mesh, nullptr) ==
+                        HM_OK);
                 CHECK(displaced(attached, move).x == found.x);
                 Rows const rows(tabulated.basis, points);
                 REQUIRE(rows.status == HM_OK);
-                CHECK(displaced(rows.basis, move).x[0] == found.x[static_cast<std::size_t>(points[0])]);
+                CHECK(displaced(rows.basis, move).x[0] ==
+                      found.x[static_cast<std::size_t>(points[0])]);
 
                 // Solved again on a moved mesh: as displaced there, and the wall as before.
                 Numbers part = move;
                 for (double& number : part) number *= 0.1;
                 Moved const elsewhere = morphed(tabulated.basis, its->mesh, part);
-                REQUIRE(hm_plan_factor(solved.plan, points_in(elsewhere.x, elsewhere.y), nullptr) == HM_OK);
+                REQUIRE(hm_plan_factor(solved.plan, points_in(elsewhere.x, elsewhere.y), nullptr) ==
+                        HM_OK);
                 hm_solve_report report{};
                 report.struct_size = sizeof report;
                 REQUIRE(hm_plan_solve(solved.plan, tabulated.basis, &report, nullptr) == HM_OK);
@@ -135,8 +146,9 @@ TEST_CASE("modes beside curves and bodies: as displaced, the other functions as 
                 CHECK(report.residual < 1e-12);
                 CHECK(report.boundary_error_point == -1);
                 Moved const again = displaced(tabulated.basis, move);
-                REQUIRE(hm_displace(solved.plan, static_cast<std::int32_t>(points.size()), nullptr, 1, &from, nullptr,
-                                    &to, work.data(), bytes, nullptr, nullptr) == HM_OK);
+                REQUIRE(hm_displace(solved.plan, static_cast<std::int32_t>(points.size()), nullptr,
+                                    1, &from, nullptr, &to, work.data(), bytes, nullptr,
+                                    nullptr) == HM_OK);
                 for (std::size_t k = 0; k < again.x.size(); ++k) {
                     CHECK(std::fabs(again.x[k] - expected.x[k]) < 1e-14);
                     CHECK(std::fabs(again.y[k] - expected.y[k]) < 1e-14);
@@ -153,7 +165,8 @@ TEST_CASE("a cancelled solution leaves the table, and the next one uses it") {
     Case its = curve_and_table();
     Solved const solved(its);
     std::size_t const n = given_points(solved.plan).size();
-    Tabulated const tabulated(solved.plan, solved.basis, {some_field(n, 5, 0.02), some_field(n, 6, 0.02)}, 2);
+    Tabulated const tabulated(solved.plan, solved.basis,
+                              {some_field(n, 5, 0.02), some_field(n, 6, 0.02)}, 2);
     REQUIRE(tabulated.status == HM_OK);
     Numbers const move = some_move(info_of(tabulated.basis).functions, 0.1, 7);
     Moved const before = displaced(tabulated.basis, move);
@@ -198,15 +211,18 @@ TEST_CASE("modes on top of combined functions and of other modes; too many are n
     CHECK(info_of(two.basis).combined == 2);
     CHECK(info_of(two.basis).modes == 2);
     Numbers const few = {0.1, -0.2, 0.05, 0.1, 0, 0, 0, 0};
-    Moved const found = displaced(two.basis, few), expected = displaced(combined.basis, {few.begin(), few.begin() + 4});
+    Moved const found = displaced(two.basis, few),
+                expected = displaced(combined.basis, {few.begin(), few.begin() + 4});
     CHECK(found.x == expected.x);
     CHECK(found.y == expected.y);
-    std::vector<double> control(2 * static_cast<std::size_t>(controls));   // the matrix is still there
+    std::vector<double> control(2 *
+                                static_cast<std::size_t>(controls));  // the matrix is still there
     std::vector<hm_curve> curve(2);
     for (hm_curve& one_curve : curve) one_curve.struct_size = sizeof one_curve;
     hm_curves curves{};
     curves.struct_size = sizeof curves;
-    REQUIRE(hm_moved_curves(two.basis, few.data(), control.data(), &curves, curve.data(), 2, nullptr) == HM_OK);
+    REQUIRE(hm_moved_curves(two.basis, few.data(), control.data(), &curves, curve.data(), 2,
+                            nullptr) == HM_OK);
     Numbers const by = matrix.expanded({few.begin(), few.begin() + 4});
     for (std::size_t i = 0; i < control.size(); ++i)
         CHECK(control[i] - its.curves.control[i] == doctest::Approx(by[i]).epsilon(1e-12));
@@ -217,7 +233,8 @@ TEST_CASE("modes on top of combined functions and of other modes; too many are n
     REQUIRE(large.status == HM_OK);
     hm_error error{};
     CHECK(hm_plan_solve(solved.plan, large.basis, nullptr, &error) == HM_UNSUPPORTED);
-    CHECK_MESSAGE(std::string(error.text).find("1240 numbers, this plan solves bases with 1044") != std::string::npos,
+    CHECK_MESSAGE(std::string(error.text).find("1240 numbers, this plan solves bases with 1044") !=
+                      std::string::npos,
                   error.text);
     CHECK(info_of(large.basis).solved == 1);
 }
@@ -234,7 +251,8 @@ TEST_CASE("modes stay behind combined functions") {
     REQUIRE(hm_combine_size(tabulated.basis, 2, 1, &bytes, nullptr) == HM_OK);
     Guarded block(bytes);
     hm_basis* combined = nullptr;
-    REQUIRE(hm_combine(&combined, block.data(), bytes, tabulated.basis, 2, 1, matrix.data(), nullptr) == HM_OK);
+    REQUIRE(hm_combine(&combined, block.data(), bytes, tabulated.basis, 2, 1, matrix.data(),
+                       nullptr) == HM_OK);
     CHECK(info_of(combined).functions == 3);
     CHECK(info_of(combined).modes == 1);
     Numbers few(6), all(2 * static_cast<std::size_t>(n) + 2);
@@ -250,22 +268,27 @@ TEST_CASE("tables that cannot be used are refused by name, with nothing written"
     Field const good = some_field(points.size(), 5), zero(points.size());
     auto const refusal = [&](Tabulated const& made, std::string const& word, int item) {
         CHECK(made.basis == nullptr);
-        CHECK_MESSAGE(std::string(made.error.text).find(word) != std::string::npos, made.error.text);
+        CHECK_MESSAGE(std::string(made.error.text).find(word) != std::string::npos,
+                      made.error.text);
         CHECK(made.error.item == item);
         return made.status;
     };
-    CHECK(refusal({solved.plan, solved.basis, {good, zero}, 2}, "mode 1 (from 0) is zero", 1) == HM_BAD_CONDITION);
+    CHECK(refusal({solved.plan, solved.basis, {good, zero}, 2}, "mode 1 (from 0) is zero", 1) ==
+          HM_BAD_CONDITION);
     Field bad = good;
     bad[3] = std::nan("");
     CHECK(refusal({solved.plan, solved.basis, {bad}, 1}, "point 3 (from 0)", 0) == HM_BAD_ARGUMENT);
     CHECK(Tabulated(solved.plan, solved.basis, {good}, 3).status == HM_BAD_ARGUMENT);
-    CHECK(Tabulated(solved.plan, solved.basis, {Field(good.begin(), good.end() - 1)}, 1).status == HM_BAD_ARGUMENT);
+    CHECK(Tabulated(solved.plan, solved.basis, {Field(good.begin(), good.end() - 1)}, 1).status ==
+          HM_BAD_ARGUMENT);
     std::int32_t const last = points.back();
     points.back() = points.front();
-    CHECK(refusal({solved.plan, solved.basis, {good}, 1, &points}, "is not in the list", last) == HM_BAD_CONDITION);
+    CHECK(refusal({solved.plan, solved.basis, {good}, 1, &points}, "is not in the list", last) ==
+          HM_BAD_CONDITION);
     CHECK(Tabulated(solved.plan, solved.basis, {good}, 1, nullptr, 1).status == HM_BLOCK_TOO_SMALL);
     Case other = two_body_case(Cells::hybrid, 8, 6);
     Solved const on_curves(other);
-    CHECK(refusal({on_curves.plan, on_curves.basis, {good}, 1}, "HM_GIVEN", -1) == HM_BAD_CONDITION);
+    CHECK(refusal({on_curves.plan, on_curves.basis, {good}, 1}, "HM_GIVEN", -1) ==
+          HM_BAD_CONDITION);
     CHECK(Tabulated(solved.plan, on_curves.basis, {good}, 1).status == HM_BAD_BASIS);
 }

@@ -17,8 +17,8 @@ struct Moved {
 
 Moved morphed(Solved const& solved, Mesh const& mesh, Numbers const& move) {
     Moved out{Numbers(mesh.x.size()), Numbers(mesh.x.size())};
-    REQUIRE(hm_morph(solved.basis, move.data(), points_in(mesh.x, mesh.y), points_out(out.x, out.y), nullptr,
-                     nullptr) == HM_OK);
+    REQUIRE(hm_morph(solved.basis, move.data(), points_in(mesh.x, mesh.y), points_out(out.x, out.y),
+                     nullptr, nullptr) == HM_OK);
     return out;
 }
 
@@ -26,7 +26,8 @@ Moved morphed(Solved const& solved, Mesh const& mesh, Numbers const& move) {
 Moved displaced(Solved const& solved, Numbers const& move) {
     std::size_t const n = static_cast<std::size_t>(solved.info().points);
     Moved out{Numbers(n, 7.0), Numbers(n, 7.0)};
-    REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(out.x, out.y), nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(out.x, out.y), nullptr,
+                     nullptr) == HM_OK);
     return out;
 }
 
@@ -55,9 +56,11 @@ TEST_CASE("a morph is linear in the movement, also for more functions than one b
         Numbers const a = some_move(n, 1, 2), b = some_move(n, 1, 3);
         Numbers both;
         for (std::size_t k = 0; k < a.size(); ++k) both.push_back(a[k] - 2.5 * b[k]);
-        Moved const of_a = displaced(solved, a), of_b = displaced(solved, b), of_both = displaced(solved, both);
+        Moved const of_a = displaced(solved, a), of_b = displaced(solved, b),
+                    of_both = displaced(solved, both);
         Numbers expected;
-        for (std::size_t k = 0; k < of_a.y.size(); ++k) expected.push_back(of_a.y[k] - 2.5 * of_b.y[k]);
+        for (std::size_t k = 0; k < of_a.y.size(); ++k)
+            expected.push_back(of_a.y[k] - 2.5 * of_b.y[k]);
         CHECK(largest_difference(of_both.y, expected) < 1e-14);
 
         Numbers twice;
@@ -85,13 +88,14 @@ TEST_CASE("a translation moves the wall as a whole, and the far field not at all
 
 TEST_CASE("the adjoint is the transpose: <g, F m> = <F^T g, m>") {
     for (int const n : {4, 9, 150}) {
-        Case its = ring_case(20, 300, 0.5, 2, Cells::hybrid, 3, n);   // 6300 points: more than one block of them
+        Case its = ring_case(20, 300, 0.5, 2, Cells::hybrid, 3,
+                             n);  // 6300 points: more than one block of them
         Solved const solved(its);
         Numbers const move = some_move(n, 1, 4), g = some_move(its.mesh.n_points(), 1, 5);
         Moved const found = displaced(solved, move);
         Numbers gradient(2 * static_cast<std::size_t>(n), -1.0);
-        REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(), nullptr, nullptr) ==
-                HM_OK);
+        REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(),
+                           nullptr, nullptr) == HM_OK);
         double here = 0, there = 0, size = 0;
         for (std::size_t k = 0; k < found.x.size(); ++k) {
             here += g[2 * k] * found.x[k] + g[2 * k + 1] * found.y[k];
@@ -99,7 +103,7 @@ TEST_CASE("the adjoint is the transpose: <g, F m> = <F^T g, m>") {
         }
         for (std::size_t k = 0; k < move.size(); ++k) there += gradient[k] * move[k];
         CHECK(std::fabs(here - there) <= 1e-14 * size);
-        CHECK(std::fabs(here) > 1e-3 * size / std::sqrt(6300.0));   // the test could have failed
+        CHECK(std::fabs(here) > 1e-3 * size / std::sqrt(6300.0));  // the test could have failed
     }
 }
 
@@ -107,10 +111,12 @@ TEST_CASE("one component of the adjoint is one function against the gradient") {
     Case its = airfoil_case();
     Solved const solved(its);
     Numbers const f = solved.values(5);
-    Numbers gx(f.size(), 0.0), gy(f.size(), 0.0), gradient(2 * static_cast<std::size_t>(its.curves.n_control()));
+    Numbers gx(f.size(), 0.0), gy(f.size(), 0.0),
+        gradient(2 * static_cast<std::size_t>(its.curves.n_control()));
     gx[77] = 2;
     gy[91] = -1;
-    REQUIRE(hm_adjoint(solved.basis, points_in(gx, gy), gradient.data(), nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_adjoint(solved.basis, points_in(gx, gy), gradient.data(), nullptr, nullptr) ==
+            HM_OK);
     // Products are rounded to multiples of 2^-63 of the largest.
     CHECK(std::fabs(gradient[10] - 2 * f[77]) <= 0x1p-62);
     CHECK(std::fabs(gradient[11] + f[91]) <= 0x1p-62);
@@ -147,9 +153,10 @@ TEST_CASE("in place and to another array, in any layout: the same bits") {
     Numbers const move = some_move(its.curves.n_control(), 0.01, 7);
     Moved const expected = morphed(solved, its.mesh, move);
     struct Layout {
-        std::size_t x, y, stride, size;   // where x and y begin
+        std::size_t x, y, stride, size;  // where x and y begin
     };
-    Layout const layouts[] = {{0, n, 1, 2 * n}, {0, 1, 2, 2 * n}, {1, 4, 5, 5 * n}, {2, 0, 3, 3 * n}};
+    Layout const layouts[] = {
+        {0, n, 1, 2 * n}, {0, 1, 2, 2 * n}, {1, 4, 5, 5 * n}, {2, 0, 3, 3 * n}};
     for (Layout const& from : layouts) {
         Numbers old(from.size, -77.0);
         for (std::size_t k = 0; k < n; ++k) {
@@ -165,20 +172,23 @@ TEST_CASE("in place and to another array, in any layout: the same bits") {
             }
             for (double const value : all) others += value == -77.0;
             CHECK(wrong == 0);
-            CHECK(others == layout.size - 2 * n);   // nothing else is written
+            CHECK(others == layout.size - 2 * n);  // nothing else is written
         };
         for (Layout const& to : layouts) {
             Numbers made(to.size, -77.0);
-            REQUIRE(hm_morph(solved.basis, move.data(),
-                             points_in(&old[from.x], &old[from.y], static_cast<std::int64_t>(from.stride)),
-                             points_out(&made[to.x], &made[to.y], static_cast<std::int64_t>(to.stride)), nullptr,
-                             nullptr) == HM_OK);
+            REQUIRE(
+                hm_morph(
+                    solved.basis, move.data(),
+                    points_in(&old[from.x], &old[from.y], static_cast<std::int64_t>(from.stride)),
+                    points_out(&made[to.x], &made[to.y], static_cast<std::int64_t>(to.stride)),
+                    nullptr, nullptr) == HM_OK);
             compare(made, to);
         }
-        REQUIRE(hm_morph(solved.basis, move.data(),
-                         points_in(&old[from.x], &old[from.y], static_cast<std::int64_t>(from.stride)),
-                         points_out(&old[from.x], &old[from.y], static_cast<std::int64_t>(from.stride)), nullptr,
-                         nullptr) == HM_OK);
+        REQUIRE(
+            hm_morph(solved.basis, move.data(),
+                     points_in(&old[from.x], &old[from.y], static_cast<std::int64_t>(from.stride)),
+                     points_out(&old[from.x], &old[from.y], static_cast<std::int64_t>(from.stride)),
+                     nullptr, nullptr) == HM_OK);
         compare(old, from);
     }
 }
@@ -209,9 +219,10 @@ TEST_CASE("points on the curve move as the B-spline does, to 1e-12") {
         double largest = 0;
         for (std::int32_t k = 0; k < info.curve_points; ++k) {
             double before[2], after[2];
-            REQUIRE(hm_curve_point(&its.curves.view(), info.point_curve[k], info.point_u[k], 0, before, nullptr) ==
-                    HM_OK);
-            REQUIRE(hm_curve_point(&moved.view(), info.point_curve[k], info.point_u[k], 0, after, nullptr) == HM_OK);
+            REQUIRE(hm_curve_point(&its.curves.view(), info.point_curve[k], info.point_u[k], 0,
+                                   before, nullptr) == HM_OK);
+            REQUIRE(hm_curve_point(&moved.view(), info.point_curve[k], info.point_u[k], 0, after,
+                                   nullptr) == HM_OK);
             std::size_t const point = static_cast<std::size_t>(info.curve_point[k]);
             largest = std::fmax(largest, std::fabs(by.x[point] - (after[0] - before[0])));
             largest = std::fmax(largest, std::fabs(by.y[point] - (after[1] - before[1])));
@@ -221,8 +232,8 @@ TEST_CASE("points on the curve move as the B-spline does, to 1e-12") {
         Moved const to = morphed(solved, its.mesh, move);
         double error = -1;
         std::int32_t worst = -5;
-        REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_in(to.x, to.y),
-                                  &error, &worst, nullptr) == HM_OK);
+        REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+                                  points_in(to.x, to.y), &error, &worst, nullptr) == HM_OK);
         CHECK(error >= 0);
         CHECK(error < 1e-12);
         // It sees a point that is elsewhere, and says which.
@@ -234,7 +245,8 @@ TEST_CASE("points on the curve move as the B-spline does, to 1e-12") {
         CHECK(error == doctest::Approx(1e-3).epsilon(1e-9));
         CHECK(worst == info.curve_point[17]);
         Untrapped const untrapped;
-        wrong.x[static_cast<std::size_t>(info.curve_point[3])] = std::nan("");   // and one that is nowhere
+        wrong.x[static_cast<std::size_t>(info.curve_point[3])] =
+            std::nan("");  // and one that is nowhere
         REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
                                   points_in(wrong.x, wrong.y), &error, &worst, nullptr) == HM_OK);
         CHECK(std::isnan(error));
@@ -250,8 +262,8 @@ TEST_CASE("a movement that is not finite is refused, and nothing is written") {
         move[9] = bad;
         Mesh mesh = its.mesh;
         hm_error error{};
-        CHECK(hm_morph(solved.basis, move.data(), points_in(mesh.x, mesh.y), points_out(mesh.x, mesh.y), nullptr,
-                       &error) == HM_BAD_ARGUMENT);
+        CHECK(hm_morph(solved.basis, move.data(), points_in(mesh.x, mesh.y),
+                       points_out(mesh.x, mesh.y), nullptr, &error) == HM_BAD_ARGUMENT);
         CHECK(error.item == 4);
         CHECK(same_bits(mesh.x, its.mesh.x));
     }

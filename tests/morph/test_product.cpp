@@ -1,10 +1,11 @@
-// The products of morphing, kernel by kernel: against plain loops, and kernel against kernel to the bit.
+// The products of morphing, kernel by kernel: against plain loops, and kernel against kernel to the
+// bit.
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
 #include <fixtures/kernels.hpp>
 
-#include <harmorph/morph/product.hpp>
+#include "morph/product.hpp"
 
 #include <cmath>
 #include <limits>
@@ -38,7 +39,9 @@ struct Product {
             weight_y.push_back(any());
         }
     }
-    harmorph::ValueBlocks<double> whole() const { return {values.data(), numbers * block_points, blocks, numbers}; }
+    harmorph::ValueBlocks<double> whole() const {
+        return {values.data(), numbers * block_points, blocks, numbers};
+    }
     RowInBlock<const double> row(Index p) const { return {values.data(), numbers, p}; }
     RowInBlock<double> row(Index p) { return {values.data(), numbers, p}; }
     std::size_t n_points() const { return static_cast<std::size_t>(points); }
@@ -47,7 +50,7 @@ struct Product {
     std::vector<double> multiply(Kernel kernel) const { return multiply(kernel, whole()); }
     template <class Number>
     std::vector<double> multiply(Kernel kernel, harmorph::ValueBlocks<Number> const& of) const {
-        std::vector<double> x(n_points(), 0.5), y(n_points(), -0.25);   // is added to
+        std::vector<double> x(n_points(), 0.5), y(n_points(), -0.25);  // is added to
         harmorph::product_kernels(kernel).of(of).multiply(of, by, {x.data(), y.data()});
         x.insert(x.end(), y.begin(), y.end());
         return x;
@@ -59,7 +62,8 @@ struct Product {
         for (double const w : weight_x) x.push_back(std::ldexp(w, 63));
         for (double const w : weight_y) y.push_back(std::ldexp(w, 63));
         harmorph::FixedSums total{};
-        harmorph::product_kernels(kernel).of(of).multiply_transposed(of, {x.data(), y.data()}, {0.5, 2}, total);
+        harmorph::product_kernels(kernel).of(of).multiply_transposed(of, {x.data(), y.data()},
+                                                                     {0.5, 2}, total);
         for (Index k = 0; k < of.n_numbers; ++k) out.push_back(total.x[k].value());
         for (Index k = 0; k < of.n_numbers; ++k) out.push_back(total.y[k].value());
         for (Index k = of.n_numbers; k < Movements::most; ++k) {
@@ -72,7 +76,9 @@ struct Product {
 
 }  // namespace
 
-TEST_CASE("a point's products are added up in the order of the numbers: the same bits from every kernel") {
+TEST_CASE(
+    "a point's products are added up in the order of the numbers: the same bits from every "
+    "kernel") {
     for (Index numbers = 1; numbers <= Movements::most; numbers += numbers < 40 ? 1 : 11) {
         Product const product(3, numbers, static_cast<unsigned>(numbers));
         INFO(numbers << " numbers");
@@ -90,11 +96,13 @@ TEST_CASE("a point's products are added up in the order of the numbers: the same
             in_order[static_cast<std::size_t>(product.points + p)] = y;
         }
         CHECK(same_bits(product.multiply(Kernel::baseline), in_order));
-        for (Kernel const kernel : usable_kernels()) CHECK(same_bits(product.multiply(kernel), in_order));
+        for (Kernel const kernel : usable_kernels())
+            CHECK(same_bits(product.multiply(kernel), in_order));
     }
 }
 
-TEST_CASE("the transpose is right to the rounding of each product, and the same bits from every kernel") {
+TEST_CASE(
+    "the transpose is right to the rounding of each product, and the same bits from every kernel") {
     for (Index numbers = 1; numbers <= Movements::most; numbers += numbers < 40 ? 1 : 11)
         for (Index const blocks : {1, 2, 5, 8, 19}) {
             Product const product(blocks, numbers, static_cast<unsigned>(numbers));
@@ -112,13 +120,14 @@ TEST_CASE("the transpose is right to the rounding of each product, and the same 
             }
             std::vector<double> const back = product.transposed(Kernel::baseline);
             CHECK(largest_difference(back, exact) < 1.2e-16 * (1 + product.points));
-            for (Kernel const kernel : usable_kernels()) CHECK(same_bits(product.transposed(kernel), back));
+            for (Kernel const kernel : usable_kernels())
+                CHECK(same_bits(product.transposed(kernel), back));
         }
 }
 
 TEST_CASE("of the numbers of a block some may be used, at any address; no others are read") {
-    // A heap block that ends with the last value used: AddressSanitizer sees reads beyond it. Without it,
-    // NaN would spread.
+    // A heap block that ends with the last value used: AddressSanitizer sees reads beyond it.
+    // Without it, NaN would spread.
     Index const blocks = 2, numbers = 20;
     Product const product(blocks, numbers, 2);
     for (Index const first : {0, 3, 19})
@@ -128,15 +137,17 @@ TEST_CASE("of the numbers of a block some may be used, at any address; no others
             used.weight_x = product.weight_x;
             used.weight_y = product.weight_y;
             std::size_t const one = 1, size = static_cast<std::size_t>(numbers * block_points);
-            std::vector<double> shifted(one + size + static_cast<std::size_t>((first + n) * block_points),
-                                        std::numeric_limits<double>::quiet_NaN());
+            std::vector<double> shifted(
+                one + size + static_cast<std::size_t>((first + n) * block_points),
+                std::numeric_limits<double>::quiet_NaN());
             for (Index p = 0; p < product.points; ++p)
                 for (Index k = 0; k < n; ++k) {
                     used.row(p)[k] = product.row(p)[first + k];
-                    RowInBlock<double>(shifted.data() + 1, numbers, p)[first + k] = product.row(p)[first + k];
+                    RowInBlock<double>(shifted.data() + 1, numbers, p)[first + k] =
+                        product.row(p)[first + k];
                 }
-            harmorph::ValueBlocks<double> const part{shifted.data() + 1 + first * block_points, numbers * block_points,
-                                                     blocks, n};
+            harmorph::ValueBlocks<double> const part{shifted.data() + 1 + first * block_points,
+                                                     numbers * block_points, blocks, n};
             for (Kernel const kernel : usable_kernels()) {
                 CHECK(same_bits(used.multiply(kernel, part), used.multiply(kernel)));
                 CHECK(same_bits(used.transposed(kernel, part), used.transposed(kernel)));
@@ -144,9 +155,12 @@ TEST_CASE("of the numbers of a block some may be used, at any address; no others
         }
 }
 
-TEST_CASE("numbers that cancel, and as many as a call may add: the sum of the rounded products, from every kernel") {
-    // Each product is a multiple of 2^-30 near 1 or -1, so that all sums are exact. Sums of products near 2^63 are far
-    // beyond 64 bits, along x and along y each by its own multiple of 2^64.
+TEST_CASE(
+    "numbers that cancel, and as many as a call may add: the sum of the rounded products, from "
+    "every kernel") {
+    // Each product is a multiple of 2^-30 near 1 or -1, so that all sums are exact. Sums of
+    // products near 2^63 are far beyond 64 bits, along x and along y each by its own multiple of
+    // 2^64.
     Index const most = harmorph::BlockProducts<double>::most_blocks;
     for (Index const blocks : {256, most - 1, most})
         for (int const signs : {1, 2, 3, 4}) {
@@ -160,8 +174,10 @@ TEST_CASE("numbers that cancel, and as many as a call may add: the sum of the ro
                 for (Index k = 0; k < 3; ++k) {
                     double const f = (p % signs == 0 ? 1 : -1) * (1 - 0x1p-10 * ((p + k) % 7));
                     product.row(p)[k] = f;
-                    units_x[k] += static_cast<std::int64_t>(std::ldexp(f * product.weight_x[at], 30));
-                    units_y[k] += static_cast<std::int64_t>(std::ldexp(f * product.weight_y[at], 30));
+                    units_x[k] +=
+                        static_cast<std::int64_t>(std::ldexp(f * product.weight_x[at], 30));
+                    units_y[k] +=
+                        static_cast<std::int64_t>(std::ldexp(f * product.weight_y[at], 30));
                 }
             }
             INFO(blocks << " blocks, signs " << signs);
@@ -175,7 +191,8 @@ TEST_CASE("numbers that cancel, and as many as a call may add: the sum of the ro
         }
 }
 
-TEST_CASE("points are moved in place or elsewhere, or from 0; where the sum is 0 all bits are kept") {
+TEST_CASE(
+    "points are moved in place or elsewhere, or from 0; where the sum is 0 all bits are kept") {
     for (Index const numbers : {1, 2, 9, 20})
         for (Kernel const kernel : usable_kernels()) {
             Product product(3, numbers, 7);
@@ -185,7 +202,8 @@ TEST_CASE("points are moved in place or elsewhere, or from 0; where the sum is 0
             std::vector<double> from(2 * n, 3), sum(2 * n, 0.0), zero(2 * n, 0.0);
             from[5] = -0.0;
             from[n + 20] = std::nan("");
-            harmorph::BlockProducts<double> const& products = harmorph::product_kernels(kernel).of(product.whole());
+            harmorph::BlockProducts<double> const& products =
+                harmorph::product_kernels(kernel).of(product.whole());
             products.multiply(product.whole(), product.by, {sum.data(), sum.data() + n});
             auto const expected = [&](std::vector<double> out) {
                 for (std::size_t k = 0; k < 2 * n; ++k)
@@ -207,14 +225,16 @@ TEST_CASE("points are moved in place or elsewhere, or from 0; where the sum is 0
 
 TEST_CASE("the largest number, infinities and NaN above all others, wherever it stands") {
     for (Index const n : {1, 3, 31, 32, 33, 100})
-        for (double const largest : {-2.0, 3.0, -std::numeric_limits<double>::infinity(), std::nan("")})
+        for (double const largest :
+             {-2.0, 3.0, -std::numeric_limits<double>::infinity(), std::nan("")})
             for (Index at = 0; at < n; ++at)
                 for (Kernel const kernel : usable_kernels()) {
                     std::vector<double> numbers(static_cast<std::size_t>(n), -1);
                     numbers[static_cast<std::size_t>(at)] = largest;
                     harmorph::LargestMagnitude expected, found;
                     expected.include(largest);
-                    found.include_bits(harmorph::product_kernels(kernel).largest_bits(numbers.data(), n));
+                    found.include_bits(
+                        harmorph::product_kernels(kernel).largest_bits(numbers.data(), n));
                     CHECK(same_bits<double>({found.value()}, {expected.value()}));
                 }
 }
@@ -222,13 +242,15 @@ TEST_CASE("the largest number, infinities and NaN above all others, wherever it 
 TEST_CASE("numbers in single precision give the bits that they give as double ones") {
     for (Index numbers = 1; numbers <= Movements::most; numbers += numbers < 40 ? 1 : 11) {
         Product product(3, numbers, static_cast<unsigned>(numbers));
-        std::vector<float> singles(1, std::numeric_limits<float>::quiet_NaN());   // so that blocks begin at odd places
+        std::vector<float> singles(
+            1, std::numeric_limits<float>::quiet_NaN());  // so that blocks begin at odd places
         for (double& value : product.values) {
             singles.push_back(static_cast<float>(value));
             value = static_cast<double>(singles.back());
         }
         singles.shrink_to_fit();
-        harmorph::ValueBlocks<float> const narrow{singles.data() + 1, numbers * block_points, 3, numbers};
+        harmorph::ValueBlocks<float> const narrow{singles.data() + 1, numbers * block_points, 3,
+                                                  numbers};
         for (Kernel const kernel : usable_kernels()) {
             CHECK(same_bits(product.multiply(kernel, narrow), product.multiply(kernel)));
             CHECK(same_bits(product.transposed(kernel, narrow), product.transposed(kernel)));

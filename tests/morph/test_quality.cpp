@@ -4,7 +4,7 @@
 #include <fixtures/core.hpp>
 #include <fixtures/traps.hpp>
 
-#include <harmorph/morph/quality.hpp>
+#include "morph/quality.hpp"
 
 using namespace fixtures;
 using harmorph::Quality;
@@ -19,7 +19,8 @@ double skew(std::vector<Point> const& corners, bool reversed = false) {
         cell.point[cell.n] = cell.n;
         ++cell.n;
     }
-    return skew_quality(cell.n, harmorph::CellCorners({cell, {xy.data(), xy.data() + 1, 2}, reversed}));
+    return skew_quality(cell.n,
+                        harmorph::CellCorners({cell, {xy.data(), xy.data() + 1, 2}, reversed}));
 }
 
 Quality measure(Mesh const& mesh, Mesh const* reference = nullptr, bool reversed = false) {
@@ -45,8 +46,8 @@ TEST_CASE("cells with a coordinate that is not finite count as inverted, and spo
         x[8] = bad;
         hm_quality_report report{};
         report.struct_size = sizeof report;
-        REQUIRE(hm_quality(solved.basis, &mesh, points_in(x.data(), mesh.points.y), nullptr, nullptr, &report,
-                           nullptr) == HM_OK);
+        REQUIRE(hm_quality(solved.basis, &mesh, points_in(x.data(), mesh.points.y), nullptr,
+                           nullptr, &report, nullptr) == HM_OK);
         CHECK(report.inverted == cells);
         CHECK(report.min_quality == 0);
         CHECK(report.mean_quality > 0);
@@ -56,7 +57,8 @@ TEST_CASE("cells with a coordinate that is not finite count as inverted, and spo
 
 TEST_CASE("triangles: 1 if equilateral, known values otherwise, 0 if flat or inverted") {
     CHECK(skew({{0, 0}, {1, 0}, {0.5, 0.5 * root3}}) == doctest::Approx(1).epsilon(1e-15));
-    CHECK(skew({{0, 0}, {1, 0}, {0, 1}}) == doctest::Approx(0.5 * root3));   // 2 sqrt(3) 2A / (sum of squared sides)
+    CHECK(skew({{0, 0}, {1, 0}, {0, 1}}) ==
+          doctest::Approx(0.5 * root3));  // 2 sqrt(3) 2A / (sum of squared sides)
     for (double const h : {0.01, 0.3, 1.0, 5.0}) {
         double const sides = 1 + 2 * (0.25 + h * h);
         CHECK(skew({{0, 0}, {1, 0}, {0.5, h}}) == doctest::Approx(2 * root3 * h / sides));
@@ -73,11 +75,12 @@ TEST_CASE("quads: 1 for every rectangle, the sine of a parallelogram's angle, 0 
     for (double const angle : {0.1, 0.7, 1.5, 3.0})
         for (double const length : {0.01, 1.0, 30.0}) {
             Point const up{length * std::cos(angle), length * std::sin(angle)};
-            CHECK(skew({{0, 0}, {1, 0}, {1 + up.x, up.y}, up}) == doctest::Approx(std::sin(angle)).epsilon(1e-12));
+            CHECK(skew({{0, 0}, {1, 0}, {1 + up.x, up.y}, up}) ==
+                  doctest::Approx(std::sin(angle)).epsilon(1e-12));
         }
-    CHECK(skew({{0, 0}, {1, 0}, {0.2, 0.2}, {0, 1}}) == 0);   // an arrow head
-    CHECK(skew({{0, 0}, {1, 1}, {1, 0}, {0, 1}}) == 0);       // folded
-    CHECK(skew({{0, 0}, {0, 1}, {1, 1}, {1, 0}}) == 0);       // clockwise
+    CHECK(skew({{0, 0}, {1, 0}, {0.2, 0.2}, {0, 1}}) == 0);  // an arrow head
+    CHECK(skew({{0, 0}, {1, 1}, {1, 0}, {0, 1}}) == 0);      // folded
+    CHECK(skew({{0, 0}, {0, 1}, {1, 1}, {1, 0}}) == 0);      // clockwise
     CHECK(skew({{0, 0}, {0, 1}, {1, 1}, {1, 0}}, true) == 1);
 }
 
@@ -98,7 +101,8 @@ TEST_CASE("neither size, place, angle nor the first corner matters") {
     }
 }
 
-TEST_CASE("with a reference, cells that grow or shrink lose: the square root of the ratio of areas") {
+TEST_CASE(
+    "with a reference, cells that grow or shrink lose: the square root of the ratio of areas") {
     Mesh const reference = square(6, Cells::quads, 2, 2);
     Mesh mesh = reference;
     for (double const factor : {0.5, 2.0, 10.0}) {
@@ -106,7 +110,7 @@ TEST_CASE("with a reference, cells that grow or shrink lose: the square root of 
             mesh.x[k] = factor * reference.x[k];
             mesh.y[k] = factor * reference.y[k];
         }
-        double const expected = factor > 1 ? 1 / factor : factor;   // sqrt(1 / factor^2)
+        double const expected = factor > 1 ? 1 / factor : factor;  // sqrt(1 / factor^2)
         Quality const seen = measure(mesh, &reference);
         CHECK(seen.mean_quality() == doctest::Approx(expected).epsilon(1e-12));
         CHECK(seen.min_quality == doctest::Approx(expected).epsilon(1e-12));
@@ -116,13 +120,13 @@ TEST_CASE("with a reference, cells that grow or shrink lose: the square root of 
 }
 
 TEST_CASE("inverted cells are counted, the first is named, and they count 0 in the mean") {
-    Mesh mesh = square(6, Cells::quads);   // 36 unit squares, scaled
+    Mesh mesh = square(6, Cells::quads);  // 36 unit squares, scaled
     Quality seen = measure(mesh);
     CHECK(seen.inverted == 0);
     CHECK(seen.first_inverted == -1);
     CHECK(seen.min_area == doctest::Approx(0.5 / 36));
     CHECK(seen.mean_quality() == doctest::Approx(1));
-    mesh.x[16] = mesh.y[16] = -10;   // point (2, 2)
+    mesh.x[16] = mesh.y[16] = -10;  // point (2, 2)
     std::int32_t inverted = 0, first = -1;
     double sum = 0, least = 1;
     for (std::int32_t i = 0; i < mesh.n_cells(); ++i) {
@@ -131,7 +135,8 @@ TEST_CASE("inverted cells are counted, the first is named, and they count 0 in t
             corners.push_back(mesh.point(mesh.cells[4 * static_cast<std::size_t>(i) + k]));
         bool bad = false;
         for (std::size_t k = 0; k < 4; ++k) {
-            double const area = 0.5 * twice_area(corners[k], corners[(k + 1) % 4], corners[(k + 3) % 4]);
+            double const area =
+                0.5 * twice_area(corners[k], corners[(k + 1) % 4], corners[(k + 3) % 4]);
             least = std::fmin(least, area);
             bad = bad || area <= 0;
         }
@@ -149,7 +154,7 @@ TEST_CASE("inverted cells are counted, the first is named, and they count 0 in t
     CHECK(seen.mean_quality() == doctest::Approx(sum / 36));
 
     Mesh flat = square(2, Cells::triangles);
-    flat.x[4] = flat.x[3];   // the middle onto the left side: empty cells are inverted ones
+    flat.x[4] = flat.x[3];  // the middle onto the left side: empty cells are inverted ones
     CHECK(measure(flat).inverted >= 1);
     CHECK(measure(flat).min_area <= 0);
 }
@@ -173,7 +178,9 @@ TEST_CASE("a coordinate that is not finite makes its cells invalid, whichever co
     for (double const bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
         for (std::int32_t corner = 0; corner < 49; ++corner) {
             Mesh mesh = square(6, Cells::hybrid);
-            perturb(mesh, 0.2, 3);   // no side parallel to an axis: 0 times infinity is not what makes areas NaN
+            perturb(
+                mesh, 0.2,
+                3);  // no side parallel to an axis: 0 times infinity is not what makes areas NaN
             mesh.x[static_cast<std::size_t>(corner)] = bad;
             Quality const seen = measure(mesh);
             std::int32_t cells = 0;
@@ -188,7 +195,8 @@ TEST_CASE("a coordinate that is not finite makes its cells invalid, whichever co
 TEST_CASE("an infinite area counts beside a finite one that is negative") {
     Untrapped const untrapped;
     Mesh mesh = square(3, Cells::quads);
-    double const x[] = {0, 1, 2.1, 0.2}, y[] = {0, 1, 1.3, HUGE_VAL};   // three areas of +inf, the second one is -0.4
+    double const x[] = {0, 1, 2.1, 0.2},
+                 y[] = {0, 1, 1.3, HUGE_VAL};  // three areas of +inf, the second one is -0.4
     for (std::size_t k = 0; k < 4; ++k) {
         std::size_t const point = static_cast<std::size_t>(mesh.cells[k]);
         mesh.x[point] = x[k];
@@ -202,7 +210,7 @@ TEST_CASE("an infinite area counts beside a finite one that is negative") {
 TEST_CASE("the report on a mesh says the same, in the caller's numbering") {
     Case its = tiny_case();
     its.index_base = 1;
-    its.mesh.x[8] = 0.1;   // thin, but valid
+    its.mesh.x[8] = 0.1;  // thin, but valid
     Solved const solved(its);
     hm_mesh_report report{};
     report.struct_size = sizeof report;
@@ -215,14 +223,15 @@ TEST_CASE("the report on a mesh says the same, in the caller's numbering") {
     CHECK(report.triangles == 32);
     CHECK(report.boundary_edges == 32);
     CHECK(report.boundary_loops == 2);
-    CHECK(report.edges == 48 + 48);   // Euler: V - E + F = 0
+    CHECK(report.edges == 48 + 48);  // Euler: V - E + F = 0
     CHECK(report.min_area == expected.min_area);
     CHECK(report.min_quality == expected.min_quality);
     CHECK(report.mean_quality == expected.mean_quality());
     hm_quality_report quality{};
     quality.struct_size = sizeof quality;
     hm_mesh const mesh = its.mesh_view();
-    REQUIRE(hm_quality(solved.basis, &mesh, &mesh.points, &mesh.points, nullptr, &quality, nullptr) == HM_OK);
+    REQUIRE(hm_quality(solved.basis, &mesh, &mesh.points, &mesh.points, nullptr, &quality,
+                       nullptr) == HM_OK);
     CHECK(quality.mean_quality == doctest::Approx(expected.mean_quality()).epsilon(1e-15));
     CHECK(quality.min_quality_cell == expected.min_quality_cell + 1);
 }

@@ -33,17 +33,20 @@ struct Slid {
 
 }  // namespace
 
-TEST_CASE("hm_slide: sliding points are on the circle, inner ones follow, the wall keeps its bits, twice is once") {
+TEST_CASE(
+    "hm_slide: sliding points are on the circle, inner ones follow, the wall keeps its bits, twice "
+    "is once") {
     Slid of;
     std::vector<double> x(of.x.size()), y(of.x.size());
-    REQUIRE(hm_slide(of.attempt.analysis, points_in(of.x, of.y), points_out(x, y), nullptr) == HM_OK);
+    REQUIRE(hm_slide(of.attempt.analysis, points_in(of.x, of.y), points_out(x, y), nullptr) ==
+            HM_OK);
     double inner_moves = 0;
     for (std::size_t k = 0; k < x.size(); ++k) {
         if (of.slides(k)) {
             CHECK(std::fabs(std::hypot(x[k], y[k]) - 2) < 2e-7);
             // Straight beside the point: the distance is that from the circle.
-            CHECK(std::fabs(std::hypot(x[k] - of.x[k], y[k] - of.y[k]) - std::fabs(std::hypot(of.x[k], of.y[k]) - 2)) <
-                  1e-6);
+            CHECK(std::fabs(std::hypot(x[k] - of.x[k], y[k] - of.y[k]) -
+                            std::fabs(std::hypot(of.x[k], of.y[k]) - 2)) < 1e-6);
         } else {
             double const radius = std::abs(to_complex(of.its.mesh.point(static_cast<int>(k))));
             bool const on_wall = radius < 0.5001;
@@ -57,16 +60,18 @@ TEST_CASE("hm_slide: sliding points are on the circle, inner ones follow, the wa
     }
     CHECK(inner_moves > 0.02);
     std::vector<double> in_place_x = of.x, in_place_y = of.y;
-    REQUIRE(hm_slide(of.attempt.analysis, points_in(in_place_x, in_place_y), points_out(in_place_x, in_place_y),
-                     nullptr) == HM_OK);
+    REQUIRE(hm_slide(of.attempt.analysis, points_in(in_place_x, in_place_y),
+                     points_out(in_place_x, in_place_y), nullptr) == HM_OK);
     CHECK(same_bits(in_place_x, x));
     CHECK(same_bits(in_place_y, y));
-    REQUIRE(hm_slide(of.attempt.analysis, points_in(x, y), points_out(in_place_x, in_place_y), nullptr) == HM_OK);
+    REQUIRE(hm_slide(of.attempt.analysis, points_in(x, y), points_out(in_place_x, in_place_y),
+                     nullptr) == HM_OK);
     CHECK(largest_difference(in_place_x, x) < 1e-15);
     CHECK(largest_difference(in_place_y, y) < 1e-15);
     // The start is on the curve bit by bit.
     std::vector<double> start_x = of.its.mesh.x, start_y = of.its.mesh.y;
-    REQUIRE(hm_slide(of.attempt.analysis, points_in(start_x, start_y), points_out(start_x, start_y), nullptr) == HM_OK);
+    REQUIRE(hm_slide(of.attempt.analysis, points_in(start_x, start_y), points_out(start_x, start_y),
+                     nullptr) == HM_OK);
     CHECK(same_bits(start_x, of.its.mesh.x));
     CHECK(same_bits(start_y, of.its.mesh.y));
 }
@@ -80,8 +85,8 @@ TEST_CASE("hm_slide_adjoint is the transpose of the derivative") {
         jx[k] = weight[2 * k];
         jy[k] = weight[2 * k + 1];
     }
-    REQUIRE(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), points_in(jx, jy), points_out(gx, gy),
-                             nullptr) == HM_OK);
+    REQUIRE(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), points_in(jx, jy),
+                             points_out(gx, gy), nullptr) == HM_OK);
     auto const objective = [&](std::vector<double> x, std::vector<double> y) {
         REQUIRE(hm_slide(of.attempt.analysis, points_in(x, y), points_out(x, y), nullptr) == HM_OK);
         double sum = 0;
@@ -99,8 +104,8 @@ TEST_CASE("hm_slide_adjoint is the transpose of the derivative") {
         less[k] -= h;
         CHECK(std::fabs((objective(of.x, more) - objective(of.x, less)) / (2 * h) - gy[k]) < 1e-5);
     }
-    REQUIRE(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), points_in(jx, jy), points_out(jx, jy),
-                             nullptr) == HM_OK);
+    REQUIRE(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), points_in(jx, jy),
+                             points_out(jx, jy), nullptr) == HM_OK);
     CHECK(same_bits(jx, gx));
     CHECK(same_bits(jy, gy));
 }
@@ -110,18 +115,20 @@ TEST_CASE("hm_slide: what is not finite is refused by its number, NULL is refuse
     std::vector<double> x(of.x.size(), 7), y(of.x.size(), 7);
     of.x.back() = std::numeric_limits<double>::quiet_NaN();
     hm_error error{};
-    CHECK(hm_slide(of.attempt.analysis, points_in(of.x, of.y), points_out(x, y), &error) == HM_BAD_MESH);
+    CHECK(hm_slide(of.attempt.analysis, points_in(of.x, of.y), points_out(x, y), &error) ==
+          HM_BAD_MESH);
     CHECK(error.item == static_cast<std::int32_t>(of.x.size()) - 1);
     CHECK(std::string(error.text).find("sliding point") == 0);
     CHECK(x[0] == 7);
-    CHECK(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), points_in(x, y), points_out(x, y), &error) ==
-          HM_BAD_MESH);
+    CHECK(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), points_in(x, y),
+                           points_out(x, y), &error) == HM_BAD_MESH);
     CHECK(hm_slide(nullptr, points_in(of.x, of.y), points_out(x, y), nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_slide(of.attempt.analysis, nullptr, points_out(x, y), nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_slide(of.attempt.analysis, points_in(of.x, of.y), nullptr, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), nullptr, points_out(x, y), nullptr) ==
+    CHECK(hm_slide(of.attempt.analysis, points_in(of.x, of.y), nullptr, nullptr) ==
           HM_BAD_ARGUMENT);
+    CHECK(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), nullptr, points_out(x, y),
+                           nullptr) == HM_BAD_ARGUMENT);
     of.x.back() = 2;
-    of.x.front() = std::numeric_limits<double>::quiet_NaN();   // a wall's: of no concern
+    of.x.front() = std::numeric_limits<double>::quiet_NaN();  // a wall's: of no concern
     CHECK(hm_slide(of.attempt.analysis, points_in(of.x, of.y), points_out(x, y), nullptr) == HM_OK);
 }

@@ -1,10 +1,11 @@
-// Sums of bases whose functions are multiplied by complex numbers: the derivative of a morph in several steps.
+// Sums of bases whose functions are multiplied by complex numbers: the derivative of a morph in
+// several steps.
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
 #include <fixtures/operators.hpp>
 
-#include <harmorph/morph/weighted_sum.hpp>
+#include "morph/weighted_sum.hpp"
 
 using namespace fixtures;
 using harmorph::Vec2;
@@ -29,7 +30,9 @@ private:
     Guarded block_;
 };
 
-harmorph::Basis view_of(Solved const& solved) { return harmorph::Basis::view(static_cast<const void*>(solved.basis)); }
+harmorph::Basis view_of(Solved const& solved) {
+    return harmorph::Basis::view(static_cast<const void*>(solved.basis));
+}
 
 }  // namespace
 
@@ -55,7 +58,8 @@ TEST_CASE("the sum moves points as its parts do by the movements times their wei
             std::vector<Vec2> weight;
             std::vector<double> weighted = move;
             for (std::size_t i = 0; i < 20; ++i, ++number) {
-                Complex const w(seeds[2 * number], kind.real ? 0 : seeds[2 * number + 1]);   // real values cannot turn
+                Complex const w(seeds[2 * number],
+                                kind.real ? 0 : seeds[2 * number + 1]);  // real values cannot turn
                 weight.push_back({w.real(), w.imag()});
                 Complex const by = w * Complex(move[2 * i], move[2 * i + 1]);
                 weighted[2 * i] = by.real();
@@ -70,7 +74,7 @@ TEST_CASE("the sum moves points as its parts do by the movements times their wei
 }
 
 TEST_CASE("weights 1 copy, weights 0 add nothing, and threads change no bit") {
-    Case its = ring_case(30, 300, 0.5, 2, Cells::quads);   // 9300 points: several ranges
+    Case its = ring_case(30, 300, 0.5, 2, Cells::quads);  // 9300 points: several ranges
     hm_options const options = options_of(HM_CONFORMAL);
     Solved const solved(its, &options);
     std::vector<Vec2> const one(8, Vec2{1, 0}), nothing(8, Vec2{0, 0}), some(8, Vec2{0.3, -0.8});

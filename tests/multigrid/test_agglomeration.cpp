@@ -1,5 +1,5 @@
-// Merged cells: a partition into connected cells of bounded size, sums that stay symmetric and conservative, shapes
-// that follow the strong couplings; and an end where a graph cannot be merged.
+// Merged cells: a partition into connected cells of bounded size, sums that stay symmetric and
+// conservative, shapes that follow the strong couplings; and an end where a graph cannot be merged.
 #include <doctest/doctest.h>
 
 #include <fixtures/agglomerated.hpp>
@@ -22,7 +22,7 @@ void check_partition(Agglomerated const& its) {
         std::vector<int> members(static_cast<std::size_t>(a.level[l + 1].n), 0);
         for (Index i = 0; i < a.level[l].n; ++i) {
             Index const cell = a.cell_of[l][i];
-            REQUIRE(cell >= 0);   // numbered by the first member: the order stays the front's
+            REQUIRE(cell >= 0);  // numbered by the first member: the order stays the front's
             REQUIRE(cell <= seen);
             seen = std::max(seen, cell + 1);
             ++members[static_cast<std::size_t>(cell)];
@@ -43,7 +43,9 @@ int disconnected(harmorph::SymmetricRows const& rows, std::vector<Index> const& 
         return i;
     };
     rows.for_each([&](Index i, Index j, Offset e) {
-        if (rows.faces[e] == 0 || cell[static_cast<std::size_t>(i)] != cell[static_cast<std::size_t>(j)]) return;
+        if (rows.faces[e] == 0 ||
+            cell[static_cast<std::size_t>(i)] != cell[static_cast<std::size_t>(j)])
+            return;
         head[static_cast<std::size_t>(find(i))] = find(j);
     });
     Index parts = 0;
@@ -52,7 +54,8 @@ int disconnected(harmorph::SymmetricRows const& rows, std::vector<Index> const& 
 }
 
 // Mean over the cells of a level of the extents along x and y, in fine cells.
-Point mean_extent(FrontMatrix const& front, Mesh const& mesh, std::vector<Index> const& cell, double dx, double dy) {
+Point mean_extent(FrontMatrix const& front, Mesh const& mesh, std::vector<Index> const& cell,
+                  double dx, double dy) {
     std::size_t const n = static_cast<std::size_t>(1 + *std::max_element(cell.begin(), cell.end()));
     std::vector<Point> low(n, {1e9, 1e9}), high(n, {-1e9, -1e9});
     for (std::size_t i = 0; i < cell.size(); ++i) {
@@ -70,8 +73,10 @@ Point mean_extent(FrontMatrix const& front, Mesh const& mesh, std::vector<Index>
     return mean;
 }
 
-// Of all ways to split a merged cell in two: how much more the smoother must do, at most, than with two equal cells.
-double worst_split(harmorph::SymmetricRows const& rows, harmorph::Span<const Index> cell_of, Index n) {
+// Of all ways to split a merged cell in two: how much more the smoother must do, at most, than with
+// two equal cells.
+double worst_split(harmorph::SymmetricRows const& rows, harmorph::Span<const Index> cell_of,
+                   Index n) {
     std::vector<std::vector<Index>> members(static_cast<std::size_t>(n));
     std::vector<std::size_t> place(static_cast<std::size_t>(rows.n));
     for (Index i = 0; i < rows.n; ++i) {
@@ -82,8 +87,11 @@ double worst_split(harmorph::SymmetricRows const& rows, harmorph::Span<const Ind
     double worst = 0;
     auto const in_series = [](double a, double b) { return a > 0 && b > 0 ? a * b / (a + b) : 0; };
     for (std::vector<Index> const& its : members)
-        for (unsigned split = 1; split < (1u << (its.size() - 1)); ++split) {   // the last member is always on one side
-            auto const side = [&](Index i) { return (split >> place[static_cast<std::size_t>(i)]) & 1u; };
+        for (unsigned split = 1; split < (1u << (its.size() - 1));
+             ++split) {  // the last member is always on one side
+            auto const side = [&](Index i) {
+                return (split >> place[static_cast<std::size_t>(i)]) & 1u;
+            };
             double diagonal[2] = {0, 0}, row_sum[2] = {0, 0}, cut = 0;
             for (Index const i : its) {
                 diagonal[side(i)] += rows.diagonal[i];
@@ -93,8 +101,8 @@ double worst_split(harmorph::SymmetricRows const& rows, harmorph::Span<const Ind
                     if (cell_of[j] == cell_of[i] && side(j) != side(i)) cut -= rows.value[e];
                 }
             }
-            worst =
-                std::max(worst, 2 * in_series(diagonal[0], diagonal[1]) / (cut + in_series(row_sum[0], row_sum[1])));
+            worst = std::max(worst, 2 * in_series(diagonal[0], diagonal[1]) /
+                                        (cut + in_series(row_sum[0], row_sum[1])));
         }
     return worst;
 }
@@ -107,7 +115,8 @@ Case viscous_case(Cells kind) {
 
 }  // namespace
 
-TEST_CASE("a partition into connected cells of bounded size, down to a few, on every kind of mesh") {
+TEST_CASE(
+    "a partition into connected cells of bounded size, down to a few, on every kind of mesh") {
     for (Merging const merging : all_rules)
         for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
             for (int mesh = 0; mesh < 3; ++mesh) {
@@ -118,7 +127,8 @@ TEST_CASE("a partition into connected cells of bounded size, down to a few, on e
                 Analysed const seen(its);
                 FrontMatrix const front(*seen.operator->());
                 Agglomerated const merged(front.rows, {merging, 0});
-                INFO("rule " << static_cast<int>(merging) << ", cells " << static_cast<int>(kind) << ", mesh " << mesh);
+                INFO("rule " << static_cast<int>(merging) << ", cells " << static_cast<int>(kind)
+                             << ", mesh " << mesh);
                 check_partition(merged);
                 REQUIRE(merged.levels.count >= 3);
                 for (Index level = 1; level < merged.levels.count; ++level)
@@ -127,7 +137,9 @@ TEST_CASE("a partition into connected cells of bounded size, down to a few, on e
             }
 }
 
-TEST_CASE("coarse rows are the sums of the fine ones: symmetric, positive definite, and 0 where the fine sums are 0") {
+TEST_CASE(
+    "coarse rows are the sums of the fine ones: symmetric, positive definite, and 0 where the fine "
+    "sums are 0") {
     Case its = two_body_case(Cells::hybrid, 14, 9);
     Analysed const seen(its);
     FrontMatrix const front(*seen.operator->());
@@ -140,7 +152,8 @@ TEST_CASE("coarse rows are the sums of the fine ones: symmetric, positive defini
         DenseMatrix expected(static_cast<std::size_t>(rows.n));
         for (std::size_t i = 0; i < fine.n; ++i)
             for (std::size_t j = 0; j < fine.n; ++j)
-                expected.at(static_cast<std::size_t>(cell[i]), static_cast<std::size_t>(cell[j])) += fine.at(i, j);
+                expected.at(static_cast<std::size_t>(cell[i]), static_cast<std::size_t>(cell[j])) +=
+                    fine.at(i, j);
         DenseMatrix found = dense_of(rows);
         double worst = 0;
         for (std::size_t k = 0; k < found.entries.size(); ++k)
@@ -169,19 +182,23 @@ TEST_CASE("coarse rows are the sums of the fine ones: symmetric, positive defini
     CHECK(n_inside > 10);
 }
 
-TEST_CASE("on stretched cells the directional and the automatic rule merge along the strong coupling alone") {
+TEST_CASE(
+    "on stretched cells the directional and the automatic rule merge along the strong coupling "
+    "alone") {
     for (Cells const kind : {Cells::quads, Cells::triangles})
         for (Merging const merging : all_rules) {
             Case its = square_on_curve(36, kind, 0, 1);
             for (double& y : its.mesh.y) y *= 1e-2;
-            for (std::size_t k = 1; k < its.curves.control.size(); k += 2) its.curves.control[k] *= 1e-2;
+            for (std::size_t k = 1; k < its.curves.control.size(); k += 2)
+                its.curves.control[k] *= 1e-2;
             Analysed const seen(its);
             FrontMatrix const front(*seen.operator->());
             Agglomerated const merged(front.rows, {merging, 0});
             REQUIRE(merged.levels.count >= 2);
-            Point const extent = mean_extent(front, its.mesh, merged.cells_at(1), 1.0 / 36, 1e-2 / 36);
-            INFO("cells " << static_cast<int>(kind) << ", rule " << static_cast<int>(merging) << ": " << extent.x
-                          << " x " << extent.y);
+            Point const extent =
+                mean_extent(front, its.mesh, merged.cells_at(1), 1.0 / 36, 1e-2 / 36);
+            INFO("cells " << static_cast<int>(kind) << ", rule " << static_cast<int>(merging)
+                          << ": " << extent.x << " x " << extent.y);
             if (merging == Merging::isotropic) {
                 CHECK(extent.x > 1.5);
             } else {
@@ -191,7 +208,8 @@ TEST_CASE("on stretched cells the directional and the automatic rule merge along
         }
 }
 
-TEST_CASE("differences inside merged cells are removed by smoothing: bounded in units of the diagonals") {
+TEST_CASE(
+    "differences inside merged cells are removed by smoothing: bounded in units of the diagonals") {
     for (double const first : {1e-3, 1e-5, 1e-7}) {
         Case its = airfoil_case(40, 12, Cells::quads);
         its.mesh = c_mesh(naca4({}, 20), 12, 40, stretched(first, 60, 48)).mesh;
@@ -201,8 +219,8 @@ TEST_CASE("differences inside merged cells are removed by smoothing: bounded in 
             Agglomerated const merged(front.rows, {merging, 0});
             CHECK(merged.levels.level[merged.levels.count - 1].n <= 150);
             for (Index l = 0; l + 1 < merged.levels.count; ++l) {
-                // sum of d_i (v_i - mean)^2 <= bound (sum of c_ij (v_i - v_j)^2 + sum of e_i v_i^2) inside each merged
-                // cell: for v = 1 in one of its cells and 0 in the others.
+                // sum of d_i (v_i - mean)^2 <= bound (sum of c_ij (v_i - v_j)^2 + sum of e_i v_i^2)
+                // inside each merged cell: for v = 1 in one of its cells and 0 in the others.
                 harmorph::SymmetricRows const& rows = merged.levels.level[l];
                 harmorph::Span<const Index> const cell = merged.levels.cell_of[l];
                 std::size_t const n = static_cast<std::size_t>(rows.n);
@@ -218,9 +236,11 @@ TEST_CASE("differences inside merged cells are removed by smoothing: bounded in 
                 });
                 double worst = 0;
                 for (Index i = 0; i < rows.n; ++i) {
-                    double const all = whole[static_cast<std::size_t>(cell[i])], own = rows.diagonal[i];
+                    double const all = whole[static_cast<std::size_t>(cell[i])],
+                                 own = rows.diagonal[i];
                     double const spread = own * (1 - own / all);
-                    if (spread > 1e-9 * own) worst = std::max(worst, spread / energy[static_cast<std::size_t>(i)]);
+                    if (spread > 1e-9 * own)
+                        worst = std::max(worst, spread / energy[static_cast<std::size_t>(i)]);
                 }
                 INFO("first cell " << first << ", level " << l);
                 CHECK(worst < 12);
@@ -239,11 +259,13 @@ TEST_CASE("on cells as long as high merged cells are about as long as high, and 
             harmorph::Agglomeration const& a = merged.levels;
             for (Index l = 0; l + 1 < a.count; ++l) {
                 double const ratio = 1.0 * a.level[l].n / a.level[l + 1].n;
-                INFO("cells " << static_cast<int>(kind) << ", rule " << static_cast<int>(merging) << ", level " << l);
+                INFO("cells " << static_cast<int>(kind) << ", rule " << static_cast<int>(merging)
+                              << ", level " << l);
                 CHECK(ratio > 3.5);
                 CHECK(ratio < 6);
             }
-            Point const extent = mean_extent(front, its.mesh, merged.cells_at(1), 1.0 / 48, 1.0 / 48);
+            Point const extent =
+                mean_extent(front, its.mesh, merged.cells_at(1), 1.0 / 48, 1.0 / 48);
             CHECK(extent.x < 4);
             CHECK(extent.y < 4);
             CHECK(extent.x > 1.4);
@@ -261,7 +283,8 @@ TEST_CASE("the unit of length, the sense of cells and where they begin make no d
         Case its = two_body_case(kind, 20, 14);
         std::vector<Index> const cells = merge(its);
         Case changed = two_body_case(kind, 20, 14);
-        for (std::vector<double>* numbers : {&changed.mesh.x, &changed.mesh.y, &changed.curves.control})
+        for (std::vector<double>* numbers :
+             {&changed.mesh.x, &changed.mesh.y, &changed.curves.control})
             for (double& number : *numbers) number *= 1024;
         CHECK(merge(changed) == cells);
         changed = two_body_case(kind, 20, 14);
@@ -280,7 +303,8 @@ TEST_CASE("the number of levels is a choice") {
     Index const all = Agglomerated(front.rows).levels.count;
     REQUIRE(all >= 3);
     for (Index levels = 1; levels <= all + 2; ++levels)
-        CHECK(Agglomerated(front.rows, {Merging::automatic, levels}).levels.count == std::min(levels, all));
+        CHECK(Agglomerated(front.rows, {Merging::automatic, levels}).levels.count ==
+              std::min(levels, all));
 }
 
 TEST_CASE("graphs that cannot be merged end the levels, and nothing is written beside them") {
@@ -319,7 +343,8 @@ TEST_CASE("no merged cell has two parts that smoothing cannot bring to one value
         harmorph::Agglomeration const& a = merged.levels;
         for (Index l = 0; l + 1 < a.count; ++l) {
             INFO("wake " << n_wake << ", level " << l);
-            CHECK(worst_split(a.level[l], a.cell_of[l], a.level[l + 1].n) < 64);   // 8 for each of the two passes
+            CHECK(worst_split(a.level[l], a.cell_of[l], a.level[l + 1].n) <
+                  64);  // 8 for each of the two passes
         }
     }
 }

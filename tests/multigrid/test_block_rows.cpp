@@ -1,4 +1,5 @@
-// Passes over half a matrix against dense ones: products, and the parts of a symmetric Gauss-Seidel sweep.
+// Passes over half a matrix against dense ones: products, and the parts of a symmetric Gauss-Seidel
+// sweep.
 #include <doctest/doctest.h>
 
 #include <fixtures/agglomerated.hpp>
@@ -6,7 +7,7 @@
 
 #include "multigrid/block_rows.hpp"
 
-#include <harmorph/multigrid/iteration.hpp>
+#include "multigrid/iteration.hpp"
 
 #include <string>
 
@@ -37,7 +38,8 @@ std::vector<double> product(DenseMatrix const& a, std::vector<double> const& x, 
     std::vector<double> y(x.size(), 0.0);
     for (std::size_t i = 0; i < a.n; ++i)
         for (std::size_t j = 0; j < a.n; ++j)
-            for (std::size_t k = 0; takes(i, j) && k < w; ++k) y[w * i + k] += a.at(i, j) * x[w * j + k];
+            for (std::size_t k = 0; takes(i, j) && k < w; ++k)
+                y[w * i + k] += a.at(i, j) * x[w * j + k];
     return y;
 }
 bool any(std::size_t, std::size_t) { return true; }
@@ -58,7 +60,8 @@ TEST_CASE("products and energies are those of the whole matrix") {
     for (Index k = 0; k < w; ++k) {
         double sum = 0;
         for (std::size_t i = 0; i < s.dense.n; ++i)
-            sum += s.x[w * i + static_cast<std::size_t>(k)] * expected[w * i + static_cast<std::size_t>(k)];
+            sum += s.x[w * i + static_cast<std::size_t>(k)] *
+                   expected[w * i + static_cast<std::size_t>(k)];
         CHECK(dots[k] == doctest::Approx(sum).epsilon(1e-12));
         CHECK(energies[k] == doctest::Approx(sum).epsilon(1e-12));
     }
@@ -74,7 +77,8 @@ TEST_CASE("the triangular solves are inverses of the triangular products") {
     CHECK(largest_difference(x, s.x) < 1e-12);
 }
 
-TEST_CASE("after the forward sweep the defect is that of the start 0, less A times the correction") {
+TEST_CASE(
+    "after the forward sweep the defect is that of the start 0, less A times the correction") {
     Setting const s;
     std::size_t const n = s.dense.n;
     Agglomerated const merged(s.front.rows);
@@ -88,14 +92,16 @@ TEST_CASE("after the forward sweep the defect is that of the start 0, less A tim
     std::vector<double> expected(w * n_coarse, 0.0);
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t k = 0; k < w; ++k)
-            expected[w * static_cast<std::size_t>(cell[i]) + k] += s.x[w * i + k] - a_swept[w * i + k];
+            expected[w * static_cast<std::size_t>(cell[i]) + k] +=
+                s.x[w * i + k] - a_swept[w * i + k];
     CHECK(largest_difference(defect, expected) < 1e-12);
 
     // A whole symmetric sweep with a correction c: (D + L^T) z = r - L (swept + P c).
     std::vector<double> corrected = swept;
     std::vector<double> const c(expected.rbegin(), expected.rend());
     for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t k = 0; k < w; ++k) corrected[w * i + k] += c[w * static_cast<std::size_t>(cell[i]) + k];
+        for (std::size_t k = 0; k < w; ++k)
+            corrected[w * i + k] += c[w * static_cast<std::size_t>(cell[i]) + k];
     std::vector<double> const lower_part = product(s.dense, corrected, below);
     block::correct<w>(s.front.rows, cell, c.data(), z.data());
     block::backward<w>(s.front.rows, z.data());
@@ -103,7 +109,8 @@ TEST_CASE("after the forward sweep the defect is that of the start 0, less A tim
     for (std::size_t k = 0; k < left.size(); ++k) left[k] += lower_part[k];
     CHECK(largest_difference(left, s.x) < 1e-11);
     // Not trivially.
-    CHECK(largest_difference(product(s.dense, z, above), std::vector<double>(left.size(), 0.0)) > 1e-3);
+    CHECK(largest_difference(product(s.dense, z, above), std::vector<double>(left.size(), 0.0)) >
+          1e-3);
 }
 
 TEST_CASE("the largest numbers of each function: NaN where there is one, wherever it is") {
@@ -127,7 +134,8 @@ TEST_CASE("a diagonal that is not positive is refused with its row") {
         rows.n = 4;
         rows.diagonal = {diagonal, 4};
         harmorph::Fault fault;
-        CHECK(harmorph::BlockIteration::check_diagonals(rows, fault) == harmorph::Status::not_positive);
+        CHECK(harmorph::BlockIteration::check_diagonals(rows, fault) ==
+              harmorph::Status::not_positive);
         CHECK(std::string(fault.sentence) == "the matrix is not positive definite at point #");
         CHECK(fault.item == 2);
         rows.n = 2;

@@ -1,12 +1,13 @@
-// The paper's iteration: the order of its Runge-Kutta scheme, that it diffuses, that one level is that scheme alone,
-// and that coarser levels save most of the work without changing what it converges to.
+// The paper's iteration: the order of its Runge-Kutta scheme, that it diffuses, that one level is
+// that scheme alone, and that coarser levels save most of the work without changing what it
+// converges to.
 #include <doctest/doctest.h>
 
 #include <fixtures/agglomerated.hpp>
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/executors.hpp>
 
-#include <harmorph/multigrid/full_approximation.hpp>
+#include "multigrid/full_approximation.hpp"
 
 using namespace fixtures;
 using harmorph::Index;
@@ -25,7 +26,9 @@ hm_options direct() {
     out.engine = HM_DIRECT;
     return out;
 }
-double difference(Solved const& a, Solved const& b) { return largest_difference(a.all_values(), b.all_values()); }
+double difference(Solved const& a, Solved const& b) {
+    return largest_difference(a.all_values(), b.all_values());
+}
 
 // dF/dt = R(F) from F = start over the given time.
 template <class R>
@@ -33,7 +36,8 @@ double integrate(R const& r, double start, double time, int steps) {
     double f = start;
     for (int k = 0; k < steps; ++k) {
         double const old = f;
-        for (double const alpha : harmorph::stage_coefficient) f = old + alpha * time / steps * r(f);
+        for (double const alpha : harmorph::stage_coefficient)
+            f = old + alpha * time / steps * r(f);
     }
     return f;
 }
@@ -73,7 +77,7 @@ struct Explicit {
 }  // namespace
 
 TEST_CASE("the scheme is of second order, and not of third") {
-    auto const decay = [](double f) { return -f * f; };   // f = 1 / (1 + t)
+    auto const decay = [](double f) { return -f * f; };  // f = 1 / (1 + t)
     double last = 0;
     for (int const steps : {8, 16, 32, 64}) {
         double const error = std::fabs(integrate(decay, 1, 1, steps) - 0.5);
@@ -83,9 +87,12 @@ TEST_CASE("the scheme is of second order, and not of third") {
 }
 
 TEST_CASE("one step damps what decays, up to the limit, and short waves by half") {
-    auto const factor = [](double x) { return integrate([&](double f) { return -x * f; }, 1, 1, 1); };
+    auto const factor = [](double x) {
+        return integrate([&](double f) { return -x * f; }, 1, 1, 1);
+    };
     for (double x = 0.01; x < 5.2; x += 0.01) CHECK(std::fabs(factor(x)) < 1);
-    for (double x = 0.7; x <= harmorph::damping_limit; x += 0.01) CHECK(std::fabs(factor(x)) <= 0.51);
+    for (double x = 0.7; x <= harmorph::damping_limit; x += 0.01)
+        CHECK(std::fabs(factor(x)) <= 0.51);
     CHECK(std::fabs(factor(5.3)) > 1);
 }
 
@@ -105,7 +112,8 @@ TEST_CASE("with one level an iteration is one Runge-Kutta step of the flux balan
         for (Index k = 0; k < its_basis.order; ++k)
             for (Index c = matrix.coupling_start[slot];
                  its_basis.control[k] == function && c < matrix.coupling_start[slot + 1]; ++c)
-                b[static_cast<std::size_t>(matrix.coupling_row[c])] -= matrix.coupling_value[c] * its_basis.value[0][k];
+                b[static_cast<std::size_t>(matrix.coupling_row[c])] -=
+                    matrix.coupling_value[c] * its_basis.value[0][k];
     }
     constexpr int steps = 4;
     for (int k = 0; k < steps; ++k) {
@@ -143,7 +151,8 @@ TEST_CASE("local steps are cfl (0.5 shortest edge)^2, and never longer than what
     for (double const thin : {1.0, 1e-3}) {
         Case its = square_on_curve(12, Cells::quads, 0.2, 7);
         for (double& y : its.mesh.y) y *= thin;
-        for (std::size_t k = 1; k < its.curves.control.size(); k += 2) its.curves.control[k] *= thin;
+        for (std::size_t k = 1; k < its.curves.control.size(); k += 2)
+            its.curves.control[k] *= thin;
         Explicit const parts(its);
         DenseMatrix const a = dense_of(parts.front.rows);
         for (std::size_t i = 0; i < a.n; ++i) {
@@ -153,12 +162,14 @@ TEST_CASE("local steps are cfl (0.5 shortest edge)^2, and never longer than what
             double const half = 0.5 * parts.engine.volumes.shortest_edge[i];
             double const limit = harmorph::damping_limit * parts.engine.volumes.area[i] / row;
             CHECK(dt ==
-                  doctest::Approx(std::min(harmorph::FullApproximation::cfl * half * half, limit)).epsilon(1e-12));
+                  doctest::Approx(std::min(harmorph::FullApproximation::cfl * half * half, limit))
+                      .epsilon(1e-12));
         }
     }
 }
 
-TEST_CASE("it converges to the direct engine's functions, on stretched cells too, with either rule") {
+TEST_CASE(
+    "it converges to the direct engine's functions, on stretched cells too, with either rule") {
     for (int which = 0; which < 7; ++which) {
         Case its = which < 3    ? two_body_case(static_cast<Cells>(which), 12, 8)
                    : which == 3 ? airfoil_case()
@@ -169,11 +180,12 @@ TEST_CASE("it converges to the direct engine's functions, on stretched cells too
         hm_options iterative = fas(), exact = direct();
         iterative.agglomeration = which >= 5 ? HM_AGGLOMERATE_DIRECTIONAL : HM_AGGLOMERATE_AUTO;
         Solved const found(its, &iterative), expected(its, &exact);
-        INFO("case " << which << ": " << found.report.iterations << " cycles, " << found.report.fine_sweeps
-                     << " steps");
+        INFO("case " << which << ": " << found.report.iterations << " cycles, "
+                     << found.report.fine_sweeps << " steps");
         CHECK(difference(found, expected) < 1e-8);
         CHECK(found.report.residual <= 1e-10);
-        CHECK(found.report.fine_sweeps == 4 * found.report.iterations);   // two before and two after the correction
+        CHECK(found.report.fine_sweeps ==
+              4 * found.report.iterations);  // two before and two after the correction
         CHECK(found.report.levels >= 3);
     }
 }
@@ -193,15 +205,18 @@ TEST_CASE("coarser levels save nine tenths of the steps on the finest") {
 TEST_CASE("the number of cycles does not grow with the mesh") {
     hm_options const options = fas();
     auto const cycles = [&](int n_side, double wall_spacing, double layers_to_those_of_squares) {
-        double const along_wall = 1.02 / n_side, squares = std::log1p(8 * 3.14 / 1.02) / 3.14 * n_side;
+        double const along_wall = 1.02 / n_side,
+                     squares = std::log1p(8 * 3.14 / 1.02) / 3.14 * n_side;
         Case its = airfoil_case(40, 4, Cells::quads);
-        its.mesh = o_mesh(naca4({}, n_side), stretched(wall_spacing * along_wall, 8,
-                                                       static_cast<int>(layers_to_those_of_squares * squares)));
+        its.mesh = o_mesh(naca4({}, n_side),
+                          stretched(wall_spacing * along_wall, 8,
+                                    static_cast<int>(layers_to_those_of_squares * squares)));
         Solved const solved(its, &options);
         return solved.report.iterations;
     };
-    CHECK(cycles(86, 1, 1) < 1.3 * cycles(43, 1, 1));            // squares, 4000 and 16 000 points
-    CHECK(cycles(96, 1e-3, 1.2) < 1.3 * cycles(48, 1e-3, 1.2));   // thin cells at the wall, 6000 and 24 000 points
+    CHECK(cycles(86, 1, 1) < 1.3 * cycles(43, 1, 1));  // squares, 4000 and 16 000 points
+    CHECK(cycles(96, 1e-3, 1.2) <
+          1.3 * cycles(48, 1e-3, 1.2));  // thin cells at the wall, 6000 and 24 000 points
 }
 
 TEST_CASE("the start from the coarsest level is worth a cycle at least") {
@@ -217,10 +232,13 @@ TEST_CASE("the start from the coarsest level is worth a cycle at least") {
     INFO("one cycle: " << cycle << ", the start and one: " << history[1]);
     CHECK(history[1] < std::pow(cycle, 2));
     for (std::int32_t k = 1; k < solved.report.iterations; ++k)
-        CHECK(history[static_cast<std::size_t>(k) + 1] < 1.5 * history[static_cast<std::size_t>(k)]);
+        CHECK(history[static_cast<std::size_t>(k) + 1] <
+              1.5 * history[static_cast<std::size_t>(k)]);
 }
 
-TEST_CASE("from zero it goes to the same functions, and the first residual that is told is 1 all the same") {
+TEST_CASE(
+    "from zero it goes to the same functions, and the first residual that is told is 1 all the "
+    "same") {
     Case its = two_body_case(Cells::hybrid, 16, 10);
     std::vector<double> history(400);
     hm_options options = fas();
@@ -258,7 +276,8 @@ TEST_CASE("threads change no bit; limits end with a status") {
     CHECK(backwards.tasks > 0);
 }
 
-TEST_CASE("a small residual alone is no convergence: ended before the values are near, it says so") {
+TEST_CASE(
+    "a small residual alone is no convergence: ended before the values are near, it says so") {
     Case its = airfoil_case(20, 12);
     its.mesh = c_mesh(naca4({}, 20), 10, 8, stretched(1e-3, 8, 20)).mesh;
     hm_options options = fas(), exact = direct();

@@ -1,4 +1,5 @@
-// The iterative engine: the direct engine's solutions, in a number of iterations that does not grow with the mesh.
+// The iterative engine: the direct engine's solutions, in a number of iterations that does not grow
+// with the mesh.
 #include <doctest/doctest.h>
 
 #include <fixtures/agglomerated.hpp>
@@ -7,7 +8,7 @@
 #include <fixtures/operators.hpp>
 #include <fixtures/parts.hpp>
 
-#include <harmorph/multigrid/multigrid.hpp>
+#include "multigrid/multigrid.hpp"
 
 #include "multigrid/multigrid_cycle.hpp"
 
@@ -37,7 +38,9 @@ Case even_case(int n_side) {
     return o_mesh_case(n_side, step, static_cast<int>(std::log1p(8 * 3.14 / 1.02) / 3.14 * n_side));
 }
 
-double difference(Solved const& a, Solved const& b) { return largest_difference(a.all_values(), b.all_values()); }
+double difference(Solved const& a, Solved const& b) {
+    return largest_difference(a.all_values(), b.all_values());
+}
 
 // Its products with random vectors.
 void check_preconditioner(Case its) {
@@ -74,14 +77,16 @@ void check_preconditioner(Case its) {
     };
     for (std::size_t i = 0; i < 4; ++i) {
         CHECK(dot(i, i) > 0);
-        for (std::size_t j = 0; j < i; ++j) CHECK(dot(i, j) == doctest::Approx(dot(j, i)).epsilon(1e-10));
+        for (std::size_t j = 0; j < i; ++j)
+            CHECK(dot(i, j) == doctest::Approx(dot(j, i)).epsilon(1e-10));
     }
     CHECK(block.guards_intact());
 }
 
 }  // namespace
 
-TEST_CASE("the direct engine's functions on every kind of mesh, with free boundaries, cuts and weights") {
+TEST_CASE(
+    "the direct engine's functions on every kind of mesh, with free boundaries, cuts and weights") {
     for (int which = 0; which < 9; ++which) {
         Case its = which < 3    ? two_body_case(static_cast<Cells>(which), 16, 10)
                    : which == 3 ? airfoil_case()
@@ -96,7 +101,8 @@ TEST_CASE("the direct engine's functions on every kind of mesh, with free bounda
         hm_options iterative = multigrid(), exact = direct();
         if (which == 2) iterative.operator_kind = exact.operator_kind = HM_WEIGHTED;
         Solved const found(its, &iterative), expected(its, &exact);
-        INFO("case " << which << ": " << found.report.iterations << " iterations to " << found.report.residual);
+        INFO("case " << which << ": " << found.report.iterations << " iterations to "
+                     << found.report.residual);
         CHECK(difference(found, expected) < 2e-9);
         CHECK(found.report.residual <= 1e-10);
         CHECK(found.report.iterations > 1);
@@ -108,10 +114,11 @@ TEST_CASE("the direct engine's functions on every kind of mesh, with free bounda
     }
 }
 
-TEST_CASE("points that slide: the direct engine's functions, along axes, inclined lines and circles") {
+TEST_CASE(
+    "points that slide: the direct engine's functions, along axes, inclined lines and circles") {
     for (int which = 0; which < 5; ++which) {
-        Case its = which < 3
-                       ? similar(two_body_case(static_cast<Cells>(which), 16, 10), std::polar(1.0, 0.8 * which), 0)
+        Case its = which < 3    ? similar(two_body_case(static_cast<Cells>(which), 16, 10),
+                                          std::polar(1.0, 0.8 * which), 0)
                    : which == 3 ? ring_case(16, 64, 0.5, 2, Cells::hybrid)
                                 : o_mesh_case(60, 1e-5, 40);
         its.set_slip(far_field);
@@ -119,9 +126,11 @@ TEST_CASE("points that slide: the direct engine's functions, along axes, incline
             hm_options iterative = multigrid(), exact = direct();
             iterative.operator_kind = exact.operator_kind = operator_kind;
             Solved const found(its, &iterative), expected(its, &exact);
-            INFO("case " << which << ": " << found.report.iterations << " iterations to " << found.report.residual);
+            INFO("case " << which << ": " << found.report.iterations << " iterations to "
+                         << found.report.residual);
             std::vector<double> const move = some_move(found.report.functions, 1, 3);
-            CHECK(largest_difference(displacement(found, move), displacement(expected, move)) < 2e-9);
+            CHECK(largest_difference(displacement(found, move), displacement(expected, move)) <
+                  2e-9);
             CHECK(found.report.residual <= 1e-10);
             CHECK(found.report.iterations <= 45);
             CHECK(found.report.levels >= 2);
@@ -134,8 +143,9 @@ TEST_CASE("it converges on C-meshes of few columns and thin cells, however the f
         for (double const far : {60.0, 500.0})
             for (int const n_wake : {10, 18, 40}) {
                 Case its = airfoil_case(20, 12, Cells::quads);
-                its.mesh =
-                    c_mesh(naca4({}, 30), n_wake, far * 2 / 3, stretched(first, far, n_wake == 40 ? 80 : 60)).mesh;
+                its.mesh = c_mesh(naca4({}, 30), n_wake, far * 2 / 3,
+                                  stretched(first, far, n_wake == 40 ? 80 : 60))
+                               .mesh;
                 hm_options iterative = multigrid(), exact = direct();
                 Solved const found(its, &iterative), expected(its, &exact);
                 INFO("first cell " << first << ", far field " << far << ", wake " << n_wake << ": "
@@ -154,10 +164,13 @@ TEST_CASE("a function's bits do not depend on which others are solved with it") 
         options.block_width = width;
         CHECK(same_bits(Solved(its, &options).all_values(), all.all_values()));
     }
-    for (std::int32_t const width : {1, 5}) CHECK(same_bits(values_in_shares(all, width), all.all_values()));
+    for (std::int32_t const width : {1, 5})
+        CHECK(same_bits(values_in_shares(all, width), all.all_values()));
 }
 
-TEST_CASE("the number of iterations hardly grows with the mesh: at most 30 on even cells, 45 on stretched ones") {
+TEST_CASE(
+    "the number of iterations hardly grows with the mesh: at most 30 on even cells, 45 on "
+    "stretched ones") {
     hm_options options = multigrid();
     std::int32_t smallest = 1000;
     for (int const n_side : {20, 40, 80, 120}) {
@@ -170,14 +183,17 @@ TEST_CASE("the number of iterations hardly grows with the mesh: at most 30 on ev
     }
     for (double const first : {1e-5, 1e-6})
         for (int const n_side : {40, 100}) {
-            Case its = o_mesh_case(n_side, first, 2 * n_side / 3, n_side == 40 ? Cells::hybrid : Cells::quads);
+            Case its = o_mesh_case(n_side, first, 2 * n_side / 3,
+                                   n_side == 40 ? Cells::hybrid : Cells::quads);
             Solved const solved(its, &options);
             INFO(its.mesh.n_points() << " points: " << solved.report.iterations);
             CHECK(solved.report.iterations <= 45);
         }
 }
 
-TEST_CASE("the functions' sum is 1 where no point has value 0, however thin the cells: constants are in the kernel") {
+TEST_CASE(
+    "the functions' sum is 1 where no point has value 0, however thin the cells: constants are in "
+    "the kernel") {
     for (double const first : {1e-5, 1e-9}) {
         Case its = airfoil_case(40, 12, Cells::quads);
         its.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(first, 60, 60)).mesh;
@@ -241,7 +257,7 @@ TEST_CASE("the history begins at 1 and ends with the report's residual, at the t
         CHECK(history[n] <= tolerance);
         CHECK(history[n] == doctest::Approx(solved.report.residual).epsilon(1e-3));
         for (std::size_t k = n + 1; k < history.size(); ++k) CHECK(history[k] == 0);
-        options.history_length = 3;   // what does not fit is left out
+        options.history_length = 3;  // what does not fit is left out
         history.assign(60, -1.0);
         Solved const again(its, &options);
         CHECK(history[2] > 0);
@@ -250,7 +266,7 @@ TEST_CASE("the history begins at 1 and ends with the report's residual, at the t
 }
 
 TEST_CASE("blocks of any width give the same functions, and threads the same bits") {
-    Case its = two_body_case(Cells::hybrid, 16, 10);   // 20 functions
+    Case its = two_body_case(Cells::hybrid, 16, 10);  // 20 functions
     hm_options options = multigrid();
     options.block_width = 4;
     Solved const four(its, &options);
@@ -296,19 +312,22 @@ TEST_CASE("memory: at most 400 bytes for each point with blocks of 4") {
     }
 }
 
-TEST_CASE("the levels can be seen: merged cells of points, the coarser ones unions of the finer ones") {
+TEST_CASE(
+    "the levels can be seen: merged cells of points, the coarser ones unions of the finer ones") {
     Case its = two_body_case(Cells::hybrid, 16, 10);
     hm_options options = multigrid();
     Solved const solved(its, &options);
     std::size_t const n = its.mesh.x.size();
     std::vector<std::int32_t> finer(n), cells(n);
     std::int32_t n_cells = 0, last = 0;
-    for (std::int32_t level = 0; level < solved.report.levels; ++level, last = n_cells, finer = cells) {
+    for (std::int32_t level = 0; level < solved.report.levels;
+         ++level, last = n_cells, finer = cells) {
         REQUIRE(hm_plan_level(solved.plan, level, cells.data(), &n_cells, nullptr) == HM_OK);
         CHECK(*std::max_element(cells.begin(), cells.end()) == n_cells - 1);
         if (level == 0) {
             CHECK(n_cells == solved.report.unknowns);
-            CHECK(std::count(cells.begin(), cells.end(), -1) == static_cast<std::ptrdiff_t>(n) - n_cells);
+            CHECK(std::count(cells.begin(), cells.end(), -1) ==
+                  static_cast<std::ptrdiff_t>(n) - n_cells);
             continue;
         }
         CHECK(3 * n_cells <= last);
@@ -322,7 +341,8 @@ TEST_CASE("the levels can be seen: merged cells of points, the coarser ones unio
         }
     }
     hm_error error{};
-    CHECK(hm_plan_level(solved.plan, solved.report.levels, cells.data(), &n_cells, &error) == HM_BAD_ARGUMENT);
+    CHECK(hm_plan_level(solved.plan, solved.report.levels, cells.data(), &n_cells, &error) ==
+          HM_BAD_ARGUMENT);
     CHECK(hm_plan_level(solved.plan, -1, cells.data(), &n_cells, nullptr) == HM_BAD_ARGUMENT);
     hm_options exact = direct();
     Solved const by_factor(its, &exact);

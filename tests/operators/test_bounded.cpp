@@ -1,10 +1,11 @@
-// The bounded scheme: no conductance has the wrong sign, functions stay between 0 and 1, linear fields are reproduced.
+// The bounded scheme: no conductance has the wrong sign, functions stay between 0 and 1, linear
+// fields are reproduced.
 #include <doctest/doctest.h>
 
 #include <fixtures/matrices.hpp>
 
-#include <harmorph/operators/bounded.hpp>
-#include <harmorph/boundary/distance.hpp>
+#include "operators/bounded.hpp"
+#include "boundary/distance.hpp"
 
 using namespace fixtures;
 using harmorph::DelaunayEdge;
@@ -33,12 +34,14 @@ struct Bounded : Attempt {
         INFO(error.text);
         REQUIRE(done);
         sparse = std::make_unique<AssembledMatrix>(core());
-        core().triangulation.for_each_edge([&](DelaunayEdge const& edge) { edges.push_back(edge); });
+        core().triangulation.for_each_edge(
+            [&](DelaunayEdge const& edge) { edges.push_back(edge); });
     }
     harmorph::Analysis const& core() const { return inside(analysis); }
     void assemble(std::vector<double> const& conductivity = {}) const {
         harmorph::Points const points = core().problem.mesh.points;
-        REQUIRE(assemble_bounded(span(edges), points, span(conductivity), sparse->matrix) == harmorph::none);
+        REQUIRE(assemble_bounded(span(edges), points, span(conductivity), sparse->matrix) ==
+                harmorph::none);
     }
     // Known values on the wall, 0 at fixed points; result by rows.
     template <class Value>
@@ -51,8 +54,8 @@ struct Bounded : Attempt {
     }
 };
 
-// A function of the angle that is on the first circle of an annulus, as an amount of each control point: one of these
-// is at each point there, and the curve is of degree 1.
+// A function of the angle that is on the first circle of an annulus, as an amount of each control
+// point: one of these is at each point there, and the curve is of degree 1.
 void put_on_polygon(Case& its, int n_points, bool closed) {
     Spline polygon;
     polygon.degree = 1;
@@ -80,7 +83,8 @@ Case stretched_bodies(Cells kind, double thin) {
 
 }  // namespace
 
-TEST_CASE("no entry beside the diagonal is positive, and none of a coupling, whatever the weights") {
+TEST_CASE(
+    "no entry beside the diagonal is positive, and none of a coupling, whatever the weights") {
     auto const positive_entries = [](harmorph::Matrix const& m) {
         int out = 0;
         for (double const entry : m.value) out += entry > 0;
@@ -90,8 +94,8 @@ TEST_CASE("no entry beside the diagonal is positive, and none of a coupling, wha
     for (Cells const kind : kinds)
         for (bool const on_circles : {false, true}) {
             Case its = on_circles ? square_on_curve(12, kind, 0, 0) : stretched_bodies(kind, 0.1);
-            // Cells at an angle are on circles up to rounding only, which then says on which side of 0 a conductance
-            // is.
+            // Cells at an angle are on circles up to rounding only, which then says on which side
+            // of 0 a conductance is.
             auto const turn = [](double& x, double& y) {
                 double const old = x;
                 x = 0.8 * old - 0.6 * y;
@@ -103,7 +107,7 @@ TEST_CASE("no entry beside the diagonal is positive, and none of a coupling, wha
             Analysed const seen(its);
             AssembledMatrix compact(*seen.operator->());
             compact.assemble();
-            if (!on_circles) CHECK(positive_entries(compact.matrix) > 0);   // the test can fail
+            if (!on_circles) CHECK(positive_entries(compact.matrix) > 0);  // the test can fail
             Bounded const scheme(its);
             std::mt19937 random(3);
             for (bool const weighted : {false, true}) {
@@ -113,7 +117,8 @@ TEST_CASE("no entry beside the diagonal is positive, and none of a coupling, wha
                 }
                 scheme.assemble(conductivity);
                 CHECK(positive_entries(scheme.sparse->matrix) == 0);
-                for (Index const slot : {0, 20}) {   // functions stay within their boundary values therefore
+                for (Index const slot :
+                     {0, 20}) {  // functions stay within their boundary values therefore
                     auto const one = [&](Index s) { return s == slot ? 1.0 : 0.0; };
                     for (double const f : scheme.solve(one)) {
                         CHECK(f >= 0);
@@ -128,7 +133,8 @@ TEST_CASE("every edge is weighted by itself") {
     Case its = square_on_curve(7, Cells::hybrid, 0.4, 5);
     Bounded const scheme(its);
     std::vector<double> conductivity;
-    for (std::size_t k = 0; k < scheme.edges.size(); ++k) conductivity.push_back(1.0 + static_cast<double>(k));
+    for (std::size_t k = 0; k < scheme.edges.size(); ++k)
+        conductivity.push_back(1.0 + static_cast<double>(k));
     scheme.assemble();
     DenseMatrix const plain = scheme.sparse->unknowns();
     scheme.assemble(conductivity);
@@ -139,9 +145,10 @@ TEST_CASE("every edge is weighted by itself") {
         Index const i = place[scheme.edges[k].begin], j = place[scheme.edges[k].end];
         if (i < 0 || j < 0) continue;
         std::size_t const row = static_cast<std::size_t>(i), column = static_cast<std::size_t>(j);
-        CHECK(weighted.at(row, column) == doctest::Approx(conductivity[k] * plain.at(row, column)).epsilon(1e-15));
+        CHECK(weighted.at(row, column) ==
+              doctest::Approx(conductivity[k] * plain.at(row, column)).epsilon(1e-15));
     }
-    for (std::size_t i = 0; i < weighted.n; ++i) {   // constants are solutions still
+    for (std::size_t i = 0; i < weighted.n; ++i) {  // constants are solutions still
         for (std::size_t j = 0; j < weighted.n; ++j) rows[i] += weighted.at(i, j);
         CHECK(std::fabs(rows[i]) < 1e-11);
     }
@@ -152,7 +159,8 @@ TEST_CASE("linear fields are reproduced, at an aspect ratio of 10^4 as well") {
         for (double const thin : {1.0, 1e-4}) {
             Case its = square_on_curve(9, kind, 0.4, 3);
             for (double& y : its.mesh.y) y *= thin;
-            for (std::size_t k = 1; k < its.curves.control.size(); k += 2) its.curves.control[k] *= thin;
+            for (std::size_t k = 1; k < its.curves.control.size(); k += 2)
+                its.curves.control[k] *= thin;
             Bounded const scheme(its);
             scheme.assemble();
             auto const defect = [&](auto field) {
@@ -169,7 +177,7 @@ TEST_CASE("linear fields are reproduced, at an aspect ratio of 10^4 as well") {
             CHECK(defect([](Point) { return 1.0; }) < 1e-13);
             CHECK(defect([](Point p) { return p.x; }) < 1e-12);
             CHECK(defect([&](Point p) { return p.x + p.y / thin; }) < 1e-12);
-            CHECK(defect([](Point p) { return p.x * p.x; }) > 1e-3);   // the test can fail
+            CHECK(defect([](Point p) { return p.x * p.x; }) > 1e-3);  // the test can fail
         }
 }
 
@@ -187,9 +195,11 @@ TEST_CASE("the first edge with a triangle of no area is returned") {
                           k = static_cast<std::size_t>(c);
         return (x[j] - x[i]) * (y[k] - y[i]) - (y[j] - y[i]) * (x[k] - x[i]);
     };
-    for (std::size_t const chosen : {std::size_t{0}, its_operator.edges.size() / 2, its_operator.edges.size() - 1}) {
+    for (std::size_t const chosen :
+         {std::size_t{0}, its_operator.edges.size() / 2, its_operator.edges.size() - 1}) {
         DelaunayEdge const edge = its_operator.edges[chosen];
-        std::size_t const apex = static_cast<std::size_t>(edge.left), end = static_cast<std::size_t>(edge.end);
+        std::size_t const apex = static_cast<std::size_t>(edge.left),
+                          end = static_cast<std::size_t>(edge.end);
         double const right_x = x[apex], right_y = y[apex];
         x[apex] = x[end];
         y[apex] = y[end];
@@ -200,8 +210,8 @@ TEST_CASE("the first edge with a triangle of no area is returned") {
             ++first;
         }
         CHECK(first <= static_cast<Index>(chosen));
-        CHECK(assemble_bounded(span(its_operator.edges), {x.data(), y.data(), 1}, {}, its_operator.sparse->matrix) ==
-              first);
+        CHECK(assemble_bounded(span(its_operator.edges), {x.data(), y.data(), 1}, {},
+                               its_operator.sparse->matrix) == first);
         x[apex] = right_x;
         y[apex] = right_y;
     }
@@ -250,7 +260,8 @@ TEST_CASE("the sum of all functions is the wall's harmonic measure, solved for b
         std::vector<double> const sum = Solved(its, &options).sum();
         double worst = 0;
         for (std::size_t row = 0; row < measure.size(); ++row) {
-            std::size_t const point = static_cast<std::size_t>(scheme.sparse->point_at(static_cast<Index>(row)));
+            std::size_t const point =
+                static_cast<std::size_t>(scheme.sparse->point_at(static_cast<Index>(row)));
             worst = std::fmax(worst, std::fabs(measure[row] - sum[point]));
         }
         CHECK(worst < 1e-13);
@@ -267,25 +278,30 @@ TEST_CASE("second order on an annulus, whole and half with a free symmetry line,
                 for (int const refine : {1, 2, 4}) {
                     int const n_r = 8 * refine, n_t = (half ? 20 : 40) * refine;
                     Case its;
-                    its.mesh = half ? half_annulus(n_r, n_t, r0, r1, kind) : annulus(n_r, n_t, r0, r1, kind, true);
+                    its.mesh = half ? half_annulus(n_r, n_t, r0, r1, kind)
+                                    : annulus(n_r, n_t, r0, r1, kind, true);
                     perturb(its.mesh, amplitude, 8);
                     put_on_polygon(its, half ? n_t + 1 : n_t, !half);
                     if (half) its.set_free(symmetry_line);
                     std::vector<double> cosines;
-                    double const step = (half ? 2 : 4) * pi / n_t;   // of twice the angle
-                    for (int k = 0; k < (half ? n_t + 1 : n_t); ++k) cosines.push_back(std::cos(k * step));
+                    double const step = (half ? 2 : 4) * pi / n_t;  // of twice the angle
+                    for (int k = 0; k < (half ? n_t + 1 : n_t); ++k)
+                        cosines.push_back(std::cos(k * step));
                     std::vector<double> const found = Solved(its, &options).combined(cosines);
                     error.push_back(0);
                     for (std::size_t k = 0; k < found.size(); ++k) {
                         Point const p = its.mesh.point(static_cast<std::int32_t>(k));
                         double const squared = p.x * p.x + p.y * p.y, q0 = r0 * r0, q1 = r1 * r1;
-                        double const cosine = (p.x * p.x - p.y * p.y) / squared;   // of twice the angle
-                        double const exact = cosine * (q1 * q1 / squared - squared) / (q1 * q1 / q0 - q0);
+                        double const cosine =
+                            (p.x * p.x - p.y * p.y) / squared;  // of twice the angle
+                        double const exact =
+                            cosine * (q1 * q1 / squared - squared) / (q1 * q1 / q0 - q0);
                         double const share = 1 / std::sqrt(1.0 * its.mesh.n_points());
                         error.back() = std::hypot(error.back(), share * (found[k] - exact));
                     }
                 }
-                INFO("errors " << error[0] << " " << error[1] << " " << error[2] << ", amplitude " << amplitude);
+                INFO("errors " << error[0] << " " << error[1] << " " << error[2] << ", amplitude "
+                               << amplitude);
                 CHECK(error[2] < 1e-3);
                 CHECK(std::log2(error[0] / error[2]) / 2 > 1.75);
             }
@@ -318,7 +334,8 @@ TEST_CASE("the plan factors on the analysed coordinates alone") {
     CHECK(hm_plan_factor(tried.plan, points_in(x, y), nullptr) == HM_OK);
     x[40] += 1e-9;
     CHECK(hm_plan_factor(tried.plan, points_in(x, y), &tried.error) == HM_UNSUPPORTED);
-    CHECK(hm_plan_solve(tried.plan, tried.basis, nullptr, nullptr) == HM_BAD_ARGUMENT);   // no factor
+    CHECK(hm_plan_solve(tried.plan, tried.basis, nullptr, nullptr) ==
+          HM_BAD_ARGUMENT);  // no factor
     CHECK(hm_plan_factor(tried.plan, nullptr, nullptr) == HM_OK);
     CHECK(hm_plan_solve(tried.plan, tried.basis, nullptr, nullptr) == HM_OK);
 }
@@ -338,14 +355,18 @@ TEST_CASE("weights of edges are powers of their midpoints' distances from what m
     std::vector<double> k(scheme.edges.size());
     weigh_edges(faces, span(scheme.edges), a.problem.mesh.points, 6, span(k), {});
     for (std::size_t edge = 0; edge < k.size(); ++edge) {
-        Point const begin = its.mesh.point(scheme.edges[edge].begin), end = its.mesh.point(scheme.edges[edge].end);
-        double const d = faces.distance({0.5 * (begin.x + end.x), 0.5 * (begin.y + end.y)}) / faces.unit;
-        if (d < 1e-12) continue;   // a face
+        Point const begin = its.mesh.point(scheme.edges[edge].begin),
+                    end = its.mesh.point(scheme.edges[edge].end);
+        double const d =
+            faces.distance({0.5 * (begin.x + end.x), 0.5 * (begin.y + end.y)}) / faces.unit;
+        if (d < 1e-12) continue;  // a face
         CHECK(k[edge] == doctest::Approx(std::pow(d, -1.5)).epsilon(1e-12));
     }
 }
 
-TEST_CASE("weighted functions stay between 0 and 1 as well; slip and the conformal operator are refused") {
+TEST_CASE(
+    "weighted functions stay between 0 and 1 as well; slip and the conformal operator are "
+    "refused") {
     for (Cells const kind : kinds) {
         Case its = stretched_bodies(kind, 0.2);
         hm_options options = bounded(), compact{};

@@ -14,7 +14,7 @@ TEST_CASE("conductances between the points of any cell arrive where a dense matr
         AssembledMatrix sparse(*seen.operator->());
         harmorph::Analysis const& a = *seen.operator->();
         std::size_t const n = static_cast<std::size_t>(its.mesh.n_points());
-        DenseMatrix dense(n);   // by points
+        DenseMatrix dense(n);  // by points
         std::mt19937 random(5);
         auto const add = [&](Index p, Index q) {
             double const conductance = uniform(random);
@@ -30,30 +30,37 @@ TEST_CASE("conductances between the points of any cell arrive where a dense matr
             harmorph::Cell const cell = mesh.cell(c);
             for (Index i = 0; i < cell.n; ++i)
                 for (Index j = 0; j < i; ++j)
-                    i % 2 == 0 ? add(cell.point[i], cell.point[j]) : add(cell.point[j], cell.point[i]);
+                    i % 2 == 0 ? add(cell.point[i], cell.point[j])
+                               : add(cell.point[j], cell.point[i]);
         }
         DenseMatrix const found = sparse.unknowns();
         double worst = 0;
         for (std::size_t i = 0; i < sparse.size(); ++i)
             for (std::size_t j = 0; j < sparse.size(); ++j) {
-                std::size_t const p = static_cast<std::size_t>(sparse.point_at(static_cast<Index>(i)));
-                std::size_t const q = static_cast<std::size_t>(sparse.point_at(static_cast<Index>(j)));
+                std::size_t const p =
+                    static_cast<std::size_t>(sparse.point_at(static_cast<Index>(i)));
+                std::size_t const q =
+                    static_cast<std::size_t>(sparse.point_at(static_cast<Index>(j)));
                 worst = std::fmax(worst, std::fabs(found.at(i, j) - dense.at(p, q)));
             }
         CHECK(worst < 1e-14);
         for (Index slot = 0; slot < a.wall.count; ++slot) {
-            std::vector<double> const column = sparse.couplings_times([&](Index s) { return s == slot ? 1.0 : 0.0; });
+            std::vector<double> const column =
+                sparse.couplings_times([&](Index s) { return s == slot ? 1.0 : 0.0; });
             for (std::size_t i = 0; i < column.size(); ++i) {
-                std::size_t const p = static_cast<std::size_t>(sparse.point_at(static_cast<Index>(i)));
-                worst =
-                    std::fmax(worst, std::fabs(column[i] - dense.at(p, static_cast<std::size_t>(a.wall.point[slot]))));
+                std::size_t const p =
+                    static_cast<std::size_t>(sparse.point_at(static_cast<Index>(i)));
+                worst = std::fmax(
+                    worst, std::fabs(column[i] -
+                                     dense.at(p, static_cast<std::size_t>(a.wall.point[slot]))));
             }
         }
         CHECK(worst < 1e-14);
     }
 }
 
-TEST_CASE("rows are in order, hold later columns only, and each once; their number is what was counted") {
+TEST_CASE(
+    "rows are in order, hold later columns only, and each once; their number is what was counted") {
     Case its = two_body_case(Cells::hybrid, 6, 4);
     Analysed const seen(its);
     AssembledMatrix const sparse(*seen.operator->());
@@ -68,7 +75,8 @@ TEST_CASE("rows are in order, hold later columns only, and each once; their numb
     CHECK(m.coupling_start[seen->wall.count] == seen->matrix.couplings);
 }
 
-TEST_CASE("faces are the entries between the ends of an edge, of components of fixed or sliding points") {
+TEST_CASE(
+    "faces are the entries between the ends of an edge, of components of fixed or sliding points") {
     for (bool const slides : {false, true}) {
         Case its = two_body_case(Cells::hybrid, 6, 4);
         if (slides) its.set_slip(far_field);
@@ -77,7 +85,8 @@ TEST_CASE("faces are the entries between the ends of an edge, of components of f
         harmorph::Matrix const& m = sparse.matrix;
         Index const components = m.components();
         CHECK(components == (slides ? 2 : 1));
-        std::vector<std::uint8_t> marked(static_cast<std::size_t>(m.start[m.n]), 2), expected(marked.size(), 0);
+        std::vector<std::uint8_t> marked(static_cast<std::size_t>(m.start[m.n]), 2),
+            expected(marked.size(), 0);
         m.mark_faces(seen->topology.edges, span(marked));
         harmorph::Mesh const mesh = core_mesh(its.mesh);
         for (Index c = 0; c < mesh.n_cells; ++c) {
@@ -87,10 +96,13 @@ TEST_CASE("faces are the entries between the ends of an edge, of components of f
                     for (Index q = 0; q < components; ++q) {
                         Index const a = cell.point[side], b = cell.point[(side + 1) % cell.n];
                         if (p != q && !m.slips(a) && !m.slips(b)) continue;
-                        Index const i = m.row_of[components * a + p], j = m.row_of[components * b + q];
+                        Index const i = m.row_of[components * a + p],
+                                    j = m.row_of[components * b + q];
                         if (i < 0 || j < 0) continue;
-                        for (harmorph::Offset k = m.start[std::min(i, j)]; k < m.start[std::min(i, j) + 1]; ++k)
-                            if (m.column[k] == std::max(i, j)) expected[static_cast<std::size_t>(k)] = 1;
+                        for (harmorph::Offset k = m.start[std::min(i, j)];
+                             k < m.start[std::min(i, j) + 1]; ++k)
+                            if (m.column[k] == std::max(i, j))
+                                expected[static_cast<std::size_t>(k)] = 1;
                     }
         }
         CHECK(marked == expected);
@@ -99,7 +111,7 @@ TEST_CASE("faces are the entries between the ends of an edge, of components of f
 
 TEST_CASE("rows tell unknowns, wall points, and points whose value is 0") {
     Case its = two_body_case(Cells::hybrid, 6, 4);
-    its.mesh.add_point({0.5, 0.5});   // used by no cell
+    its.mesh.add_point({0.5, 0.5});  // used by no cell
     Analysed const seen(its);
     AssembledMatrix const sparse(*seen.operator->());
     Index unknowns = 0, on_wall = 0, zero = 0;
@@ -118,10 +130,11 @@ TEST_CASE("rows tell unknowns, wall points, and points whose value is 0") {
     }
     CHECK(unknowns == seen->graph.n);
     CHECK(on_wall == 48);
-    CHECK(zero == 24 + 12 + 1);   // 36 points of the rectangle's sides
+    CHECK(zero == 24 + 12 + 1);  // 36 points of the rectangle's sides
 }
 
-TEST_CASE("circulations are stored above the diagonal, and turned below, for any order of the points") {
+TEST_CASE(
+    "circulations are stored above the diagonal, and turned below, for any order of the points") {
     Case its = two_body_case(Cells::hybrid, 6, 4);
     Analysed const seen(its);
     harmorph::Analysis const& a = *seen.operator->();
@@ -139,8 +152,9 @@ TEST_CASE("circulations are stored above the diagonal, and turned below, for any
             harmorph::Matrix const& m = sparse.matrix;
             for (Index const place : {m.row_of[p], m.row_of[q]})
                 if (place >= 0) m.diagonal[place] += conductance;
-            Index const part = m.n / 3;   // what two threads would add
-            for (harmorph::RowRange const rows : {harmorph::RowRange{0, part}, harmorph::RowRange{part, m.n}})
+            Index const part = m.n / 3;  // what two threads would add
+            for (harmorph::RowRange const rows :
+                 {harmorph::RowRange{0, part}, harmorph::RowRange{part, m.n}})
                 m.add_off_diagonal<true>(rows, m.row_of[p], m.row_of[q], conductance, circulation);
             std::size_t const i = static_cast<std::size_t>(p), j = static_cast<std::size_t>(q);
             by_points.at(i, i) += conductance;
@@ -152,7 +166,9 @@ TEST_CASE("circulations are stored above the diagonal, and turned below, for any
     ComplexDenseMatrix const found = sparse.complex_unknowns();
     harmorph::Matrix const& m = sparse.matrix;
     double worst = 0, size = 0;
-    auto const point = [&](std::size_t i) { return static_cast<std::size_t>(sparse.point_at(static_cast<Index>(i))); };
+    auto const point = [&](std::size_t i) {
+        return static_cast<std::size_t>(sparse.point_at(static_cast<Index>(i)));
+    };
     for (std::size_t i = 0; i < sparse.size(); ++i)
         for (std::size_t j = 0; j < sparse.size(); ++j)
             worst = std::fmax(worst, std::abs(found.at(i, j) - by_points.at(point(i), point(j))));
@@ -160,8 +176,9 @@ TEST_CASE("circulations are stored above the diagonal, and turned below, for any
         for (Index c = m.coupling_start[slot]; c < m.coupling_start[slot + 1]; ++c) {
             std::complex<double> const coupling(m.coupling_value[c], m.coupling_imaginary[c]);
             std::size_t const i = point(static_cast<std::size_t>(m.coupling_row[c]));
-            worst =
-                std::fmax(worst, std::abs(coupling - by_points.at(i, static_cast<std::size_t>(a.wall.point[slot]))));
+            worst = std::fmax(
+                worst,
+                std::abs(coupling - by_points.at(i, static_cast<std::size_t>(a.wall.point[slot]))));
             size = std::fmax(size, std::fabs(coupling.imag()));
         }
     CHECK(worst < 1e-14);

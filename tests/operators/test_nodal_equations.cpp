@@ -28,7 +28,8 @@ Case viscous_case(Cells kind) {
     return its;
 }
 
-// An amount of each control point is a function of the angle on the first circle, as the curve is of degree 1 there.
+// An amount of each control point is a function of the angle on the first circle, as the curve is
+// of degree 1 there.
 Case polygon_case(Mesh const& mesh, int n_points, bool closed) {
     Case out;
     out.mesh = mesh;
@@ -43,12 +44,15 @@ Case polygon_case(Mesh const& mesh, int n_points, bool closed) {
     polygon.knots = clamped_knots(1, static_cast<int>(polygon.indices.size()));
     out.curves = polygon;
     out.put_on_curves(body);
-    for (int k = 0; k < n_points; ++k) out.give(k, 1.0 * k / (static_cast<int>(polygon.indices.size()) - 1));
+    for (int k = 0; k < n_points; ++k)
+        out.give(k, 1.0 * k / (static_cast<int>(polygon.indices.size()) - 1));
     return out;
 }
 
-// Root mean square of the error of cos(2 angle) on the inner circle; half of it with a free symmetry line.
-double annulus_error(Cells kind, int refine, bool half, double amplitude, hm_options const& options) {
+// Root mean square of the error of cos(2 angle) on the inner circle; half of it with a free
+// symmetry line.
+double annulus_error(Cells kind, int refine, bool half, double amplitude,
+                     hm_options const& options) {
     double const r0 = 0.5, r1 = 2, q0 = r0 * r0, q1 = r1 * r1;
     int const n_r = 6 * refine, n_t = (half ? 16 : 32) * refine, n_points = half ? n_t + 1 : n_t;
     Mesh mesh = half ? half_annulus(n_r, n_t, r0, r1, kind) : annulus(n_r, n_t, r0, r1, kind, true);
@@ -67,14 +71,17 @@ double annulus_error(Cells kind, int refine, bool half, double amplitude, hm_opt
     return std::sqrt(sum / static_cast<double>(found.size()));
 }
 
-double difference(Solved const& a, Solved const& b) { return largest_difference(a.all_values(), b.all_values()); }
+double difference(Solved const& a, Solved const& b) {
+    return largest_difference(a.all_values(), b.all_values());
+}
 
 // Largest balance that the scheme by itself finds in the volumes of the points that are solved for.
 double balance_of(Case const& its, Solved const& solved, bool corrected, std::int32_t free = -1) {
     Scheme const scheme(its.mesh, corrected);
     std::vector<char> known(its.mesh.x.size(), 0);
     for (std::size_t k = 0; k < its.mesh.faces.size(); ++k)
-        if (its.mesh.face_markers[k / 2] != free) known[static_cast<std::size_t>(its.mesh.faces[k])] = 1;
+        if (its.mesh.face_markers[k / 2] != free)
+            known[static_cast<std::size_t>(its.mesh.faces[k])] = 1;
     double out = 0;
     for (std::int32_t i = 0; i < solved.report.functions; ++i) {
         std::vector<double> const balance = scheme.balance(solved.values(i));
@@ -97,26 +104,30 @@ TEST_CASE("nothing is left in any volume: the plan's functions solve the scheme'
             std::int32_t const marker = free ? far_field : -1;
             CHECK(balance_of(its, Solved(its, &direct), true, marker) < 1e-12);
             CHECK(balance_of(its, Solved(its, &fas), true, marker) < 1e-9);
-            CHECK(balance_of(its, Solved(its), true, marker) > 1e-4);   // the test can fail
+            CHECK(balance_of(its, Solved(its), true, marker) > 1e-4);  // the test can fail
         }
 }
 
-TEST_CASE("second order on an annulus, whole and half with a free symmetry line; perturbed as well") {
+TEST_CASE(
+    "second order on an annulus, whole and half with a free symmetry line; perturbed as well") {
     hm_options const options = nodal(HM_DIRECT);
     for (bool const half : {false, true})
         for (double const amplitude : {0.0, 0.3})
             for (Cells const kind : kinds) {
                 double const coarse = annulus_error(kind, 1, half, amplitude, options);
                 double const fine = annulus_error(kind, 4, half, amplitude, options);
-                INFO("errors " << coarse << " " << fine << ", half " << half << ", amplitude " << amplitude);
+                INFO("errors " << coarse << " " << fine << ", half " << half << ", amplitude "
+                               << amplitude);
                 CHECK(std::log2(coarse / fine) / 2 > (amplitude == 0 ? 1.8 : 1.6));
                 CHECK(fine < 1e-3);
             }
 }
 
-TEST_CASE("without correction: second order on smooth triangles, a free symmetry line included, with larger errors") {
+TEST_CASE(
+    "without correction: second order on smooth triangles, a free symmetry line included, with "
+    "larger errors") {
     hm_options options = plain(), corrected = nodal(HM_DIRECT);
-    options.tolerance = 1e-6;   // far below the errors of the scheme
+    options.tolerance = 1e-6;  // far below the errors of the scheme
     for (bool const half : {false, true}) {
         double const coarse = annulus_error(Cells::triangles, 1, half, 0, options);
         double const fine = annulus_error(Cells::triangles, 2, half, 0, options);
@@ -140,14 +151,16 @@ TEST_CASE("the difference from the compact scheme falls as the mesh is refined")
     }
 }
 
-TEST_CASE("both engines find the same functions, also on stretched cells and beside a free boundary") {
+TEST_CASE(
+    "both engines find the same functions, also on stretched cells and beside a free boundary") {
     for (int which = 0; which < 5; ++which) {
-        Case its =
-            which < 3 ? two_body_case(kinds[which], 10, 7) : viscous_case(which == 3 ? Cells::quads : Cells::triangles);
+        Case its = which < 3 ? two_body_case(kinds[which], 10, 7)
+                             : viscous_case(which == 3 ? Cells::quads : Cells::triangles);
         if (which == 1) its.set_free(far_field);
         hm_options const direct = nodal(HM_DIRECT), fas = nodal(HM_FAS);
         Solved const one(its, &direct), other(its, &fas);
-        INFO("case " << which << ": " << one.report.iterations << " steps, " << other.report.iterations << " cycles");
+        INFO("case " << which << ": " << one.report.iterations << " steps, "
+                     << other.report.iterations << " cycles");
         CHECK(difference(one, other) < 1e-8);
         CHECK(one.report.residual < 1e-12);
         CHECK(one.report.refinements >= 1);
@@ -157,7 +170,8 @@ TEST_CASE("both engines find the same functions, also on stretched cells and bes
     }
 }
 
-TEST_CASE("a rigid body, a periodic pair, a factor in single precision: the scheme's equations again") {
+TEST_CASE(
+    "a rigid body, a periodic pair, a factor in single precision: the scheme's equations again") {
     Case its = two_body_case(Cells::hybrid, 8, 6);
     its.conditions.erase(its.conditions.begin());
     its.set_rigid(body, 0, 0);
@@ -173,7 +187,8 @@ TEST_CASE("a rigid body, a periodic pair, a factor in single precision: the sche
     periodic.curves = polyline({{0.375, 0.375}, {0.625, 0.375}, {0.625, 0.625}, {0.375, 0.625}});
     periodic.put_on_curves(body);
     periodic.set_periodic(left, right);
-    CHECK(difference(Solved(periodic, &options), Solved(periodic)) < 1e-12);   // rectangles: the same scheme
+    CHECK(difference(Solved(periodic, &options), Solved(periodic)) <
+          1e-12);  // rectangles: the same scheme
     perturb(periodic.mesh, 0.3, 3);
     Solved const found(periodic, &options);
     CHECK(difference(found, Solved(periodic, &fas)) < 1e-8);
@@ -190,7 +205,9 @@ TEST_CASE("a rigid body, a periodic pair, a factor in single precision: the sche
     }
 }
 
-TEST_CASE("the functions sum up to 1 where all boundaries are on curves, and carry linear fields exactly") {
+TEST_CASE(
+    "the functions sum up to 1 where all boundaries are on curves, and carry linear fields "
+    "exactly") {
     for (Cells const kind : kinds) {
         Case its = square_on_curve(9, kind, 0.3, 6);
         for (hm_options const& options : {nodal(HM_DIRECT), nodal(HM_FAS), plain()}) {
@@ -201,7 +218,8 @@ TEST_CASE("the functions sum up to 1 where all boundaries are on curves, and car
                 x.push_back(its.curves.control[2 * static_cast<std::size_t>(k)]);
                 y.push_back(its.curves.control[2 * static_cast<std::size_t>(k) + 1]);
             }
-            CHECK(largest_difference(solved.sum(), std::vector<double>(its.mesh.x.size(), 1.0)) < within);
+            CHECK(largest_difference(solved.sum(), std::vector<double>(its.mesh.x.size(), 1.0)) <
+                  within);
             CHECK(largest_difference(solved.combined(x), its.mesh.x) < within);
             CHECK(largest_difference(solved.combined(y), its.mesh.y) < within);
         }
@@ -216,7 +234,8 @@ TEST_CASE("moved coordinates: the plan factors again, as a new one would") {
         hm_options const options = nodal(engine);
         Solved const fresh(moved, &options);
         Attempt again(its.problem(), &options);
-        REQUIRE(hm_plan_factor(again.plan, points_in(moved.mesh.x, moved.mesh.y), nullptr) == HM_OK);
+        REQUIRE(hm_plan_factor(again.plan, points_in(moved.mesh.x, moved.mesh.y), nullptr) ==
+                HM_OK);
         REQUIRE(hm_plan_solve(again.plan, again.basis, nullptr, nullptr) == HM_OK);
         std::vector<double> values(its.mesh.x.size());
         REQUIRE(hm_basis_values(again.basis, 3, 0, values.data(), nullptr) == HM_OK);
@@ -250,9 +269,10 @@ TEST_CASE("threads and blocks change no bit; a basis remembers its scheme") {
         CHECK(info.scheme == options.scheme);
 
         const hm_basis* attached = nullptr;
-        std::vector<double> copy(info.bytes / sizeof(double) + 1);   // aligned
+        std::vector<double> copy(info.bytes / sizeof(double) + 1);  // aligned
         std::memcpy(copy.data(), serial.basis, info.bytes);
-        REQUIRE(hm_basis_attach(&attached, copy.data(), info.bytes, &its.mesh_view(), nullptr) == HM_OK);
+        REQUIRE(hm_basis_attach(&attached, copy.data(), info.bytes, &its.mesh_view(), nullptr) ==
+                HM_OK);
         info.scheme = -1;
         REQUIRE(hm_basis_info_get(attached, &info, nullptr) == HM_OK);
         CHECK(info.scheme == options.scheme);

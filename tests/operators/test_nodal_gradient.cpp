@@ -1,4 +1,5 @@
-// The scheme of nodal gradients: exact for linear fields, conservative, blind to checkerboards without correction.
+// The scheme of nodal gradients: exact for linear fields, conservative, blind to checkerboards
+// without correction.
 #include <doctest/doctest.h>
 
 #include <fixtures/dense_matrix.hpp>
@@ -41,7 +42,8 @@ std::vector<double> solve(DenseMatrix a, std::vector<double> b) {
     return b;
 }
 
-// Root mean square of the error where points on `free` and inside are solved for, and the others know the exact values.
+// Root mean square of the error where points on `free` and inside are solved for, and the others
+// know the exact values.
 template <class Exact>
 double error_of(Mesh const& mesh, bool corrected, Exact exact, std::int32_t free = -1) {
     Scheme const scheme(mesh, corrected);
@@ -57,17 +59,20 @@ double error_of(Mesh const& mesh, bool corrected, Exact exact, std::int32_t free
     std::vector<double> const from_boundary = scheme.balance(boundary);
     // All columns in one application.
     std::vector<double> columns(mesh.x.size() * unknowns.size(), 0.0);
-    for (std::size_t j = 0; j < unknowns.size(); ++j) columns[unknowns[j] * unknowns.size() + j] = 1;
+    for (std::size_t j = 0; j < unknowns.size(); ++j)
+        columns[unknowns[j] * unknowns.size() + j] = 1;
     columns = scheme.balance(columns, static_cast<std::int32_t>(unknowns.size()));
     DenseMatrix a(unknowns.size());
     std::vector<double> b;
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
-        for (std::size_t j = 0; j < unknowns.size(); ++j) a.at(i, j) = columns[unknowns[i] * unknowns.size() + j];
+        for (std::size_t j = 0; j < unknowns.size(); ++j)
+            a.at(i, j) = columns[unknowns[i] * unknowns.size() + j];
         b.push_back(-from_boundary[unknowns[i]]);
     }
     std::vector<double> const found = solve(a, b);
     double sum = 0;
-    for (std::size_t i = 0; i < found.size(); ++i) sum += std::pow(found[i] - right[unknowns[i]], 2);
+    for (std::size_t i = 0; i < found.size(); ++i)
+        sum += std::pow(found[i] - right[unknowns[i]], 2);
     return std::sqrt(sum / static_cast<double>(found.size()));
 }
 
@@ -75,7 +80,9 @@ double harmonic(Point p) { return std::exp(2 * p.x) * std::cos(2 * p.y); }
 
 }  // namespace
 
-TEST_CASE("of a linear field every volume keeps nothing: what comes in leaves, over the boundary as well") {
+TEST_CASE(
+    "of a linear field every volume keeps nothing: what comes in leaves, over the boundary as "
+    "well") {
     for (Cells const kind : kinds)
         for (bool const corrected : {false, true})
             for (double const thin : {1.0, 1e-3}) {
@@ -88,12 +95,14 @@ TEST_CASE("of a linear field every volume keeps nothing: what comes in leaves, o
                 auto const linear = [&](Point p) { return 2 + slope.x * p.x + slope.y * p.y; };
                 std::vector<double> balance = scheme.balance(sampled(mesh, linear));
                 for_each_half_face(mesh, [&](std::int32_t point, Point normal) {
-                    balance[static_cast<std::size_t>(point)] += slope.x * normal.x + slope.y * normal.y;
+                    balance[static_cast<std::size_t>(point)] +=
+                        slope.x * normal.x + slope.y * normal.y;
                 });
                 CHECK(largest(balance) < 1e-13 / thin);
                 CHECK(largest(scheme.balance(sampled(mesh, [](Point) { return 3.0; }))) == 0);
                 auto const parabola = [](Point p) { return p.x * p.x; };
-                CHECK(largest(scheme.balance(sampled(mesh, parabola))) > 1e-6);   // the test can fail
+                CHECK(largest(scheme.balance(sampled(mesh, parabola))) >
+                      1e-6);  // the test can fail
             }
 }
 
@@ -121,8 +130,11 @@ TEST_CASE("the flux through a circle is that of the source within") {
             for (int const refine : {1, 2}) {
                 Mesh const mesh = annulus(12 * refine, 40 * refine, 0.5, 2, kind, true);
                 auto const source = [](Point p) { return std::log(std::hypot(p.x, p.y)); };
-                std::vector<double> const balance = Scheme(mesh, corrected).balance(sampled(mesh, source));
-                double inner = 0, outer = 0;   // known values: their volumes keep what the boundary lets through
+                std::vector<double> const balance =
+                    Scheme(mesh, corrected).balance(sampled(mesh, source));
+                double inner = 0,
+                       outer =
+                           0;  // known values: their volumes keep what the boundary lets through
                 for (std::size_t k = 0; k < 40 * static_cast<std::size_t>(refine); ++k) {
                     inner += balance[k];
                     outer += balance[balance.size() - 1 - k];
@@ -143,7 +155,8 @@ TEST_CASE("a checkerboard has no gradient: the correction alone sees it") {
     CHECK(largest(Scheme(mesh, false).balance(checks)) == 0);
     std::vector<double> const seen = Scheme(mesh, true).balance(checks);
     for (int j = 1; j < 8; ++j)
-        for (int i = 1; i < 8; ++i) {   // four faces, each with the length and the distance of a cell
+        for (int i = 1; i < 8;
+             ++i) {  // four faces, each with the length and the distance of a cell
             std::size_t const k = static_cast<std::size_t>(9 * j + i);
             CHECK(seen[k] == doctest::Approx(-8 * checks[k]));
         }
@@ -151,7 +164,8 @@ TEST_CASE("a checkerboard has no gradient: the correction alone sees it") {
 
 TEST_CASE("several functions at once: the same bits as one by one") {
     Mesh mesh = two_bodies(5, 4, Ellipse{}, Ellipse{}, Cells::hybrid);
-    std::vector<double> const a = sampled(mesh, harmonic), b = sampled(mesh, [](Point p) { return p.x * p.y; });
+    std::vector<double> const a = sampled(mesh, harmonic),
+                              b = sampled(mesh, [](Point p) { return p.x * p.y; });
     std::vector<double> both;
     for (std::size_t k = 0; k < a.size(); ++k) {
         both.push_back(a[k]);
@@ -168,7 +182,8 @@ TEST_CASE("several functions at once: the same bits as one by one") {
     CHECK(wrong == 0);
 }
 
-TEST_CASE("with the correction: second order on uniform meshes, and still converging on perturbed ones") {
+TEST_CASE(
+    "with the correction: second order on uniform meshes, and still converging on perturbed ones") {
     for (Cells const kind : kinds)
         for (double const amplitude : {0.0, 0.3}) {
             std::vector<double> error;
@@ -177,7 +192,8 @@ TEST_CASE("with the correction: second order on uniform meshes, and still conver
                 perturb(mesh, amplitude, 8);
                 error.push_back(error_of(mesh, true, harmonic));
             }
-            INFO("errors " << error[0] << " " << error[1] << " " << error[2] << ", amplitude " << amplitude);
+            INFO("errors " << error[0] << " " << error[1] << " " << error[2] << ", amplitude "
+                           << amplitude);
             CHECK(std::log2(error[0] / error[2]) / 2 > (amplitude == 0 ? 1.8 : 1.4));
         }
 }
@@ -190,8 +206,10 @@ TEST_CASE("a free symmetry line: half an annulus has half of the symmetric solut
     };
     for (Cells const kind : kinds)
         for (bool const corrected : {false, true}) {
-            double const coarse = error_of(half_annulus(8, 14, r0, r1, kind), corrected, exact, symmetry_line);
-            double const fine = error_of(half_annulus(16, 28, r0, r1, kind), corrected, exact, symmetry_line);
+            double const coarse =
+                error_of(half_annulus(8, 14, r0, r1, kind), corrected, exact, symmetry_line);
+            double const fine =
+                error_of(half_annulus(16, 28, r0, r1, kind), corrected, exact, symmetry_line);
             INFO("errors " << coarse << " " << fine << ", corrected " << corrected);
             CHECK(std::log2(coarse / fine) > 1);
         }

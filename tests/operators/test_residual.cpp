@@ -8,7 +8,7 @@
 #include <fixtures/operators.hpp>
 #include <fixtures/wrong.hpp>
 
-#include <harmorph/plan/plan.hpp>
+#include "plan/plan.hpp"
 
 using namespace fixtures;
 using harmorph::Index;
@@ -30,10 +30,11 @@ harmorph::Basis in_rows(Solved const& solved) {
 struct Progressed {
     std::int32_t phase = 0;
     double fraction = 0;
-    Wrong backwards;   // fractions smaller than the one before, in which phase
+    Wrong backwards;  // fractions smaller than the one before, in which phase
     static std::int32_t call(void* user, std::int32_t phase, double fraction) {
         Progressed& self = *static_cast<Progressed*>(user);
-        bool const is_earlier = phase < self.phase || (phase == self.phase && fraction < self.fraction);
+        bool const is_earlier =
+            phase < self.phase || (phase == self.phase && fraction < self.fraction);
         self.backwards.add(is_earlier, phase, fraction);
         self.phase = phase;
         self.fraction = fraction;
@@ -61,11 +62,13 @@ TEST_CASE("one wrong value leaves its column of the matrix") {
     residual.lay_out(placing, plan.equations.matrix.n, couplings, plan.equations.matrix.kind);
 
     Index const width = residual.width;
-    Index const function = width + 1, wrong = plan.equations.matrix.n / 2;   // of the second group of functions
+    Index const function = width + 1,
+                wrong = plan.equations.matrix.n / 2;  // of the second group of functions
     double const by = 1e-3;
     harmorph::DofValues const dofs(basis, plan.equations.dof_of, 1);
     dofs.at(wrong)[function] += by;
-    harmorph::Residual::Norms const norms = residual.compute(plan.equations.matrix, dofs, width, width);
+    harmorph::Residual::Norms const norms =
+        residual.compute(plan.equations.matrix, dofs, width, width);
     double squares = 0, b = 0, worst = 0;
     std::vector<double> const known =
         laplace.couplings_times([&](Index slot) { return dofs.wall(slot)[function]; });
@@ -75,7 +78,7 @@ TEST_CASE("one wrong value leaves its column of the matrix") {
         b += known[i] * known[i];
         const double* const row = residual.value.data() + width * static_cast<std::ptrdiff_t>(i);
         worst = std::fmax(worst, std::fabs(row[1] - expected));
-        worst = std::fmax(worst, std::fabs(row[0]));   // the function beside it is right
+        worst = std::fmax(worst, std::fabs(row[0]));  // the function beside it is right
     }
     CHECK(worst < 1e-15);
     CHECK(norms.relative(1) == doctest::Approx(std::sqrt(squares / b)).epsilon(1e-9));
@@ -83,17 +86,19 @@ TEST_CASE("one wrong value leaves its column of the matrix") {
     CHECK(block.guards_intact());
 }
 
-TEST_CASE("points that slip: the residual of any values is b - A F, also where lines meet at an angle") {
+TEST_CASE(
+    "points that slip: the residual of any values is b - A F, also where lines meet at an angle") {
     struct Kind {
         std::int32_t kind;
         bool has_source;
     };
-    for (auto const [kind, has_source] : {Kind{HM_LAPLACE, false}, Kind{HM_WEIGHTED, false}, Kind{HM_CONFORMAL, false},
-                                          Kind{HM_LAPLACE, true}, Kind{HM_CONFORMAL, true}}) {
+    for (auto const [kind, has_source] :
+         {Kind{HM_LAPLACE, false}, Kind{HM_WEIGHTED, false}, Kind{HM_CONFORMAL, false},
+          Kind{HM_LAPLACE, true}, Kind{HM_CONFORMAL, true}}) {
         Case its = similar(two_body_case(Cells::hybrid, 5, 4), std::polar(1.0, 0.7), 0);
         its.conditions.clear();
-        its.put_on_curves(body, 0);   // the other body is held
-        its.set_slip(far_field);      // four lines: next to corners points of two of them share cells
+        its.put_on_curves(body, 0);  // the other body is held
+        its.set_slip(far_field);  // four lines: next to corners points of two of them share cells
         hm_options const options = options_of(kind);
         Solved const solved(its, &options);
         harmorph::Plan const& plan = inside(solved.plan);
@@ -109,7 +114,9 @@ TEST_CASE("points that slip: the residual of any values is b - A F, also where l
         for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall)
             dofs.wall(wall)[0] = has_source ? 0 : uniform(random) - 0.5;
         std::vector<double> expected(static_cast<std::size_t>(matrix.n));
-        auto const subtract = [&](Index row, double by) { expected[static_cast<std::size_t>(row)] -= by; };
+        auto const subtract = [&](Index row, double by) {
+            expected[static_cast<std::size_t>(row)] -= by;
+        };
         for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall)
             for (Index c = matrix.coupling_start[wall]; c < matrix.coupling_start[wall + 1]; ++c)
                 subtract(matrix.coupling_row[c], matrix.coupling_value[c] * dofs.wall(wall)[0]);
@@ -126,10 +133,12 @@ TEST_CASE("points that slip: the residual of any values is b - A F, also where l
                 subtract(matrix.column[e], matrix.value[e] * dofs.at(i)[0]);
             }
         }
-        harmorph::Residual::Norms const norms = plan.refinement.residual.compute(matrix, dofs, 0, 1);
+        harmorph::Residual::Norms const norms =
+            plan.refinement.residual.compute(matrix, dofs, 0, 1);
         double worst = 0, squares = 0;
         for (Index i = 0; i < matrix.n; ++i) {
-            double const found = plan.refinement.residual.value[harmorph::Offset{i} * plan.refinement.residual.width];
+            double const found = plan.refinement.residual
+                                     .value[harmorph::Offset{i} * plan.refinement.residual.width];
             worst = std::fmax(worst, std::fabs(found - expected[static_cast<std::size_t>(i)]));
             squares += found * found;
         }
@@ -139,7 +148,9 @@ TEST_CASE("points that slip: the residual of any values is b - A F, also where l
     }
 }
 
-TEST_CASE("a factor that is slightly wrong: refinement brings the residual down, and progress never goes back") {
+TEST_CASE(
+    "a factor that is slightly wrong: refinement brings the residual down, and progress never goes "
+    "back") {
     for (double const error : {0.0, 1e-9, 1e-6, 1e-1}) {
         Case its = ring_case(12, 48, 0.5, 2, Cells::hybrid, 3, 19);
         Progressed progressed;
@@ -151,9 +162,12 @@ TEST_CASE("a factor that is slightly wrong: refinement brings the residual down,
         REQUIRE(attempt.analyse(its.problem(), &options));
         REQUIRE(attempt.prepare());
         REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr) == HM_OK);
-        for (double& entry : inside(attempt.plan).engine.direct.factor.doubles.factor) entry *= 1 + error;
-        hm_status const status = hm_plan_solve(attempt.plan, attempt.basis, &attempt.report, nullptr);
-        INFO("error " << error << ": " << attempt.report.refinements << " steps to " << attempt.report.residual);
+        for (double& entry : inside(attempt.plan).engine.direct.factor.doubles.factor)
+            entry *= 1 + error;
+        hm_status const status =
+            hm_plan_solve(attempt.plan, attempt.basis, &attempt.report, nullptr);
+        INFO("error " << error << ": " << attempt.report.refinements << " steps to "
+                      << attempt.report.residual);
         CHECK(progressed.backwards == 0);
         if (error == 0) CHECK(attempt.report.refinements == 0);
         if (error > 0) CHECK(attempt.report.refinements >= 1);
@@ -164,7 +178,7 @@ TEST_CASE("a factor that is slightly wrong: refinement brings the residual down,
             REQUIRE(hm_basis_values(attempt.basis, 7, 0, values.data(), nullptr) == HM_OK);
             CHECK(largest_difference(values, reference.values(7)) < 1e-12);
         } else {
-            CHECK(status == HM_NOT_CONVERGED);   // and says so where it does not help
+            CHECK(status == HM_NOT_CONVERGED);  // and says so where it does not help
             CHECK(attempt.report.residual > 1e-10);
         }
     }
@@ -172,7 +186,8 @@ TEST_CASE("a factor that is slightly wrong: refinement brings the residual down,
 
 namespace {
 
-// Cells of the wake's cut are `first` high and longer than the chord: next to their couplings those around drown.
+// Cells of the wake's cut are `first` high and longer than the chord: next to their couplings those
+// around drown.
 Case thin_case(double first, bool free) {
     Case out = airfoil_case(40, 12, Cells::quads);
     out.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(first, 60, 60)).mesh;
@@ -202,15 +217,19 @@ double worst_defect(Solved const& solved, std::size_t n) {
 
 }  // namespace
 
-TEST_CASE("thin cells: the direct engine's functions sum to 1 where the far field is free, and are multigrid's") {
+TEST_CASE(
+    "thin cells: the direct engine's functions sum to 1 where the far field is free, and are "
+    "multigrid's") {
     for (double const first : {1e-7, 1e-9, 1e-11}) {
         for (bool const free : {true, false}) {
             Case its = thin_case(first, free);
-            hm_options const exact = with(HM_LAPLACE, HM_DIRECT), iterative = with(HM_LAPLACE, HM_MULTIGRID);
+            hm_options const exact = with(HM_LAPLACE, HM_DIRECT),
+                             iterative = with(HM_LAPLACE, HM_MULTIGRID);
             Solved const found(its, &exact), other(its, &iterative);
             INFO("first cell " << first << ", free " << free << ": "
-                               << inside(found.plan).engine.direct.factor.least_left() << " left of a pivot");
-            CHECK(inside(found.plan).engine.trusted());   // it has lost nothing
+                               << inside(found.plan).engine.direct.factor.least_left()
+                               << " left of a pivot");
+            CHECK(inside(found.plan).engine.trusted());  // it has lost nothing
             CHECK(found.report.refinements == 0);
             CHECK(largest_difference(found.all_values(), other.all_values()) < 1e-8);
             if (free) CHECK(worst_defect(found, its.mesh.x.size()) < 1e-13);
@@ -232,7 +251,8 @@ TEST_CASE("even cells are not refined") {
     }
 }
 
-TEST_CASE("constants leave nothing, to the bit, of complex equations too, but beside known values") {
+TEST_CASE(
+    "constants leave nothing, to the bit, of complex equations too, but beside known values") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
         Case its = thin_case(1e-9, false);
         hm_options const options = with(kind, HM_DIRECT);
@@ -243,7 +263,8 @@ TEST_CASE("constants leave nothing, to the bit, of complex equations too, but be
         harmorph::DofValues const dofs{basis, plan.equations.dof_of, 1};
         std::vector<bool> beside_known(static_cast<std::size_t>(matrix.n));
         for (Index const row : matrix.fixed_row) beside_known[static_cast<std::size_t>(row)] = true;
-        for (Index const row : matrix.coupling_row) beside_known[static_cast<std::size_t>(row)] = true;
+        for (Index const row : matrix.coupling_row)
+            beside_known[static_cast<std::size_t>(row)] = true;
         for (Index i = 0; i < matrix.n; ++i) {
             for (Index k = 0; k < dofs.length(); ++k) dofs.at(i)[k] = 1;
         }
@@ -255,7 +276,8 @@ TEST_CASE("constants leave nothing, to the bit, of complex equations too, but be
             const double* const row =
                 plan.refinement.residual.value.data() + static_cast<std::ptrdiff_t>(i) * planes * n;
             for (Index k = 0; k < planes * n; ++k) {
-                if (beside_known[static_cast<std::size_t>(i)]) largest = std::max(largest, std::fabs(row[k]));
+                if (beside_known[static_cast<std::size_t>(i)])
+                    largest = std::max(largest, std::fabs(row[k]));
                 else inside_rows.compare(i, row[k], 0);
             }
         }
@@ -264,19 +286,22 @@ TEST_CASE("constants leave nothing, to the bit, of complex equations too, but be
     }
 }
 
-TEST_CASE("rows in single precision are those in double, rounded last; norms are the same without rows") {
+TEST_CASE(
+    "rows in single precision are those in double, rounded last; norms are the same without rows") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
         Case its = thin_case(1e-3, false);
         hm_options in_double = with(kind, HM_DIRECT), in_single = in_double;
         in_single.precision = HM_SINGLE;
         Solved const solved(its, &in_double), other(its, &in_single);
         harmorph::Plan const& plan = inside(solved.plan);
-        harmorph::Residual wide = plan.refinement.residual, narrow = inside(other.plan).refinement.residual;
+        harmorph::Residual wide = plan.refinement.residual,
+                           narrow = inside(other.plan).refinement.residual;
         harmorph::Basis const basis = in_rows(solved);
         harmorph::DofValues const dofs{basis, plan.equations.dof_of, 1};
         REQUIRE(wide.single.empty());
         REQUIRE(!narrow.single.empty());
-        Index const n = std::min(wide.width, narrow.width) - 1, planes = kind == HM_CONFORMAL ? 2 : 1;
+        Index const n = std::min(wide.width, narrow.width) - 1,
+                    planes = kind == HM_CONFORMAL ? 2 : 1;
         harmorph::Residual::Norms const norms = wide.compute(plan.equations.matrix, dofs, 1, n);
         harmorph::Residual::Norms const rounded = narrow.compute(plan.equations.matrix, dofs, 1, n);
         harmorph::Residual::Norms const alone = narrow.measure(plan.equations.matrix, dofs, 1, n);
@@ -291,7 +316,8 @@ TEST_CASE("rows in single precision are those in double, rounded last; norms are
         for (Index row = 0; row < planes * plan.equations.matrix.n; ++row)
             for (Index k = 0; k < n; ++k) {
                 double const value = wide.value[harmorph::Offset{row} * wide.width + k];
-                double const rounded_value = narrow.single[harmorph::Offset{row} * narrow.width + k];
+                double const rounded_value =
+                    narrow.single[harmorph::Offset{row} * narrow.width + k];
                 different.compare(row, rounded_value, static_cast<float>(value));
             }
         CHECK(different == 0);
@@ -300,7 +326,7 @@ TEST_CASE("rows in single precision are those in double, rounded last; norms are
 
 TEST_CASE("kernels give the same bits, of whole blocks of columns and of parts of one") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
-        Case its = thin_case(1e-3, false);   // 12 functions
+        Case its = thin_case(1e-3, false);  // 12 functions
         hm_options const options = with(kind, HM_DIRECT);
         Solved const solved(its, &options);
         harmorph::Plan const& plan = inside(solved.plan);
@@ -308,13 +334,13 @@ TEST_CASE("kernels give the same bits, of whole blocks of columns and of parts o
         harmorph::Residual residual = plan.refinement.residual;
         for (Index n = 1; n <= residual.width; ++n) {
             residual.kernel = harmorph::Kernel::baseline;
-            harmorph::Residual::Norms const plain = residual.compute(plan.equations.matrix,
-                                                                     {basis, plan.equations.dof_of, 1}, 12 - n, n);
+            harmorph::Residual::Norms const plain = residual.compute(
+                plan.equations.matrix, {basis, plan.equations.dof_of, 1}, 12 - n, n);
             std::vector<double> const expected(residual.value.begin(), residual.value.end());
             for (harmorph::Kernel const kernel : usable_kernels()) {
                 residual.kernel = kernel;
-                harmorph::Residual::Norms const fast = residual.compute(plan.equations.matrix,
-                                                                         {basis, plan.equations.dof_of, 1}, 12 - n, n);
+                harmorph::Residual::Norms const fast = residual.compute(
+                    plan.equations.matrix, {basis, plan.equations.dof_of, 1}, 12 - n, n);
                 CHECK(same_bits(expected, {residual.value.begin(), residual.value.end()}));
                 for (Index k = 0; k < n; ++k) CHECK(plain.relative(k) == fast.relative(k));
             }
@@ -322,7 +348,9 @@ TEST_CASE("kernels give the same bits, of whole blocks of columns and of parts o
     }
 }
 
-TEST_CASE("subtrees of rows: the same residuals as row after row, the same bits for any number of threads") {
+TEST_CASE(
+    "subtrees of rows: the same residuals as row after row, the same bits for any number of "
+    "threads") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
         Case its = ring_case(60, 130, 0.5, 2, Cells::hybrid, 3, 8);
         hm_options const options = with(kind, HM_DIRECT);
@@ -335,7 +363,7 @@ TEST_CASE("subtrees of rows: the same residuals as row after row, the same bits 
         REQUIRE(residual.subtrees.count > 4);
         REQUIRE(matrix.fixed_row.count() > 0);
         Index const n = residual.width, wrong = matrix.n / 3;
-        dofs.at(wrong)[1] += 1e-3;   // what is left is not rounding alone
+        dofs.at(wrong)[1] += 1e-3;  // what is left is not rounding alone
         residual.share_out({}, {});
         harmorph::Residual::Norms const plain = residual.compute(matrix, dofs, 0, n);
         std::vector<double> const expected(residual.value.begin(), residual.value.end());
@@ -350,7 +378,8 @@ TEST_CASE("subtrees of rows: the same residuals as row after row, the same bits 
             std::vector<double> found(residual.value.begin(), residual.value.end());
             CHECK(largest_difference(found, expected) < 1e-14);
             for (Index k = 0; k < n; ++k) {
-                CHECK(shared.right_hand_side[k] == doctest::Approx(plain.right_hand_side[k]).epsilon(1e-13));
+                CHECK(shared.right_hand_side[k] ==
+                      doctest::Approx(plain.right_hand_side[k]).epsilon(1e-13));
                 CHECK(std::fabs(shared.rest[k] - plain.rest[k]) < 1e-9 * plain.rest[1]);
                 found.push_back(shared.right_hand_side[k]);
                 found.push_back(shared.rest[k]);

@@ -1,10 +1,11 @@
-// The compact scheme against the cotangents of each cell's triangles, and the cell that is named where one is inverted.
+// The compact scheme against the cotangents of each cell's triangles, and the cell that is named
+// where one is inverted.
 #include <doctest/doctest.h>
 
 #include <fixtures/matrices.hpp>
 #include <fixtures/wrong.hpp>
 
-#include <harmorph/mesh/cell_shape.hpp>
+#include "mesh/cell_shape.hpp"
 
 using namespace fixtures;
 using harmorph::Index;
@@ -13,7 +14,8 @@ using harmorph::Vec2;
 namespace {
 
 // Adds `weight` times the stiffness matrix of linear finite elements on the triangle, by points.
-void add_triangle(DenseMatrix& to, harmorph::Points points, Index const (&corner)[3], double weight) {
+void add_triangle(DenseMatrix& to, harmorph::Points points, Index const (&corner)[3],
+                  double weight) {
     for (int apex = 0; apex < 3; ++apex) {
         Index const p = corner[apex], a = corner[(apex + 1) % 3], b = corner[(apex + 2) % 3];
         Vec2 const u = points[a] - points[p], v = points[b] - points[p];
@@ -26,12 +28,14 @@ void add_triangle(DenseMatrix& to, harmorph::Points points, Index const (&corner
     }
 }
 
-DenseMatrix of_finite_elements(harmorph::Mesh const& mesh, std::vector<double> const& conductivity) {
+DenseMatrix of_finite_elements(harmorph::Mesh const& mesh,
+                               std::vector<double> const& conductivity) {
     DenseMatrix out(static_cast<std::size_t>(mesh.n_points));
     for (Index i = 0; i < mesh.n_cells; ++i) {
         harmorph::Cell const its = mesh.cell(i);
         double const k = conductivity[static_cast<std::size_t>(i)];
-        for (int corner = 0; corner < (its.n == 3 ? 1 : 4); ++corner) {  // both splits of a quad, each by half
+        for (int corner = 0; corner < (its.n == 3 ? 1 : 4);
+             ++corner) {  // both splits of a quad, each by half
             Index const triangle[] = {its.previous(corner), its.point[corner], its.next(corner)};
             add_triangle(out, mesh.points, triangle, its.n == 3 ? k : 0.5 * k);
         }
@@ -41,9 +45,11 @@ DenseMatrix of_finite_elements(harmorph::Mesh const& mesh, std::vector<double> c
 
 }  // namespace
 
-TEST_CASE("the matrix is the sum of the cotangents of all triangles, and of both splits of each quad") {
+TEST_CASE(
+    "the matrix is the sum of the cotangents of all triangles, and of both splits of each quad") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
-        for (int const n : {5, 6, 9}) {  // groups of cells are full, or odd, or one cell is left over
+        for (int const n :
+             {5, 6, 9}) {  // groups of cells are full, or odd, or one cell is left over
             Case its = square_on_curve(n, kind, 0.2, 7);
             Analysed const seen(its);
             harmorph::Mesh const mesh = core_mesh(its.mesh);
@@ -51,12 +57,14 @@ TEST_CASE("the matrix is the sum of the cotangents of all triangles, and of both
             std::vector<double> k(static_cast<std::size_t>(mesh.n_cells));
             for (double& one : k) one = std::exp(uniform(random));
             AssembledMatrix its_matrix(*seen.operator->());
-            Index const bad = assemble_stiffness(seen->topology, mesh.points, span(k), false, its_matrix.matrix, {});
+            Index const bad = assemble_stiffness(seen->topology, mesh.points, span(k), false,
+                                                 its_matrix.matrix, {});
             REQUIRE(bad == harmorph::none);
             DenseMatrix const expected = of_finite_elements(mesh, k), found = its_matrix.unknowns();
             Wrong entries, sums;
             for (std::size_t i = 0; i < its_matrix.size(); ++i) {
-                std::size_t const p = static_cast<std::size_t>(its_matrix.point_at(static_cast<Index>(i)));
+                std::size_t const p =
+                    static_cast<std::size_t>(its_matrix.point_at(static_cast<Index>(i)));
                 double const scale = expected.at(p, p);
                 double known = 0;  // the row sum is what the columns of known values take
                 for (std::size_t q = 0; q < static_cast<std::size_t>(mesh.n_points); ++q)
@@ -64,7 +72,8 @@ TEST_CASE("the matrix is the sum of the cotangents of all triangles, and of both
                 double const sum = its_matrix.matrix.row_sum[i];
                 sums.add(std::fabs(sum - known) > 1e-13 * scale, static_cast<Index>(i), sum);
                 for (std::size_t j = 0; j < its_matrix.size(); ++j) {
-                    std::size_t const q = static_cast<std::size_t>(its_matrix.point_at(static_cast<Index>(j)));
+                    std::size_t const q =
+                        static_cast<std::size_t>(its_matrix.point_at(static_cast<Index>(j)));
                     double const error = std::fabs(found.at(i, j) - expected.at(p, q));
                     entries.add(error > 1e-13 * scale, static_cast<Index>(i), error);
                 }
@@ -90,7 +99,8 @@ TEST_CASE("the first cell without positive area is returned, wherever it lies am
                     return is_inverted(harmorph::CellShape(cell, mesh.points, false));
                 });
                 n_inverted += first != harmorph::none ? 1 : 0;
-                CHECK(assemble_stiffness(seen->topology, mesh.points, {}, false, its_matrix.matrix, {}) == first);
+                CHECK(assemble_stiffness(seen->topology, mesh.points, {}, false, its_matrix.matrix,
+                                         {}) == first);
             }
             its.mesh.x[point] = before;
         }

@@ -50,14 +50,16 @@ struct RandomRows {
 
 }  // namespace
 
-TEST_CASE("P^T A P against the dense product, its pattern without repeats, faces summed up to 255") {
+TEST_CASE(
+    "P^T A P against the dense product, its pattern without repeats, faces summed up to 255") {
     for (Index const n : {1, 2, 7, 40})
         for (double const density : {0.0, 0.2, 1.0}) {
             RandomRows made(n, density, 11 + static_cast<unsigned>(n));
             harmorph::SymmetricRows const fine = made.view();
             Index const n_coarse = (n + 2) / 3;
             std::vector<Index> cell(static_cast<std::size_t>(n));
-            for (Index i = 0; i < n; ++i) cell[static_cast<std::size_t>(i)] = (7 * i) % n_coarse;   // not in order
+            for (Index i = 0; i < n; ++i)
+                cell[static_cast<std::size_t>(i)] = (7 * i) % n_coarse;  // not in order
             RandomRows room(n, 1.0, 1);
             std::vector<Offset> last(static_cast<std::size_t>(n));
             harmorph::SymmetricRows coarse = room.view();
@@ -65,10 +67,12 @@ TEST_CASE("P^T A P against the dense product, its pattern without repeats, faces
             REQUIRE(coarse.n == n_coarse);
 
             DenseMatrix const a = dense_of(fine);
-            DenseMatrix expected(static_cast<std::size_t>(n_coarse)), touching(static_cast<std::size_t>(n_coarse));
+            DenseMatrix expected(static_cast<std::size_t>(n_coarse)),
+                touching(static_cast<std::size_t>(n_coarse));
             for (std::size_t i = 0; i < a.n; ++i)
                 for (std::size_t j = 0; j < a.n; ++j)
-                    expected.at(static_cast<std::size_t>(cell[i]), static_cast<std::size_t>(cell[j])) += a.at(i, j);
+                    expected.at(static_cast<std::size_t>(cell[i]),
+                                static_cast<std::size_t>(cell[j])) += a.at(i, j);
             fine.for_each([&](Index i, Index j, Offset e) {
                 std::size_t const p = static_cast<std::size_t>(cell[static_cast<std::size_t>(i)]);
                 std::size_t const q = static_cast<std::size_t>(cell[static_cast<std::size_t>(j)]);
@@ -86,8 +90,8 @@ TEST_CASE("P^T A P against the dense product, its pattern without repeats, faces
             coarse.for_each([&](Index i, Index j, Offset e) {
                 CHECK(i < j);
                 CHECK(seen.insert({i, j}).second);
-                CHECK(coarse.faces[e] ==
-                      std::min(255.0, touching.at(static_cast<std::size_t>(i), static_cast<std::size_t>(j))));
+                CHECK(coarse.faces[e] == std::min(255.0, touching.at(static_cast<std::size_t>(i),
+                                                                     static_cast<std::size_t>(j))));
             });
         }
     RandomRows many(600, 1.0, 3);

@@ -1,4 +1,5 @@
-// The front: each layer from the boundaries inwards before the next one, and quads before triangles.
+// The front: each layer from the boundaries inwards before the next one, and quads before
+// triangles.
 #include <doctest/doctest.h>
 
 #include <fixtures/agglomerated.hpp>
@@ -55,7 +56,8 @@ TEST_CASE("every unknown once, layer after layer, free boundaries being boundari
             std::vector<int> const depth = depth_of(*seen.operator->());
             std::vector<Index> sorted = front.order;
             std::sort(sorted.begin(), sorted.end());
-            for (std::size_t k = 0; k < sorted.size(); ++k) REQUIRE(sorted[k] == static_cast<Index>(k));
+            for (std::size_t k = 0; k < sorted.size(); ++k)
+                REQUIRE(sorted[k] == static_cast<Index>(k));
             int last = 0;
             Wrong backwards;
             for (Index const u : front.order) {
@@ -68,7 +70,9 @@ TEST_CASE("every unknown once, layer after layer, free boundaries being boundari
         }
 }
 
-TEST_CASE("in hybrid meshes the front is through with the quads at the wall before it enters the triangles") {
+TEST_CASE(
+    "in hybrid meshes the front is through with the quads at the wall before it enters the "
+    "triangles") {
     Case its = airfoil_case(40, 12, Cells::hybrid);
     Analysed const seen(its);
     FrontMatrix const front(*seen.operator->());

@@ -1,4 +1,5 @@
-// Places and reaches of unknowns: no neighbour is farther away than it is said to be. Levels of parts.
+// Places and reaches of unknowns: no neighbour is farther away than it is said to be. Levels of
+// parts.
 #include <doctest/doctest.h>
 
 #include <fixtures/graphs.hpp>
@@ -48,18 +49,22 @@ TEST_CASE("neighbours lie within reach in every direction; layers grow by one") 
         CHECK(outside == 0);
         CHECK(jumps == 0);
         for (Index u = 0; u < graph.n(); ++u)
-            if (graph.view().beside_curve[u] != 0) CHECK(places.of[u].at[harmorph::layer_direction] == 0);
+            if (graph.view().beside_curve[u] != 0)
+                CHECK(places.of[u].at[harmorph::layer_direction] == 0);
     }
 }
 
-TEST_CASE("steps across: 1 on the piece, and on both sides the sign of the side; the farthest neighbour is reached") {
+TEST_CASE(
+    "steps across: 1 on the piece, and on both sides the sign of the side; the farthest neighbour "
+    "is reached") {
     int const around = 24, rings = 5;
     HandMadeGraph ring = grid_graph(around, rings);
     for (int j = 0; j < rings; ++j) ring.join(around * j, around * j + around - 1);
     PlacedGraph its(ring);
     // The piece is column 0; the columns behind it are those of the second half.
     its.places.find_across(
-        ring.view(), 0, [&](Index u) { return u % around == 0; }, [&](Index u) { return u % around < around / 2; });
+        ring.view(), 0, [&](Index u) { return u % around == 0; },
+        [&](Index u) { return u % around < around / 2; });
     its.places.keep_searches(ring.view(), {});
     auto const step = [&](Index u) { return its.places.of[u].at[harmorph::across_direction]; };
     for (Index u = 0; u < ring.n(); ++u) {
@@ -72,7 +77,9 @@ TEST_CASE("steps across: 1 on the piece, and on both sides the sign of the side;
     }
 }
 
-TEST_CASE("levels: steps from an end of the part, one at most between neighbours, and nothing is left out") {
+TEST_CASE(
+    "levels: steps from an end of the part, one at most between neighbours, and nothing is left "
+    "out") {
     std::vector<HandMadeGraph> graphs = nasty_graphs();
     graphs.push_back(grid_graph(7, 3));
     for (HandMadeGraph& graph : graphs) {
@@ -95,7 +102,8 @@ TEST_CASE("levels: steps from an end of the part, one at most between neighbours
         CHECK(falls == 0);
         CHECK(jumps == 0);
     }
-    HandMadeGraph grid = grid_graph(9, 3);  // the second half is a part: its own end is where its levels begin
+    HandMadeGraph grid =
+        grid_graph(9, 3);  // the second half is a part: its own end is where its levels begin
     PlacedGraph its(grid);
     std::vector<Index> half;
     for (Index u = 0; u < 27; ++u) {

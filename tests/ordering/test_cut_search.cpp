@@ -1,4 +1,5 @@
-// Where parts are cut: in the middle, across the shorter way, behind the cheapest level, with borders in mind.
+// Where parts are cut: in the middle, across the shorter way, behind the cheapest level, with
+// borders in mind.
 #include <doctest/doctest.h>
 
 #include <fixtures/graphs.hpp>
@@ -43,18 +44,20 @@ private:
     std::unique_ptr<Guarded> block_;
 };
 
-// Multiplications of a part of n unknowns with a border of b: its separator of n^1/2 pivots, then both halves in the
-// same way, each with half the border and the separator.
+// Multiplications of a part of n unknowns with a border of b: its separator of n^1/2 pivots, then
+// both halves in the same way, each with half the border and the separator.
 double cost_by_halving(double n, double b) {
-    if (n < 1e-6) return 0;   // far below one unknown, so that nothing is cut off
+    if (n < 1e-6) return 0;  // far below one unknown, so that nothing is cut off
     double const s = std::sqrt(n);
     return s * (s * s / 3 + s * b + b * b) + 2 * cost_by_halving(n / 2, b / 2 + s);
 }
 
 }  // namespace
 
-TEST_CASE("grids are cut across the shorter way, near the middle, also where only some unknowns are looked at") {
-    for (int const times : {1, 9}) {   // a small part and a large one
+TEST_CASE(
+    "grids are cut across the shorter way, near the middle, also where only some unknowns are "
+    "looked at") {
+    for (int const times : {1, 9}) {  // a small part and a large one
         int const length = 60 * times, width = 37 * times;
         for (bool const upright : {false, true}) {
             HandMadeGraph grid = upright ? grid_graph(width, length) : grid_graph(length, width);
@@ -83,9 +86,12 @@ TEST_CASE("a square with a border along one side is cut such that both halves sh
     }
 }
 
-TEST_CASE("cost: grows with the separator, with borders and with what is left to cut; the same from both sides") {
+TEST_CASE(
+    "cost: grows with the separator, with borders and with what is left to cut; the same from both "
+    "sides") {
     for (Index const half : {40, 200000}) {
-        auto const cost = [&](Index shift, Index separator, Index left_border = 0, Index right_border = 0) {
+        auto const cost = [&](Index shift, Index separator, Index left_border = 0,
+                              Index right_border = 0) {
             return Parts{half + shift, half - shift, separator, left_border, right_border}.cost();
         };
         CHECK(cost(0, 8) < cost(0, 9));
@@ -97,20 +103,24 @@ TEST_CASE("cost: grows with the separator, with borders and with what is left to
     }
 }
 
-TEST_CASE("cost of large parts: what halving them again and again comes to, but for rounded constants") {
+TEST_CASE(
+    "cost of large parts: what halving them again and again comes to, but for rounded constants") {
     for (Index const separator : {300, 450, 900})
         for (Index const left_border : {0, 400, 1600})
             for (Index const right_border : {0, 700}) {
                 Index const left = 120000, right = 90000;
                 double const s = separator, b = left_border + right_border;
-                double const expected = s * (s * s / 3 + s * b + b * b) + cost_by_halving(left, left_border + s) +
+                double const expected = s * (s * s / 3 + s * b + b * b) +
+                                        cost_by_halving(left, left_border + s) +
                                         cost_by_halving(right, right_border + s);
                 CHECK(Parts{left, right, separator, left_border, right_border}.cost() ==
-                      doctest::Approx(expected).epsilon(0.0125));   // 30 instead of 30.37
+                      doctest::Approx(expected).epsilon(0.0125));  // 30 instead of 30.37
             }
 }
 
-TEST_CASE("levels: behind the one that costs least in the middle half, if that is less than what is known") {
+TEST_CASE(
+    "levels: behind the one that costs least in the middle half, if that is less than what is "
+    "known") {
     HandMadeGraph grid = grid_graph(41, 9);
     Searched its(grid);
     Cut cut;

@@ -20,9 +20,10 @@ void check_dissection(HandMadeGraph& graph) {
     INFO(n << " unknowns");
 
     std::vector<Index> const position = cut.position();
-    for (Index const p : position) CHECK(p >= 0);   // each unknown once, as there are as many places
+    for (Index const p : position) CHECK(p >= 0);  // each unknown once, as there are as many places
 
-    // Nodes tile the order; children come before their parents and fill the places just before them.
+    // Nodes tile the order; children come before their parents and fill the places just before
+    // them.
     CHECK(cut.tree.count <= n / 2 + 1);
     Index next = 0, roots = 0;
     std::vector<Index> subtree_begin(static_cast<std::size_t>(cut.tree.count));
@@ -48,21 +49,23 @@ void check_dissection(HandMadeGraph& graph) {
     for (Index t = 0; t < cut.tree.count; ++t)
         CHECK(times_child[static_cast<std::size_t>(t)] == (cut.tree.nodes[t].parent == -1 ? 0 : 1));
 
-    // Neighbours are in one node, or one's node is an ancestor of the other's: nothing crosses a separator.
+    // Neighbours are in one node, or one's node is an ancestor of the other's: nothing crosses a
+    // separator.
     std::vector<Index> const node_of = cut.node_of_position();
     for (std::int32_t a = 0; a < n; ++a)
         for (std::int32_t const b : graph.near[static_cast<std::size_t>(a)]) {
-            Index const first = std::min(position[static_cast<std::size_t>(a)], position[static_cast<std::size_t>(b)]);
-            Index const above = node_of[static_cast<std::size_t>(
-                std::max(position[static_cast<std::size_t>(a)], position[static_cast<std::size_t>(b)]))];
+            Index const first = std::min(position[static_cast<std::size_t>(a)],
+                                         position[static_cast<std::size_t>(b)]);
+            Index const above = node_of[static_cast<std::size_t>(std::max(
+                position[static_cast<std::size_t>(a)], position[static_cast<std::size_t>(b)]))];
             Index up = node_of[static_cast<std::size_t>(first)];
             while (up != -1 && up < above) up = cut.tree.nodes[up].parent;
             CHECK(up == above);
         }
 }
 
-// Entries per unknown of a square grid of n unknowns, whose cells couple their diagonals: the leading term of what
-// A. George, SIAM J. Numer. Anal. 10 (1973) 345, counts for nested dissection.
+// Entries per unknown of a square grid of n unknowns, whose cells couple their diagonals: the
+// leading term of what A. George, SIAM J. Numer. Anal. 10 (1973) 345, counts for nested dissection.
 double george(double n) { return 31.0 / 4 * std::log2(std::sqrt(n)); }
 
 }  // namespace
@@ -99,7 +102,7 @@ TEST_CASE("on grids the separators are short, so that fill grows as n log n") {
     }
     INFO("entries per unknown: " << per_point[0] << " " << per_point[1] << " " << per_point[2]);
     for (int s = 0; s < 3; ++s) CHECK(per_point[s] < george(sizes[s] * sizes[s]));
-    CHECK(per_point[1] - per_point[0] < 16);   // linear in log n; doubling if it grew as n
+    CHECK(per_point[1] - per_point[0] < 16);  // linear in log n; doubling if it grew as n
     CHECK(per_point[2] - per_point[1] < 16);
 }
 
@@ -108,11 +111,12 @@ TEST_CASE("a rolled strip is cut across, however its turns lie beside each other
     HandMadeGraph strip = grid_graph(along, across);
     for (int j = 0; j < across; ++j)
         for (int i = 0; i < along; ++i) {
-            double const turn = 0.3 * i, radius = 1 + 0.01 * turn + 0.001 * j;   // straight cuts cross all turns
+            double const turn = 0.3 * i,
+                         radius = 1 + 0.01 * turn + 0.001 * j;  // straight cuts cross all turns
             strip.x[static_cast<std::size_t>(i + along * j)] = radius * std::cos(turn);
             strip.y[static_cast<std::size_t>(i + along * j)] = radius * std::sin(turn);
         }
-    for (int i = 0; i < along; ++i) strip.beside_curve.insert(i);                // and layers run along
+    for (int i = 0; i < along; ++i) strip.beside_curve.insert(i);  // and layers run along
     Dissected const cut(strip);
     auto const& root = cut.tree.nodes[cut.tree.count - 1];
     CHECK(root.pivots() <= across);
@@ -120,15 +124,18 @@ TEST_CASE("a rolled strip is cut across, however its turns lie beside each other
 }
 
 TEST_CASE("a wake of thin curved cells: hardly more entries than the same mesh laid out straight") {
-    // Fill is a property of the graph; coordinates only say where to cut. Levels are tried as soon as a separator is
-    // 1.12 times as long as one through a square, and entries go with the square of this length.
+    // Fill is a property of the graph; coordinates only say where to cut. Levels are tried as soon
+    // as a separator is 1.12 times as long as one through a square, and entries go with the square
+    // of this length.
     double const most = 1.12 * 1.12;
     for (int const nx : {60, 120}) {
         int const ny = 60;
         HandMadeGraph grid = grid_graph(nx, ny);
-        for (int j = 0; j < ny; ++j) grid.beside_curve.insert(nx * j);   // the body; layers round it cross the wake
+        for (int j = 0; j < ny; ++j)
+            grid.beside_curve.insert(nx * j);  // the body; layers round it cross the wake
         double const straight = FactorCost(grid, Dissected(grid)).entries;
-        for (double const thin : {1e-3, 1e-4}) {   // height of the cells in the middle, about, beside their length
+        for (double const thin :
+             {1e-3, 1e-4}) {  // height of the cells in the middle, about, beside their length
             for (int k = 0; k < grid.n(); ++k) {
                 double const x = 1.0 * (k % nx) / ny, across = 1.0 * (k / nx) / ny - 0.5;
                 grid.x[static_cast<std::size_t>(k)] = x;
@@ -136,14 +143,16 @@ TEST_CASE("a wake of thin curved cells: hardly more entries than the same mesh l
                 grid.y[static_cast<std::size_t>(k)] = 0.2 * std::sin(3 * x) + shear_layer;
             }
             double const curved = FactorCost(grid, Dissected(grid)).entries;
-            INFO(nx << " x " << ny << ", thin " << thin << ": " << curved << " entries instead of " << straight);
+            INFO(nx << " x " << ny << ", thin " << thin << ": " << curved << " entries instead of "
+                    << straight);
             CHECK(curved < most * straight);
         }
     }
 }
 
-TEST_CASE("large parts know what is next to the separators above them, and nothing else is marked") {
-    for (int const ny : {250, 270}) {   // small and large, as a whole
+TEST_CASE(
+    "large parts know what is next to the separators above them, and nothing else is marked") {
+    for (int const ny : {250, 270}) {  // small and large, as a whole
         HandMadeGraph grid = grid_graph(250, ny);
         bool const is_large = grid.n() >= harmorph::Parts::large;
         CHECK(is_large == (ny == 270));
@@ -154,7 +163,8 @@ TEST_CASE("large parts know what is next to the separators above them, and nothi
             find_coordinates(work.coordinates, graph, grid.points());
             fill(work.cover.side.first(graph.n), harmorph::Side::inside);
             for (Index u = 0; u < graph.n; ++u) order[u] = u;
-            harmorph::DividedRange const its = harmorph::Dissector(graph, work, order).divide(0, graph.n);
+            harmorph::DividedRange const its =
+                harmorph::Dissector(graph, work, order).divide(0, graph.n);
             REQUIRE(its.pivots < graph.n);
             std::vector<char> is_next(grid.x.size(), 0);
             for (Index k = its.pivots; k < graph.n; ++k)
@@ -162,18 +172,22 @@ TEST_CASE("large parts know what is next to the separators above them, and nothi
             for (Index k = 0; k < its.pivots; ++k) {
                 float const mark = work.coordinates.of[order[k]].at[harmorph::border_lane];
                 marked += mark == 1;
-                wrong.compare(order[k], mark, is_large ? is_next[static_cast<std::size_t>(order[k])] : 0);
+                wrong.compare(order[k], mark,
+                              is_large ? is_next[static_cast<std::size_t>(order[k])] : 0);
             }
         });
         CHECK(wrong == 0);
-        CHECK(marked == (is_large ? 2 * 250 : 0));   // a row on either side of the shortest separator
+        CHECK(marked ==
+              (is_large ? 2 * 250 : 0));  // a row on either side of the shortest separator
     }
 }
 
-TEST_CASE("large parts share what borders on separators above: fewer multiplications than with the marks taken away") {
-    // Halves of 260 x 270 unknowns, the first separator along their shorter side. The shortest cut of a half is
-    // parallel to it: a quarter of the mesh then lies between two separators of 260. One across costs 270, but both
-    // quarters share what borders on the first one.
+TEST_CASE(
+    "large parts share what borders on separators above: fewer multiplications than with the marks "
+    "taken away") {
+    // Halves of 260 x 270 unknowns, the first separator along their shorter side. The shortest cut
+    // of a half is parallel to it: a quarter of the mesh then lies between two separators of 260.
+    // One across costs 270, but both quarters share what borders on the first one.
     HandMadeGraph grid = grid_graph(260, 541);
     double cost[2];
     for (bool const is_marked : {false, true}) {
@@ -186,7 +200,8 @@ TEST_CASE("large parts share what borders on separators above: fewer multiplicat
             harmorph::DividedRange const its = dissector.divide(0, graph.n);
             REQUIRE(its.middle >= harmorph::Parts::large);
             REQUIRE(its.pivots - its.middle >= harmorph::Parts::large);
-            for (Index u = 0; u < graph.n && !is_marked; ++u) work.coordinates.of[u].at[harmorph::border_lane] = 0;
+            for (Index u = 0; u < graph.n && !is_marked; ++u)
+                work.coordinates.of[u].at[harmorph::border_lane] = 0;
             tree.count = 0;
             Index const first = dissector.dissect(0, its.middle, tree);
             Index const second = dissector.dissect(its.middle, its.pivots, tree);
@@ -194,7 +209,8 @@ TEST_CASE("large parts share what borders on separators above: fewer multiplicat
         });
         FactorCost const its(grid, cut);
         cost[is_marked] = its.multiplications;
-        CHECK(its.entries < george(grid.n()) * grid.n());   // a rectangle of two squares has less than a square
+        CHECK(its.entries <
+              george(grid.n()) * grid.n());  // a rectangle of two squares has less than a square
     }
     INFO(cost[true] << " multiplications with marks, " << cost[false] << " without");
     CHECK(cost[true] < cost[false]);
@@ -212,7 +228,8 @@ TEST_CASE("any number of threads, in any order of their tasks: the same order an
             CHECK(together.order == alone.order);
             REQUIRE(together.tree.count == alone.tree.count);
             CHECK(std::memcmp(together.tree.nodes.data(), alone.tree.nodes.data(),
-                              sizeof(harmorph::AssemblyTree::Node) * static_cast<std::size_t>(alone.tree.count)) == 0);
+                              sizeof(harmorph::AssemblyTree::Node) *
+                                  static_cast<std::size_t>(alone.tree.count)) == 0);
             CHECK((order.tasks > 0) == (threads > 1));
         }
     }

@@ -26,8 +26,10 @@ TEST_CASE("subtrees are small enough, not too many, and neighbours are never in 
             int across = 0;
             for (std::int32_t u = 0; u < graph.n(); ++u)
                 for (std::int32_t const v : graph.near[static_cast<std::size_t>(u)]) {
-                    Index const of_u = owner[static_cast<std::size_t>(position[static_cast<std::size_t>(u)])];
-                    Index const of_v = owner[static_cast<std::size_t>(position[static_cast<std::size_t>(v)])];
+                    Index const of_u =
+                        owner[static_cast<std::size_t>(position[static_cast<std::size_t>(u)])];
+                    Index const of_v =
+                        owner[static_cast<std::size_t>(position[static_cast<std::size_t>(v)])];
                     across += of_u >= 0 && of_v >= 0 && of_u != of_v;
                 }
             CHECK(across == 0);

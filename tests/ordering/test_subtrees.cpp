@@ -1,9 +1,10 @@
-// Subtrees are whole and apart, listed by work, and the memory laid out for them is what a walk through them needs.
+// Subtrees are whole and apart, listed by work, and the memory laid out for them is what a walk
+// through them needs.
 #include <doctest/doctest.h>
 
 #include <fixtures/graphs.hpp>
 
-#include <harmorph/ordering/subtrees.hpp>
+#include "ordering/subtrees.hpp"
 
 using namespace fixtures;
 using harmorph::Index;
@@ -29,7 +30,7 @@ struct Walk {
     harmorph::AssemblyTree const& tree;
     Symbolic const& symbolic;
     harmorph::Subtrees const& subtrees;
-    Offset stack[2] = {}, rows[2] = {};   // the most: inside a subtree, above all of them
+    Offset stack[2] = {}, rows[2] = {};  // the most: inside a subtree, above all of them
 
     Index border(Index node) const {
         return static_cast<Index>(symbolic.start[static_cast<std::size_t>(node) + 1] -
@@ -43,7 +44,8 @@ struct Walk {
         stack[above] = std::max(stack[above], free);
         rows[above] = std::max(rows[above], free_row);
         for (Index child = tree.nodes[node].child; child != none; child = tree.nodes[child].sibling)
-            if (subtrees.find(child) == none) go(child, above, free + update(child), free_row + front(child));
+            if (subtrees.find(child) == none)
+                go(child, above, free + update(child), free_row + front(child));
     }
 };
 
@@ -68,7 +70,8 @@ TEST_CASE("subtrees are whole, apart, in order, and listed by work") {
             Walk walk{cut.tree, symbolic, its};
             for (Index k = 0; k < its.count; ++k) {
                 harmorph::Subtree const& subtree = its.all[k];
-                harmorph::Subtree const& next = its.all[subtree.by_work];   // by decreasing work, each once
+                harmorph::Subtree const& next =
+                    its.all[subtree.by_work];  // by decreasing work, each once
                 if (k > 0) CHECK(next.work <= its.all[its.all[k - 1].by_work].work);
                 CHECK(listed.insert(subtree.by_work).second);
                 CHECK(subtree.first <= subtree.root);
@@ -94,8 +97,9 @@ TEST_CASE("subtrees are whole, apart, in order, and listed by work") {
             CHECK(its.top_stack_entries >= walk.stack[1]);
             CHECK(its.stack_rows >= std::max(walk.rows[0], walk.rows[1]));
             for (Index node = 0; node < cut.tree.count; ++node)
-                CHECK(its.stack_rows >= walk.front(node));                   // going back down
-            if (workers == 1) CHECK(its.top_stack_entries == walk.stack[1]);   // and no more than that
+                CHECK(its.stack_rows >= walk.front(node));  // going back down
+            if (workers == 1)
+                CHECK(its.top_stack_entries == walk.stack[1]);  // and no more than that
             CHECK(its.stack_entries == walk.stack[0]);
         }
     }
@@ -108,7 +112,7 @@ TEST_CASE("on a large mesh every worker has something to do, and none much more 
     for (Index const workers : {2, 4, 8, 16}) {
         Chosen const chosen(cut, symbolic, workers);
         std::vector<double> load(static_cast<std::size_t>(workers), 0.0);
-        for (Index k = 0; k < chosen.subtrees.count; ++k) {   // to the one that is free next
+        for (Index k = 0; k < chosen.subtrees.count; ++k) {  // to the one that is free next
             harmorph::Subtree const& its = chosen.subtrees.all[chosen.subtrees.all[k].by_work];
             *std::min_element(load.begin(), load.end()) += static_cast<double>(its.work);
         }

@@ -54,8 +54,9 @@ Offset check_borders(HandMadeGraph& graph) {
         CHECK(std::includes(border.begin(), border.end(), filled.begin(), filled.end()));
         CHECK(border == allowed);
         // Given in increasing order, each once.
-        CHECK(border.size() == static_cast<std::size_t>(found.start[static_cast<std::size_t>(t) + 1] -
-                                                        found.start[static_cast<std::size_t>(t)]));
+        CHECK(border.size() ==
+              static_cast<std::size_t>(found.start[static_cast<std::size_t>(t) + 1] -
+                                       found.start[static_cast<std::size_t>(t)]));
         CHECK(std::is_sorted(found.border.begin() + found.start[static_cast<std::size_t>(t)],
                              found.border.begin() + found.start[static_cast<std::size_t>(t) + 1]));
         Index const size = static_cast<Index>(border.size());
@@ -65,7 +66,7 @@ Offset check_borders(HandMadeGraph& graph) {
     CHECK(found.sizes.border_entries == entries);
     CHECK(found.sizes.most_sums >= largest_front);
     CHECK(found.sizes.most_sums <= largest_front + 2 * (harmorph::dense::slab - 1));
-    CHECK(found.of(cut.tree.count - 1).empty());   // nothing comes after the root
+    CHECK(found.of(cut.tree.count - 1).empty());  // nothing comes after the root
     return entries;
 }
 
@@ -76,7 +77,7 @@ TEST_CASE("borders are what elimination fills, and nothing that no pivot of the 
 }
 
 TEST_CASE("borders with more entries than are remembered: the same") {
-    int const side = 40, hubs = 250;   // these end up above everything, and so in all borders
+    int const side = 40, hubs = 250;  // these end up above everything, and so in all borders
     HandMadeGraph graph = grid_graph(side, side);
     for (int hub = 0; hub < hubs; ++hub) {
         graph.add_point(side * (hub + 0.5) / hubs, 0.5 * side);

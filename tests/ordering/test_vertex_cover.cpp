@@ -1,4 +1,5 @@
-// Covers of cut edges: they cover, they are as small as the largest matching, and nothing else changes sides.
+// Covers of cut edges: they cover, they are as small as the largest matching, and nothing else
+// changes sides.
 #include <doctest/doctest.h>
 
 #include <fixtures/graphs.hpp>
@@ -31,7 +32,8 @@ struct Covered {
         cover.lay_out(placing, graph.n());
         for (Index u = 0; u < graph.n(); ++u) {
             bool is_near = false;
-            for (Index const v : graph.near[static_cast<std::size_t>(u)]) is_near = is_near || is_left(u) != is_left(v);
+            for (Index const v : graph.near[static_cast<std::size_t>(u)])
+                is_near = is_near || is_left(u) != is_left(v);
             cover.side[u] = !is_near ? Side::inside : is_left(u) ? Side::left : Side::right;
             if (is_near) near.push_back(u);
         }
@@ -49,7 +51,8 @@ struct Covered {
 // The size of a largest matching of the cut edges, by augmenting paths.
 class Matching {
 public:
-    Matching(HandMadeGraph const& graph, Covered const& cut) : graph_(graph), cut_(cut), mate_(graph.x.size(), -1) {}
+    Matching(HandMadeGraph const& graph, Covered const& cut)
+        : graph_(graph), cut_(cut), mate_(graph.x.size(), -1) {}
     int size() {
         int pairs = 0;
         for (Index const u : cut_.near) {
@@ -62,7 +65,8 @@ public:
 private:
     bool augment(Index u) {
         for (Index const v : graph_.near[static_cast<std::size_t>(u)]) {
-            if (cut_.before[static_cast<std::size_t>(v)] != Side::right || !seen_.insert(v).second) continue;
+            if (cut_.before[static_cast<std::size_t>(v)] != Side::right || !seen_.insert(v).second)
+                continue;
             Index& its = mate_[static_cast<std::size_t>(v)];
             if (its != -1 && !augment(its)) continue;
             its = u;
@@ -85,7 +89,8 @@ void check_cover(HandMadeGraph& graph, IsLeft is_left) {
         Side const side = cut.after[k];
         changed.add(side != Side::separator && side != cut.before[k], u, static_cast<double>(side));
         for (Index const v : graph.near[k])
-            crossing.add(side == Side::left && cut.after[static_cast<std::size_t>(v)] == Side::right, u, v);
+            crossing.add(
+                side == Side::left && cut.after[static_cast<std::size_t>(v)] == Side::right, u, v);
     }
     CHECK(crossing == 0);
     CHECK(changed == 0);
@@ -102,7 +107,8 @@ TEST_CASE("straight, slanting and ragged cuts through grids, and nasty graphs: a
         check_cover(grid, [](Index u) { return 2 * (u % 13) < 3 * (u / 13); });
         check_cover(grid, [](Index u) { return (u * 7919) % 101 < 50; });
     }
-    for (HandMadeGraph& graph : nasty_graphs()) check_cover(graph, [&](Index u) { return 2 * u < graph.n(); });
+    for (HandMadeGraph& graph : nasty_graphs())
+        check_cover(graph, [&](Index u) { return 2 * u < graph.n(); });
 }
 
 TEST_CASE("the left hub of a star covers its edges alone, and so does the right one") {

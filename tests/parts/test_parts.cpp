@@ -1,4 +1,5 @@
-// Parts of meshes, divided in any way, together have the equations of the whole mesh and its functions.
+// Parts of meshes, divided in any way, together have the equations of the whole mesh and its
+// functions.
 
 #include <fixtures/parted_agreement.hpp>
 
@@ -99,7 +100,8 @@ TEST_CASE("given displacements in parts") {
             Displaced whole(its, &options);
             Field wanted(its.mesh.x.size());
             for (std::int32_t const point : whole.points)
-                wanted[static_cast<std::size_t>(point)] = {0.01 * std::sin(3.0 * point), 0.02 * std::cos(5.0 * point)};
+                wanted[static_cast<std::size_t>(point)] = {0.01 * std::sin(3.0 * point),
+                                                           0.02 * std::cos(5.0 * point)};
             Field const expected = whole.displace(whole.on_wall(wanted));
             Parted parted(cut(its.mesh, at_random(its.mesh, 3), true));
             REQUIRE(parted.match());
@@ -108,9 +110,11 @@ TEST_CASE("given displacements in parts") {
             double worst = 0;
             for (std::size_t p = 0; p < found.size(); ++p)
                 for (std::size_t k = 0; k < found[p].size(); ++k)
-                    worst =
-                        std::max(worst, std::abs(found[p][k] -
-                                                 expected[static_cast<std::size_t>(parted.parts[p].global_point[k])]));
+                    worst = std::max(
+                        worst,
+                        std::abs(
+                            found[p][k] -
+                            expected[static_cast<std::size_t>(parted.parts[p].global_point[k])]));
             CHECK(worst < 1e-12);
         }
     }
@@ -125,13 +129,15 @@ TEST_CASE("rows of a part are combined like any basis") {
     REQUIRE(parted.equate(its.problem(), options));
     parted.solve();
     std::vector<double> matrix;
-    for (std::int32_t k = 0; k < 2 * whole.info().control_points; ++k) matrix.push_back(std::cos(3.0 * k));
+    for (std::int32_t k = 0; k < 2 * whole.info().control_points; ++k)
+        matrix.push_back(std::cos(3.0 * k));
     auto const combined = [&](const hm_basis* from, std::unique_ptr<Guarded>& block) {
         std::size_t bytes = 0;
         hm_basis* out = nullptr;
         REQUIRE(hm_combine_size(from, 2, 1, &bytes, nullptr) == HM_OK);
         block = std::make_unique<Guarded>(bytes);
-        REQUIRE(hm_combine(&out, block->data(), bytes, from, 2, 1, matrix.data(), nullptr) == HM_OK);
+        REQUIRE(hm_combine(&out, block->data(), bytes, from, 2, 1, matrix.data(), nullptr) ==
+                HM_OK);
         return out;
     };
     std::unique_ptr<Guarded> whole_block, part_block;

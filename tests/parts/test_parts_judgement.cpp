@@ -8,7 +8,7 @@ using namespace fixtures;
 TEST_CASE("morph, adjoint, step and quality of parts are those of the whole mesh") {
     Case its = two_airfoils();
     check_judgement(its, options_of(HM_CONFORMAL), 0.02);
-    check_judgement(its, options_of(HM_CONFORMAL), 2);   // inverts cells
+    check_judgement(its, options_of(HM_CONFORMAL), 2);  // inverts cells
 }
 
 TEST_CASE("polygons in parts are divided and judged as in the whole mesh") {
@@ -16,9 +16,11 @@ TEST_CASE("polygons in parts are divided and judged as in the whole mesh") {
     honeycombs.mesh = honeycomb(6, 24, 0.5, 4);
     honeycombs.curves = ring(3, 8, 0.5, 0.5);
     honeycombs.put_on_curves(body);
-    hanging.mesh = refined(square(12, Cells::quads, 4, 4),
-                           [](Point p) { return std::fabs(p.x - 0.5) < 0.3 && std::fabs(p.y - 0.5) < 0.3; });
-    hanging.curves = polyline({{1.0 / 3, 1.0 / 3}, {2.0 / 3, 1.0 / 3}, {2.0 / 3, 2.0 / 3}, {1.0 / 3, 2.0 / 3}});
+    hanging.mesh = refined(square(12, Cells::quads, 4, 4), [](Point p) {
+        return std::fabs(p.x - 0.5) < 0.3 && std::fabs(p.y - 0.5) < 0.3;
+    });
+    hanging.curves =
+        polyline({{1.0 / 3, 1.0 / 3}, {2.0 / 3, 1.0 / 3}, {2.0 / 3, 2.0 / 3}, {1.0 / 3, 2.0 / 3}});
     hanging.put_on_curves(body);
     for (Case* const its : {&honeycombs, &hanging}) {
         its->mesh.cell_layout = HM_CELLS_POLYGONS;
@@ -29,6 +31,6 @@ TEST_CASE("polygons in parts are divided and judged as in the whole mesh") {
             check_agreement(*its, options_of(operator_kind), stripes(its->mesh, 3), true);
         }
         check_judgement(*its, options_of(HM_CONFORMAL), 0.02);
-        check_judgement(*its, options_of(HM_CONFORMAL), 0.4);   // inverts cells
+        check_judgement(*its, options_of(HM_CONFORMAL), 0.4);  // inverts cells
     }
 }

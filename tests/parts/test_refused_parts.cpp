@@ -12,7 +12,8 @@ TEST_CASE("parts that do not fit together are refused with the place") {
         std::vector<PartOfMesh> parts = cut(its.mesh, partition, false);
         spoil(parts);
         Parted parted(std::move(parts));
-        bool const accepted = parted.match() && parted.equate(its.problem(), options_of(HM_LAPLACE));
+        bool const accepted =
+            parted.match() && parted.equate(its.problem(), options_of(HM_LAPLACE));
         CHECK(!accepted);
         CHECK(parted.status == HM_BAD_MESH);
         CHECK(parted.error.text[0] != 0);
@@ -29,32 +30,37 @@ TEST_CASE("parts that do not fit together are refused with the place") {
             if (first.count(parts[1].numbers[k]) > 0) return k;
         return std::size_t{0};
     };
-    has(refusal([&](std::vector<PartOfMesh>& parts) { parts[1].mesh.x[shared_point(parts)] += 1e-9; }),
+    has(refusal(
+            [&](std::vector<PartOfMesh>& parts) { parts[1].mesh.x[shared_point(parts)] += 1e-9; }),
         "(global number) has different coordinates in two parts");
-    has(refusal([&](std::vector<PartOfMesh>& parts) { // two numbers in each other's place
+    has(refusal([&](std::vector<PartOfMesh>& parts) {  // two numbers in each other's place
             std::size_t const at = shared_point(parts);
             std::swap(parts[1].numbers[at], parts[1].numbers[at == 0 ? 1 : 0]);
         }),
         "");
     has(refusal([&](std::vector<PartOfMesh>& parts) { parts[1].numbers[0] = parts[1].numbers[1]; }),
         "same global number");
-    has(refusal([&](std::vector<PartOfMesh>& parts) { parts[0].numbers[3] = -1; }), "not between 0 and 2^61");
+    has(refusal([&](std::vector<PartOfMesh>& parts) { parts[0].numbers[3] = -1; }),
+        "not between 0 and 2^61");
     has(refusal([&](std::vector<PartOfMesh>& parts) {
             parts[0].mesh.faces.resize(parts[0].mesh.faces.size() - 2);
             parts[0].mesh.face_markers.pop_back();
         }),
         "no marker");
-    has(refusal([&](std::vector<PartOfMesh>& parts) { // a cell less: a gap
+    has(refusal([&](std::vector<PartOfMesh>& parts) {  // a cell less: a gap
             Mesh& mesh = parts[1].mesh;
-            mesh.cells.resize(static_cast<std::size_t>(mesh.cell_start[mesh.cell_start.size() - 2]));
+            mesh.cells.resize(
+                static_cast<std::size_t>(mesh.cell_start[mesh.cell_start.size() - 2]));
             mesh.cell_start.pop_back();
         }),
         "edge");
-    has(refusal([&](std::vector<PartOfMesh>& parts) { // a marker on an edge that has cells on both sides
+    has(refusal([&](std::vector<PartOfMesh>&
+                        parts) {  // a marker on an edge that has cells on both sides
             std::set<std::int64_t> const first(parts[0].numbers.begin(), parts[0].numbers.end());
             Mesh& mesh = parts[1].mesh;
             for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell)
-                for (std::int32_t k = mesh.cell_start[cell]; k + 1 < mesh.cell_start[cell + 1]; ++k) {
+                for (std::int32_t k = mesh.cell_start[cell]; k + 1 < mesh.cell_start[cell + 1];
+                     ++k) {
                     std::int32_t const a = mesh.cells[static_cast<std::size_t>(k)],
                                        b = mesh.cells[static_cast<std::size_t>(k) + 1];
                     if (first.count(parts[1].numbers[static_cast<std::size_t>(a)]) == 0) continue;
@@ -64,7 +70,7 @@ TEST_CASE("parts that do not fit together are refused with the place") {
                 }
         }),
         "(global numbers) is marked, but two parts have cells there");
-    has(refusal([&](std::vector<PartOfMesh>& parts) { // a part twice
+    has(refusal([&](std::vector<PartOfMesh>& parts) {  // a part twice
             PartOfMesh copy;
             copy.mesh = parts[0].mesh;
             copy.numbers = parts[0].numbers;
@@ -72,7 +78,7 @@ TEST_CASE("parts that do not fit together are refused with the place") {
             parts.push_back(std::move(copy));
         }),
         "cells of two parts overlap at the edge between points");
-    has(refusal([&](std::vector<PartOfMesh>& parts) { // two corners in one place
+    has(refusal([&](std::vector<PartOfMesh>& parts) {  // two corners in one place
             Mesh& mesh = parts[0].mesh;
             std::size_t const one = static_cast<std::size_t>(mesh.cells[0]);
             std::size_t const other = static_cast<std::size_t>(mesh.cells[1]);
@@ -97,13 +103,15 @@ TEST_CASE("conditions that are refused for a whole mesh are refused for parts as
         CHECK(parted.status == HM_UNSUPPORTED);
         return std::string(parted.error.text);
     };
-    CHECK(refusal([](hm_options& o) { o.scheme = HM_BOUNDED; }) == "meshes in parts go with the compact scheme only");
+    CHECK(refusal([](hm_options& o) { o.scheme = HM_BOUNDED; }) ==
+          "meshes in parts go with the compact scheme only");
     CHECK(refusal([](hm_options& o) { o.engine = HM_MULTIGRID; }) ==
           "meshes in parts: options.engine must be HM_DIRECT");
     CHECK(refusal([](hm_options& o) { o.precision = HM_SINGLE; }) ==
           "meshes in parts: options.precision must be HM_DOUBLE");
     its.set_rotation(its.conditions[0].marker + 50, its.conditions[0].marker + 51);
-    CHECK(refusal([](hm_options&) {}) == "meshes in parts do not go with HM_ROTATION_PAIR; HM_PERIODIC_PAIR does");
+    CHECK(refusal([](hm_options&) {}) ==
+          "meshes in parts do not go with HM_ROTATION_PAIR; HM_PERIODIC_PAIR does");
     its.conditions.pop_back();
     its.set_slip(far_field);
     its.conditions.back().along = &its.curves.view();
@@ -117,7 +125,8 @@ TEST_CASE("conditions that are refused for a whole mesh are refused for parts as
 
 TEST_CASE("calls with parts, equations and rows that do not go together") {
     Case its = two_airfoils();
-    Parted parted(cut(its.mesh, stripes(its.mesh, 2), false)), conformal(cut(its.mesh, stripes(its.mesh, 2), false));
+    Parted parted(cut(its.mesh, stripes(its.mesh, 2), false)),
+        conformal(cut(its.mesh, stripes(its.mesh, 2), false));
     REQUIRE(parted.match());
     REQUIRE(conformal.match());
     PartOfMesh& one = parted.parts[0];
@@ -140,20 +149,28 @@ TEST_CASE("calls with parts, equations and rows that do not go together") {
     hm_part_mesh no_size{};
     no_size.mesh = &view;
     auto const entries_from = [&](std::int32_t first, hm_error* e) {
-        return hm_equations_entries(one.equations, first, 1, nullptr, nullptr, nullptr, 0, &entries, e);
+        return hm_equations_entries(one.equations, first, 1, nullptr, nullptr, nullptr, 0, &entries,
+                                    e);
     };
-    std::string const room = "edges has room for " + std::to_string(n - 1) + ", the part has " + std::to_string(n);
+    std::string const room =
+        "edges has room for " + std::to_string(n - 1) + ", the part has " + std::to_string(n);
     check_texts({
-        {HM_BAD_ARGUMENT, "part is NULL", [&](hm_error* e) { return hm_part_edges(nullptr, nullptr, 0, &none, e); }},
-        {HM_BAD_ARGUMENT, "equations is NULL", [&](hm_error* e) { return hm_rows_size(nullptr, &bytes, e); }},
+        {HM_BAD_ARGUMENT, "part is NULL",
+         [&](hm_error* e) { return hm_part_edges(nullptr, nullptr, 0, &none, e); }},
+        {HM_BAD_ARGUMENT, "equations is NULL",
+         [&](hm_error* e) { return hm_rows_size(nullptr, &bytes, e); }},
         {HM_BAD_ARGUMENT, "the struct_size of the part is wrong",
          [&](hm_error* e) { return hm_part_size(&no_size, &bytes, e); }},
         {HM_BAD_ARGUMENT, room.c_str(),
-         [&](hm_error* e) { return hm_part_edges(one.part, parted.edges.data(), n - 1, &none, e); }},
+         [&](hm_error* e) {
+             return hm_part_edges(one.part, parted.edges.data(), n - 1, &none, e);
+         }},
         {HM_BAD_ARGUMENT, "the number of edges is negative",
          [&](hm_error* e) { return hm_match_edges(nullptr, &negative, e); }},
         {HM_BAD_ARGUMENT, "n_edges must be between 0 and 2^29, not -1",
-         [&](hm_error* e) { return hm_equations_size(one.part, -1, &problem, &options, &bytes, e); }},
+         [&](hm_error* e) {
+             return hm_equations_size(one.part, -1, &problem, &options, &bytes, e);
+         }},
         {HM_BAD_ARGUMENT, "from unknown -1 (from 0) on there are no 1 unknowns",
          [&](hm_error* e) { return entries_from(-1, e); }},
         {HM_BAD_ARGUMENT, "there is room for fewer entries than there are",

@@ -57,8 +57,11 @@ void check_refused(Edges edges, const char* text, std::int32_t item) {
 
 }  // namespace
 
-TEST_CASE("pairs of opposite edges vanish, the others are left in the order of their numbers, however they come") {
-    Edges all = {edge(1, 2), edge(2, 1), edge(7, 3), edge(3, 7), marked(2, 3, 5), edge(9, 2), marked(4, 2, 1)};
+TEST_CASE(
+    "pairs of opposite edges vanish, the others are left in the order of their numbers, however "
+    "they come") {
+    Edges all = {edge(1, 2),      edge(2, 1), edge(7, 3),     edge(3, 7),
+                 marked(2, 3, 5), edge(9, 2), marked(4, 2, 1)};
     std::mt19937 random(2);
     for (int shuffle = 0; shuffle < 20; ++shuffle) {
         Matched const found = match(all);
@@ -81,13 +84,17 @@ TEST_CASE("edges that do not fit together are refused with the number of a point
     check_refused({edge(1, 2), moved}, apart, 2);
     moved = edge(2, 1);
     moved.end_y += 1;
-    check_refused({edge(1, 2), moved}, "point 1 (global number) has different coordinates in two parts", 1);
+    check_refused({edge(1, 2), moved},
+                  "point 1 (global number) has different coordinates in two parts", 1);
     check_refused({edge(1, 2), edge(1, 2)},
-                  "cells of two parts overlap at the edge between points 1 and 2 (global numbers)", 1);
+                  "cells of two parts overlap at the edge between points 1 and 2 (global numbers)",
+                  1);
     check_refused({marked(1, 2, 5), marked(1, 2, 5)},
-                  "cells of two parts overlap at the edge between points 1 and 2 (global numbers)", 1);
+                  "cells of two parts overlap at the edge between points 1 and 2 (global numbers)",
+                  1);
     const char* const both =
-        "the edge between points 1 and 2 (global numbers) is marked, but two parts have cells there";
+        "the edge between points 1 and 2 (global numbers) is marked, but two parts have cells "
+        "there";
     check_refused({marked(1, 2, 5), edge(2, 1)}, both, 1);
     check_refused({edge(1, 2), marked(2, 1, 5)}, both, 1);
     // Numbers that a 32-bit item cannot say.
@@ -97,5 +104,6 @@ TEST_CASE("edges that do not fit together are refused with the number of a point
     CHECK(found.error.item == -1);
     // Three cells at one edge: two of them overlap, or the third one is beside a sound pair.
     check_refused({edge(1, 2), edge(2, 1), edge(2, 1)},
-                  "the edge between points 1 and 2 (global numbers) belongs to more than two cells", 1);
+                  "the edge between points 1 and 2 (global numbers) belongs to more than two cells",
+                  1);
 }

@@ -5,7 +5,7 @@
 
 #include <petscsys.h>
 
-static void set_option(const char *name, const char *value) {
+static void set_option(const char* name, const char* value) {
     if (value != NULL) {
         PetscOptionsSetValue(NULL, name, value);
     } else {
@@ -15,20 +15,21 @@ static void set_option(const char *name, const char *value) {
 
 void use_solver(int solver) {
 #ifdef PETSC_USE_COMPLEX /* MUMPS has no Cholesky factor of Hermitian matrices */
-    const char *const factor = "lu";
+    const char* const factor = "lu";
 #else
-    const char *const factor = "cholesky";
+    const char* const factor = "cholesky";
 #endif
     set_option("-hm_ksp_type", solver == FACTORED ? "preonly" : NULL);
     set_option("-hm_pc_type", solver == FACTORED ? factor : NULL);
     set_option("-hm_pc_factor_mat_solver_type", solver == FACTORED ? "mumps" : NULL);
 }
 
-static void compare_functions(const reference *of, const hm_basis *rows, const own_part *mine, double *largest,
-                              int32_t *wrong_on_wall) {
+static void compare_functions(const reference* of, const hm_basis* rows, const own_part* mine,
+                              double* largest, int32_t* wrong_on_wall) {
     hm_basis_info info = {sizeof info};
     hm_error error;
-    double *all = room(sizeof *all * (size_t)of->mesh.n_points), *own = room(sizeof *own * (size_t)mine->n_points);
+    double *all = room(sizeof *all * (size_t)of->mesh.n_points),
+           *own = room(sizeof *own * (size_t)mine->n_points);
     int32_t i, number, k;
     *largest = 0;
     *wrong_on_wall = 0;
@@ -53,10 +54,10 @@ static void compare_functions(const reference *of, const hm_basis *rows, const o
 }
 
 /* Values at points of the curve against B-spline functions evaluated again: equal numbers. */
-static void check_wall(const reference *of, const hm_basis *rows, int32_t n_points) {
+static void check_wall(const reference* of, const hm_basis* rows, int32_t n_points) {
     hm_basis_info info = {sizeof info};
     hm_error error;
-    double *own = room(sizeof *own * (size_t)n_points);
+    double* own = room(sizeof *own * (size_t)n_points);
     int32_t i, k, c, wrong = 0;
     need(hm_basis_info_get(rows, &info, &error), &error);
     for (i = 0; i < info.control_points; ++i) {
@@ -65,7 +66,8 @@ static void check_wall(const reference *of, const hm_basis *rows, int32_t n_poin
             int32_t control[6];
             double values[12], expected = 0;
             if (info.point_curve[k] >= info.curves) continue;
-            need(hm_curve_basis(of->problem.curves, info.point_curve[k], info.point_u[k], 0, control, values, &error),
+            need(hm_curve_basis(of->problem.curves, info.point_curve[k], info.point_u[k], 0,
+                                control, values, &error),
                  &error);
             for (c = 0; c <= of->problem.curves->curve[info.point_curve[k]].degree; ++c) {
                 if (control[c] == i) expected += values[c];
@@ -84,7 +86,7 @@ typedef struct expectation {
     hm_quality_report quality;
 } expectation;
 
-static void expect(const reference *of, const double *move, expectation *made) {
+static void expect(const reference* of, const double* move, expectation* made) {
     const size_t n = (size_t)of->mesh.n_points, m = 2 * (size_t)of->functions;
     hm_error error;
     size_t k;
@@ -97,10 +99,11 @@ static void expect(const reference *of, const double *move, expectation *made) {
     if (rank == 0) {
         double *const x = made->displacement, *const dj = made->dj;
         need(hm_morph(of->basis, move, NULL, &(hm_points_out){x, x + n, 1}, NULL, &error), &error);
-        need(hm_assess(of->basis, &of->view, NULL, &(hm_points){x, x + n, 1}, NULL, &made->step, &made->quality,
-                       &error),
+        need(hm_assess(of->basis, &of->view, NULL, &(hm_points){x, x + n, 1}, NULL, &made->step,
+                       &made->quality, &error),
              &error);
-        need(hm_adjoint(of->basis, &(hm_points){dj, dj + n, 1}, made->gradient, NULL, &error), &error);
+        need(hm_adjoint(of->basis, &(hm_points){dj, dj + n, 1}, made->gradient, NULL, &error),
+             &error);
     }
     MPI_Bcast(made->displacement, (int)(2 * n), MPI_DOUBLE, 0, MPI_COMM_WORLD);
     MPI_Bcast(made->gradient, (int)m, MPI_DOUBLE, 0, MPI_COMM_WORLD);
@@ -108,15 +111,18 @@ static void expect(const reference *of, const double *move, expectation *made) {
     MPI_Bcast(&made->quality, (int)sizeof made->quality, MPI_BYTE, 0, MPI_COMM_WORLD);
 }
 
-static void check_use(const reference *of, const hm_petsc *system, const hm_basis *rows, const own_part *mine) {
+static void check_use(const reference* of, const hm_petsc* system, const hm_basis* rows,
+                      const own_part* mine) {
     hm_step_report step = {sizeof step};
     hm_quality_report quality = {sizeof quality};
     hm_error error;
     expectation expected;
-    const size_t n = (size_t)of->mesh.n_points, n_own = (size_t)mine->n_points, m = 2 * (size_t)of->functions;
-    double *own = room(2 * n_own * sizeof *own), *move = room(m * sizeof *move), *gradient = room(m * sizeof *gradient);
+    const size_t n = (size_t)of->mesh.n_points, n_own = (size_t)mine->n_points,
+                 m = 2 * (size_t)of->functions;
+    double *own = room(2 * n_own * sizeof *own), *move = room(m * sizeof *move),
+           *gradient = room(m * sizeof *gradient);
     double worst = 0;
-    uint8_t *owned = room(n_own);
+    uint8_t* owned = room(n_own);
     size_t k;
     for (k = 0; k < m; ++k) move[k] = 0.01 * cos(3.0 * (double)k);
     expect(of, move, &expected);
@@ -127,13 +133,13 @@ static void check_use(const reference *of, const hm_petsc *system, const hm_basi
         worst = fmax(worst, fabs(own[n_own + k] - expected.displacement[n + at]));
     }
     check(worst < 1e-8, "points move as on one process", of->name);
-    need(hm_petsc_assess(system, rows, NULL, &(hm_points){own, own + n_own, 1}, &step, &quality, NULL, MPI_COMM_WORLD,
-                         &error),
+    need(hm_petsc_assess(system, rows, NULL, &(hm_points){own, own + n_own, 1}, &step, &quality,
+                         NULL, MPI_COMM_WORLD, &error),
          &error);
-    check(fabs(step.admissible / expected.step.admissible - 1) < 1e-6, "the admissible step is that of one process",
-          of->name);
-    check(fabs(quality.min_quality - expected.quality.min_quality) < 1e-6, "the least quality is that of one process",
-          of->name);
+    check(fabs(step.admissible / expected.step.admissible - 1) < 1e-6,
+          "the admissible step is that of one process", of->name);
+    check(fabs(quality.min_quality - expected.quality.min_quality) < 1e-6,
+          "the least quality is that of one process", of->name);
     check(fabs(quality.mean_quality - expected.quality.mean_quality) < 1e-8,
           "the mean quality is that of one process", of->name);
     check(quality.inverted == expected.quality.inverted, "as many cells are inverted", of->name);
@@ -142,8 +148,11 @@ static void check_use(const reference *of, const hm_petsc *system, const hm_basi
         own[k] = owned[k] ? expected.dj[mine->global[k]] : 0;
         own[n_own + k] = owned[k] ? expected.dj[n + (size_t)mine->global[k]] : 0;
     }
-    need(hm_mpi_adjoint(rows, &(hm_points){own, own + n_own, 1}, gradient, NULL, MPI_COMM_WORLD, &error), &error);
-    for (worst = 0, k = 0; k < m; ++k) worst = fmax(worst, fabs(gradient[k] - expected.gradient[k]));
+    need(hm_mpi_adjoint(rows, &(hm_points){own, own + n_own, 1}, gradient, NULL, MPI_COMM_WORLD,
+                        &error),
+         &error);
+    for (worst = 0, k = 0; k < m; ++k)
+        worst = fmax(worst, fabs(gradient[k] - expected.gradient[k]));
     check(worst < 1e-8 * (double)n, "the gradient is that of one process", of->name);
     free(expected.displacement);
     free(expected.dj);
@@ -154,15 +163,15 @@ static void check_use(const reference *of, const hm_petsc *system, const hm_basi
     free(gradient);
 }
 
-void check_agreement(const reference *of, int kind, int solver) {
+void check_agreement(const reference* of, int kind, int solver) {
     own_part mine;
-    int *const part_of = partition(&of->mesh, kind, size);
-    hm_petsc *system = NULL;
+    int* const part_of = partition(&of->mesh, kind, size);
+    hm_petsc* system = NULL;
     hm_petsc_report report = {sizeof report};
-    hm_basis *rows = NULL;
+    hm_basis* rows = NULL;
     hm_error error = {0};
     size_t bytes;
-    void *block;
+    void* block;
     hm_status status;
     double off;
     int32_t wrong_on_wall;
@@ -170,19 +179,22 @@ void check_agreement(const reference *of, int kind, int solver) {
     take_part(&mine, &of->mesh, part_of, rank, kind == GHOSTS);
     free(part_of);
     use_solver(solver);
-    need(hm_petsc_create(&system, &mine.part, &of->problem, &of->options, MPI_COMM_WORLD, &error), &error);
+    need(hm_petsc_create(&system, &mine.part, &of->problem, &of->options, MPI_COMM_WORLD, &error),
+         &error);
     need(hm_petsc_rows_size(system, &bytes, &error), &error);
     block = room(bytes);
     status = hm_petsc_solve(system, &rows, block, bytes, &report, MPI_COMM_WORLD, &error);
     need(status, &error);
     compare_functions(of, rows, &mine, &off, &wrong_on_wall);
-    snprintf(what, sizeof what, "%s, %s: off by %.1e, status %d, error %.1e, %d iterations, %d solutions",
-             partition_names[kind], solver == FACTORED ? "MUMPS" : "iterative", off, (int)status, report.error,
-             (int)report.iterations, (int)report.solutions);
+    snprintf(what, sizeof what,
+             "%s, %s: off by %.1e, status %d, error %.1e, %d iterations, %d solutions",
+             partition_names[kind], solver == FACTORED ? "MUMPS" : "iterative", off, (int)status,
+             report.error, (int)report.iterations, (int)report.solutions);
     check(off < (solver == FACTORED ? 1e-11 : 1e-8), what, of->name);
     check(status == HM_OK, what, of->name);
     if (verbose && rank == 0) printf("    %s, %d processes: %s\n", of->name, size, what);
-    check(wrong_on_wall == 0, "values on the wall are those of the direct engine, bit for bit", of->name);
+    check(wrong_on_wall == 0, "values on the wall are those of the direct engine, bit for bit",
+          of->name);
     if (of->options.offset_correction == 0) check_wall(of, rows, mine.n_points);
     check_use(of, system, rows, &mine);
     hm_petsc_free(&system);

@@ -11,7 +11,7 @@ static int process(void) {
     return rank;
 }
 
-static void make_structured(whole_mesh *mesh, int32_t ni, int32_t nj) {
+static void make_structured(whole_mesh* mesh, int32_t ni, int32_t nj) {
     int32_t i, j;
     mesh->n_points = ni * nj;
     mesh->n_cells = (ni - 1) * (nj - 1);
@@ -32,13 +32,13 @@ static void make_structured(whole_mesh *mesh, int32_t ni, int32_t nj) {
     }
 }
 
-static void add_face(whole_mesh *mesh, int32_t a, int32_t b, int32_t marker) {
+static void add_face(whole_mesh* mesh, int32_t a, int32_t b, int32_t marker) {
     mesh->faces[2 * mesh->n_faces] = a;
     mesh->faces[2 * mesh->n_faces + 1] = b;
     mesh->markers[mesh->n_faces++] = marker;
 }
 
-static void look_at(reference *of) {
+static void look_at(reference* of) {
     hm_mesh view = {sizeof view};
     view.n_points = of->mesh.n_points;
     view.points.x = of->mesh.x;
@@ -53,7 +53,7 @@ static void look_at(reference *of) {
     of->problem.mesh = &of->view;
 }
 
-static void begin_case(reference *of, int32_t operator_kind) {
+static void begin_case(reference* of, int32_t operator_kind) {
     hm_problem problem = {sizeof problem};
     hm_options options = {sizeof options};
     of->problem = problem;
@@ -63,9 +63,9 @@ static void begin_case(reference *of, int32_t operator_kind) {
     look_at(of);
 }
 
-hm_condition *add_condition(reference *of, int32_t marker, int32_t kind) {
+hm_condition* add_condition(reference* of, int32_t marker, int32_t kind) {
     hm_condition any = {sizeof any};
-    hm_condition *const made = &of->conditions[of->problem.n_conditions++];
+    hm_condition* const made = &of->conditions[of->problem.n_conditions++];
     *made = any;
     made->marker = marker;
     made->kind = kind;
@@ -73,28 +73,31 @@ hm_condition *add_condition(reference *of, int32_t marker, int32_t kind) {
 }
 
 /* A curve for the wall, whose points are x, y [n] in order. */
-static void fit_wall(reference *of, int32_t marker, const double *x, const double *y, int32_t n, int is_loop,
-                     int32_t n_control, int32_t closed) {
+static void fit_wall(reference* of, int32_t marker, const double* x, const double* y, int32_t n,
+                     int is_loop, int32_t n_control, int32_t closed) {
     hm_fit_options fit = {sizeof fit};
     hm_error error;
-    const hm_curves *curves = NULL;
+    const hm_curves* curves = NULL;
     size_t bytes;
     fit.n_control = n_control;
     fit.closed = closed;
     need(hm_fit_size(n, &fit, &bytes, &error), &error);
     of->curves_block = room(bytes);
-    need(hm_fit(&curves, of->curves_block, bytes, &(hm_points){x, y, 1}, n, is_loop, &fit, NULL, &error), &error);
+    need(hm_fit(&curves, of->curves_block, bytes, &(hm_points){x, y, 1}, n, is_loop, &fit, NULL,
+                &error),
+         &error);
     of->problem.curves = curves;
     add_condition(of, marker, HM_ON_CURVE)->n_curves = curves->n_curves;
 }
 
-void make_o_mesh(reference *of, int32_t ni, int32_t nj, double first, int32_t operator_kind) {
-    whole_mesh *const mesh = &of->mesh;
+void make_o_mesh(reference* of, int32_t ni, int32_t nj, double first, int32_t operator_kind) {
+    whole_mesh* const mesh = &of->mesh;
     int32_t i, j;
     memset(of, 0, sizeof *of);
     make_structured(mesh, ni, nj);
     for (j = 0; j < nj; ++j) {
-        const double t = (double)j / (nj - 1), s = first > 0 ? first * expm1(t * log1p(20 / first)) : expm1(3 * t);
+        const double t = (double)j / (nj - 1),
+                     s = first > 0 ? first * expm1(t * log1p(20 / first)) : expm1(3 * t);
         for (i = 0; i < ni; ++i) {
             const double angle = 6.283185307179586 * (i % (ni - 1)) / (ni - 1), r = 1 + s;
             mesh->x[i + ni * j] = (r + 0.6 / r) * cos(angle);
@@ -107,13 +110,13 @@ void make_o_mesh(reference *of, int32_t ni, int32_t nj, double first, int32_t op
     }
     begin_case(of, operator_kind);
     fit_wall(of, WALL, mesh->x, mesh->y, ni - 1, 1, 4, HM_PERIODIC);
-    snprintf(of->name, sizeof of->name, "O-mesh of %d x %d points, first layer %g, operator %d", (int)ni, (int)nj,
-             first, (int)operator_kind);
+    snprintf(of->name, sizeof of->name, "O-mesh of %d x %d points, first layer %g, operator %d",
+             (int)ni, (int)nj, first, (int)operator_kind);
 }
 
-void make_channel(reference *of, double arch, int32_t operator_kind) {
+void make_channel(reference* of, double arch, int32_t operator_kind) {
     enum { ni = 17, nj = 9 };
-    whole_mesh *const mesh = &of->mesh;
+    whole_mesh* const mesh = &of->mesh;
     int32_t i, j;
     memset(of, 0, sizeof *of);
     make_structured(mesh, ni, nj);
@@ -138,9 +141,9 @@ void make_channel(reference *of, double arch, int32_t operator_kind) {
     snprintf(of->name, sizeof of->name, "channel, operator %d", (int)operator_kind);
 }
 
-void make_passage(reference *of, int32_t operator_kind) {
+void make_passage(reference* of, int32_t operator_kind) {
     enum { NI = 13, NJ = 9, WEST = 4, EAST = 8, SOUTH = 3, NORTH = 5 }; /* the hole */
-    whole_mesh *const mesh = &of->mesh;
+    whole_mesh* const mesh = &of->mesh;
     double x[2 * (EAST - WEST + NORTH - SOUTH)], y[2 * (EAST - WEST + NORTH - SOUTH)];
     int32_t i, j, k, n = 0, n_wall = 0;
     memset(of, 0, sizeof *of);
@@ -187,7 +190,7 @@ void make_passage(reference *of, int32_t operator_kind) {
     snprintf(of->name, sizeof of->name, "periodic passage, operator %d", (int)operator_kind);
 }
 
-static void take_file(whole_mesh *mesh, const su2_mesh *from) {
+static void take_file(whole_mesh* mesh, const su2_mesh* from) {
     int32_t k, c;
     mesh->n_points = from->n_points;
     mesh->n_cells = from->n_cells;
@@ -204,13 +207,13 @@ static void take_file(whole_mesh *mesh, const su2_mesh *from) {
     }
 }
 
-void make_from_file(reference *of, const char *file, int32_t operator_kind) {
+void make_from_file(reference* of, const char* file, int32_t operator_kind) {
     su2_mesh from;
-    hm_analysis *analysis;
+    hm_analysis* analysis;
     hm_error error;
     char message[256];
     size_t bytes;
-    void *block;
+    void* block;
     int32_t k, n = 0, is_loop = 0, *points, wall = 0;
     double *x, *y;
     memset(of, 0, sizeof *of);
@@ -230,7 +233,8 @@ void make_from_file(reference *of, const char *file, int32_t operator_kind) {
     block = room(bytes);
     need(hm_analysis_init(&analysis, block, bytes, &of->problem, NULL, &error), &error);
     points = room(sizeof *points * (size_t)from.n_faces);
-    need(hm_analysis_boundary(analysis, 1, &wall, 0, points, from.n_faces, &n, &is_loop, &error), &error);
+    need(hm_analysis_boundary(analysis, 1, &wall, 0, points, from.n_faces, &n, &is_loop, &error),
+         &error);
     free(block);
     x = room(sizeof *x * (size_t)n);
     y = room(sizeof *y * (size_t)n);
@@ -239,8 +243,8 @@ void make_from_file(reference *of, const char *file, int32_t operator_kind) {
         y[k] = from.y[points[k]];
     }
     fit_wall(of, wall, x, y, n, is_loop, 12, HM_CLOSED_AUTO);
-    snprintf(of->name, sizeof of->name, "%s, operator %d", strrchr(file, '/') != NULL ? strrchr(file, '/') + 1 : file,
-             (int)operator_kind);
+    snprintf(of->name, sizeof of->name, "%s, operator %d",
+             strrchr(file, '/') != NULL ? strrchr(file, '/') + 1 : file, (int)operator_kind);
     free(x);
     free(y);
     free(points);
@@ -249,7 +253,7 @@ void make_from_file(reference *of, const char *file, int32_t operator_kind) {
     free(from.names);
 }
 
-void free_case(reference *of) {
+void free_case(reference* of) {
     free(of->basis_block);
     free(of->curves_block);
     free(of->mesh.x);
@@ -259,9 +263,9 @@ void free_case(reference *of) {
     free(of->mesh.markers);
 }
 
-hm_plan *make_plan(reference *of, void **blocks, hm_analysis **analysis) {
+hm_plan* make_plan(reference* of, void** blocks, hm_analysis** analysis) {
     hm_error error;
-    hm_plan *plan;
+    hm_plan* plan;
     size_t bytes;
     need(hm_analysis_size(&of->problem, &of->options, &bytes, &error), &error);
     blocks[0] = room(bytes);
@@ -273,15 +277,15 @@ hm_plan *make_plan(reference *of, void **blocks, hm_analysis **analysis) {
     return plan;
 }
 
-void solve_whole(reference *of) {
+void solve_whole(reference* of) {
     hm_error error;
     int32_t counts[3] = {0, 0, 0};
     if (process() == 0) {
         hm_basis_info info = {sizeof info};
-        hm_analysis *analysis;
-        void *blocks[2];
+        hm_analysis* analysis;
+        void* blocks[2];
         size_t bytes;
-        hm_plan *const plan = make_plan(of, blocks, &analysis);
+        hm_plan* const plan = make_plan(of, blocks, &analysis);
         need(hm_basis_size(analysis, &bytes, &error), &error);
         of->basis_block = room(bytes);
         need(hm_basis_init(&of->basis, of->basis_block, bytes, analysis, &error), &error);
@@ -299,7 +303,8 @@ void solve_whole(reference *of) {
     of->numbers = counts[2];
 }
 
-void whole_values(const reference *of, const hm_basis *basis, int32_t function, int32_t number, double *values) {
+void whole_values(const reference* of, const hm_basis* basis, int32_t function, int32_t number,
+                  double* values) {
     hm_error error;
     if (process() == 0) need(hm_basis_values(basis, function, number, values, &error), &error);
     MPI_Bcast(values, of->mesh.n_points, MPI_DOUBLE, 0, MPI_COMM_WORLD);

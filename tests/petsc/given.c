@@ -4,7 +4,7 @@
 #include "../mpi_case.h"
 
 /* Displacements at points of the wall, elsewhere what is to be replaced. */
-static void set_wall(const double *x, const double *y, size_t n, double *to) {
+static void set_wall(const double* x, const double* y, size_t n, double* to) {
     size_t k;
     for (k = 0; k < n; ++k) {
         to[k] = 0.01 * sin(2 * x[k]);
@@ -12,20 +12,21 @@ static void set_wall(const double *x, const double *y, size_t n, double *to) {
     }
 }
 
-typedef struct expectation { /* at all points of the mesh: displacement, and function of a mode of the same values */
+typedef struct expectation { /* at all points of the mesh: displacement, and function of a mode of
+                                the same values */
     double *field, *mode;    /* [2 * n_points] */
 } expectation;
 
-static void displace_whole(reference *of, expectation *made) {
+static void displace_whole(reference* of, expectation* made) {
     const size_t n = (size_t)of->mesh.n_points;
     double *all = room(2 * sizeof *all * n), *wall, *modes;
     hm_error error;
-    hm_analysis *analysis;
+    hm_analysis* analysis;
     hm_basis *basis, *tabulated;
     void *blocks[2], *work, *block;
     size_t bytes, work_bytes, k, n_wall;
     int32_t listed = 0, *list, number;
-    hm_plan *const plan = make_plan(of, blocks, &analysis);
+    hm_plan* const plan = make_plan(of, blocks, &analysis);
     hm_given_points(plan, NULL, 0, &listed, &error);
     n_wall = (size_t)listed;
     list = room(sizeof *list * n_wall);
@@ -50,9 +51,11 @@ static void displace_whole(reference *of, expectation *made) {
     need(hm_tabulate_size(plan, basis, 1, 2, &bytes, &work_bytes, &error), &error);
     block = room(bytes);
     work = room(work_bytes);
-    need(hm_tabulate(&tabulated, block, bytes, plan, basis, listed, list, 1, 2, modes, work, work_bytes, NULL, &error),
+    need(hm_tabulate(&tabulated, block, bytes, plan, basis, listed, list, 1, 2, modes, work,
+                     work_bytes, NULL, &error),
          &error);
-    for (number = 0; number < 2; ++number) { /* the function of the mode is the last one; x and y by amplitude (1, 0) */
+    for (number = 0; number < 2;
+         ++number) { /* the function of the mode is the last one; x and y by amplitude (1, 0) */
         hm_basis_info info = {sizeof info};
         need(hm_basis_info_get(tabulated, &info, &error), &error);
         need(hm_basis_values(tabulated, info.functions - 1, number * info.numbers_per_value / 2,
@@ -69,16 +72,16 @@ static void displace_whole(reference *of, expectation *made) {
     free(all);
 }
 
-void check_given(reference *of, int kind, int solver) {
+void check_given(reference* of, int kind, int solver) {
     const size_t n = (size_t)of->mesh.n_points;
     own_part mine;
-    hm_petsc *system = NULL;
+    hm_petsc* system = NULL;
     hm_petsc_report report = {sizeof report};
     hm_error error;
     expectation expected;
     size_t k, n_own;
     double *own, worst = 0, off_mode = 0;
-    int *part_of;
+    int* part_of;
     of->conditions[0].kind = HM_GIVEN;
     of->conditions[0].n_curves = 0;
     of->problem.curves = NULL;
@@ -93,15 +96,19 @@ void check_given(reference *of, int kind, int solver) {
     own = room(2 * sizeof *own * n_own);
     set_wall(mine.x, mine.y, n_own, own);
     use_solver(solver);
-    need(hm_petsc_create(&system, &mine.part, &of->problem, &of->options, MPI_COMM_WORLD, &error), &error);
-    need(hm_petsc_displace(system, &(hm_points_out){own, own + n_own, 1}, &report, MPI_COMM_WORLD, &error), &error);
+    need(hm_petsc_create(&system, &mine.part, &of->problem, &of->options, MPI_COMM_WORLD, &error),
+         &error);
+    need(hm_petsc_displace(system, &(hm_points_out){own, own + n_own, 1}, &report, MPI_COMM_WORLD,
+                           &error),
+         &error);
     for (k = 0; k < 2 * n_own; ++k) {
         const size_t at = k < n_own ? (size_t)mine.global[k] : n + (size_t)mine.global[k - n_own];
         worst = fmax(worst, fabs(own[k] - expected.field[at]));
         off_mode = fmax(off_mode, fabs(own[k] - expected.mode[at]));
     }
     check(worst < 1e-10, "given displacements are those of one process", of->name);
-    check(off_mode < 1e-10, "a displacement is the function of the mode with the same values", of->name);
+    check(off_mode < 1e-10, "a displacement is the function of the mode with the same values",
+          of->name);
     hm_petsc_free(&system);
     use_solver(ITERATIVE);
     free(expected.field);
@@ -112,9 +119,9 @@ void check_given(reference *of, int kind, int solver) {
 }
 
 /* A second basis of two variables; its block is to be freed. */
-static hm_basis *combine(const hm_basis *from, int32_t controls, void **block) {
-    double *matrix = room(4 * sizeof *matrix * (size_t)controls);
-    hm_basis *made = NULL;
+static hm_basis* combine(const hm_basis* from, int32_t controls, void** block) {
+    double* matrix = room(4 * sizeof *matrix * (size_t)controls);
+    hm_basis* made = NULL;
     hm_error error;
     size_t bytes;
     int32_t k;
@@ -126,10 +133,10 @@ static hm_basis *combine(const hm_basis *from, int32_t controls, void **block) {
     return made;
 }
 
-void check_combined(const reference *of, int kind, int solver) {
+void check_combined(const reference* of, int kind, int solver) {
     own_part mine;
-    int *const part_of = partition(&of->mesh, kind, size);
-    hm_petsc *system = NULL;
+    int* const part_of = partition(&of->mesh, kind, size);
+    hm_petsc* system = NULL;
     hm_basis *rows = NULL, *all = NULL, *own;
     hm_error error;
     void *block, *all_block = NULL, *own_block;
@@ -139,7 +146,8 @@ void check_combined(const reference *of, int kind, int solver) {
     take_part(&mine, &of->mesh, part_of, rank, kind == GHOSTS);
     values = room(sizeof *values * (size_t)mine.n_points);
     use_solver(solver);
-    need(hm_petsc_create(&system, &mine.part, &of->problem, &of->options, MPI_COMM_WORLD, &error), &error);
+    need(hm_petsc_create(&system, &mine.part, &of->problem, &of->options, MPI_COMM_WORLD, &error),
+         &error);
     need(hm_petsc_rows_size(system, &bytes, &error), &error);
     block = room(bytes);
     need(hm_petsc_solve(system, &rows, block, bytes, NULL, MPI_COMM_WORLD, &error), &error);
@@ -151,7 +159,8 @@ void check_combined(const reference *of, int kind, int solver) {
         for (number = 0; number < 2; ++number) {
             whole_values(of, all, i, number, expected);
             need(hm_basis_values(own, i, number, values, &error), &error);
-            for (k = 0; k < mine.n_points; ++k) worst = fmax(worst, fabs(values[k] - expected[mine.global[k]]));
+            for (k = 0; k < mine.n_points; ++k)
+                worst = fmax(worst, fabs(values[k] - expected[mine.global[k]]));
         }
     }
     check(worst < 1e-8, "functions of design variables are those of one process", of->name);

@@ -1,7 +1,8 @@
-/* usage: petsc [MESH.su2 ... | NI:NJ:FIRST ...]   Functions by PETSc on parts of meshes against those of the direct
- * engine. Without arguments: small generated meshes with all conditions, and refusals. MESH.su2: a file; NI:NJ:FIRST:
- * an O-mesh, see make_o_mesh. Environment: PARTITIONS, SOLVERS, OPERATORS: digits, of partitions in parts.h, of solvers
- * in check.h, of operators in harmorph.h; VERBOSE. */
+/* usage: petsc [MESH.su2 ... | NI:NJ:FIRST ...]   Functions by PETSc on parts of meshes against
+ * those of the direct engine. Without arguments: small generated meshes with all conditions, and
+ * refusals. MESH.su2: a file; NI:NJ:FIRST: an O-mesh, see make_o_mesh. Environment: PARTITIONS,
+ * SOLVERS, OPERATORS: digits, of partitions in parts.h, of solvers in check.h, of operators in
+ * harmorph.h; VERBOSE. */
 #include "check.h"
 
 #include "../mpi_case.h"
@@ -12,7 +13,7 @@
 int rank, size, verbose;
 static int passed, failed;
 
-void check(int holds, const char *what, const char *where) {
+void check(int holds, const char* what, const char* where) {
     if (holds) {
         ++passed;
     } else {
@@ -21,12 +22,12 @@ void check(int holds, const char *what, const char *where) {
     }
 }
 
-static int is_wanted(const char *variable, const char *otherwise, int digit) {
-    const char *const wanted = getenv(variable) != NULL ? getenv(variable) : otherwise;
+static int is_wanted(const char* variable, const char* otherwise, int digit) {
+    const char* const wanted = getenv(variable) != NULL ? getenv(variable) : otherwise;
     return strchr(wanted, '0' + digit) != NULL;
 }
 
-static void check_large(const char *what, int operator_kind) {
+static void check_large(const char* what, int operator_kind) {
     reference of;
     int ni, nj, kind, solver;
     double first;
@@ -45,12 +46,13 @@ static void check_large(const char *what, int operator_kind) {
     free_case(&of);
 }
 
-/* Of a small mesh one partition, another one for each case and number of processes, so that all have their turn. On
- * more than two processes, which may share processors and then wait for each other, CG solves the first case alone, and
- * MUMPS, which has fewer messages, the others. All combinations: PARTITIONS=012345 SOLVERS=01 OPERATORS=012. */
-static void check_small(reference *of, int *turn) {
+/* Of a small mesh one partition, another one for each case and number of processes, so that all
+ * have their turn. On more than two processes, which may share processors and then wait for each
+ * other, CG solves the first case alone, and MUMPS, which has fewer messages, the others. All
+ * combinations: PARTITIONS=012345 SOLVERS=01 OPERATORS=012. */
+static void check_small(reference* of, int* turn) {
     const char partition[2] = {(char)('0' + *turn % N_PARTITIONS), 0};
-    const char *const solvers = size <= 2 ? "01" : *turn == size ? "0" : "1";
+    const char* const solvers = size <= 2 ? "01" : *turn == size ? "0" : "1";
     int kind, solver;
     ++*turn;
     solve_whole(of);
@@ -62,9 +64,9 @@ static void check_small(reference *of, int *turn) {
     }
 }
 
-static void check_conditions(int operator_kind, int *turn) {
+static void check_conditions(int operator_kind, int* turn) {
     reference of;
-    hm_condition *rigid;
+    hm_condition* rigid;
     make_o_mesh(&of, 25, 9, 1e-5, operator_kind);
     check_small(&of, turn);
     check_combined(&of, *turn % N_PARTITIONS, FACTORED);
@@ -102,7 +104,7 @@ static void check_conditions(int operator_kind, int *turn) {
     free_case(&of);
 }
 
-static void check_given_conditions(int operator_kind, int *turn) {
+static void check_given_conditions(int operator_kind, int* turn) {
     reference of;
     make_o_mesh(&of, 25, 9, 1e-4, operator_kind);
     check_given(&of, (*turn)++ % N_PARTITIONS, FACTORED);
@@ -117,8 +119,9 @@ static void check_given_conditions(int operator_kind, int *turn) {
     free_case(&of);
 }
 
-int main(int argc, char **argv) {
-    static const char *const operators[] = {"012", "012", "0", "1"}; /* by the number of processes */
+int main(int argc, char** argv) {
+    static const char* const operators[] = {"012", "012", "0",
+                                            "1"}; /* by the number of processes */
     int own[2], all[2], k, operator_kind, turn;
     PetscInitialize(NULL, NULL, NULL, NULL);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -126,7 +129,9 @@ int main(int argc, char **argv) {
     verbose = getenv("VERBOSE") != NULL;
     turn = size;
     for (operator_kind = HM_CONFORMAL; operator_kind <= HM_WEIGHTED; ++operator_kind) {
-        if (!is_wanted("OPERATORS", argc > 1 ? "01" : operators[size < 4 ? size - 1 : 3], operator_kind)) continue;
+        if (!is_wanted("OPERATORS", argc > 1 ? "01" : operators[size < 4 ? size - 1 : 3],
+                       operator_kind))
+            continue;
         for (k = 1; k < argc; ++k) check_large(argv[k], operator_kind);
         if (argc > 1) continue;
         check_conditions(operator_kind, &turn);

@@ -5,8 +5,9 @@
 #include <petscmat.h>
 #include <string.h>
 
-const char *const partition_names[N_PARTITIONS] = {"stripes in x", "stripes in y", "recursive bisection",
-                                                   "random cells", "partitioner",  "ghost cells"};
+const char* const partition_names[N_PARTITIONS] = {"stripes in x",        "stripes in y",
+                                                   "recursive bisection", "random cells",
+                                                   "partitioner",         "ghost cells"};
 
 static uint32_t mixed(uint32_t k) {
     k = (k ^ (k >> 16)) * 0x45d9f3bu;
@@ -16,16 +17,17 @@ static uint32_t mixed(uint32_t k) {
 
 int64_t number_of(int32_t point) { return 2 * (int64_t)(point ^ 5) + 11; }
 
-static const double *sorted_by;
-static int by_value(const void *a, const void *b) {
-    const int32_t k = *(const int32_t *)a, l = *(const int32_t *)b;
+static const double* sorted_by;
+static int by_value(const void* a, const void* b) {
+    const int32_t k = *(const int32_t*)a, l = *(const int32_t*)b;
     const double p = sorted_by[k], q = sorted_by[l];
     return p != q ? (p < q ? -1 : 1) : k < l ? -1 : k > l;
 }
 
-/* Halves along x and y in turn, or with ways 1 along one of them only. centre [2]: x and y of the cells. */
-static void bisect(const double *const *centre, int ways, int32_t *cells, int32_t n, int first, int parts, int level,
-                   int *part_of) {
+/* Halves along x and y in turn, or with ways 1 along one of them only. centre [2]: x and y of the
+ * cells. */
+static void bisect(const double* const* centre, int ways, int32_t* cells, int32_t n, int first,
+                   int parts, int level, int* part_of) {
     int32_t k, half;
     if (parts == 1) {
         for (k = 0; k < n; ++k) part_of[cells[k]] = first;
@@ -35,12 +37,14 @@ static void bisect(const double *const *centre, int ways, int32_t *cells, int32_
     qsort(cells, (size_t)n, sizeof *cells, by_value);
     half = (int32_t)((int64_t)n * (parts / 2) / parts);
     bisect(centre, ways, cells, half, first, parts / 2, level + 1, part_of);
-    bisect(centre, ways, cells + half, n - half, first + parts / 2, parts - parts / 2, level + 1, part_of);
+    bisect(centre, ways, cells + half, n - half, first + parts / 2, parts - parts / 2, level + 1,
+           part_of);
 }
 
-static void cut(const whole_mesh *of, int kind, int size, int *part_of) {
-    double *cx = room(sizeof *cx * (size_t)of->n_cells), *cy = room(sizeof *cy * (size_t)of->n_cells);
-    const double *centre[2];
+static void cut(const whole_mesh* of, int kind, int size, int* part_of) {
+    double *cx = room(sizeof *cx * (size_t)of->n_cells),
+           *cy = room(sizeof *cy * (size_t)of->n_cells);
+    const double* centre[2];
     int32_t *order = room(sizeof *order * (size_t)of->n_cells), k;
     centre[0] = kind == STRIPES_Y ? cy : cx;
     centre[1] = cy;
@@ -50,14 +54,15 @@ static void cut(const whole_mesh *of, int kind, int size, int *part_of) {
         cy[k] = of->y[a] + of->y[c];
         order[k] = k;
     }
-    bisect(centre, kind == STRIPES_X || kind == STRIPES_Y ? 1 : 2, order, of->n_cells, 0, size, 0, part_of);
+    bisect(centre, kind == STRIPES_X || kind == STRIPES_Y ? 1 : 2, order, of->n_cells, 0, size, 0,
+           part_of);
     free(cx);
     free(cy);
     free(order);
 }
 
 /* first [n_points + 1], cells [4 * n_cells]: the cells of each point; both to be freed. */
-static void cells_of_points(const whole_mesh *of, int32_t **first, int32_t **cells) {
+static void cells_of_points(const whole_mesh* of, int32_t** first, int32_t** cells) {
     const size_t n = (size_t)of->n_points;
     int32_t k;
     *first = calloc(n + 2, sizeof **first);
@@ -68,14 +73,14 @@ static void cells_of_points(const whole_mesh *of, int32_t **first, int32_t **cel
 }
 
 #if defined(PETSC_HAVE_PTSCOTCH) || defined(PETSC_HAVE_PARMETIS)
-static int has_side(const int32_t *cell, int32_t a, int32_t b) {
+static int has_side(const int32_t* cell, int32_t a, int32_t b) {
     int c, found = 0;
     for (c = 0; c < 4; ++c) found = found || (cell[c] == b && cell[(c + 1) % 4] == a);
     return found;
 }
 
 /* Cells begin .. end - 1 and their neighbours as PETSc's graph. */
-static Mat make_graph(const whole_mesh *of, int32_t begin, int32_t end) {
+static Mat make_graph(const whole_mesh* of, int32_t begin, int32_t end) {
     int32_t *first, *cells, k, c, m;
     PetscInt *start, *neighbour, n = 0;
     Mat graph;
@@ -101,10 +106,10 @@ static Mat make_graph(const whole_mesh *of, int32_t begin, int32_t end) {
     return graph;
 }
 
-static void use_partitioner(const whole_mesh *of, int size, int *part_of) {
+static void use_partitioner(const whole_mesh* of, int size, int* part_of) {
     int rank, processes;
     int32_t k;
-    const PetscInt *found;
+    const PetscInt* found;
     MatPartitioning way;
     IS own, all;
     Mat graph;
@@ -131,11 +136,13 @@ static void use_partitioner(const whole_mesh *of, int size, int *part_of) {
     MatDestroy(&graph);
 }
 #else
-static void use_partitioner(const whole_mesh *of, int size, int *part_of) { cut(of, BISECTION, size, part_of); }
+static void use_partitioner(const whole_mesh* of, int size, int* part_of) {
+    cut(of, BISECTION, size, part_of);
+}
 #endif
 
-int *partition(const whole_mesh *of, int kind, int size) {
-    int *part_of = room(sizeof *part_of * (size_t)of->n_cells);
+int* partition(const whole_mesh* of, int kind, int size) {
+    int* part_of = room(sizeof *part_of * (size_t)of->n_cells);
     int32_t k;
     if (kind == RANDOM) {
         for (k = 0; k < of->n_cells; ++k) part_of[k] = (int)(mixed((uint32_t)k) % (uint32_t)size);
@@ -147,7 +154,7 @@ int *partition(const whole_mesh *of, int kind, int size) {
     return part_of;
 }
 
-void refer(own_part *part) {
+void refer(own_part* part) {
     hm_mesh mesh = {sizeof mesh};
     hm_part_mesh view = {sizeof view};
     mesh.n_points = part->n_points;
@@ -167,7 +174,7 @@ void refer(own_part *part) {
 }
 
 /* local [n_points of the mesh]: the number of a point in the part, or -1. */
-static void take_cell(own_part *part, const whole_mesh *of, int32_t cell, int32_t *local) {
+static void take_cell(own_part* part, const whole_mesh* of, int32_t cell, int32_t* local) {
     int c;
     for (c = 0; c < 4; ++c) {
         const int32_t point = of->cells[4 * cell + c];
@@ -184,13 +191,14 @@ static void take_cell(own_part *part, const whole_mesh *of, int32_t cell, int32_
 }
 
 /* A face belongs to the part whose own cell has both ends side by side. */
-static void take_faces(own_part *part, const whole_mesh *of, const int *part_of, int rank, const int32_t *local) {
+static void take_faces(own_part* part, const whole_mesh* of, const int* part_of, int rank,
+                       const int32_t* local) {
     int32_t *first, *cells, f, m;
     cells_of_points(of, &first, &cells);
     for (f = 0; f < of->n_faces; ++f) {
         const int32_t a = of->faces[2 * f], b = of->faces[2 * f + 1];
         for (m = first[a]; m < first[a + 1]; ++m) {
-            const int32_t *const cell = of->cells + 4 * cells[m];
+            const int32_t* const cell = of->cells + 4 * cells[m];
             int c, is_side = 0;
             for (c = 0; c < 4; ++c) {
                 const int32_t p = cell[c], q = cell[(c + 1) % 4];
@@ -207,10 +215,11 @@ static void take_faces(own_part *part, const whole_mesh *of, const int *part_of,
     free(cells);
 }
 
-void take_part(own_part *part, const whole_mesh *of, const int *part_of, int rank, int with_ghosts) {
+void take_part(own_part* part, const whole_mesh* of, const int* part_of, int rank,
+               int with_ghosts) {
     const size_t n = (size_t)of->n_points;
     int32_t *local = room(sizeof *local * n), k, c;
-    uint8_t *touched = calloc(n, 1);
+    uint8_t* touched = calloc(n, 1);
     memset(part, 0, sizeof *part);
     part->global = room(sizeof *part->global * n);
     part->x = room(sizeof *part->x * n);
@@ -237,7 +246,7 @@ void take_part(own_part *part, const whole_mesh *of, const int *part_of, int ran
     refer(part);
 }
 
-void free_part(own_part *part) {
+void free_part(own_part* part) {
     free(part->global);
     free(part->x);
     free(part->y);

@@ -1,4 +1,5 @@
-// The functions of the conformal operator: values on the boundary, complex linearity, and what follows from symmetries.
+// The functions of the conformal operator: values on the boundary, complex linearity, and what
+// follows from symmetries.
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
@@ -15,16 +16,18 @@ constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 TEST_CASE("without a weight the functions are those of Laplace's equation, and real") {
     for (Cells const kind : kinds) {
         Case its = two_body_case(kind, 8, 6);
-        hm_options const conformal = options_of(HM_CONFORMAL, HM_NO_WEIGHT), paper = options_of(HM_LAPLACE);
+        hm_options const conformal = options_of(HM_CONFORMAL, HM_NO_WEIGHT),
+                         paper = options_of(HM_LAPLACE);
         Solved const a(its, &conformal), b(its, &paper);
         CHECK(a.info().exponent_quarters == 0);
         for (std::int32_t i = 0; i < 20; ++i)
             CHECK(largest_difference(complex_values(a, i), complex_values(b, i)) < 1e-13);
-        hm_options const weighted = options_of(HM_CONFORMAL);   // and with one they are not
+        hm_options const weighted = options_of(HM_CONFORMAL);  // and with one they are not
         Solved const c(its, &weighted);
         CHECK(c.info().exponent_quarters == 6);
         double imaginary = 0;
-        for (Complex const f : complex_values(c, 3)) imaginary = std::fmax(imaginary, std::fabs(f.imag()));
+        for (Complex const f : complex_values(c, 3))
+            imaginary = std::fmax(imaginary, std::fabs(f.imag()));
         CHECK(imaginary > 1e-2);
     }
 }
@@ -43,11 +46,13 @@ TEST_CASE("the functions are N_i(u) on the curves, without imaginary part, and 0
             std::size_t const point = static_cast<std::size_t>(info.curve_point[k]);
             std::int32_t control[6];
             double value[6];
-            REQUIRE(hm_curve_basis(&its.curves.view(), info.point_curve[k], info.point_u[k], 0, control, value,
-                                   nullptr) == HM_OK);
+            REQUIRE(hm_curve_basis(&its.curves.view(), info.point_curve[k], info.point_u[k], 0,
+                                   control, value, nullptr) == HM_OK);
             Field expected(20, 0);
-            int const degree = its.curves.shapes[static_cast<std::size_t>(info.point_curve[k])].degree;
-            for (int j = 0; j <= degree; ++j) expected[static_cast<std::size_t>(control[j])] += value[j];
+            int const degree =
+                its.curves.shapes[static_cast<std::size_t>(info.point_curve[k])].degree;
+            for (int j = 0; j <= degree; ++j)
+                expected[static_cast<std::size_t>(control[j])] += value[j];
             for (std::size_t i = 0; i < 20; ++i) CHECK(functions[i][point] == expected[i]);
         }
         for (std::int32_t const point : points_on(its.mesh, far_field))
@@ -55,7 +60,8 @@ TEST_CASE("the functions are N_i(u) on the curves, without imaginary part, and 0
     }
 }
 
-TEST_CASE("a morph is linear over the complex numbers: turning all movements turns all displacements") {
+TEST_CASE(
+    "a morph is linear over the complex numbers: turning all movements turns all displacements") {
     Case its = airfoil_case();
     hm_options const options = options_of(HM_CONFORMAL);
     Solved const solved(its, &options);
@@ -80,23 +86,29 @@ TEST_CASE("control points that are moved by a similarity move the wall by the sa
     // Points on the fitted curve: the mesh's own are beside it and keep their offset, unturned.
     for (Complex const centre : {Complex(0, 0), Complex(0.7, -3)})
         for (Complex const s : {std::polar(1.0, 1.0), Complex(-2, 0.5)}) {
-            Field const found = displacement(solved, similarity_move(its.curves, s, centre, {0.1, 0.2}));
+            Field const found =
+                displacement(solved, similarity_move(its.curves, s, centre, {0.1, 0.2}));
             hm_basis_info const info = solved.info();
             for (std::int32_t k = 0; k < info.curve_points; ++k) {
                 double xy[2];
-                REQUIRE(hm_curve_point(&its.curves.view(), 0, info.point_u[k], 0, xy, nullptr) == HM_OK);
-                Complex const expected = (s - 1.0) * (Complex(xy[0], xy[1]) - centre) + Complex(0.1, 0.2);
-                CHECK(std::abs(found[static_cast<std::size_t>(info.curve_point[k])] - expected) < 1e-14);
+                REQUIRE(hm_curve_point(&its.curves.view(), 0, info.point_u[k], 0, xy, nullptr) ==
+                        HM_OK);
+                Complex const expected =
+                    (s - 1.0) * (Complex(xy[0], xy[1]) - centre) + Complex(0.1, 0.2);
+                CHECK(std::abs(found[static_cast<std::size_t>(info.curve_point[k])] - expected) <
+                      1e-14);
             }
         }
 }
 
-TEST_CASE("numbering, orientation, markers, place and size of the mesh do not change the functions") {
+TEST_CASE(
+    "numbering, orientation, markers, place and size of the mesh do not change the functions") {
     Case const origin = airfoil_case(30, 10);
     hm_options const options = options_of(HM_CONFORMAL);
     Case its = origin;
     Solved const reference(its, &options);
-    auto const compare = [&](Case& changed, std::vector<std::int32_t> const& new_of, bool mirrored) {
+    auto const compare = [&](Case& changed, std::vector<std::int32_t> const& new_of,
+                             bool mirrored) {
         Solved const solved(changed, &options);
         double worst = 0;
         for (std::int32_t i = 0; i < 10; ++i) {
@@ -124,9 +136,10 @@ TEST_CASE("numbering, orientation, markers, place and size of the mesh do not ch
     compare(changed, {}, false);
     changed = similar(origin, std::polar(3.0, 0.7), {2, -5});
     compare(changed, {}, false);
-    changed = origin;   // the mirror image has the conjugate functions
+    changed = origin;  // the mirror image has the conjugate functions
     for (double& y : changed.mesh.y) y = -y;
-    for (std::size_t k = 1; k < changed.curves.control.size(); k += 2) changed.curves.control[k] *= -1;
+    for (std::size_t k = 1; k < changed.curves.control.size(); k += 2)
+        changed.curves.control[k] *= -1;
     compare(changed, {}, true);
     reverse_all(changed.mesh);
     compare(changed, {}, true);
@@ -141,11 +154,14 @@ TEST_CASE("the functions do not depend on the unit of length, from 1e-30 to 1e30
         Case scaled = similar(origin, unit, 0);
         Solved const solved(scaled, &options);
         for (std::int32_t i = 0; i < 8; ++i)
-            CHECK(largest_difference(complex_values(solved, i), complex_values(reference, i)) < 1e-9);
+            CHECK(largest_difference(complex_values(solved, i), complex_values(reference, i)) <
+                  1e-9);
     }
 }
 
-TEST_CASE("a free boundary is refused, and the error names slip as what is possible; unknown exponents are refused") {
+TEST_CASE(
+    "a free boundary is refused, and the error names slip as what is possible; unknown exponents "
+    "are refused") {
     Case its = ring_case(6, 24, 0.5, 2);
     its.set_free(far_field);
     for (std::int32_t const quarters : {0, 6, +HM_NO_WEIGHT}) {
@@ -156,7 +172,7 @@ TEST_CASE("a free boundary is refused, and the error names slip as what is possi
         CHECK(std::string(attempt.error.text).find("slip") != std::string::npos);
     }
     Attempt const by_default(its.problem(), nullptr);
-    CHECK(by_default.status == HM_OK);   // the fixture's default is Laplace's operator
+    CHECK(by_default.status == HM_OK);  // the fixture's default is Laplace's operator
     its.conditions.pop_back();
     for (std::int32_t const quarters : {-2, 17, 2147483647}) {
         hm_options const options = options_of(HM_CONFORMAL, quarters);
@@ -183,7 +199,8 @@ TEST_CASE("any number of threads gives the same bits, and kernels agree to round
         CHECK(backwards.tasks > 0);
         CHECK(displacement(solved, move) == expected);
     }
-    for (std::int32_t const kernel : {HM_KERNEL_BASELINE, HM_KERNEL_AVX2, HM_KERNEL_AVX512, HM_KERNEL_NEON}) {
+    for (std::int32_t const kernel :
+         {HM_KERNEL_BASELINE, HM_KERNEL_AVX2, HM_KERNEL_AVX512, HM_KERNEL_NEON}) {
         hm_options options = plain;
         options.kernel = kernel;
         Attempt const attempt(its.problem(), &options);

@@ -9,12 +9,15 @@ namespace {
 
 double const pi = std::acos(-1.0);
 
-// Exact on an annulus with k = (r - r0)^-q: for the boundary values e^(i n angle) on r0 and 0 on r1 the minimum of
-// the integral of k |f_x + i f_y|^2 is f = g(r) e^(i n angle) with k (g' - n g / r) = c r^(-n - 1), and so
-//     g = (r / r0)^n (1 - I(r) / I(r1)),  I(r) = integral from r0 to r of s^(-2 n - 1) (s - r0)^q ds.
+// Exact on an annulus with k = (r - r0)^-q: for the boundary values e^(i n angle) on r0 and 0 on r1
+// the minimum of the integral of k |f_x + i f_y|^2 is f = g(r) e^(i n angle) with k (g' - n g / r)
+// = c r^(-n - 1), and so
+//     g = (r / r0)^n (1 - I(r) / I(r1)),  I(r) = integral from r0 to r of s^(-2 n - 1) (s - r0)^q
+//     ds.
 class ExactRing {
 public:
-    ExactRing(double r0, double r1, double q, int degree, int n_functions, int function) : r0_(r0), r1_(r1), q_(q) {
+    ExactRing(double r0, double r1, double q, int degree, int n_functions, int function)
+        : r0_(r0), r1_(r1), q_(q) {
         Spline const spline = ring(degree, n_functions, 1, 1);
         constexpr int samples = 1024;
         std::vector<double> value(samples, 0.0);
@@ -22,12 +25,14 @@ public:
             double const u = ring_parameter(degree, n_functions, 2 * pi * k / samples);
             harmorph::CurveBasis const basis = curve_basis(spline.curve(), u, 0);
             double& its = value[static_cast<std::size_t>(k)];
-            for (int j = 0; j <= degree; ++j) its += basis.control[j] == function ? basis.value[0][j] : 0;
+            for (int j = 0; j <= degree; ++j)
+                its += basis.control[j] == function ? basis.value[0][j] : 0;
         }
         for (int n = -modes; n <= modes; ++n) {
             Complex sum = 0;
             for (int k = 0; k < samples; ++k)
-                sum += value[static_cast<std::size_t>(k)] * std::polar(1.0, -2 * pi * ((n * k) % samples) / samples);
+                sum += value[static_cast<std::size_t>(k)] *
+                       std::polar(1.0, -2 * pi * ((n * k) % samples) / samples);
             coefficient_.push_back(sum / (1.0 * samples));
         }
     }
@@ -51,12 +56,13 @@ public:
     }
 
 private:
-    static constexpr int modes = 40;   // coefficients fall like n^-4
+    static constexpr int modes = 40;  // coefficients fall like n^-4
 
     // Simpson's rule in t with s = r0 + t^2, which makes (s - r0)^q smooth enough.
     double integral(double from, double to, int n) const {
         constexpr int steps = 100;
-        double const a = std::sqrt(std::fmax(from - r0_, 0.0)), b = std::sqrt(to - r0_), h = (b - a) / steps;
+        double const a = std::sqrt(std::fmax(from - r0_, 0.0)), b = std::sqrt(to - r0_),
+                     h = (b - a) / steps;
         double sum = 0;
         for (int k = 0; k <= steps; ++k) {
             double const t = a + k * h, weight = k == 0 || k == steps ? 1 : (k % 2 == 1 ? 4 : 2);
@@ -81,24 +87,28 @@ double rms_error(int refine, Cells kind, std::int32_t quarters) {
     for (int i = 0; i <= n_r; ++i) {
         Field const ring = exact.at(r0 * std::pow(r1 / r0, 1.0 * i / n_r), n_t);
         for (int k = 0; k < n_t; ++k)
-            sum += std::norm(found[static_cast<std::size_t>(i * n_t + k)] - ring[static_cast<std::size_t>(k)]);
+            sum += std::norm(found[static_cast<std::size_t>(i * n_t + k)] -
+                             ring[static_cast<std::size_t>(k)]);
     }
     return std::sqrt(sum / static_cast<double>(found.size()));
 }
 
 }  // namespace
 
-TEST_CASE("annulus: the exact solution with k = d^-q, to second order where quads are at the wall") {
+TEST_CASE(
+    "annulus: the exact solution with k = d^-q, to second order where quads are at the wall") {
     auto const order = [](Cells kind, std::int32_t quarters) {
         double const coarse = rms_error(2, kind, quarters), fine = rms_error(4, kind, quarters);
         CHECK(fine < 1.5e-3);
         return std::log2(coarse / fine);
     };
     for (Cells const kind : {Cells::quads, Cells::hybrid})
-        for (std::int32_t const quarters : {+HM_NO_WEIGHT, 6, 8}) CHECK(order(kind, quarters) > 1.85);
-    CHECK(order(Cells::quads, 3) > 1.65);   // its second derivatives are unbounded: f = d^(1 + q) beside smooth terms
-    // In triangles barycentres lie at one or two thirds of a layer, as the chance of equal diagonals has it,
-    // and k jumps.
+        for (std::int32_t const quarters : {+HM_NO_WEIGHT, 6, 8})
+            CHECK(order(kind, quarters) > 1.85);
+    CHECK(order(Cells::quads, 3) >
+          1.65);  // its second derivatives are unbounded: f = d^(1 + q) beside smooth terms
+    // In triangles barycentres lie at one or two thirds of a layer, as the chance of equal
+    // diagonals has it, and k jumps.
     CHECK(order(Cells::triangles, HM_NO_WEIGHT) > 1.85);
     CHECK(order(Cells::triangles, 6) > 1.3);
 }

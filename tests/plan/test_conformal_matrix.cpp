@@ -1,4 +1,5 @@
-// The matrix of the conformal operator: the energy that its solutions minimise, its kernel, its definiteness.
+// The matrix of the conformal operator: the energy that its solutions minimise, its kernel, its
+// definiteness.
 #include <doctest/doctest.h>
 
 #include <fixtures/matrices.hpp>
@@ -14,15 +15,16 @@ constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 // The assembled matrix as a dense one over the mesh's points, whatever its unknowns are stored as.
 class Hermitian {
 public:
-    Hermitian(Case& its, std::vector<double> const& conductivity) : n(static_cast<std::size_t>(its.mesh.n_points())) {
+    Hermitian(Case& its, std::vector<double> const& conductivity)
+        : n(static_cast<std::size_t>(its.mesh.n_points())) {
         hm_options const options = options_of(HM_CONFORMAL);
         Attempt seen;
         REQUIRE(seen.analyse(its.problem(), &options));
         harmorph::Analysis const& a = inside(seen.analysis);
         AssembledMatrix assembled(a);
         harmorph::Matrix const& m = assembled.matrix;
-        REQUIRE(assemble_stiffness(a.topology, a.problem.mesh.points, span(conductivity), true, m, {}) ==
-                harmorph::none);
+        REQUIRE(assemble_stiffness(a.topology, a.problem.mesh.points, span(conductivity), true, m,
+                                   {}) == harmorph::none);
         Index const components = m.components();
         entries_.assign(n * n, 0);
         is_unknown.assign(n, 0);
@@ -38,8 +40,10 @@ public:
         }
         for (Index wall = 0; wall + 1 < m.coupling_start.count(); ++wall)
             for (Index c = m.coupling_start[wall]; c < m.coupling_start[wall + 1]; ++c) {
-                Index const its_line = components * a.wall.point[wall / components] + wall % components;
-                Complex const value{m.coupling_value[c], m.is_complex() ? m.coupling_imaginary[c] : 0};
+                Index const its_line =
+                    components * a.wall.point[wall / components] + wall % components;
+                Complex const value{m.coupling_value[c],
+                                    m.is_complex() ? m.coupling_imaginary[c] : 0};
                 add(line(m.coupling_row[c]), its_line, components, value);
             }
     }
@@ -52,12 +56,15 @@ public:
         return out;
     }
 
-    // Where a point has two real lines, an entry is [a -b; b a]: does the second line say what the first does?
+    // Where a point has two real lines, an entry is [a -b; b a]: does the second line say what the
+    // first does?
     bool rows_agree() const {
         for (Entry const& e : second_) {
-            Complex const first = at(static_cast<std::size_t>(e.row / 2), static_cast<std::size_t>(e.column / 2));
+            Complex const first =
+                at(static_cast<std::size_t>(e.row / 2), static_cast<std::size_t>(e.column / 2));
             double const expected = e.column % 2 == 0 ? first.imag() : first.real();
-            if (std::fabs(e.value - expected) > 1e-14 * std::fabs(first.real()) + 1e-14 * std::fabs(first.imag()))
+            if (std::fabs(e.value - expected) >
+                1e-14 * std::fabs(first.real()) + 1e-14 * std::fabs(first.imag()))
                 return false;
         }
         return true;
@@ -83,7 +90,7 @@ private:
             second_.push_back({row, column, value.real()});
         }
     }
-    std::vector<Entry> second_;   // of second lines
+    std::vector<Entry> second_;  // of second lines
     Field entries_;
 };
 
@@ -109,7 +116,9 @@ double energy(Mesh const& mesh, Field const& f, const std::int32_t (&corner)[3])
 
 }  // namespace
 
-TEST_CASE("the matrix is that of the integral of k |f_x + i f_y|^2, cell by cell, for quads the mean of both splits") {
+TEST_CASE(
+    "the matrix is that of the integral of k |f_x + i f_y|^2, cell by cell, for quads the mean of "
+    "both splits") {
     for (Cells const kind : kinds) {
         Case its = square_on_curve(7, kind, 0.4, 5);
         std::vector<double> const k = some_conductivity(its.mesh, 6);
@@ -133,7 +142,8 @@ TEST_CASE("the matrix is that of the integral of k |f_x + i f_y|^2, cell by cell
                 continue;
             }
             for (int i = 0; i < 4; ++i)
-                expected += 0.5 * its_k * energy(its.mesh, f, {q[i], q[(i + 1) % 4], q[(i + 2) % 4]});
+                expected +=
+                    0.5 * its_k * energy(its.mesh, f, {q[i], q[(i + 1) % 4], q[(i + 2) % 4]});
         }
         CHECK(std::fabs(form.imag()) < 1e-13 * expected);
         CHECK(form.real() == doctest::Approx(expected).epsilon(1e-13));
@@ -142,7 +152,9 @@ TEST_CASE("the matrix is that of the integral of k |f_x + i f_y|^2, cell by cell
     }
 }
 
-TEST_CASE("the matrix is Hermitian; maps z -> a z + b are in the kernel for any k, mirrored maps are not") {
+TEST_CASE(
+    "the matrix is Hermitian; maps z -> a z + b are in the kernel for any k, mirrored maps are "
+    "not") {
     for (Cells const kind : kinds)
         for (bool const mixed : {false, true}) {
             Case its = square_on_curve(7, kind, 0.4, 8);
@@ -153,7 +165,8 @@ TEST_CASE("the matrix is Hermitian; maps z -> a z + b are in the kernel for any 
             for (std::size_t i = 0; i < a.n; ++i)
                 for (std::size_t j = 0; j < a.n; ++j) {
                     size = std::fmax(size, std::abs(a.at(i, j)));
-                    if (a.is_unknown[i] && a.is_unknown[j]) CHECK(std::abs(a.at(i, j) - std::conj(a.at(j, i))) < 1e-13);
+                    if (a.is_unknown[i] && a.is_unknown[j])
+                        CHECK(std::abs(a.at(i, j) - std::conj(a.at(j, i))) < 1e-13);
                 }
             Field conformal, mirrored;
             for (Complex const z : positions(its.mesh)) {
@@ -161,19 +174,23 @@ TEST_CASE("the matrix is Hermitian; maps z -> a z + b are in the kernel for any 
                 mirrored.push_back(std::conj(z));
             }
             double in_kernel = 0, outside = 0;
-            for (Complex const r : a.times(conformal)) in_kernel = std::fmax(in_kernel, std::abs(r));
+            for (Complex const r : a.times(conformal))
+                in_kernel = std::fmax(in_kernel, std::abs(r));
             for (Complex const r : a.times(mirrored)) outside = std::fmax(outside, std::abs(r));
             CHECK(in_kernel < 1e-13 * size);
             CHECK(outside > 1e-2 * size);
         }
 }
 
-TEST_CASE("the matrix is positive definite on distorted and on thin cells, with conductivities that differ by 10^6") {
+TEST_CASE(
+    "the matrix is positive definite on distorted and on thin cells, with conductivities that "
+    "differ by 10^6") {
     for (Cells const kind : kinds)
         for (double const thin : {1.0, 1e-3}) {
             Case its = square_on_curve(7, kind, 0.4, 11);
             for (double& y : its.mesh.y) y *= thin;
-            for (std::size_t k = 1; k < its.curves.control.size(); k += 2) its.curves.control[k] *= thin;
+            for (std::size_t k = 1; k < its.curves.control.size(); k += 2)
+                its.curves.control[k] *= thin;
             std::vector<double> k = some_conductivity(its.mesh, 12);
             for (double& value : k) value = std::pow(value, 3);
             Hermitian const a(its, k);
@@ -182,7 +199,7 @@ TEST_CASE("the matrix is positive definite on distorted and on thin cells, with 
                 if (a.is_unknown[i]) unknown.push_back(i);
             std::size_t const n = unknown.size();
             REQUIRE(n == 36);
-            DenseMatrix real(2 * n);   // [re -im; im re]
+            DenseMatrix real(2 * n);  // [re -im; im re]
             for (std::size_t i = 0; i < n; ++i)
                 for (std::size_t j = 0; j < n; ++j) {
                     Complex const value = a.at(unknown[i], unknown[j]);

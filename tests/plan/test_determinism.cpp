@@ -97,7 +97,8 @@ TEST_CASE("kernels agree to rounding, each with itself to the bit") {
     Solved const reference(its);
     std::vector<double> const expected = reference.all_values();
     int tried = 0;
-    for (std::int32_t const kernel : {HM_KERNEL_BASELINE, HM_KERNEL_AVX2, HM_KERNEL_AVX512, HM_KERNEL_NEON}) {
+    for (std::int32_t const kernel :
+         {HM_KERNEL_BASELINE, HM_KERNEL_AVX2, HM_KERNEL_AVX512, HM_KERNEL_NEON}) {
         hm_options options = laplace();
         options.kernel = kernel;
         Attempt const first(its.problem(), &options);
@@ -110,11 +111,14 @@ TEST_CASE("kernels agree to rounding, each with itself to the bit") {
     CHECK(tried >= 1);
 }
 
-TEST_CASE("any number of threads, in any order of their tasks: the same bits, in all that takes an executor") {
-    Case its = ring_case(70, 300, 0.5, 2, Cells::hybrid, 3, 20);   // large enough to be shared out
+TEST_CASE(
+    "any number of threads, in any order of their tasks: the same bits, in all that takes an "
+    "executor") {
+    Case its = ring_case(70, 300, 0.5, 2, Cells::hybrid, 3, 20);  // large enough to be shared out
     perturb(its.mesh, 0.2, 5);
     hm_mesh const mesh = its.mesh.view();
-    std::vector<double> const move = some_move(20, 0.02, 6), g = some_move(its.mesh.n_points(), 1, 7);
+    std::vector<double> const move = some_move(20, 0.02, 6),
+                              g = some_move(its.mesh.n_points(), 1, 7);
     std::size_t const n = its.mesh.x.size();
     std::vector<unsigned char> expected;
     std::vector<double> products;
@@ -133,16 +137,18 @@ TEST_CASE("any number of threads, in any order of their tasks: the same bits, in
         step.struct_size = sizeof step;
         hm_quality_report quality{};
         quality.struct_size = sizeof quality;
-        REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(&found[0], &found[n]), &executor, nullptr) ==
-                HM_OK);
-        REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(), &executor, nullptr) ==
-                HM_OK);
-        REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, points_in(&found[0], &found[n]), &executor, &step,
-                                   nullptr) == HM_OK);
-        REQUIRE(hm_quality(solved.basis, &mesh, &mesh.points, nullptr, &executor, &quality, nullptr) == HM_OK);
+        REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(&found[0], &found[n]),
+                         &executor, nullptr) == HM_OK);
+        REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(),
+                           &executor, nullptr) == HM_OK);
+        REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, points_in(&found[0], &found[n]),
+                                   &executor, &step, nullptr) == HM_OK);
+        REQUIRE(hm_quality(solved.basis, &mesh, &mesh.points, nullptr, &executor, &quality,
+                           nullptr) == HM_OK);
         found.insert(found.end(), gradient.begin(), gradient.end());
-        found.insert(found.end(), {step.admissible, 1.0 * step.cell, 1.0 * step.point, quality.min_quality,
-                                   quality.mean_quality, quality.min_area, 1.0 * quality.min_quality_cell});
+        found.insert(found.end(),
+                     {step.admissible, 1.0 * step.cell, 1.0 * step.point, quality.min_quality,
+                      quality.mean_quality, quality.min_area, 1.0 * quality.min_quality_cell});
         if (products.empty()) products = found;
         CHECK(same_bits(found, products));
     }
@@ -155,7 +161,8 @@ TEST_CASE("real threads, which share out their work anew each time: the same bit
         hm_mesh const mesh = its.mesh.view();
         hm_options options = laplace();
         options.operator_kind = kind;
-        std::vector<unsigned char> const expected = bytes_of(Solved(its.problem(mesh), &options).basis);
+        std::vector<unsigned char> const expected =
+            bytes_of(Solved(its.problem(mesh), &options).basis);
         for (std::int32_t const threads : {2, 3, 8}) {
             hm_pthreads pool;
             hm_executor const executor = hm_pthreads_start(&pool, threads);

@@ -1,5 +1,6 @@
-// Classical harmonic coordinates: degree 1 on polygonal cages, positions instead of displacements: X = sum_i F_i P_i.
-// (P. Joshi et al., Harmonic coordinates for character articulation, ACM Trans. Graph. 26 (2007) 71.)
+// Classical harmonic coordinates: degree 1 on polygonal cages, positions instead of displacements:
+// X = sum_i F_i P_i. (P. Joshi et al., Harmonic coordinates for character articulation, ACM Trans.
+// Graph. 26 (2007) 71.)
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -10,19 +11,22 @@ namespace {
 
 constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 
-// Unit square with a square hole: a cage round it, with further corners on two sides, and another one round the hole.
+// Unit square with a square hole: a cage round it, with further corners on two sides, and another
+// one round the hole.
 Case cages(int n, Cells kind, double perturbed) {
     Case out;
     out.mesh = square(n, kind, n / 3, n / 3);
     if (perturbed > 0) perturb(out.mesh, perturbed, 5);
     out.curves.add(polyline({{0, 0}, {1.0 / 3, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 2.0 / 3}}));
-    out.curves.add(polyline({{1.0 / 3, 1.0 / 3}, {2.0 / 3, 1.0 / 3}, {2.0 / 3, 2.0 / 3}, {1.0 / 3, 2.0 / 3}}));
+    out.curves.add(
+        polyline({{1.0 / 3, 1.0 / 3}, {2.0 / 3, 1.0 / 3}, {2.0 / 3, 2.0 / 3}, {1.0 / 3, 2.0 / 3}}));
     for (std::int32_t const side : {bottom, right, top, left}) out.put_on_curves(side, 0);
     out.put_on_curves(body, 1);
     return out;
 }
 
-// Cell lists keep those cells that are not in the upper right quarter: an L with a cage of six corners.
+// Cell lists keep those cells that are not in the upper right quarter: an L with a cage of six
+// corners.
 Case l_shape(int n, Cells kind) {
     Mesh const whole = square(2 * n, kind);
     Case out;
@@ -35,7 +39,8 @@ Case l_shape(int n, Cells kind) {
         std::vector<std::int32_t> its;
         double x = 0, y = 0;
         for (std::int32_t k = whole.cell_start[cell]; k < whole.cell_start[cell + 1]; ++k) {
-            std::size_t const point = static_cast<std::size_t>(whole.cells[static_cast<std::size_t>(k)]);
+            std::size_t const point =
+                static_cast<std::size_t>(whole.cells[static_cast<std::size_t>(k)]);
             its.push_back(new_of[point]);
             x += whole.x[point];
             y += whole.y[point];
@@ -45,9 +50,11 @@ Case l_shape(int n, Cells kind) {
         out.mesh.cells.insert(out.mesh.cells.end(), its.begin(), its.end());
         out.mesh.cell_start.push_back(static_cast<std::int32_t>(out.mesh.cells.size()));
     }
-    auto const id = [&](int i, int j) { return new_of[static_cast<std::size_t>(j * (2 * n + 1) + i)]; };
+    auto const id = [&](int i, int j) {
+        return new_of[static_cast<std::size_t>(j * (2 * n + 1) + i)];
+    };
     for (int k = 0; k < 2 * n; ++k) {
-        int const edge = k < n ? 2 * n : n;   // how far the L reaches
+        int const edge = k < n ? 2 * n : n;  // how far the L reaches
         out.mesh.add_face(id(k, 0), id(k + 1, 0), body);
         out.mesh.add_face(id(0, k + 1), id(0, k), body);
         out.mesh.add_face(id(edge, k), id(edge, k + 1), body);
@@ -63,7 +70,8 @@ struct Positions {
     std::vector<double> x, y;
     Positions(Solved const& solved, std::vector<double> const& control)
         : x(static_cast<std::size_t>(solved.info().points)), y(x.size()) {
-        REQUIRE(hm_morph(solved.basis, control.data(), nullptr, points_out(x, y), nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_morph(solved.basis, control.data(), nullptr, points_out(x, y), nullptr,
+                         nullptr) == HM_OK);
     }
 };
 
@@ -79,7 +87,8 @@ struct Affine {
     }
 };
 
-// Largest distance of the mesh's points, moved affinely, from the sum over the cage that was moved affinely.
+// Largest distance of the mesh's points, moved affinely, from the sum over the cage that was moved
+// affinely.
 double affine_error(Solved const& solved, Case const& its, Affine const& map) {
     Positions const found(solved, map.of(its.curves.control));
     double worst = 0;
@@ -90,12 +99,17 @@ double affine_error(Solved const& solved, Case const& its, Affine const& map) {
     return worst;
 }
 
-constexpr Affine maps[] = {
-    {1, 0, 0, 1, 0, 0}, {0, -1, 1, 0, 2, -3}, {1, 0.7, 0, 1, 0, 0}, {-2, 0.5, 0.3, 0.1, 0, 1}, {0, 0, 0, 0, 5, 4}};
+constexpr Affine maps[] = {{1, 0, 0, 1, 0, 0},
+                           {0, -1, 1, 0, 2, -3},
+                           {1, 0.7, 0, 1, 0, 0},
+                           {-2, 0.5, 0.3, 0.1, 0, 1},
+                           {0, 0, 0, 0, 5, 4}};
 
 }  // namespace
 
-TEST_CASE("affine maps of the cage are exactly affine maps of the inside, also with holes and concave cages") {
+TEST_CASE(
+    "affine maps of the cage are exactly affine maps of the inside, also with holes and concave "
+    "cages") {
     for (Cells const kind : kinds) {
         for (Case its : {cages(12, kind, 0), cages(15, kind, 0.25), l_shape(6, kind)}) {
             Solved const solved(its);
@@ -104,11 +118,14 @@ TEST_CASE("affine maps of the cage are exactly affine maps of the inside, also w
     }
 }
 
-TEST_CASE("coordinates are 1 or 0 at the cage's corners, linear along its edges, and together 1 everywhere") {
+TEST_CASE(
+    "coordinates are 1 or 0 at the cage's corners, linear along its edges, and together 1 "
+    "everywhere") {
     for (Case its : {cages(12, Cells::quads, 0), l_shape(6, Cells::triangles)}) {
         Solved const solved(its);
         std::vector<double> const& control = its.curves.control;
-        CHECK(largest_difference(solved.sum(), std::vector<double>(its.mesh.x.size(), 1.0)) < 1e-14);
+        CHECK(largest_difference(solved.sum(), std::vector<double>(its.mesh.x.size(), 1.0)) <
+              1e-14);
         for (std::int32_t i = 0; i < its.curves.n_control(); ++i) {
             std::vector<double> const f = solved.values(i);
             for (std::size_t k = 0; k < its.mesh.x.size(); ++k) {
@@ -116,16 +133,19 @@ TEST_CASE("coordinates are 1 or 0 at the cage's corners, linear along its edges,
                 CHECK(f[k] <= 1);
                 for (std::int32_t j = 0; j < its.curves.n_control(); ++j) {
                     std::size_t const at = 2 * static_cast<std::size_t>(j);
-                    if (distance(its.mesh.point(static_cast<std::int32_t>(k)), {control[at], control[at + 1]}) > 1e-12)
+                    if (distance(its.mesh.point(static_cast<std::int32_t>(k)),
+                                 {control[at], control[at + 1]}) > 1e-12)
                         continue;
                     CHECK(f[k] == doctest::Approx(i == j ? 1.0 : 0.0).epsilon(1e-13));
                 }
             }
         }
     }
-    Case its = l_shape(6, Cells::hybrid);   // the lower side, from control point 0 at (0, 0) to 1 at (1, 0)
+    Case its =
+        l_shape(6, Cells::hybrid);  // the lower side, from control point 0 at (0, 0) to 1 at (1, 0)
     Solved const solved(its);
-    std::vector<double> const first = solved.values(0), second = solved.values(1), other = solved.values(4);
+    std::vector<double> const first = solved.values(0), second = solved.values(1),
+                              other = solved.values(4);
     int on_side = 0;
     for (std::size_t k = 0; k < its.mesh.x.size(); ++k) {
         if (its.mesh.y[k] != 0) continue;
@@ -137,7 +157,9 @@ TEST_CASE("coordinates are 1 or 0 at the cage's corners, linear along its edges,
     CHECK(on_side == 13);
 }
 
-TEST_CASE("a corner more in the middle of an edge: its neighbours' coordinates give it half of themselves") {
+TEST_CASE(
+    "a corner more in the middle of an edge: its neighbours' coordinates give it half of "
+    "themselves") {
     Case its = l_shape(6, Cells::triangles), finer = its;
     finer.curves = polyline({{0, 0}, {0.5, 0}, {1, 0}, {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}});
     Solved const solved(its), finer_solved(finer);
@@ -157,7 +179,8 @@ TEST_CASE("positions and displacements are the same thing where the cage is the 
     for (std::size_t k = 0; k < control.size(); ++k) control[k] += move[k];
     Positions const positions(solved, control);
     std::vector<double> x = its.mesh.x, y = its.mesh.y;
-    REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
+                     nullptr) == HM_OK);
     CHECK(largest_difference(positions.x, x) < 1e-14);
     CHECK(largest_difference(positions.y, y) < 1e-14);
 }

@@ -1,11 +1,14 @@
-// How a mesh is written down does not change its functions: numbering, orientation, markers, place, units.
+// How a mesh is written down does not change its functions: numbering, orientation, markers, place,
+// units.
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
 
 using namespace fixtures;
 
-TEST_CASE("neither renumbering, nor the cells' starts, nor orientation, nor rotation changes a function") {
+TEST_CASE(
+    "neither renumbering, nor the cells' starts, nor orientation, nor rotation changes a "
+    "function") {
     Case const origin = airfoil_case();
     Case its = origin;
     Solved const reference(its);
@@ -19,8 +22,8 @@ TEST_CASE("neither renumbering, nor the cells' starts, nor orientation, nor rota
         for (std::int32_t i = 0; i < reference.report.functions; ++i)
             for (std::int32_t k = 0; k < n; ++k) {
                 std::int32_t const at = new_of.empty() ? k : new_of[static_cast<std::size_t>(k)];
-                double const d =
-                    values[static_cast<std::size_t>(i * n_new + at)] - expected[static_cast<std::size_t>(i * n + k)];
+                double const d = values[static_cast<std::size_t>(i * n_new + at)] -
+                                 expected[static_cast<std::size_t>(i * n + k)];
                 worst = std::fmax(worst, std::fabs(d));
             }
         CHECK(worst < 1e-11);
@@ -46,7 +49,7 @@ TEST_CASE("neither renumbering, nor the cells' starts, nor orientation, nor rota
     }
     {
         Case changed = origin;
-        for (int k = 0; k < 7; ++k) changed.mesh.add_point({1e3, 1e3});   // used by no cell
+        for (int k = 0; k < 7; ++k) changed.mesh.add_point({1e3, 1e3});  // used by no cell
         split_marker(changed.mesh, body, 3, 31);
         changed.conditions.clear();
         for (std::int32_t const marker : {31, 32, 33}) changed.put_on_curves(marker);
@@ -60,7 +63,8 @@ TEST_CASE("neither renumbering, nor the cells' starts, nor orientation, nor rota
             x = c * old - s * y + 3;
             y = s * old + c * y - 2;
         };
-        for (std::size_t k = 0; k < changed.mesh.x.size(); ++k) turn(changed.mesh.x[k], changed.mesh.y[k]);
+        for (std::size_t k = 0; k < changed.mesh.x.size(); ++k)
+            turn(changed.mesh.x[k], changed.mesh.y[k]);
         for (std::size_t k = 0; k < changed.curves.control.size(); k += 2)
             turn(changed.curves.control[k], changed.curves.control[k + 1]);
         compare(changed, {});
@@ -79,7 +83,8 @@ TEST_CASE("units that differ by a power of two: the same bits") {
     }
 }
 
-TEST_CASE("units as far as doubles go: single precision orders the unknowns, and must not overflow") {
+TEST_CASE(
+    "units as far as doubles go: single precision orders the unknowns, and must not overflow") {
     Case its = airfoil_case();
     Solved const reference(its);
     std::vector<double> const expected = reference.all_values();
@@ -91,14 +96,16 @@ TEST_CASE("units as far as doubles go: single precision orders the unknowns, and
         Solved const solved(scaled);
         std::vector<double> const values = solved.all_values();
         double worst = 0;
-        for (std::size_t k = 0; k < values.size(); ++k) worst = std::fmax(worst, std::fabs(values[k] - expected[k]));
+        for (std::size_t k = 0; k < values.size(); ++k)
+            worst = std::fmax(worst, std::fabs(values[k] - expected[k]));
         CHECK(worst < 1e-11);
     }
 }
 
 TEST_CASE("a plan does not solve the basis of another problem on the same mesh") {
     Case its = airfoil_case(), other = its;
-    std::vector<std::int32_t> point{its.mesh.faces[0]}, curve{0};   // the same counts, one parameter changed
+    std::vector<std::int32_t> point{its.mesh.faces[0]},
+        curve{0};  // the same counts, one parameter changed
     Solved mine(its);
     hm_basis_info const info = mine.info();
     std::vector<double> u{info.point_u[0] + 1e-3};

@@ -1,4 +1,5 @@
-// The operator: conservative, exact for linear fields, positive definite, and on triangles the finite elements'.
+// The operator: conservative, exact for linear fields, positive definite, and on triangles the
+// finite elements'.
 #include <doctest/doctest.h>
 
 #include <fixtures/matrices.hpp>
@@ -18,7 +19,8 @@ double residual_of(Case& its, Field field) {
     laplace.assemble();
     auto const at = [&](Index point) { return field(its.mesh.point(point)); };
     DenseMatrix const a = laplace.unknowns();
-    std::vector<double> sum = laplace.couplings_times([&](Index slot) { return at(seen->wall.point[slot]); });
+    std::vector<double> sum =
+        laplace.couplings_times([&](Index slot) { return at(seen->wall.point[slot]); });
     double worst = 0, size = 0;
     for (std::size_t i = 0; i < laplace.size(); ++i) {
         for (std::size_t j = 0; j < laplace.size(); ++j) {
@@ -36,7 +38,8 @@ void add_element(DenseMatrix& k, Mesh const& mesh, const Index (&corner)[3], dou
     double const twice = twice_area(p[0], p[1], p[2]);
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
-            Point const a = p[(i + 1) % 3], b = p[(i + 2) % 3], c = p[(j + 1) % 3], d = p[(j + 2) % 3];
+            Point const a = p[(i + 1) % 3], b = p[(i + 2) % 3], c = p[(j + 1) % 3],
+                        d = p[(j + 2) % 3];
             double const product = (b.x - a.x) * (d.x - c.x) + (b.y - a.y) * (d.y - c.y);
             k.at(static_cast<std::size_t>(corner[i]), static_cast<std::size_t>(corner[j])) +=
                 weight * product / (2 * twice);
@@ -52,7 +55,7 @@ TEST_CASE("rows sum up to 0, and linear fields are reproduced, on any valid mesh
             CHECK(residual_of(its, [](Point) { return 1.0; }) < 1e-14);
             CHECK(residual_of(its, [](Point p) { return p.x; }) < 1e-14);
             CHECK(residual_of(its, [](Point p) { return 3 * p.y - p.x + 0.5; }) < 1e-13);
-            CHECK(residual_of(its, [](Point p) { return p.x * p.x; }) > 1e-3);   // the test can fail
+            CHECK(residual_of(its, [](Point p) { return p.x * p.x; }) > 1e-3);  // the test can fail
         }
 }
 
@@ -68,7 +71,8 @@ TEST_CASE("stretched cells: exact for linear fields up to rounding at an aspect 
     for (Cells const kind : kinds) {
         Case its = square_on_curve(8, kind, 0.3, 4);
         for (double& y : its.mesh.y) y *= 1e-4;
-        for (std::size_t k = 1; k < its.curves.control.size(); k += 2) its.curves.control[k] *= 1e-4;
+        for (std::size_t k = 1; k < its.curves.control.size(); k += 2)
+            its.curves.control[k] *= 1e-4;
         CHECK(residual_of(its, [](Point p) { return p.x + 1e4 * p.y; }) < 1e-12);
     }
 }
@@ -91,16 +95,18 @@ TEST_CASE("the entries are linear finite elements', for quads the mean of both t
                     add_element(expected, its.mesh, {q[1], q[2], q[3]}, 0.5);
                 }
             }
-            if (change == 1) reverse_some(its.mesh, 6);   // the sense of a cell does not matter
+            if (change == 1) reverse_some(its.mesh, 6);  // the sense of a cell does not matter
             Analysed const seen(its);
             AssembledMatrix laplace(*seen.operator->());
             laplace.assemble();
             DenseMatrix const found = laplace.unknowns();
             double worst = 0;
             for (std::size_t i = 0; i < found.n; ++i) {
-                std::size_t const p = static_cast<std::size_t>(laplace.point_at(static_cast<Index>(i)));
+                std::size_t const p =
+                    static_cast<std::size_t>(laplace.point_at(static_cast<Index>(i)));
                 for (std::size_t j = 0; j < found.n; ++j) {
-                    std::size_t const q = static_cast<std::size_t>(laplace.point_at(static_cast<Index>(j)));
+                    std::size_t const q =
+                        static_cast<std::size_t>(laplace.point_at(static_cast<Index>(j)));
                     worst = std::fmax(worst, std::fabs(found.at(i, j) - expected.at(p, q)));
                 }
             }
@@ -108,7 +114,9 @@ TEST_CASE("the entries are linear finite elements', for quads the mean of both t
         }
 }
 
-TEST_CASE("positive definite with one known value, on distorted and on thin cells, free boundaries included") {
+TEST_CASE(
+    "positive definite with one known value, on distorted and on thin cells, free boundaries "
+    "included") {
     for (Cells const kind : kinds)
         for (double const thin : {1.0, 1e-3}) {
             Case its;

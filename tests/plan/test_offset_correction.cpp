@@ -3,7 +3,7 @@
 
 #include <fixtures/operators.hpp>
 
-#include <harmorph/boundary/moving_boundary.hpp>
+#include "boundary/moving_boundary.hpp"
 
 using namespace fixtures;
 
@@ -30,8 +30,8 @@ Case beside_its_curve(double off) {
     return out;
 }
 
-double worst_on_wall(Solved const& solved, Case const& its, Field const& moved, Complex s, Complex centre,
-                     Complex shift) {
+double worst_on_wall(Solved const& solved, Case const& its, Field const& moved, Complex s,
+                     Complex centre, Complex shift) {
     hm_basis_info const info = solved.info();
     double worst = 0;
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
@@ -44,30 +44,38 @@ double worst_on_wall(Solved const& solved, Case const& its, Field const& moved, 
 
 }  // namespace
 
-TEST_CASE("rigid motions and scalings of all control points move every wall point rigidly, to rounding") {
+TEST_CASE(
+    "rigid motions and scalings of all control points move every wall point rigidly, to rounding") {
     Case its = beside_its_curve(0.02);
     hm_options const with = corrected(), without = corrected(0);
     Solved const a(its, &with), b(its, &without);
     CHECK(a.info().offset_correction == 1);
     CHECK(a.report.max_distance > 0.015);
-    CHECK(a.report.boundary_error < 1e-16);      // against the boundary data in use
+    CHECK(a.report.boundary_error < 1e-16);  // against the boundary data in use
     CHECK(a.report.partition_defect < 1e-14);
-    for (Complex const s : {std::polar(1.0, 0.5), std::polar(1.0, 3.1), Complex(0.5, 0), Complex(1, 0)})
+    for (Complex const s :
+         {std::polar(1.0, 0.5), std::polar(1.0, 3.1), Complex(0.5, 0), Complex(1, 0)})
         for (Complex const centre : {Complex(0, 0), Complex(3, -2)}) {
             std::vector<double> const move = similarity_move(its.curves, s, centre, {0.1, 0.7});
             CHECK(worst_on_wall(a, its, displacement(a, move), s, centre, {0.1, 0.7}) < 1e-14);
-            double const error = worst_on_wall(b, its, displacement(b, move), s, centre, {0.1, 0.7});
-            CHECK(error == doctest::Approx(std::abs(s - 1.0) * b.report.max_distance).epsilon(1e-6));
+            double const error =
+                worst_on_wall(b, its, displacement(b, move), s, centre, {0.1, 0.7});
+            CHECK(error ==
+                  doctest::Approx(std::abs(s - 1.0) * b.report.max_distance).epsilon(1e-6));
         }
 }
 
-TEST_CASE("general motions add e dC' / C' to what the B-spline moves, and are linear over the complex numbers") {
+TEST_CASE(
+    "general motions add e dC' / C' to what the B-spline moves, and are linear over the complex "
+    "numbers") {
     Case its = beside_its_curve(0.01);
     hm_options const options = corrected();
     Solved const solved(its, &options);
     std::vector<double> const move = some_move(8, 0.1, 4);
-    Field const moved = displacement(solved, move), by_i = displacement(solved, turned(move, {0, 1}));
-    for (std::size_t k = 0; k < moved.size(); ++k) CHECK(std::abs(by_i[k] - Complex(0, 1) * moved[k]) < 1e-14);
+    Field const moved = displacement(solved, move),
+                by_i = displacement(solved, turned(move, {0, 1}));
+    for (std::size_t k = 0; k < moved.size(); ++k)
+        CHECK(std::abs(by_i[k] - Complex(0, 1) * moved[k]) < 1e-14);
     CurveSet movement = its.curves;
     movement.control = move;
     hm_basis_info const info = solved.info();
@@ -79,40 +87,49 @@ TEST_CASE("general motions add e dC' / C' to what the B-spline moves, and are li
         Complex const e = to_complex(its.mesh.point(info.curve_point[k])) - Complex(at[0], at[1]);
         Complex const added = e * Complex(by[2], by[3]) / Complex(at[2], at[3]);
         most = std::fmax(most, std::abs(added));
-        CHECK(std::abs(moved[static_cast<std::size_t>(info.curve_point[k])] - Complex(by[0], by[1]) - added) < 1e-15);
+        CHECK(std::abs(moved[static_cast<std::size_t>(info.curve_point[k])] -
+                       Complex(by[0], by[1]) - added) < 1e-15);
     }
     CHECK(most > 1e-3);
 }
 
-TEST_CASE("zero movement keeps every bit; the boundary's error and the adjoint are those of the data in use") {
+TEST_CASE(
+    "zero movement keeps every bit; the boundary's error and the adjoint are those of the data in "
+    "use") {
     Case its = beside_its_curve(0.01);
     hm_options const options = corrected();
     Solved const solved(its, &options);
     std::vector<double> x = its.mesh.x, y = its.mesh.y, move(16, 0.0);
-    REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
+                     nullptr) == HM_OK);
     CHECK(same_bits(x, its.mesh.x));
     CHECK(same_bits(y, its.mesh.y));
     move = some_move(8, 0.2, 5);
-    REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
+                     nullptr) == HM_OK);
     double error = -1;
-    REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_in(x, y), &error,
-                              nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+                              points_in(x, y), &error, nullptr, nullptr) == HM_OK);
     CHECK(error >= 0);
     CHECK(error < 1e-15);
     std::vector<double> const g = some_move(its.mesh.n_points(), 1, 6);
     std::vector<double> gradient(16);
-    REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(), nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(), nullptr,
+                       nullptr) == HM_OK);
     double here = 0, there = 0;
     Field const moved = displacement(solved, move);
-    for (std::size_t k = 0; k < moved.size(); ++k) here += g[2 * k] * moved[k].real() + g[2 * k + 1] * moved[k].imag();
+    for (std::size_t k = 0; k < moved.size(); ++k)
+        here += g[2 * k] * moved[k].real() + g[2 * k + 1] * moved[k].imag();
     for (std::size_t k = 0; k < 16; ++k) there += gradient[k] * move[k];
     CHECK(here == doctest::Approx(there).epsilon(1e-12));
 }
 
 TEST_CASE("at corners nothing is known to turn: their points keep their offset") {
-    Case its = airfoil_case(30, 12, Cells::quads);   // a clamped curve whose two ends are one control point
+    Case its =
+        airfoil_case(30, 12, Cells::quads);  // a clamped curve whose two ends are one control point
     double const off = 1e-5;
-    std::size_t const edge = static_cast<std::size_t>(points_on(its.mesh, body)[0]);   // the trailing edge comes first
+    std::size_t const edge =
+        static_cast<std::size_t>(points_on(its.mesh, body)[0]);  // the trailing edge comes first
     its.mesh.x[edge] += off;
     hm_options const options = corrected();
     Solved const solved(its, &options);
@@ -132,9 +149,10 @@ TEST_CASE("at corners nothing is known to turn: their points keep their offset")
         CHECK(difference == doctest::Approx(std::abs(s - 1.0) * off).epsilon(1e-6));
     }
     CHECK(corners == 1);
-    // A polygon has corners inside, at knots; their points are left out, those on its sides are not.
+    // A polygon has corners inside, at knots; their points are left out, those on its sides are
+    // not.
     Case polygon = tiny_case();
-    polygon.mesh.x[16] -= 0.1;   // a corner and the middle of a side
+    polygon.mesh.x[16] -= 0.1;  // a corner and the middle of a side
     polygon.mesh.y[17] -= 0.1;
     Solved const sides(polygon, &options);
     Field const turned_field = displacement(sides, similarity_move(polygon.curves, s, {3, 3}));
@@ -143,9 +161,11 @@ TEST_CASE("at corners nothing is known to turn: their points keep their offset")
     CHECK(std::abs(turned_field[17] - at_side) < 1e-14);
 }
 
-TEST_CASE("where the curve stands still, nothing is known to turn either: no infinite or huge values") {
+TEST_CASE(
+    "where the curve stands still, nothing is known to turn either: no infinite or huge values") {
     Case its = ring_case(6, 24, 0.5, 2);
-    // Degree 3, and four neighbouring control points all but coincide: so C' all but vanishes there.
+    // Degree 3, and four neighbouring control points all but coincide: so C' all but vanishes
+    // there.
     for (std::size_t k = 0; k < 4; ++k) {
         its.curves.control[2 * k] = 0.5;
         its.curves.control[2 * k + 1] = 0.001 * static_cast<double>(k);
@@ -154,7 +174,7 @@ TEST_CASE("where the curve stands still, nothing is known to turn either: no inf
     Attempt const attempt(its.problem(), &options);
     REQUIRE(attempt.status == HM_OK);
     for (double const value : {attempt.report.min_value, attempt.report.max_value})
-        CHECK(std::fabs(value) < 2);   // what is added is smaller than 1
+        CHECK(std::fabs(value) < 2);  // what is added is smaller than 1
 }
 
 TEST_CASE("the correction is on or off: other numbers are refused") {

@@ -23,7 +23,8 @@ public:
         for (int m = 0; m <= modes; ++m) {
             Complex sum = 0;
             for (int k = 0; k < n; ++k)
-                sum += sample[static_cast<std::size_t>(k)] * std::polar(1.0, -2 * pi * ((m * k) % n) / n);
+                sum += sample[static_cast<std::size_t>(k)] *
+                       std::polar(1.0, -2 * pi * ((m * k) % n) / n);
             coefficient_.push_back((m == 0 ? 1.0 : 2.0) / n * sum);
         }
     }
@@ -32,8 +33,10 @@ public:
         double const r = std::abs(z), angle = std::arg(z);
         double sum = coefficient_[0].real() * std::log(r1 / r) / std::log(r1 / r0);
         for (int m = 1; m <= modes; ++m) {
-            double const decay = std::pow(r0 / r, m) * (1 - std::pow(r / r1, 2 * m)) / (1 - std::pow(r0 / r1, 2 * m));
-            sum += decay * (coefficient_[static_cast<std::size_t>(m)] * std::polar(1.0, m * angle)).real();
+            double const decay = std::pow(r0 / r, m) * (1 - std::pow(r / r1, 2 * m)) /
+                                 (1 - std::pow(r0 / r1, 2 * m));
+            sum += decay *
+                   (coefficient_[static_cast<std::size_t>(m)] * std::polar(1.0, m * angle)).real();
         }
         return sum;
     }
@@ -47,7 +50,8 @@ private:
 Series basis_function(int degree, int n, int i) {
     Spline const spline = ring(degree, n, 1, 1);
     return Series([&](double angle) {
-        harmorph::CurveBasis const basis = curve_basis(spline.curve(), ring_parameter(degree, n, angle), 0);
+        harmorph::CurveBasis const basis =
+            curve_basis(spline.curve(), ring_parameter(degree, n, angle), 0);
         double value = 0;
         for (int k = 0; k <= degree; ++k) value += basis.control[k] == i ? basis.value[0][k] : 0;
         return value;
@@ -62,7 +66,8 @@ template <class Exact>
 Errors errors_of(std::vector<double> const& values, Mesh const& mesh, Exact exact) {
     Errors out;
     for (std::int32_t k = 0; k < mesh.n_points(); ++k) {
-        double const error = std::fabs(values[static_cast<std::size_t>(k)] - exact(to_complex(mesh.point(k))));
+        double const error =
+            std::fabs(values[static_cast<std::size_t>(k)] - exact(to_complex(mesh.point(k))));
         out.rms += error * error / mesh.n_points();
         out.max = std::fmax(out.max, error);
     }
@@ -84,10 +89,12 @@ TEST_CASE("annulus: the exact Fourier solution, to second order, on quads, trian
             Solved const solved(its);
             CHECK(solved.report.residual < 1e-12);
             CHECK(solved.report.boundary_error <= 1e-15);
-            found.push_back(errors_of(solved.values(2), its.mesh, [&](Complex z) { return exact.annulus(z, 0.5, 2); }));
+            found.push_back(errors_of(solved.values(2), its.mesh,
+                                      [&](Complex z) { return exact.annulus(z, 0.5, 2); }));
         }
-        INFO("largest errors " << found[0].max << " " << found[1].max << " " << found[2].max << ", orders "
-                               << order(found[0].max, found[1].max) << " " << order(found[1].max, found[2].max));
+        INFO("largest errors " << found[0].max << " " << found[1].max << " " << found[2].max
+                               << ", orders " << order(found[0].max, found[1].max) << " "
+                               << order(found[1].max, found[2].max));
         CHECK(found[2].max < 2e-4);
         for (std::size_t k = 0; k < 2; ++k) {
             CHECK(order(found[k].rms, found[k + 1].rms) > 1.85);
@@ -104,10 +111,11 @@ TEST_CASE("a perturbed annulus: still second order in the mean") {
             Case its = ring_case(6 * refine, 32 * refine, 0.5, 2, kind);
             perturb(its.mesh, 0.25, 3);
             Solved const solved(its);
-            found.push_back(errors_of(solved.values(2), its.mesh, [&](Complex z) { return exact.annulus(z, 0.5, 2); }));
+            found.push_back(errors_of(solved.values(2), its.mesh,
+                                      [&](Complex z) { return exact.annulus(z, 0.5, 2); }));
         }
         INFO("orders " << order(found[0].rms, found[1].rms) << " "
-                                             << order(found[1].rms, found[2].rms));
+                       << order(found[1].rms, found[2].rms));
         CHECK(order(found[0].rms, found[2].rms) / 2 > 1.8);
     }
 }
@@ -127,8 +135,9 @@ TEST_CASE("a conformal image of the annulus has the same functions: an ellipse w
                 its.mesh.y[k] = image.imag();
             }
             Solved const solved(its);
-            error[refine - 1] =
-                errors_of(solved.values(1), circles, [&](Complex z) { return exact.annulus(z, 0.5, 2); }).max;
+            error[refine - 1] = errors_of(solved.values(1), circles, [&](Complex z) {
+                                    return exact.annulus(z, 0.5, 2);
+                                }).max;
         }
         CHECK(error[1] < 5e-4);
         CHECK(order(error[0], error[1]) > 1.8);
@@ -138,14 +147,15 @@ TEST_CASE("a conformal image of the annulus has the same functions: an ellipse w
 TEST_CASE("a free symmetry line: half the annulus has half of the symmetric solution") {
     double const r0 = 0.5, r1 = 2;
     int const n_control = 9;
-    Spline arc;   // clamped over the half circle; function 4 and its slope vanish at both ends
+    Spline arc;  // clamped over the half circle; function 4 and its slope vanish at both ends
     arc.knots = clamped_knots(3, n_control);
     for (int k = 0; k < n_control; ++k) {
         arc.control.push_back(r0 * std::cos(pi * k / (n_control - 1)));
         arc.control.push_back(r0 * std::sin(pi * k / (n_control - 1)));
     }
-    Series const exact([&](double angle) {   // even about the line
-        harmorph::CurveBasis const basis = curve_basis(arc.curve(), (angle > pi ? 2 * pi - angle : angle) / pi, 0);
+    Series const exact([&](double angle) {  // even about the line
+        harmorph::CurveBasis const basis =
+            curve_basis(arc.curve(), (angle > pi ? 2 * pi - angle : angle) / pi, 0);
         double value = 0;
         for (int k = 0; k <= 3; ++k) value += basis.control[k] == 4 ? basis.value[0][k] : 0;
         return value;
@@ -161,16 +171,19 @@ TEST_CASE("a free symmetry line: half the annulus has half of the symmetric solu
             its.put_on_curves(body);
             its.set_free(symmetry_line);
             Solved const solved(its);
-            CHECK(solved.report.curve_points == n_t + 1);   // the ends belong to both: the curve comes first
-            error[refine - 1] =
-                errors_of(solved.values(4), its.mesh, [&](Complex z) { return exact.annulus(z, r0, r1); }).max;
+            CHECK(solved.report.curve_points ==
+                  n_t + 1);  // the ends belong to both: the curve comes first
+            error[refine - 1] = errors_of(solved.values(4), its.mesh, [&](Complex z) {
+                                    return exact.annulus(z, r0, r1);
+                                }).max;
         }
         CHECK(error[1] < 1e-3);
         CHECK(order(error[0], error[1]) > 1.8);
     }
 }
 
-TEST_CASE("the sum of all functions does not depend on the curve: it is the wall's harmonic measure") {
+TEST_CASE(
+    "the sum of all functions does not depend on the curve: it is the wall's harmonic measure") {
     for (Cells const kind : kinds) {
         std::vector<std::vector<double>> sums;
         for (int const degree : {1, 2, 3, 5})
@@ -179,7 +192,8 @@ TEST_CASE("the sum of all functions does not depend on the curve: it is the wall
                 perturb(its.mesh, 0.2, 9);
                 Solved const solved(its);
                 sums.push_back(solved.sum());
-                for (std::size_t k = 0; k < 40; ++k) CHECK(sums.back()[k] == doctest::Approx(1).epsilon(1e-15));
+                for (std::size_t k = 0; k < 40; ++k)
+                    CHECK(sums.back()[k] == doctest::Approx(1).epsilon(1e-15));
                 CHECK(solved.report.partition_defect < 1e-15);
             }
         for (std::vector<double> const& sum : sums) CHECK(largest_difference(sum, sums[0]) < 1e-13);
@@ -196,7 +210,8 @@ TEST_CASE("rational functions sum up to 1 on the curve as well") {
     CHECK(largest_difference(plain.values(3), rational.values(3)) > 1e-2);
 }
 
-TEST_CASE("two bodies: the functions of one vanish on the other, and all share the measure of both") {
+TEST_CASE(
+    "two bodies: the functions of one vanish on the other, and all share the measure of both") {
     for (Cells const kind : kinds) {
         Case its = two_body_case(kind);
         Solved const solved(its);
@@ -212,7 +227,8 @@ TEST_CASE("two bodies: the functions of one vanish on the other, and all share t
             }
             for (std::int32_t face = 0; face < its.mesh.n_faces(); ++face)
                 if (its.mesh.face_markers[static_cast<std::size_t>(face)] == far_field)
-                    CHECK(values[static_cast<std::size_t>(its.mesh.faces[2 * static_cast<std::size_t>(face)])] == 0);
+                    CHECK(values[static_cast<std::size_t>(
+                              its.mesh.faces[2 * static_cast<std::size_t>(face)])] == 0);
         }
         for (double const sum : solved.sum()) {
             CHECK(sum >= -1e-12);
@@ -224,11 +240,11 @@ TEST_CASE("two bodies: the functions of one vanish on the other, and all share t
 TEST_CASE("maximum principle: on Delaunay triangles the functions stay between 0 and 1") {
     Case its = ring_case(14, 60, 0.5, 2, Cells::triangles, 3, 11);
     perturb(its.mesh, 0.3, 5);
-    improve(its.mesh, 3);   // flips until it is Delaunay
+    improve(its.mesh, 3);  // flips until it is Delaunay
     Solved const solved(its);
     CHECK(solved.report.min_value >= -1e-15);
     CHECK(solved.report.max_value <= 1);
-    CHECK(solved.report.max_value > 0.6);   // a uniform cubic reaches 2/3
+    CHECK(solved.report.max_value > 0.6);  // a uniform cubic reaches 2/3
 }
 
 TEST_CASE("an airfoil with a sharp trailing edge: all that the report promises") {
@@ -240,7 +256,7 @@ TEST_CASE("an airfoil with a sharp trailing edge: all that the report promises")
         CHECK(solved.report.partition_defect <= 1e-14);
         CHECK(solved.report.curve_points == 120);
         CHECK(solved.report.max_distance < 2e-2);
-        std::vector<double> const tied = solved.values(0);   // the control point at both ends
+        std::vector<double> const tied = solved.values(0);  // the control point at both ends
         CHECK(tied[0] == 1);
     }
 }

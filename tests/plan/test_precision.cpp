@@ -19,7 +19,7 @@ hm_options with(std::int32_t operator_kind, std::int32_t precision) {
 }
 
 struct Difference {
-    double worst = 0, largest = 0;   // largest: of the values themselves
+    double worst = 0, largest = 0;  // largest: of the values themselves
 };
 
 Difference difference_of_all(Solved const& a, Attempt const& b) {
@@ -38,9 +38,11 @@ Difference difference_of_all(Solved const& a, Attempt const& b) {
 
 // The functions are those of double precision.
 void check_same(Case& its, std::int32_t operator_kind, double tolerance) {
-    hm_options const in_double = with(operator_kind, HM_DOUBLE), in_single = with(operator_kind, HM_SINGLE);
+    hm_options const in_double = with(operator_kind, HM_DOUBLE),
+                     in_single = with(operator_kind, HM_SINGLE);
     Solved const exact(its, &in_double), refined(its, &in_single);
-    INFO("operator " << operator_kind << ": " << refined.report.refinements << " steps to " << refined.report.residual);
+    INFO("operator " << operator_kind << ": " << refined.report.refinements << " steps to "
+                     << refined.report.residual);
     CHECK(refined.report.residual < 1e-12);
     CHECK(refined.report.refinements >= 1);
     CHECK(refined.report.refinements <= 4);
@@ -64,7 +66,8 @@ TEST_CASE("viscous meshes: entries of the matrix that differ by eight orders") {
     options.first = 1e-5;
     options.layers = 25;
     its.mesh = hybrid_mesh(naca4(Naca4{}, 60), options);
-    for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) check_same(its, operator_kind, 1e-9);
+    for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL})
+        check_same(its, operator_kind, 1e-9);
 }
 
 TEST_CASE("the thinner cells are, the more steps; where they are too thin the factor is refused") {
@@ -75,12 +78,14 @@ TEST_CASE("the thinner cells are, the more steps; where they are too thin the fa
                 if (operator_kind == HM_LAPLACE && quarters > 0) continue;
                 Case its = airfoil_case(40, 12, Cells::quads);
                 its.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(first, 60, 40)).mesh;
-                hm_options in_double = with(operator_kind, HM_DOUBLE), in_single = with(operator_kind, HM_SINGLE);
+                hm_options in_double = with(operator_kind, HM_DOUBLE),
+                           in_single = with(operator_kind, HM_SINGLE);
                 in_double.exponent_quarters = in_single.exponent_quarters = quarters;
                 Solved const exact(its, &in_double);
                 Attempt const attempt(its.problem(), &in_single);
-                INFO("first cell " << first << ", operator " << operator_kind << ", " << quarters << " quarters: "
-                                   << attempt.error.text << ", " << attempt.report.refinements << " steps");
+                INFO("first cell " << first << ", operator " << operator_kind << ", " << quarters
+                                   << " quarters: " << attempt.error.text << ", "
+                                   << attempt.report.refinements << " steps");
                 if (first > 5e-6) CHECK(attempt.status == HM_OK);
                 if (attempt.status == HM_OK) {
                     Difference const found = difference_of_all(exact, attempt);
@@ -101,7 +106,8 @@ TEST_CASE("the thinner cells are, the more steps; where they are too thin the fa
 TEST_CASE("a second correction as large as the first: rough right-hand sides, no stagnation") {
     Case its = airfoil_case(40, 12, Cells::quads);
     its.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-5, 60, 40)).mesh;
-    for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) check_same(its, operator_kind, 1e-10);
+    for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL})
+        check_same(its, operator_kind, 1e-10);
 }
 
 TEST_CASE("the plan takes less than two thirds of the memory") {
@@ -119,7 +125,9 @@ TEST_CASE("the plan takes less than two thirds of the memory") {
 }
 
 // Weights are (unit / d)^4 at the most, and functions of bodies as large as the bodies.
-TEST_CASE("entries and right-hand sides beyond single precision are refused by name, without an exception") {
+TEST_CASE(
+    "entries and right-hand sides beyond single precision are refused by name, without an "
+    "exception") {
     hm_options options = with(HM_CONFORMAL, HM_SINGLE);
     options.exponent_quarters = 16;
     Case thin = airfoil_case(40, 12, Cells::quads);

@@ -1,4 +1,5 @@
-// Transfers that are refused: other domains, curves, operators and meshes, and blocks that are too small.
+// Transfers that are refused: other domains, curves, operators and meshes, and blocks that are too
+// small.
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -9,14 +10,16 @@ using namespace fixtures;
 TEST_CASE("transfers between other domains, curves, operators or meshes are refused") {
     Case coarse = ring_case(4, 32, 0.5, 2), fine = ring_case(9, 70, 0.5, 2);
     Solved const solved(coarse);
-    auto const refused = [&](Case& its, hm_mesh const& coarse_mesh, hm_options const* options = nullptr) {
+    auto const refused = [&](Case& its, hm_mesh const& coarse_mesh,
+                             hm_options const* options = nullptr) {
         TransferAttempt attempt;
         REQUIRE(attempt.open(its.problem(), options));
         REQUIRE(!attempt.fill_from(solved.basis, coarse_mesh));
         CHECK(attempt.guards_intact());
         CHECK(attempt.block->guards_intact());
         std::vector<double> values(its.mesh.x.size());
-        CHECK(hm_basis_values(attempt.basis, 0, 0, values.data(), nullptr) == HM_BAD_BASIS);   // not solved
+        CHECK(hm_basis_values(attempt.basis, 0, 0, values.data(), nullptr) ==
+              HM_BAD_BASIS);  // not solved
         INFO(attempt.error.text);
         return attempt.error;
     };
@@ -65,17 +68,24 @@ TEST_CASE("transfers between other domains, curves, operators or meshes are refu
         hm_mesh const mesh = coarse.mesh_view();
         std::vector<double> space(attempt.block->size() / 8 + 8);
         std::size_t const bytes = attempt.block->size();
-        auto const transfer = [&](hm_basis* to, void* block, hm_analysis const* with, hm_basis const* from,
-                                  hm_mesh const* on) {
+        auto const transfer = [&](hm_basis* to, void* block, hm_analysis const* with,
+                                  hm_basis const* from, hm_mesh const* on) {
             return hm_transfer(to, block, bytes, with, from, on, nullptr, nullptr);
         };
-        CHECK(transfer(unsolved.basis, space.data(), attempt.analysis, solved.basis, &mesh) == HM_BAD_BASIS);
-        CHECK(transfer(nullptr, space.data(), attempt.analysis, solved.basis, &mesh) == HM_BAD_ARGUMENT);
-        CHECK(transfer(attempt.basis, nullptr, attempt.analysis, solved.basis, &mesh) == HM_BAD_ARGUMENT);
-        CHECK(transfer(attempt.basis, space.data(), nullptr, solved.basis, &mesh) == HM_BAD_ARGUMENT);
-        CHECK(transfer(attempt.basis, space.data(), attempt.analysis, nullptr, &mesh) == HM_BAD_ARGUMENT);
-        CHECK(transfer(attempt.basis, space.data(), attempt.analysis, solved.basis, nullptr) == HM_BAD_ARGUMENT);
-        CHECK(transfer(attempt.basis, space.data(), attempt.analysis, solved.basis, &mesh) == HM_OK);
+        CHECK(transfer(unsolved.basis, space.data(), attempt.analysis, solved.basis, &mesh) ==
+              HM_BAD_BASIS);
+        CHECK(transfer(nullptr, space.data(), attempt.analysis, solved.basis, &mesh) ==
+              HM_BAD_ARGUMENT);
+        CHECK(transfer(attempt.basis, nullptr, attempt.analysis, solved.basis, &mesh) ==
+              HM_BAD_ARGUMENT);
+        CHECK(transfer(attempt.basis, space.data(), nullptr, solved.basis, &mesh) ==
+              HM_BAD_ARGUMENT);
+        CHECK(transfer(attempt.basis, space.data(), attempt.analysis, nullptr, &mesh) ==
+              HM_BAD_ARGUMENT);
+        CHECK(transfer(attempt.basis, space.data(), attempt.analysis, solved.basis, nullptr) ==
+              HM_BAD_ARGUMENT);
+        CHECK(transfer(attempt.basis, space.data(), attempt.analysis, solved.basis, &mesh) ==
+              HM_OK);
     }
 }
 
@@ -88,11 +98,13 @@ TEST_CASE("blocks that are too small for a transfer are refused, at any alignmen
     std::size_t need = 0;
     REQUIRE(hm_transfer_size(attempt.analysis, &mesh, &need, nullptr) == HM_OK);
     for (std::size_t const shift : {0u, 1u, 40u, 63u}) {
-        for (std::size_t give = 0; give <= need; give += give + 200 < need || give == need ? 61 : 1) {
+        for (std::size_t give = 0; give <= need;
+             give += give + 200 < need || give == need ? 61 : 1) {
             Guarded block(give, shift);
             hm_error error{};
             hm_status const status =
-                hm_transfer(attempt.basis, block.data(), give, attempt.analysis, solved.basis, &mesh, nullptr, &error);
+                hm_transfer(attempt.basis, block.data(), give, attempt.analysis, solved.basis,
+                            &mesh, nullptr, &error);
             CHECK(status == (give == need ? HM_OK : HM_BLOCK_TOO_SMALL));
             CHECK(block.guards_intact());
             if (give < need) CHECK(error.value == static_cast<double>(need - give));

@@ -33,7 +33,8 @@ hm_problem without_curves(Case& its) {
     return out;
 }
 
-double worst_on(Case const& its, std::int32_t marker, Field const& moved, Complex centre, Complex s, Complex shift) {
+double worst_on(Case const& its, std::int32_t marker, Field const& moved, Complex centre, Complex s,
+                Complex shift) {
     double worst = 0;
     for (std::int32_t const point : points_on(its.mesh, marker)) {
         Complex const expected = (s - 1.0) * (to_complex(its.mesh.point(point)) - centre) + shift;
@@ -52,7 +53,9 @@ hm_status refused(Case& its, const char* words) {
 
 }  // namespace
 
-TEST_CASE("translated, turned and scaled about its centre: every point is where it should be, to rounding") {
+TEST_CASE(
+    "translated, turned and scaled about its centre: every point is where it should be, to "
+    "rounding") {
     for (std::int32_t const operator_kind : operators)
         for (Cells const kind : {Cells::quads, Cells::triangles}) {
             Case its = flap(false, kind);
@@ -62,7 +65,8 @@ TEST_CASE("translated, turned and scaled about its centre: every point is where 
             CHECK(info.bodies == 1);
             CHECK(info.functions == 11 + 2);
             CHECK(info.numbers_per_value >= 2);
-            Complex const all[] = {1, std::polar(1.0, 0.5), std::polar(1.0, 3.0), 2, std::polar(0.3, -1.0)};
+            Complex const all[] = {1, std::polar(1.0, 0.5), std::polar(1.0, 3.0), 2,
+                                   std::polar(0.3, -1.0)};
             for (Complex const s : all) {
                 std::vector<double> move(26, 0.0);
                 move[22] = 0.3;
@@ -71,21 +75,24 @@ TEST_CASE("translated, turned and scaled about its centre: every point is where 
                 move[25] = s.imag();
                 Field const moved = displacement(solved, move);
                 CHECK(worst_on(its, second_body, moved, {1.5, 0.5}, s, {0.3, -0.1}) < 1e-15);
-                CHECK(worst_on(its, body, moved, 0, 1, 0) == 0);        // the other one rests
+                CHECK(worst_on(its, body, moved, 0, 1, 0) == 0);  // the other one rests
                 CHECK(worst_on(its, far_field, moved, 0, 1, 0) == 0);
                 double error = -1;
                 std::vector<double> xy;
                 for (std::size_t k = 0; k < moved.size(); ++k)
-                    xy.insert(xy.end(), {its.mesh.x[k] + moved[k].real(), its.mesh.y[k] + moved[k].imag()});
-                REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
-                                          points_in(&xy[0], &xy[1], 2), &error, nullptr, nullptr) == HM_OK);
+                    xy.insert(xy.end(),
+                              {its.mesh.x[k] + moved[k].real(), its.mesh.y[k] + moved[k].imag()});
+                REQUIRE(hm_boundary_error(
+                            solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+                            points_in(&xy[0], &xy[1], 2), &error, nullptr, nullptr) == HM_OK);
                 CHECK(error < 1e-14);
             }
             CHECK(solved.report.boundary_error < 1e-15);
         }
 }
 
-TEST_CASE("two rigid bodies and no curve: bodies are numbered by the caller, centres are their own") {
+TEST_CASE(
+    "two rigid bodies and no curve: bodies are numbered by the caller, centres are their own") {
     for (std::int32_t const operator_kind : operators) {
         Case its = flap(true);
         hm_options const options = options_of(operator_kind);
@@ -94,8 +101,8 @@ TEST_CASE("two rigid bodies and no curve: bodies are numbered by the caller, cen
         CHECK(solved.info().curves == 0);
         CHECK(solved.info().bodies == 2);
         Complex const first = std::polar(1.1, 0.2), second = std::polar(0.9, -0.7);
-        Field const moved = displacement(solved, {0.01, 0.02, first.real() - 1, first.imag(), -0.03, 0.01,
-                                                  second.real() - 1, second.imag()});
+        Field const moved = displacement(solved, {0.01, 0.02, first.real() - 1, first.imag(), -0.03,
+                                                  0.01, second.real() - 1, second.imag()});
         CHECK(worst_on(its, second_body, moved, {1.5, 0.5}, first, {0.01, 0.02}) < 1e-15);
         CHECK(worst_on(its, body, moved, {0.25, 0.5}, second, {-0.03, 0.01}) < 1e-15);
     }
@@ -113,13 +120,16 @@ TEST_CASE("a body over several markers is one body; its parts alone would be two
     CHECK(largest_difference(displacement(a, move), displacement(b, move)) < 1e-14);
 }
 
-TEST_CASE("the centre is where it turns, and nothing else: another one, with the translation that makes up for it") {
+TEST_CASE(
+    "the centre is where it turns, and nothing else: another one, with the translation that makes "
+    "up for it") {
     Case its = flap(), other = its;
     other.conditions.back().x = -3;
     other.conditions.back().y = 10;
     hm_options const options = options_of(HM_CONFORMAL);
     Solved const a(its, &options), b(other, &options);
-    Complex const s = std::polar(1.2, 0.4), shift = (s - 1.0) * (Complex(-3, 10) - Complex(1.5, 0.5));
+    Complex const s = std::polar(1.2, 0.4),
+                  shift = (s - 1.0) * (Complex(-3, 10) - Complex(1.5, 0.5));
     std::vector<double> move(26, 0.0), same(26, 0.0);
     move[22] = same[22] = 0.1;
     same[22] += shift.real();
@@ -130,13 +140,14 @@ TEST_CASE("the centre is where it turns, and nothing else: another one, with the
     CHECK(largest_difference(displacement(a, move), displacement(b, same)) < 1e-13);
 }
 
-TEST_CASE("a body on a curve whose control points turn with it moves the mesh as the rigid one does") {
+TEST_CASE(
+    "a body on a curve whose control points turn with it moves the mesh as the rigid one does") {
     for (std::int32_t const operator_kind : operators) {
         Case rigid = ring_case(8, 32, 0.5, 2), curved = rigid;
         rigid.conditions.clear();
         rigid.set_rigid(body, 0.1, 0.2);
         curved.curves = ring(3, 8, 0.5, 0.5);
-        for (std::size_t k = 0; k < 32; ++k) {   // points of the mesh exactly on the curve
+        for (std::size_t k = 0; k < 32; ++k) {  // points of the mesh exactly on the curve
             harmorph::Vec2 const p = curve_point(ring(3, 8, 0.5, 0.5).curve(), curved.given_u[k]);
             rigid.mesh.x[k] = curved.mesh.x[k] = p.x;
             rigid.mesh.y[k] = curved.mesh.y[k] = p.y;
@@ -145,7 +156,8 @@ TEST_CASE("a body on a curve whose control points turn with it moves the mesh as
         Solved const a(without_curves(rigid), &options), b(curved, &options);
         Complex const s = std::polar(1.1, 0.3);
         Field const by_body = displacement(a, {0.05, -0.02, s.real() - 1, s.imag()});
-        Field const by_points = displacement(b, similarity_move(curved.curves, s, {0.1, 0.2}, {0.05, -0.02}));
+        Field const by_points =
+            displacement(b, similarity_move(curved.curves, s, {0.1, 0.2}, {0.05, -0.02}));
         CHECK(largest_difference(by_body, by_points) < 1e-13);
     }
 }
@@ -192,7 +204,7 @@ TEST_CASE("bodies are checked: gaps, centres, numbers out of range, parameters o
     its.set_rigid(31, 1.5, 0.5);
     its.set_rigid(32, 1.5, 0.6);
     CHECK(refused(its, "two centres") == HM_BAD_CONDITION);
-    its.conditions.back().body = 1;   // two bodies may
+    its.conditions.back().body = 1;  // two bodies may
     hm_options const options = options_of(HM_CONFORMAL);
     CHECK(Attempt(its.problem(), &options).status == HM_OK);
     its = good;

@@ -1,12 +1,12 @@
-// Thin cells far from the wall. Where they lean, some of their conductances are negative, and cancel others as the
-// factor is made; where they stand upright, flows through them dwarf those at the wall,
-// and so does the rounding of these flows.
+// Thin cells far from the wall. Where they lean, some of their conductances are negative, and
+// cancel others as the factor is made; where they stand upright, flows through them dwarf those at
+// the wall, and so does the rounding of these flows.
 #include <doctest/doctest.h>
 
 #include <fixtures/double_double.hpp>
 #include <fixtures/operators.hpp>
 
-#include <harmorph/plan/plan.hpp>
+#include "plan/plan.hpp"
 
 using namespace fixtures;
 using harmorph::Index;
@@ -14,9 +14,12 @@ using harmorph::Offset;
 
 namespace {
 
-harmorph::Plan const& inside(const hm_plan* plan) { return *reinterpret_cast<const harmorph::Plan*>(plan); }
+harmorph::Plan const& inside(const hm_plan* plan) {
+    return *reinterpret_cast<const harmorph::Plan*>(plan);
+}
 
-// A flat wall from x = -1 to 1 below rows of cells; those between two rows lean by 2 * lean of a cell's length.
+// A flat wall from x = -1 to 1 below rows of cells; those between two rows lean by 2 * lean of a
+// cell's length.
 Case plate(std::vector<double> const& steps, Cells kind, double lean) {
     Case out;
     int const n = 16, row = n + 1, n_rows = static_cast<int>(steps.size());
@@ -44,7 +47,7 @@ Case plate(std::vector<double> const& steps, Cells kind, double lean) {
     Spline wall;
     wall.degree = 3;
     wall.knots = clamped_knots(3, 6);
-    for (int k = 0; k < 6; ++k) {   // Greville abscissae: x is linear in the parameter
+    for (int k = 0; k < 6; ++k) {  // Greville abscissae: x is linear in the parameter
         std::size_t const first = static_cast<std::size_t>(k);
         double const sum = wall.knots[first + 1] + wall.knots[first + 2] + wall.knots[first + 3];
         wall.control.insert(wall.control.end(), {2 * sum / 3 - 1, 0.0});
@@ -55,8 +58,8 @@ Case plate(std::vector<double> const& steps, Cells kind, double lean) {
     return out;
 }
 
-// Largest error of all functions beside their largest value, 1: of the plan's equations, by dense elimination with
-// twice a double's digits.
+// Largest error of all functions beside their largest value, 1: of the plan's equations, by dense
+// elimination with twice a double's digits.
 double largest_error(Attempt const& solved) {
     harmorph::Plan const& plan = inside(solved.plan);
     harmorph::Matrix const& matrix = plan.equations.matrix;
@@ -88,7 +91,8 @@ double largest_error(Attempt const& solved) {
             DoubleDouble const entry = matrix.coupling_value[c];
             at(i, i) -= entry;
             for (std::size_t f = 0; f < values.size(); ++f)
-                sides[f][static_cast<std::size_t>(i)] -= entry * values[f][static_cast<std::size_t>(point)];
+                sides[f][static_cast<std::size_t>(i)] -=
+                    entry * values[f][static_cast<std::size_t>(point)];
         }
     }
     for (Index k = 0; k < matrix.n; ++k)
@@ -96,15 +100,18 @@ double largest_error(Attempt const& solved) {
             DoubleDouble const factor = at(k, r) / at(k, k);
             if (factor.is_zero()) continue;
             for (Index c = r; c < matrix.n; ++c) at(r, c) -= factor * at(k, c);
-            for (auto& side : sides) side[static_cast<std::size_t>(r)] -= factor * side[static_cast<std::size_t>(k)];
+            for (auto& side : sides)
+                side[static_cast<std::size_t>(r)] -= factor * side[static_cast<std::size_t>(k)];
         }
     double worst = 0;
     for (std::size_t f = 0; f < sides.size(); ++f)
         for (Index k = matrix.n - 1; k >= 0; --k) {
             DoubleDouble& x = sides[f][static_cast<std::size_t>(k)];
-            for (Index c = k + 1; c < matrix.n; ++c) x -= at(k, c) * sides[f][static_cast<std::size_t>(c)];
+            for (Index c = k + 1; c < matrix.n; ++c)
+                x -= at(k, c) * sides[f][static_cast<std::size_t>(c)];
             x /= at(k, k);
-            double const error = std::fabs((x - values[f][static_cast<std::size_t>(plan.equations.point_of(k))]).high);
+            double const error = std::fabs(
+                (x - values[f][static_cast<std::size_t>(plan.equations.point_of(k))]).high);
             if (!(error <= worst)) worst = error;
         }
     return worst;
@@ -112,7 +119,8 @@ double largest_error(Attempt const& solved) {
 
 std::vector<double> const far_and_thin(double h) { return {.1, .1, h, h, h, .1, .2}; }
 
-// Solves again with another factor: what is called done must be right. Counts what is refined away, and what is told.
+// Solves again with another factor: what is called done must be right. Counts what is refined away,
+// and what is told.
 struct Damage {
     int healed = 0, told = 0;
 
@@ -120,7 +128,8 @@ struct Damage {
     void test(Attempt& solved, double& entry, Change change) {
         double const before = entry;
         entry = change(before);
-        hm_status const status = hm_plan_solve(solved.plan, solved.basis, &solved.report, &solved.error);
+        hm_status const status =
+            hm_plan_solve(solved.plan, solved.basis, &solved.report, &solved.error);
         INFO(before << " became " << entry << ": residual " << solved.report.residual);
         CHECK(status >= 0);
         if (status == HM_OK) {
@@ -136,7 +145,9 @@ struct Damage {
 
 }  // namespace
 
-TEST_CASE("functions reported as solved are accurate though cancellation hides errors; others have a warning") {
+TEST_CASE(
+    "functions reported as solved are accurate though cancellation hides errors; others have a "
+    "warning") {
     int trusted = 0, refined = 0, missed = 0;
     for (double const h : {1e-3, 1e-7, 1e-9, 1e-11})
         for (std::vector<double> const& steps :
@@ -149,8 +160,10 @@ TEST_CASE("functions reported as solved are accurate though cancellation hides e
                         hm_options const options = options_of(operator_kind);
                         Attempt const solved(its.problem(), &options);
                         double const error = largest_error(solved);
-                        INFO("cells " << h << " thin, lean " << lean << ", operator " << operator_kind << ": off by "
-                                      << error << ", " << solved.report.refinements << " steps, " << solved.error.text);
+                        INFO("cells " << h << " thin, lean " << lean << ", operator "
+                                      << operator_kind << ": off by " << error << ", "
+                                      << solved.report.refinements << " steps, "
+                                      << solved.error.text);
                         if (solved.status == HM_OK) {
                             CHECK(error < 1e-9);
                             ++(inside(solved.plan).engine.trusted() ? trusted : refined);
@@ -165,12 +178,14 @@ TEST_CASE("functions reported as solved are accurate though cancellation hides e
     CHECK(missed > 0);
 }
 
-TEST_CASE("thin cells that are upright, or leaning and held by the wall, lose no accuracy and are not refined") {
+TEST_CASE(
+    "thin cells that are upright, or leaning and held by the wall, lose no accuracy and are not "
+    "refined") {
     for (double const h : {1e-6, 1e-8})
         for (double const lean : {0.0, 0.3}) {
-            Case its =
-                plate(lean > 0 ? std::vector<double>{h, h, h, .1, .1, .2} : std::vector<double>{.1, .1, h, h, .1, .2},
-                      Cells::quads, lean);
+            Case its = plate(lean > 0 ? std::vector<double>{h, h, h, .1, .1, .2}
+                                      : std::vector<double>{.1, .1, h, h, .1, .2},
+                             Cells::quads, lean);
             hm_options const options = options_of(HM_LAPLACE);
             Attempt const solved(its.problem(), &options);
             CHECK(inside(solved.plan).engine.trusted());
@@ -178,7 +193,9 @@ TEST_CASE("thin cells that are upright, or leaning and held by the wall, lose no
         }
 }
 
-TEST_CASE("residuals that are rounding of flows through thin cells are no errors: right functions are called done") {
+TEST_CASE(
+    "residuals that are rounding of flows through thin cells are no errors: right functions are "
+    "called done") {
     for (double const h : {1e-3, 1e-7, 1e-9, 1e-11, 1e-13})
         for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
             for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED}) {
@@ -188,12 +205,13 @@ TEST_CASE("residuals that are rounding of flows through thin cells are no errors
                 CHECK(largest_error(solved) < 1e-12);
                 CHECK((h > 1e-8 || solved.report.residual > options.tolerance));
                 if (h < 1e-8) CHECK(solved.report.residual > 1e-10);
-                options.operator_kind = HM_CONFORMAL;   // the same functions, with complex numbers
+                options.operator_kind = HM_CONFORMAL;  // the same functions, with complex numbers
                 options.exponent_quarters = HM_NO_WEIGHT;
                 if (operator_kind == HM_LAPLACE)
-                    CHECK(largest_difference(Solved(its, &options).all_values(), solved.all_values()) < 1e-11);
+                    CHECK(largest_difference(Solved(its, &options).all_values(),
+                                             solved.all_values()) < 1e-11);
                 options = options_of(operator_kind);
-                options.tolerance = 1e-300;             // what nothing reaches is told
+                options.tolerance = 1e-300;  // what nothing reaches is told
                 CHECK(Attempt(its.problem(), &options).status == HM_NOT_CONVERGED);
             }
 }
@@ -204,7 +222,8 @@ TEST_CASE("a factor that is damaged is healed by refinement, or the functions ar
         Case its = plate(far_and_thin(h), Cells::hybrid, 0);
         hm_options const options = options_of(HM_LAPLACE);
         Solved solved(its, &options);
-        harmorph::Span<double> const factor = inside(solved.plan).engine.direct.factor.doubles.factor;
+        harmorph::Span<double> const factor =
+            inside(solved.plan).engine.direct.factor.doubles.factor;
         std::mt19937 random(3);
         for (int k = 0; k < 60; ++k) {
             double& entry = factor[random() % factor.size()];
@@ -227,7 +246,8 @@ TEST_CASE("solutions that are spoilt before they are judged are refined, those i
         static std::int32_t call(void* user, std::int32_t phase, double fraction) {
             Spoiler& its = *static_cast<Spoiler*>(user);
             if (phase != HM_PHASE_SOLVE || fraction < 1 || its.value == nullptr) return 0;
-            for (std::size_t k = 0; k < its.n * its.stride; ++k) its.value[its.first * its.stride + k] += 1e-3;
+            for (std::size_t k = 0; k < its.n * its.stride; ++k)
+                its.value[its.first * its.stride + k] += 1e-3;
             return 0;
         }
     };
@@ -240,7 +260,8 @@ TEST_CASE("solutions that are spoilt before they are judged are refined, those i
             options.progress_user = &spoiler;
             Solved solved(its, &options);
             harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
-            spoiler = {basis.value.data(), 2 * 17, 17 * n_rows, static_cast<std::size_t>(basis.row_length())};
+            spoiler = {basis.value.data(), 2 * 17, 17 * n_rows,
+                       static_cast<std::size_t>(basis.row_length())};
             REQUIRE(hm_plan_solve(solved.plan, solved.basis, &solved.report, nullptr) == HM_OK);
             CHECK(solved.report.refinements > 0);
             CHECK(largest_error(solved) < 1e-12);

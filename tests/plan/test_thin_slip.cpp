@@ -1,4 +1,5 @@
-// Slip lines beside thin cells: the couplings of those drown all others in a diagonal, so nothing may depend on it.
+// Slip lines beside thin cells: the couplings of those drown all others in a diagonal, so nothing
+// may depend on it.
 #include <doctest/doctest.h>
 
 #include <fixtures/half_ring.hpp>
@@ -17,7 +18,8 @@ Case thin_half_ring(double first, Cells kind = Cells::quads) {
     return half_ring(radii, 24, kind);
 }
 
-// Thin cells lie on the slip line as well, which goes on before and behind a flat wall from x = -1 to 1.
+// Thin cells lie on the slip line as well, which goes on before and behind a flat wall from x = -1
+// to 1.
 Case thin_plate(double first, Cells kind = Cells::quads) {
     Case out;
     std::vector<double> const heights = stretched(first, 2, 40);
@@ -40,7 +42,7 @@ Case thin_plate(double first, Cells kind = Cells::quads) {
     Spline wall;
     wall.degree = 3;
     wall.knots = clamped_knots(3, 6);
-    for (int k = 0; k < 6; ++k) {   // Greville abscissae: x is linear in the parameter
+    for (int k = 0; k < 6; ++k) {  // Greville abscissae: x is linear in the parameter
         double sum = 0;
         for (int j = 1; j <= 3; ++j) sum += wall.knots[static_cast<std::size_t>(k + j)];
         wall.control.insert(wall.control.end(), {2 * sum / 3 - 1, 0.0});
@@ -57,7 +59,8 @@ Case thin_plate(double first, Cells kind = Cells::quads) {
 TEST_CASE("a shift along the line, the far field free: everything goes along, to rounding") {
     for (double const first : {1e-3, 1e-7, 1e-9, 1e-11})
         for (double const angle : {0.0, 0.4, 2.0}) {
-            if (first < 1e-9 && angle > 0) continue;   // turned coordinates do not resolve the line's direction
+            if (first < 1e-9 && angle > 0)
+                continue;  // turned coordinates do not resolve the line's direction
             Complex const turn = std::polar(1.0, angle);
             for (Case const& straight :
                  {thin_half_ring(first), thin_plate(first), thin_plate(first, Cells::triangles)}) {
@@ -66,9 +69,10 @@ TEST_CASE("a shift along the line, the far field free: everything goes along, to
                     its.set_free(far_field);
                     hm_options const options = options_of(kind);
                     Solved const solved(its, &options);
-                    Field const moved = displacement(solved, similarity_move(its.curves, 1, 0, turn));
-                    INFO("first cell " << first << ", angle " << angle << ", " << solved.report.refinements
-                                       << " steps");
+                    Field const moved =
+                        displacement(solved, similarity_move(its.curves, 1, 0, turn));
+                    INFO("first cell " << first << ", angle " << angle << ", "
+                                       << solved.report.refinements << " steps");
                     CHECK(largest_difference(moved, Field(moved.size(), turn)) < 1e-9);
                 }
             }
@@ -88,7 +92,8 @@ TEST_CASE("the half with slip moves as the half of the whole does") {
         }
 }
 
-TEST_CASE("x moves as if the line were free, y as if it were fixed, and all of it turns with the mesh") {
+TEST_CASE(
+    "x moves as if the line were free, y as if it were fixed, and all of it turns with the mesh") {
     for (double const first : {1e-5, 1e-7, 1e-9}) {
         std::vector<double> const move = some_move(6, 0.3, 8);
         Case its = thin_plate(first), free = its, fixed = its;
@@ -103,9 +108,11 @@ TEST_CASE("x moves as if the line were free, y as if it were fixed, and all of i
             Case beside = similar(its, turn, 0);
             Field of_turned = displacement(Solved(beside, &options), turned(move, turn));
             for (Complex& d : of_turned) d /= turn;
-            CHECK(largest_difference(of_turned, moved) < (first < 1e-8 ? 1e-6 : 1e-8));   // coordinates are rounded
+            CHECK(largest_difference(of_turned, moved) <
+                  (first < 1e-8 ? 1e-6 : 1e-8));  // coordinates are rounded
             if (kind == HM_CONFORMAL) continue;
-            Field const x = displacement(Solved(free, &options), move), y = displacement(Solved(fixed, &options), move);
+            Field const x = displacement(Solved(free, &options), move),
+                        y = displacement(Solved(fixed, &options), move);
             Field both;
             for (std::size_t k = 0; k < x.size(); ++k) both.push_back({x[k].real(), y[k].imag()});
             CHECK(largest_difference(moved, both) < 1e-10);

@@ -14,7 +14,8 @@ namespace {
 double const pi = std::acos(-1.0);
 constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 
-// Unit square on a polygon of degree 1 through its corners and more points: positions are sums of the functions.
+// Unit square on a polygon of degree 1 through its corners and more points: positions are sums of
+// the functions.
 Case cage(int n, Cells kind, double perturbed = 0) {
     Case out;
     out.mesh = square(n, kind);
@@ -56,7 +57,9 @@ TEST_CASE("a transfer from a mesh to the same mesh keeps every number, for each 
     hm_options const options = options_of(HM_CONFORMAL);
     for (hm_options const* its_options : {static_cast<hm_options const*>(nullptr), &options}) {
         for (int which = 0; which < 4; ++which) {
-            Case its = which == 0 ? two_body_case() : which == 1 ? airfoil_case(20) : slip_channel(12, which == 3);
+            Case its = which == 0   ? two_body_case()
+                       : which == 1 ? airfoil_case(20)
+                                    : slip_channel(12, which == 3);
             Solved const solved(its, its_options);
             Transferred const same(its, solved, its.mesh_view(), its_options);
             CHECK(largest_difference(all_numbers(same.basis), all_numbers(solved.basis)) <= 1e-15);
@@ -73,15 +76,18 @@ TEST_CASE("linear fields are exact, between meshes that share no points") {
             Case coarse = cage(8, from, 0.2), fine = cage(20, to, 0.25);
             Transferred const transferred(fine, coarse);
             std::vector<double> const& control = fine.curves.control;
-            CHECK(largest_difference(combined(transferred.basis, coordinate(control, 0)), fine.mesh.x) < 1e-12);
-            CHECK(largest_difference(combined(transferred.basis, coordinate(control, 1)), fine.mesh.y) < 1e-12);
+            CHECK(largest_difference(combined(transferred.basis, coordinate(control, 0)),
+                                     fine.mesh.x) < 1e-12);
+            CHECK(largest_difference(combined(transferred.basis, coordinate(control, 1)),
+                                     fine.mesh.y) < 1e-12);
             CHECK(transferred.transfer.boundary_error <= 1e-15);
             CHECK(transferred.transfer.points == 19 * 19);
         }
     }
 }
 
-TEST_CASE("curved walls: second order against the functions solved on the fine mesh, real and complex") {
+TEST_CASE(
+    "curved walls: second order against the functions solved on the fine mesh, real and complex") {
     hm_options const other = options_of(HM_CONFORMAL);
     for (hm_options const* options : {static_cast<hm_options const*>(nullptr), &other}) {
         for (Cells const kind : kinds) {
@@ -135,7 +141,8 @@ TEST_CASE("transferred functions depend neither on the numbering nor on threads"
     Transferred const renumbered(other_fine, other_coarse);
     double worst = 0;
     for (std::int32_t function = 0; function < fine.curves.n_control(); ++function) {
-        std::vector<double> const a = values_of(plain.basis, function), b = values_of(renumbered.basis, function);
+        std::vector<double> const a = values_of(plain.basis, function),
+                                  b = values_of(renumbered.basis, function);
         for (std::size_t k = 0; k < a.size(); ++k)
             worst = std::fmax(worst, std::fabs(a[k] - b[static_cast<std::size_t>(new_of[k])]));
     }

@@ -1,4 +1,5 @@
-// The boundary of transferred functions: walls, cuts, slip lines, periodic pairs, rigid bodies, thin layers.
+// The boundary of transferred functions: walls, cuts, slip lines, periodic pairs, rigid bodies,
+// thin layers.
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -26,7 +27,8 @@ void turn(Case& its, double angle) {
 
 std::vector<double> moved(hm_basis const* basis, std::vector<double> const& move, std::size_t n) {
     std::vector<double> out(2 * n);
-    REQUIRE(hm_morph(basis, move.data(), nullptr, points_out(out.data(), out.data() + n), nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_morph(basis, move.data(), nullptr, points_out(out.data(), out.data() + n), nullptr,
+                     nullptr) == HM_OK);
     return out;
 }
 
@@ -35,7 +37,8 @@ double admissible(hm_basis const* basis, Case& its, std::vector<double> const& m
     std::vector<double> const by = moved(basis, move, n);
     hm_step_report step{};
     step.struct_size = sizeof step;
-    REQUIRE(hm_admissible_step(basis, &its.mesh_view(), nullptr, points_in(by.data(), by.data() + n), nullptr, &step,
+    REQUIRE(hm_admissible_step(basis, &its.mesh_view(), nullptr,
+                               points_in(by.data(), by.data() + n), nullptr, &step,
                                nullptr) == HM_OK);
     return step.admissible;
 }
@@ -43,16 +46,18 @@ double admissible(hm_basis const* basis, Case& its, std::vector<double> const& m
 }  // namespace
 
 TEST_CASE("the wall moves as the B-spline does, exactly; fixed points do not move") {
-    Case coarse = two_body_case(Cells::hybrid, 8, 6), fine = two_body_case(Cells::triangles, 21, 15);
+    Case coarse = two_body_case(Cells::hybrid, 8, 6),
+         fine = two_body_case(Cells::triangles, 21, 15);
     Transferred const transferred(fine, coarse);
     std::vector<double> const move = some_move(20, 0.05, 3);
     std::size_t const n = fine.mesh.x.size();
     std::vector<double> x(n), y(n);
     hm_mesh const mesh = fine.mesh_view();
-    REQUIRE(hm_morph(transferred.basis, move.data(), &mesh.points, points_out(x, y), nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_morph(transferred.basis, move.data(), &mesh.points, points_out(x, y), nullptr,
+                     nullptr) == HM_OK);
     double error = 1;
-    REQUIRE(hm_boundary_error(transferred.basis, move.data(), &mesh.points, points_in(x, y), &error, nullptr,
-                              nullptr) == HM_OK);
+    REQUIRE(hm_boundary_error(transferred.basis, move.data(), &mesh.points, points_in(x, y), &error,
+                              nullptr, nullptr) == HM_OK);
     CHECK(error < 1e-15);
     int fixed = 0;
     for (std::size_t face = 0; face < fine.mesh.face_markers.size(); ++face) {
@@ -63,7 +68,7 @@ TEST_CASE("the wall moves as the B-spline does, exactly; fixed points do not mov
         ++fixed;
     }
     CHECK(fixed > 50);
-    CHECK(transferred.transfer.wall_correction > 1e-4);   // there was something to restore
+    CHECK(transferred.transfer.wall_correction > 1e-4);  // there was something to restore
 }
 
 TEST_CASE("cuts and seams: both sides get the same bits") {
@@ -81,10 +86,12 @@ TEST_CASE("cuts and seams: both sides get the same bits") {
     for (std::int32_t function = 0; function < fine.curves.n_control(); ++function) {
         std::vector<double> const values = values_of(transferred.basis, function);
         for (std::int32_t k = 0; k < c_fine.n_wake; ++k) {
-            CHECK(values[static_cast<std::size_t>(k)] == values[static_cast<std::size_t>(last - k)]);
+            CHECK(values[static_cast<std::size_t>(k)] ==
+                  values[static_cast<std::size_t>(last - k)]);
         }
     }
-    CHECK(largest_difference(all_numbers(transferred.basis), all_numbers(Solved(fine).basis)) < 0.1);
+    CHECK(largest_difference(all_numbers(transferred.basis), all_numbers(Solved(fine).basis)) <
+          0.1);
 }
 
 TEST_CASE("slipping points stay on their lines, periodic pairs move alike, bit by bit") {
@@ -103,7 +110,8 @@ TEST_CASE("slipping points stay on their lines, periodic pairs move alike, bit b
                 std::size_t const a = static_cast<std::size_t>(fine.mesh.faces[2 * face]);
                 if (marker == bottom || marker == top) {
                     CHECK(std::fabs(by[n + a] * std::cos(angle) - by[a] * std::sin(angle)) < 1e-15);
-                    along = std::fmax(along, std::fabs(by[a] * std::cos(angle) + by[n + a] * std::sin(angle)));
+                    along = std::fmax(
+                        along, std::fabs(by[a] * std::cos(angle) + by[n + a] * std::sin(angle)));
                 }
             }
             CHECK(along > 0.02);
@@ -121,7 +129,9 @@ TEST_CASE("slipping points stay on their lines, periodic pairs move alike, bit b
     }
 }
 
-TEST_CASE("what is restored on a wall that meets a slip line at an angle does not push points off the line") {
+TEST_CASE(
+    "what is restored on a wall that meets a slip line at an angle does not push points off the "
+    "line") {
     auto const slanting = [](int n) {
         Case out;
         out.mesh = square(n);
@@ -160,7 +170,7 @@ TEST_CASE("rigid bodies: points on them move rigidly") {
     Transferred const transferred(fine, coarse);
     std::vector<double> move(2 * (20 + 2), 0.0);
     move[40] = 0.1;
-    move[42] = -0.3;   // s - 1
+    move[42] = -0.3;  // s - 1
     move[43] = 0.2;
     std::size_t const n = fine.mesh.x.size();
     std::vector<double> const by = moved(transferred.basis, move, n);
@@ -178,7 +188,8 @@ TEST_CASE("rigid bodies: points on them move rigidly") {
     CHECK(refused.status == HM_BAD_BASIS);
 }
 
-TEST_CASE("thin layers stay valid: the points near the wall move along with what is restored there") {
+TEST_CASE(
+    "thin layers stay valid: the points near the wall move along with what is restored there") {
     auto const viscous = [](int n_side, double first, int layers) {
         Case out = airfoil_case(n_side);
         Naca4 naca;
@@ -195,10 +206,12 @@ TEST_CASE("thin layers stay valid: the points near the wall move along with what
     for (hm_options const* its : {static_cast<hm_options const*>(nullptr), &options}) {
         Solved const solved(fine, its);
         Transferred const transferred(fine, coarse, its);
-        CHECK(transferred.transfer.wall_correction > 100 * 1e-5);   // many times the height of a first cell
+        CHECK(transferred.transfer.wall_correction >
+              100 * 1e-5);  // many times the height of a first cell
         for (unsigned const seed : {1u, 2u, 3u}) {
             std::vector<double> const move = some_move(fine.curves.n_control(), 0.02, seed);
-            double const own = admissible(solved.basis, fine, move), found = admissible(transferred.basis, fine, move);
+            double const own = admissible(solved.basis, fine, move),
+                         found = admissible(transferred.basis, fine, move);
             INFO("admissible " << found << ", of functions solved on the fine mesh " << own);
             CHECK(found > 0.8 * own);
         }

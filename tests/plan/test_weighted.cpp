@@ -12,13 +12,14 @@ namespace {
 DenseMatrix assembled(Case& its, std::vector<double> const& k) {
     Analysed const seen(its);
     AssembledMatrix matrix(*seen.operator->());
-    REQUIRE(assemble_stiffness(seen->topology, seen->problem.mesh.points, span(k), false, matrix.matrix, {}) ==
-            harmorph::none);
+    REQUIRE(assemble_stiffness(seen->topology, seen->problem.mesh.points, span(k), false,
+                               matrix.matrix, {}) == harmorph::none);
     return matrix.unknowns();
 }
 
-// All functions are moved by 1 on a ring of radius r0 and 0 on r1: only r matters, r k f' is constant, and
-// f = I(r) / I(r0), I(r) = integral from r to r1 of (s - r0)^q / s ds, by the midpoint rule.
+// All functions are moved by 1 on a ring of radius r0 and 0 on r1: only r matters, r k f' is
+// constant, and f = I(r) / I(r0), I(r) = integral from r to r1 of (s - r0)^q / s ds, by the
+// midpoint rule.
 double radial(double r, double r0, double r1, double q) {
     auto const integral = [&](double from) {
         constexpr int steps = 2000;
@@ -41,7 +42,8 @@ double rms_error(int refine, Cells kind, std::int32_t quarters) {
     double sum_of_squares = 0;
     for (int i = 0; i <= n_r; ++i) {
         double const exact = radial(0.5 * std::pow(4, 1.0 * i / n_r), 0.5, 2, 0.25 * quarters);
-        for (int k = 0; k < n_t; ++k) sum_of_squares += std::pow(sum[static_cast<std::size_t>(i * n_t + k)] - exact, 2);
+        for (int k = 0; k < n_t; ++k)
+            sum_of_squares += std::pow(sum[static_cast<std::size_t>(i * n_t + k)] - exact, 2);
     }
     return std::sqrt(sum_of_squares / static_cast<double>(sum.size()));
 }
@@ -54,7 +56,8 @@ TEST_CASE("annulus: the exact radial solution, to second order, with exponents i
             double const coarse = rms_error(2, kind, quarters), fine = rms_error(4, kind, quarters);
             INFO("q = " << 0.25 * quarters << ": " << coarse << " " << fine);
             CHECK(fine < 1e-3);
-            // A ring's quads have equal diagonals: which one splits them is chance, and part of the error is, too.
+            // A ring's quads have equal diagonals: which one splits them is chance, and part of the
+            // error is, too.
             double const at_best = kind == Cells::quads ? 1.85 : 1.5;
             // F = d^(1 + q): less smooth.
             CHECK(std::log2(coarse / fine) > (quarters < 4 ? 1 + 0.2 * quarters : at_best));
@@ -73,7 +76,8 @@ TEST_CASE("a constant factor of k is a factor of the matrix: it changes no funct
     std::vector<double> expected;
     for (double const entry : a.entries) expected.push_back(8 * entry);
     CHECK(same_bits(b.entries, expected));
-    CHECK(same_bits(assembled(its, {}).entries, assembled(its, std::vector<double>(k.size(), 1.0)).entries));
+    CHECK(same_bits(assembled(its, {}).entries,
+                    assembled(its, std::vector<double>(k.size(), 1.0)).entries));
     CHECK(!same_bits(a.entries, assembled(its, {}).entries));
 }
 
@@ -85,14 +89,16 @@ TEST_CASE("nor does the unit of length, though k has one") {
         Solved const reference(its, &options);
         for (double const unit : {1 / 1024.0, 3.7, 1e20}) {
             Case scaled = similar(origin, unit, 0);
-            CHECK(largest_difference(Solved(scaled, &options).all_values(), reference.all_values()) < 1e-9);
+            CHECK(largest_difference(Solved(scaled, &options).all_values(),
+                                     reference.all_values()) < 1e-9);
         }
     }
 }
 
 TEST_CASE("without a weight: Laplace's functions, bit by bit; the larger q, the more moves along") {
     Case its = airfoil_case();
-    hm_options const none_at_all = options_of(HM_WEIGHTED, HM_NO_WEIGHT), usual = options_of(HM_WEIGHTED);
+    hm_options const none_at_all = options_of(HM_WEIGHTED, HM_NO_WEIGHT),
+                     usual = options_of(HM_WEIGHTED);
     Solved const plain(its), unweighted(its, &none_at_all), by_default(its, &usual);
     CHECK(same_bits(unweighted.all_values(), plain.all_values()));
     CHECK(by_default.info().exponent_quarters == 4);
@@ -104,19 +110,23 @@ TEST_CASE("without a weight: Laplace's functions, bit by bit; the larger q, the 
         if (quarters == 4) CHECK(same_bits(solved.all_values(), by_default.all_values()));
         std::vector<double> const sum = solved.sum();
         double mean = 0;
-        for (std::size_t k = 0; k < sum.size(); ++k) mean += (sum[k] - last[k]) / static_cast<double>(sum.size());
+        for (std::size_t k = 0; k < sum.size(); ++k)
+            mean += (sum[k] - last[k]) / static_cast<double>(sum.size());
         CHECK(mean > 0.01);
         last = sum;
     }
 }
 
-TEST_CASE("a plan without a weight stores no conductivities: it is smaller by one number for each cell") {
+TEST_CASE(
+    "a plan without a weight stores no conductivities: it is smaller by one number for each cell") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Case its = ring_case(8, 32, 0.5, 2, kind);
-        hm_options const weighted = options_of(HM_WEIGHTED, 4), none_at_all = options_of(HM_WEIGHTED, HM_NO_WEIGHT);
+        hm_options const weighted = options_of(HM_WEIGHTED, 4),
+                         none_at_all = options_of(HM_WEIGHTED, HM_NO_WEIGHT);
         Solved const with(its, &weighted), without(its, &none_at_all), laplace(its);
         std::size_t const more = with.plan_block->size() - without.plan_block->size();
-        CHECK(more == 8 * static_cast<std::size_t>(its.mesh.n_cells()));   // a multiple of the alignment of arrays
+        CHECK(more == 8 * static_cast<std::size_t>(
+                              its.mesh.n_cells()));  // a multiple of the alignment of arrays
         CHECK(without.plan_block->size() == laplace.plan_block->size());
     }
 }
@@ -133,7 +143,8 @@ TEST_CASE("rigid bodies count for the distance as curves do, fixed boundaries do
     problem.n_given = 0;
     hm_options const options = options_of(HM_WEIGHTED, 6);
     Solved const a(curve, &options), b(problem, &options);
-    // A translation of all: the same data on the wall, so the same displacements if the weights are the same.
+    // A translation of all: the same data on the wall, so the same displacements if the weights are
+    // the same.
     Field const by_curve = displacement(a, similarity_move(curve.curves, 1, 0, {1, -2}));
     CHECK(largest_difference(by_curve, displacement(b, {1, -2, 0, 0})) < 1e-13);
     // With the far field on a curve too, distances and functions are others.

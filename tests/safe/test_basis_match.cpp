@@ -1,4 +1,5 @@
-// Which other bases a safe morph takes: those whose functions are the same at the wall, modes of a table included.
+// Which other bases a safe morph takes: those whose functions are the same at the wall, modes of a
+// table included.
 #include <doctest/doctest.h>
 
 #include <fixtures/derived.hpp>
@@ -8,8 +9,8 @@ using namespace fixtures;
 
 namespace {
 
-hm_status safe_morph(hm_plan* plan, const hm_basis* basis, const hm_basis* other, std::size_t n_points,
-                     hm_error& error) {
+hm_status safe_morph(hm_plan* plan, const hm_basis* basis, const hm_basis* other,
+                     std::size_t n_points, hm_error& error) {
     std::size_t bytes = 0;
     REQUIRE(hm_morph_safe_size(plan, basis, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
@@ -20,13 +21,15 @@ hm_status safe_morph(hm_plan* plan, const hm_basis* basis, const hm_basis* other
     hm_basis_info const info = info_of(basis);
     std::vector<double> x(n_points), y(n_points);
     std::vector<double> const move(static_cast<std::size_t>(2 * info.functions), 1e-3);
-    return hm_morph_safe(plan, basis, move.data(), points_out(x, y), nullptr, work.data(), bytes, &options, nullptr,
-                         &error);
+    return hm_morph_safe(plan, basis, move.data(), points_out(x, y), nullptr, work.data(), bytes,
+                         &options, nullptr, &error);
 }
 
 }  // namespace
 
-TEST_CASE("another operator with the same table is taken; with one number of the table changed, it is refused") {
+TEST_CASE(
+    "another operator with the same table is taken; with one number of the table changed, it is "
+    "refused") {
     for (bool const complex : {false, true}) {
         Case its = curve_and_table();
         hm_options const options = options_of(complex ? HM_CONFORMAL : HM_LAPLACE);
@@ -58,7 +61,8 @@ TEST_CASE("another operator with the same table is taken; with one number of the
                     changed[mode][point] += part == 0 ? Complex(1e-9, 0) : Complex(0, 1e-9);
                     Tabulated const different(other.plan, other.basis, changed, numbers);
                     REQUIRE(different.status == HM_OK);
-                    CHECK(safe_morph(own.plan, basis.basis, different.basis, n_points, error) == HM_BAD_BASIS);
+                    CHECK(safe_morph(own.plan, basis.basis, different.basis, n_points, error) ==
+                          HM_BAD_BASIS);
                 }
     }
 }

@@ -4,8 +4,8 @@
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
 
-#include <harmorph/plan/plan.hpp>
-#include <harmorph/safe/carried_offsets.hpp>
+#include "plan/plan.hpp"
+#include "safe/carried_offsets.hpp"
 
 using namespace fixtures;
 using harmorph::Index;
@@ -30,7 +30,8 @@ Case rough_ring() {
 
 struct Carried {
     Carried(Case& its, std::vector<double> const& move, std::int32_t operator_kind = HM_CONFORMAL)
-        : options(options_of(operator_kind)), solved(its, &options),
+        : options(options_of(operator_kind)),
+          solved(its, &options),
           plan(*reinterpret_cast<harmorph::Plan*>(solved.plan)),
           basis(harmorph::Basis::view(static_cast<void*>(solved.basis))) {
         auto const lay_out = [&](harmorph::Arena& arena) {
@@ -82,7 +83,9 @@ TEST_CASE("offsets are those of the points from their curve, and turn with the b
     CHECK(of.carried.reach > 0);
 }
 
-TEST_CASE("nothing is carried by what turns nothing, by real functions, and where points are on their curve") {
+TEST_CASE(
+    "nothing is carried by what turns nothing, by real functions, and where points are on their "
+    "curve") {
     Case its = rough_ring();
     std::vector<double> const turn = similarity_move(its.curves, std::polar(1.0, 0.7), 0, 0);
     std::vector<double> const shift = similarity_move(its.curves, 1, 0, {0.1, 0.2});
@@ -90,7 +93,7 @@ TEST_CASE("nothing is carried by what turns nothing, by real functions, and wher
     CHECK(shifted.carried.largest(shifted.basis, shifted.path, 1) < 1e-15);
     CHECK(real.carried.reach == 0);
     CHECK(real.carried.largest(real.basis, real.path, 1) == 0);
-    for (Index slot = 0; slot < 32; ++slot) {   // on the curve
+    for (Index slot = 0; slot < 32; ++slot) {  // on the curve
         auto const k = static_cast<std::size_t>(real.basis.wall_point[slot]);
         its.mesh.x[k] = real.on_curve(slot).real();
         its.mesh.y[k] = real.on_curve(slot).imag();
@@ -109,12 +112,14 @@ TEST_CASE("inside, the similarity is carried near the wall and fades with the di
     std::vector<std::uint8_t> held(n, 0);
     for (std::size_t k = 0; k < n; ++k) representative[k] = static_cast<Index>(k);
     for (std::int32_t const marker : {std::int32_t{body}, std::int32_t{far_field}})
-        for (std::int32_t const k : points_on(its.mesh, marker)) held[static_cast<std::size_t>(k)] = 1;
+        for (std::int32_t const k : points_on(its.mesh, marker))
+            held[static_cast<std::size_t>(k)] = 1;
     harmorph::Points const start = of.plan.mesh.points;
-    of.carried.find_groups(of.basis, of.path, start, of.plan.equations.wall, span(representative), span(held), {});
+    of.carried.find_groups(of.basis, of.path, start, of.plan.equations.wall, span(representative),
+                           span(held), {});
     of.carried.find(of.basis, span(reached), start, span(representative), {});
     of.carried.add(of.path, 0, 1, {dx.data(), dy.data(), 1}, {});
-    Field const of_control = displacement(of.solved, its.curves.control);   // sum of F_i P_i
+    Field const of_control = displacement(of.solved, its.curves.control);  // sum of F_i P_i
     int carried = 0;
     for (std::size_t k = 0; k < n; ++k) {
         Complex const by(dx[k], dy[k]);
@@ -126,11 +131,14 @@ TEST_CASE("inside, the similarity is carried near the wall and fades with the di
         double distance = 1e9;
         for (std::size_t face = 0; face < 32; ++face) {
             std::size_t const next = (face + 1) % 32;
-            Complex const a(its.mesh.x[face], its.mesh.y[face]), b(its.mesh.x[next], its.mesh.y[next]);
-            double const s = std::fmin(std::fmax(((z - a) * std::conj(b - a)).real() / std::norm(b - a), 0.0), 1.0);
+            Complex const a(its.mesh.x[face], its.mesh.y[face]),
+                b(its.mesh.x[next], its.mesh.y[next]);
+            double const s = std::fmin(
+                std::fmax(((z - a) * std::conj(b - a)).real() / std::norm(b - a), 0.0), 1.0);
             distance = std::fmin(distance, std::abs(z - a - s * (b - a)));
         }
-        double const r = distance / of.carried.reach, fade = r < 1 ? (1 - r) * (1 - r) * (1 + 2 * r) : 0;
+        double const r = distance / of.carried.reach,
+                     fade = r < 1 ? (1 - r) * (1 - r) * (1 + 2 * r) : 0;
         CHECK(std::abs(by - (turn - 1.0) * fade * (z - of_control[k])) < 1e-12);
         carried += fade > 0 ? 1 : 0;
     }

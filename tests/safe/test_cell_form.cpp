@@ -1,7 +1,8 @@
-// Gradient and Hessian of a cell by its points, against the sums over corners and modes that they stand for.
+// Gradient and Hessian of a cell by its points, against the sums over corners and modes that they
+// stand for.
 #include <doctest/doctest.h>
 
-#include <harmorph/safe/cell_form.hpp>
+#include "safe/cell_form.hpp"
 
 #include <cmath>
 #include <random>
@@ -15,7 +16,9 @@ using harmorph::Vec2;
 
 namespace {
 
-double random_number(std::mt19937& random) { return static_cast<double>(random()) / 2147483648.0 - 1; }
+double random_number(std::mt19937& random) {
+    return static_cast<double>(random()) / 2147483648.0 - 1;
+}
 Vec2 random_vector(std::mt19937& random) { return {random_number(random), random_number(random)}; }
 
 // Derivatives do not see that all points move together: their sum over the points is 0.
@@ -38,7 +41,8 @@ struct Term {
     }
 };
 
-// Derivatives by points of a triangle whose first side is seen turned become those by the points themselves.
+// Derivatives by points of a triangle whose first side is seen turned become those by the points
+// themselves.
 void turn_back(Vec2 turn, Vec2 (&by)[3]) {
     Vec2 const by_start = product(turn, by[0]);
     by[1] = by[1] + by[0] - by_start;
@@ -46,7 +50,8 @@ void turn_back(Vec2 turn, Vec2 (&by)[3]) {
 }
 
 double difference(Block const& p, Block const& q) {
-    return std::fabs(p.a - q.a) + std::fabs(p.b - q.b) + std::fabs(p.c - q.c) + std::fabs(p.d - q.d);
+    return std::fabs(p.a - q.a) + std::fabs(p.b - q.b) + std::fabs(p.c - q.c) +
+           std::fabs(p.d - q.d);
 }
 
 template <Index n>
@@ -65,7 +70,7 @@ void check(Vec2 turn, bool is_passage, unsigned seed) {
     for (Index own = 0; own < n; ++own) {
         Index const point[3] = {(own + n - 1) % n, own, (own + 1) % n};
         CornerForm corner;
-        auto const add = [&](double curvature, const Vec2 (&at)[3], bool is_gradient) {
+        auto const add = [&](double curvature, const Vec2(&at)[3], bool is_gradient) {
             Vec2 its[3] = {at[0], at[1], at[2]};
             turn_back(turn, its);
             for (int k = 0; k < 3 && is_passage; ++k) {

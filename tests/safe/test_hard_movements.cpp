@@ -1,4 +1,5 @@
-// Movements that are possible, on meshes with traits that have made them look impossible; and impossible ones.
+// Movements that are possible, on meshes with traits that have made them look impossible; and
+// impossible ones.
 #include <doctest/doctest.h>
 
 #include "measure/deform/seeds.hpp"
@@ -21,9 +22,10 @@ std::vector<double> smooth_move(std::int32_t n, double size, unsigned seed) {
         for (std::size_t side = 0; side < 2; ++side) {
             double const amount = size * (2 * uniform(random) - 1) / wave * (side == 0 ? 0.2 : 1);
             for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k)
-                move[2 * k + side] += amount * std::sin(pi * wave * static_cast<double>(k) / (n - 1));
+                move[2 * k + side] +=
+                    amount * std::sin(pi * wave * static_cast<double>(k) / (n - 1));
         }
-    move[move.size() - 2] = move[move.size() - 1] = 0;   // and not the rounding of a sine
+    move[move.size() - 2] = move[move.size() - 1] = 0;  // and not the rounding of a sine
     return move;
 }
 
@@ -31,7 +33,8 @@ double start_quality(Safe const& safe) {
     hm_mesh const view = safe.mesh.view();
     hm_quality_report quality{};
     quality.struct_size = sizeof quality;
-    REQUIRE(hm_quality(safe.solved().basis, &view, nullptr, nullptr, nullptr, &quality, nullptr) == HM_OK);
+    REQUIRE(hm_quality(safe.solved().basis, &view, nullptr, nullptr, nullptr, &quality, nullptr) ==
+            HM_OK);
     return quality.min_quality;
 }
 
@@ -42,23 +45,27 @@ TEST_CASE("a piece of a channel's floor, its ends held: the ends stay where they
         Case its = channel(20, 24, 1e-5, 40, kind);
         Safe safe(its);
         safe.safe_options.min_quality = 0;
-        std::int32_t const corners[] = {points_on(its.mesh, body).front(), points_on(its.mesh, body).back()};
+        std::int32_t const corners[] = {points_on(its.mesh, body).front(),
+                                        points_on(its.mesh, body).back()};
         for (unsigned const seed : {1u, 2u, 3u, 4u}) {
             INFO("seed " << seed << ": " << safe.report.step_fraction << ", " << safe.error.text);
             std::vector<double> const move = smooth_move(40, 0.6, seed);
-            CHECK(safe.admissible(move) < 1);   // one step does not do
+            CHECK(safe.admissible(move) < 1);  // one step does not do
             REQUIRE(safe.run(move) >= HM_OK);
             CHECK(safe.report.step_fraction == 1);
             CHECK(safe.is_valid());
             CHECK(safe.boundary_error(move) < 1e-14);
             // As far as one solution more leads: both ends are where they were, to the bit.
             safe.safe_options.max_resolves = -1;
-            safe.safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED});
+            safe.safe_options.skipped_strategies =
+                without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED});
             REQUIRE(safe.run(move) == HM_SHORT);
             CHECK(safe.report.steps == 1);
             for (std::int32_t const k : corners) {
-                CHECK(safe.x[static_cast<std::size_t>(k)] == its.mesh.x[static_cast<std::size_t>(k)]);
-                CHECK(safe.y[static_cast<std::size_t>(k)] == its.mesh.y[static_cast<std::size_t>(k)]);
+                CHECK(safe.x[static_cast<std::size_t>(k)] ==
+                      its.mesh.x[static_cast<std::size_t>(k)]);
+                CHECK(safe.y[static_cast<std::size_t>(k)] ==
+                      its.mesh.y[static_cast<std::size_t>(k)]);
             }
             safe.safe_options.max_resolves = 0;
             safe.safe_options.skipped_strategies = 0;
@@ -80,8 +87,9 @@ TEST_CASE("the wall of a nozzle from corner to corner, its axis sliding") {
     CHECK(safe.is_valid());
     CHECK(safe.report.min_quality > 0.2);
     CHECK(safe.report.resolves <= 6);
-    for (std::int32_t const k : points_on(its.mesh, bottom)) CHECK(safe.y[static_cast<std::size_t>(k)] == 0);
-    for (std::size_t k = 1; k < 32; k += 2) move[k] *= 2;   // the throat below the axis
+    for (std::int32_t const k : points_on(its.mesh, bottom))
+        CHECK(safe.y[static_cast<std::size_t>(k)] == 0);
+    for (std::size_t k = 1; k < 32; k += 2) move[k] *= 2;  // the throat below the axis
     CHECK(safe.run(move) == HM_CROSSING);
     CHECK(safe.untouched());
 }
@@ -112,8 +120,11 @@ TEST_CASE("a periodic cascade translated by half a chord and by half a pitch: it
         }
 }
 
-// Every movement that crosses no wall ends at the target, with the quality asked for and six solutions at most.
-TEST_CASE("seeded movements of a channel's floor by up to half the channel, and of a cascade by up to half a pitch") {
+// Every movement that crosses no wall ends at the target, with the quality asked for and six
+// solutions at most.
+TEST_CASE(
+    "seeded movements of a channel's floor by up to half the channel, and of a cascade by up to "
+    "half a pitch") {
     Case floor = channel(14, 16, 0.004, 20), row;
     // Markers in the order of the file: blade, inlet, lower, outlet, upper.
     row.mesh = read_su2("tests/meshes/cascade.su2");
@@ -126,8 +137,9 @@ TEST_CASE("seeded movements of a channel's floor by up to half the channel, and 
         safe.safe_options.min_quality = 0;
         int counted = 0;
         for (std::uint64_t seed = 1; seed <= 11; ++seed) {
-            std::vector<double> const move = is_row ? deform::random_flight(row.curves.control, seed, 0.45)
-                                                    : deform::random_bump(20, seed, 0.5);
+            std::vector<double> const move =
+                is_row ? deform::random_flight(row.curves.control, seed, 0.45)
+                       : deform::random_bump(20, seed, 0.5);
             hm_status const status = safe.run(move);
             if (status == HM_CROSSING) continue;
             INFO((is_row ? "cascade" : "channel") << ", seed " << seed << ": " << safe.error.text);
@@ -141,7 +153,9 @@ TEST_CASE("seeded movements of a channel's floor by up to half the channel, and 
     }
 }
 
-TEST_CASE("a coarse fit under a thin first layer: a body that turns takes its points along, and heights are kept") {
+TEST_CASE(
+    "a coarse fit under a thin first layer: a body that turns takes its points along, and heights "
+    "are kept") {
     Case its;
     Outline const outline = naca4({}, 40);
     its.mesh = o_mesh(outline, stretched(1e-6, 8, 40));
@@ -149,7 +163,7 @@ TEST_CASE("a coarse fit under a thin first layer: a body that turns takes its po
     its.put_on_curves(body);
     Safe safe(its);
     safe.safe_options.min_quality = 0;
-    REQUIRE(safe.solved().report.max_distance > 1e-4);   // a hundred first layers
+    REQUIRE(safe.solved().report.max_distance > 1e-4);  // a hundred first layers
     for (double const degrees : {45.0, 170.0}) {
         Complex const turn = std::polar(1.0, degrees * pi / 180), centre(0.25, 0);
         std::vector<double> const move = similarity_move(its.curves, turn, centre);
@@ -159,13 +173,15 @@ TEST_CASE("a coarse fit under a thin first layer: a body that turns takes its po
         CHECK(safe.report.max_height_ratio < 1.0001);
         CHECK(safe.report.max_angle_change < 0.01);
         CHECK(safe.report.min_quality > 0.9 * start_quality(safe));
-        for (std::int32_t const k : points_on(its.mesh, body)) {   // the wall is the start's, turned
+        for (std::int32_t const k : points_on(its.mesh, body)) {  // the wall is the start's, turned
             std::size_t const point = static_cast<std::size_t>(k);
             Complex const start(its.mesh.x[point], its.mesh.y[point]);
-            CHECK(std::abs(Complex(safe.x[point], safe.y[point]) - (centre + turn * (start - centre))) < 1e-13);
+            CHECK(std::abs(Complex(safe.x[point], safe.y[point]) -
+                           (centre + turn * (start - centre))) < 1e-13);
         }
         CHECK(safe.report.turned_offset ==
-              doctest::Approx(std::abs(turn - 1.0) * safe.solved().report.max_distance).epsilon(1e-3));
+              doctest::Approx(std::abs(turn - 1.0) * safe.solved().report.max_distance)
+                  .epsilon(1e-3));
     }
     // What turns nothing is the B-spline's movement alone.
     std::vector<double> const shift = similarity_move(its.curves, 1, 0, {0.1, 0.2});
@@ -195,8 +211,8 @@ TEST_CASE("impossible targets are refused at once, with the place, and nothing i
     move[4] = -0.1;
     move[5] = 0.5;
     std::int32_t const cell = refused(corner, move, "inverted by its points on the boundary");
-    CHECK(cell == 140);   // the uppermost one at the left side: 7 rows of 20 below
-    move[3] = -0.4;   // out of the domain
+    CHECK(cell == 140);  // the uppermost one at the left side: 7 rows of 20 below
+    move[3] = -0.4;      // out of the domain
     move[5] = -0.2;
     refused(corner, move, "crosses itself");
 
@@ -211,10 +227,12 @@ TEST_CASE("impossible targets are refused at once, with the place, and nothing i
         return by;
     };
     std::vector<std::int32_t> const first = points_on(two.mesh, body);
-    auto const is_of_first = [&](std::int32_t k) { return std::find(first.begin(), first.end(), k) != first.end(); };
+    auto const is_of_first = [&](std::int32_t k) {
+        return std::find(first.begin(), first.end(), k) != first.end();
+    };
     CHECK(is_of_first(refused(bodies, first_by(1, 1, 5), "outside the boundary")));
     CHECK(is_of_first(refused(bodies, first_by(0.2, 0.2, 1), "is inside")));
     CHECK(is_of_first(refused(bodies, first_by(1, -1, 0), "inside out")));
     refused(bodies, first_by(1, 1, 0.9), "crosses itself");
-    CHECK(bodies.run(first_by(0.2, 0.2, 0.2)) >= HM_OK);   // what is possible is possible
+    CHECK(bodies.run(first_by(0.2, 0.2, 0.2)) >= HM_OK);  // what is possible is possible
 }

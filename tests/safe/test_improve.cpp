@@ -10,8 +10,8 @@
 #include <fixtures/mangle.hpp>
 #include <fixtures/square.hpp>
 
-#include <harmorph/morph/quality.hpp>
-#include <harmorph/safe/improve.hpp>
+#include "morph/quality.hpp"
+#include "safe/improve.hpp"
 
 using namespace fixtures;
 using harmorph::Improvement;
@@ -32,7 +32,8 @@ struct Task {
     explicit Task(Mesh const& mesh) : reference(mesh), now(mesh), held(mesh.x.size(), 0) {
         for (std::int32_t const point : mesh.faces) held[static_cast<std::size_t>(point)] = 1;
     }
-    // Inner points are thrown about by up to `part` of what keeps every corner positive, with the given seed.
+    // Inner points are thrown about by up to `part` of what keeps every corner positive, with the
+    // given seed.
     void scatter(double part, unsigned seed) { perturb(now, part, seed); }
 };
 
@@ -61,10 +62,15 @@ struct Improved {
         harmorph::Arena arena(block->data(), query.bytes());
         lay_out(arena);
         REQUIRE(!arena.overflown());
-        walls.choose(analysed->boundary, [&](Index face) { return analysed->boundary.marker[face] == body; });
+        walls.choose(analysed->boundary,
+                     [&](Index face) { return analysed->boundary.marker[face] == body; });
         walls.build(view.points);
-        improvement.tangle = {view, view.points, analysed->topology.reversed, analysed->topology.representative,
-                              span(its.held), span(its.line)};
+        improvement.tangle = {view,
+                              view.points,
+                              analysed->topology.reversed,
+                              analysed->topology.representative,
+                              span(its.held),
+                              span(its.line)};
         improvement.executor = executor;
         improvement.targets.find(analysed->topology, walls, view.points, at(), executor);
         before = quality();
@@ -80,7 +86,9 @@ struct Improved {
         }
     }
     harmorph::Points at() const { return {mesh.x.data(), mesh.y.data(), 1}; }
-    Quality quality() const { return harmorph::measure_quality(analysed->topology, at(), view.points, {}); }
+    Quality quality() const {
+        return harmorph::measure_quality(analysed->topology, at(), view.points, {});
+    }
     bool same_bits(Mesh const& other) const { return mesh.x == other.x && mesh.y == other.y; }
 };
 
@@ -88,8 +96,10 @@ struct Improved {
 Task sheared_annulus(Cells kind, double angle) {
     Task its(annulus(12, 36, 0.5, 2, kind, true));
     for (std::size_t k = 0; k < its.held.size(); ++k) {
-        double const radius = std::hypot(its.now.x[k], its.now.y[k]), turn = angle * (2 - radius) / 1.5;
-        double const c = std::cos(turn), s = std::sin(turn), x = its.reference.x[k], y = its.reference.y[k];
+        double const radius = std::hypot(its.now.x[k], its.now.y[k]),
+                     turn = angle * (2 - radius) / 1.5;
+        double const c = std::cos(turn), s = std::sin(turn), x = its.reference.x[k],
+                     y = its.reference.y[k];
         its.now.x[k] = c * x - s * y;
         its.now.y[k] = s * x + c * y;
     }
@@ -98,7 +108,8 @@ Task sheared_annulus(Cells kind, double angle) {
 
 double farthest(Mesh const& a, Mesh const& b) {
     double worst = 0;
-    for (std::size_t k = 0; k < a.x.size(); ++k) worst = std::fmax(worst, std::hypot(a.x[k] - b.x[k], a.y[k] - b.y[k]));
+    for (std::size_t k = 0; k < a.x.size(); ++k)
+        worst = std::fmax(worst, std::hypot(a.x[k] - b.x[k], a.y[k] - b.y[k]));
     return worst;
 }
 
@@ -122,7 +133,8 @@ TEST_CASE("points that were thrown about find back to the mesh that was their ta
         options.least_gain = 1e-12;
         options.most_products = 500;
         Improved const out(its, {}, true, options);
-        INFO(out.before.min_quality << " " << out.after.min_quality << " " << out.report.iterations);
+        INFO(out.before.min_quality << " " << out.after.min_quality << " "
+                                    << out.report.iterations);
         CHECK(farthest(its.now, its.reference) > 0.02);
         CHECK(farthest(out.mesh, its.reference) < 1e-5);
     }
@@ -131,8 +143,8 @@ TEST_CASE("points that were thrown about find back to the mesh that was their ta
 TEST_CASE("sheared rings: the smallest quality rises") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Improved const out(sheared_annulus(kind, 1.2));
-        INFO(out.before.min_quality << " " << out.before.mean_quality() << " " << out.after.min_quality << " "
-                                    << out.after.mean_quality());
+        INFO(out.before.min_quality << " " << out.before.mean_quality() << " "
+                                    << out.after.min_quality << " " << out.after.mean_quality());
         CHECK(out.after.min_quality > 1.3 * out.before.min_quality);
     }
 }
@@ -140,7 +152,7 @@ TEST_CASE("sheared rings: the smallest quality rises") {
 TEST_CASE("where a cell is not good enough at the end, only points near it move, until it is") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Task its(square(40, kind));
-        std::size_t const middle = 20 * 41 + 20;   // its cells are still valid
+        std::size_t const middle = 20 * 41 + 20;  // its cells are still valid
         its.now.x[middle] += 0.95 / 40;
         ImproveOptions options;
         options.most_iterations = 0;
@@ -149,7 +161,8 @@ TEST_CASE("where a cell is not good enough at the end, only points near it move,
         CHECK(still.before.min_quality < 0.75);
         options.enough = 0.75;
         Improved const out(its, {}, true, options);
-        INFO(out.before.min_quality << " " << out.after.min_quality << " " << out.report.iterations);
+        INFO(out.before.min_quality << " " << out.after.min_quality << " "
+                                    << out.report.iterations);
         CHECK(out.after.min_quality >= 0.75);
         int n_moved = 0, n_far = 0;
         for (std::size_t k = 0; k < out.mesh.x.size(); ++k) {
@@ -217,14 +230,17 @@ TEST_CASE("the gradient is that of the energy, where targets depend on the mesh 
     }
 }
 
-TEST_CASE("turned, moved and scaled meshes are improved in the same way, and a power of two changes no bit") {
+TEST_CASE(
+    "turned, moved and scaled meshes are improved in the same way, and a power of two changes no "
+    "bit") {
     Task const its = sheared_annulus(Cells::hybrid, 1.2);
     Improved const expected(its);
     struct Similarity {
         double scale, angle, x, y;
     };
-    for (Similarity const by : {Similarity{1, 1.1, 0, 0}, Similarity{1, 0, 3, -2}, Similarity{1e4, 0, 0, 0},
-                                Similarity{1e-7, 2, 1e-7, 0}, Similarity{0x1p20, 0, 0, 0}}) {
+    for (Similarity const by :
+         {Similarity{1, 1.1, 0, 0}, Similarity{1, 0, 3, -2}, Similarity{1e4, 0, 0, 0},
+          Similarity{1e-7, 2, 1e-7, 0}, Similarity{0x1p20, 0, 0, 0}}) {
         auto const image = [&](Mesh const& mesh) {
             Mesh out = mesh;
             double const c = by.scale * std::cos(by.angle), s = by.scale * std::sin(by.angle);
@@ -244,7 +260,9 @@ TEST_CASE("turned, moved and scaled meshes are improved in the same way, and a p
     }
 }
 
-TEST_CASE("other numberings, cells that start elsewhere and mixed orientation give the same mesh but for rounding") {
+TEST_CASE(
+    "other numberings, cells that start elsewhere and mixed orientation give the same mesh but for "
+    "rounding") {
     Task const plain = sheared_annulus(Cells::hybrid, 1.2);
     Improved const expected(plain);
     for (unsigned seed = 1; seed <= 3; ++seed) {
@@ -289,14 +307,17 @@ TEST_CASE("improving: the points of a cut move as one") {
     CHECK(moved);
 }
 
-TEST_CASE("points that slide along an inclined line stay on it, and slide to better places than points that are held") {
+TEST_CASE(
+    "points that slide along an inclined line stay on it, and slide to better places than points "
+    "that are held") {
     double const c = std::cos(0.4), s = std::sin(0.4);
     Task its(square(10, Cells::hybrid));
     its.line.assign(its.held.size(), Vec2{});
     std::vector<std::size_t> sliding;
     for (std::size_t k = 0; k < its.held.size(); ++k) {
         double const x = its.reference.x[k], y = its.reference.y[k];
-        its.now.x[k] = x + (y < 1 ? 0 : 0.25 * x * (1 - x));  // the top is squeezed to the right, and slides
+        its.now.x[k] =
+            x + (y < 1 ? 0 : 0.25 * x * (1 - x));  // the top is squeezed to the right, and slides
         if (y == 1 && x > 0 && x < 1) {
             its.held[k] = 0;
             its.line[k] = {c, s};
@@ -318,7 +339,8 @@ TEST_CASE("points that slide along an inclined line stay on it, and slide to bet
     for (std::size_t const k : sliding) {
         double const height = -s * out.mesh.x[k] + c * out.mesh.y[k];
         CHECK(height == doctest::Approx(1).epsilon(1e-14));
-        moved = std::fmax(moved, std::hypot(out.mesh.x[k] - its.now.x[k], out.mesh.y[k] - its.now.y[k]));
+        moved = std::fmax(moved,
+                          std::hypot(out.mesh.x[k] - its.now.x[k], out.mesh.y[k] - its.now.y[k]));
     }
     CHECK(moved > 0.04);
     CHECK(out.after.min_quality > stiff.after.min_quality);

@@ -1,4 +1,5 @@
-// Better cells in meshes whose outer boundary slides along a curve: the points there go along the curve, too.
+// Better cells in meshes whose outer boundary slides along a curve: the points there go along the
+// curve, too.
 #include <doctest/doctest.h>
 
 #include <fixtures/circle.hpp>
@@ -10,13 +11,14 @@ using namespace fixtures;
 
 namespace {
 
-// A ring whose outer circle slides along the circle itself, or along the curve through its points; or is fixed.
+// A ring whose outer circle slides along the circle itself, or along the curve through its points;
+// or is fixed.
 enum class Outer { circle, points, fixed };
 
 struct Ring {
     Case its = ring_case(8, 32, 0.5, 2, Cells::hybrid);
     CurveSet along;
-    std::vector<double> x, y;   // before, and then after the improvement
+    std::vector<double> x, y;  // before, and then after the improvement
     hm_improve_report report{};
     hm_error error{};
 
@@ -33,8 +35,8 @@ struct Ring {
         std::mt19937 random(7);
         for (std::int32_t const point : points_on(its.mesh, far_field)) {
             auto const k = static_cast<std::size_t>(point);
-            Complex const at =
-                Complex(scattered.x[k], scattered.y[k]) * std::polar(1.0, (2 * uniform(random) - 1) * 0.065);
+            Complex const at = Complex(scattered.x[k], scattered.y[k]) *
+                               std::polar(1.0, (2 * uniform(random) - 1) * 0.065);
             scattered.x[k] = at.real() * (2 / std::abs(at));
             scattered.y[k] = at.imag() * (2 / std::abs(at));
         }
@@ -42,7 +44,8 @@ struct Ring {
         x = scattered.x;
         y = scattered.y;
     }
-    hm_status improve(hm_executor const* executor = nullptr, std::int32_t operator_kind = HM_CONFORMAL) {
+    hm_status improve(hm_executor const* executor = nullptr,
+                      std::int32_t operator_kind = HM_CONFORMAL) {
         hm_options options = options_of(operator_kind);
         if (executor != nullptr) options.executor = executor;
         Solved const solved(its, &options);
@@ -50,8 +53,8 @@ struct Ring {
         REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
         Guarded work(bytes);
         report.struct_size = sizeof report;
-        hm_status const status =
-            hm_improve(solved.plan, points_in(x, y), points_out(x, y), work.data(), bytes, nullptr, &report, &error);
+        hm_status const status = hm_improve(solved.plan, points_in(x, y), points_out(x, y),
+                                            work.data(), bytes, nullptr, &report, &error);
         CHECK(work.guards_intact());
         return status;
     }

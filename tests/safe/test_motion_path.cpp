@@ -1,11 +1,12 @@
-// The way of the control points in several steps: similarities on the way, exact at its end, and its derivative.
+// The way of the control points in several steps: similarities on the way, exact at its end, and
+// its derivative.
 #include <doctest/doctest.h>
 
 #include <fixtures/channels.hpp>
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
 
-#include <harmorph/safe/motion_path.hpp>
+#include "safe/motion_path.hpp"
 
 using namespace fixtures;
 using harmorph::Index;
@@ -37,7 +38,8 @@ public:
         std::vector<double> movement(2 * static_cast<std::size_t>(n_), -9.0);
         path.at(t, span(movement));
         Field out;
-        for (std::size_t k = 0; k < movement.size(); k += 2) out.push_back({movement[k], movement[k + 1]});
+        for (std::size_t k = 0; k < movement.size(); k += 2)
+            out.push_back({movement[k], movement[k + 1]});
         return out;
     }
     std::vector<double> numbers_at(double t) const {
@@ -60,11 +62,15 @@ TEST_CASE("r^t by square roots is r^t, along the shorter way round 0") {
     for (double const size : {0.05, 1.0, 1e-8, 1e8, 3.7})
         for (double const angle : {0.0, 0.1, 1.5, 3.1, -3.1, -0.7, pi / 2})
             for (double const t : {0.0, 1e-3, 0.1, 0.25, 1 / 3.0, 0.5, 0.75, 0.99, 1.0}) {
-                Complex const r = std::polar(size, angle), expected = std::polar(std::pow(size, t), t * angle);
-                CHECK(std::abs(number(complex_power(vec(r), t)) - expected) < 1e-10 * std::abs(expected));
+                Complex const r = std::polar(size, angle),
+                              expected = std::polar(std::pow(size, t), t * angle);
+                CHECK(std::abs(number(complex_power(vec(r), t)) - expected) <
+                      1e-10 * std::abs(expected));
             }
-    CHECK(std::abs(number(harmorph::complex_power({-1, 0}, 0.5)) - Complex(0, 1)) < 1e-15);   // both ways are as short
-    CHECK(std::abs(number(harmorph::complex_power({-1, -0.0}, 0.25)) - std::polar(1.0, pi / 4)) < 1e-14);
+    CHECK(std::abs(number(harmorph::complex_power({-1, 0}, 0.5)) - Complex(0, 1)) <
+          1e-15);  // both ways are as short
+    CHECK(std::abs(number(harmorph::complex_power({-1, -0.0}, 0.25)) - std::polar(1.0, pi / 4)) <
+          1e-14);
 }
 
 TEST_CASE("it begins with nothing, ends with the target to the bit, and is continuous") {
@@ -76,19 +82,22 @@ TEST_CASE("it begins with nothing, ends with the target to the bit, and is conti
     CHECK(same_bits(path.numbers_at(1.5), move));
     for (Complex const z : path.at(0)) CHECK(std::abs(z) < 1e-15);
     CHECK(largest_difference(path.at(1), path.at(1 - 1e-9)) < 1e-7);
-    for (double t = 0; t < 1; t += 0.05) CHECK(largest_difference(path.at(t), path.at(t + 1e-7)) < 1e-6);
+    for (double t = 0; t < 1; t += 0.05)
+        CHECK(largest_difference(path.at(t), path.at(t + 1e-7)) < 1e-6);
 }
 
-TEST_CASE("a similarity is gone through at an even rate: half a turn is a quarter turn in the middle") {
+TEST_CASE(
+    "a similarity is gone through at an even rate: half a turn is a quarter turn in the middle") {
     Case its = ring_case(4, 16, 0.5, 2);
     Solved const solved(its, &conformal);
     for (double const angle : {0.5, 3.1, -2.0})
         for (double const scale : {1.0, 2.0, 0.3}) {
             Complex const s = std::polar(scale, angle), shift(0.4, -0.9);
-            Path const path(solved, similarity_move(its.curves, s, {0, 0}, shift));   // about the middle of the points
+            Path const path(solved, similarity_move(its.curves, s, {0, 0},
+                                                    shift));  // about the middle of the points
             for (double const t : {0.25, 0.5, 0.9}) {
-                std::vector<double> const expected =
-                    similarity_move(its.curves, std::polar(std::pow(scale, t), t * angle), {0, 0}, t * shift);
+                std::vector<double> const expected = similarity_move(
+                    its.curves, std::polar(std::pow(scale, t), t * angle), {0, 0}, t * shift);
                 std::vector<double> const found = path.numbers_at(t);
                 CHECK(largest_difference(found, expected) < 1e-11);
             }
@@ -97,7 +106,9 @@ TEST_CASE("a similarity is gone through at an even rate: half a turn is a quarte
     CHECK(largest_difference(half.numbers_at(0.5), similarity_move(its.curves, {0, 1})) < 1e-11);
 }
 
-TEST_CASE("a translation is a straight line; a body that collapses or turns inside out goes straight, too") {
+TEST_CASE(
+    "a translation is a straight line; a body that collapses or turns inside out goes straight, "
+    "too") {
     Case its = ring_case(4, 16, 0.5, 2);
     Solved const solved(its, &conformal);
     for (Complex const s : {Complex(1, 0), Complex(0, 0), Complex(0.01, 0.02)}) {
@@ -109,7 +120,8 @@ TEST_CASE("a translation is a straight line; a body that collapses or turns insi
             CHECK(largest_difference(path.numbers_at(t), expected) < 1e-14);
         }
         Path const& straight = path;
-        for (Index i = 0; i < 8; ++i) CHECK(std::abs(number(straight.path.weight(i, 0.3)) - 0.3) < 1e-15);
+        for (Index i = 0; i < 8; ++i)
+            CHECK(std::abs(number(straight.path.weight(i, 0.3)) - 0.3) < 1e-15);
     }
 }
 
@@ -128,21 +140,25 @@ TEST_CASE("functions with real values cannot turn: the way is straight, whatever
 TEST_CASE("each body has its own similarity, and curves that share control points are one body") {
     Case its = two_body_case(Cells::quads, 4, 3);
     Solved const solved(its, &conformal);
-    Complex const a = std::polar(1.0, 2.0), b = std::polar(0.7, -1.0), middle_a(0.5, 0.5), middle_b(1.5, 0.5);
+    Complex const a = std::polar(1.0, 2.0), b = std::polar(0.7, -1.0), middle_a(0.5, 0.5),
+                  middle_b(1.5, 0.5);
     auto const move_of = [&](Complex by_a, Complex by_b) {
         std::vector<double> out;
         for (std::size_t k = 0; k < its.curves.control.size(); k += 2) {
             Complex const z(its.curves.control[k], its.curves.control[k + 1]);
-            Complex const d = k < 22 ? (by_a - 1.0) * (z - middle_a) : (by_b - 1.0) * (z - middle_b);
+            Complex const d =
+                k < 22 ? (by_a - 1.0) * (z - middle_a) : (by_b - 1.0) * (z - middle_b);
             out.insert(out.end(), {d.real(), d.imag()});
         }
         return out;
     };
     Path const two(solved, move_of(a, b));
-    CHECK(largest_difference(two.numbers_at(0.5), move_of(std::polar(1.0, 1.0), std::polar(std::sqrt(0.7), -0.5))) <
+    CHECK(largest_difference(two.numbers_at(0.5),
+                             move_of(std::polar(1.0, 1.0), std::polar(std::sqrt(0.7), -0.5))) <
           1e-12);
 
-    Case tiny = tiny_case();   // the hole's sides as two curves with common ends, named in either order
+    Case tiny =
+        tiny_case();  // the hole's sides as two curves with common ends, named in either order
     for (bool const first_low : {false, true}) {
         tiny.curves = CurveSet{};
         tiny.curves.control = {2, 2, 4, 2, 4, 4, 2, 4};
@@ -153,7 +169,8 @@ TEST_CASE("each body has its own similarity, and curves that share control point
         tiny.put_on_curves(body, 0, 2);
         Solved const one(tiny, &conformal);
         Path const path(one, similarity_move(tiny.curves, std::polar(1.0, 1.0), {3, 3}));
-        CHECK(largest_difference(path.numbers_at(0.5), similarity_move(tiny.curves, std::polar(1.0, 0.5), {3, 3})) <
+        CHECK(largest_difference(path.numbers_at(0.5),
+                                 similarity_move(tiny.curves, std::polar(1.0, 0.5), {3, 3})) <
               1e-12);
     }
 
@@ -169,7 +186,7 @@ TEST_CASE("each body has its own similarity, and curves that share control point
     Field const middle = flap.at(0.5);
     CHECK(std::abs(middle[20] - 0.1) < 1e-15);
     CHECK(std::abs(middle[21] - (std::polar(std::sqrt(0.7), -0.5) - 1.0)) < 1e-12);
-    move[42] = -1;   // shrunk to nothing: straight, and all numbers finite
+    move[42] = -1;  // shrunk to nothing: straight, and all numbers finite
     move[43] = 0;
     Path const vanishing(with_flap, move);
     CHECK(std::abs(vanishing.at(0.25)[21] + 0.25) < 1e-15);
@@ -185,7 +202,8 @@ TEST_CASE("a wall that ends on another boundary goes straight, and what is held 
     CHECK_FALSE(path.path.is_bent());
     for (double const t : {0.2, 0.7}) {
         Field const at = path.at(t);
-        for (std::size_t k = 0; k < at.size(); ++k) CHECK(at[k] == t * Complex(move[2 * k], move[2 * k + 1]));
+        for (std::size_t k = 0; k < at.size(); ++k)
+            CHECK(at[k] == t * Complex(move[2 * k], move[2 * k + 1]));
     }
 }
 
@@ -202,8 +220,10 @@ TEST_CASE("curves round one body turn as one, though they share no control point
     Path path(solved, move);
     CHECK(path.path.is_bent());
     Field const half = path.at(0.5);
-    auto const at = [&](std::size_t k) { return Complex(its.curves.control[2 * k], its.curves.control[2 * k + 1]); };
-    for (std::size_t k = 1; k < 6; ++k) {   // turned by half as much, wherever its middle is then
+    auto const at = [&](std::size_t k) {
+        return Complex(its.curves.control[2 * k], its.curves.control[2 * k + 1]);
+    };
+    for (std::size_t k = 1; k < 6; ++k) {  // turned by half as much, wherever its middle is then
         Complex const before = at(k) - at(0), now = before + half[k] - half[0];
         CHECK(std::abs(now - std::polar(1.0, 0.5) * before) < 1e-12);
     }
@@ -213,33 +233,38 @@ TEST_CASE("curves round one body turn as one, though they share no control point
     CHECK(largest_difference(path.numbers_at(0.5), move) < 1e-15);
 }
 
-TEST_CASE("weights are the derivative by the target with the similarities held, and complex numbers") {
+TEST_CASE(
+    "weights are the derivative by the target with the similarities held, and complex numbers") {
     Case its = two_body_case(Cells::quads, 4, 3);
     Solved const solved(its, &conformal);
-    std::vector<double> move = similarity_move(its.curves, std::polar(1.2, 1.3), {0.7, 0.1}, {0.2, 0});
+    std::vector<double> move =
+        similarity_move(its.curves, std::polar(1.2, 1.3), {0.7, 0.1}, {0.2, 0});
     std::vector<double> const extra = some_move(20, 0.05, 5);
     for (std::size_t k = 0; k < move.size(); ++k) move[k] += extra[k];
     Path const path(solved, move);
     for (double const t : {0.2, 0.6, 0.95}) {
         Field const before = path.at(t);
         for (Index i = 0; i < 20; ++i) {
-            Complex const by(0.06, 0.08);   // the way is affine in it
+            Complex const by(0.06, 0.08);  // the way is affine in it
             // The same similarities with a changed target: only D_i changes, by dP_i / r.
             MovementPath changed = path.path;
             std::vector<Vec2> drift(20);
             for (Index k = 0; k < 20; ++k) drift[static_cast<std::size_t>(k)] = path.path.drift[k];
             Vec2 const ratio = path.path.groups[path.path.group_of[i]].ratio;
-            drift[static_cast<std::size_t>(i)] = vec(number(drift[static_cast<std::size_t>(i)]) + by / number(ratio));
+            drift[static_cast<std::size_t>(i)] =
+                vec(number(drift[static_cast<std::size_t>(i)]) + by / number(ratio));
             changed.drift = span(drift);
             std::vector<double> moved(40);
             changed.at(t, span(moved));
             std::size_t const its_place = static_cast<std::size_t>(i);
-            Complex const found = (Complex(moved[2 * its_place], moved[2 * its_place + 1]) - before[its_place]) / by;
+            Complex const found =
+                (Complex(moved[2 * its_place], moved[2 * its_place + 1]) - before[its_place]) / by;
             CHECK(std::abs(found - number(path.path.weight(i, t))) < 1e-13);
         }
     }
     for (Index i = 0; i < 20; ++i) {
         CHECK(number(path.path.weight(i, 0)) == 0.0);
-        CHECK(std::abs(number(path.path.weight(i, 1)) - 1.0) < 1e-15);   // the steps' weights sum up to 1
+        CHECK(std::abs(number(path.path.weight(i, 1)) - 1.0) <
+              1e-15);  // the steps' weights sum up to 1
     }
 }

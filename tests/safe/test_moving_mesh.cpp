@@ -4,7 +4,7 @@
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
 
-#include <harmorph/safe/moving_mesh.hpp>
+#include "safe/moving_mesh.hpp"
 
 using namespace fixtures;
 using harmorph::EndOf;
@@ -14,7 +14,8 @@ namespace {
 
 struct Moving {
     Moving(Case& its, std::vector<double> const& move, std::int32_t operator_kind = HM_LAPLACE)
-        : options(options_of(operator_kind)), solved(its, &options),
+        : options(options_of(operator_kind)),
+          solved(its, &options),
           plan(*reinterpret_cast<harmorph::Plan*>(solved.plan)),
           basis(harmorph::Basis::view(static_cast<void*>(solved.basis))) {
         harmorph::Arena counting;
@@ -38,14 +39,15 @@ struct Moving {
 
 }  // namespace
 
-TEST_CASE("one step to the target is the morph, and the admissible step is that of its displacement") {
+TEST_CASE(
+    "one step to the target is the morph, and the admissible step is that of its displacement") {
     Case its = airfoil_case();
     std::vector<double> const move = some_move(12, 0.02, 3);
     Moving moving(its, move);
     double const admissible = moving.look(1).step;
     std::vector<double> x(its.mesh.x.size()), y(x.size());
-    REQUIRE(hm_morph(moving.solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_out(x, y), nullptr,
-                     nullptr) == HM_OK);
+    REQUIRE(hm_morph(moving.solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+                     points_out(x, y), nullptr, nullptr) == HM_OK);
     double off = 0;
     for (std::size_t k = 0; k < x.size(); ++k) {
         harmorph::Vec2 const at = moving.mesh.ahead()[static_cast<Index>(k)];
@@ -61,8 +63,8 @@ TEST_CASE("one step to the target is the morph, and the admissible step is that 
     hm_step_report step{};
     step.struct_size = sizeof step;
     hm_mesh const view = its.mesh.view();
-    REQUIRE(hm_admissible_step(moving.solved.basis, &view, nullptr, points_in(dx, dy), nullptr, &step, nullptr) >=
-            HM_OK);
+    REQUIRE(hm_admissible_step(moving.solved.basis, &view, nullptr, points_in(dx, dy), nullptr,
+                               &step, nullptr) >= HM_OK);
     CHECK(admissible == doctest::Approx(step.admissible).epsilon(1e-12));
 }
 
@@ -99,7 +101,8 @@ TEST_CASE("after a hundred steps the wall is where the B-spline is: rounding doe
     double off = 0;
     for (Index slot = 0; slot < moving.basis.wall_point.count(); ++slot) {
         Index const point = moving.basis.wall_point[slot];
-        harmorph::Vec2 const by = moving.basis.wall_move(slot, move.data()), at = moving.mesh.now()[point];
+        harmorph::Vec2 const by = moving.basis.wall_move(slot, move.data()),
+                             at = moving.mesh.now()[point];
         auto const k = static_cast<std::size_t>(point);
         off = std::fmax(off, std::fabs(at.x - (its.mesh.x[k] + by.x)));
         off = std::fmax(off, std::fabs(at.y - (its.mesh.y[k] + by.y)));
@@ -111,10 +114,10 @@ TEST_CASE("what is known of the ends: walls and fixed points, lines, nothing ins
     Case its = tiny_case();
     its.set_slip(bottom);
     Moving moving(its, some_move(4, 0.1, 6));
-    CHECK(moving.mesh.ends[0] == EndOf::prescribed);    // a corner with a fixed side
+    CHECK(moving.mesh.ends[0] == EndOf::prescribed);  // a corner with a fixed side
     CHECK(moving.mesh.ends[3] == EndOf::on_line);
     CHECK(moving.mesh.ends[8] == EndOf::unknown);
-    CHECK(moving.mesh.ends[16] == EndOf::prescribed);   // on the wall
+    CHECK(moving.mesh.ends[16] == EndOf::prescribed);  // on the wall
     CHECK(moving.mesh.held[3] == 1);
     CHECK(moving.mesh.held[8] == 0);
 }

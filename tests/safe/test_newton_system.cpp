@@ -1,12 +1,13 @@
-// The Newton system: gradient against differences of the sum of energies, symmetry, and the conjugate gradients' step.
+// The Newton system: gradient against differences of the sum of energies, symmetry, and the
+// conjugate gradients' step.
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
 #include <fixtures/mangle.hpp>
 #include <fixtures/square.hpp>
 
-#include <harmorph/safe/newton_system.hpp>
-#include <harmorph/safe/untangling_energy.hpp>
+#include "safe/newton_system.hpp"
+#include "safe/untangling_energy.hpp"
 
 using namespace fixtures;
 using harmorph::Block;
@@ -28,11 +29,16 @@ struct System {
 
     // Inner points are thrown about by up to `reach`; the whole mesh is the region.
     System(Mesh const& its_mesh, double reach)
-        : mesh(its_mesh), view(core_mesh(mesh)), held(mesh.x.size(), 0), at(mesh.x.size()), analysed(mesh) {
+        : mesh(its_mesh),
+          view(core_mesh(mesh)),
+          held(mesh.x.size(), 0),
+          at(mesh.x.size()),
+          analysed(mesh) {
         std::mt19937 random(9);
         for (std::int32_t const point : mesh.faces) held[static_cast<std::size_t>(point)] = 1;
         for (std::size_t k = 0; k < at.size(); ++k) {
-            double const dx = 2 * uniform(random) - 1, dy = 2 * uniform(random) - 1, amount = held[k] != 0 ? 0 : reach;
+            double const dx = 2 * uniform(random) - 1, dy = 2 * uniform(random) - 1,
+                         amount = held[k] != 0 ? 0 : reach;
             at[k] = {mesh.x[k] + amount * dx, mesh.y[k] + amount * dy};
         }
         auto const counts = harmorph::RegionCounts::of(analysed->topology);
@@ -45,26 +51,31 @@ struct System {
         block.resize(query.bytes());
         harmorph::Arena arena(block.data(), block.size());
         lay_out(arena);
-        tangle = {view, view.points, analysed->topology.reversed, analysed->topology.representative, span(held)};
+        tangle = {view, view.points, analysed->topology.reversed, analysed->topology.representative,
+                  span(held)};
         region.link(tangle);
         region.grow(tangle, harmorph::Region::whole);
     }
     void assemble(double softness) {
-        newton.assemble(tangle, region, {}, [&](Index, harmorph::CornerPoints const& point, auto const& add) {
-            Vec2 gradient[3];
-            harmorph::CornerMode mode[4];
-            harmorph::Distortion const distortion(triangle_of(point, tangle.reference));
-            distortion.differentiate(triangle_of(point, harmorph::as_points(span(at))), softness, 0.1, gradient, mode);
-            add(gradient, mode);
-        });
+        newton.assemble(
+            tangle, region, {}, [&](Index, harmorph::CornerPoints const& point, auto const& add) {
+                Vec2 gradient[3];
+                harmorph::CornerMode mode[4];
+                harmorph::Distortion const distortion(triangle_of(point, tangle.reference));
+                distortion.differentiate(triangle_of(point, harmorph::as_points(span(at))),
+                                         softness, 0.1, gradient, mode);
+                add(gradient, mode);
+            });
     }
     double energy(double softness) const {
         double sum = 0;
         for (Index i = 0; i < view.n_cells; ++i) {
             harmorph::CellTriangles const corners(tangle.cell(i));
             for (Index k = 0; k < corners.n; ++k) {
-                harmorph::Distortion const distortion(triangle_of(corners.point[k], tangle.reference));
-                sum += distortion.energy(triangle_of(corners.point[k], harmorph::as_points(span(at))), softness);
+                harmorph::Distortion const distortion(
+                    triangle_of(corners.point[k], tangle.reference));
+                sum += distortion.energy(
+                    triangle_of(corners.point[k], harmorph::as_points(span(at))), softness);
             }
         }
         return sum;
@@ -81,7 +92,8 @@ struct System {
         std::vector<Vec2> out(static_cast<std::size_t>(region.n));
         for (Index u = 0; u < region.n; ++u)
             for (Index other = 0; other < region.n; ++other)
-                out[static_cast<std::size_t>(u)] = out[static_cast<std::size_t>(u)] + entry(u, other) * v[other];
+                out[static_cast<std::size_t>(u)] =
+                    out[static_cast<std::size_t>(u)] + entry(u, other) * v[other];
         return out;
     }
 };
@@ -100,7 +112,8 @@ TEST_CASE("the gradient is that of the sum over all corners, on tangled meshes t
     double const softness = 0.5, h = 1e-6;
     its.assemble(softness);
     double largest = 0;
-    for (Index u = 0; u < its.region.n; ++u) largest = std::fmax(largest, length(its.newton.gradient[u]));
+    for (Index u = 0; u < its.region.n; ++u)
+        largest = std::fmax(largest, length(its.newton.gradient[u]));
     for (Index u = 0; u < its.region.n; u += 5) {
         Vec2& point = its.at[static_cast<std::size_t>(its.region.point[u])];
         Vec2 const old = point;
@@ -139,7 +152,8 @@ TEST_CASE("the Hessian is symmetric and positive definite; its diagonal blocks a
     }
     std::mt19937 random(4);
     for (int trial = 0; trial < 20; ++trial) {
-        for (Index u = 0; u < its.region.n; ++u) its.newton.search[u] = {uniform(random) - 0.5, uniform(random) - 0.5};
+        for (Index u = 0; u < its.region.n; ++u)
+            its.newton.search[u] = {uniform(random) - 0.5, uniform(random) - 0.5};
         std::vector<Vec2> const image = its.times(its.newton.search);
         double curvature = 0;
         for (Index u = 0; u < its.region.n; ++u)
@@ -148,8 +162,8 @@ TEST_CASE("the Hessian is symmetric and positive definite; its diagonal blocks a
         double product = 0, largest = 0, error = 0;
         for (Index range = 0; range < harmorph::reduced_ranges; ++range) {
             product += its.newton.multiply(its.region, harmorph::range_start(its.region.n, range),
-                                           harmorph::range_start(its.region.n, range + 1), its.newton.search,
-                                           its.newton.image);
+                                           harmorph::range_start(its.region.n, range + 1),
+                                           its.newton.search, its.newton.image);
         }
         for (Index u = 0; u < its.region.n; ++u) {
             Vec2 const expected = image[static_cast<std::size_t>(u)];
@@ -174,7 +188,8 @@ TEST_CASE("the step descends, and the longer it is sought the nearer it is to Ne
     std::vector<Vec2> const image = its.times(its.newton.step);
     double rest = 0, whole = 0;
     for (Index u = 0; u < its.region.n; ++u) {
-        Vec2 const gradient = its.newton.gradient[u], left = gradient + image[static_cast<std::size_t>(u)];
+        Vec2 const gradient = its.newton.gradient[u],
+                   left = gradient + image[static_cast<std::size_t>(u)];
         rest += dot(left, its.newton.inverse[u] * left);
         whole += dot(gradient, its.newton.inverse[u] * gradient);
     }

@@ -1,4 +1,5 @@
-// Large movements and better cells in one passage of an annulus: what all passages do, and sides that stay images.
+// Large movements and better cells in one passage of an annulus: what all passages do, and sides
+// that stay images.
 #include <doctest/doctest.h>
 
 #include <fixtures/displaced.hpp>
@@ -27,8 +28,10 @@ std::vector<double> turned_and_moved(Case const& its, double degrees, Complex sh
     Complex middle = 0;
     std::size_t const n = its.curves.control.size() / 2;
     for (std::size_t k = 0; k < n; ++k)
-        middle += Complex(its.curves.control[2 * k], its.curves.control[2 * k + 1]) / static_cast<double>(n);
-    return similarity_move(its.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), middle, shift);
+        middle += Complex(its.curves.control[2 * k], its.curves.control[2 * k + 1]) /
+                  static_cast<double>(n);
+    return similarity_move(its.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), middle,
+                           shift);
 }
 
 hm_improve_report improved(Solved const& solved, Mesh const& mesh, Field const& from, Field& to) {
@@ -40,8 +43,8 @@ hm_improve_report improved(Solved const& solved, Mesh const& mesh, Field const& 
     double* const better = reinterpret_cast<double*>(to.data());
     hm_improve_report report{};
     report.struct_size = sizeof report;
-    REQUIRE(hm_improve(solved.plan, points_in(x, x + 1, 2), points_out(better, better + 1, 2), work.data(), bytes,
-                       nullptr, &report, nullptr) == HM_OK);
+    REQUIRE(hm_improve(solved.plan, points_in(x, x + 1, 2), points_out(better, better + 1, 2),
+                       work.data(), bytes, nullptr, &report, nullptr) == HM_OK);
     CHECK(work.guards_intact());
     CHECK(mesh.x.size() == from.size());
     return report;
@@ -49,7 +52,8 @@ hm_improve_report improved(Solved const& solved, Mesh const& mesh, Field const& 
 
 }  // namespace
 
-TEST_CASE("a safe morph of a passage reaches the target, its sides stay images, and all passages agree") {
+TEST_CASE(
+    "a safe morph of a passage reaches the target, its sides stay images, and all passages agree") {
     int const n = 6;
     Complex const turn = turn_of_passage(n);
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE, HM_WEIGHTED})
@@ -67,10 +71,12 @@ TEST_CASE("a safe morph of a passage reaches the target, its sides stay images, 
             Field const found = places(a.x, a.y);
             CHECK(misfit_of_sides(one.mesh, found, turn) < 1e-15);
             CHECK(a.boundary_error(move) < 1e-13);
-            // The annulus has real functions without the conformal operator: its bodies go straight on.
+            // The annulus has real functions without the conformal operator: its bodies go straight
+            // on.
             if (operator_kind != HM_CONFORMAL && degrees > 30) continue;
             // Untangling holds the sides, and improvement knows walls by the extent of all of them.
-            a.safe_options.skipped_strategies = without({HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
+            a.safe_options.skipped_strategies =
+                without({HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
             b.safe_options.skipped_strategies = a.safe_options.skipped_strategies;
             a.run(move);
             b.run(turned_copies(move, n));
@@ -105,15 +111,16 @@ TEST_CASE("given displacements of a passage, safely") {
         safe.min_quality = -1;
         hm_error error;
         std::int32_t const n_wall = static_cast<std::int32_t>(wall.size());
-        hm_status const status =
-            hm_displace_safe(displaced.plan, displaced.basis, nullptr, n_wall, nullptr, points_in(w, w + 1, 2),
-                             points_out(xy, xy + 1, 2), work.data(), bytes, &safe, nullptr, &error);
+        hm_status const status = hm_displace_safe(
+            displaced.plan, displaced.basis, nullptr, n_wall, nullptr, points_in(w, w + 1, 2),
+            points_out(xy, xy + 1, 2), work.data(), bytes, &safe, nullptr, &error);
         INFO(error.text);
         CHECK(status == HM_OK);
         CHECK(misfit_of_sides(its.mesh, to, turn_of_passage(n)) < 1e-15);
         for (std::size_t k = 0; k < wall.size(); ++k) {
             std::size_t const point = static_cast<std::size_t>(displaced.points[k]);
-            CHECK(std::abs(to[point] - to_complex(its.mesh.point(displaced.points[k])) - wall[k]) < 1e-15);
+            CHECK(std::abs(to[point] - to_complex(its.mesh.point(displaced.points[k])) - wall[k]) <
+                  1e-15);
         }
         Mesh moved = its.mesh;
         for (std::size_t k = 0; k < to.size(); ++k) {
@@ -124,11 +131,14 @@ TEST_CASE("given displacements of a passage, safely") {
     }
 }
 
-TEST_CASE("better cells in a passage: as in the annulus of all passages, with sides that move as images") {
+TEST_CASE(
+    "better cells in a passage: as in the annulus of all passages, with sides that move as "
+    "images") {
     int const n = 6;
     Complex const turn = turn_of_passage(n);
     for (bool const swapped : {false, true}) {
-        Case one = passage(Cells::triangles, n);   // quadrilaterals' targets depend on the extent of all walls
+        Case one = passage(Cells::triangles,
+                           n);  // quadrilaterals' targets depend on the extent of all walls
         std::vector<std::vector<std::int32_t>> number;
         Case all = annulus_of(one, n, number);
         if (swapped) {

@@ -1,9 +1,9 @@
-// The energy of a corner relative to its target: derivatives against differences, where it is smallest, and the quality
-// it is a power of.
+// The energy of a corner relative to its target: derivatives against differences, where it is
+// smallest, and the quality it is a power of.
 #include <doctest/doctest.h>
 
-#include <harmorph/morph/quality.hpp>
-#include <harmorph/safe/quality_energy.hpp>
+#include "morph/quality.hpp"
+#include "safe/quality_energy.hpp"
 
 #include <cmath>
 #include <random>
@@ -15,7 +15,9 @@ using harmorph::Vec2;
 
 namespace {
 
-double random_number(std::mt19937& random) { return static_cast<double>(random()) / 2147483648.0 - 1; }
+double random_number(std::mt19937& random) {
+    return static_cast<double>(random()) / 2147483648.0 - 1;
+}
 
 Triangle random_triangle(std::mt19937& random) {
     Triangle out;
@@ -25,28 +27,34 @@ Triangle random_triangle(std::mt19937& random) {
     return out;
 }
 
-double& coordinate(Triangle& triangle, int k) { return k % 2 == 0 ? triangle.at[k / 2].x : triangle.at[k / 2].y; }
+double& coordinate(Triangle& triangle, int k) {
+    return k % 2 == 0 ? triangle.at[k / 2].x : triangle.at[k / 2].y;
+}
 double component(const Vec2* of, int k) { return k % 2 == 0 ? of[k / 2].x : of[k / 2].y; }
 
 struct Derivatives {
     Vec2 gradient[3];
     harmorph::CornerMode mode[4];
 
-    Derivatives(Triangle const& target, Triangle const& now, Index power, double weight, double least) {
+    Derivatives(Triangle const& target, Triangle const& now, Index power, double weight,
+                double least) {
         QualityEnergy(target, power).differentiate(now, weight, least, gradient, mode);
     }
     double hessian(int i, int j) const {
         double sum = 0;
-        for (harmorph::CornerMode const& its : mode) sum += its.curvature * component(its.at, i) * component(its.at, j);
+        for (harmorph::CornerMode const& its : mode)
+            sum += its.curvature * component(its.at, i) * component(its.at, j);
         return sum;
     }
 };
 
-constexpr double exact = -1e150;  // no curvature is raised; times any energy in the range of numbers
+constexpr double exact =
+    -1e150;  // no curvature is raised; times any energy in the range of numbers
 
 }  // namespace
 
-TEST_CASE("quality energy: the gradient is that of the energy, the exact Hessian that of the gradient") {
+TEST_CASE(
+    "quality energy: the gradient is that of the energy, the exact Hessian that of the gradient") {
     std::mt19937 random(1);
     for (int trial = 0; trial < 200; ++trial) {
         Triangle const target = random_triangle(random), now = random_triangle(random);
@@ -64,10 +72,13 @@ TEST_CASE("quality energy: the gradient is that of the energy, the exact Hessian
             coordinate(ahead, i) += h;
             coordinate(behind, i) -= h;
             double const rise = weight * (energy.energy(ahead) - energy.energy(behind));
-            CHECK(std::fabs(component(here.gradient, i) - rise / (2 * h)) < 1e-6 * (slopes + bends));
-            Derivatives const after(target, ahead, power, weight, exact), before(target, behind, power, weight, exact);
+            CHECK(std::fabs(component(here.gradient, i) - rise / (2 * h)) <
+                  1e-6 * (slopes + bends));
+            Derivatives const after(target, ahead, power, weight, exact),
+                before(target, behind, power, weight, exact);
             for (int j = 0; j < 6; ++j) {
-                double const bend = (component(after.gradient, j) - component(before.gradient, j)) / (2 * h);
+                double const bend =
+                    (component(after.gradient, j) - component(before.gradient, j)) / (2 * h);
                 CHECK(std::fabs(here.hessian(i, j) - bend) < 1e-5 * bends);
             }
         }
@@ -84,13 +95,16 @@ TEST_CASE("quality energy: curvatures are raised to a part of 4 power energy, ne
         double const floor = 0.25 * 4 * power * QualityEnergy(target, power).energy(now);
         for (int k = 0; k < 4; ++k) {
             raised += free.mode[k].curvature < floor;
-            CHECK(convex.mode[k].curvature == doctest::Approx(std::fmax(free.mode[k].curvature, floor)).epsilon(1e-13));
+            CHECK(convex.mode[k].curvature ==
+                  doctest::Approx(std::fmax(free.mode[k].curvature, floor)).epsilon(1e-13));
         }
     }
     CHECK(raised > 20);
 }
 
-TEST_CASE("quality energy: 1 at the target turned and moved at will, more elsewhere, infinite when inverted") {
+TEST_CASE(
+    "quality energy: 1 at the target turned and moved at will, more elsewhere, infinite when "
+    "inverted") {
     std::mt19937 random(3);
     for (int trial = 0; trial < 50; ++trial) {
         Triangle const target = random_triangle(random);
@@ -120,20 +134,25 @@ TEST_CASE("quality energy: 1 at the target turned and moved at will, more elsewh
     }
 }
 
-TEST_CASE("quality energy: of a triangle with the area of an equilateral target the quality to the power of -2") {
+TEST_CASE(
+    "quality energy: of a triangle with the area of an equilateral target the quality to the power "
+    "of -2") {
     std::mt19937 random(4);
     for (int trial = 0; trial < 50; ++trial) {
         Triangle const now = random_triangle(random);
         double const height = std::sqrt(0.75), side = std::sqrt(now.twice_area() / height);
         QualityEnergy const energy({{{0, 0}, {side, 0}, {0.5 * side, height * side}}});
-        double const x[] = {now.at[0].x, now.at[1].x, now.at[2].x}, y[] = {now.at[0].y, now.at[1].y, now.at[2].y};
+        double const x[] = {now.at[0].x, now.at[1].x, now.at[2].x},
+                     y[] = {now.at[0].y, now.at[1].y, now.at[2].y};
         harmorph::CellShape const shape(harmorph::Cell{3, {0, 1, 2}}, {x, y, 1}, false);
         double const quality = harmorph::skew_quality(3, harmorph::CellCorners(shape));
         CHECK(energy.energy(now) == doctest::Approx(1 / (quality * quality)).epsilon(1e-12));
     }
 }
 
-TEST_CASE("quality energy: of corners of any size and however flat, derivatives are finite where the energy is") {
+TEST_CASE(
+    "quality energy: of corners of any size and however flat, derivatives are finite where the "
+    "energy is") {
     int finite = 0, infinite = 0;
     for (double const size : {1e-95, 1e-40, 1.0, 1e40, 1e95})
         for (int flat = 0; flat < 80; flat += 3)
@@ -141,7 +160,8 @@ TEST_CASE("quality energy: of corners of any size and however flat, derivatives 
                 for (Index const power : {1, 2, 8, 32}) {
                     double const height = std::pow(10.0, -flat);
                     Triangle const target{{{0, 0}, {size, 0}, {size, size}}};
-                    Triangle const now{{{0, 0}, {grown * size, 0}, {grown * size, grown * height * size}}};
+                    Triangle const now{
+                        {{0, 0}, {grown * size, 0}, {grown * size, grown * height * size}}};
                     QualityEnergy const its(target, power);
                     if (its.energy(now) == HUGE_VAL) {
                         ++infinite;

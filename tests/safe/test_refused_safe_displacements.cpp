@@ -1,4 +1,5 @@
-// Given displacements that a safe morph refuses: each by name, with the place, and without a change of the output.
+// Given displacements that a safe morph refuses: each by name, with the place, and without a change
+// of the output.
 #include <doctest/doctest.h>
 
 #include <fixtures/safe_displaced.hpp>
@@ -6,13 +7,16 @@
 
 using namespace fixtures;
 
-TEST_CASE("displacements and arguments that are refused: the reason is named, and nothing is written") {
+TEST_CASE(
+    "displacements and arguments that are refused: the reason is named, and nothing is written") {
     Case its = given_block();
     SafeDisplaced safe(its);
     Field const good(safe.points.size(), Complex(0.01, 0));
-    auto const refusal = [&](Field const& wall, hm_status expected, std::string const& word, std::int32_t item) {
+    auto const refusal = [&](Field const& wall, hm_status expected, std::string const& word,
+                             std::int32_t item) {
         CHECK(safe.run(wall) == expected);
-        CHECK_MESSAGE(std::string(safe.error.text).find(word) != std::string::npos, safe.error.text);
+        CHECK_MESSAGE(std::string(safe.error.text).find(word) != std::string::npos,
+                      safe.error.text);
         CHECK(safe.error.item == item);
         CHECK(safe.untouched());
     };
@@ -22,7 +26,7 @@ TEST_CASE("displacements and arguments that are refused: the reason is named, an
     CHECK(safe.untouched());
     CHECK(safe.safe_report.crossing_points[0] >= 0);
     Field bad = good;
-    Untrapped const untrapped;   // comparisons with a number that is none
+    Untrapped const untrapped;  // comparisons with a number that is none
     bad[2] = {0, std::nan("")};
     refusal(bad, HM_BAD_ARGUMENT, "is not finite", safe.points[2]);
     bad[2] = 1e101;
@@ -60,18 +64,18 @@ TEST_CASE("displacements and arguments that are refused: the reason is named, an
     const double* const values = reinterpret_cast<const double*>(good.data());
     hm_points const wall{values, values + 1, 2};
     auto const n = static_cast<std::int32_t>(good.size());
-    CHECK(hm_displace_safe(safe.plan, safe.basis, nullptr, n, nullptr, &wall, points_out(x, y), work.data(), bytes - 1,
-                           nullptr, nullptr, &error) == HM_BLOCK_TOO_SMALL);
-    CHECK(hm_displace_safe(safe.plan, safe.basis, nullptr, n, nullptr, nullptr, points_out(x, y), work.data(), bytes,
-                           nullptr, nullptr, &error) == HM_BAD_ARGUMENT);
-    CHECK(hm_displace_safe(safe.plan, safe.basis, nullptr, n, nullptr, &wall, nullptr, work.data(), bytes, nullptr,
-                           nullptr, &error) == HM_BAD_ARGUMENT);
-    CHECK(hm_displace_safe(safe.plan, safe.basis, nullptr, n, nullptr, &wall, points_out(x, y), nullptr, bytes, nullptr,
-                           nullptr, &error) == HM_BAD_ARGUMENT);
+    CHECK(hm_displace_safe(safe.plan, safe.basis, nullptr, n, nullptr, &wall, points_out(x, y),
+                           work.data(), bytes - 1, nullptr, nullptr, &error) == HM_BLOCK_TOO_SMALL);
+    CHECK(hm_displace_safe(safe.plan, safe.basis, nullptr, n, nullptr, nullptr, points_out(x, y),
+                           work.data(), bytes, nullptr, nullptr, &error) == HM_BAD_ARGUMENT);
+    CHECK(hm_displace_safe(safe.plan, safe.basis, nullptr, n, nullptr, &wall, nullptr, work.data(),
+                           bytes, nullptr, nullptr, &error) == HM_BAD_ARGUMENT);
+    CHECK(hm_displace_safe(safe.plan, safe.basis, nullptr, n, nullptr, &wall, points_out(x, y),
+                           nullptr, bytes, nullptr, nullptr, &error) == HM_BAD_ARGUMENT);
     std::vector<std::int32_t> twice = safe.points;
     twice[1] = twice[0];
-    CHECK(hm_displace_safe(safe.plan, safe.basis, nullptr, n, twice.data(), &wall, points_out(x, y), work.data(), bytes,
-                           nullptr, nullptr, &error) == HM_BAD_CONDITION);
+    CHECK(hm_displace_safe(safe.plan, safe.basis, nullptr, n, twice.data(), &wall, points_out(x, y),
+                           work.data(), bytes, nullptr, nullptr, &error) == HM_BAD_CONDITION);
     CHECK(same_bits(x, its.mesh.x));
     CHECK(same_bits(y, its.mesh.y));
 }

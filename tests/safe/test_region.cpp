@@ -5,8 +5,8 @@
 #include <fixtures/mangle.hpp>
 #include <fixtures/square.hpp>
 
-#include <harmorph/base/parallel_reduce.hpp>
-#include <harmorph/safe/region.hpp>
+#include "base/parallel_reduce.hpp"
+#include "safe/region.hpp"
 
 #include <set>
 
@@ -34,7 +34,8 @@ struct Grown {
         block.resize(query.bytes());
         harmorph::Arena arena(block.data(), block.size());
         region.lay_out(arena, counts);
-        tangle = {view, view.points, analysed->topology.reversed, analysed->topology.representative, span(held)};
+        tangle = {view, view.points, analysed->topology.reversed, analysed->topology.representative,
+                  span(held)};
         region.link(tangle);
     }
     std::set<Index> corners(Index cell) const {
@@ -73,7 +74,9 @@ Index range_of(Index n, Index u) {
 
 }  // namespace
 
-TEST_CASE("unknowns are the points within so many cells that are not held; cells and neighbours are theirs") {
+TEST_CASE(
+    "unknowns are the points within so many cells that are not held; cells and neighbours are "
+    "theirs") {
     Grown its(numbered_anyhow(12));
     for (Index const seed : {3, 60, 140})
         for (int const layers : {1, 2, 4, 300}) {
@@ -94,11 +97,13 @@ TEST_CASE("unknowns are the points within so many cells that are not held; cells
                     cells.insert(i);
                     for (Index const b : its.corners(i)) {
                         Index const v = region.unknown[b];
-                        if (v != harmorph::none) neighbours[static_cast<std::size_t>(region.unknown[a])].insert(v);
+                        if (v != harmorph::none)
+                            neighbours[static_cast<std::size_t>(region.unknown[a])].insert(v);
                     }
                 }
             CHECK(region.n_cells == static_cast<Index>(cells.size()));
-            CHECK(std::set<Index>(region.cell.begin(), region.cell.begin() + region.n_cells) == cells);
+            CHECK(std::set<Index>(region.cell.begin(), region.cell.begin() + region.n_cells) ==
+                  cells);
             std::vector<std::set<Index>> listed(static_cast<std::size_t>(region.n));
             for (Index u = 0; u < region.n; ++u) {
                 auto const row = region.of(u);
@@ -123,11 +128,12 @@ TEST_CASE("the whole mesh fills the room of the pairs to the last one when nothi
     its.region.grow(its.tangle, Region::whole);
     CHECK(its.region.n == its.mesh.n_points() - 3);
     CHECK(its.region.n_cells == its.view.n_cells);
-    Index n_inner = 0;   // pairs that are listed once
+    Index n_inner = 0;  // pairs that are listed once
     for (Index u = 0; u < its.region.n; ++u) {
         n_inner += static_cast<Index>(its.region.outer_start[u] - its.region.start[u]) - 1;
     }
-    CHECK(its.region.start[its.region.n] + n_inner == its.region.neighbour.count() - 3);   // less unused points
+    CHECK(its.region.start[its.region.n] + n_inner ==
+          its.region.neighbour.count() - 3);  // less unused points
 }
 
 TEST_CASE("cells are kept in order") {

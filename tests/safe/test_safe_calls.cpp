@@ -47,9 +47,10 @@ TEST_CASE("working space: exactly the stated size, and refused at every size bel
     for (std::size_t give = 0; give < bytes; give += give + 300 < bytes ? 251 : 1) {
         Guarded less(give);
         hm_error error{};
-        hm_status const status = hm_morph_safe(safe.solved().plan, safe.solved().basis, move.data(), points_out(x, y),
-                                               nullptr, less.data(), give, nullptr, nullptr, &error);
-        if (status == HM_OK) CHECK(bytes - give < 64);   // the slack for alignment
+        hm_status const status =
+            hm_morph_safe(safe.solved().plan, safe.solved().basis, move.data(), points_out(x, y),
+                          nullptr, less.data(), give, nullptr, nullptr, &error);
+        if (status == HM_OK) CHECK(bytes - give < 64);  // the slack for alignment
         else {
             REQUIRE(status == HM_BLOCK_TOO_SMALL);
             CHECK(error.value > 0);
@@ -60,8 +61,8 @@ TEST_CASE("working space: exactly the stated size, and refused at every size bel
     }
     for (std::size_t const shift : {std::size_t{1}, std::size_t{33}}) {
         Guarded other(bytes, shift);
-        CHECK(hm_morph_safe(safe.solved().plan, safe.solved().basis, move.data(), points_out(x, y), nullptr,
-                            other.data(), bytes, nullptr, nullptr, nullptr) >= HM_OK);
+        CHECK(hm_morph_safe(safe.solved().plan, safe.solved().basis, move.data(), points_out(x, y),
+                            nullptr, other.data(), bytes, nullptr, nullptr, nullptr) >= HM_OK);
         CHECK(other.guards_intact());
     }
 }
@@ -96,8 +97,9 @@ TEST_CASE("the same bits for any number of threads, in place, and on another arr
     std::size_t bytes = 0;
     REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
-    REQUIRE(hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(own.mesh.x, own.mesh.y), nullptr,
-                          work.data(), bytes, nullptr, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_morph_safe(solved.plan, solved.basis, move.data(),
+                          points_out(own.mesh.x, own.mesh.y), nullptr, work.data(), bytes, nullptr,
+                          nullptr, nullptr) == HM_OK);
     CHECK(same_bits(own.mesh.x, reference.x));
     CHECK(same_bits(own.mesh.y, reference.y));
 }
@@ -112,8 +114,9 @@ TEST_CASE("what does not belong together is refused, and nothing is written") {
         REQUIRE(hm_morph_safe_size(plan, nullptr, &bytes, nullptr) == HM_OK);
         Guarded work(bytes);
         std::vector<double> x = its.mesh.x, y = its.mesh.y;
-        hm_status const status = hm_morph_safe(plan, basis, by.data(), points_out(x, y), derivative, work.data(), bytes,
-                                               &safe.safe_options, nullptr, nullptr);
+        hm_status const status =
+            hm_morph_safe(plan, basis, by.data(), points_out(x, y), derivative, work.data(), bytes,
+                          &safe.safe_options, nullptr, nullptr);
         CHECK(same_bits(x, its.mesh.x));
         CHECK(same_bits(y, its.mesh.y));
         return status;
@@ -136,8 +139,8 @@ TEST_CASE("what does not belong together is refused, and nothing is written") {
     std::vector<double> wrong = move;
     wrong[3] = std::nan("");
     CHECK(refused(plan, safe.solved().basis, wrong) == HM_BAD_ARGUMENT);
-    // Among the others: another operator and exponent are welcome, other curves and parameters, and unsolved ones,
-    // are not.
+    // Among the others: another operator and exponent are welcome, other curves and parameters, and
+    // unsolved ones, are not.
     const hm_basis* others[] = {other_exponent.basis, other_operator.basis, nullptr};
     safe.safe_options.n_others = 2;
     safe.safe_options.others = others;
@@ -148,7 +151,7 @@ TEST_CASE("what does not belong together is refused, and nothing is written") {
     CHECK(refused(plan, safe.solved().basis, move) == HM_BAD_BASIS);
     others[2] = unsolved.basis;
     CHECK(refused(plan, safe.solved().basis, move) == HM_BAD_BASIS);
-    Case knots = its;   // the same points and parameters on a curve of another shape
+    Case knots = its;  // the same points and parameters on a curve of another shape
     knots.curves.shapes[0].knots[2] += 0.01;
     knots.give(17, 0.5);
     Case knots_before = its;

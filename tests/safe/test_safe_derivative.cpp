@@ -11,7 +11,9 @@ double const pi = std::acos(-1.0);
 
 }  // namespace
 
-TEST_CASE("the derivative is exact at wall points, elsewhere the steps' sum; hm_adjoint is the transpose") {
+TEST_CASE(
+    "the derivative is exact at wall points, elsewhere the steps' sum; hm_adjoint is the "
+    "transpose") {
     for (bool const slip : {false, true})
         for (bool const untangled : {false, true}) {
             Case its = block_in_square(Cells::quads, 15);
@@ -26,21 +28,25 @@ TEST_CASE("the derivative is exact at wall points, elsewhere the steps' sum; hm_
             if (untangled) safe.safe_options.skipped_strategies = without({HM_STRATEGY_SUBSTEPS});
             REQUIRE(safe.run(move, of.basis) == HM_OK);
             CHECK(of.guards_intact());
-            CHECK(safe.report.strategy == (untangled ? HM_STRATEGY_UNTANGLED : HM_STRATEGY_SUBSTEPS));
+            CHECK(safe.report.strategy ==
+                  (untangled ? HM_STRATEGY_UNTANGLED : HM_STRATEGY_SUBSTEPS));
             std::vector<double> const further = some_move(4, 1, 3);
-            Field const by = displacement(of.basis, further), of_wall = displacement(safe.solved(), further);
+            Field const by = displacement(of.basis, further),
+                        of_wall = displacement(safe.solved(), further);
             for (std::int32_t const point : points_on(its.mesh, body))
-                CHECK(std::abs(by[static_cast<std::size_t>(point)] - of_wall[static_cast<std::size_t>(point)]) < 1e-13);
+                CHECK(std::abs(by[static_cast<std::size_t>(point)] -
+                               of_wall[static_cast<std::size_t>(point)]) < 1e-13);
             for (std::int32_t const point : points_on(its.mesh, bottom)) {
                 Complex const d = by[static_cast<std::size_t>(point)];
                 CHECK((slip ? d.imag() == 0 : d == 0.0));
             }
             std::vector<double> const g = some_move(its.mesh.n_points(), 1, 4);
             std::vector<double> gradient(8);
-            REQUIRE(hm_adjoint(of.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(), nullptr, nullptr) ==
-                    HM_OK);
+            REQUIRE(hm_adjoint(of.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(),
+                               nullptr, nullptr) == HM_OK);
             double here = 0, there = 0;
-            for (std::size_t k = 0; k < by.size(); ++k) here += g[2 * k] * by[k].real() + g[2 * k + 1] * by[k].imag();
+            for (std::size_t k = 0; k < by.size(); ++k)
+                here += g[2 * k] * by[k].real() + g[2 * k + 1] * by[k].imag();
             for (std::size_t k = 0; k < 8; ++k) there += gradient[k] * further[k];
             CHECK(here == doctest::Approx(there).epsilon(1e-11));
             // It is a basis as any other: whole, solved, of this mesh.
@@ -49,7 +55,8 @@ TEST_CASE("the derivative is exact at wall points, elsewhere the steps' sum; hm_
             info.struct_size = sizeof info;
             REQUIRE(hm_basis_info_get(of.basis, &info, nullptr) == HM_OK);
             const hm_basis* attached = nullptr;
-            CHECK(hm_basis_attach(&attached, of.basis, static_cast<std::size_t>(info.bytes), &mesh, nullptr) == HM_OK);
+            CHECK(hm_basis_attach(&attached, of.basis, static_cast<std::size_t>(info.bytes), &mesh,
+                                  nullptr) == HM_OK);
         }
 }
 
@@ -58,19 +65,23 @@ TEST_CASE("where untangling ends the way in a poor mesh, the derivative is that 
     hm_options const options = options_of(HM_CONFORMAL);
     Safe safe(its, options);
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_SUBSTEPS, HM_STRATEGY_IMPROVED});
-    safe.safe_options.min_quality = 0.99;   // no mesh is as good as that
+    safe.safe_options.min_quality = 0.99;  // no mesh is as good as that
     Attempt of;
     REQUIRE(of.analyse(its.problem(), &options));
     REQUIRE(of.prepare());
     REQUIRE(safe.run(turn_of(its, 120), of.basis) == HM_POOR);
     REQUIRE(safe.report.strategy == HM_STRATEGY_UNTANGLED);
     std::vector<double> const further = some_move(4, 1, 3);
-    Field const by = displacement(of.basis, further), of_wall = displacement(safe.solved(), further);
+    Field const by = displacement(of.basis, further),
+                of_wall = displacement(safe.solved(), further);
     for (std::int32_t const point : points_on(its.mesh, body))
-        CHECK(std::abs(by[static_cast<std::size_t>(point)] - of_wall[static_cast<std::size_t>(point)]) < 1e-13);
+        CHECK(std::abs(by[static_cast<std::size_t>(point)] -
+                       of_wall[static_cast<std::size_t>(point)]) < 1e-13);
 }
 
-TEST_CASE("in one step the derivative is the basis; with real functions and straight ways, the mean of the steps'") {
+TEST_CASE(
+    "in one step the derivative is the basis; with real functions and straight ways, the mean of "
+    "the steps'") {
     Case its = block_in_square(Cells::quads, 15);
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
         hm_options const options = options_of(operator_kind);
@@ -81,10 +92,12 @@ TEST_CASE("in one step the derivative is the basis; with real functions and stra
         REQUIRE(safe.run(turn_of(its, 1), of.basis) == HM_OK);
         REQUIRE(safe.report.strategy == HM_STRATEGY_LINEAR);
         std::vector<double> const further = some_move(4, 1, 5);
-        CHECK(largest_difference(displacement(of.basis, further), displacement(safe.solved(), further)) < 1e-15);
+        CHECK(largest_difference(displacement(of.basis, further),
+                                 displacement(safe.solved(), further)) < 1e-15);
     }
-    // Straight ways and frozen functions: x_new = x + sum over the steps of (t_k - t_(k-1)) F_k dP is linear in dP, so
-    // that the derivative by dP, applied to dP itself, is all that the mesh has moved.
+    // Straight ways and frozen functions: x_new = x + sum over the steps of (t_k - t_(k-1)) F_k dP
+    // is linear in dP, so that the derivative by dP, applied to dP itself, is all that the mesh has
+    // moved.
     Safe safe(its, options_of(HM_LAPLACE));
     hm_options const options = options_of(HM_LAPLACE);
     Attempt of;
@@ -94,10 +107,13 @@ TEST_CASE("in one step the derivative is the basis; with real functions and stra
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_UNTANGLED});
     REQUIRE(safe.run(move, of.basis) >= 0);
     REQUIRE(safe.report.steps > 2);
-    if (safe.status == HM_OK) CHECK(largest_difference(displacement(of.basis, move), safe.moved()) < 1e-12);
+    if (safe.status == HM_OK)
+        CHECK(largest_difference(displacement(of.basis, move), safe.moved()) < 1e-12);
 }
 
-TEST_CASE("the derivative is the sum of the steps' functions, each times what its movement changes by with the whole") {
+TEST_CASE(
+    "the derivative is the sum of the steps' functions, each times what its movement changes by "
+    "with the whole") {
     Case its = block_in_square(Cells::quads, 15);
     hm_options const options = options_of(HM_CONFORMAL);
     Safe safe(its, options);
@@ -110,21 +126,21 @@ TEST_CASE("the derivative is the sum of the steps' functions, each times what it
     REQUIRE(safe.run(move, of.basis) == HM_OK);
     std::int32_t const steps = safe.report.steps;
     REQUIRE(steps > 2);
-    // The way of a turn by the angle a is P(t) = c + r^t (P + t D), r = e^(i a), D = (P + dP - c) / r - P + c, and so
-    // dP(t) / d(dP) = t r^(t - 1) while r is held.
+    // The way of a turn by the angle a is P(t) = c + r^t (P + t D), r = e^(i a), D = (P + dP - c) /
+    // r - P + c, and so dP(t) / d(dP) = t r^(t - 1) while r is held.
     auto const weight = [&](double t) { return t * std::polar(1.0, (t - 1) * degrees * pi / 180); };
     Field const found = displacement(of.basis, further);
     Field expected(found.size(), 0);
     double from = 0;
     std::vector<double> x = its.mesh.x, y = its.mesh.y;
     for (std::int32_t step = 1; step <= steps; ++step) {
-        Attempt here;   // the functions of this step, on the mesh it began with
+        Attempt here;  // the functions of this step, on the mesh it began with
         REQUIRE(here.analyse(its.problem(), &options));
         REQUIRE(here.prepare());
         REQUIRE(hm_plan_factor(here.plan, points_in(x, y), nullptr) == HM_OK);
         REQUIRE(hm_plan_solve(here.plan, here.basis, nullptr, nullptr) == HM_OK);
-        safe.safe_options.max_resolves = step == 1 ? -1 : step - 1;   // the way as far as that
-        Attempt unused;   // with a derivative as before: without one, other paths are tried, too
+        safe.safe_options.max_resolves = step == 1 ? -1 : step - 1;  // the way as far as that
+        Attempt unused;  // with a derivative as before: without one, other paths are tried, too
         REQUIRE(unused.analyse(its.problem(), &options));
         REQUIRE(unused.prepare());
         REQUIRE(safe.run(move, unused.basis) == (step < steps ? HM_SHORT : HM_OK));

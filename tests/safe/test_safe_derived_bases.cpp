@@ -36,8 +36,8 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     safe_options.reached = reached.data();
     hm_error error{};
     Combined const sum(reference.solved().basis, matrix);
-    REQUIRE_MESSAGE(hm_morph_safe(plan, combined.basis, move.data(), points_out(x, y), sum.basis, work.data(), bytes,
-                                  &safe_options, &report, &error) == HM_OK,
+    REQUIRE_MESSAGE(hm_morph_safe(plan, combined.basis, move.data(), points_out(x, y), sum.basis,
+                                  work.data(), bytes, &safe_options, &report, &error) == HM_OK,
                     error.text);
     CHECK(report.strategy == HM_STRATEGY_SUBSTEPS);
     CHECK(report.resolves > 0);
@@ -47,8 +47,8 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     moved.y = y;
     CHECK(check(moved).min_corner > 0);
     double off = 1;
-    REQUIRE(hm_boundary_error(combined.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_in(x, y), &off,
-                              nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_boundary_error(combined.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+                              points_in(x, y), &off, nullptr, nullptr) == HM_OK);
     CHECK(off < 1e-14);
     // The derivative at the wall is that of the combined functions.
     Moved const slope = displaced(sum.basis, move), expected = displaced(combined.basis, move);
@@ -59,8 +59,8 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     }
     // With the whole functions' derivative it does not fit together.
     CHECK(hm_morph_safe(plan, combined.basis, move.data(), points_out(x, y),
-                        const_cast<hm_basis*>(reference.solved().basis), work.data(), bytes, &safe_options, nullptr,
-                        &error) == HM_BAD_BASIS);
+                        const_cast<hm_basis*>(reference.solved().basis), work.data(), bytes,
+                        &safe_options, nullptr, &error) == HM_BAD_BASIS);
 
     Case table = its;
     table.conditions.pop_back();
@@ -77,15 +77,17 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     REQUIRE(tabulated.status == HM_OK);
     REQUIRE(hm_morph_safe_size(solved.plan, tabulated.basis, &bytes, nullptr) == HM_OK);
     Guarded more(bytes);
-    std::vector<double> amplitudes(2 * static_cast<std::size_t>(info_of(tabulated.basis).functions));
+    std::vector<double> amplitudes(2 *
+                                   static_cast<std::size_t>(info_of(tabulated.basis).functions));
     amplitudes[amplitudes.size() - 2] = 0.2;
     amplitudes[amplitudes.size() - 1] = 0.1;
     safe_options.reached = nullptr;
     x = its.mesh.x;
     y = its.mesh.y;
-    REQUIRE_MESSAGE(hm_morph_safe(solved.plan, tabulated.basis, amplitudes.data(), points_out(x, y), nullptr,
-                                  more.data(), bytes, &safe_options, &report, &error) == HM_OK,
-                    error.text);
+    REQUIRE_MESSAGE(
+        hm_morph_safe(solved.plan, tabulated.basis, amplitudes.data(), points_out(x, y), nullptr,
+                      more.data(), bytes, &safe_options, &report, &error) == HM_OK,
+        error.text);
     CHECK(report.strategy == HM_STRATEGY_SUBSTEPS);
     moved.x = x;
     moved.y = y;

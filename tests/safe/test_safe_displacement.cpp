@@ -1,5 +1,5 @@
-// Given displacements by the strategies of a safe morph: the whole displacement with the given bits,
-// or how far and why.
+// Given displacements by the strategies of a safe morph: the whole displacement with the given
+// bits, or how far and why.
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
@@ -35,15 +35,20 @@ TEST_CASE("a displacement that is possible in one step is that of hm_displace") 
     }
 }
 
-TEST_CASE("a rotation of 150 degrees with a change of shape: with the given bits, by every operator and engine") {
+TEST_CASE(
+    "a rotation of 150 degrees with a change of shape: with the given bits, by every operator and "
+    "engine") {
     for (int const variant : {0, 1, 2, 3}) {
         Case its = given_block(variant == 1 ? Cells::triangles : Cells::quads);
-        hm_options options = options_of(variant == 1 ? HM_LAPLACE : variant == 2 ? HM_WEIGHTED : HM_CONFORMAL);
+        hm_options options = options_of(variant == 1   ? HM_LAPLACE
+                                        : variant == 2 ? HM_WEIGHTED
+                                                       : HM_CONFORMAL);
         if (variant == 3) options = options_of(HM_LAPLACE), options.engine = HM_MULTIGRID;
         SafeDisplaced safe(its, options);
         Field wall = safe.similarity(std::polar(1.1, 150 * pi / 180), {0.5, 0.5}, {0.02, 0.05});
         Field const start = safe.start();
-        for (std::size_t k = 0; k < wall.size(); ++k) wall[k] += 0.01 * std::sin(20 * start[k].real());
+        for (std::size_t k = 0; k < wall.size(); ++k)
+            wall[k] += 0.01 * std::sin(20 * start[k].real());
         INFO("variant " << variant);
         CHECK(safe.run(wall) == HM_OK);
         INFO(safe.error.text);
@@ -56,21 +61,26 @@ TEST_CASE("a rotation of 150 degrees with a change of shape: with the given bits
     }
 }
 
-TEST_CASE("rotated in steps, a body keeps its shape on the way: fewer cells suffer than on straight lines") {
+TEST_CASE(
+    "rotated in steps, a body keeps its shape on the way: fewer cells suffer than on straight "
+    "lines") {
     Case its = given_block();
     SafeDisplaced safe(its);
     Field const half = safe.similarity(std::polar(1.0, 178 * pi / 180), {0.5, 0.5});
-    safe.safe_options.skipped_strategies = without({HM_STRATEGY_UNTANGLED, HM_STRATEGY_OTHER, HM_STRATEGY_IMPROVED});
+    safe.safe_options.skipped_strategies =
+        without({HM_STRATEGY_UNTANGLED, HM_STRATEGY_OTHER, HM_STRATEGY_IMPROVED});
     safe.safe_options.max_resolves = 30;
-    REQUIRE(safe.run(half) == HM_OK);   // straight lines would pass through a body of no size
+    REQUIRE(safe.run(half) == HM_OK);  // straight lines would pass through a body of no size
     CHECK(safe.safe_report.strategy == HM_STRATEGY_SUBSTEPS);
     CHECK(safe.is_at(half));
 }
 
-TEST_CASE("the functions of another operator are solved where one step of the first one is not enough") {
+TEST_CASE(
+    "the functions of another operator are solved where one step of the first one is not enough") {
     Case its = given_block();
     SafeDisplaced safe(its, options_of(HM_CONFORMAL, 16));
-    safe.safe_options.skipped_strategies = without({HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
+    safe.safe_options.skipped_strategies =
+        without({HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
     bool helped = false;
     for (double shift = 0.05; shift < 0.5 && !helped; shift += 0.01) {
         Field const wall(safe.points.size(), Complex(shift, 0));
@@ -111,18 +121,22 @@ TEST_CASE("threads and the order of the list do not change a bit") {
     const double* const values = reinterpret_cast<const double*>(reversed.data());
     hm_points const given{values, values + 1, 2};
     std::vector<double> x = its.mesh.x, y = its.mesh.y;
-    REQUIRE(hm_displace_safe(one.plan, one.basis, nullptr, static_cast<std::int32_t>(list.size()), list.data(), &given,
-                             points_out(x, y), work.data(), bytes, &one.safe_options, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_displace_safe(one.plan, one.basis, nullptr, static_cast<std::int32_t>(list.size()),
+                             list.data(), &given, points_out(x, y), work.data(), bytes,
+                             &one.safe_options, nullptr, nullptr) == HM_OK);
     CHECK(same_bits(one.x, x));
     CHECK(same_bits(one.y, y));
 }
 
-TEST_CASE("a displacement that is only partly possible: the fraction and the limiting cell; poor cells are named") {
+TEST_CASE(
+    "a displacement that is only partly possible: the fraction and the limiting cell; poor cells "
+    "are named") {
     Case its = given_block();
     SafeDisplaced safe(its);
-    Field const wall(safe.points.size(), Complex(0.35, 0));   // into the corner cells of the side
+    Field const wall(safe.points.size(), Complex(0.35, 0));  // into the corner cells of the side
     safe.safe_options.max_resolves = -1;
-    safe.safe_options.skipped_strategies = without({HM_STRATEGY_OTHER, HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED});
+    safe.safe_options.skipped_strategies =
+        without({HM_STRATEGY_OTHER, HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED});
     REQUIRE(safe.run(wall) == HM_SHORT);
     double const part = safe.safe_report.step_fraction;
     CHECK(part > 0);
@@ -131,7 +145,8 @@ TEST_CASE("a displacement that is only partly possible: the fraction and the lim
     CHECK(safe.safe_report.cell >= 0);
     for (std::size_t k = 0; k < safe.points.size(); ++k) {
         auto const at = static_cast<std::size_t>(safe.points[k]);
-        CHECK(safe.x[at] - safe.mesh.x[at] == doctest::Approx(part * wall[k].real()).epsilon(1e-12));
+        CHECK(safe.x[at] - safe.mesh.x[at] ==
+              doctest::Approx(part * wall[k].real()).epsilon(1e-12));
     }
     safe.safe_options = {};
     safe.safe_options.struct_size = sizeof safe.safe_options;
@@ -142,15 +157,19 @@ TEST_CASE("a displacement that is only partly possible: the fraction and the lim
     CHECK(safe.error.item == safe.safe_report.worst[0].cell);
 }
 
-TEST_CASE("given displacements: heights of the first layer are limited where that is asked for, and the place said") {
+TEST_CASE(
+    "given displacements: heights of the first layer are limited where that is asked for, and the "
+    "place said") {
     Case its;
     its.mesh = o_mesh(naca4({}, 40), stretched(1e-3, 8, 24));
     its.set_given(body);
     SafeDisplaced safe(its);
     Field wall;
-    for (Complex const z : safe.start()) wall.push_back({0, 0.4 * z.real() * (1 - z.real())});   // a camber of .1
+    for (Complex const z : safe.start())
+        wall.push_back({0, 0.4 * z.real() * (1 - z.real())});  // a camber of .1
     REQUIRE(safe.run(wall) == HM_OK);
-    double const change = std::max(safe.safe_report.max_height_ratio, 1 / safe.safe_report.min_height_ratio);
+    double const change =
+        std::max(safe.safe_report.max_height_ratio, 1 / safe.safe_report.min_height_ratio);
     REQUIRE(change > 1.1);
     safe.safe_options.max_height_change = 1 + 0.5 * (change - 1);
     REQUIRE(safe.run(wall) == HM_OK);
@@ -160,7 +179,8 @@ TEST_CASE("given displacements: heights of the first layer are limited where tha
     safe.safe_options.max_height_change = std::nextafter(1.0, 2.0);
     CHECK(safe.run(wall) == HM_POOR);
     CHECK(safe.is_at(wall));
-    CHECK(std::string(safe.error.text).find("the height of the first layer at point") != std::string::npos);
+    CHECK(std::string(safe.error.text).find("the height of the first layer at point") !=
+          std::string::npos);
     CHECK(std::find(safe.points.begin(), safe.points.end(), safe.error.item) != safe.points.end());
     safe.safe_options.max_height_change = 0.5;
     CHECK(safe.run(wall) == HM_BAD_ARGUMENT);

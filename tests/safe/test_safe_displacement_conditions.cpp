@@ -1,4 +1,5 @@
-// Safe given displacements beside other conditions: curves, design variables, and lines along which points slide.
+// Safe given displacements beside other conditions: curves, design variables, and lines along which
+// points slide.
 #include <doctest/doctest.h>
 
 #include <fixtures/derived.hpp>
@@ -13,7 +14,9 @@ double const pi = std::acos(-1.0);
 
 }  // namespace
 
-TEST_CASE("given points beside a curve: both bodies turn, and each wall is where its own description has it") {
+TEST_CASE(
+    "given points beside a curve: both bodies turn, and each wall is where its own description has "
+    "it") {
     Case its = two_body_case(Cells::hybrid, 12, 8);
     its.conditions.pop_back();
     its.set_given(second_body);
@@ -25,16 +28,17 @@ TEST_CASE("given points beside a curve: both bodies turn, and each wall is where
     Complex centre = 0;
     for (Complex const z : start) centre += z / static_cast<double>(start.size());
     Field const wall = safe.similarity(std::polar(1.0, -50 * pi / 180), centre);
-    std::vector<double> move(2 * static_cast<std::size_t>(info.functions));   // the first curve up
-    for (std::int32_t const i : its.curves.shapes[0].indices) move[2 * static_cast<std::size_t>(i) + 1] = 0.03;
+    std::vector<double> move(2 * static_cast<std::size_t>(info.functions));  // the first curve up
+    for (std::int32_t const i : its.curves.shapes[0].indices)
+        move[2 * static_cast<std::size_t>(i) + 1] = 0.03;
     std::vector<double> reached(move.size());
     safe.safe_options.reached = reached.data();
     REQUIRE_MESSAGE(safe.run(wall, &move) == HM_OK, safe.error.text);
     CHECK(safe.is_at(wall));
     CHECK(reached == move);
     double error = 1;
-    REQUIRE(hm_boundary_error(safe.basis, move.data(), points_in(safe.mesh.x, safe.mesh.y), points_in(safe.x, safe.y),
-                              &error, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_boundary_error(safe.basis, move.data(), points_in(safe.mesh.x, safe.mesh.y),
+                              points_in(safe.x, safe.y), &error, nullptr, nullptr) == HM_OK);
     CHECK(std::fabs(error - safe.safe_report.turned_offset) < 1e-14);
 
     // Design variables instead of control points.

@@ -7,11 +7,14 @@
 
 using namespace fixtures;
 
-TEST_CASE("slipping points stay on their lines and periodic sides move alike, in substeps and in untangling") {
+TEST_CASE(
+    "slipping points stay on their lines and periodic sides move alike, in substeps and in "
+    "untangling") {
     Case slip = block_in_square(Cells::hybrid, 15), pair = block_in_square(Cells::hybrid, 15);
     for (std::int32_t const side : {bottom, right, top, left}) slip.set_slip(side);
     pair.set_periodic(left, right);
-    for (std::int32_t const skipped : {without({HM_STRATEGY_UNTANGLED}), without({HM_STRATEGY_SUBSTEPS})}) {
+    for (std::int32_t const skipped :
+         {without({HM_STRATEGY_UNTANGLED}), without({HM_STRATEGY_SUBSTEPS})}) {
         Safe sliding(slip), alike(pair);
         sliding.safe_options.skipped_strategies = alike.safe_options.skipped_strategies = skipped;
         REQUIRE(sliding.run(turn_of(slip, 120, {0.1, 0.02})) == HM_OK);
@@ -19,25 +22,30 @@ TEST_CASE("slipping points stay on their lines and periodic sides move alike, in
         double slid = 0;
         for (std::int32_t const point : points_on(slip.mesh, bottom)) {
             CHECK(sliding.y[static_cast<std::size_t>(point)] == 0);
-            slid = std::fmax(slid, std::fabs(sliding.moved()[static_cast<std::size_t>(point)].real()));
+            slid =
+                std::fmax(slid, std::fabs(sliding.moved()[static_cast<std::size_t>(point)].real()));
         }
         CHECK(slid > 1e-3);
         REQUIRE(alike.run(turn_of(pair, 110, {0.1, 0.05})) == HM_OK);
         REQUIRE(alike.report.strategy != HM_STRATEGY_LINEAR);
-        std::vector<std::int32_t> const l = points_on(pair.mesh, left), r = points_on(pair.mesh, right);
+        std::vector<std::int32_t> const l = points_on(pair.mesh, left),
+                                        r = points_on(pair.mesh, right);
         Field const moved = alike.moved();
         for (std::size_t j = 0; j < l.size(); ++j)
-            CHECK(std::abs(moved[static_cast<std::size_t>(l[j])] - moved[static_cast<std::size_t>(r[j])]) < 1e-15);
+            CHECK(std::abs(moved[static_cast<std::size_t>(l[j])] -
+                           moved[static_cast<std::size_t>(r[j])]) < 1e-15);
     }
 }
 
-TEST_CASE("sliding points that would pass each other in one step are no crossing: in several they do not") {
+TEST_CASE(
+    "sliding points that would pass each other in one step are no crossing: in several they do "
+    "not") {
     Case its;
     its.mesh = square(25, Cells::quads, 5, 1);
     its.curves = polyline({{0.4, 0.48}, {0.6, 0.48}, {0.6, 0.52}, {0.4, 0.52}});
     its.put_on_curves(body);
     for (std::int32_t const side : {bottom, right, top, left}) its.set_slip(side);
-    Safe safe(its);   // conformal, 1 / d^1.5
+    Safe safe(its);  // conformal, 1 / d^1.5
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_UNTANGLED});
     REQUIRE(safe.run(turn_of(its, 60, {-0.2, -0.3})) == HM_OK);
     CHECK(safe.report.step_fraction == 1);
@@ -45,7 +53,9 @@ TEST_CASE("sliding points that would pass each other in one step are no crossing
     CHECK(safe.is_valid());
 }
 
-TEST_CASE("heights of the first layer are limited where asked for; a warning names the place where they are not") {
+TEST_CASE(
+    "heights of the first layer are limited where asked for; a warning names the place where they "
+    "are not") {
     Case its;
     its.mesh = o_mesh(naca4({}, 40), stretched(1e-3, 8, 24));
     its.curves.add(fitted_loop(points_along(its.mesh, body), 16));
@@ -54,13 +64,13 @@ TEST_CASE("heights of the first layer are limited where asked for; a warning nam
     std::vector<double> move(its.curves.control.size());
     for (std::size_t k = 0; k < move.size(); k += 2) {
         double const x = its.curves.control[k];
-        move[k + 1] = 0.4 * x * (1 - x);   // a camber of .1
+        move[k + 1] = 0.4 * x * (1 - x);  // a camber of .1
     }
     REQUIRE(safe.run(move) == HM_OK);
     double const low = safe.report.min_height_ratio, high = safe.report.max_height_ratio;
     double const change = std::max(high, 1 / low);
     CHECK(safe.report.heights == 0);
-    REQUIRE(change > 1.1);   // conformal functions stretch heights with the wall
+    REQUIRE(change > 1.1);  // conformal functions stretch heights with the wall
     // What is met anyway changes nothing.
     std::vector<double> const x = safe.x, y = safe.y;
     safe.safe_options.max_height_change = 1.01 * change;
@@ -79,7 +89,8 @@ TEST_CASE("heights of the first layer are limited where asked for; a warning nam
     safe.safe_options.max_height_change = std::nextafter(1.0, 2.0);
     CHECK(safe.run(move) == HM_POOR);
     CHECK(safe.is_valid());
-    CHECK(std::string(safe.error.text).find("the height of the first layer at point") != std::string::npos);
+    CHECK(std::string(safe.error.text).find("the height of the first layer at point") !=
+          std::string::npos);
     CHECK(safe.report.max_height_ratio < high);
     std::vector<std::int32_t> const wall = points_on(its.mesh, body);
     CHECK(std::find(wall.begin(), wall.end(), safe.error.item) != wall.end());
@@ -104,9 +115,9 @@ TEST_CASE("short of the target: the last valid mesh is that fraction of the way 
     CHECK(safe.report.cell < its.mesh.n_cells());
     CHECK(safe.error.item == safe.report.cell);
     CHECK(safe.is_valid());
-    CHECK(safe.boundary_error(turn_of(its, 150 * t)) < 1e-11);   // a turn is a turn all the way
+    CHECK(safe.boundary_error(turn_of(its, 150 * t)) < 1e-11);  // a turn is a turn all the way
     CHECK(safe.boundary_error(reached) < 1e-15);
-    for (int const resolves : {-1, 2, 4}) {   // the more is allowed, the farther
+    for (int const resolves : {-1, 2, 4}) {  // the more is allowed, the farther
         double const before = resolves < 0 ? 0 : t;
         safe.safe_options.max_resolves = resolves;
         hm_status const status = safe.run(move);
@@ -117,11 +128,12 @@ TEST_CASE("short of the target: the last valid mesh is that fraction of the way 
     }
 }
 
-TEST_CASE("a boundary that crosses itself is refused at once, with the place, and nothing is written") {
+TEST_CASE(
+    "a boundary that crosses itself is refused at once, with the place, and nothing is written") {
     Case its = block_in_square();
     Safe safe(its);
     std::vector<double> move(8, 0.0);
-    move[0] = 0.3;   // the lower left corner behind the lower right one, and up
+    move[0] = 0.3;  // the lower left corner behind the lower right one, and up
     move[1] = 0.06;
     Attempt derivative;
     hm_options const options = options_of(HM_CONFORMAL);
@@ -135,18 +147,21 @@ TEST_CASE("a boundary that crosses itself is refused at once, with the place, an
     for (std::int32_t const point : safe.report.crossing_points)
         CHECK(std::find(on_body.begin(), on_body.end(), point) != on_body.end());
     CHECK(safe.error.item == safe.report.crossing_points[0]);
-    CHECK(safe.run(turn_of(its, 0, {0.45, 0.013})) == HM_CROSSING);   // through the side of the square
-    CHECK(safe.report.mean_height_ratio == 1);   // nothing moved
+    CHECK(safe.run(turn_of(its, 0, {0.45, 0.013})) ==
+          HM_CROSSING);                         // through the side of the square
+    CHECK(safe.report.mean_height_ratio == 1);  // nothing moved
     CHECK(safe.report.min_height_ratio == 1);
     CHECK(safe.report.max_height_ratio == 1);
     CHECK(safe.untouched());
     hm_basis_info info{};
     info.struct_size = sizeof info;
     REQUIRE(hm_basis_info_get(derivative.basis, &info, nullptr) == HM_OK);
-    CHECK(info.solved == 1);   // refused: as it was
+    CHECK(info.solved == 1);  // refused: as it was
 }
 
-TEST_CASE("a thousand random movements of growing size: valid, or refused with a reason; never an inverted cell") {
+TEST_CASE(
+    "a thousand random movements of growing size: valid, or refused with a reason; never an "
+    "inverted cell") {
     struct Start {
         Case its;
         std::int32_t operator_kind;
@@ -157,7 +172,10 @@ TEST_CASE("a thousand random movements of growing size: valid, or refused with a
     bodies.set_rigid(second_body, 1.5, 0.5);
     Case cascade = tiny_case();
     cascade.set_periodic(left, right);
-    Start starts[] = {{tiny, HM_CONFORMAL}, {tiny, HM_LAPLACE}, {bodies, HM_CONFORMAL}, {channel, HM_CONFORMAL},
+    Start starts[] = {{tiny, HM_CONFORMAL},
+                      {tiny, HM_LAPLACE},
+                      {bodies, HM_CONFORMAL},
+                      {channel, HM_CONFORMAL},
                       {cascade, HM_CONFORMAL}};
     for (Start& start : starts) {
         Safe safe(start.its, options_of(start.operator_kind));
@@ -193,25 +211,29 @@ TEST_CASE("a thousand random movements of growing size: valid, or refused with a
     }
 }
 
-TEST_CASE("an airfoil in a C-mesh, moved, turned and bent at random: the two sides of the wake stay one") {
+TEST_CASE(
+    "an airfoil in a C-mesh, moved, turned and bent at random: the two sides of the wake stay "
+    "one") {
     CMesh const c = c_mesh(naca4({}, 24), 12, 8, stretched(5e-3, 8, 12));
     Case its = airfoil_case(24, 12);
     its.mesh = c.mesh;
     Safe safe(its);
     int by_strategy[4] = {};
     for (unsigned trial = 0; trial < 60; ++trial) {
-        std::vector<double> move =
-            similarity_move(its.curves, std::polar(1.0, 0.05 * trial), {0.25, 0}, {0.01 * trial, 0});
+        std::vector<double> move = similarity_move(its.curves, std::polar(1.0, 0.05 * trial),
+                                                   {0.25, 0}, {0.01 * trial, 0});
         std::vector<double> const more = some_move(12, 0.0005 * trial, 200 + trial);
         for (std::size_t k = 0; k < move.size(); ++k) move[k] += more[k];
         hm_status const status = safe.run(move);
         REQUIRE((status == HM_OK || status == HM_SHORT || status == HM_CROSSING));
         if (status == HM_CROSSING) continue;
         CHECK(safe.is_valid());
-        if (status == HM_OK) CHECK(std::fabs(safe.boundary_error(move) - safe.report.turned_offset) < 1e-14);
+        if (status == HM_OK)
+            CHECK(std::fabs(safe.boundary_error(move) - safe.report.turned_offset) < 1e-14);
         ++by_strategy[safe.report.strategy];
         Mesh const& mesh = safe.mesh;
-        std::map<std::pair<double, double>, std::size_t> first;   // points at one place stay at one place
+        std::map<std::pair<double, double>, std::size_t>
+            first;  // points at one place stay at one place
         for (std::size_t k = 0; k < mesh.x.size(); ++k) {
             std::size_t const its_first = first.insert({{mesh.x[k], mesh.y[k]}, k}).first->second;
             CHECK(safe.x[k] == safe.x[its_first]);
@@ -238,7 +260,8 @@ TEST_CASE("numbering from 1, cells of either sense, and units change nothing but
         other.safe_options = reference.safe_options;
         CHECK(other.run(move) == expected);
         CHECK(other.report.strategy == reference.report.strategy);
-        CHECK(other.report.step_fraction == doctest::Approx(reference.report.step_fraction).epsilon(1e-9));
+        CHECK(other.report.step_fraction ==
+              doctest::Approx(reference.report.step_fraction).epsilon(1e-9));
         CHECK(largest_difference(other.moved(), reference.moved()) < 1e-8);
         if (expected == HM_SHORT) {
             CHECK(other.report.cell == reference.report.cell + 1);
@@ -255,14 +278,17 @@ TEST_CASE("numbering from 1, cells of either sense, and units change nothing but
             CHECK(far.run(scaled_move) == expected);
             CHECK(far.report.strategy == reference.report.strategy);
             CHECK(far.report.steps == reference.report.steps);
-            CHECK(far.report.step_fraction == doctest::Approx(reference.report.step_fraction).epsilon(1e-6));
+            CHECK(far.report.step_fraction ==
+                  doctest::Approx(reference.report.step_fraction).epsilon(1e-6));
             CHECK(far.is_valid());
-            CHECK(far.report.min_quality == doctest::Approx(reference.report.min_quality).epsilon(1e-3));
+            CHECK(far.report.min_quality ==
+                  doctest::Approx(reference.report.min_quality).epsilon(1e-3));
         }
     }
 }
 
-TEST_CASE("functions on the way that miss the tolerance are a warning: the mesh is there, and valid") {
+TEST_CASE(
+    "functions on the way that miss the tolerance are a warning: the mesh is there, and valid") {
     Case its = block_in_square(Cells::quads, 15);
     hm_options options = options_of(HM_CONFORMAL);
     options.tolerance = 1e-18;
@@ -275,14 +301,14 @@ TEST_CASE("functions on the way that miss the tolerance are a warning: the mesh 
     report.struct_size = sizeof report;
     std::vector<double> x(its.mesh.x.size()), y(x.size());
     hm_error error{};
-    CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(its, 120).data(), points_out(x, y), nullptr, work.data(),
-                        bytes, nullptr, &report, &error) == HM_NOT_CONVERGED);
+    CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(its, 120).data(), points_out(x, y),
+                        nullptr, work.data(), bytes, nullptr, &report, &error) == HM_NOT_CONVERGED);
     CHECK(report.step_fraction == 1);
     CHECK(report.resolves > 0);
     CHECK(report.inverted == 0);
     CHECK(x[0] == its.mesh.x[0]);
     CHECK(error.value > 1e-18);
     // One step needs no other functions than those that are there.
-    CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(its, 10).data(), points_out(x, y), nullptr, work.data(),
-                        bytes, nullptr, &report, &error) == HM_OK);
+    CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(its, 10).data(), points_out(x, y),
+                        nullptr, work.data(), bytes, nullptr, &report, &error) == HM_OK);
 }

@@ -20,7 +20,7 @@ TEST_CASE("the linear strategy: hm_morph's mesh in one step, where that is valid
     CHECK(largest_difference(safe.moved(), displacement(safe.solved(), move)) < 1e-15);
     CHECK(safe.is_valid());
     CHECK(safe.boundary_error(move) < 1e-15);
-    REQUIRE(safe.run(std::vector<double>(8, 0.0)) == HM_OK);   // nothing moves
+    REQUIRE(safe.run(std::vector<double>(8, 0.0)) == HM_OK);  // nothing moves
     CHECK(safe.untouched());
     CHECK(safe.report.step_fraction == 1);
     CHECK(safe.is_valid());
@@ -44,25 +44,25 @@ TEST_CASE("another basis is the one that helps") {
     CHECK(largest_difference(safe.moved(), displacement(useful, move)) < 1e-15);
     CHECK(safe.is_valid());
     CHECK(safe.boundary_error(move) < 1e-15);
-    Attempt real, of;   // a derivative with real values cannot take its complex ones
+    Attempt real, of;  // a derivative with real values cannot take its complex ones
     hm_options const paper = options_of(HM_LAPLACE), sharper = options_of(HM_CONFORMAL, 8);
     REQUIRE(real.run(its.problem(), &paper));
     CHECK(safe.run(move, real.basis) == HM_SHORT);
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED});
-    hm_status const beside_others = safe.run(move, real.basis);   // nor can its substeps
+    hm_status const beside_others = safe.run(move, real.basis);  // nor can its substeps
     Field const moved_beside_others = safe.moved();
     safe.safe_options.n_others = 0;
     CHECK(safe.run(move, real.basis) == beside_others);
     CHECK(largest_difference(safe.moved(), moved_beside_others) == 0);
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED});
     safe.safe_options.n_others = 1;
-    CHECK(safe.run(move) == HM_SHORT);   // with the other one alone: as far as one linear step goes
+    CHECK(safe.run(move) == HM_SHORT);  // with the other one alone: as far as one linear step goes
     CHECK(safe.report.step_fraction == doctest::Approx(0.98 * safe.admissible(move)));
     CHECK(safe.report.strategy == HM_STRATEGY_LINEAR);
     CHECK(safe.report.steps == 1);
     CHECK(safe.is_valid());
     safe.safe_options.skipped_strategies |= without({HM_STRATEGY_LINEAR});
-    CHECK(safe.run(move) == HM_SHORT);   // nothing else is allowed
+    CHECK(safe.run(move) == HM_SHORT);  // nothing else is allowed
     CHECK(safe.untouched());
     CHECK(safe.report.step_fraction == 0);
     CHECK(safe.report.steps == 0);
@@ -70,16 +70,18 @@ TEST_CASE("another basis is the one that helps") {
     safe.safe_options.n_others = 2;
     CHECK(safe.run(move) == HM_SHORT);
 
-    Safe weaker(its, sharper);   // of the same kind: its functions are the derivative
+    Safe weaker(its, sharper);  // of the same kind: its functions are the derivative
     weaker.safe_options.n_others = 2;
     weaker.safe_options.others = others;
-    weaker.safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR, HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED});
+    weaker.safe_options.skipped_strategies =
+        without({HM_STRATEGY_LINEAR, HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED});
     REQUIRE(of.run(its.problem(), &sharper));
     REQUIRE(weaker.run(move, of.basis) == HM_OK);
     CHECK(weaker.report.strategy == HM_STRATEGY_OTHER);
     CHECK(weaker.report.other == 1);
     std::vector<double> const further = some_move(4, 1, 7);
-    CHECK(largest_difference(displacement(of.basis, further), displacement(useful, further)) < 1e-15);
+    CHECK(largest_difference(displacement(of.basis, further), displacement(useful, further)) <
+          1e-15);
 }
 
 TEST_CASE("the longest linear step is straight: no derivative of a path that turns is made of it") {
@@ -91,8 +93,8 @@ TEST_CASE("the longest linear step is straight: no derivative of a path that tur
     REQUIRE(of.prepare());
     std::vector<double> const move = turn_of(its, 150, {0.05, 0.02});
     REQUIRE(safe.admissible(move) < 1);
-    safe.safe_options.skipped_strategies =
-        without({HM_STRATEGY_OTHER, HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
+    safe.safe_options.skipped_strategies = without(
+        {HM_STRATEGY_OTHER, HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
     CHECK(safe.run(move, of.basis) == HM_SHORT);
     CHECK(safe.report.step_fraction == 0);
     CHECK(safe.untouched());
@@ -124,16 +126,20 @@ TEST_CASE("substeps are what helps: valid, and the wall exactly where its B-spli
     }
 }
 
-TEST_CASE("a substep takes half of what is admissible, on the mesh and with the functions that it begins from") {
+TEST_CASE(
+    "a substep takes half of what is admissible, on the mesh and with the functions that it begins "
+    "from") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Case its = block_in_square(kind);
         Safe safe(its);
-        safe.safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR, HM_STRATEGY_OTHER, HM_STRATEGY_UNTANGLED});
+        safe.safe_options.skipped_strategies =
+            without({HM_STRATEGY_LINEAR, HM_STRATEGY_OTHER, HM_STRATEGY_UNTANGLED});
         std::vector<double> const shift = similarity_move(its.curves, 1, {0.5, 0.5}, {0.3, 0.2});
         for (std::vector<double> const& move : {shift, turn_of(its, 150)}) {
             REQUIRE(safe.admissible(move) < 1);
-            std::vector<double> x = its.mesh.x, y = its.mesh.y;   // where the substep begins
-            for (std::int32_t const resolves : {-1, 1, 2}) {      // -1: none, so that one substep is all there is
+            std::vector<double> x = its.mesh.x, y = its.mesh.y;  // where the substep begins
+            for (std::int32_t const resolves :
+                 {-1, 1, 2}) {  // -1: none, so that one substep is all there is
                 safe.safe_options.max_resolves = resolves;
                 REQUIRE(safe.run(move) == HM_SHORT);
                 REQUIRE(safe.report.steps == std::max(resolves, 0) + 1);
@@ -145,16 +151,20 @@ TEST_CASE("a substep takes half of what is admissible, on the mesh and with the 
                 Mesh from = its.mesh;
                 from.x = x;
                 from.y = y;
-                double const steps = safe.admissible(from.view(), dx, dy);   // like this one, until a cell inverts
-                INFO("substep " << safe.report.steps << " to " << safe.report.step_fraction << " of the way");
+                double const steps =
+                    safe.admissible(from.view(), dx, dy);  // like this one, until a cell inverts
+                INFO("substep " << safe.report.steps << " to " << safe.report.step_fraction
+                                << " of the way");
                 CHECK(steps >= 2);
-                // And no less than half of that, although a turn's way is bent: trials of it overshoot.
+                // And no less than half of that, although a turn's way is bent: trials of it
+                // overshoot.
                 CHECK(steps < 4);
                 x = safe.x;
                 y = safe.y;
             }
         }
-        // Straight ahead the displacements are proportional to the way, so that the search ends at half, or just below.
+        // Straight ahead the displacements are proportional to the way, so that the search ends at
+        // half, or just below.
         safe.safe_options.max_resolves = -1;
         REQUIRE(safe.run(shift) == HM_SHORT);
         CHECK(safe.report.step_fraction <= safe.admissible(shift) / 2);
@@ -190,18 +200,20 @@ TEST_CASE("untangling is what helps") {
     }
 }
 
-TEST_CASE("whatever strategy it was: the wall's points have the same bits, rounding does not add up") {
+TEST_CASE(
+    "whatever strategy it was: the wall's points have the same bits, rounding does not add up") {
     Case its = block_in_square(Cells::quads, 15);
     Safe safe(its);
     std::vector<double> const move = turn_of(its, 115, {0.0123, 0.0321});
     std::vector<double> wall;
-    for (std::int32_t const skipped : {without({HM_STRATEGY_UNTANGLED}), without({HM_STRATEGY_SUBSTEPS})}) {
+    for (std::int32_t const skipped :
+         {without({HM_STRATEGY_UNTANGLED}), without({HM_STRATEGY_SUBSTEPS})}) {
         safe.safe_options.skipped_strategies = skipped;
         REQUIRE(safe.run(move) == HM_OK);
         std::vector<double> found;
         for (std::int32_t const point : points_on(its.mesh, body))
-            found.insert(found.end(),
-                         {safe.x[static_cast<std::size_t>(point)], safe.y[static_cast<std::size_t>(point)]});
+            found.insert(found.end(), {safe.x[static_cast<std::size_t>(point)],
+                                       safe.y[static_cast<std::size_t>(point)]});
         if (!wall.empty()) CHECK(same_bits(found, wall));
         wall = found;
     }

@@ -12,7 +12,8 @@ double const pi = std::acos(-1.0);
 Case sliding_ring(Cells kind = Cells::hybrid) {
     Case its = ring_case(8, 32, 0.5, 2, kind);
     its.set_slip(far_field);
-    for (double& number : its.curves.control) number *= 0.5 / 0.445;   // so that the curve is where the points are
+    for (double& number : its.curves.control)
+        number *= 0.5 / 0.445;  // so that the curve is where the points are
     return its;
 }
 
@@ -31,36 +32,42 @@ TEST_CASE("the body turns, and the whole mesh turns with it, the outer points al
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Case its = sliding_ring(kind);
         Safe safe(its);
-        safe.safe_options.skipped_strategies = without({HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
-        safe.safe_options.min_quality = 0.95;   // one step leads there, too, but worse
-        std::vector<double> const move = similarity_move(its.curves, std::polar(1.0, 100 * pi / 180), 0, 0);
+        safe.safe_options.skipped_strategies =
+            without({HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
+        safe.safe_options.min_quality = 0.95;  // one step leads there, too, but worse
+        std::vector<double> const move =
+            similarity_move(its.curves, std::polar(1.0, 100 * pi / 180), 0, 0);
         REQUIRE(safe.run(move) >= HM_OK);
         CHECK(safe.report.strategy == HM_STRATEGY_SUBSTEPS);
         CHECK(safe.is_valid());
         CHECK(std::fabs(safe.boundary_error(move) - safe.report.turned_offset) < 1e-13);
         CHECK(farthest_from_circle(safe) < 2e-8);
         CHECK(safe.report.min_quality > 0.75 * safe.report.start_quality);
-        double turned = 0;   // the mean angle by which outer points have gone round
+        double turned = 0;  // the mean angle by which outer points have gone round
         for (std::int32_t const point : points_on(its.mesh, far_field)) {
             auto const k = static_cast<std::size_t>(point);
-            turned += std::arg(Complex(safe.x[k], safe.y[k]) / to_complex(its.mesh.point(point))) / 32;
+            turned +=
+                std::arg(Complex(safe.x[k], safe.y[k]) / to_complex(its.mesh.point(point))) / 32;
         }
         CHECK(turned > 80 * pi / 180);
         CHECK(turned < 101 * pi / 180);
     }
 }
 
-TEST_CASE("one step, several steps, untangling, improvement: outer points are on the circle and the mesh is valid") {
+TEST_CASE(
+    "one step, several steps, untangling, improvement: outer points are on the circle and the mesh "
+    "is valid") {
     for (unsigned const seed : {1u, 2u, 3u}) {
         Case its = sliding_ring();
         Safe safe(its);
         for (double const size : {0.05, 0.3, 0.5}) {
-            for (std::int32_t const skipped : {0, without({HM_STRATEGY_LINEAR}),
-                                               without({HM_STRATEGY_LINEAR, HM_STRATEGY_SUBSTEPS})}) {
+            for (std::int32_t const skipped :
+                 {0, without({HM_STRATEGY_LINEAR}),
+                  without({HM_STRATEGY_LINEAR, HM_STRATEGY_SUBSTEPS})}) {
                 safe.safe_options.skipped_strategies = skipped;
                 safe.safe_options.min_quality = 0;
                 std::vector<double> const move = some_move(8, size, seed);
-                if (safe.run(move) < 0) continue;   // the wall of this seed crosses itself
+                if (safe.run(move) < 0) continue;  // the wall of this seed crosses itself
                 CHECK(safe.is_valid());
                 CHECK(farthest_from_circle(safe) < 2e-8);
             }
@@ -68,17 +75,20 @@ TEST_CASE("one step, several steps, untangling, improvement: outer points are on
     }
 }
 
-TEST_CASE("the derivative at sliding points agrees with differences; points stay on the circle to first order") {
+TEST_CASE(
+    "the derivative at sliding points agrees with differences; points stay on the circle to first "
+    "order") {
     for (std::int32_t const skipped : {0, without({HM_STRATEGY_LINEAR})}) {
         Case its = sliding_ring();
         Safe safe(its);
         safe.safe_options.skipped_strategies = skipped;
-        safe.safe_options.max_resolves = -1;   // one step: the functions are those of the start
+        safe.safe_options.max_resolves = -1;  // one step: the functions are those of the start
         std::size_t bytes = 0;
         REQUIRE(hm_basis_size(safe.solved().analysis, &bytes, nullptr) == HM_OK);
         Guarded block(bytes);
         hm_basis* derivative = nullptr;
-        REQUIRE(hm_basis_init(&derivative, block.data(), bytes, safe.solved().analysis, nullptr) == HM_OK);
+        REQUIRE(hm_basis_init(&derivative, block.data(), bytes, safe.solved().analysis, nullptr) ==
+                HM_OK);
         std::vector<double> const move = some_move(8, 0.1, 5), by = some_move(8, 1, 6);
         REQUIRE(safe.run(move, derivative) == HM_OK);
         std::vector<double> const x = safe.x, y = safe.y;
@@ -98,7 +108,8 @@ TEST_CASE("the derivative at sliding points agrees with differences; points stay
             Complex const difference = (more[k] - less[k]) / (2 * h);
             CHECK(std::abs(difference - change[k]) < 1e-8);
             CHECK(std::abs(change[k]) > 1e-3);
-            CHECK(std::fabs((change[k] * std::conj(Complex(x[k], y[k]))).real()) < 1e-5 * std::abs(change[k]));
+            CHECK(std::fabs((change[k] * std::conj(Complex(x[k], y[k]))).real()) <
+                  1e-5 * std::abs(change[k]));
         }
     }
 }

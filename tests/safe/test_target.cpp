@@ -4,7 +4,7 @@
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
 
-#include <harmorph/safe/target.hpp>
+#include "safe/target.hpp"
 
 using namespace fixtures;
 using harmorph::Crossing;
@@ -17,7 +17,8 @@ namespace {
 
 // Where the boundary of a case is to go; inner points stay, and nothing is known of them.
 struct Aim {
-    explicit Aim(Case its_case) : its(its_case), attempt(its.problem()), x(its.mesh.x), y(its.mesh.y) {
+    explicit Aim(Case its_case)
+        : its(its_case), attempt(its.problem()), x(its.mesh.x), y(its.mesh.y) {
         REQUIRE(attempt.status == HM_OK);
         harmorph::Analysis const& analysis = inside(attempt.analysis);
         for (Index k = 0; k < static_cast<Index>(x.size()); ++k) {
@@ -36,14 +37,18 @@ struct Aim {
     Status check() {
         harmorph::Analysis const& analysis = inside(attempt.analysis);
         harmorph::Boundary const& boundary = analysis.boundary;
-        harmorph::Points const start{its.mesh.x.data(), its.mesh.y.data(), 1}, at_target{x.data(), y.data(), 1};
+        harmorph::Points const start{its.mesh.x.data(), its.mesh.y.data(), 1},
+            at_target{x.data(), y.data(), 1};
         fault = {};
         crossing = {};
-        return harmorph::check_target({analysis.topology, boundary.point.first(boundary.count),
-                                       boundary.loop_start.first(boundary.n_loops + 1), span(ends), start, at_target},
-                                      crossing, fault);
+        return harmorph::check_target(
+            {analysis.topology, boundary.point.first(boundary.count),
+             boundary.loop_start.first(boundary.n_loops + 1), span(ends), start, at_target},
+            crossing, fault);
     }
-    bool says(const char* words) const { return std::string(fault.sentence).find(words) != std::string::npos; }
+    bool says(const char* words) const {
+        return std::string(fault.sentence).find(words) != std::string::npos;
+    }
 
     Case its;
     Attempt attempt;
@@ -55,17 +60,21 @@ struct Aim {
 
 }  // namespace
 
-TEST_CASE("the start is possible, and so is a hole that turns, grows and moves without touching anything") {
-    Aim aim(tiny_case());   // a hole [2, 4] x [2, 4] in [0, 6] x [0, 6]
+TEST_CASE(
+    "the start is possible, and so is a hole that turns, grows and moves without touching "
+    "anything") {
+    Aim aim(tiny_case());  // a hole [2, 4] x [2, 4] in [0, 6] x [0, 6]
     CHECK(aim.check() == Status::ok);
-    aim.map(body, [](Complex z) { return Complex(3.1, 2.8) + 1.3 * std::polar(1.0, 0.6) * (z - Complex(3, 3)); });
+    aim.map(body, [](Complex z) {
+        return Complex(3.1, 2.8) + 1.3 * std::polar(1.0, 0.6) * (z - Complex(3, 3));
+    });
     CHECK(aim.check() == Status::ok);
     CHECK(!aim.crossing.found);
 }
 
 TEST_CASE("faces that cross are named, with the place") {
     Aim aim(tiny_case());
-    aim.map(body, [](Complex z) { return z + 3.0; });   // half of it beyond the right side
+    aim.map(body, [](Complex z) { return z + 3.0; });  // half of it beyond the right side
     CHECK(aim.check() == Status::crossing);
     CHECK(aim.says("crosses itself"));
     CHECK(aim.crossing.found);
@@ -75,7 +84,9 @@ TEST_CASE("faces that cross are named, with the place") {
     CHECK(aim.fault.place[1] == aim.y[static_cast<std::size_t>(aim.fault.item)]);
 }
 
-TEST_CASE("what crosses nothing and is impossible all the same: outside, inside out, inside another one") {
+TEST_CASE(
+    "what crosses nothing and is impossible all the same: outside, inside out, inside another "
+    "one") {
     Aim outside(tiny_case());
     outside.map(body, [](Complex z) { return z + 10.0; });
     CHECK(outside.check() == Status::crossing);
@@ -83,7 +94,8 @@ TEST_CASE("what crosses nothing and is impossible all the same: outside, inside 
     CHECK(!outside.crossing.found);
 
     Aim reflected(tiny_case());
-    reflected.map(body, [](Complex z) { return Complex(3, 3) + 0.9 * std::conj(z - Complex(3, 3)); });
+    reflected.map(body,
+                  [](Complex z) { return Complex(3, 3) + 0.9 * std::conj(z - Complex(3, 3)); });
     CHECK(reflected.check() == Status::crossing);
     CHECK(reflected.says("inside out"));
 
@@ -91,8 +103,10 @@ TEST_CASE("what crosses nothing and is impossible all the same: outside, inside 
     Complex centre = 0, other = 0;
     std::vector<std::int32_t> const first = points_on(two.its.mesh, body),
                                     second = points_on(two.its.mesh, second_body);
-    for (std::int32_t const k : first) centre += to_complex(two.its.mesh.point(k)) / static_cast<double>(first.size());
-    for (std::int32_t const k : second) other += to_complex(two.its.mesh.point(k)) / static_cast<double>(second.size());
+    for (std::int32_t const k : first)
+        centre += to_complex(two.its.mesh.point(k)) / static_cast<double>(first.size());
+    for (std::int32_t const k : second)
+        other += to_complex(two.its.mesh.point(k)) / static_cast<double>(second.size());
     two.map(second_body, [&](Complex z) { return centre + 0.1 * (z - other); });
     CHECK(two.check() == Status::crossing);
     CHECK(two.says("is inside the one"));
@@ -101,7 +115,8 @@ TEST_CASE("what crosses nothing and is impossible all the same: outside, inside 
 TEST_CASE("a corner whose three points are prescribed is inverted, and no face crosses") {
     Aim aim(tiny_case());
     REQUIRE(aim.check() == Status::ok);
-    aim.x[0] = aim.y[0] = 0.9;   // the corner of the domain, beyond the line through its neighbours (1, 0) and (0, 1)
+    aim.x[0] = aim.y[0] =
+        0.9;  // the corner of the domain, beyond the line through its neighbours (1, 0) and (0, 1)
     CHECK(aim.check() == Status::crossing);
     CHECK(aim.says("is inverted by its points on the boundary"));
     CHECK(aim.fault.other == 0);
@@ -111,7 +126,8 @@ TEST_CASE("a corner whose three points are prescribed is inverted, and no face c
 TEST_CASE("of what is not known nothing is said") {
     Aim aim(tiny_case());
     aim.map(body, [](Complex z) { return z + 3.0; });
-    for (std::int32_t const k : points_on(aim.its.mesh, body)) aim.ends[static_cast<std::size_t>(k)] = EndOf::unknown;
+    for (std::int32_t const k : points_on(aim.its.mesh, body))
+        aim.ends[static_cast<std::size_t>(k)] = EndOf::unknown;
     CHECK(aim.check() == Status::ok);
     aim.map(body, [](Complex z) { return z + 10.0; });
     CHECK(aim.check() == Status::ok);

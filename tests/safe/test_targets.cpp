@@ -1,5 +1,5 @@
-// Targets of cells: the reference mesh, layers as long as their wall, and the ideal corners of the quality that is
-// reported.
+// Targets of cells: the reference mesh, layers as long as their wall, and the ideal corners of the
+// quality that is reported.
 #include <doctest/doctest.h>
 
 #include <fixtures/annulus.hpp>
@@ -7,9 +7,9 @@
 #include <fixtures/perturb.hpp>
 #include <fixtures/square.hpp>
 
-#include <harmorph/morph/quality.hpp>
-#include <harmorph/safe/quality_energy.hpp>
-#include <harmorph/safe/targets.hpp>
+#include "morph/quality.hpp"
+#include "safe/quality_energy.hpp"
+#include "safe/targets.hpp"
 
 using namespace fixtures;
 using harmorph::Index;
@@ -51,7 +51,8 @@ struct Found {
         for (Index i = 0; i < view.n_cells; ++i) {
             harmorph::Cell const cell = view.cell(i);
             for (Index k = 0; k < cell.n; ++k) {
-                harmorph::CornerPoints const corner{{cell.previous(k), cell.point[k], cell.next(k)}, {1, 0}};
+                harmorph::CornerPoints const corner{{cell.previous(k), cell.point[k], cell.next(k)},
+                                                    {1, 0}};
                 visit(i, corner);
             }
         }
@@ -76,13 +77,15 @@ TEST_CASE("a mesh that has not moved is its own target") {
         perturb(mesh, 0.2, 1);
         Found const its(mesh, mesh);
         its.for_corners([&](Index cell, harmorph::CornerPoints const& corner) {
-            Triangle const now = its.triangle(mesh, corner), target = its.targets.of(cell, corner, now);
+            Triangle const now = its.triangle(mesh, corner),
+                           target = its.targets.of(cell, corner, now);
             CHECK(QualityEnergy(target).energy(now) == doctest::Approx(1).epsilon(1e-13));
         });
     }
 }
 
-TEST_CASE("of quadrilaterals that are not thin the ratio of sides does not matter, area and angle do") {
+TEST_CASE(
+    "of quadrilaterals that are not thin the ratio of sides does not matter, area and angle do") {
     Mesh const mesh = square(4);
     Found const its(mesh, mesh);
     harmorph::CornerPoints const corner{
@@ -90,27 +93,37 @@ TEST_CASE("of quadrilaterals that are not thin the ratio of sides does not matte
     double const side = 0.25;
     for (double const ratio : {0.01, 0.5, 3.0}) {
         Triangle const now = {{{0, side / ratio}, {0, 0}, {side * ratio, 0}}};
-        CHECK(QualityEnergy(its.targets.of(5, corner, now)).energy(now) == doctest::Approx(1).epsilon(1e-13));
-        CHECK(QualityEnergy(its.targets.ideal(5, corner, now)).energy(now) == doctest::Approx(1).epsilon(1e-13));
-        Triangle const wide = {{{0, side / ratio}, {0, 0}, {2 * side * ratio, 0}}};  // size (2 + 1/2) / 2
-        CHECK(QualityEnergy(its.targets.of(5, corner, wide)).energy(wide) == doctest::Approx(1.25).epsilon(1e-13));
-        Triangle const inclined = {{{side / ratio, side / ratio}, {0, 0}, {side * ratio, 0}}};  // by 45 degrees
-        CHECK(QualityEnergy(its.targets.of(5, corner, inclined)).energy(inclined) == doctest::Approx(2).epsilon(1e-13));
+        CHECK(QualityEnergy(its.targets.of(5, corner, now)).energy(now) ==
+              doctest::Approx(1).epsilon(1e-13));
+        CHECK(QualityEnergy(its.targets.ideal(5, corner, now)).energy(now) ==
+              doctest::Approx(1).epsilon(1e-13));
+        Triangle const wide = {
+            {{0, side / ratio}, {0, 0}, {2 * side * ratio, 0}}};  // size (2 + 1/2) / 2
+        CHECK(QualityEnergy(its.targets.of(5, corner, wide)).energy(wide) ==
+              doctest::Approx(1.25).epsilon(1e-13));
+        Triangle const inclined = {
+            {{side / ratio, side / ratio}, {0, 0}, {side * ratio, 0}}};  // by 45 degrees
+        CHECK(QualityEnergy(its.targets.of(5, corner, inclined)).energy(inclined) ==
+              doctest::Approx(2).epsilon(1e-13));
     }
 }
 
-TEST_CASE("thin cells at a wall that became longer: their targets are as long as the wall and as high as before") {
+TEST_CASE(
+    "thin cells at a wall that became longer: their targets are as long as the wall and as high as "
+    "before") {
     double const factor = 1.7;
     Mesh const mesh = annulus(60, 40, 1, 1.2);  // cells of .157 by .0033
     Found const its(mesh, scaled(mesh, factor));
     for (Index i = 0; i < 40; ++i) {  // the first layer
         harmorph::Cell const cell = its.view.cell(i);
         for (Index k = 0; k < 4; ++k) {
-            harmorph::CornerPoints const corner{{cell.previous(k), cell.point[k], cell.next(k)}, {1, 0}};
-            Triangle const now = its.triangle(its.now, corner), target = its.targets.of(i, corner, now);
+            harmorph::CornerPoints const corner{{cell.previous(k), cell.point[k], cell.next(k)},
+                                                {1, 0}};
+            Triangle const now = its.triangle(its.now, corner),
+                           target = its.targets.of(i, corner, now);
             for (Index side = 0; side < 2; ++side) {
-                double const before =
-                    length(its.triangle(mesh, corner).at[side + 1] - its.triangle(mesh, corner).at[side]);
+                double const before = length(its.triangle(mesh, corner).at[side + 1] -
+                                             its.triangle(mesh, corner).at[side]);
                 double const wanted = length(target.at[side + 1] - target.at[side]);
                 double const expected = before < 0.01 ? before : factor * before;
                 CHECK(wanted == doctest::Approx(expected).epsilon(0.03));
@@ -121,17 +134,22 @@ TEST_CASE("thin cells at a wall that became longer: their targets are as long as
     for (Index i = 0; i < 24; ++i) CHECK(isotropic.targets.cell[i].more == 0);
 }
 
-TEST_CASE("the quality of targets is the quality reported, and at least the worst quality or half of the own one") {
+TEST_CASE(
+    "the quality of targets is the quality reported, and at least the worst quality or half of the "
+    "own one") {
     Mesh mesh = annulus(6, 24, 1, 2, Cells::hybrid), moved = mesh;
     perturb(mesh, 0.3, 2);
     perturb(moved, 0.3, 3);
     Found const its(mesh, moved);
     harmorph::Points const at = Found::points(moved), before = Found::points(mesh);
-    harmorph::Quality const whole = harmorph::measure_quality(its.analysed->topology, at, before, {});
-    harmorph::Quality const start = harmorph::measure_quality(its.analysed->topology, before, {}, {});
+    harmorph::Quality const whole =
+        harmorph::measure_quality(its.analysed->topology, at, before, {});
+    harmorph::Quality const start =
+        harmorph::measure_quality(its.analysed->topology, before, {}, {});
     double sum = 0, least = 1;
     for (Index i = 0; i < its.view.n_cells; ++i) {
-        harmorph::CellShape const shape(its.view.cell(i), at, false), old(its.view.cell(i), before, false);
+        harmorph::CellShape const shape(its.view.cell(i), at, false),
+            old(its.view.cell(i), before, false);
         double const quality = its.targets.quality(i, shape),
                      own = harmorph::skew_quality(old.n, harmorph::CellCorners(old));
         sum += quality;

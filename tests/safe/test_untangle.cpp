@@ -1,4 +1,5 @@
-// Untangling: meshes with inverted cells come out valid, with their boundary as it was; what cannot be is refused.
+// Untangling: meshes with inverted cells come out valid, with their boundary as it was; what cannot
+// be is refused.
 #include <doctest/doctest.h>
 
 #include <fixtures/airfoil.hpp>
@@ -11,7 +12,7 @@
 #include <fixtures/square.hpp>
 #include <fixtures/traps.hpp>
 
-#include <harmorph/safe/untangle.hpp>
+#include "safe/untangle.hpp"
 
 using namespace fixtures;
 using harmorph::Status;
@@ -45,7 +46,8 @@ struct Tangled {
         double const c = std::cos(angle), s = std::sin(angle);
         std::vector<char> turned(held.size(), 0);
         for (std::size_t k = 0; k < now.faces.size(); ++k)
-            if (now.face_markers[k / 2] == marker) turned[static_cast<std::size_t>(now.faces[k])] = 1;
+            if (now.face_markers[k / 2] == marker)
+                turned[static_cast<std::size_t>(now.faces[k])] = 1;
         for (std::size_t k = 0; k < turned.size(); ++k) {
             if (turned[k] == 0) continue;
             Point const p = reference.point(static_cast<std::int32_t>(k));
@@ -59,10 +61,11 @@ struct Outcome {
     Status status = Status::ok;
     UntangleReport report;
     harmorph::Fault fault;
-    Mesh mesh;   // afterwards
+    Mesh mesh;  // afterwards
     Analysed analysed;
 
-    explicit Outcome(Tangled const& its, UntangleOptions const& options = {}, harmorph::Executor const& executor = {})
+    explicit Outcome(Tangled const& its, UntangleOptions const& options = {},
+                     harmorph::Executor const& executor = {})
         : mesh(its.now), analysed(its.reference) {
         harmorph::Mesh const view = core_mesh(its.reference);
         auto const counts = harmorph::RegionCounts::of(analysed->topology);
@@ -74,8 +77,8 @@ struct Outcome {
         untangling.lay_out(arena, counts);
         CHECK(!arena.overflown());
         CHECK(arena.bytes() == query.bytes());
-        untangling.tangle = {view, view.points, analysed->topology.reversed, analysed->topology.representative,
-                             span(its.held)};
+        untangling.tangle = {view, view.points, analysed->topology.reversed,
+                             analysed->topology.representative, span(its.held)};
         untangling.executor = executor;
         status = untangling.run(options, {mesh.x.data(), mesh.y.data(), 1}, report, fault);
         CHECK(block.guards_intact());
@@ -89,9 +92,13 @@ struct Outcome {
             harmorph::Cell const cell = view.cell(i);
             for (std::int32_t k = 0; k < cell.n; ++k) {
                 std::int32_t const a = cell.point[k], b = cell.next(k), c = cell.previous(k);
-                auto const fixed = [&](std::int32_t p) { return its.is_held(static_cast<std::size_t>(p)); };
+                auto const fixed = [&](std::int32_t p) {
+                    return its.is_held(static_cast<std::size_t>(p));
+                };
                 if (fixed(a) && fixed(b) && fixed(c)) continue;
-                auto const area = [&](Mesh const& of) { return twice_area(of.point(a), of.point(b), of.point(c)); };
+                auto const area = [&](Mesh const& of) {
+                    return twice_area(of.point(a), of.point(b), of.point(c));
+                };
                 least = std::fmin(least, area(mesh) / area(its.reference));
             }
         }
@@ -101,8 +108,8 @@ struct Outcome {
 };
 
 void check_repaired(Tangled const& its, Outcome const& out, int at_least_inverted) {
-    INFO("inverted " << out.report.inverted_before << ", iterations " << out.report.iterations << ", smallest "
-                     << out.report.smallest);
+    INFO("inverted " << out.report.inverted_before << ", iterations " << out.report.iterations
+                     << ", smallest " << out.report.smallest);
     CHECK(out.report.inverted_before >= at_least_inverted);
     CHECK(out.status == Status::ok);
     CHECK(out.report.left == 0);
@@ -167,11 +174,12 @@ TEST_CASE("few inverted cells: what is far from them does not move") {
     check_repaired(its, out, 2);
     CHECK(out.report.regions == 1);
     CHECK(out.report.unknowns < 100);
-    double farthest = 0;   // in cells
+    double farthest = 0;  // in cells
     for (std::size_t k = 0; k < its.held.size(); ++k) {
         if (out.mesh.x[k] == its.now.x[k] && out.mesh.y[k] == its.now.y[k]) continue;
         Point const p = its.reference.point(static_cast<std::int32_t>(k));
-        farthest = std::fmax(farthest, 60 * std::fmax(std::fabs(p.x - 20 / 60.0), std::fabs(p.y - 20 / 60.0)));
+        farthest = std::fmax(
+            farthest, 60 * std::fmax(std::fabs(p.x - 20 / 60.0), std::fabs(p.y - 20 / 60.0)));
     }
     CHECK(farthest > 0.5);
     CHECK(farthest < 7.5);
@@ -194,8 +202,8 @@ TEST_CASE("turned, moved and scaled meshes are repaired in the same way") {
     struct Similarity {
         double scale, angle, x, y;
     };
-    for (Similarity const by : {Similarity{1, 1.1, 0, 0}, Similarity{1, 0, 3, -2}, Similarity{1e4, 0, 0, 0},
-                                Similarity{1e-7, 2, 1e-7, 0}}) {
+    for (Similarity const by : {Similarity{1, 1.1, 0, 0}, Similarity{1, 0, 3, -2},
+                                Similarity{1e4, 0, 0, 0}, Similarity{1e-7, 2, 1e-7, 0}}) {
         auto const image = [&](Mesh const& mesh) {
             Mesh out = mesh;
             double const c = by.scale * std::cos(by.angle), s = by.scale * std::sin(by.angle);
@@ -222,7 +230,8 @@ TEST_CASE("turned, moved and scaled meshes are repaired in the same way") {
 TEST_CASE("a power of two changes no bit") {
     Tangled its = twisted_annulus(Cells::hybrid, 0.6);
     Outcome const expected(its);
-    for (std::vector<double>* const list : {&its.reference.x, &its.reference.y, &its.now.x, &its.now.y})
+    for (std::vector<double>* const list :
+         {&its.reference.x, &its.reference.y, &its.now.x, &its.now.y})
         for (double& value : *list) value *= 0x1p20;
     Mesh wanted = expected.mesh;
     for (double& x : wanted.x) x *= 0x1p20;
@@ -258,7 +267,8 @@ TEST_CASE("the points of a cut move as one") {
     CMesh const c = c_mesh(naca4({}, 24), 12, 3, stretched(1e-3, 4, 16));
     Tangled its(c.mesh);
     std::size_t const ni = static_cast<std::size_t>(c.ni);
-    for (std::size_t k = 4; k < 8; ++k) {   // both copies of four points in the wake go up by some layers
+    for (std::size_t k = 4; k < 8;
+         ++k) {  // both copies of four points in the wake go up by some layers
         for (std::size_t const point : {k, ni - 1 - k}) its.now.y[point] += 0.1;
     }
     REQUIRE(its.now.y[5] == its.now.y[ni - 6]);
@@ -284,7 +294,9 @@ TEST_CASE("the number of threads changes no bit") {
     }
 }
 
-TEST_CASE("a body that lies across the outer boundary is refused after so many iterations, and nothing has moved") {
+TEST_CASE(
+    "a body that lies across the outer boundary is refused after so many iterations, and nothing "
+    "has moved") {
     Tangled its(annulus(8, 32, 0.5, 2, Cells::hybrid, true));
     for (std::size_t k = 0; k < 32; ++k) its.now.x[k] += 2;
     UntangleOptions options;
@@ -301,7 +313,7 @@ TEST_CASE("a body that lies across the outer boundary is refused after so many i
 
 TEST_CASE("a corner that nothing can move is seen at once") {
     Tangled its(square(6, Cells::quads));
-    its.now.x[0] = its.now.y[0] = 0.4;   // the square's own corner, folded over its cell's diagonal
+    its.now.x[0] = its.now.y[0] = 0.4;  // the square's own corner, folded over its cell's diagonal
     Outcome const out(its);
     CHECK(out.status == Status::not_converged);
     CHECK(out.report.stuck_cell == 0);

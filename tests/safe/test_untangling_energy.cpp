@@ -1,7 +1,8 @@
-// The energy of a triangle: derivatives against differences, invariances, convexity, and where it is smallest.
+// The energy of a triangle: derivatives against differences, invariances, convexity, and where it
+// is smallest.
 #include <doctest/doctest.h>
 
-#include <harmorph/safe/untangling_energy.hpp>
+#include "safe/untangling_energy.hpp"
 
 #include <cmath>
 #include <random>
@@ -12,7 +13,9 @@ using harmorph::Vec2;
 
 namespace {
 
-double random_number(std::mt19937& random) { return static_cast<double>(random()) / 2147483648.0 - 1; }
+double random_number(std::mt19937& random) {
+    return static_cast<double>(random()) / 2147483648.0 - 1;
+}
 Vec2 random_point(std::mt19937& random) { return {random_number(random), random_number(random)}; }
 
 // A reference with positive area, and another triangle, inverted or not.
@@ -27,7 +30,9 @@ struct Pair {
     }
 };
 
-double& coordinate(Triangle& triangle, int k) { return k % 2 == 0 ? triangle.at[k / 2].x : triangle.at[k / 2].y; }
+double& coordinate(Triangle& triangle, int k) {
+    return k % 2 == 0 ? triangle.at[k / 2].x : triangle.at[k / 2].y;
+}
 double component(const Vec2* of, int k) { return k % 2 == 0 ? of[k / 2].x : of[k / 2].y; }
 
 struct Derivatives {
@@ -39,12 +44,13 @@ struct Derivatives {
     }
     double hessian(int i, int j) const {
         double sum = 0;
-        for (harmorph::CornerMode const& its : mode) sum += its.curvature * component(its.at, i) * component(its.at, j);
+        for (harmorph::CornerMode const& its : mode)
+            sum += its.curvature * component(its.at, i) * component(its.at, j);
         return sum;
     }
 };
 
-constexpr double exact = -1e300;   // no curvature is raised
+constexpr double exact = -1e300;  // no curvature is raised
 
 }  // namespace
 
@@ -60,18 +66,22 @@ TEST_CASE("the gradient is that of the energy, the exact Hessian that of the gra
         double scale = 0, scale_of_hessian = 0;
         for (int i = 0; i < 6; ++i) {
             scale = std::fmax(scale, std::fabs(component(here.gradient, i)));
-            for (int j = 0; j < 6; ++j) scale_of_hessian = std::fmax(scale_of_hessian, std::fabs(here.hessian(i, j)));
+            for (int j = 0; j < 6; ++j)
+                scale_of_hessian = std::fmax(scale_of_hessian, std::fabs(here.hessian(i, j)));
         }
         double const h = 1e-5;
         for (int i = 0; i < 6; ++i) {
             Pair ahead = its, behind = its;
             coordinate(ahead.now, i) += h;
             coordinate(behind.now, i) -= h;
-            double const rise = distortion.energy(ahead.now, softness) - distortion.energy(behind.now, softness);
-            CHECK(std::fabs(component(here.gradient, i) - rise / (2 * h)) < 1e-6 * (scale + scale_of_hessian));
+            double const rise =
+                distortion.energy(ahead.now, softness) - distortion.energy(behind.now, softness);
+            CHECK(std::fabs(component(here.gradient, i) - rise / (2 * h)) <
+                  1e-6 * (scale + scale_of_hessian));
             Derivatives const after(ahead, softness, exact), before(behind, softness, exact);
             for (int j = 0; j < 6; ++j) {
-                double const bend = (component(after.gradient, j) - component(before.gradient, j)) / (2 * h);
+                double const bend =
+                    (component(after.gradient, j) - component(before.gradient, j)) / (2 * h);
                 CHECK(std::fabs(here.hessian(i, j) - bend) < 1e-5 * scale_of_hessian);
             }
         }
@@ -86,10 +96,12 @@ TEST_CASE("curvatures are raised to a multiple of the energy's own, never lowere
     for (int trial = 0; trial < 200; ++trial) {
         Pair const its(random);
         Derivatives const free(its, 0.1, exact), convex(its, 0.1, 0.25);
-        double const floor = 0.25 * 4 / harmorph::regularised(Distortion(its.reference).determinant(its.now), 0.1);
+        double const floor =
+            0.25 * 4 / harmorph::regularised(Distortion(its.reference).determinant(its.now), 0.1);
         for (int k = 0; k < 4; ++k) {
             raised += free.mode[k].curvature < floor;
-            CHECK(convex.mode[k].curvature == doctest::Approx(std::fmax(free.mode[k].curvature, floor)).epsilon(1e-14));
+            CHECK(convex.mode[k].curvature ==
+                  doctest::Approx(std::fmax(free.mode[k].curvature, floor)).epsilon(1e-14));
             CHECK(convex.mode[k].curvature > 0);
         }
     }
@@ -106,7 +118,7 @@ TEST_CASE("smallest where the triangle is its reference, turned and moved at wil
             Vec2 const p = its.reference.at[k];
             its.now.at[k] = {c * p.x - s * p.y + 5, s * p.x + c * p.y - 3};
         }
-        double const least = 2 + 2 * Distortion::size_weight;   // (|I|^2 + 2 size_weight) / 1
+        double const least = 2 + 2 * Distortion::size_weight;  // (|I|^2 + 2 size_weight) / 1
         CHECK(distortion.determinant(its.now) == doctest::Approx(1));
         CHECK(distortion.energy(its.now, 0) == doctest::Approx(least).epsilon(1e-12));
         Derivatives const here(its, 0, exact);
@@ -121,7 +133,9 @@ TEST_CASE("smallest where the triangle is its reference, turned and moved at wil
     }
 }
 
-TEST_CASE("the regularised determinant: between 0 and the softness above the positive part, without cancellation") {
+TEST_CASE(
+    "the regularised determinant: between 0 and the softness above the positive part, without "
+    "cancellation") {
     for (double const softness : {1.0, 1e-3, 1e-9}) {
         CHECK(harmorph::regularised(0, softness) == doctest::Approx(softness / 2));
         double const folded = 0.5 * softness * softness / (std::sqrt(1 + softness * softness) + 1);

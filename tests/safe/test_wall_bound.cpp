@@ -36,7 +36,8 @@ TEST_CASE("no cell with this angle is better, and one is as good") {
             for (int trial = 0; trial < 20000; ++trial) {
                 double const a = std::pow(10, uniform(random) - 0.5);
                 double const b = trial < 10 ? a : std::pow(10, uniform(random) - 0.5);
-                std::vector<double> x = {0, a, b * std::cos(angle)}, y = {0, 0, b * std::sin(angle)};
+                std::vector<double> x = {0, a, b * std::cos(angle)},
+                                    y = {0, 0, b * std::sin(angle)};
                 if (n == 4) {
                     double const s = 3 * uniform(random), t = 3 * uniform(random);
                     x.insert(x.begin() + 2, s * x[1] + t * x[2]);
@@ -60,8 +61,10 @@ TEST_CASE("no triangle on a side of this length is better, and one is as good") 
         double best = 0;
         for (int i = -30; i <= 30; ++i)
             for (int j = 1; j <= 4000; ++j) {
-                double const h = length * std::pow(10, -4 + 0.002 * j), x = length * (0.5 + 0.05 * i);
-                double const skew = quality_of({0, length, x}, {0, 0, h}), ratio = 0.5 * length * h / area;
+                double const h = length * std::pow(10, -4 + 0.002 * j),
+                             x = length * (0.5 + 0.05 * i);
+                double const skew = quality_of({0, length, x}, {0, 0, h}),
+                             ratio = 0.5 * length * h / area;
                 best = std::fmax(best, skew * std::sqrt(std::fmin(ratio, 1 / ratio)));
             }
         CHECK(best <= bound * (1 + 1e-12));
@@ -70,7 +73,9 @@ TEST_CASE("no triangle on a side of this length is better, and one is as good") 
     CHECK(best_on_side(1, std::sqrt(3.0) / 4) == 1);
 }
 
-TEST_CASE("no triangle on a side that contains none of the given points is better, and one nearly as good") {
+TEST_CASE(
+    "no triangle on a side that contains none of the given points is better, and one nearly as "
+    "good") {
     double const length = 2, area = 0.4;
     // The cotangents of (x, y) above the side from (0, 0) to (length, 0).
     auto const cotangents = [&](double x, double y) { return std::pair(x / y, (length - x) / y); };
@@ -80,7 +85,8 @@ TEST_CASE("no triangle on a side that contains none of the given points is bette
     };
     double last = best_on_side(length, area);
     std::vector<std::pair<double, double>> places;
-    for (auto const& place : {std::pair(0.7, 0.3), std::pair(1.3, 0.1), std::pair(1.0, 0.04), std::pair(0.2, 0.01)}) {
+    for (auto const& place :
+         {std::pair(0.7, 0.3), std::pair(1.3, 0.1), std::pair(1.0, 0.04), std::pair(0.2, 0.01)}) {
         places.push_back(place);
         std::vector<std::pair<double, double>> points;
         for (auto const& [x, y] : places) points.push_back(cotangents(x, y));
@@ -93,7 +99,8 @@ TEST_CASE("no triangle on a side that contains none of the given points is bette
                 for (auto const& place_inside : places)
                     contains = contains || is_inside(place_inside.first, place_inside.second, x, h);
                 if (contains) continue;
-                double const skew = quality_of({0, length, x}, {0, 0, h}), ratio = 0.5 * length * h / area;
+                double const skew = quality_of({0, length, x}, {0, 0, h}),
+                             ratio = 0.5 * length * h / area;
                 best = std::fmax(best, skew * std::sqrt(std::fmin(ratio, 1 / ratio)));
             }
         INFO(best << " of " << bound);
@@ -105,7 +112,9 @@ TEST_CASE("no triangle on a side that contains none of the given points is bette
     CHECK(last < 0.5 * best_on_side(length, area));
 }
 
-TEST_CASE("no cell with an angle near 180 degrees is better, of quadrilaterals with a long side there neither") {
+TEST_CASE(
+    "no cell with an angle near 180 degrees is better, of quadrilaterals with a long side there "
+    "neither") {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> uniform(0, 1);
     double const length = 1, area = 1e-3;
@@ -113,11 +122,12 @@ TEST_CASE("no cell with an angle near 180 degrees is better, of quadrilaterals w
         double const angle = pi - e, bound = best_quad_with_wide_angle(angle, length, area);
         double best[2] = {0, 0}, sized = 0;
         for (int trial = 0; trial < 400000; ++trial) {
-            double const b = std::pow(10, 1 - 4 * uniform(random)), s = std::pow(10, 1 - 5 * uniform(random));
+            double const b = std::pow(10, 1 - 4 * uniform(random)),
+                         s = std::pow(10, 1 - 5 * uniform(random));
             double const direction = uniform(random) * pi;
             double const x = b * std::cos(angle), y = b * std::sin(angle);
-            best[0] =
-                std::fmax(best[0], quality_of({0, b, length * std::cos(angle)}, {0, 0, length * std::sin(angle)}));
+            best[0] = std::fmax(best[0], quality_of({0, b, length * std::cos(angle)},
+                                                    {0, 0, length * std::sin(angle)}));
             double const end_x = length + s * std::cos(direction), end_y = s * std::sin(direction);
             double const skew = quality_of({0, length, end_x, x}, {0, 0, end_y, y});
             double const its = 0.5 * (end_x * y - end_y * x + length * end_y);
@@ -144,15 +154,18 @@ TEST_CASE("where a wall folds: the sharpest corner of the mesh's side, on whiche
         std::vector<int> cells = {0, 1, 4, 1, 5, 4, 1, 3, 5, 1, 2, 3};
         if (side < 0)
             for (std::size_t k = 0; k < cells.size(); k += 3) std::swap(cells[k], cells[k + 1]);
-        for (double const fold : {10.0, 100.0, 300.0}) {   // degrees on the mesh's side, symmetric about the y axis
+        for (double const fold :
+             {10.0, 100.0, 300.0}) {  // degrees on the mesh's side, symmetric about the y axis
             double const half = fold * pi / 360;
             std::vector<double> wall_x = x, wall_y = y;
             wall_x[0] = -std::sin(half);
             wall_x[2] = std::sin(half);
             wall_y[0] = wall_y[2] = side * std::cos(half);
-            WallBound const bound({0, 3, 6, 9, 12}, cells, {0, 1, 1, 2}, {7, 7}, 7, x, y, wall_x, wall_y);
+            WallBound const bound({0, 3, 6, 9, 12}, cells, {0, 1, 1, 2}, {7, 7}, 7, x, y, wall_x,
+                                  wall_y);
             double const share = fold * pi / 180 / 4;
-            double const angles = std::fmin(best_quality(4 * share, 4, 0), best_with_wide_angle(3, share));
+            double const angles =
+                std::fmin(best_quality(4 * share, 4, 0), best_with_wide_angle(3, share));
             CHECK(bound.quality == doctest::Approx(std::fmin(angles, best_on_side(1, 0.5))));
             CHECK(bound.point == 1);
             CHECK(bound.angle == doctest::Approx(fold));

@@ -1,7 +1,7 @@
 // What the processor says of itself.
 #include <doctest/doctest.h>
 
-#include <harmorph/simd/cpu.hpp>
+#include "simd/cpu.hpp"
 
 using harmorph::Kernel;
 
@@ -12,7 +12,9 @@ TEST_CASE("there is always a best kernel, and it can be used") {
     CHECK(harmorph::has_kernel(Kernel::baseline));
 }
 
-TEST_CASE("no processor has the instructions of two architectures, and the best one means that there are others") {
+TEST_CASE(
+    "no processor has the instructions of two architectures, and the best one means that there are "
+    "others") {
     bool const x86 = harmorph::has_kernel(Kernel::avx2), arm = harmorph::has_kernel(Kernel::neon);
     if (x86) CHECK_FALSE(arm);
     if (harmorph::has_kernel(Kernel::avx512)) CHECK(x86);

@@ -5,8 +5,8 @@
 #include <fixtures/kernels.hpp>
 #include <fixtures/traps.hpp>
 
-#include <harmorph/base/scalar.hpp>
-#include <harmorph/simd/kernel_table.hpp>
+#include "base/scalar.hpp"
+#include "simd/kernel_table.hpp"
 
 #include <cmath>
 #include <limits>
@@ -22,7 +22,8 @@ template <class Number>
 struct OperationsOf {
     Index lanes;
     void (*multiply_add)(const Number* a, const Number* b, const Number* c, Number* out, Index n);
-    void (*multiply_subtract)(const Number* a, const Number* b, const Number* c, Number* out, Index n);
+    void (*multiply_subtract)(const Number* a, const Number* b, const Number* c, Number* out,
+                              Index n);
     void (*all)(Number x, Number* out);
     void (*pick)(const Number* a, const Number* b, const Index* picked, Number* out);
     void (*load_part)(const Number* from, Index n, double* out);
@@ -35,7 +36,7 @@ struct Operations {
     void (*smaller)(const double* a, const double* b, double* out, Index n);
     void (*square_root)(const double* a, double* out, Index n);
     unsigned (*less)(const double* a, const double* b);
-    void (*round)(const double* a, std::uint64_t* out, Index n);   // null: no such instruction
+    void (*round)(const double* a, std::uint64_t* out, Index n);  // null: no such instruction
 
     OperationsOf<double> const& of(double) const { return in_double; }
     OperationsOf<float> const& of(float) const { return in_single; }
@@ -44,7 +45,7 @@ struct Operations {
 }  // namespace fixtures
 
 #define HARMORPH_KERNELS "fixtures/register_operations.hpp"
-#include <harmorph/simd/for_each_set.hpp>
+#include "simd/for_each_set.hpp"
 
 using namespace fixtures;
 
@@ -62,7 +63,8 @@ std::vector<Number> some(std::size_t n, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("c + a b and c - a b: contracted or rounded twice, in all lanes alike", Number, double, float) {
+TEST_CASE_TEMPLATE("c + a b and c - a b: contracted or rounded twice, in all lanes alike", Number,
+                   double, float) {
     constexpr Index n = 64;
     std::vector<Number> a = some<Number>(n, 1), b = some<Number>(n, 2), c = some<Number>(n, 3);
     // A little more than half the digits: products are rounded, and whole numbers are exact.
@@ -71,7 +73,9 @@ TEST_CASE_TEMPLATE("c + a b and c - a b: contracted or rounded twice, in all lan
     for (std::vector<Number>* const numbers : {&a, &b, &c})
         for (Number& number : *numbers) number = std::round(number * units) / units;
     auto const whole = [&](Number number) { return static_cast<std::int64_t>(number * units); };
-    auto const rounded_once = [&](std::int64_t sum) { return static_cast<Number>(sum) / (units * units); };
+    auto const rounded_once = [&](std::int64_t sum) {
+        return static_cast<Number>(sum) / (units * units);
+    };
     for (Kernel const kernel : usable_kernels()) {
         INFO("kernel " << static_cast<int>(kernel));
         std::vector<Number> sum(n), rest(n);
@@ -92,7 +96,8 @@ TEST_CASE_TEMPLATE("c + a b and c - a b: contracted or rounded twice, in all lan
 TEST_CASE_TEMPLATE("one number in all lanes keeps its bits", Number, double, float) {
     for (Kernel const kernel : usable_kernels()) {
         auto const& its = operations(kernel).of(Number{});
-        for (Number const x : {Number{0}, -Number{0}, Number{1.5}, -std::numeric_limits<Number>::infinity()}) {
+        for (Number const x :
+             {Number{0}, -Number{0}, Number{1.5}, -std::numeric_limits<Number>::infinity()}) {
             Number out[most_lanes];
             its.all(x, out);
             for (Index lane = 0; lane < its.lanes; ++lane) {
@@ -103,7 +108,8 @@ TEST_CASE_TEMPLATE("one number in all lanes keeps its bits", Number, double, flo
     }
 }
 
-TEST_CASE_TEMPLATE("parts of a register are loaded, zeros behind them; nothing else is read", Number, double, float) {
+TEST_CASE_TEMPLATE("parts of a register are loaded, zeros behind them; nothing else is read",
+                   Number, double, float) {
     for (Kernel const kernel : usable_kernels()) {
         Index const lanes = operations(kernel).in_double.lanes;
         for (Index n = 0; n < lanes; ++n) {
@@ -112,7 +118,8 @@ TEST_CASE_TEMPLATE("parts of a register are loaded, zeros behind them; nothing e
             double out[most_lanes];
             operations(kernel).of(Number{}).load_part(from.data(), n, out);
             for (Index lane = 0; lane < lanes; ++lane)
-                CHECK(out[lane] == (lane < n ? static_cast<double>(from[static_cast<std::size_t>(lane)]) : 0));
+                CHECK(out[lane] ==
+                      (lane < n ? static_cast<double>(from[static_cast<std::size_t>(lane)]) : 0));
         }
     }
 }
@@ -132,21 +139,24 @@ TEST_CASE_TEMPLATE("lanes are picked from two registers, or none", Number, doubl
     for (Kernel const kernel : usable_kernels()) {
         auto const& its = operations(kernel).of(Number{});
         for (int attempt = 0; attempt < 200; ++attempt) {
-            std::vector<Number> const both = some<Number>(static_cast<std::size_t>(2 * its.lanes), 7);
+            std::vector<Number> const both =
+                some<Number>(static_cast<std::size_t>(2 * its.lanes), 7);
             Index picked[most_lanes];
             for (Index& from : picked)
                 from = static_cast<Index>(random() % static_cast<unsigned>(2 * its.lanes + 1)) - 1;
             Number out[most_lanes];
             its.pick(both.data(), both.data() + its.lanes, picked, out);
             for (Index lane = 0; lane < its.lanes; ++lane)
-                CHECK(out[lane] == (picked[lane] < 0 ? 0 : both[static_cast<std::size_t>(picked[lane])]));
+                CHECK(out[lane] ==
+                      (picked[lane] < 0 ? 0 : both[static_cast<std::size_t>(picked[lane])]));
         }
     }
 }
 
 TEST_CASE("larger, smaller and less: the second number where one is NaN, and NaN is not less") {
     Untrapped const untrapped;
-    double const nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+    double const nan = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
     std::vector<double> const a{1, 2, nan, 3, -infinity, infinity, -1, nan},
         b{2, 1, 3, nan, infinity, -infinity, -1, nan};
     for (Kernel const kernel : usable_kernels()) {
@@ -180,6 +190,7 @@ TEST_CASE("square roots are rounded correctly; integers are the nearest, ties to
         if (its.round == nullptr) continue;
         std::uint64_t words[8];
         its.round(b.data(), words, 8);
-        for (std::size_t k = 0; k < 8; ++k) CHECK(static_cast<std::int64_t>(words[k]) == std::llrint(b[k]));
+        for (std::size_t k = 0; k < 8; ++k)
+            CHECK(static_cast<std::int64_t>(words[k]) == std::llrint(b[k]));
     }
 }

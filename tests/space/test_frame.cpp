@@ -2,11 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/plane.hpp>
-#include <harmorph/space/frame.hpp>
+#include "space/frame.hpp"
 
 using namespace fixtures;
 
-TEST_CASE("the frame depends on the given points alone: numbers behind the end of the arrays are not read") {
+TEST_CASE(
+    "the frame depends on the given points alone: numbers behind the end of the arrays are not "
+    "read") {
     Case const its = tiny_case();
     Extruded space(its.mesh, inclined());
     std::size_t const n = static_cast<std::size_t>(space.n_points());
@@ -25,9 +27,11 @@ TEST_CASE("the frame depends on the given points alone: numbers behind the end o
         for (std::size_t const side : {0u, 1u}) {
             in_faces[n] = static_cast<std::uint8_t>(side);
             harmorph::Fault fault;
-            CHECK(find_frame(mesh, {in_faces.data(), n}, frames[side], fault) == harmorph::Status::ok);
+            CHECK(find_frame(mesh, {in_faces.data(), n}, frames[side], fault) ==
+                  harmorph::Status::ok);
         }
-        for (harmorph::Index axis = 0; axis < 3; ++axis) CHECK(frames[0].normal[axis] == frames[1].normal[axis]);
+        for (harmorph::Index axis = 0; axis < 3; ++axis)
+            CHECK(frames[0].normal[axis] == frames[1].normal[axis]);
         CHECK(frames[0].tolerance == frames[1].tolerance);
         CHECK(frames[0].tolerance < 1e-3);
     }

@@ -1,4 +1,5 @@
-// The plane of meshes of three dimensions that are one cell thick: which point follows which, kinds and axes.
+// The plane of meshes of three dimensions that are one cell thick: which point follows which, kinds
+// and axes.
 #include <doctest/doctest.h>
 
 #include <fixtures/c_mesh.hpp>
@@ -6,7 +7,8 @@
 
 using namespace fixtures;
 
-TEST_CASE("a wedge of many layers needs its axis; a wedge whose axis is given finds the same plane") {
+TEST_CASE(
+    "a wedge of many layers needs its axis; a wedge whose axis is given finds the same plane") {
     Case its = raised_case(2);
     Extruded const many(its.mesh, wedge(3), 4, 2), two(its.mesh, wedge(3), 2, 2);
     hm_space_mesh space = many.view();
@@ -67,7 +69,8 @@ TEST_CASE("both sides of a cut are followed by their own points, layer by layer"
     // A layer that has joined the two sides follows the first.
     Extruded space(c.mesh, along_axis(2));
     std::int32_t const lower = 0, upper = c.ni - 1, n = c.mesh.n_points();
-    space.x.pop_back();  // the last point of the second layer is the far corner; the cut's end is joined instead
+    space.x.pop_back();  // the last point of the second layer is the far corner; the cut's end is
+                         // joined instead
     space.x.push_back(space.x[static_cast<std::size_t>(n + lower)]);
     space.y.back() = space.y[static_cast<std::size_t>(n + lower)];
     CHECK(space.x[static_cast<std::size_t>(lower)] == space.x[static_cast<std::size_t>(upper)]);
@@ -76,7 +79,8 @@ TEST_CASE("both sides of a cut are followed by their own points, layer by layer"
     CHECK(Plane(view).status == HM_BAD_MESH);  // the far corner has lost its partner
 }
 
-TEST_CASE("threads, strides, both index bases, and four entries for each face give the same plane") {
+TEST_CASE(
+    "threads, strides, both index bases, and four entries for each face give the same plane") {
     Case its = tiny_case();
     Extruded const space(its.mesh, along_axis(1), 2, 8);
     Plane const plane(space.view());
@@ -93,7 +97,8 @@ TEST_CASE("threads, strides, both index bases, and four entries for each face gi
     std::vector<std::int32_t> four, sides = space.sides;
     for (std::size_t face = 0; face + 1 < space.face_start.size(); ++face) {
         for (std::int32_t k = 0; k < 4; ++k) {
-            std::int32_t const at = std::min(space.face_start[face] + k, space.face_start[face + 1] - 1);
+            std::int32_t const at =
+                std::min(space.face_start[face] + k, space.face_start[face + 1] - 1);
             four.push_back(space.faces[static_cast<std::size_t>(at)] + 1);
         }
     }
@@ -105,7 +110,8 @@ TEST_CASE("threads, strides, both index bases, and four entries for each face gi
     INFO(again.error.text);
     REQUIRE(again.status == HM_OK);
     CHECK(again.mesh.index_base == 1);
-    bool same = plane.mesh.n_cells == again.mesh.n_cells && plane.mesh.n_faces == again.mesh.n_faces;
+    bool same =
+        plane.mesh.n_cells == again.mesh.n_cells && plane.mesh.n_faces == again.mesh.n_faces;
     for (std::size_t k = 0; k < space.x.size(); ++k)
         same = same && plane.info.follows[k] + 1 == again.info.follows[k];
     for (std::int32_t c = 0; c <= plane.mesh.n_cells; ++c) {

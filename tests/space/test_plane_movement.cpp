@@ -1,4 +1,5 @@
-// Movements of the plane in space, and the adjoint: in coordinate planes, inclined planes and wedges.
+// Movements of the plane in space, and the adjoint: in coordinate planes, inclined planes and
+// wedges.
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
@@ -22,7 +23,9 @@ double dot(hm_plane_info const&, const double* direction, Vec3 const& v) {
 
 }  // namespace
 
-TEST_CASE("coordinate planes: the plane's mesh has the coordinates' bits, and a morph is that of the plane") {
+TEST_CASE(
+    "coordinate planes: the plane's mesh has the coordinates' bits, and a morph is that of the "
+    "plane") {
     for (int const normal : {0, 1, 2}) {
         for (unsigned const seed : {0u, 7u}) {
             Case its = airfoil_case(20, 8);
@@ -39,10 +42,10 @@ TEST_CASE("coordinate planes: the plane's mesh has the coordinates' bits, and a 
             CHECK(all_follow(plane, space));
             bool same = true;
             for (std::int32_t p = 0; p < plane.info.n_points; ++p) {
-                std::size_t const from =
-                    static_cast<std::size_t>(space.plane_point[static_cast<std::size_t>(plane.info.space_point[p])]);
-                same =
-                    same && plane.mesh.points.x[p] == its.mesh.x[from] && plane.mesh.points.y[p] == its.mesh.y[from];
+                std::size_t const from = static_cast<std::size_t>(
+                    space.plane_point[static_cast<std::size_t>(plane.info.space_point[p])]);
+                same = same && plane.mesh.points.x[p] == its.mesh.x[from] &&
+                       plane.mesh.points.y[p] == its.mesh.y[from];
             }
             CHECK(same);
             Attempt const solved(on_plane(its, plane));
@@ -51,11 +54,12 @@ TEST_CASE("coordinate planes: the plane's mesh has the coordinates' bits, and a 
             std::vector<double> const move = some_move(solved.report.functions, 0.01, 1);
             std::size_t const n = static_cast<std::size_t>(plane.info.n_points);
             std::vector<double> x(n), y(n), sx = space.x, sy = space.y, sz = space.z;
-            REQUIRE(hm_morph(solved.basis, move.data(), &plane.mesh.points, points_out(x, y), nullptr, nullptr) ==
-                    HM_OK);
+            REQUIRE(hm_morph(solved.basis, move.data(), &plane.mesh.points, points_out(x, y),
+                             nullptr, nullptr) == HM_OK);
             hm_space_points const from = space.points();
             hm_space_points_out const to{sx.data(), sy.data(), sz.data(), 1};
-            REQUIRE(hm_plane_morph(plane.plane, solved.basis, move.data(), &from, &to, nullptr, nullptr) == HM_OK);
+            REQUIRE(hm_plane_morph(plane.plane, solved.basis, move.data(), &from, &to, nullptr,
+                                   nullptr) == HM_OK);
             std::vector<double> const& first = normal == 0 ? sy : sx;
             std::vector<double> const& second = normal == 2 ? sy : sz;
             std::vector<double> const& across = normal == 0 ? sx : normal == 1 ? sy : sz;
@@ -112,7 +116,8 @@ TEST_CASE("inclined planes, wedges and many layers: the movement in space is tha
             }
         }
         CHECK(in_place);
-        // The plane's coordinates may be turned against those of the fixture, so the curve is a movement of the mesh.
+        // The plane's coordinates may be turned against those of the fixture, so the curve is a
+        // movement of the mesh.
         std::size_t const n = static_cast<std::size_t>(info.n_points);
         std::vector<double> dx(n), dy(n);
         for (std::size_t p = 0; p < n; ++p) {
@@ -122,7 +127,8 @@ TEST_CASE("inclined planes, wedges and many layers: the movement in space is tha
         std::vector<double> sx = space.x, sy = space.y, sz = space.z;
         hm_space_points const from = space.points();
         hm_space_points_out const to{sx.data(), sy.data(), sz.data(), 1};
-        REQUIRE(hm_plane_spread(plane.plane, points_in(dx, dy), &from, &to, nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_plane_spread(plane.plane, points_in(dx, dy), &from, &to, nullptr, nullptr) ==
+                HM_OK);
         // The moved points are again a mesh of that kind, and its plane has moved as it should.
         hm_space_mesh moved = space.view();
         moved.points = {sx.data(), sy.data(), sz.data(), 1};
@@ -136,25 +142,30 @@ TEST_CASE("inclined planes, wedges and many layers: the movement in space is tha
             std::int32_t const p = info.follows[k], q = info.space_point[p];
             if (static_cast<std::size_t>(q) != k) continue;
             Vec3 const step{sx[k] - space.x[k], sy[k] - space.y[k], sz[k] - space.z[k]};
-            worst = std::max(worst, std::fabs(dot(info, info.x_direction, step) - dx[static_cast<std::size_t>(p)]));
-            worst = std::max(worst, std::fabs(dot(info, info.y_direction, step) - dy[static_cast<std::size_t>(p)]));
+            worst = std::max(worst, std::fabs(dot(info, info.x_direction, step) -
+                                              dx[static_cast<std::size_t>(p)]));
+            worst = std::max(worst, std::fabs(dot(info, info.y_direction, step) -
+                                              dy[static_cast<std::size_t>(p)]));
             worst = std::max(worst, std::fabs(dot(info, info.normal, step)));
         }
         CHECK(worst < 1e-13);
     }
 }
 
-TEST_CASE("the adjoint is the transpose of the morph, in planes and wedges, for any number of threads") {
+TEST_CASE(
+    "the adjoint is the transpose of the morph, in planes and wedges, for any number of threads") {
     for (Placement const& place : {along_axis(1), inclined(), wedge(4)}) {
         Case its = raised_case(1);
         Extruded const space(its.mesh, place, 2, 5);
         Plane plane(space.view());
         REQUIRE(plane.status == HM_OK);
-        // A curve of degree 1 through the points of the body, wherever the plane's coordinates have it.
+        // A curve of degree 1 through the points of the body, wherever the plane's coordinates have
+        // it.
         std::vector<Point> corners;
         for (std::int32_t const p : {2 + 7 * 2, 4 + 7 * 2, 4 + 7 * 4 - 1, 2 + 7 * 4 - 1}) {
             for (std::int32_t q = 0; q < plane.info.n_points; ++q) {
-                if (space.plane_point[static_cast<std::size_t>(plane.info.space_point[q])] != p) continue;
+                if (space.plane_point[static_cast<std::size_t>(plane.info.space_point[q])] != p)
+                    continue;
                 corners.push_back({plane.mesh.points.x[q], plane.mesh.points.y[q]});
             }
         }
@@ -169,9 +180,11 @@ TEST_CASE("the adjoint is the transpose of the morph, in planes and wedges, for 
         for (double& d : dj) d = uniform(random) - 0.5;
         hm_space_points_out const to{step.data(), step.data() + n, step.data() + 2 * n, 1};
         hm_space_points const by{dj.data(), dj.data() + n, dj.data() + 2 * n, 1};
-        REQUIRE(hm_plane_morph(plane.plane, solved.basis, move.data(), nullptr, &to, nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_plane_morph(plane.plane, solved.basis, move.data(), nullptr, &to, nullptr,
+                               nullptr) == HM_OK);
         std::vector<double> gradient(move.size()), again(move.size());
-        REQUIRE(hm_plane_adjoint(plane.plane, solved.basis, &by, gradient.data(), nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_plane_adjoint(plane.plane, solved.basis, &by, gradient.data(), nullptr,
+                                 nullptr) == HM_OK);
         double left = 0, right = 0, size = 0;
         for (std::size_t k = 0; k < 3 * n; ++k) {
             left += step[k] * dj[k];
@@ -182,11 +195,13 @@ TEST_CASE("the adjoint is the transpose of the morph, in planes and wedges, for 
         CHECK(std::fabs(left - right) < 1e-14 * size);
         Backwards order;
         hm_executor const executor = order.executor(3);
-        REQUIRE(hm_plane_adjoint(plane.plane, solved.basis, &by, again.data(), &executor, nullptr) == HM_OK);
+        REQUIRE(hm_plane_adjoint(plane.plane, solved.basis, &by, again.data(), &executor,
+                                 nullptr) == HM_OK);
         CHECK(same_bits(gradient, again));
         std::vector<double> px(static_cast<std::size_t>(plane.info.n_points)), py = px;
         REQUIRE(hm_plane_gather(plane.plane, &by, points_out(px, py), nullptr, nullptr) == HM_OK);
-        REQUIRE(hm_adjoint(solved.basis, points_in(px, py), again.data(), nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_adjoint(solved.basis, points_in(px, py), again.data(), nullptr, nullptr) ==
+                HM_OK);
         CHECK(same_bits(gradient, again));
     }
 }

@@ -7,7 +7,8 @@
 
 using namespace fixtures;
 
-TEST_CASE("a mesh that is no plane mesh in layers is refused, and the point, face or side is named") {
+TEST_CASE(
+    "a mesh that is no plane mesh in layers is refused, and the point, face or side is named") {
     Untrapped const untrapped;
     Case its = tiny_case();
     Extruded const good(its.mesh, along_axis(2));
@@ -25,7 +26,8 @@ TEST_CASE("a mesh that is no plane mesh in layers is refused, and the point, fac
     bad.x[static_cast<std::size_t>(n + 9)] += 0.1;
     refused(bad, "point 57 is 1.00000e-1 away from being opposite", n + 9);
     bad = good;
-    for (std::size_t k = static_cast<std::size_t>(n); k < bad.x.size(); ++k) bad.x[k] *= 1.01;  // a tapered wing
+    for (std::size_t k = static_cast<std::size_t>(n); k < bad.x.size(); ++k)
+        bad.x[k] *= 1.01;  // a tapered wing
     refused(bad, "away from being opposite", n + 1);
     bad = good;
     bad.z[5] += 0.2;
@@ -86,35 +88,47 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
         CHECK(its_plane.status == status);
         CHECK(std::string(its_plane.error.text) == text);
     };
-    auto const bad_argument = [&](const char* text, auto change) { refused(HM_BAD_ARGUMENT, text, change); };
+    auto const bad_argument = [&](const char* text, auto change) {
+        refused(HM_BAD_ARGUMENT, text, change);
+    };
     bad_argument("space.struct_size is wrong", [](hm_space_mesh& s) { s.struct_size = 0; });
     bad_argument("space.kind 3 is unknown", [](hm_space_mesh& s) { s.kind = 3; });
     bad_argument("space.kind -1 is unknown", [](hm_space_mesh& s) { s.kind = -1; });
-    bad_argument("space.index_base must be 0 or 1, not 2", [](hm_space_mesh& s) { s.index_base = 2; });
+    bad_argument("space.index_base must be 0 or 1, not 2",
+                 [](hm_space_mesh& s) { s.index_base = 2; });
     bad_argument("space.points.x, y or z is NULL", [](hm_space_mesh& s) { s.points.x = nullptr; });
     bad_argument("space.points.x, y or z is NULL", [](hm_space_mesh& s) { s.points.y = nullptr; });
     bad_argument("space.points.x, y or z is NULL", [](hm_space_mesh& s) { s.points.z = nullptr; });
     bad_argument("space.points.stride is negative", [](hm_space_mesh& s) { s.points.stride = -1; });
     bad_argument("space.face_points is NULL", [](hm_space_mesh& s) { s.face_points = nullptr; });
-    bad_argument("space.side_points or space.side_markers is NULL", [](hm_space_mesh& s) { s.side_points = nullptr; });
-    bad_argument("space.side_points or space.side_markers is NULL", [](hm_space_mesh& s) { s.side_markers = nullptr; });
-    bad_argument("space.n_sides must be between 0 and 2^29, not -1", [](hm_space_mesh& s) { s.n_sides = -1; });
+    bad_argument("space.side_points or space.side_markers is NULL",
+                 [](hm_space_mesh& s) { s.side_points = nullptr; });
+    bad_argument("space.side_points or space.side_markers is NULL",
+                 [](hm_space_mesh& s) { s.side_markers = nullptr; });
+    bad_argument("space.n_sides must be between 0 and 2^29, not -1",
+                 [](hm_space_mesh& s) { s.n_sides = -1; });
     bad_argument("space.n_sides must be between 0 and 2^29, not 536870913",
                  [](hm_space_mesh& s) { s.n_sides = (1 << 29) + 1; });
-    bad_argument("space.tolerance must be a length, not -1", [](hm_space_mesh& s) { s.tolerance = -1; });
-    bad_argument("space.tolerance must be a length, not NaN", [](hm_space_mesh& s) { s.tolerance = std::nan(""); });
+    bad_argument("space.tolerance must be a length, not -1",
+                 [](hm_space_mesh& s) { s.tolerance = -1; });
+    bad_argument("space.tolerance must be a length, not NaN",
+                 [](hm_space_mesh& s) { s.tolerance = std::nan(""); });
     bad_argument("space.axis or axis_point is not finite, or the kind is not HM_WEDGE",
                  [](hm_space_mesh& s) { s.axis[2] = 1; });  // of no wedge
-    bad_argument("space.axis or axis_point is not finite, or the kind is not HM_WEDGE", [](hm_space_mesh& s) {
-        s.kind = HM_WEDGE;
-        s.axis[2] = std::nan("");
-    });
-    bad_argument("space.axis is 0, but the other points lie in no inclined plane that would tell the axis",
-                 [](hm_space_mesh& s) { s.kind = HM_WEDGE; });
-    refused(HM_BAD_MESH, "space.n_points must be between 3 and 2^30, not 2", [](hm_space_mesh& s) { s.n_points = 2; });
+    bad_argument("space.axis or axis_point is not finite, or the kind is not HM_WEDGE",
+                 [](hm_space_mesh& s) {
+                     s.kind = HM_WEDGE;
+                     s.axis[2] = std::nan("");
+                 });
+    bad_argument(
+        "space.axis is 0, but the other points lie in no inclined plane that would tell the axis",
+        [](hm_space_mesh& s) { s.kind = HM_WEDGE; });
+    refused(HM_BAD_MESH, "space.n_points must be between 3 and 2^30, not 2",
+            [](hm_space_mesh& s) { s.n_points = 2; });
     refused(HM_BAD_MESH, "space.n_points must be between 3 and 2^30, not 1073741825",
             [](hm_space_mesh& s) { s.n_points = (1 << 30) + 1; });
-    refused(HM_BAD_MESH, "space.n_faces must be between 1 and 2^29, not 0", [](hm_space_mesh& s) { s.n_faces = 0; });
+    refused(HM_BAD_MESH, "space.n_faces must be between 1 and 2^29, not 0",
+            [](hm_space_mesh& s) { s.n_faces = 0; });
     refused(HM_BAD_MESH, "space.n_faces must be between 1 and 2^29, not 536870913",
             [](hm_space_mesh& s) { s.n_faces = (1 << 29) + 1; });
     struct {
@@ -122,8 +136,9 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
         double more;
     } younger{good.view(), 1};
     younger.known.struct_size = sizeof younger;
-    check_texts({{HM_UNSUPPORTED, "space: fields are set that this version of the library does not know",
-                  [&](hm_error* e) { return hm_plane_size(&younger.known, &bytes, e); }}});
+    check_texts(
+        {{HM_UNSUPPORTED, "space: fields are set that this version of the library does not know",
+          [&](hm_error* e) { return hm_plane_size(&younger.known, &bytes, e); }}});
     static std::int32_t const no_corners[200] = {};
     refused(HM_BAD_MESH, "space.face_start says there are 0 corners of faces",
             [](hm_space_mesh& s) { s.face_start = no_corners; });
@@ -137,7 +152,8 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
     std::vector<double> x = good.x, y = good.y, z = good.z;
     hm_space_points_out const to{x.data(), y.data(), z.data(), 1};
     hm_space_points_out const none{};
-    CHECK(hm_plane_morph(plane.plane, solved.basis, move.data(), &from, &to, nullptr, nullptr) == HM_OK);
+    CHECK(hm_plane_morph(plane.plane, solved.basis, move.data(), &from, &to, nullptr, nullptr) ==
+          HM_OK);
     CHECK(same_bits(x, good.x));
     CHECK(same_bits(y, good.y));
     CHECK(same_bits(z, good.z));
@@ -147,28 +163,39 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
             return hm_plane_morph(plane.plane, basis, move.data(), &from, out, nullptr, e);
         };
     };
-    check_texts({{HM_BAD_BASIS, "the basis has 60 points, but the plane 48", morph(foreign.basis, &to)},
-                 {HM_BAD_ARGUMENT, "to is NULL", morph(solved.basis, nullptr)},
-                 {HM_BAD_ARGUMENT, "to.x, to.y or to.z is NULL", morph(solved.basis, &none)},
-                 {HM_BAD_ARGUMENT, "to.stride is negative", morph(solved.basis, &backwards)}});
-    CHECK(hm_plane_morph(plane.plane, foreign.basis, move.data(), &from, &to, nullptr, nullptr) == HM_BAD_BASIS);
-    CHECK(hm_plane_morph(plane.plane, nullptr, move.data(), &from, &to, nullptr, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_plane_morph(nullptr, solved.basis, move.data(), &from, &to, nullptr, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_plane_morph(plane.plane, solved.basis, nullptr, &from, &to, nullptr, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_plane_morph(plane.plane, solved.basis, move.data(), &from, &none, nullptr, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_plane_adjoint(plane.plane, foreign.basis, &from, gradient.data(), nullptr, nullptr) == HM_BAD_BASIS);
-    CHECK(hm_plane_adjoint(plane.plane, solved.basis, nullptr, gradient.data(), nullptr, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_plane_adjoint(plane.plane, solved.basis, &from, nullptr, nullptr, nullptr) == HM_BAD_ARGUMENT);
+    check_texts(
+        {{HM_BAD_BASIS, "the basis has 60 points, but the plane 48", morph(foreign.basis, &to)},
+         {HM_BAD_ARGUMENT, "to is NULL", morph(solved.basis, nullptr)},
+         {HM_BAD_ARGUMENT, "to.x, to.y or to.z is NULL", morph(solved.basis, &none)},
+         {HM_BAD_ARGUMENT, "to.stride is negative", morph(solved.basis, &backwards)}});
+    CHECK(hm_plane_morph(plane.plane, foreign.basis, move.data(), &from, &to, nullptr, nullptr) ==
+          HM_BAD_BASIS);
+    CHECK(hm_plane_morph(plane.plane, nullptr, move.data(), &from, &to, nullptr, nullptr) ==
+          HM_BAD_ARGUMENT);
+    CHECK(hm_plane_morph(nullptr, solved.basis, move.data(), &from, &to, nullptr, nullptr) ==
+          HM_BAD_ARGUMENT);
+    CHECK(hm_plane_morph(plane.plane, solved.basis, nullptr, &from, &to, nullptr, nullptr) ==
+          HM_BAD_ARGUMENT);
+    CHECK(hm_plane_morph(plane.plane, solved.basis, move.data(), &from, &none, nullptr, nullptr) ==
+          HM_BAD_ARGUMENT);
+    CHECK(hm_plane_adjoint(plane.plane, foreign.basis, &from, gradient.data(), nullptr, nullptr) ==
+          HM_BAD_BASIS);
+    CHECK(hm_plane_adjoint(plane.plane, solved.basis, nullptr, gradient.data(), nullptr, nullptr) ==
+          HM_BAD_ARGUMENT);
+    CHECK(hm_plane_adjoint(plane.plane, solved.basis, &from, nullptr, nullptr, nullptr) ==
+          HM_BAD_ARGUMENT);
     CHECK(hm_plane_spread(plane.plane, nullptr, &from, &to, nullptr, nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_plane_gather(plane.plane, &from, nullptr, nullptr, nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_plane_info_get(plane.plane, nullptr, nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_plane_mesh(plane.plane, nullptr, nullptr) == HM_BAD_ARGUMENT);
 }
 
-TEST_CASE("coordinates may be as large as 1e100, and no larger; cells of three and four corners are no polygons") {
+TEST_CASE(
+    "coordinates may be as large as 1e100, and no larger; cells of three and four corners are no "
+    "polygons") {
     Extruded space(tiny_case().mesh, along_axis(2));
     CHECK(Plane(space.view()).mesh.cell_layout != HM_CELLS_POLYGONS);
-    space.x[0] = 1e100;   // no plane mesh, but not for that
+    space.x[0] = 1e100;  // no plane mesh, but not for that
     CHECK(!says(Plane(space.view()).error, "may be as large"));
     space.x[0] = std::nextafter(1e100, 2e100);
     CHECK(says(Plane(space.view()).error, "may be as large as 1e100"));

@@ -12,21 +12,23 @@ namespace {
 // Two columns; further lines of the help begin in the second.
 std::string help_line(const Option& option) {
     constexpr std::size_t column = 26;
-    std::string text = std::string("  ") + option.name + (option.value ? std::string(" ") + option.value : "");
+    std::string text =
+        std::string("  ") + option.name + (option.value ? std::string(" ") + option.value : "");
     text.resize(std::max(column, text.size() + 2), ' ');
     for (const char* c = option.help; *c; ++c)
         text += *c == '\n' ? "\n" + std::string(column, ' ') : std::string(1, *c);
     return text + '\n';
 }
 
-} // namespace
+}  // namespace
 
 std::vector<Option> operator+(std::vector<Option> some, const std::vector<Option>& others) {
     some.insert(some.end(), others.begin(), others.end());
     return some;
 }
 
-Arguments::Arguments(const Command& command, const std::vector<std::string>& words) : command_(command) {
+Arguments::Arguments(const Command& command, const std::vector<std::string>& words)
+    : command_(command) {
     bool options_ended = false;
     for (std::size_t at = 0; at < words.size(); ++at) {
         const std::string& word = words[at];
@@ -39,8 +41,10 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
         }
     }
     const std::size_t wanted = command_.operands.size();
-    if (operands_.size() < wanted) refuse(std::string(command_.operands[operands_.size()]) + " is missing");
-    if (operands_.size() > wanted) refuse(in_quotes(operands_[wanted]) + " is one argument too many");
+    if (operands_.size() < wanted)
+        refuse(std::string(command_.operands[operands_.size()]) + " is missing");
+    if (operands_.size() > wanted)
+        refuse(in_quotes(operands_[wanted]) + " is one argument too many");
 }
 
 // Returns where the option ends: at its value, if that is a word of its own.
@@ -64,7 +68,8 @@ std::size_t Arguments::take_option(const std::vector<std::string>& words, std::s
 }
 
 bool Arguments::has(std::string_view option) const {
-    return std::any_of(given_.begin(), given_.end(), [option](const Given& given) { return given.option == option; });
+    return std::any_of(given_.begin(), given_.end(),
+                       [option](const Given& given) { return given.option == option; });
 }
 
 std::vector<std::string> Arguments::all(std::string_view option) const {
@@ -87,21 +92,24 @@ std::int32_t Arguments::whole(std::string_view option, std::int32_t fallback, st
     if (!has(option)) return fallback;
     std::int32_t value = 0;
     if (!parse(text(option), value) || value < low || value > high) {
-        refuse(std::string(option) + " expects a whole number between " + std::to_string(low) + " and " +
-               std::to_string(high) + ", found " + in_quotes(text(option)));
+        refuse(std::string(option) + " expects a whole number between " + std::to_string(low) +
+               " and " + std::to_string(high) + ", found " + in_quotes(text(option)));
     }
     return value;
 }
 
-std::vector<std::int32_t> Arguments::whole_list(std::string_view option, std::int32_t low, std::int32_t high) const {
+std::vector<std::int32_t> Arguments::whole_list(std::string_view option, std::int32_t low,
+                                                std::int32_t high) const {
     const std::string list = text(option);
     std::vector<std::int32_t> values;
     for (std::size_t begin = 0; begin <= list.size();) {
         const std::size_t end = std::min(list.find(',', begin), list.size());
         std::int32_t value = 0;
-        if (!parse(std::string_view(list).substr(begin, end - begin), value) || value < low || value > high) {
-            refuse(std::string(option) + " expects whole numbers between " + std::to_string(low) + " and " +
-                   std::to_string(high) + " with commas between, found " + in_quotes(list));
+        if (!parse(std::string_view(list).substr(begin, end - begin), value) || value < low ||
+            value > high) {
+            refuse(std::string(option) + " expects whole numbers between " + std::to_string(low) +
+                   " and " + std::to_string(high) + " with commas between, found " +
+                   in_quotes(list));
         }
         values.push_back(value);
         begin = end + 1;
@@ -122,8 +130,8 @@ double Arguments::real(std::string_view option, double fallback, double low, dou
     if (!has(option)) return fallback;
     double value = 0;
     if (!parse(text(option), value) || value < low || value > high) {
-        refuse(std::string(option) + " expects a number between " + brief(low) + " and " + brief(high) + ", found " +
-               in_quotes(text(option)));
+        refuse(std::string(option) + " expects a number between " + brief(low) + " and " +
+               brief(high) + ", found " + in_quotes(text(option)));
     }
     return value;
 }
@@ -142,20 +150,24 @@ std::int32_t Arguments::choice(std::string_view option, const std::vector<Choice
 
 void Arguments::refuse(std::string_view message) const {
     const std::string name = command_.name;
-    throw Failure(exit_usage, (name + ": ").append(message) + "\nTry: harmorph " + name + " --help");
+    throw Failure(exit_usage,
+                  (name + ": ").append(message) + "\nTry: harmorph " + name + " --help");
 }
 
-const Option threads_option = {"--threads", "N",
-                               "threads to compute with (default 1); the result's bits do not depend on it"};
+const Option threads_option = {
+    "--threads", "N", "threads to compute with (default 1); the result's bits do not depend on it"};
 
-std::int32_t threads_of(const Arguments& arguments) { return arguments.whole("--threads", 1, 1, 256); }
+std::int32_t threads_of(const Arguments& arguments) {
+    return arguments.whole("--threads", 1, 1, 256);
+}
 
 std::string help_text(const Command& command) {
     std::string text = "Usage: harmorph " + std::string(command.name);
     for (const char* operand : command.operands) text += std::string(" ") + operand;
-    text += std::string(" [options]\n\n") + command.summary + ".\n\n" + command.details + "\nOptions:\n";
+    text += std::string(" [options]\n\n") + command.summary + ".\n\n" + command.details +
+            "\nOptions:\n";
     for (const Option& option : command.options) text += help_line(option);
     return text + help_line({"--help", nullptr, "this text"}) + "\nExamples:\n" + command.examples;
 }
 
-} // namespace cli
+}  // namespace cli

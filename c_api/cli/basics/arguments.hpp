@@ -11,8 +11,8 @@
 namespace cli {
 
 struct Option {
-    const char* name;  // "--degree"
-    const char* value; // what follows it, for the help; NULL: nothing does
+    const char* name;   // "--degree"
+    const char* value;  // what follows it, for the help; NULL: nothing does
     const char* help;
 };
 
@@ -27,31 +27,37 @@ class Arguments;
 
 struct Command {
     const char* name;
-    std::vector<const char *> operands; // "MESH"; all must be given
+    std::vector<const char*> operands;  // "MESH"; all must be given
     const char* summary;                // one line
     const char* details;                // paragraphs, each line ended
     std::vector<Option> options;
-    const char* examples;               // lines, each ended
-    void (*run)(const Arguments&);       // throws a Failure if the result is not usable
+    const char* examples;           // lines, each ended
+    void (*run)(const Arguments&);  // throws a Failure if the result is not usable
 };
 
 // Options as "--name value" or "--name=value", in any order with the operands; "--" ends them.
 class Arguments {
 public:
-    Arguments(const Command& command, const std::vector<std::string>& words); // refuses what the command does not know
+    Arguments(const Command& command,
+              const std::vector<std::string>& words);  // refuses what the command does not know
 
     const std::string& operand(std::size_t index) const { return operands_[index]; }
     bool has(std::string_view option) const;
-    std::vector<std::string> all(std::string_view option) const; // of an option that may be repeated
-    std::string text(std::string_view option) const;             // must be given
-    std::int32_t whole(std::string_view option, std::int32_t fallback, std::int32_t low, std::int32_t high) const;
+    std::vector<std::string> all(
+        std::string_view option) const;               // of an option that may be repeated
+    std::string text(std::string_view option) const;  // must be given
+    std::int32_t whole(std::string_view option, std::int32_t fallback, std::int32_t low,
+                       std::int32_t high) const;
     // "3,5": must be given.
-    std::vector<std::int32_t> whole_list(std::string_view option, std::int32_t low, std::int32_t high) const;
-    std::int32_t choice(std::string_view option, const std::vector<Choice>& choices) const; // the first: if not given
+    std::vector<std::int32_t> whole_list(std::string_view option, std::int32_t low,
+                                         std::int32_t high) const;
+    std::int32_t choice(std::string_view option,
+                        const std::vector<Choice>& choices) const;  // the first: if not given
     double positive(std::string_view option, double fallback) const;
-    double real(std::string_view option, double fallback, double low, double high) const; // low and high are allowed
+    double real(std::string_view option, double fallback, double low,
+                double high) const;  // low and high are allowed
 
-    [[noreturn]] void refuse(std::string_view message) const; // wrong usage of this command
+    [[noreturn]] void refuse(std::string_view message) const;  // wrong usage of this command
 
 private:
     struct Given {
@@ -70,4 +76,4 @@ std::string help_text(const Command& command);
 extern const Option threads_option;
 std::int32_t threads_of(const Arguments& arguments);
 
-} // namespace cli
+}  // namespace cli

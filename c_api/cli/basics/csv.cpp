@@ -19,20 +19,22 @@ void write_csv(std::ostream& out, const Mesh& mesh, const std::vector<Column>& c
     }
 }
 
-void write_contours_csv(std::ostream& out, const std::vector<std::vector<ContourLine>>& panels, double step) {
+void write_contours_csv(std::ostream& out, const std::vector<std::vector<ContourLine>>& panels,
+                        double step) {
     out << "panel,value,line,x,y\n";
     for (std::size_t panel = 0; panel < panels.size(); ++panel) {
         for (std::size_t line = 0; line < panels[panel].size(); ++line) {
             const ContourLine& its = panels[panel][line];
             for (const Point& point : its.points) {
-                out << panel + 1 << ',' << brief(its.multiple * step + 0.0) << ',' << line + 1 << ',' << exact(point.x)
-                    << ',' << exact(point.y) << '\n';
+                out << panel + 1 << ',' << brief(its.multiple * step + 0.0) << ',' << line + 1
+                    << ',' << exact(point.x) << ',' << exact(point.y) << '\n';
             }
         }
     }
 }
 
-void write_moved_curves_csv(std::ostream& out, const Mesh& mesh, const Basis& basis, const Morph& morph) {
+void write_moved_curves_csv(std::ostream& out, const Mesh& mesh, const Basis& basis,
+                            const Morph& morph) {
     const hm_curves& before = basis.curves();
     const std::vector<double> control = morph.moved_control(basis);
     hm_curves after = before;
@@ -60,12 +62,12 @@ void write_moved_curves_csv(std::ostream& out, const Mesh& mesh, const Basis& ba
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
         const auto point = static_cast<std::size_t>(info.curve_point[k]);
         const bool on_curve = info.point_curve[k] < info.curves;
-        out << "mesh," << (on_curve ? std::to_string(info.point_curve[k] + 1) : "") << ',' << point << ','
-            << (on_curve ? exact(info.point_u[k]) : "");
+        out << "mesh," << (on_curve ? std::to_string(info.point_curve[k] + 1) : "") << ',' << point
+            << ',' << (on_curve ? exact(info.point_u[k]) : "");
         pair(mesh.x[point], mesh.y[point]);
         pair(morph.moved.x[point], morph.moved.y[point]);
         out << '\n';
     }
 }
 
-} // namespace cli
+}  // namespace cli

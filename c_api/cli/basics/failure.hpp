@@ -8,9 +8,9 @@ namespace cli {
 
 enum ExitCode {
     exit_done = 0,
-    exit_unusable = 1, // the result is of no use: inverted cells, not converged
-    exit_usage = 2,    // the command line is wrong
-    exit_file = 3      // a file cannot be read, understood or written
+    exit_unusable = 1,  // the result is of no use: inverted cells, not converged
+    exit_usage = 2,     // the command line is wrong
+    exit_file = 3       // a file cannot be read, understood or written
 };
 
 class Failure : public std::runtime_error {
@@ -22,4 +22,4 @@ private:
     ExitCode code_;
 };
 
-} // namespace cli
+}  // namespace cli

@@ -12,8 +12,8 @@ namespace cli {
 struct Field {
     std::vector<double> x, y;
     explicit Field(std::size_t points) : x(points), y(points) {}
-    hm_points read() const { return {x.data(), y.data(), 1}; } // for the library
+    hm_points read() const { return {x.data(), y.data(), 1}; }  // for the library
     hm_points_out write() { return {x.data(), y.data(), 1}; }
 };
 
-} // namespace cli
+}  // namespace cli

@@ -15,7 +15,7 @@ inline double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.
 
 struct Box {
     static constexpr double infinity = std::numeric_limits<double>::infinity();
-    Point low = {infinity, infinity}, high = {-infinity, -infinity}; // holds nothing yet
+    Point low = {infinity, infinity}, high = {-infinity, -infinity};  // holds nothing yet
 
     void include(Point point) {
         low = {std::min(low.x, point.x), std::min(low.y, point.y)};
@@ -26,9 +26,10 @@ struct Box {
         high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
     }
     bool overlaps(const Box& other) const {
-        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
+        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
+               other.low.y <= high.y;
     }
-    Box common(const Box& other) const { // of two that overlap
+    Box common(const Box& other) const {  // of two that overlap
         return {{std::max(low.x, other.low.x), std::max(low.y, other.low.y)},
                 {std::min(high.x, other.high.x), std::min(high.y, other.high.y)}};
     }
@@ -40,4 +41,4 @@ struct Box {
     Point centre() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
 };
 
-} // namespace cli
+}  // namespace cli

@@ -24,13 +24,15 @@ std::string json_string(std::string_view text) {
     return result + "\"";
 }
 
-} // namespace
+}  // namespace
 
 JsonObject& JsonObject::add(std::string_view key, double value) {
     return add_member(key, std::isfinite(value) ? exact(value) : "null");
 }
 
-JsonObject& JsonObject::add(std::string_view key, bool value) { return add_member(key, value ? "true" : "false"); }
+JsonObject& JsonObject::add(std::string_view key, bool value) {
+    return add_member(key, value ? "true" : "false");
+}
 
 JsonObject& JsonObject::add(std::string_view key, std::int64_t value) {
     return add_member(key, std::to_string(value));
@@ -51,4 +53,4 @@ JsonObject& JsonObject::add_member(std::string_view key, const std::string& valu
     return *this;
 }
 
-} // namespace cli
+}  // namespace cli

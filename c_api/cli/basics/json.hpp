@@ -10,10 +10,12 @@ namespace cli {
 
 class JsonObject {
 public:
-    JsonObject& add(std::string_view key, double value); // infinite and NaN: null
+    JsonObject& add(std::string_view key, double value);  // infinite and NaN: null
     JsonObject& add(std::string_view key, bool value);
     JsonObject& add(std::string_view key, std::int64_t value);
-    JsonObject& add(std::string_view key, std::int32_t value) { return add(key, std::int64_t{value}); }
+    JsonObject& add(std::string_view key, std::int32_t value) {
+        return add(key, std::int64_t{value});
+    }
     JsonObject& add(std::string_view key, const std::string& value);
     JsonObject& add(std::string_view key, const std::vector<JsonObject>& values);
     std::string text() const { return "{" + members_ + "}"; }
@@ -24,4 +26,4 @@ private:
     std::string members_;
 };
 
-} // namespace cli
+}  // namespace cli

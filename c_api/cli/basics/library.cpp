@@ -13,22 +13,24 @@ namespace {
 
 ExitCode exit_code(hm_status status) {
     switch (status) {
-    case HM_BAD_MESH:
-    case HM_BAD_CURVE:
-    case HM_BAD_BASIS: return exit_file;
-    case HM_BAD_ARGUMENT:
-    case HM_BAD_CONDITION:
-    case HM_UNSUPPORTED: return exit_usage;
-    default: return exit_unusable;
+        case HM_BAD_MESH:
+        case HM_BAD_CURVE:
+        case HM_BAD_BASIS: return exit_file;
+        case HM_BAD_ARGUMENT:
+        case HM_BAD_CONDITION:
+        case HM_UNSUPPORTED: return exit_usage;
+        default: return exit_unusable;
     }
 }
 
-// The line of the first cell, face or point that the sentence names; the library counts as the file does.
+// The line of the first cell, face or point that the sentence names; the library counts as the file
+// does.
 std::string place_named_in(const std::string& sentence, const Mesh& mesh) {
     std::istringstream words(sentence);
     std::string kind, word;
     while (words >> word) {
-        if (word.find_last_not_of(",.:;") != std::string::npos) word.resize(word.find_last_not_of(",.:;") + 1);
+        if (word.find_last_not_of(",.:;") != std::string::npos)
+            word.resize(word.find_last_not_of(",.:;") + 1);
         const std::vector<std::size_t>* offsets = nullptr;
         if (kind == "cell" || kind == "cells") offsets = &mesh.cell_offset;
         if (kind == "face" || kind == "faces") offsets = &mesh.face_offset;
@@ -43,11 +45,11 @@ std::string place_named_in(const std::string& sentence, const Mesh& mesh) {
     return mesh.file.path();
 }
 
-} // namespace
+}  // namespace
 
 void Block::resize(std::size_t bytes) {
     if (!memory_ || bytes > capacity_) {
-        memory_.reset(); // first, so that old and new are never there together
+        memory_.reset();  // first, so that old and new are never there together
         data_ = nullptr;
         capacity_ = 0;
         memory_.reset(std::malloc(hm_pages_room(bytes)));
@@ -63,10 +65,10 @@ void refuse(const hm_error& error, const std::string& path) {
 }
 
 void refuse(const hm_error& error, const Mesh& mesh) {
-    const bool of_the_mesh =
-        error.code == HM_BAD_MESH || error.code == HM_NOT_POSITIVE || error.code == HM_BAD_CONDITION;
+    const bool of_the_mesh = error.code == HM_BAD_MESH || error.code == HM_NOT_POSITIVE ||
+                             error.code == HM_BAD_CONDITION;
     const std::string place = of_the_mesh ? place_named_in(error.text, mesh) + ": " : std::string();
     throw Failure(exit_code(error.code), place + name_markers(error.text, mesh.markers));
 }
 
-} // namespace cli
+}  // namespace cli

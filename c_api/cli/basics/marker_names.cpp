@@ -10,11 +10,13 @@ namespace cli {
 
 namespace {
 
-// Where the sentence says that a number is a marker's: "marker 4", "markers 4 and 5", "partner of 4".
+// Where the sentence says that a number is a marker's: "marker 4", "markers 4 and 5", "partner of
+// 4".
 class MarkerWords {
 public:
     bool names_marker(std::string_view word, bool is_number) {
-        const bool expects = after_marker_ || (word_ == "of" && before_ == "partner") || (word_ == "and" && markers_);
+        const bool expects = after_marker_ || (word_ == "of" && before_ == "partner") ||
+                             (word_ == "and" && markers_);
         if (word == "marker" || word == "markers") after_marker_ = true;
         else after_marker_ = false;
         if (word == "markers") markers_ = true;
@@ -29,7 +31,7 @@ private:
     bool after_marker_ = false, markers_ = false;
 };
 
-} // namespace
+}  // namespace
 
 void number_by_name(Mesh& mesh) {
     std::vector<std::size_t> order(mesh.markers.size());
@@ -42,12 +44,15 @@ void number_by_name(Mesh& mesh) {
         number[marker] = static_cast<std::int32_t>(names.size());
         names.push_back(mesh.markers[marker]);
     }
-    for (std::int32_t& marker : mesh.face_markers) marker = number[static_cast<std::size_t>(marker)];
+    for (std::int32_t& marker : mesh.face_markers)
+        marker = number[static_cast<std::size_t>(marker)];
     mesh.markers = names;
 }
 
 std::string name_markers(const std::string& sentence, const std::vector<std::string>& names) {
-    const auto is_part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-'; };
+    const auto is_part = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-';
+    };
     std::string text;
     MarkerWords words;
     for (std::size_t begin = 0; begin < sentence.size();) {
@@ -61,7 +66,8 @@ std::string name_markers(const std::string& sentence, const std::vector<std::str
         std::int32_t number = -1;
         const bool is_number = parse(word, number);
         const bool is_marker = words.names_marker(word, is_number);
-        const bool exists = is_marker && number >= 0 && static_cast<std::size_t>(number) < names.size();
+        const bool exists =
+            is_marker && number >= 0 && static_cast<std::size_t>(number) < names.size();
         text += exists ? in_quotes(names[static_cast<std::size_t>(number)]) : std::string(word);
         begin = end;
     }
@@ -74,4 +80,4 @@ std::string listed(const std::vector<std::string>& names) {
     return text.empty() ? "no markers" : text;
 }
 
-} // namespace cli
+}  // namespace cli

@@ -17,7 +17,8 @@ inline std::vector<double> number_list(const Arguments& arguments, std::string_v
         if (to == std::string::npos) to = text.size();
         double number = 0;
         if (!parse(std::string_view(text).substr(from, to - from), number)) {
-            arguments.refuse(std::string(option) + " expects numbers with commas between them, found '" + text + "'");
+            arguments.refuse(std::string(option) +
+                             " expects numbers with commas between them, found '" + text + "'");
         }
         numbers.push_back(number);
         from = to + 1;
@@ -25,4 +26,4 @@ inline std::vector<double> number_list(const Arguments& arguments, std::string_v
     return numbers;
 }
 
-} // namespace cli
+}  // namespace cli

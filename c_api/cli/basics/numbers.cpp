@@ -16,7 +16,7 @@ std::string print(const char* format, double value) {
     return text;
 }
 
-} // namespace
+}  // namespace
 
 bool parse(std::string_view word, std::int32_t& value) {
     const char* end = word.data() + word.size();
@@ -46,7 +46,8 @@ static bool parse_slowly(std::string_view word, double& value) {
 }
 
 bool parse(std::string_view word, double& value) {
-#if defined(__cpp_lib_to_chars) // several times as fast, but some C++17 libraries lack it for real numbers
+#if defined(__cpp_lib_to_chars)  // several times as fast, but some C++17 libraries lack it for real
+                                 // numbers
     const char* end = word.data() + word.size();
     const auto result = std::from_chars(word.data(), end, value);
     if (result.ec == std::errc() && result.ptr == end) return std::isfinite(value);
@@ -63,4 +64,4 @@ std::string plural(std::int64_t count, std::string_view noun) {
     return (std::to_string(count) + " ").append(noun) + (count == 1 ? "" : "s");
 }
 
-} // namespace cli
+}  // namespace cli

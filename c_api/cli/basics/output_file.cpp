@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 // A link's target is replaced, not the link.
 std::string real_path(const std::string& path) {
     std::error_code ignored;
-    const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : fs::path(path);
+    const fs::path target =
+        fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : fs::path(path);
     return target.empty() ? path : target.string();
 }
 
@@ -29,7 +30,7 @@ std::string temporary_name(const std::string& path) {
     return name.str();
 }
 
-} // namespace
+}  // namespace
 
 // Devices and pipes must not be renamed over: they are written to directly.
 bool is_device(const std::string& path) {
@@ -40,7 +41,8 @@ bool is_device(const std::string& path) {
 
 OutputFile::OutputFile(const std::string& path) : path_(is_device(path) ? path : real_path(path)) {
     std::error_code ignored;
-    if (fs::is_directory(path_, ignored)) throw Failure(exit_file, path + ": cannot be written: it is a directory");
+    if (fs::is_directory(path_, ignored))
+        throw Failure(exit_file, path + ": cannot be written: it is a directory");
     const std::string opened = is_device(path_) ? path_ : temporary_name(path_);
     stream_.open(opened, std::ios::binary | std::ios::trunc);
     if (!stream_) fail();
@@ -76,4 +78,4 @@ void OutputFiles::commit() {
     for (OutputFile& file : files_) file.commit();
 }
 
-} // namespace cli
+}  // namespace cli

@@ -1,4 +1,5 @@
-// Output files that appear whole or not at all: they are written under temporary names and renamed by commit().
+// Output files that appear whole or not at all: they are written under temporary names and renamed
+// by commit().
 #pragma once
 
 #include <deque>
@@ -13,16 +14,16 @@ bool is_device(const std::string& path);
 class OutputFile {
 public:
     explicit OutputFile(const std::string& path);
-    ~OutputFile(); // without a commit(): removes what was written
+    ~OutputFile();  // without a commit(): removes what was written
 
     std::ostream& stream() { return stream_; }
-    void finish(); // everything has been written, or a Failure
-    void commit(); // finish, and take the place of an older file of that name
+    void finish();  // everything has been written, or a Failure
+    void commit();  // finish, and take the place of an older file of that name
 
 private:
     [[noreturn]] void fail() const;
 
-    std::string path_, temporary_; // temporary_ empty: nothing to remove
+    std::string path_, temporary_;  // temporary_ empty: nothing to remove
     std::ofstream stream_;
 };
 
@@ -36,4 +37,4 @@ private:
     std::deque<OutputFile> files_;
 };
 
-} // namespace cli
+}  // namespace cli

@@ -9,7 +9,7 @@ namespace {
 constexpr const char* phase_names[] = {"structure", "ordering", "symbolic pass", "assembly",
                                        "factor",    "solve",    "residual"};
 
-} // namespace
+}  // namespace
 
 void Progress::listen(hm_options& options) {
     options.progress = on_progress;
@@ -17,7 +17,7 @@ void Progress::listen(hm_options& options) {
 }
 
 std::int32_t Progress::on_progress(void* self, std::int32_t phase, double fraction) {
-    if (phase >= 0 && phase < n_phases) static_cast<Progress *>(self)->report(phase, fraction);
+    if (phase >= 0 && phase < n_phases) static_cast<Progress*>(self)->report(phase, fraction);
     return 0;
 }
 
@@ -27,4 +27,4 @@ void Progress::report(std::int32_t phase, double fraction) {
     bar_.draw(phase_names[phase], fraction);
 }
 
-} // namespace cli
+}  // namespace cli

@@ -24,4 +24,4 @@ void ProgressBar::draw(const char* what, double fraction) {
     std::fflush(stderr);
 }
 
-} // namespace cli
+}  // namespace cli

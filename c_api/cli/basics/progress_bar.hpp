@@ -10,11 +10,11 @@ public:
     ProgressBar(const ProgressBar&) = delete;
 
     void draw(const char* what, double fraction);
-    void wipe(); // takes the bar away
+    void wipe();  // takes the bar away
 
 private:
     bool is_terminal_;
     int drawn_percent_ = -1;
 };
 
-} // namespace cli
+}  // namespace cli

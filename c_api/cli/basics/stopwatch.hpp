@@ -23,4 +23,4 @@ inline double median(std::vector<double> values) {
     return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-} // namespace cli
+}  // namespace cli

@@ -16,7 +16,8 @@ namespace cli {
 namespace {
 
 std::string read_whole(const std::string& path) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                               std::fclose);
     std::string text;
     std::size_t filled = 0;
     // The size as a guess, as pipes have none.
@@ -24,7 +25,8 @@ std::string read_whole(const std::string& path) {
     if (file) std::rewind(file.get());
     while (file && !std::feof(file.get()) && !std::ferror(file.get())) {
         const bool first = filled == 0 && size > 0 && size < std::numeric_limits<long>::max();
-        text.resize(first ? static_cast<std::size_t>(size) + 1 : std::max<std::size_t>(2 * filled, 1 << 16));
+        text.resize(first ? static_cast<std::size_t>(size) + 1
+                          : std::max<std::size_t>(2 * filled, 1 << 16));
         filled += std::fread(&text[filled], 1, text.size() - filled, file.get());
     }
     if (!file || std::ferror(file.get())) {
@@ -39,14 +41,15 @@ enum : unsigned char { part_of_word, blank, end_of_line };
 
 constexpr auto kinds_of_bytes() {
     std::array<unsigned char, 256> kind_of_byte = {};
-    for (const char c : {' ', '\t', '\v', '\f'}) kind_of_byte[static_cast<unsigned char>(c)] = blank;
+    for (const char c : {' ', '\t', '\v', '\f'})
+        kind_of_byte[static_cast<unsigned char>(c)] = blank;
     for (const char c : {'\r', '\n'}) kind_of_byte[static_cast<unsigned char>(c)] = end_of_line;
     return kind_of_byte;
 }
 constexpr std::array<unsigned char, 256> kind_of_byte = kinds_of_bytes();
 unsigned char kind(char c) { return kind_of_byte[static_cast<unsigned char>(c)]; }
 
-} // namespace
+}  // namespace
 
 TextFile::TextFile(const std::string& path) : path_(path), text_(read_whole(path)) {}
 
@@ -54,7 +57,8 @@ std::string TextFile::place(std::size_t offset) const {
     if (name_of_place_) return path_ + ": " + name_of_place_(offset);
     std::size_t line = 1;
     for (std::size_t i = 0; i < offset && i < text_.size(); ++i) {
-        const bool lone_return = text_[i] == '\r' && (i + 1 == text_.size() || text_[i + 1] != '\n');
+        const bool lone_return =
+            text_[i] == '\r' && (i + 1 == text_.size() || text_[i + 1] != '\n');
         if (text_[i] == '\n' || lone_return) ++line;
         if (text_[i] == '\0') return path_ + ": byte " + std::to_string(offset);
     }
@@ -77,10 +81,12 @@ void TextFile::report(std::size_t offset) const {
 
 LineReader::LineReader(const TextFile& file, char comment) : file_(file), comment_(comment) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (std::string_view(file.text()).substr(0, 3) == byte_order_mark) next_ = byte_order_mark.size();
+    if (std::string_view(file.text()).substr(0, 3) == byte_order_mark)
+        next_ = byte_order_mark.size();
 }
 
-// One pass over the line's bytes finds its end, its comment and where it begins and ends without blanks.
+// One pass over the line's bytes finds its end, its comment and where it begins and ends without
+// blanks.
 bool LineReader::next() {
     const char* const text = file_.text().data();
     const std::size_t size = file_.text().size();
@@ -89,12 +95,13 @@ bool LineReader::next() {
         std::size_t at = next_;
         while (at < size && kind(text[at]) == blank) ++at;
         const std::size_t begin = at;
-        std::size_t end = at; // behind the last byte that is no blank
+        std::size_t end = at;  // behind the last byte that is no blank
         for (; at < size && kind(text[at]) != end_of_line && text[at] != comment_; ++at) {
             if (kind(text[at]) == part_of_word) end = at + 1;
         }
         while (at < size && kind(text[at]) != end_of_line) ++at;
-        next_ = at + (at < size ? 1 : 0) + (at + 1 < size && text[at] == '\r' && text[at + 1] == '\n' ? 1 : 0);
+        next_ = at + (at < size ? 1 : 0) +
+                (at + 1 < size && text[at] == '\r' && text[at + 1] == '\n' ? 1 : 0);
         line_ = std::string_view(text + begin, end - begin);
         if (!line_.empty()) return true;
     }
@@ -122,7 +129,8 @@ void LineReader::fail(std::string_view message) const { file_.fail(offset(), mes
 void LineReader::expected(std::string_view what) const { expected(what, line_); }
 
 void LineReader::expected(std::string_view what, std::string_view found) const {
-    fail("expected " + std::string(what) + ", found " + (found.empty() ? "the end of the file" : in_quotes(found)));
+    fail("expected " + std::string(what) + ", found " +
+         (found.empty() ? "the end of the file" : in_quotes(found)));
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -138,8 +146,9 @@ bool ends_with(std::string_view text, std::string_view end) {
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t longest = 48;
     std::string result = "'";
-    for (const char c : text.substr(0, longest)) result += std::iscntrl(static_cast<unsigned char>(c)) ? '?' : c;
+    for (const char c : text.substr(0, longest))
+        result += std::iscntrl(static_cast<unsigned char>(c)) ? '?' : c;
     return result + (text.size() > longest ? "...'" : "'");
 }
 
-} // namespace cli
+}  // namespace cli

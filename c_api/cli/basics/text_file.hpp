@@ -1,4 +1,5 @@
-// A file in memory, text for the most part, read line by line; errors name the file, the line and what was expected.
+// A file in memory, text for the most part, read line by line; errors name the file, the line and
+// what was expected.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +14,21 @@ namespace cli {
 
 class TextFile {
 public:
-    explicit TextFile(const std::string& path); // reads it whole
+    explicit TextFile(const std::string& path);  // reads it whole
     // Instead of what is there.
     TextFile(const std::string& path, std::string text) : path_(path), text_(std::move(text)) {}
 
     const std::string& path() const { return path_; }
     const std::string& text() const { return text_; }
-    std::string place(std::size_t offset) const; // "FILE:LINE"; behind binary parts "FILE: byte N"
+    std::string place(std::size_t offset) const;  // "FILE:LINE"; behind binary parts "FILE: byte N"
     // Where the text is not what people see of the file: other words for an offset.
-    void name_places(std::function<std::string(std::size_t)> name) { name_of_place_ = std::move(name); }
+    void name_places(std::function<std::string(std::size_t)> name) {
+        name_of_place_ = std::move(name);
+    }
     [[noreturn]] void fail(std::size_t offset, std::string_view message) const;
 
-    // Readers say how far they have come; hundredth by hundredth the listener hears which part that is, 0 .. 1.
+    // Readers say how far they have come; hundredth by hundredth the listener hears which part that
+    // is, 0 .. 1.
     void listen(std::function<void(double)> listener);
     void passed(std::size_t offset) const {
         if (offset >= next_mark_) report(offset);
@@ -39,20 +43,21 @@ private:
     mutable std::size_t next_mark_ = std::numeric_limits<std::size_t>::max();
 };
 
-// Runs over the lines that are not empty once the comment is cut off. A line ends with LF, CR LF or CR.
+// Runs over the lines that are not empty once the comment is cut off. A line ends with LF, CR LF or
+// CR.
 class LineReader {
 public:
     LineReader(const TextFile& file, char comment);
 
-    bool next(); // false: the end of the file
-    std::string_view line() const { return line_; }                          // trimmed
-    const std::vector<std::string_view>& words();                            // between blanks and tabs
-    std::size_t offset() const { return offset(line_); }                     // of the line in the file's text
-    std::size_t offset(std::string_view part) const;                         // of a part of it
-    std::size_t next_offset() const { return next_; }                        // of the line after it
-    void jump(std::size_t offset) { next_ = offset; }                        // next() goes on there
-    [[noreturn]] void fail(std::string_view message) const;                // about this line
-    [[noreturn]] void expected(std::string_view what) const;               // "expected WHAT, found LINE"
+    bool next();                                              // false: the end of the file
+    std::string_view line() const { return line_; }           // trimmed
+    const std::vector<std::string_view>& words();             // between blanks and tabs
+    std::size_t offset() const { return offset(line_); }      // of the line in the file's text
+    std::size_t offset(std::string_view part) const;          // of a part of it
+    std::size_t next_offset() const { return next_; }         // of the line after it
+    void jump(std::size_t offset) { next_ = offset; }         // next() goes on there
+    [[noreturn]] void fail(std::string_view message) const;   // about this line
+    [[noreturn]] void expected(std::string_view what) const;  // "expected WHAT, found LINE"
     [[noreturn]] void expected(std::string_view what, std::string_view found) const;
 
 private:
@@ -66,6 +71,7 @@ private:
 constexpr std::string_view blanks = " \t\v\f\r\n";
 std::string_view trimmed(std::string_view text);
 bool ends_with(std::string_view text, std::string_view end);
-std::string in_quotes(std::string_view text); // for messages: 'text', shortened and without control characters
+std::string in_quotes(
+    std::string_view text);  // for messages: 'text', shortened and without control characters
 
-} // namespace cli
+}  // namespace cli

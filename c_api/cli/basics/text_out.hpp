@@ -24,14 +24,15 @@ public:
         return *this;
     }
     TextOut& operator<<(char c) { return *this << std::string_view(&c, 1); }
-    template <class Whole, class = std::enable_if_t<std::is_integral<Whole>::value>> TextOut& operator<<(Whole value) {
+    template <class Whole, class = std::enable_if_t<std::is_integral<Whole>::value>>
+    TextOut& operator<<(Whole value) {
         char digits[24];
         const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
         return *this << std::string_view(digits, static_cast<std::size_t>(end - digits));
     }
     // With as many digits as read back as the same bits.
     TextOut& operator<<(double value) {
-#if defined(__cpp_lib_to_chars) // some C++17 libraries lack it for real numbers
+#if defined(__cpp_lib_to_chars)  // some C++17 libraries lack it for real numbers
         char digits[32];
         const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
         return *this << std::string_view(digits, static_cast<std::size_t>(end - digits));
@@ -50,4 +51,4 @@ private:
     std::string text_;
 };
 
-} // namespace cli
+}  // namespace cli

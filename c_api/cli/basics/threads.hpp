@@ -26,4 +26,4 @@ private:
     hm_executor executor_ = {};
 };
 
-} // namespace cli
+}  // namespace cli

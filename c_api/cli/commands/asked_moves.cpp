@@ -9,31 +9,36 @@ namespace cli {
 namespace {
 
 // Of the control points, or of the variables that stand for them; bodies then stay.
-std::vector<double> moves_of_file(const Arguments& arguments, const Basis& basis, const Mesh& mesh) {
+std::vector<double> moves_of_file(const Arguments& arguments, const Basis& basis,
+                                  const Mesh& mesh) {
     const std::string path = arguments.text("--move");
     if (!arguments.has("--variables")) return read_moves(path, basis, mesh);
     const std::string map_path = arguments.text("--variables");
     const VariableMap map = read_variables(map_path);
     if (map.points != basis.curves().n_control) {
-        throw Failure(exit_file, map_path + ": its variables are of " + plural(map.points, "control point") +
-                                     ", the curves of the basis have " + std::to_string(basis.curves().n_control));
+        throw Failure(exit_file, map_path + ": its variables are of " +
+                                     plural(map.points, "control point") +
+                                     ", the curves of the basis have " +
+                                     std::to_string(basis.curves().n_control));
     }
     std::vector<double> moves = map.control_moves(read_values(path, map));
     moves.resize(2 * static_cast<std::size_t>(basis.functions()));
     return moves;
 }
 
-} // namespace
+}  // namespace
 
 std::vector<double> asked_moves(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
                                 std::optional<ToAirfoil>& airfoil) {
     if (!arguments.has("--to-airfoil")) {
         for (const char* option : {"--on-chord", "--airfoil-curve", "--moves-out"}) {
-            if (arguments.has(option)) arguments.refuse(std::string(option) + " goes with --to-airfoil");
+            if (arguments.has(option))
+                arguments.refuse(std::string(option) + " goes with --to-airfoil");
         }
         return moves_of_file(arguments, basis, mesh);
     }
-    if (arguments.has("--move")) arguments.refuse("--move and --to-airfoil both say where to: name one of them");
+    if (arguments.has("--move"))
+        arguments.refuse("--move and --to-airfoil both say where to: name one of them");
     const std::string path = arguments.text("--to-airfoil");
     if (basis.info().curves == 0) arguments.refuse("--to-airfoil: the basis has no curve");
     const std::int32_t curve = arguments.whole("--airfoil-curve", 1, 1, basis.info().curves) - 1;
@@ -46,4 +51,4 @@ std::vector<double> asked_moves(const Arguments& arguments, const Mesh& mesh, co
     return airfoil->moves;
 }
 
-} // namespace cli
+}  // namespace cli

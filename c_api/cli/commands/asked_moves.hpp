@@ -1,4 +1,5 @@
-// The movement that the options of `harmorph morph` ask for: a file of moves or of variables, or another airfoil.
+// The movement that the options of `harmorph morph` ask for: a file of moves or of variables, or
+// another airfoil.
 #pragma once
 
 #include "basics/arguments.hpp"
@@ -10,8 +11,9 @@
 
 namespace cli {
 
-// Pairs [2*functions] for hm_morph. `airfoil`: how well the curve can be the airfoil of --to-airfoil; empty otherwise.
+// Pairs [2*functions] for hm_morph. `airfoil`: how well the curve can be the airfoil of
+// --to-airfoil; empty otherwise.
 std::vector<double> asked_moves(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
                                 std::optional<ToAirfoil>& airfoil);
 
-} // namespace cli
+}  // namespace cli

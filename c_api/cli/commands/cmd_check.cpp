@@ -19,11 +19,15 @@ void print_json(const hm_mesh_report& report, const Mesh& mesh) {
     std::vector<JsonObject> markers;
     for (std::size_t marker = 0; marker < mesh.markers.size(); ++marker) {
         markers.emplace_back();
-        markers.back().add("name", mesh.markers[marker]).add("faces", mesh.faces(static_cast<std::int32_t>(marker)));
+        markers.back()
+            .add("name", mesh.markers[marker])
+            .add("faces", mesh.faces(static_cast<std::int32_t>(marker)));
     }
     JsonObject object;
     object.add("points", report.points).add("cells", report.cells);
-    object.add("triangles", report.triangles).add("quads", report.quads).add("polygons", report.polygons);
+    object.add("triangles", report.triangles)
+        .add("quads", report.quads)
+        .add("polygons", report.polygons);
     object.add("inverted", report.inverted);
     object.add("min_area", report.min_area).add("min_quality", report.min_quality);
     object.add("mean_quality", report.mean_quality).add("markers", markers);
@@ -32,11 +36,13 @@ void print_json(const hm_mesh_report& report, const Mesh& mesh) {
 
 void print_for_people(const hm_mesh_report& report, const Mesh& mesh) {
     std::printf("points        %d, %d of them in cells\n", report.points, report.used_points);
-    const std::string polygons = report.polygons == 0 ? "" : ", " + plural(report.polygons, "polygon");
-    std::printf("cells         %d: %s, %s%s\n", report.cells, plural(report.triangles, "triangle").c_str(),
-                plural(report.quads, "quad").c_str(), polygons.c_str());
-    std::printf("edges         %d, %d of them boundary in %s\n", report.edges, report.boundary_edges,
-                plural(report.boundary_loops, "loop").c_str());
+    const std::string polygons =
+        report.polygons == 0 ? "" : ", " + plural(report.polygons, "polygon");
+    std::printf("cells         %d: %s, %s%s\n", report.cells,
+                plural(report.triangles, "triangle").c_str(), plural(report.quads, "quad").c_str(),
+                polygons.c_str());
+    std::printf("edges         %d, %d of them boundary in %s\n", report.edges,
+                report.boundary_edges, plural(report.boundary_loops, "loop").c_str());
     for (std::size_t marker = 0; marker < mesh.markers.size(); ++marker) {
         std::printf("marker        %s: %s\n", mesh.markers[marker].c_str(),
                     plural(mesh.faces(static_cast<std::int32_t>(marker)), "face").c_str());
@@ -52,7 +58,9 @@ void write_picture(const Arguments& arguments, const Mesh& mesh) {
     const std::optional<Box> window = window_of(arguments);
     OutputFiles files;
     std::ostream& out = files.add(arguments.text("--svg"));
-    const auto points = [&](const char* option) { return arguments.whole_list(option, 0, mesh.points() - 1); };
+    const auto points = [&](const char* option) {
+        return arguments.whole_list(option, 0, mesh.points() - 1);
+    };
     if (arguments.has("--dual-volumes")) {
         out << volume_picture(mesh, points("--dual-volumes"), Volume::dual, window);
     } else if (arguments.has("--gradient-volumes")) {
@@ -76,11 +84,12 @@ void run_check(const Arguments& arguments) {
     if (arguments.has("--svg")) write_picture(arguments, mesh);
     if (report.inverted == 0) return;
     const std::size_t first = mesh.cell_offset[static_cast<std::size_t>(report.first_inverted)];
-    throw Failure(exit_unusable, mesh.file.place(first) + ": cell " + std::to_string(report.first_inverted) +
-                                     " is inverted, the first of " + std::to_string(report.inverted));
+    throw Failure(exit_unusable,
+                  mesh.file.place(first) + ": cell " + std::to_string(report.first_inverted) +
+                      " is inverted, the first of " + std::to_string(report.inverted));
 }
 
-} // namespace
+}  // namespace
 
 const Command check_command = {
     "check",
@@ -88,20 +97,25 @@ const Command check_command = {
     "Checks a mesh and reports its size and quality",
     "Refused with the line of the first offender: wrong indices, "
     "points repeated in a cell, edges of more than two cells,\n"
-    "faces that are not boundary edges, boundary edges on no marker. Inverted cells are counted (exit code 1).\n",
+    "faces that are not boundary edges, boundary edges on no marker. Inverted cells are counted "
+    "(exit code 1).\n",
     {format_option,
      zone_option,
      {"--svg", "FILE", "picture of the mesh, its markers in colours"},
      {"--boundaries", nullptr, "--svg shows the boundaries alone"},
-     {"--curve", "CURVE", "--svg also shows these B-splines with their control points (may be repeated)"},
-     {"--window", "X,Y,X,Y", "lower left and upper right corner of what --svg shows (default: all of the mesh)"},
+     {"--curve", "CURVE",
+      "--svg also shows these B-splines with their control points (may be repeated)"},
+     {"--window", "X,Y,X,Y",
+      "lower left and upper right corner of what --svg shows (default: all of the mesh)"},
      {"--dual-volumes", "P[,Q..]",
-      "--svg shows the control volumes (median dual) round these points, numbered from 0 as in the file"},
+      "--svg shows the control volumes (median dual) round these points, numbered from 0 as in the "
+      "file"},
      {"--gradient-volumes", "P[,Q..]",
       "--svg shows the cells round these points, over which gradients at points are formed"},
-     {"--json", nullptr, "print one JSON object: points, cells, triangles, quads, polygons, inverted, min_area,\n"
-                         "min_quality, mean_quality, markers (name, faces)"}},
+     {"--json", nullptr,
+      "print one JSON object: points, cells, triangles, quads, polygons, inverted, min_area,\n"
+      "min_quality, mean_quality, markers (name, faces)"}},
     "  harmorph check naca0012.su2\n",
     run_check};
 
-} // namespace cli
+}  // namespace cli

@@ -11,28 +11,31 @@ namespace {
 
 void run_convert(const Arguments& arguments) {
     const std::string& path = arguments.operand(1);
-    const Format& format = format_to_create(arguments.has("--to") ? arguments.text("--to") : "", path);
+    const Format& format =
+        format_to_create(arguments.has("--to") ? arguments.text("--to") : "", path);
     const Mesh mesh = read_mesh(arguments, 0);
     OutputFiles files;
     format.create(files.add(path), mesh);
     files.commit();
     const std::string markers = plural(static_cast<std::int64_t>(mesh.markers.size()), "marker");
-    std::printf("written        %s: %s, %s, %s%s (%s)\n", path.c_str(), plural(mesh.points(), "point").c_str(),
-                plural(mesh.cells(), "cell").c_str(), format.has_markers ? "" : "without the ", markers.c_str(),
-                format.title);
+    std::printf("written        %s: %s, %s, %s%s (%s)\n", path.c_str(),
+                plural(mesh.points(), "point").c_str(), plural(mesh.cells(), "cell").c_str(),
+                format.has_markers ? "" : "without the ", markers.c_str(), format.title);
 }
 
-} // namespace
+}  // namespace
 
 const Command convert_command = {
     "convert",
     {"MESH", "NEW"},
     "Writes a mesh as a new file of another format",
-    "The new file has the points, cells and markers (not in VTK files, which have none) that the other commands see:\n"
-    "of meshes one cell thick those of the plane. What else stands in MESH is not in it. Numbers are written with all\n"
+    "The new file has the points, cells and markers (not in VTK files, which have none) that the "
+    "other commands see:\n"
+    "of meshes one cell thick those of the plane. What else stands in MESH is not in it. Numbers "
+    "are written with all\n"
     "their digits.\n",
     {format_option, zone_option, {"--to", "NAME", "format of NEW (otherwise its extension tells)"}},
     "  harmorph convert naca0012.su2 naca0012.msh\n",
     run_convert};
 
-} // namespace cli
+}  // namespace cli

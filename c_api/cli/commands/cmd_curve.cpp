@@ -16,7 +16,8 @@ namespace cli {
 namespace {
 
 // One call of hm_refine or hm_elevate, for all curves of the set in turn.
-Curves refined(const std::string& path, const Curves& curves, std::int32_t curve, const std::vector<double>& knots) {
+Curves refined(const std::string& path, const Curves& curves, std::int32_t curve,
+               const std::vector<double>& knots) {
     const CurvesView view(curves);
     std::size_t bytes = 0;
     const auto n = static_cast<std::int32_t>(knots.size());
@@ -50,11 +51,14 @@ std::vector<double> middles(const Curve& curve) {
 
 Curves changed(const Arguments& arguments, Curves curves) {
     const std::string path = arguments.operand(0);
-    const std::int32_t number = arguments.whole("--curve", 1, 1, static_cast<std::int32_t>(curves.curves.size())) - 1;
+    const std::int32_t number =
+        arguments.whole("--curve", 1, 1, static_cast<std::int32_t>(curves.curves.size())) - 1;
     if (arguments.has("--elevate")) curves = elevated(path, curves, number);
-    if (arguments.has("--halve")) curves =
-        refined(path, curves, number, middles(curves.curves[static_cast<std::size_t>(number)]));
-    if (arguments.has("--insert")) curves = refined(path, curves, number, number_list(arguments, "--insert"));
+    if (arguments.has("--halve"))
+        curves =
+            refined(path, curves, number, middles(curves.curves[static_cast<std::size_t>(number)]));
+    if (arguments.has("--insert"))
+        curves = refined(path, curves, number, number_list(arguments, "--insert"));
     return curves;
 }
 
@@ -71,25 +75,27 @@ hm_quantity quantity_of(std::int32_t kind, double station = 0) {
 }
 
 std::vector<Wanted> wanted_of(const Arguments& arguments, const std::vector<double>& box) {
-    std::vector<Wanted> all = {{"area", "area", quantity_of(HM_AREA)},
-                               {"centroid_x", "centroid, x", quantity_of(HM_CENTROID_X)},
-                               {"centroid_y", "centroid, y", quantity_of(HM_CENTROID_Y)},
-                               {"moment_xx", "second moment xx", quantity_of(HM_MOMENT_XX)},
-                               {"moment_yy", "second moment yy", quantity_of(HM_MOMENT_YY)},
-                               {"moment_xy", "second moment xy", quantity_of(HM_MOMENT_XY)},
-                               {"chord", "chord", quantity_of(HM_CHORD)},
-                               {"max_thickness", "largest thickness", quantity_of(HM_MAX_THICKNESS)},
-                               {"max_camber", "largest camber", quantity_of(HM_MAX_CAMBER)},
-                               {"nose_radius", "leading-edge radius", quantity_of(HM_NOSE_RADIUS)},
-                               {"edge_angle", "trailing-edge angle", quantity_of(HM_EDGE_ANGLE)},
-                               {"edge_gap", "trailing-edge gap", quantity_of(HM_EDGE_GAP)},
-                               {"min_radius", "smallest radius", quantity_of(HM_MIN_RADIUS)},
-                               {"curvature_variation", "curvature variation", quantity_of(HM_CURVATURE_VARIATION)}};
+    std::vector<Wanted> all = {
+        {"area", "area", quantity_of(HM_AREA)},
+        {"centroid_x", "centroid, x", quantity_of(HM_CENTROID_X)},
+        {"centroid_y", "centroid, y", quantity_of(HM_CENTROID_Y)},
+        {"moment_xx", "second moment xx", quantity_of(HM_MOMENT_XX)},
+        {"moment_yy", "second moment yy", quantity_of(HM_MOMENT_YY)},
+        {"moment_xy", "second moment xy", quantity_of(HM_MOMENT_XY)},
+        {"chord", "chord", quantity_of(HM_CHORD)},
+        {"max_thickness", "largest thickness", quantity_of(HM_MAX_THICKNESS)},
+        {"max_camber", "largest camber", quantity_of(HM_MAX_CAMBER)},
+        {"nose_radius", "leading-edge radius", quantity_of(HM_NOSE_RADIUS)},
+        {"edge_angle", "trailing-edge angle", quantity_of(HM_EDGE_ANGLE)},
+        {"edge_gap", "trailing-edge gap", quantity_of(HM_EDGE_GAP)},
+        {"min_radius", "smallest radius", quantity_of(HM_MIN_RADIUS)},
+        {"curvature_variation", "curvature variation", quantity_of(HM_CURVATURE_VARIATION)}};
     if (arguments.has("--stations")) {
         for (const double station : number_list(arguments, "--stations")) {
             all.push_back({"thickness_" + brief(station), "thickness at " + brief(station),
                            quantity_of(HM_THICKNESS, station)});
-            all.push_back({"camber_" + brief(station), "camber at " + brief(station), quantity_of(HM_CAMBER, station)});
+            all.push_back({"camber_" + brief(station), "camber at " + brief(station),
+                           quantity_of(HM_CAMBER, station)});
         }
     }
     if (!box.empty()) {
@@ -107,19 +113,21 @@ void print_measures(const Arguments& arguments, const Curves& curves) {
     if (arguments.has("--box")) box = number_list(arguments, "--box");
     if (box.size() % 2 != 0) arguments.refuse("--box expects pairs x,y of numbers");
     JsonObject object;
-    object.add("points", curves.points()).add("curves", static_cast<std::int32_t>(curves.curves.size()));
+    object.add("points", curves.points())
+        .add("curves", static_cast<std::int32_t>(curves.curves.size()));
     for (const Wanted& wanted : wanted_of(arguments, box)) {
         double value = 0, at[2] = {};
         hm_error error = {};
-        const hm_status status = hm_measure(view.get(), &section, 1, &wanted.quantity, &value, at, nullptr, &error);
+        const hm_status status =
+            hm_measure(view.get(), &section, 1, &wanted.quantity, &value, at, nullptr, &error);
         if (status == HM_BAD_ARGUMENT) refuse(error, arguments.operand(0));
         if (arguments.has("--json")) {
             if (status >= 0) object.add(wanted.key, value);
         } else if (status < 0) {
             std::printf("%-22s none: %s\n", wanted.text.c_str(), error.text);
         } else {
-            std::printf("%-22s %-12s at x = %s, y = %s\n",
-                        wanted.text.c_str(), brief(value).c_str(), brief(at[0]).c_str(), brief(at[1]).c_str());
+            std::printf("%-22s %-12s at x = %s, y = %s\n", wanted.text.c_str(),
+                        brief(value).c_str(), brief(at[0]).c_str(), brief(at[1]).c_str());
         }
     }
     if (arguments.has("--json")) std::printf("%s\n", object.text().c_str());
@@ -135,7 +143,7 @@ void run_curve(const Arguments& arguments) {
     print_measures(arguments, curves);
 }
 
-} // namespace
+}  // namespace
 
 const Command curve_command = {
     "curve",
@@ -146,11 +154,14 @@ const Command curve_command = {
     "trailing edge, with the place of each. Lengths are in the unit of the file, "
     "angles in degrees. What a section does\n"
     "not have is printed as none with the reason, and left out with --json.\n"
-    "--elevate, --halve and --insert give the curve more control points without changing its shape; "
+    "--elevate, --halve and --insert give the curve more control points without changing its "
+    "shape; "
     "they are applied in\n"
     "this order.\n",
-    {{"--stations", "S[,S..]", "also thickness and camber at these stations, 0 to 1 along the chord"},
-     {"--box", "X,Y,X,Y,..", "also the distance between the outline and this polygon that is to fit inside"},
+    {{"--stations", "S[,S..]",
+      "also thickness and camber at these stations, 0 to 1 along the chord"},
+     {"--box", "X,Y,X,Y,..",
+      "also the distance between the outline and this polygon that is to fit inside"},
      chord_option,
      {"--curve", "K", "the curve that changes, from 1 (default 1)"},
      {"--elevate", nullptr, "raise the degree by 1"},
@@ -158,9 +169,10 @@ const Command curve_command = {
      {"--insert", "U[,U..]", "insert these knots"},
      {"-o", "CURVE", "file to write\n" CURVE_FORMATS},
      {"--json", nullptr,
-      "print one JSON object: points, curves, area, centroid_x, .., thickness_S, camber_S, clearance"}},
+      "print one JSON object: points, curves, area, centroid_x, .., thickness_S, camber_S, "
+      "clearance"}},
     "  harmorph curve airfoil.curve --stations 0.25,0.5\n"
     "  harmorph curve airfoil.curve --halve -o fine.curve\n",
     run_curve};
 
-} // namespace cli
+}  // namespace cli

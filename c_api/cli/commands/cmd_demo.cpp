@@ -25,7 +25,7 @@ void step(const std::string& purpose, const std::vector<std::string>& words) {
     run_command(words);
 }
 
-constexpr double camber = .03, thickening = .4; // in chords, and as a share of the thickness
+constexpr double camber = .03, thickening = .4;  // in chords, and as a share of the thickness
 
 // An airfoil of chord 1 from x = 0 to 1 gets more camber (a parabolic arc) and more thickness.
 std::vector<double> pleasing_moves(const Curves& curves) {
@@ -38,8 +38,8 @@ std::vector<double> pleasing_moves(const Curves& curves) {
 }
 
 // Scaled down to at most half of what the mesh can take, so that the picture shows healthy cells.
-void write_admissible_moves(const std::string& mesh_path, const std::string& curve_path, const std::string& basis_path,
-                            const std::string& moves_path) {
+void write_admissible_moves(const std::string& mesh_path, const std::string& curve_path,
+                            const std::string& basis_path, const std::string& moves_path) {
     const Mesh mesh = read_mesh(mesh_path);
     const Basis basis(basis_path, mesh);
     std::vector<double> moves = pleasing_moves(read_curves(curve_path));
@@ -48,8 +48,9 @@ void write_admissible_moves(const std::string& mesh_path, const std::string& cur
         admissible_step(basis, mesh, displacement(basis, mesh, moves, threads), threads).admissible;
     const double scale = std::min(1.0, admissible / 2);
     for (double& move : moves) move *= scale;
-    std::printf("\n# more camber (%s chord) and thickness (%s %%), written to %s\n", brief(camber * scale).c_str(),
-                brief(100 * thickening * scale).c_str(), moves_path.c_str());
+    std::printf("\n# more camber (%s chord) and thickness (%s %%), written to %s\n",
+                brief(camber * scale).c_str(), brief(100 * thickening * scale).c_str(),
+                moves_path.c_str());
     OutputFiles files;
     write_moves(files.add(moves_path), moves, basis, mesh);
     files.commit();
@@ -58,27 +59,29 @@ void write_admissible_moves(const std::string& mesh_path, const std::string& cur
 // Turned by that much about a point: farther than one step of the mesh can follow.
 constexpr double far_degrees = 170, far_x = .25, far_y = 0;
 
-void write_far_moves(const std::string& mesh_path, const std::string& curve_path, const std::string& basis_path,
-                     const std::string& moves_path) {
+void write_far_moves(const std::string& mesh_path, const std::string& curve_path,
+                     const std::string& basis_path, const std::string& moves_path) {
     const Mesh mesh = read_mesh(mesh_path);
     const Basis basis(basis_path, mesh);
     const std::vector<double> control = read_curves(curve_path).control;
-    const double angle = far_degrees * 3.14159265358979323846 / 180, c = std::cos(angle), s = std::sin(angle);
+    const double angle = far_degrees * 3.14159265358979323846 / 180, c = std::cos(angle),
+                 s = std::sin(angle);
     std::vector<double> moves(control.size());
     for (std::size_t i = 0; i < moves.size(); i += 2) {
         const double x = control[i] - far_x, y = control[i + 1] - far_y;
         moves[i] = c * x - s * y - x;
         moves[i + 1] = s * x + c * y - y;
     }
-    std::printf("\n# a turn by %s degrees about x = %s, written to %s\n", brief(far_degrees).c_str(),
-                brief(far_x).c_str(), moves_path.c_str());
+    std::printf("\n# a turn by %s degrees about x = %s, written to %s\n",
+                brief(far_degrees).c_str(), brief(far_x).c_str(), moves_path.c_str());
     OutputFiles files;
     write_moves(files.add(moves_path), moves, basis, mesh);
     files.commit();
 }
 
 // The middles of faces on the airfoil lie on its curve, as far off it as their ends are.
-void write_fine_mesh(const std::string& mesh_path, const std::string& curve_path, const std::string& fine_path) {
+void write_fine_mesh(const std::string& mesh_path, const std::string& curve_path,
+                     const std::string& fine_path) {
     const Mesh mesh = read_mesh(mesh_path);
     const Curves curves = read_curves(curve_path);
     const CurvesView view(curves);
@@ -95,7 +98,8 @@ void write_fine_mesh(const std::string& mesh_path, const std::string& curve_path
         const Point middle = {.5 * (a.x + b.x), .5 * (a.y + b.y)};
         if (marker != airfoil) return middle;
         const Point foot = foot_of(middle), foot_a = foot_of(a), foot_b = foot_of(b);
-        return Point{foot.x + middle.x - .5 * (foot_a.x + foot_b.x), foot.y + middle.y - .5 * (foot_a.y + foot_b.y)};
+        return Point{foot.x + middle.x - .5 * (foot_a.x + foot_b.x),
+                     foot.y + middle.y - .5 * (foot_a.y + foot_b.y)};
     });
     files.commit();
 }
@@ -109,11 +113,14 @@ void copy_mesh(const std::string& from, const std::string& to) {
 
 void run_demo(const Arguments& arguments) {
     const std::filesystem::path folder = arguments.operand(0);
-    const std::string shipped = arguments.has("--mesh") ? arguments.text("--mesh") : "tests/meshes/naca0012.su2";
+    const std::string shipped =
+        arguments.has("--mesh") ? arguments.text("--mesh") : "tests/meshes/naca0012.su2";
     std::error_code error;
     if (!std::filesystem::exists(shipped, error)) {
-        throw Failure(exit_file,
-                      shipped + " is not here: run the demo in harmorph's folder, or name the mesh with --mesh");
+        throw Failure(
+            exit_file,
+            shipped +
+                " is not here: run the demo in harmorph's folder, or name the mesh with --mesh");
     }
     std::filesystem::create_directories(folder, error);
     if (error) throw Failure(exit_file, folder.string() + ": cannot be made: " + error.message());
@@ -124,37 +131,44 @@ void run_demo(const Arguments& arguments) {
     copy_mesh(shipped, mesh);
 
     step("is the mesh sound?", {"check", mesh});
-    step("a B-spline through the airfoil's points", {"fit", mesh, "--marker", "airfoil", "-o", curve});
-    step("one harmonic function for each control point", {"solve", mesh, "--curve", "airfoil=" + curve, "-o", basis});
+    step("a B-spline through the airfoil's points",
+         {"fit", mesh, "--marker", "airfoil", "-o", curve});
+    step("one harmonic function for each control point",
+         {"solve", mesh, "--curve", "airfoil=" + curve, "-o", basis});
     step("one of them as a picture",
          {"export", mesh, basis, "--function", "16", "--svg", in_folder("function.svg")});
     write_admissible_moves(mesh, curve, basis, moves);
     step("airfoil and mesh move together",
-         {"morph", mesh, basis, "--move", moves, "-o", in_folder("morphed.su2"), "--vtu", in_folder("morphed.vtu"),
-          "--svg", in_folder("morph.svg"), "--report", in_folder("report.html")});
+         {"morph", mesh, basis, "--move", moves, "-o", in_folder("morphed.su2"), "--vtu",
+          in_folder("morphed.vtu"), "--svg", in_folder("morph.svg"), "--report",
+          in_folder("report.html")});
     write_far_moves(mesh, curve, basis, far_moves);
-    step("farther than one step can go",
-         {"morph", mesh, basis, "--move", far_moves, "--safe", "-o", in_folder("far.su2"),
-          "--svg", in_folder("far.svg")});
+    step("farther than one step can go", {"morph", mesh, basis, "--move", far_moves, "--safe", "-o",
+                                          in_folder("far.su2"), "--svg", in_folder("far.svg")});
     write_fine_mesh(mesh, curve, fine);
-    step("the same functions for a finer mesh", {"transfer", mesh, basis, fine, "-o", in_folder("fine.basis")});
-    step("a page on which control points can be dragged", {"explore", mesh, basis, "-o", in_folder("page.html")});
-    std::printf("\n# look at %s and %s, and open %s and %s in a browser\n", in_folder("morph.svg").c_str(),
-                in_folder("function.svg").c_str(), in_folder("report.html").c_str(), in_folder("page.html").c_str());
+    step("the same functions for a finer mesh",
+         {"transfer", mesh, basis, fine, "-o", in_folder("fine.basis")});
+    step("a page on which control points can be dragged",
+         {"explore", mesh, basis, "-o", in_folder("page.html")});
+    std::printf("\n# look at %s and %s, and open %s and %s in a browser\n",
+                in_folder("morph.svg").c_str(), in_folder("function.svg").c_str(),
+                in_folder("report.html").c_str(), in_folder("page.html").c_str());
 }
 
-} // namespace
+}  // namespace
 
 const Command demo_command = {
     "demo",
     {"DIR"},
     "Goes the whole path on the shipped mesh and leaves all files in DIR",
-    "Each step is printed as the command that does the same. In DIR are then, among others: mesh.su2, airfoil.curve,\n"
+    "Each step is printed as the command that does the same. In DIR are then, among others: "
+    "mesh.su2, airfoil.curve,\n"
     "airfoil.basis; moves.txt, a movement that one step follows, and far.txt, "
     "one that only --safe does; fine.su2, the\n"
     "mesh with each cell divided in four. The commands that --help shows work on them.\n",
-    {{"--mesh", "FILE", "mesh with a marker `airfoil` of chord 1 (default tests/meshes/naca0012.su2)"}},
+    {{"--mesh", "FILE",
+      "mesh with a marker `airfoil` of chord 1 (default tests/meshes/naca0012.su2)"}},
     "  harmorph demo demo-output\n",
     run_demo};
 
-} // namespace cli
+}  // namespace cli

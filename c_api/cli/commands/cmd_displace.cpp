@@ -1,4 +1,5 @@
-// harmorph displace: moves the points of a wall as a file says, and the mesh with them; no curves are needed.
+// harmorph displace: moves the points of a wall as a file says, and the mesh with them; no curves
+// are needed.
 #include "commands/commands.hpp"
 #include "commands/engine.hpp"
 #include "formats/format.hpp"
@@ -26,40 +27,42 @@ namespace {
 struct Movement {
     std::string path;
     WallField wall;
-    std::vector<double> moves; // [2*functions]
+    std::vector<double> moves;  // [2*functions]
 };
 
 struct Displacement {
     Field by, moved;
     hm_step_report step = sized<hm_step_report>();
     hm_quality_report quality = sized<hm_quality_report>();
-    double factor_seconds = 0, displace_seconds = 0; // the latter: the median
+    double factor_seconds = 0, displace_seconds = 0;  // the latter: the median
     std::optional<hm_safe_report> safe;
-    std::string refusal, warning; // of the safe way
+    std::string refusal, warning;  // of the safe way
 
     explicit Displacement(const Mesh& mesh) : by(mesh.x.size()), moved(mesh.x.size()) {}
     bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
 };
 
-void displace(Solver& solver, const Movement& movement, const hm_points* from, Field& to, Block& work) {
+void displace(Solver& solver, const Movement& movement, const hm_points* from, Field& to,
+              Block& work) {
     const hm_points given = movement.wall.read();
     const hm_points_out result = to.write();
-    call(movement.path, hm_displace, solver.plan(), movement.wall.count(), movement.wall.points.data(), 1, &given, from,
-         &result, work.data(), work.size(), nullptr);
+    call(movement.path, hm_displace, solver.plan(), movement.wall.count(),
+         movement.wall.points.data(), 1, &given, from, &result, work.data(), work.size(), nullptr);
 }
 
 // Displacements of the mesh by control points and bodies alone; nothing if there are none.
-void displace_by_moves(const Mesh& mesh, const Solver& solver, const Movement& movement, const Threads& threads,
-                       Field& to) {
+void displace_by_moves(const Mesh& mesh, const Solver& solver, const Movement& movement,
+                       const Threads& threads, Field& to) {
     if (movement.moves.empty()) return;
     const hm_points_out result = to.write();
-    call(mesh, hm_morph, solver.basis(), movement.moves.data(), nullptr, &result, threads.executor());
+    call(mesh, hm_morph, solver.basis(), movement.moves.data(), nullptr, &result,
+         threads.executor());
 }
 
-// The given walls start from where control points and bodies have moved the mesh: whether the boundary crosses itself
-// is judged where everything has moved.
-void at_once(const Mesh& mesh, Solver& solver, const Movement& movement, std::int32_t repeats, const Threads& threads,
-             Displacement& found) {
+// The given walls start from where control points and bodies have moved the mesh: whether the
+// boundary crosses itself is judged where everything has moved.
+void at_once(const Mesh& mesh, Solver& solver, const Movement& movement, std::int32_t repeats,
+             const Threads& threads, Displacement& found) {
     std::size_t bytes = 0;
     call(mesh, hm_displace_size, solver.plan(), 1, &bytes);
     Block work(bytes);
@@ -70,7 +73,7 @@ void at_once(const Mesh& mesh, Solver& solver, const Movement& movement, std::in
         start.y[point] = mesh.y[point] + by_moves.y[point];
     }
     const hm_points from = start.read();
-    displace(solver, movement, &from, found.moved, work); // refuses a boundary that crosses itself
+    displace(solver, movement, &from, found.moved, work);  // refuses a boundary that crosses itself
     std::vector<double> seconds;
     for (std::int32_t i = 0; i < repeats; ++i) {
         const Stopwatch watch;
@@ -84,8 +87,8 @@ void at_once(const Mesh& mesh, Solver& solver, const Movement& movement, std::in
     }
 }
 
-void safely(const Mesh& mesh, Solver& solver, const Movement& movement, const hm_safe_options& options,
-            Displacement& found) {
+void safely(const Mesh& mesh, Solver& solver, const Movement& movement,
+            const hm_safe_options& options, Displacement& found) {
     std::size_t bytes = 0;
     call(mesh, hm_displace_safe_size, solver.plan(), solver.basis(), &bytes);
     Block work(bytes);
@@ -97,8 +100,9 @@ void safely(const Mesh& mesh, Solver& solver, const Movement& movement, const hm
     hm_error error = {};
     const Stopwatch watch;
     const hm_status status = hm_displace_safe(
-        solver.plan(), solver.basis(), movement.moves.empty() ? nullptr : movement.moves.data(), movement.wall.count(),
-        movement.wall.points.data(), &given, &to, work.data(), bytes, &options, &*found.safe, &error);
+        solver.plan(), solver.basis(), movement.moves.empty() ? nullptr : movement.moves.data(),
+        movement.wall.count(), movement.wall.points.data(), &given, &to, work.data(), bytes,
+        &options, &*found.safe, &error);
     found.displace_seconds = watch.seconds();
     if (status < 0) refuse(error, mesh);
     (status == HM_SHORT ? found.refusal : found.warning) = status != HM_OK ? error.text : "";
@@ -108,25 +112,27 @@ void safely(const Mesh& mesh, Solver& solver, const Movement& movement, const hm
     }
 }
 
-Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solver& solver, const Movement& movement,
-                             const Threads& threads) {
+Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solver& solver,
+                             const Movement& movement, const Threads& threads) {
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
     Displacement found(mesh);
     const Stopwatch whole;
     solver.prepare();
     call(mesh, hm_plan_factor, solver.plan(), nullptr);
     found.factor_seconds = whole.seconds();
-    if (!movement.moves.empty()) call(mesh, hm_plan_solve, solver.plan(), solver.unsolved(), nullptr);
+    if (!movement.moves.empty())
+        call(mesh, hm_plan_solve, solver.plan(), solver.unsolved(), nullptr);
     if (arguments.has("--safe")) {
         safely(mesh, solver, movement, safe_options_of(arguments), found);
     } else {
         at_once(mesh, solver, movement, repeats, threads, found);
         solver.slide(found.moved, found.by);
     }
-    round_as_file(mesh, found.moved.x, found.moved.y); // what is judged is what can be written
+    round_as_file(mesh, found.moved.x, found.moved.y);  // what is judged is what can be written
     const hm_mesh view = mesh.view();
     const hm_points along = found.by.read(), at = found.moved.read(), start = mesh.coordinates();
-    call(mesh, hm_admissible_step, solver.basis(), &view, nullptr, &along, threads.executor(), &found.step);
+    call(mesh, hm_admissible_step, solver.basis(), &view, nullptr, &along, threads.executor(),
+         &found.step);
     call(mesh, hm_quality, solver.basis(), &view, &at, &start, threads.executor(), &found.quality);
     return found;
 }
@@ -134,7 +140,8 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solve
 void write_files(const Arguments& arguments, const Mesh& mesh, const Displacement& found) {
     OutputFiles files;
     if (arguments.has("-o"))
-        write_moved(files.add(arguments.text("-o")), mesh, found.moved.x.data(), found.moved.y.data());
+        write_moved(files.add(arguments.text("-o")), mesh, found.moved.x.data(),
+                    found.moved.y.data());
     if (arguments.has("--vtu")) {
         PointData data = {"displacement", 3, {}};
         for (std::size_t point = 0; point < found.by.x.size(); ++point) {
@@ -150,8 +157,10 @@ void print_json(const Displacement& found) {
     object.add("inverted", found.quality.inverted);
     if (!found.safe) object.add("admissible_step", found.step.admissible);
     object.add("self_crossing", found.quality.self_crossing != 0);
-    object.add("min_quality", found.quality.min_quality).add("mean_quality", found.quality.mean_quality);
-    object.add("factor_seconds", found.factor_seconds).add("displace_seconds", found.displace_seconds);
+    object.add("min_quality", found.quality.min_quality)
+        .add("mean_quality", found.quality.mean_quality);
+    object.add("factor_seconds", found.factor_seconds)
+        .add("displace_seconds", found.displace_seconds);
     if (found.safe) add_safe(object, *found.safe, found.warning, nullptr);
     std::printf("%s\n", object.text().c_str());
 }
@@ -164,8 +173,10 @@ void print_for_people(const Displacement& found) {
         const std::string text = std::isinf(step) ? "unlimited" : brief(step) + " of this one";
         std::printf("admissible step  %s\n", text.c_str());
     }
-    std::printf("quality          %s at least, %s on average (size and skew, relative to the mesh as it was)\n",
-                brief(found.quality.min_quality).c_str(), brief(found.quality.mean_quality).c_str());
+    std::printf(
+        "quality          %s at least, %s on average (size and skew, relative to the mesh as it "
+        "was)\n",
+        brief(found.quality.min_quality).c_str(), brief(found.quality.mean_quality).c_str());
     if (found.safe) print_worst_cells(*found.safe);
     std::printf("seconds          %s for analysis and factor, %s for the displacement\n",
                 brief(found.factor_seconds).c_str(), brief(found.displace_seconds).c_str());
@@ -175,27 +186,36 @@ std::string reason(const Displacement& found, const Mesh& mesh) {
     std::string text = plural(found.quality.inverted, "inverted cell");
     if (found.step.cell >= 0) {
         const std::size_t line = mesh.cell_offset[static_cast<std::size_t>(found.step.cell)];
-        text += ": " + brief(found.step.admissible) + " of this displacement is admissible, limited by cell " +
+        text += ": " + brief(found.step.admissible) +
+                " of this displacement is admissible, limited by cell " +
                 std::to_string(found.step.cell) + " (" + mesh.file.place(line) + ")";
     }
-    return found.quality.inverted > 0 ? text : "the boundary crosses itself once it is rounded to the file's digits";
+    return found.quality.inverted > 0
+               ? text
+               : "the boundary crosses itself once it is rounded to the file's digits";
 }
 
 Movement movement_of(const Arguments& arguments, const Mesh& mesh, const Task& task) {
-    Movement movement = {arguments.text("--wall"), read_wall_field(arguments.text("--wall"), mesh), {}};
-    Movable movable = {static_cast<std::int32_t>(task.curves.control.size() / 2), 0, 0, task.conditions};
+    Movement movement = {
+        arguments.text("--wall"), read_wall_field(arguments.text("--wall"), mesh), {}};
+    Movable movable = {static_cast<std::int32_t>(task.curves.control.size() / 2), 0, 0,
+                       task.conditions};
     for (const hm_condition& condition : task.conditions) {
-        if (condition.kind == HM_RIGID) movable.n_bodies = std::max(movable.n_bodies, condition.body + 1);
+        if (condition.kind == HM_RIGID)
+            movable.n_bodies = std::max(movable.n_bodies, condition.body + 1);
     }
-    if (arguments.has("--move") && movable.functions() == 0) arguments.refuse("--move goes with --curve or --rigid");
+    if (arguments.has("--move") && movable.functions() == 0)
+        arguments.refuse("--move goes with --curve or --rigid");
     movement.moves.resize(2 * static_cast<std::size_t>(movable.functions()));
-    if (arguments.has("--move")) movement.moves = read_moves(arguments.text("--move"), movable, mesh);
+    if (arguments.has("--move"))
+        movement.moves = read_moves(arguments.text("--move"), movable, mesh);
     return movement;
 }
 
 void run_displace(const Arguments& arguments) {
     if (!arguments.has("--given")) arguments.refuse("--given is missing");
-    for (const char* const option : {"--min-quality", "--max-height-change", "--strict", "--heights"}) {
+    for (const char* const option :
+         {"--min-quality", "--max-height-change", "--strict", "--heights"}) {
         if (!arguments.has("--safe") && arguments.has(option))
             arguments.refuse(std::string(option) + " goes with --safe");
     }
@@ -214,11 +234,12 @@ void run_displace(const Arguments& arguments) {
         print_for_people(found);
     }
     if (!found.valid()) throw Failure(exit_unusable, reason(found, mesh));
-    if (!reached) throw Failure(exit_unusable, found.refusal.empty() ? found.warning : found.refusal);
+    if (!reached)
+        throw Failure(exit_unusable, found.refusal.empty() ? found.warning : found.refusal);
     if (!found.warning.empty()) warn(found.warning);
 }
 
-} // namespace
+}  // namespace
 
 const Command displace_command = {
     "displace",
@@ -234,24 +255,28 @@ const Command displace_command = {
     "markers that are not named are fixed. A mesh with inverted\n"
     "cells is not written, and a wall that would cross itself is refused.\n",
     std::vector<Option>{
-     {"--given", "A[,B..]", "markers whose displacements FIELD has (required; may be repeated)"},
-     {"--wall", "FIELD", "their displacements (required)"},
-     {"--move", "MOVES", "with --curve or --rigid: what control points and bodies move by, see `harmorph morph`"},
-     {"-o", "MESH", "moved mesh to write"},
-     {"--vtu", "FILE", "moved mesh and its displacement for ParaView"}} +
-    task_options() + engine_options() + safe_options() +
-    std::vector<Option>{
-     {"--repeat", "N", "displace N times, in memory, and report the median time (default 1)"},
-     threads_option,
-     {"--force", nullptr, "write the files even if cells are inverted (exit code 1 all the same)"},
-     format_option,
-     zone_option,
-     {"--json", nullptr,
-      "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing, min_quality,\n"
-      "mean_quality, factor_seconds (analysis included), displace_seconds; with --safe no\n"
-      "admissible_step but the keys of `harmorph morph --safe`"}},
+        {"--given", "A[,B..]", "markers whose displacements FIELD has (required; may be repeated)"},
+        {"--wall", "FIELD", "their displacements (required)"},
+        {"--move", "MOVES",
+         "with --curve or --rigid: what control points and bodies move by, see `harmorph morph`"},
+        {"-o", "MESH", "moved mesh to write"},
+        {"--vtu", "FILE", "moved mesh and its displacement for ParaView"}} +
+        task_options() + engine_options() + safe_options() +
+        std::vector<Option>{
+            {"--repeat", "N",
+             "displace N times, in memory, and report the median time (default 1)"},
+            threads_option,
+            {"--force", nullptr,
+             "write the files even if cells are inverted (exit code 1 all the same)"},
+            format_option,
+            zone_option,
+            {"--json", nullptr,
+             "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing, "
+             "min_quality,\n"
+             "mean_quality, factor_seconds (analysis included), displace_seconds; with --safe no\n"
+             "admissible_step but the keys of `harmorph morph --safe`"}},
     "  harmorph displace mesh.su2 --given airfoil --wall field.txt -o moved.su2\n"
     "  harmorph displace mesh.su2 --given airfoil --wall large.txt --safe -o moved.su2\n",
     run_displace};
 
-} // namespace cli
+}  // namespace cli

@@ -20,8 +20,9 @@ void refuse_inverted_cells(const Mesh& mesh, const Basis& basis) {
     call(mesh, hm_quality, basis.get(), &view, nullptr, nullptr, nullptr, &quality);
     if (quality.inverted == 0) return;
     const std::size_t line = mesh.cell_offset[static_cast<std::size_t>(quality.first_inverted)];
-    throw Failure(exit_unusable, mesh.file.path() + " has " + plural(quality.inverted, "inverted cell") +
-                                     ", the first at " + mesh.file.place(line));
+    throw Failure(exit_unusable, mesh.file.path() + " has " +
+                                     plural(quality.inverted, "inverted cell") + ", the first at " +
+                                     mesh.file.place(line));
 }
 
 void run_explore(const Arguments& arguments) {
@@ -32,7 +33,8 @@ void run_explore(const Arguments& arguments) {
     refuse_inverted_cells(mesh, basis);
     std::string moves;
     if (arguments.has("--move")) {
-        read_moves(arguments.text("--move"), basis, mesh); // refuses what the page would not understand
+        read_moves(arguments.text("--move"), basis,
+                   mesh);  // refuses what the page would not understand
         moves = TextFile(arguments.text("--move")).text();
     }
     const hm_basis_info& info = basis.info();
@@ -48,12 +50,14 @@ void run_explore(const Arguments& arguments) {
     std::printf("%s: %s megabytes; open it in a browser\n", path.c_str(), brief(megabytes).c_str());
     const auto n_cells = static_cast<std::int32_t>(selection.cells.size());
     if (n_cells < mesh.cells()) {
-        std::printf("left out: %d of %d cells, far from what moves, are drawn thinned and not judged (see --points)\n",
-                    mesh.cells() - n_cells, mesh.cells());
+        std::printf(
+            "left out: %d of %d cells, far from what moves, are drawn thinned and not judged (see "
+            "--points)\n",
+            mesh.cells() - n_cells, mesh.cells());
     }
 }
 
-} // namespace
+}  // namespace
 
 const Command explore_command = {
     "explore",
@@ -65,12 +69,14 @@ const Command explore_command = {
     "the section's thickness and area, as they\n"
     "become. It saves and loads MOVES as `harmorph morph` reads them. "
     "Points on the page are those of `harmorph morph`\n"
-    "within 2^-24 sum |F_i| |dP_i|: functions are in single precision there, all else in double precision.\n"
+    "within 2^-24 sum |F_i| |dP_i|: functions are in single precision there, all else in double "
+    "precision.\n"
     "Points that slide along curves (--slip) move along the tangents on the page; "
     "`harmorph morph` puts them onto the curves.\n",
     {{"-o", "PAGE", "page to write, HTML (required)"},
      {"--points", "N",
-      "how many points nearest to the body are shown with all their cells; farther away the mesh is thinned\n"
+      "how many points nearest to the body are shown with all their cells; farther away the mesh "
+      "is thinned\n"
       "for drawing (default 20000)"},
      {"--move", "MOVES", "movement of the control points to begin with"},
      format_option,
@@ -78,4 +84,4 @@ const Command explore_command = {
     "  harmorph explore naca0012.su2 airfoil.basis -o page.html\n",
     run_explore};
 
-} // namespace cli
+}  // namespace cli

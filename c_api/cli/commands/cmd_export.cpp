@@ -21,12 +21,14 @@ namespace {
 
 // The numbers of a function's value: a real one, a complex one or a 2 x 2 matrix.
 std::vector<Column> columns_of(const Basis& basis, const Mesh& mesh, std::int32_t function) {
-    static const std::vector<std::string> complex = {"value", "imaginary"}, matrix = {"xx", "xy", "yx", "yy"};
+    static const std::vector<std::string> complex = {"value", "imaginary"},
+                                          matrix = {"xx", "xy", "yx", "yy"};
     const std::int32_t numbers = basis.info().numbers_per_value;
     std::vector<Column> columns;
     for (std::int32_t number = 0; number < numbers; ++number) {
         const auto& names = numbers == 4 ? matrix : complex;
-        columns.push_back({names[static_cast<std::size_t>(number)], basis.values(function, number, mesh)});
+        columns.push_back(
+            {names[static_cast<std::size_t>(number)], basis.values(function, number, mesh)});
     }
     return columns;
 }
@@ -55,7 +57,8 @@ std::vector<Level> levels_of(const Arguments& arguments, const Mesh& mesh, const
         levels.emplace_back();
         levels.back().number = number;
         levels.back().cells.resize(mesh.x.size());
-        call(mesh, hm_plan_level, solver.plan(), number, levels.back().cells.data(), &levels.back().n_cells);
+        call(mesh, hm_plan_level, solver.plan(), number, levels.back().cells.data(),
+             &levels.back().n_cells);
     }
     return levels;
 }
@@ -72,19 +75,22 @@ void export_levels(const Arguments& arguments) {
 }
 
 // The functions of one basis, numbers of each in turn.
-void add_panels(const Arguments& arguments, const Basis& basis, const Mesh& mesh, std::vector<FunctionPanel>& panels) {
+void add_panels(const Arguments& arguments, const Basis& basis, const Mesh& mesh,
+                std::vector<FunctionPanel>& panels) {
     const std::int32_t numbers = basis.info().numbers_per_value;
     std::vector<std::int32_t> shown = {1};
     if (arguments.has("--number")) shown = arguments.whole_list("--number", 1, 4);
     for (const std::int32_t function : arguments.whole_list("--function", 1, basis.functions())) {
         for (const std::int32_t number : shown) {
             if (number <= numbers)
-                panels.push_back({&basis, function - 1, number - 1, basis.values(function - 1, number - 1, mesh)});
+                panels.push_back({&basis, function - 1, number - 1,
+                                  basis.values(function - 1, number - 1, mesh)});
         }
     }
 }
 
-void write_pictures(const Arguments& arguments, const Mesh& mesh, const Basis& basis, OutputFiles& files) {
+void write_pictures(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
+                    OutputFiles& files) {
     std::vector<std::unique_ptr<Basis>> others;
     std::vector<FunctionPanel> panels;
     add_panels(arguments, basis, mesh, panels);
@@ -92,35 +98,41 @@ void write_pictures(const Arguments& arguments, const Mesh& mesh, const Basis& b
         others.push_back(std::make_unique<Basis>(path, mesh));
         add_panels(arguments, *others.back(), mesh, panels);
     }
-    if (panels.empty()) arguments.refuse("--number " + arguments.text("--number") + ": no value has so many numbers");
+    if (panels.empty())
+        arguments.refuse("--number " + arguments.text("--number") +
+                         ": no value has so many numbers");
     const std::optional<Box> window = window_of(arguments);
     if (arguments.has("--contour-csv")) {
         const Box its = window ? *window : function_window(mesh, basis);
         const double step = contour_step(mesh, panels, its);
         std::vector<std::vector<ContourLine>> lines;
-        for (const FunctionPanel& panel : panels) lines.push_back(contour_lines(mesh, panel.values, step, its));
+        for (const FunctionPanel& panel : panels)
+            lines.push_back(contour_lines(mesh, panel.values, step, its));
         write_contours_csv(files.add(arguments.text("--contour-csv")), lines, step);
     }
-    if (arguments.has("--svg")) files.add(arguments.text("--svg")) << function_picture(mesh, std::move(panels), window);
+    if (arguments.has("--svg"))
+        files.add(arguments.text("--svg")) << function_picture(mesh, std::move(panels), window);
 }
 
 void run_export(const Arguments& arguments) {
     if (arguments.has("--level")) return export_levels(arguments);
-    arguments.text("--function"); // there is no default
+    arguments.text("--function");  // there is no default
     if (!arguments.has("--csv") && !arguments.has("--vtu") && !arguments.has("--svg") &&
         !arguments.has("--contour-csv")) {
-        arguments.refuse("nothing to write: name a file after --csv, --vtu, --svg or --contour-csv");
+        arguments.refuse(
+            "nothing to write: name a file after --csv, --vtu, --svg or --contour-csv");
     }
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
     if (basis.mesh_has_moved()) warn("the mesh is not where it was when the basis was solved");
-    const std::vector<std::int32_t> functions = arguments.whole_list("--function", 1, basis.functions());
+    const std::vector<std::int32_t> functions =
+        arguments.whole_list("--function", 1, basis.functions());
     const bool has_table = arguments.has("--csv") || arguments.has("--vtu");
     if (arguments.has("--number") && !arguments.has("--beside")) {
         const std::int32_t numbers = basis.info().numbers_per_value;
         if (arguments.whole_list("--number", 1, 4)[0] > numbers) {
-            arguments.refuse("--number " + arguments.text("--number") + ": a value of these functions has " +
-                             plural(numbers, "number"));
+            arguments.refuse("--number " + arguments.text("--number") +
+                             ": a value of these functions has " + plural(numbers, "number"));
         }
     }
     if (has_table && functions.size() > 1) arguments.refuse("--csv and --vtu take one --function");
@@ -129,13 +141,15 @@ void run_export(const Arguments& arguments) {
         const std::vector<Column> columns = columns_of(basis, mesh, functions[0] - 1);
         if (arguments.has("--csv")) write_csv(files.add(arguments.text("--csv")), mesh, columns);
         if (arguments.has("--vtu"))
-            write_vtu(files.add(arguments.text("--vtu")), mesh, mesh.x, mesh.y, point_data(columns));
+            write_vtu(files.add(arguments.text("--vtu")), mesh, mesh.x, mesh.y,
+                      point_data(columns));
     }
-    if (arguments.has("--svg") || arguments.has("--contour-csv")) write_pictures(arguments, mesh, basis, files);
+    if (arguments.has("--svg") || arguments.has("--contour-csv"))
+        write_pictures(arguments, mesh, basis, files);
     files.commit();
 }
 
-} // namespace
+}  // namespace
 
 const Command export_command = {
     "export",
@@ -143,7 +157,8 @@ const Command export_command = {
     "Writes one function of a basis for other programs and as a picture",
     "Functions are numbered from 1 as their control points are. With --level: "
     "the volumes that agglomeration merges instead,\n"
-    "for a basis solved with --engine multigrid or fas. Lists make pictures of several panels with one scale.\n",
+    "for a basis solved with --engine multigrid or fas. Lists make pictures of several panels with "
+    "one scale.\n",
     {format_option,
      zone_option,
      {"--function", "I[,J..]", "which functions (required without --level)"},
@@ -154,12 +169,15 @@ const Command export_command = {
      {"--svg", "FILE", "picture: colours and labelled contour lines, a panel for each function"},
      {"--contour-csv", "FILE", "these contour lines as a table: panel, value, line, x, y"},
      window_option,
-     {"--number", "K[,L..]", "which numbers the picture shows, in the order of the table (default 1)"},
-     {"--beside", "BASIS", "the picture also shows the functions of this basis of the same mesh (may be repeated)"},
-     {"--level", "L[,M..]", "picture of levels of agglomeration; 0: the mesh's own control volumes"},
+     {"--number", "K[,L..]",
+      "which numbers the picture shows, in the order of the table (default 1)"},
+     {"--beside", "BASIS",
+      "the picture also shows the functions of this basis of the same mesh (may be repeated)"},
+     {"--level", "L[,M..]",
+      "picture of levels of agglomeration; 0: the mesh's own control volumes"},
      agglomeration_option},
     "  harmorph export naca0012.su2 airfoil.basis --function 7 --svg function.svg\n"
     "  harmorph export naca0012.su2 airfoil.basis --function 5,7,9,11 --svg functions.svg\n",
     run_export};
 
-} // namespace cli
+}  // namespace cli

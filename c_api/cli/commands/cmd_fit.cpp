@@ -21,17 +21,19 @@ struct Fit {
 
 // Points in order: of a piece of the mesh's boundary, or of a file with a section.
 struct Outline {
-    std::vector<std::int32_t> numbers; // of the points in the mesh, or in the file
+    std::vector<std::int32_t> numbers;  // of the points in the mesh, or in the file
     std::vector<double> x, y;
     bool is_loop;
 
-    Outline(const Mesh& mesh, const BoundaryPiece& piece) : numbers(piece.points), is_loop(piece.is_loop) {
+    Outline(const Mesh& mesh, const BoundaryPiece& piece)
+        : numbers(piece.points), is_loop(piece.is_loop) {
         for (const std::int32_t point : piece.points) {
             x.push_back(mesh.x[static_cast<std::size_t>(point)]);
             y.push_back(mesh.y[static_cast<std::size_t>(point)]);
         }
     }
-    explicit Outline(const Section& section) : x(section.x), y(section.y), is_loop(section.is_loop) {
+    explicit Outline(const Section& section)
+        : x(section.x), y(section.y), is_loop(section.is_loop) {
         for (std::size_t k = 0; k < x.size(); ++k) numbers.push_back(static_cast<std::int32_t>(k));
     }
     std::int32_t points() const { return static_cast<std::int32_t>(x.size()); }
@@ -70,13 +72,15 @@ Fit fit(const std::string& path, const Outline& outline, const hm_fit_options& o
     const hm_curves* curves = nullptr;
     const hm_points points = {outline.x.data(), outline.y.data(), 1};
     const std::int32_t is_loop = outline.is_loop;
-    call(path, hm_fit, &curves, block.data(), bytes, &points, outline.points(), is_loop, &options, &fit.report);
+    call(path, hm_fit, &curves, block.data(), bytes, &points, outline.points(), is_loop, &options,
+         &fit.report);
     fit.curves = copied(*curves);
     return fit;
 }
 
 const char* reason_name(std::int32_t reason) {
-    static const char* const names[] = {"asked for", "the boundary is not closed", "no corner", "corner", "blunt base"};
+    static const char* const names[] = {"asked for", "the boundary is not closed", "no corner",
+                                        "corner", "blunt base"};
     return names[reason];
 }
 
@@ -84,32 +88,40 @@ std::string reason_for_people(const Fit& fit, const Outline& outline) {
     const auto first = static_cast<std::size_t>(fit.report.first_point);
     const std::string at = "x = " + brief(outline.x[first]) + ", y = " + brief(outline.y[first]);
     switch (fit.report.reason) {
-    case HM_FIT_BASE:
-        return "there is a straight blunt base of " + plural(fit.report.base_points, "point") + " from " + at;
-    case HM_FIT_CORNER: return plural(fit.report.corners, "corner") + " and no blunt base; it begins at " + at;
-    case HM_FIT_NO_CORNER: return "no corner was found";
-    default: return reason_name(fit.report.reason);
+        case HM_FIT_BASE:
+            return "there is a straight blunt base of " + plural(fit.report.base_points, "point") +
+                   " from " + at;
+        case HM_FIT_CORNER:
+            return plural(fit.report.corners, "corner") + " and no blunt base; it begins at " + at;
+        case HM_FIT_NO_CORNER: return "no corner was found";
+        default: return reason_name(fit.report.reason);
     }
 }
 
 void warn_if_it_backtracks(const Fit& fit, const Outline& outline) {
     if (fit.report.backtrack_point < 0) return;
-    const auto from = static_cast<std::size_t>(fit.report.backtrack_point), to = (from + 1) % outline.x.size();
-    warn("between points " + std::to_string(outline.numbers[from]) + " and " + std::to_string(outline.numbers[to]) +
-         " (x = " + brief(outline.x[from]) + ", y = " + brief(outline.y[from]) +
+    const auto from = static_cast<std::size_t>(fit.report.backtrack_point),
+               to = (from + 1) % outline.x.size();
+    warn("between points " + std::to_string(outline.numbers[from]) + " and " +
+         std::to_string(outline.numbers[to]) + " (x = " + brief(outline.x[from]) +
+         ", y = " + brief(outline.y[from]) +
          ") the curve runs back: fewer control points or a lower degree help");
 }
 
-void print_for_people(const Fit& fit, const Outline& outline, const std::string& from, const std::string& path) {
+void print_for_people(const Fit& fit, const Outline& outline, const std::string& from,
+                      const std::string& path) {
     const double chord = outline.chord();
     const auto worst = static_cast<std::size_t>(fit.report.max_error_point);
-    std::printf("%s: degree %d, through %s of %s\n", plural(fit.curves.points(), "control point").c_str(),
-                fit.curves.curves[0].degree, plural(outline.points(), "point").c_str(), from.c_str());
-    std::printf("closed         %s: %s\n", closed_name(fit.report.closed), reason_for_people(fit, outline).c_str());
-    std::printf("largest error  %s chord, at x = %s, y = %s\n", brief(fit.report.max_error / chord).c_str(),
-                brief(outline.x[worst]).c_str(), brief(outline.y[worst]).c_str());
-    std::printf("rms error      %s chord (chord: %s)\n", brief(fit.report.rms_error / chord).c_str(),
-                brief(chord).c_str());
+    std::printf("%s: degree %d, through %s of %s\n",
+                plural(fit.curves.points(), "control point").c_str(), fit.curves.curves[0].degree,
+                plural(outline.points(), "point").c_str(), from.c_str());
+    std::printf("closed         %s: %s\n", closed_name(fit.report.closed),
+                reason_for_people(fit, outline).c_str());
+    std::printf("largest error  %s chord, at x = %s, y = %s\n",
+                brief(fit.report.max_error / chord).c_str(), brief(outline.x[worst]).c_str(),
+                brief(outline.y[worst]).c_str());
+    std::printf("rms error      %s chord (chord: %s)\n",
+                brief(fit.report.rms_error / chord).c_str(), brief(chord).c_str());
     std::printf("written        %s\n", path.c_str());
 }
 
@@ -117,8 +129,10 @@ void print_json(const Fit& fit) {
     JsonObject object;
     object.add("points", fit.curves.points()).add("degree", fit.curves.curves[0].degree);
     object.add("closed", std::string(closed_name(fit.report.closed)));
-    object.add("reason", std::string(reason_name(fit.report.reason))).add("corners", fit.report.corners);
-    object.add("base_points", fit.report.base_points).add("backtracks", fit.report.backtrack_point >= 0);
+    object.add("reason", std::string(reason_name(fit.report.reason)))
+        .add("corners", fit.report.corners);
+    object.add("base_points", fit.report.base_points)
+        .add("backtracks", fit.report.backtrack_point >= 0);
     object.add("max_error", fit.report.max_error).add("rms_error", fit.report.rms_error);
     std::printf("%s\n", object.text().c_str());
 }
@@ -132,11 +146,13 @@ Outline outline_of(const Arguments& arguments, const std::string& path) {
         const std::vector<MarkerPiece> pieces = mesh.find_pieces(tags);
         for (const MarkerPiece& piece : pieces) markers.push_back(piece.marker);
         if (!pieces[0].is_piece) return Outline(mesh, MeshAnalysis(mesh).boundary(markers));
-        if (pieces.size() > 1) arguments.refuse("--marker takes one piece MARKER@X:Y, or whole markers");
+        if (pieces.size() > 1)
+            arguments.refuse("--marker takes one piece MARKER@X:Y, or whole markers");
         const Point near = {pieces[0].x, pieces[0].y};
         return Outline(mesh, MeshAnalysis(mesh).boundary(markers, &near));
     }
-    if (arguments.has("--marker")) arguments.refuse("--marker goes with a mesh, and " + path + " is none");
+    if (arguments.has("--marker"))
+        arguments.refuse("--marker goes with a mesh, and " + path + " is none");
     return Outline(is_section ? read_section(path) : sampled(read_curves(path)));
 }
 
@@ -145,8 +161,8 @@ void run_fit(const Arguments& arguments) {
     const std::string path = arguments.text("-o"), from = arguments.operand(0);
     const Outline outline = outline_of(arguments, from);
     if (options.n_control > outline.points()) {
-        arguments.refuse("--points " + std::to_string(options.n_control) + ": the boundary itself has only " +
-                         plural(outline.points(), "point"));
+        arguments.refuse("--points " + std::to_string(options.n_control) +
+                         ": the boundary itself has only " + plural(outline.points(), "point"));
     }
     const Fit result = fit(from, outline, options);
     OutputFiles files;
@@ -160,34 +176,41 @@ void run_fit(const Arguments& arguments) {
     }
 }
 
-} // namespace
+}  // namespace
 
 const Command fit_command = {
     "fit",
     {"MESH"},
     "Fits a B-spline to a boundary of a mesh, or to an airfoil's coordinates",
-    "The points of the markers, which must form one piece of boundary, are approximated by least squares. The curve\n"
-    "and its control points go to a small text file that `harmorph solve` reads. Errors are distances of the mesh's\n"
-    "points from the curve: in chords (the boundary's largest extent) for people, in the mesh's unit with --json.\n"
+    "The points of the markers, which must form one piece of boundary, are approximated by least "
+    "squares. The curve\n"
+    "and its control points go to a small text file that `harmorph solve` reads. Errors are "
+    "distances of the mesh's\n"
+    "points from the curve: in chords (the boundary's largest extent) for people, in the mesh's "
+    "unit with --json.\n"
     "In place of MESH: a file .dat with an airfoil's coordinates in Selig's or "
     "Lednicer's order, or a file .curve, as fit and\n"
     "morph write them, of which points are taken.\n",
-    {{"--marker", "A[,B..]", "markers of the boundary (required with a mesh); A@X:Y: its piece nearest to (X, Y)"},
+    {{"--marker", "A[,B..]",
+      "markers of the boundary (required with a mesh); A@X:Y: its piece nearest to (X, Y)"},
      {"--degree", "P", "degree of the curve, 1 to 5 (default 3)"},
      {"--points", "N", "number of control points (default 20)"},
      {"--closed", "HOW",
-      "periodic: smooth all round; tied: both ends are one control point, for a sharp trailing edge;\n"
+      "periodic: smooth all round; tied: both ends are one control point, for a sharp trailing "
+      "edge;\n"
       "auto (default): no corner: periodic; a straight blunt base between two corners at the end\n"
-      "away from the nose: open, with a second curve over the base; else tied at the sharpest corner"},
+      "away from the nose: open, with a second curve over the base; else tied at the sharpest "
+      "corner"},
      {"-o", "CURVE", "file to write (required)\n" CURVE_FORMATS},
      format_option,
      zone_option,
      {"--json", nullptr,
-      "print one JSON object: points, degree, closed (open, tied, periodic), reason (asked for, the\n"
+      "print one JSON object: points, degree, closed (open, tied, periodic), reason (asked for, "
+      "the\n"
       "boundary is not closed, no corner, corner, blunt base), corners, base_points,\n"
       "backtracks (the curve runs back between two points), max_error, rms_error"}},
     "  harmorph fit naca0012.su2 --marker airfoil --points 20 -o airfoil.curve\n"
     "  harmorph fit rae2822.dat -o rae2822.curve\n",
     run_fit};
 
-} // namespace cli
+}  // namespace cli

@@ -36,12 +36,14 @@ Companions companions_of(const Arguments& arguments, const Basis& basis, const M
         return beside ? arguments.text("-o") + ending : "";
     };
     const bool is_short = !morph.refusal.empty();
-    Companions names = {path("--curve-out", ".curve", true), path("--reached", ".reached", is_short)};
-    if (basis.info().curves == 0) names.curve.clear(); // bodies alone
+    Companions names = {path("--curve-out", ".curve", true),
+                        path("--reached", ".reached", is_short)};
+    if (basis.info().curves == 0) names.curve.clear();  // bodies alone
     return names;
 }
 
-void write_report(std::ostream& out, const Mesh& mesh, const Basis& basis, const Morph& morph, bool safe) {
+void write_report(std::ostream& out, const Mesh& mesh, const Basis& basis, const Morph& morph,
+                  bool safe) {
     const hm_basis_info& info = basis.info();
     const PageSelection selection =
         select_for_page(mesh, {info.curve_point, info.curve_point + info.curve_points}, 20000);
@@ -50,16 +52,20 @@ void write_report(std::ostream& out, const Mesh& mesh, const Basis& basis, const
     out << ";\n</script>\n" << report_page.after_data;
 }
 
-void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basis, const Morph& morph,
-                 const Companions& companions) {
+void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
+                 const Morph& morph, const Companions& companions) {
     OutputFiles files;
     const Field& moved = morph.moved;
     if (arguments.has("-o"))
-        write_moved(files.add(mesh_file(arguments.text("-o"))), mesh, moved.x.data(), moved.y.data());
-    if (!companions.curve.empty()) write_curve_file(files, companions.curve, morph.moved_curves(basis));
-    if (!companions.reached.empty()) write_moves(files.add(companions.reached), morph.moves, basis, mesh);
+        write_moved(files.add(mesh_file(arguments.text("-o"))), mesh, moved.x.data(),
+                    moved.y.data());
+    if (!companions.curve.empty())
+        write_curve_file(files, companions.curve, morph.moved_curves(basis));
+    if (!companions.reached.empty())
+        write_moves(files.add(companions.reached), morph.moves, basis, mesh);
     if (arguments.has("--vtu")) {
-        write_vtu(files.add(arguments.text("--vtu")), mesh, moved.x, moved.y, displacement_data(morph.displacement));
+        write_vtu(files.add(arguments.text("--vtu")), mesh, moved.x, moved.y,
+                  displacement_data(morph.displacement));
     }
     if (arguments.has("--svg")) {
         files.add(arguments.text("--svg"))
@@ -68,21 +74,24 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     if (arguments.has("--boundary-svg")) {
         files.add(arguments.text("--boundary-svg")) << boundary_picture(basis, morph);
     }
-    if (arguments.has("--csv")) write_moved_curves_csv(files.add(arguments.text("--csv")), mesh, basis, morph);
+    if (arguments.has("--csv"))
+        write_moved_curves_csv(files.add(arguments.text("--csv")), mesh, basis, morph);
     files.commit();
 }
 
 // Also of a mesh that is not valid: it shows why.
-void write_report_file(const Arguments& arguments, const Mesh& mesh, const Basis& basis, const Morph& morph) {
+void write_report_file(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
+                       const Morph& morph) {
     OutputFiles files;
-    write_report(files.add(arguments.text("--report")), mesh, basis, morph, arguments.has("--safe"));
+    write_report(files.add(arguments.text("--report")), mesh, basis, morph,
+                 arguments.has("--safe"));
     files.commit();
 }
 
-Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basis, const std::vector<double>& moves,
-                 const Threads& threads) {
+Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
+                 const std::vector<double>& moves, const Threads& threads) {
     std::vector<std::unique_ptr<Basis>> others;
-    std::vector<const hm_basis *> views;
+    std::vector<const hm_basis*> views;
     for (const std::string& path : arguments.all("--other")) {
         others.push_back(std::make_unique<Basis>(path, mesh));
         views.push_back(others.back()->get());
@@ -103,11 +112,13 @@ void run_morph(const Arguments& arguments) {
     const std::vector<double> moves = asked_moves(arguments, mesh, basis, airfoil);
     const Threads threads(threads_of(arguments));
     const bool safe = arguments.has("--safe");
-    for (const char* const option : {"--reached", "--min-quality", "--max-height-change", "--strict"}) {
-        if (!safe && arguments.has(option)) arguments.refuse(std::string(option) + " goes with --safe");
+    for (const char* const option :
+         {"--reached", "--min-quality", "--max-height-change", "--strict"}) {
+        if (!safe && arguments.has(option))
+            arguments.refuse(std::string(option) + " goes with --safe");
     }
-    Morph morph =
-        safe ? safe_morph(arguments, mesh, basis, moves, threads) : Morph(basis, mesh, moves, repeats, threads);
+    Morph morph = safe ? safe_morph(arguments, mesh, basis, moves, threads)
+                       : Morph(basis, mesh, moves, repeats, threads);
     if (arguments.has("--improve") && morph.valid()) morph.improve(basis, mesh, threads);
     const bool strict = arguments.has("--strict") && !morph.warning.empty();
     const bool reached = morph.valid() && morph.refusal.empty() && !strict;
@@ -124,11 +135,13 @@ void run_morph(const Arguments& arguments) {
         print_for_people(morph, safe, written);
     }
     if (strict && morph.valid()) throw Failure(exit_unusable, morph.warning);
-    if (!reached) throw Failure(exit_unusable, morph.refusal.empty() ? why_not_valid(morph, mesh) : morph.refusal);
+    if (!reached)
+        throw Failure(exit_unusable,
+                      morph.refusal.empty() ? why_not_valid(morph, mesh) : morph.refusal);
     if (!morph.warning.empty()) warn(morph.warning);
 }
 
-} // namespace
+}  // namespace
 
 const Command morph_command = {
     "morph",
@@ -138,7 +151,8 @@ const Command morph_command = {
     "for bodies of solve --rigid\n"
     "\"rigid MARKER dx dy degrees [scale]\", for tables of solve --mode \"mode "
     "K amplitude [amplitude y]\". What is not\n"
-    "named stays; `#` starts a comment. Points of the mesh on the curve move exactly as the B-spline does.\n"
+    "named stays; `#` starts a comment. Points of the mesh on the curve move exactly as the "
+    "B-spline does.\n"
     "A mesh with inverted cells or a boundary that crosses itself is not written.\n"
     "The morphed mesh keeps the text of its file; only coordinates that changed are new. "
     "Beside it, in MESH.curve, is the\n"
@@ -146,57 +160,79 @@ const Command morph_command = {
     "and then not by a fraction of it, as\n"
     "bodies turn on the way: MESH.reached is the file of moves that it has.\n",
     std::vector<Option>{
-     {"--move", "MOVES", "movement of the control points (this or --to-airfoil is required)"},
-     {"--variables", "MAP",
-      "MOVES has lines \"variable value\" (or \"variable x y\") of the design variables in MAP, a file of\n"
-      "`harmorph variables`; bodies stay"},
-     {"--to-airfoil", "DAT",
-      "make this airfoil of the mesh's (.dat in Selig's or Lednicer's order): control points by least\n"
-      "squares, with the curve's own knots; how far its points are off is reported"},
-     {"--on-chord", nullptr,
-      "for --to-airfoil: scale, turn and move it so that its leading and trailing edges come to where the\n"
-      "curve's are (default: coordinates are those of the mesh)"},
-     {"--airfoil-curve", "N", "for --to-airfoil: which curve of the basis is the airfoil (default 1)"},
-     {"--moves-out", "MOVES", "for --to-airfoil: where to write the movement, for --move"},
-     {"-o", "MESH", "morphed mesh to write, in the format of MESH"},
-     {"--curve-out", "CURVE", "where to write the moved curve (default: -o with .curve behind)\n" CURVE_FORMATS},
-     {"--vtu", "FILE", "morphed mesh and its displacement for ParaView"},
-     {"--svg", "FILE", "picture: mesh before in blue, after in red, with the control points"},
-     window_option,
-     {"--boundary-svg", "FILE", "picture: the moved B-spline, and the mesh's points on it"},
-     {"--csv", "FILE",
-      "the curves of these pictures as a table: what (curve, control, mesh), curve, number (of the control\n"
-      "point, from 1, or of the mesh point), u (where it has one), x, y, moved_x, moved_y"},
-     {"--report", "FILE",
-      "HTML page for any browser: what moved, quality before and after, the worst cells, angles and heights\n"
-      "along the wall; written even if the morphed mesh is not valid"}} +
-    safe_options() +
-    std::vector<Option>{
-     {"--other", "BASIS", "for --safe: a basis of the same problem, solved with another operator or exponent\n"
-                         "(may be repeated)"},
-     {"--improve", nullptr,
-      "make the morphed mesh better where it is valid: inner points move to where cells are more like those of\n"
-      "MESH, and the worst ones are raised; the first layer at walls gets its heights and angles back"},
-     {"--reached", "MOVES",
-      "for --safe: where to write the movement that the mesh has (default where it falls short of the\n"
-      "target: -o with .reached behind)"},
-     {"--repeat", "N", "morph N times after a warm-up, in memory, and report the median time (default 1, no warm-up)"},
-     threads_option,
-     {"--force", nullptr, "write the files even if the morphed mesh is not valid, with --safe the last valid mesh\n"
-                         "(exit code 1 all the same)"},
-     format_option,
-     zone_option,
-     {"--json", nullptr,
-      "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing,\n"
-      "boundary_error (from the B-spline as far as it went), min_quality, mean_quality,\n"
-      "morph_seconds, moved_curve (its file, or empty); with --safe no admissible_step but step_fraction\n"
-      "(1: all of the movement), steps, resolves, strategy (linear, other, substeps, untangled, improved),\n"
-      "last_step_admissible (of the last step that was tried, in parts of it), reached_moves (the file),\n"
-      "turned_offset (of wall points from the curve, turned with the body beside the B-spline's movement),\n"
-      "start_quality, warning, worst_cells (cell, quality, start_quality, x, y); with --to-airfoil\n"
-      "airfoil_max_error and airfoil_rms_error (distances of its points from the curve)"}},
-    "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg morphed.svg\n"
-    "  harmorph morph naca0012.su2 airfoil.basis --to-airfoil naca2412.dat --safe -o naca2412.su2\n",
+        {"--move", "MOVES", "movement of the control points (this or --to-airfoil is required)"},
+        {"--variables", "MAP",
+         "MOVES has lines \"variable value\" (or \"variable x y\") of the design variables in MAP, "
+         "a file of\n"
+         "`harmorph variables`; bodies stay"},
+        {"--to-airfoil", "DAT",
+         "make this airfoil of the mesh's (.dat in Selig's or Lednicer's order): control points by "
+         "least\n"
+         "squares, with the curve's own knots; how far its points are off is reported"},
+        {"--on-chord", nullptr,
+         "for --to-airfoil: scale, turn and move it so that its leading and trailing edges come to "
+         "where the\n"
+         "curve's are (default: coordinates are those of the mesh)"},
+        {"--airfoil-curve", "N",
+         "for --to-airfoil: which curve of the basis is the airfoil (default 1)"},
+        {"--moves-out", "MOVES", "for --to-airfoil: where to write the movement, for --move"},
+        {"-o", "MESH", "morphed mesh to write, in the format of MESH"},
+        {"--curve-out", "CURVE",
+         "where to write the moved curve (default: -o with .curve behind)\n" CURVE_FORMATS},
+        {"--vtu", "FILE", "morphed mesh and its displacement for ParaView"},
+        {"--svg", "FILE", "picture: mesh before in blue, after in red, with the control points"},
+        window_option,
+        {"--boundary-svg", "FILE", "picture: the moved B-spline, and the mesh's points on it"},
+        {"--csv", "FILE",
+         "the curves of these pictures as a table: what (curve, control, mesh), curve, number (of "
+         "the control\n"
+         "point, from 1, or of the mesh point), u (where it has one), x, y, moved_x, moved_y"},
+        {"--report", "FILE",
+         "HTML page for any browser: what moved, quality before and after, the worst cells, angles "
+         "and heights\n"
+         "along the wall; written even if the morphed mesh is not valid"}} +
+        safe_options() +
+        std::vector<Option>{
+            {"--other", "BASIS",
+             "for --safe: a basis of the same problem, solved with another operator or exponent\n"
+             "(may be repeated)"},
+            {"--improve", nullptr,
+             "make the morphed mesh better where it is valid: inner points move to where cells are "
+             "more like those of\n"
+             "MESH, and the worst ones are raised; the first layer at walls gets its heights and "
+             "angles back"},
+            {"--reached", "MOVES",
+             "for --safe: where to write the movement that the mesh has (default where it falls "
+             "short of the\n"
+             "target: -o with .reached behind)"},
+            {"--repeat", "N",
+             "morph N times after a warm-up, in memory, and report the median time (default 1, no "
+             "warm-up)"},
+            threads_option,
+            {"--force", nullptr,
+             "write the files even if the morphed mesh is not valid, with --safe the last valid "
+             "mesh\n"
+             "(exit code 1 all the same)"},
+            format_option,
+            zone_option,
+            {"--json", nullptr,
+             "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing,\n"
+             "boundary_error (from the B-spline as far as it went), min_quality, mean_quality,\n"
+             "morph_seconds, moved_curve (its file, or empty); with --safe no admissible_step but "
+             "step_fraction\n"
+             "(1: all of the movement), steps, resolves, strategy (linear, other, substeps, "
+             "untangled, improved),\n"
+             "last_step_admissible (of the last step that was tried, in parts of it), "
+             "reached_moves (the file),\n"
+             "turned_offset (of wall points from the curve, turned with the body beside the "
+             "B-spline's movement),\n"
+             "start_quality, warning, worst_cells (cell, quality, start_quality, x, y); with "
+             "--to-airfoil\n"
+             "airfoil_max_error and airfoil_rms_error (distances of its points from the curve)"}},
+    "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg "
+    "morphed.svg\n"
+    "  harmorph morph naca0012.su2 airfoil.basis --to-airfoil naca2412.dat --safe -o "
+    "naca2412.su2\n",
     run_morph};
 
-} // namespace cli
+}  // namespace cli

@@ -19,7 +19,7 @@ namespace cli {
 
 namespace {
 
-constexpr std::size_t longest_history = 200001; // steps of Runge-Kutta on one level, and the start
+constexpr std::size_t longest_history = 200001;  // steps of Runge-Kutta on one level, and the start
 
 // With repeats, the first run only warms up: it touches the memory that the others find ready.
 SolveTimes repeat(Solver& solver, std::int32_t runs) {
@@ -33,38 +33,52 @@ SolveTimes repeat(Solver& solver, std::int32_t runs) {
     return {median(setup), median(factor), median(solve)};
 }
 
-void print_json(const Solver& solver, const Stored& stored, const Mesh& mesh, const SolveTimes& times) {
+void print_json(const Solver& solver, const Stored& stored, const Mesh& mesh,
+                const SolveTimes& times) {
     const hm_solve_report& report = solver.report();
     JsonObject object;
-    object.add("points", mesh.points()).add("cells", mesh.cells()).add("functions", report.functions);
-    object.add("boundary_error", report.boundary_error).add("partition_defect", report.partition_defect);
-    object.add("min_value", report.min_value).add("max_value", report.max_value).add("residual", report.residual);
-    object.add("iterations", report.iterations).add("sweeps", report.fine_sweeps).add("levels", report.levels);
-    object.add("setup_seconds", times.setup).add("factor_seconds", times.factor).add("solve_seconds", times.solve);
+    object.add("points", mesh.points())
+        .add("cells", mesh.cells())
+        .add("functions", report.functions);
+    object.add("boundary_error", report.boundary_error)
+        .add("partition_defect", report.partition_defect);
+    object.add("min_value", report.min_value)
+        .add("max_value", report.max_value)
+        .add("residual", report.residual);
+    object.add("iterations", report.iterations)
+        .add("sweeps", report.fine_sweeps)
+        .add("levels", report.levels);
+    object.add("setup_seconds", times.setup)
+        .add("factor_seconds", times.factor)
+        .add("solve_seconds", times.solve);
     object.add("plan_bytes", static_cast<std::int64_t>(solver.plan_bytes()));
     object.add("basis_bytes", static_cast<std::int64_t>(stored.bytes()));
     object.add("storage", std::string(stored.in_single() ? "single" : "double"));
     std::printf("%s\n", object.text().c_str());
 }
 
-void print_for_people(const Solver& solver, const Stored& stored, const Mesh& mesh, const Task& task,
-                      const SolveTimes& times) {
+void print_for_people(const Solver& solver, const Stored& stored, const Mesh& mesh,
+                      const Task& task, const SolveTimes& times) {
     const hm_solve_report& report = solver.report();
     std::printf("%s on %s and %s, %s\n", plural(report.functions, "function").c_str(),
                 plural(mesh.points(), "point").c_str(), plural(mesh.cells(), "cell").c_str(),
                 plural(report.unknowns, "unknown").c_str());
-    for (const std::string& passage : task.passages) std::printf("passage          %s\n", passage.c_str());
-    std::printf("residual         %s (function %d)\n", brief(report.residual).c_str(), report.residual_function + 1);
+    for (const std::string& passage : task.passages)
+        std::printf("passage          %s\n", passage.c_str());
+    std::printf("residual         %s (function %d)\n", brief(report.residual).c_str(),
+                report.residual_function + 1);
     if (report.iterations > 0) {
-        std::printf("iterations       %s on %s, %s over the finest\n", brief(report.iterations).c_str(),
-                    plural(report.levels, "level").c_str(), plural(report.fine_sweeps, "sweep").c_str());
+        std::printf("iterations       %s on %s, %s over the finest\n",
+                    brief(report.iterations).c_str(), plural(report.levels, "level").c_str(),
+                    plural(report.fine_sweeps, "sweep").c_str());
     }
     if (report.curve_points > 0) {
-        std::printf("boundary error   %s; sum of the functions there: 1 to %s\n", brief(report.boundary_error).c_str(),
-                    brief(report.partition_defect).c_str());
-        std::printf("values           %s to %s\n", brief(report.min_value).c_str(), brief(report.max_value).c_str());
-        std::printf("mesh from curve  %s at most (point %d), kept by every morph\n", brief(report.max_distance).c_str(),
-                    report.max_distance_point);
+        std::printf("boundary error   %s; sum of the functions there: 1 to %s\n",
+                    brief(report.boundary_error).c_str(), brief(report.partition_defect).c_str());
+        std::printf("values           %s to %s\n", brief(report.min_value).c_str(),
+                    brief(report.max_value).c_str());
+        std::printf("mesh from curve  %s at most (point %d), kept by every morph\n",
+                    brief(report.max_distance).c_str(), report.max_distance_point);
     }
     const char* const preparation = report.factor_entries > 0 ? "factorisation" : "agglomeration";
     std::printf("seconds          %s set-up, %s %s, %s solution\n", brief(times.setup).c_str(),
@@ -80,20 +94,23 @@ class Modes {
 public:
     Modes(const Arguments& arguments, const Mesh& mesh) : paths_(arguments.all("--mode")) {
         if (paths_.empty()) return;
-        if (!arguments.has("--given")) arguments.refuse("--mode is of the markers of --given, which is missing");
+        if (!arguments.has("--given"))
+            arguments.refuse("--mode is of the markers of --given, which is missing");
         for (const std::string& path : paths_) add(path, read_wall_field(path, mesh));
     }
     const hm_basis* append_to(Solver& solver) {
         if (paths_.empty()) return solver.basis();
-        const auto n = static_cast<std::int32_t>(points_.size()), n_modes = static_cast<std::int32_t>(paths_.size());
+        const auto n = static_cast<std::int32_t>(points_.size()),
+                   n_modes = static_cast<std::int32_t>(paths_.size());
         std::size_t bytes = 0, work_bytes = 0;
-        call(paths_[0], hm_tabulate_size, solver.plan(), solver.basis(), n_modes, 2, &bytes, &work_bytes);
+        call(paths_[0], hm_tabulate_size, solver.plan(), solver.basis(), n_modes, 2, &bytes,
+             &work_bytes);
         block_.resize(bytes);
         Block work(work_bytes);
         hm_basis* basis = nullptr;
         void *const block = block_.data(), *const working = work.data();
-        call(paths_[0], hm_tabulate, &basis, block, bytes, solver.plan(), solver.basis(), n, points_.data(), n_modes, 2,
-             values_.data(), working, work_bytes, nullptr);
+        call(paths_[0], hm_tabulate, &basis, block, bytes, solver.plan(), solver.basis(), n,
+             points_.data(), n_modes, 2, values_.data(), working, work_bytes, nullptr);
         return basis;
     }
 
@@ -126,8 +143,8 @@ private:
 
 std::string what_is_missed(const Solver& solver, const hm_options& options) {
     const double residual = solver.report().residual;
-    if (!(residual <= options.tolerance)) return "the residual " + brief(residual) + " is above " +
-        brief(options.tolerance);
+    if (!(residual <= options.tolerance))
+        return "the residual " + brief(residual) + " is above " + brief(options.tolerance);
     if (solver.found() == 0) return "values are still off by more than " + brief(options.tolerance);
     return "values may still be off by " + brief(solver.found()) + ", as cells are very thin" +
            (options.precision == HM_SINGLE ? ": --precision double brings them nearer" : "");
@@ -154,17 +171,19 @@ void run_solve(const Arguments& arguments) {
     if (arguments.has("--history")) {
         write_history(files.add(arguments.text("--history")), history, solver.report().iterations);
     }
-    if (converged || arguments.has("--force")) write_basis(files.add(path), stored.basis(), mesh, task.conditions);
+    if (converged || arguments.has("--force"))
+        write_basis(files.add(path), stored.basis(), mesh, task.conditions);
     files.commit();
     if (arguments.has("--json")) {
         print_json(solver, stored, mesh, times);
     } else {
         print_for_people(solver, stored, mesh, task, times);
     }
-    if (!converged) throw Failure(exit_unusable, "not converged: " + what_is_missed(solver, task.options));
+    if (!converged)
+        throw Failure(exit_unusable, "not converged: " + what_is_missed(solver, task.options));
 }
 
-} // namespace
+}  // namespace
 
 const Command solve_command = {
     "solve",
@@ -174,7 +193,8 @@ const Command solve_command = {
     "on the curve and 0 on fixed boundaries,\n"
     "and is harmonic in between. Together they are the basis, "
     "from which `harmorph morph` moves the mesh. Markers that are\n"
-    "not named are fixed. Control points of a second --curve are numbered on after those of the first.\n"
+    "not named are fixed. Control points of a second --curve are numbered on after those of the "
+    "first.\n"
     "\n"
     "CURVE is a text file: `degree P`, `closed periodic|tied|open`, "
     "`points N` and N lines `x y`, `knots K` and K numbers\n"
@@ -182,27 +202,38 @@ const Command solve_command = {
     "periodic N + P, tied N + 1, open N);\n"
     "where needed `indices M` and the M control points the curve uses in turn (from 1), "
     "`weights N` and N numbers, and\n"
-    "`curve` before degree, closed, indices and knots of another curve over the same points. `#` starts a comment.\n",
+    "`curve` before degree, closed, indices and knots of another curve over the same points. `#` "
+    "starts a comment.\n",
     task_options() + engine_options() +
-    std::vector<Option>{
-     {"--given", "A[,B..]", "markers whose points move by the tables of --mode (may be repeated)"},
-     {"--mode", "FIELD",
-      "a function whose values at the points of --given are a table: lines \"point x y\", points counted\n"
-      "from 0 (may be repeated; `morph` moves it by lines \"mode K amplitude [amplitude y]\")"},
-     {"--repeat", "N", "solve N times after a warm-up, in memory, and report median times (default 1, no warm-up)"},
-     storage_option,
-     threads_option,
-     {"-o", "BASIS", "file to write (required)"},
-     {"--force", nullptr, "write the basis even if it has not converged (exit code 1 all the same)"},
-     format_option,
-     zone_option,
-     {"--json", nullptr,
-      "print one JSON object: points, cells, functions, boundary_error, partition_defect, min_value,\n"
-      "max_value, residual, iterations, sweeps (over the finest level), levels, setup_seconds,\n"
-      "factor_seconds (engines that iterate: of agglomeration), solve_seconds, plan_bytes, basis_bytes,\n"
-      "storage"}},
+        std::vector<Option>{
+            {"--given", "A[,B..]",
+             "markers whose points move by the tables of --mode (may be repeated)"},
+            {"--mode", "FIELD",
+             "a function whose values at the points of --given are a table: lines \"point x y\", "
+             "points counted\n"
+             "from 0 (may be repeated; `morph` moves it by lines \"mode K amplitude [amplitude "
+             "y]\")"},
+            {"--repeat", "N",
+             "solve N times after a warm-up, in memory, and report median times (default 1, no "
+             "warm-up)"},
+            storage_option,
+            threads_option,
+            {"-o", "BASIS", "file to write (required)"},
+            {"--force", nullptr,
+             "write the basis even if it has not converged (exit code 1 all the same)"},
+            format_option,
+            zone_option,
+            {"--json", nullptr,
+             "print one JSON object: points, cells, functions, boundary_error, partition_defect, "
+             "min_value,\n"
+             "max_value, residual, iterations, sweeps (over the finest level), levels, "
+             "setup_seconds,\n"
+             "factor_seconds (engines that iterate: of agglomeration), solve_seconds, plan_bytes, "
+             "basis_bytes,\n"
+             "storage"}},
     "  harmorph solve naca0012.su2 --curve airfoil=airfoil.curve -o airfoil.basis\n"
-    "  harmorph solve wing.su2 --curve upper,lower=wing.curve --curve flap=flap.curve --slip symmetry -o wing.basis\n",
+    "  harmorph solve wing.su2 --curve upper,lower=wing.curve --curve flap=flap.curve --slip "
+    "symmetry -o wing.basis\n",
     run_solve};
 
-} // namespace cli
+}  // namespace cli

@@ -17,12 +17,13 @@ namespace cli {
 namespace {
 
 // A marker of one mesh is the marker of the same tag in the other.
-std::int32_t same_marker(const Arguments& arguments, const Mesh& mesh, std::int32_t marker, const Mesh& fine) {
+std::int32_t same_marker(const Arguments& arguments, const Mesh& mesh, std::int32_t marker,
+                         const Mesh& fine) {
     const std::string& tag = mesh.markers.at(static_cast<std::size_t>(marker));
     const auto found = std::find(fine.markers.begin(), fine.markers.end(), tag);
     if (found == fine.markers.end()) {
-        arguments.refuse(fine.file.path() + " has no marker " + in_quotes(tag) + ", which has a condition in " +
-                         mesh.file.path());
+        arguments.refuse(fine.file.path() + " has no marker " + in_quotes(tag) +
+                         ", which has a condition in " + mesh.file.path());
     }
     return static_cast<std::int32_t>(found - fine.markers.begin());
 }
@@ -43,7 +44,8 @@ Task task_on(const Arguments& arguments, const Basis& basis, const Mesh& mesh, c
 // The fine mesh's analysis and basis, and the transfer between them.
 class Transfer {
 public:
-    Transfer(const Mesh& fine, const Basis& basis, const Task& task, const Threads& threads) // all must outlive it
+    Transfer(const Mesh& fine, const Basis& basis, const Task& task,
+             const Threads& threads)  // all must outlive it
         : fine_(fine), basis_(basis), view_(fine.view()), options_(task.options) {
         options_.executor = threads.executor();
         problem_.mesh = &view_;
@@ -57,7 +59,8 @@ public:
         std::size_t bytes = 0;
         call(fine_, hm_analysis_size, &problem_, &options_, &bytes);
         analysis_block_.resize(bytes);
-        call(fine_, hm_analysis_init, &analysis_, analysis_block_.data(), bytes, &problem_, &options_);
+        call(fine_, hm_analysis_init, &analysis_, analysis_block_.data(), bytes, &problem_,
+             &options_);
         call(fine_, hm_basis_size, analysis_, &bytes);
         basis_block_.resize(bytes);
         call(fine_, hm_basis_init, &transferred_, basis_block_.data(), bytes, analysis_);
@@ -65,7 +68,8 @@ public:
         call(fine_, hm_transfer_size, analysis_, &view, &bytes);
         block_.resize(bytes);
         analysis_seconds_ = watch.seconds();
-        call(fine_, hm_transfer, transferred_, block_.data(), bytes, analysis_, basis_.get(), &view, &report_);
+        call(fine_, hm_transfer, transferred_, block_.data(), bytes, analysis_, basis_.get(), &view,
+             &report_);
         transfer_seconds_ = watch.seconds() - analysis_seconds_;
     }
 
@@ -90,25 +94,35 @@ private:
 void print_json(const Transfer& transfer, const Mesh& fine, const Basis& basis) {
     const hm_transfer_report& report = transfer.report();
     JsonObject object;
-    object.add("points", fine.points()).add("cells", fine.cells()).add("functions", basis.info().functions);
-    object.add("interpolated", report.points).add("outside", report.outside).add("max_distance", report.max_distance);
-    object.add("boundary_error", report.boundary_error).add("wall_correction", report.wall_correction);
-    object.add("analysis_seconds", transfer.analysis_seconds()).add("transfer_seconds", transfer.transfer_seconds());
+    object.add("points", fine.points())
+        .add("cells", fine.cells())
+        .add("functions", basis.info().functions);
+    object.add("interpolated", report.points)
+        .add("outside", report.outside)
+        .add("max_distance", report.max_distance);
+    object.add("boundary_error", report.boundary_error)
+        .add("wall_correction", report.wall_correction);
+    object.add("analysis_seconds", transfer.analysis_seconds())
+        .add("transfer_seconds", transfer.transfer_seconds());
     std::printf("%s\n", object.text().c_str());
 }
 
 void print_for_people(const Transfer& transfer, const Mesh& fine, const Basis& basis) {
     const hm_transfer_report& report = transfer.report();
-    std::printf("%s from %s to %s, %d of them interpolated\n", plural(basis.info().functions, "function").c_str(),
-                plural(basis.info().points, "point").c_str(), plural(fine.points(), "point").c_str(), report.points);
+    std::printf("%s from %s to %s, %d of them interpolated\n",
+                plural(basis.info().functions, "function").c_str(),
+                plural(basis.info().points, "point").c_str(),
+                plural(fine.points(), "point").c_str(), report.points);
     std::printf("outside          %d", report.outside);
     if (report.outside > 0) {
-        std::printf(", by %s at most (point %d)", brief(report.max_distance).c_str(), report.max_distance_point);
+        std::printf(", by %s at most (point %d)", brief(report.max_distance).c_str(),
+                    report.max_distance_point);
     }
     std::printf("\nboundary error   %s; %s before the boundary functions were restored\n",
                 brief(report.boundary_error).c_str(), brief(report.wall_correction).c_str());
     std::printf("seconds          %s analysis of the fine mesh, %s transfer\n",
-                brief(transfer.analysis_seconds()).c_str(), brief(transfer.transfer_seconds()).c_str());
+                brief(transfer.analysis_seconds()).c_str(),
+                brief(transfer.transfer_seconds()).c_str());
 }
 
 void run_transfer(const Arguments& arguments) {
@@ -131,7 +145,7 @@ void run_transfer(const Arguments& arguments) {
     }
 }
 
-} // namespace
+}  // namespace
 
 const Command transfer_command = {
     "transfer",
@@ -149,9 +163,10 @@ const Command transfer_command = {
      threads_option,
      format_option,
      zone_option,
-     {"--json", nullptr, "print one JSON object: points, cells, functions, interpolated, outside, max_distance,\n"
-                         "boundary_error, wall_correction, analysis_seconds, transfer_seconds"}},
+     {"--json", nullptr,
+      "print one JSON object: points, cells, functions, interpolated, outside, max_distance,\n"
+      "boundary_error, wall_correction, analysis_seconds, transfer_seconds"}},
     "  harmorph transfer coarse.su2 coarse.basis fine.su2 -o fine.basis\n",
     run_transfer};
 
-} // namespace cli
+}  // namespace cli

@@ -18,12 +18,14 @@ namespace cli {
 namespace {
 
 std::int32_t whole(const Arguments& arguments, const std::string& option, double number) {
-    if (number != std::floor(number) || std::fabs(number) > 1e6) arguments.refuse(option + " expects whole numbers");
+    if (number != std::floor(number) || std::fabs(number) > 1e6)
+        arguments.refuse(option + " expects whole numbers");
     return static_cast<std::int32_t>(number);
 }
 
 // Two whole numbers, as of the two sides.
-void take_pair(const Arguments& arguments, const std::string& option, std::int32_t& first, std::int32_t& second) {
+void take_pair(const Arguments& arguments, const std::string& option, std::int32_t& first,
+               std::int32_t& second) {
     const std::vector<double> numbers = number_list(arguments, option);
     if (numbers.size() != 2) arguments.refuse(option + " expects two numbers");
     first = whole(arguments, option, numbers[0]);
@@ -52,14 +54,16 @@ hm_variables variables_of(const Arguments& arguments, std::vector<double>& peaks
     if (arguments.has("--peaks")) {
         if (variables.kind != HM_HICKS_HENNE) arguments.refuse("--peaks goes with --hicks-henne");
         peaks = number_list(arguments, "--peaks");
-        if (peaks.size() != static_cast<std::size_t>(std::max(variables.n_upper + variables.n_lower, 0))) {
+        if (peaks.size() !=
+            static_cast<std::size_t>(std::max(variables.n_upper + variables.n_lower, 0))) {
             arguments.refuse("--peaks expects as many numbers as there are bumps");
         }
     }
     if (!peaks.empty()) variables.peaks = peaks.data();
     if (arguments.has("--box")) {
         const std::vector<double> box = number_list(arguments, "--box");
-        if (variables.kind != HM_FFD || box.size() != 4) arguments.refuse("--box goes with --ffd and expects X,Y,X,Y");
+        if (variables.kind != HM_FFD || box.size() != 4)
+            arguments.refuse("--box goes with --ffd and expects X,Y,X,Y");
         variables.x_min = box[0];
         variables.y_min = box[1];
         variables.x_max = box[2];
@@ -79,53 +83,66 @@ void run_variables(const Arguments& arguments) {
     std::size_t bytes = 0;
     call(path, hm_variables_size, view.get(), &section, &variables, &map.variables, &bytes);
     map.points = curves.points();
-    map.matrix.resize(2 * static_cast<std::size_t>(map.points) * static_cast<std::size_t>(map.variables));
+    map.matrix.resize(2 * static_cast<std::size_t>(map.points) *
+                      static_cast<std::size_t>(map.variables));
     std::vector<double> error(2 * static_cast<std::size_t>(map.variables));
     Block work(bytes);
-    call(path, hm_variables_map, view.get(), &section, &variables, static_cast<void*>(work.data()), bytes,
-         map.matrix.data(), error.data());
+    call(path, hm_variables_map, view.get(), &section, &variables, static_cast<void*>(work.data()),
+         bytes, map.matrix.data(), error.data());
     if (arguments.has("-o")) {
         OutputFiles files;
         write_variables(files.add(arguments.text("-o")), map);
         files.commit();
     }
     std::vector<JsonObject> rows;
-    if (!arguments.has("--json")) std::printf("variable  error on the curve (rms, largest), per unit\n");
+    if (!arguments.has("--json"))
+        std::printf("variable  error on the curve (rms, largest), per unit\n");
     for (std::size_t j = 0; j < static_cast<std::size_t>(map.variables); ++j) {
         if (!arguments.has("--json")) {
-            std::printf("%-9zu %-10s %s\n", j + 1, brief(error[2 * j]).c_str(), brief(error[2 * j + 1]).c_str());
+            std::printf("%-9zu %-10s %s\n", j + 1, brief(error[2 * j]).c_str(),
+                        brief(error[2 * j + 1]).c_str());
         }
-        rows.push_back(JsonObject().add("rms_error", error[2 * j]).add("max_error", error[2 * j + 1]));
+        rows.push_back(
+            JsonObject().add("rms_error", error[2 * j]).add("max_error", error[2 * j + 1]));
     }
     if (arguments.has("--json")) {
-        std::printf("%s\n", JsonObject().add("points", map.points).add("variables", rows).text().c_str());
+        std::printf("%s\n",
+                    JsonObject().add("points", map.points).add("variables", rows).text().c_str());
     } else if (arguments.has("-o")) {
         std::printf("written   %s\n", arguments.text("-o").c_str());
     }
 }
 
-} // namespace
+}  // namespace
 
 const Command variables_command = {
     "variables",
     {"CURVE"},
     "Design variables (FFD, CST, Hicks-Henne, NACA) as a map to the control points",
-    "Writes what one unit of each variable does to each control point: the least-squares approximation of the wanted\n"
-    "movement of the outline, whose error is printed. `harmorph morph --variables` moves meshes by values of the\n"
-    "variables. Shapes are in chords, normal to the chord; the nodes of an FFD box move by dx, dy themselves.\n",
-    {{"--ffd", "I,J", "free-form deformation: a box of degrees I along x and J along y, (I+1)(J+1) nodes"},
+    "Writes what one unit of each variable does to each control point: the least-squares "
+    "approximation of the wanted\n"
+    "movement of the outline, whose error is printed. `harmorph morph --variables` moves meshes by "
+    "values of the\n"
+    "variables. Shapes are in chords, normal to the chord; the nodes of an FFD box move by dx, dy "
+    "themselves.\n",
+    {{"--ffd", "I,J",
+      "free-form deformation: a box of degrees I along x and J along y, (I+1)(J+1) nodes"},
      {"--cst", "N,M", "class and shape functions: N of the upper and M of the lower side"},
      {"--hicks-henne", "N,M", "bumps: N of the upper and M of the lower side"},
      {"--naca", "P[,P..]",
-      "NACA's four digits: a camber line for each position P of the largest camber, then thickness"},
+      "NACA's four digits: a camber line for each position P of the largest camber, then "
+      "thickness"},
      {"--box", "X,Y,X,Y",
-      "of --ffd: lower left and upper right corner (default: a little more than the control points)"},
+      "of --ffd: lower left and upper right corner (default: a little more than the control "
+      "points)"},
      {"--peaks", "P[,P..]", "of --hicks-henne: where the bumps are largest, 0 to 1"},
      chord_option,
      {"-o", "MAP", "file to write"},
-     {"--json", nullptr, "print one JSON object: points, variables (rms_error, max_error of each)"}},
+     {"--json", nullptr,
+      "print one JSON object: points, variables (rms_error, max_error of each)"}},
     "  harmorph variables airfoil.curve --cst 6,6 -o cst.map\n"
-    "  harmorph morph mesh.su2 airfoil.basis --variables cst.map --move values.txt -o morphed.su2\n",
+    "  harmorph morph mesh.su2 airfoil.basis --variables cst.map --move values.txt -o "
+    "morphed.su2\n",
     run_variables};
 
-} // namespace cli
+}  // namespace cli

@@ -12,9 +12,10 @@ namespace cli {
 
 namespace {
 
-const Command* const commands[] = {&fit_command,    &solve_command, &morph_command, &displace_command,
-                                   &export_command, &check_command, &transfer_command, &explore_command,
-                                   &convert_command, &curve_command, &variables_command, &demo_command};
+const Command* const commands[] = {&fit_command,      &solve_command,     &morph_command,
+                                   &displace_command, &export_command,    &check_command,
+                                   &transfer_command, &explore_command,   &convert_command,
+                                   &curve_command,    &variables_command, &demo_command};
 
 constexpr const char* introduction =
     "harmorph morphs an airfoil and its mesh together: the airfoil is a B-spline, "
@@ -27,14 +28,17 @@ constexpr const char* conclusion =
     "\n"
     "  harmorph COMMAND --help   says more about a command\n"
     "  harmorph --version        prints the version\n\n"
-    "Meshes are files of two dimensions, or one cell thick; a morphed mesh is the same file with other coordinates.\n"
+    "Meshes are files of two dimensions, or one cell thick; a morphed mesh is the same file with "
+    "other coordinates.\n"
     "Exit codes: 0 done; 1 the result is not usable (inverted cells, not\n"
-    "converged) and was not written; 2 wrong usage; 3 a file cannot be read, understood or written.\n\n"
+    "converged) and was not written; 2 wrong usage; 3 a file cannot be read, understood or "
+    "written.\n\n"
     "Examples:\n"
     "  harmorph demo demo-output\n"
     "  harmorph fit   naca0012.su2 --marker airfoil -o airfoil.curve\n"
     "  harmorph solve naca0012.su2 --curve airfoil=airfoil.curve -o airfoil.basis\n"
-    "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg morphed.svg\n";
+    "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg "
+    "morphed.svg\n";
 
 std::string program_help() {
     std::string text = introduction;
@@ -55,7 +59,7 @@ const Command& find_command(const std::string& name) {
     throw Failure(exit_usage, "unknown command " + in_quotes(name) + "\nTry: harmorph --help");
 }
 
-} // namespace
+}  // namespace
 
 void run_command(const std::vector<std::string>& words) {
     if (words.empty()) throw Failure(exit_usage, "a command is missing\n\n" + program_help());
@@ -63,7 +67,8 @@ void run_command(const std::vector<std::string>& words) {
     if (words[0] == "--version") return print(std::string("harmorph ") + hm_version() + "\n");
     const Command& command = find_command(words[0]);
     const std::vector<std::string> rest(words.begin() + 1, words.end());
-    if (std::find(rest.begin(), rest.end(), "--help") != rest.end()) return print(help_text(command));
+    if (std::find(rest.begin(), rest.end(), "--help") != rest.end())
+        return print(help_text(command));
     command.run(Arguments(command, rest));
 }
 
@@ -78,9 +83,11 @@ Mesh read_mesh(const std::string& path, const ReadOptions& options) {
     return mesh;
 }
 
-const Option format_option = {"--format", "NAME",
-                              "format of the mesh, if its content does not tell: `harmorph --help` has them"};
-const Option zone_option = {"--zone", "Z", "which zone of a file of several; the others stay as they are"};
+const Option format_option = {
+    "--format", "NAME",
+    "format of the mesh, if its content does not tell: `harmorph --help` has them"};
+const Option zone_option = {"--zone", "Z",
+                            "which zone of a file of several; the others stay as they are"};
 
 Mesh read_mesh(const Arguments& arguments, std::size_t operand) {
     ReadOptions options;
@@ -89,6 +96,8 @@ Mesh read_mesh(const Arguments& arguments, std::size_t operand) {
     return read_mesh(arguments.operand(operand), options);
 }
 
-void warn(const std::string& message) { std::fprintf(stderr, "harmorph: warning: %s\n", message.c_str()); }
+void warn(const std::string& message) {
+    std::fprintf(stderr, "harmorph: warning: %s\n", message.c_str());
+}
 
-} // namespace cli
+}  // namespace cli

@@ -9,17 +9,19 @@
 
 namespace cli {
 
-extern const Command fit_command, solve_command, morph_command, export_command, check_command, transfer_command,
-    displace_command, explore_command, convert_command, curve_command, variables_command, demo_command;
+extern const Command fit_command, solve_command, morph_command, export_command, check_command,
+    transfer_command, displace_command, explore_command, convert_command, curve_command,
+    variables_command, demo_command;
 
 // words: all after the program's name. A Failure says what went wrong.
 void run_command(const std::vector<std::string>& words);
 
-// Reads a mesh and tells the user on standard error what was passed over. Commands that do so have both options.
+// Reads a mesh and tells the user on standard error what was passed over. Commands that do so have
+// both options.
 extern const Option format_option, zone_option;
 Mesh read_mesh(const Arguments& arguments, std::size_t operand);
 Mesh read_mesh(const std::string& path, const ReadOptions& options = {});
 
-void warn(const std::string& message); // to standard error
+void warn(const std::string& message);  // to standard error
 
-} // namespace cli
+}  // namespace cli

@@ -14,15 +14,19 @@ const Option agglomeration_option = {
 std::vector<Option> engine_options() {
     return {
         {"--engine", "ENGINE",
-         "direct (default): the fastest; multigrid: conjugate gradients, less memory on large meshes;\n"
+         "direct (default): the fastest; multigrid: conjugate gradients, less memory on large "
+         "meshes;\n"
          "fas: the paper's iteration, slow (the last two with laplace and weighted)"},
         {"--precision", "P",
-         "of the direct engine's factor: double (default), or single: half the memory, refined in double"},
+         "of the direct engine's factor: double (default), or single: half the memory, refined in "
+         "double"},
         {"--levels", "N",
-         "multigrid and fas: levels of agglomeration at most (default: all there are, 5 at 10k points)"},
+         "multigrid and fas: levels of agglomeration at most (default: all there are, 5 at 10k "
+         "points)"},
         agglomeration_option,
         {"--start", "START", "of fas: fmg (default), level by level from the coarsest, or zero"},
-        {"--history", "F.csv", "multigrid and fas: the largest residual of all functions, cycle by cycle"}};
+        {"--history", "F.csv",
+         "multigrid and fas: the largest residual of all functions, cycle by cycle"}};
 }
 
 void set_agglomeration(const Arguments& arguments, hm_options& options) {
@@ -33,14 +37,17 @@ void set_agglomeration(const Arguments& arguments, hm_options& options) {
 }
 
 void set_engine(const Arguments& arguments, hm_options& options) {
-    options.engine =
-        arguments.choice("--engine", {{"direct", HM_DIRECT}, {"multigrid", HM_MULTIGRID}, {"fas", HM_FAS}});
-    options.precision = arguments.choice("--precision", {{"double", HM_DOUBLE}, {"single", HM_SINGLE}});
+    options.engine = arguments.choice(
+        "--engine", {{"direct", HM_DIRECT}, {"multigrid", HM_MULTIGRID}, {"fas", HM_FAS}});
+    options.precision =
+        arguments.choice("--precision", {{"double", HM_DOUBLE}, {"single", HM_SINGLE}});
     if (options.engine != HM_DIRECT && arguments.has("--precision"))
         arguments.refuse("--precision goes with --engine direct");
     set_agglomeration(arguments, options);
-    options.start = arguments.choice("--start", {{"fmg", HM_START_COARSEST}, {"zero", HM_START_ZERO}});
-    if (options.engine != HM_FAS && arguments.has("--start")) arguments.refuse("--start goes with --engine fas");
+    options.start =
+        arguments.choice("--start", {{"fmg", HM_START_COARSEST}, {"zero", HM_START_ZERO}});
+    if (options.engine != HM_FAS && arguments.has("--start"))
+        arguments.refuse("--start goes with --engine fas");
     if (arguments.has("--levels")) options.levels = arguments.whole("--levels", 0, 1, 20);
     for (const char* option : {"--levels", "--agglomeration", "--history"}) {
         if (options.engine == HM_DIRECT && arguments.has(option)) {
@@ -49,10 +56,12 @@ void set_engine(const Arguments& arguments, hm_options& options) {
     }
 }
 
-void write_history(std::ostream& out, const std::vector<double>& residuals, std::int32_t iterations) {
+void write_history(std::ostream& out, const std::vector<double>& residuals,
+                   std::int32_t iterations) {
     const std::size_t n = std::min(residuals.size(), static_cast<std::size_t>(iterations) + 1);
     out << "cycle,residual\n";
-    for (std::size_t cycle = 0; cycle < n; ++cycle) out << cycle << ',' << exact(residuals[cycle]) << '\n';
+    for (std::size_t cycle = 0; cycle < n; ++cycle)
+        out << cycle << ',' << exact(residuals[cycle]) << '\n';
 }
 
-} // namespace cli
+}  // namespace cli

@@ -15,6 +15,7 @@ void set_engine(const Arguments& arguments, hm_options& options);
 void set_agglomeration(const Arguments& arguments, hm_options& options);
 
 // Lines of cycle and residual, from cycle 0 to the last.
-void write_history(std::ostream& out, const std::vector<double>& residuals, std::int32_t iterations);
+void write_history(std::ostream& out, const std::vector<double>& residuals,
+                   std::int32_t iterations);
 
-} // namespace cli
+}  // namespace cli

@@ -23,8 +23,8 @@ void move_points(const Basis& basis, const Mesh& mesh, const std::vector<double>
     call(basis.path(), hm_morph, basis.get(), moves.data(), &from, &result, threads.executor());
 }
 
-double median_seconds(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, Field& to,
-                      std::int32_t repeats, const Threads& threads) {
+double median_seconds(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves,
+                      Field& to, std::int32_t repeats, const Threads& threads) {
     std::vector<double> seconds;
     for (std::int32_t i = 0; i < repeats; ++i) {
         const Stopwatch watch;
@@ -34,9 +34,10 @@ double median_seconds(const Basis& basis, const Mesh& mesh, const std::vector<do
     return median(seconds);
 }
 
-} // namespace
+}  // namespace
 
-Field displacement(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, const Threads& threads) {
+Field displacement(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves,
+                   const Threads& threads) {
     Field field(mesh.x.size());
     const hm_points_out result = field.write();
     call(basis.path(), hm_morph, basis.get(), moves.data(), nullptr, &result, threads.executor());
@@ -48,24 +49,33 @@ hm_step_report admissible_step(const Basis& basis, const Mesh& mesh, const Field
     const hm_mesh view = mesh.view();
     const hm_points along = displacement.read();
     auto report = sized<hm_step_report>();
-    call(mesh, hm_admissible_step, basis.get(), &view, nullptr, &along, threads.executor(), &report);
+    call(mesh, hm_admissible_step, basis.get(), &view, nullptr, &along, threads.executor(),
+         &report);
     return report;
 }
 
-Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& its_moves, std::int32_t repeats,
-             const Threads& threads)
-    : moves(its_moves), displacement(cli::displacement(basis, mesh, moves, threads)), moved(mesh.x.size()),
-      step(sized<hm_step_report>()), quality(sized<hm_quality_report>()), safe(sized<hm_safe_report>()) {
-    if (repeats > 1) move_points(basis, mesh, moves, moved, threads); // a warm-up
+Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& its_moves,
+             std::int32_t repeats, const Threads& threads)
+    : moves(its_moves),
+      displacement(cli::displacement(basis, mesh, moves, threads)),
+      moved(mesh.x.size()),
+      step(sized<hm_step_report>()),
+      quality(sized<hm_quality_report>()),
+      safe(sized<hm_safe_report>()) {
+    if (repeats > 1) move_points(basis, mesh, moves, moved, threads);  // a warm-up
     seconds = median_seconds(basis, mesh, moves, moved, repeats, threads);
     slide(basis, mesh, threads);
     judge(basis, mesh, threads);
 }
 
-Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target, hm_safe_options options,
-             const Threads& threads)
-    : moves(target.size()), displacement(mesh.x.size()), moved(mesh.x.size()), step(sized<hm_step_report>()),
-      quality(sized<hm_quality_report>()), safe(sized<hm_safe_report>()) {
+Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target,
+             hm_safe_options options, const Threads& threads)
+    : moves(target.size()),
+      displacement(mesh.x.size()),
+      moved(mesh.x.size()),
+      step(sized<hm_step_report>()),
+      quality(sized<hm_quality_report>()),
+      safe(sized<hm_safe_report>()) {
     const Stopwatch watch;
     const Task task = task_of(basis);
     Solver solver(mesh, task, threads);
@@ -75,11 +85,11 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
     Block work(bytes);
     moved.x = mesh.x;
     moved.y = mesh.y;
-    options.reached = moves.data(); // stays 0 where the target is refused
+    options.reached = moves.data();  // stays 0 where the target is refused
     const hm_points_out to = moved.write();
     hm_error error = {};
-    const hm_status status = hm_morph_safe(solver.plan(), basis.get(), target.data(), &to, nullptr, work.data(), bytes,
-                                           &options, &safe, &error);
+    const hm_status status = hm_morph_safe(solver.plan(), basis.get(), target.data(), &to, nullptr,
+                                           work.data(), bytes, &options, &safe, &error);
     if (status < 0 && status != HM_CROSSING) refuse(error, mesh);
     impossible = status == HM_CROSSING;
     if (status == HM_POOR || status == HM_NOT_CONVERGED) {
@@ -131,8 +141,8 @@ Curves Morph::moved_curves(const Basis& basis) const {
     std::vector<hm_curve> curve(n, sized<hm_curve>());
     auto view = sized<hm_curves>();
     std::vector<double> control(2 * static_cast<std::size_t>(basis.curves().n_control));
-    call(basis.path(), hm_moved_curves, basis.get(), moves.data(), control.data(), &view, curve.data(),
-         basis.info().curves);
+    call(basis.path(), hm_moved_curves, basis.get(), moves.data(), control.data(), &view,
+         curve.data(), basis.info().curves);
     return copied(view);
 }
 
@@ -145,13 +155,15 @@ void Morph::slide(const Basis& basis, const Mesh& mesh, const Threads& threads) 
 }
 
 void Morph::judge(const Basis& basis, const Mesh& mesh, const Threads& threads) {
-    round_as_file(mesh, moved.x, moved.y); // what is judged is what can be written
+    round_as_file(mesh, moved.x, moved.y);  // what is judged is what can be written
     const hm_mesh view = mesh.view();
     const hm_points along = displacement.read(), to = moved.read();
     call(mesh, hm_assess, basis.get(), &view, nullptr, &along, threads.executor(), &step, &quality);
-    std::int32_t worst_point = -1; // of no interest
-    call(mesh, hm_boundary_error, basis.get(), moves.data(), &view.points, &to, &boundary_error, &worst_point);
-    boundary_error = std::fabs(boundary_error - safe.turned_offset); // what is left beside the offsets that turned
+    std::int32_t worst_point = -1;  // of no interest
+    call(mesh, hm_boundary_error, basis.get(), moves.data(), &view.points, &to, &boundary_error,
+         &worst_point);
+    boundary_error = std::fabs(boundary_error -
+                               safe.turned_offset);  // what is left beside the offsets that turned
 }
 
-} // namespace cli
+}  // namespace cli

@@ -11,37 +11,42 @@
 
 namespace cli {
 
-// The points' movement for dx,dy pairs of the control points, and how far it may go on without inverting a cell.
-Field displacement(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, const Threads& threads);
+// The points' movement for dx,dy pairs of the control points, and how far it may go on without
+// inverting a cell.
+Field displacement(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves,
+                   const Threads& threads);
 hm_step_report admissible_step(const Basis& basis, const Mesh& mesh, const Field& displacement,
                                const Threads& threads);
 
 struct Morph {
-    std::vector<double> moves; // of control points and bodies, as far as the mesh followed: see hm_morph
+    std::vector<double>
+        moves;  // of control points and bodies, as far as the mesh followed: see hm_morph
     Field displacement, moved;
     hm_step_report step;
-    hm_quality_report quality; // relative to the mesh as it was
-    double boundary_error = 0; // against the B-spline moved by `moves`
-    double seconds = 0;        // of one hm_morph: the median; of hm_morph_safe
-    hm_safe_report safe;       // where it went the safe way
-    std::string refusal;       // of the safe way: why it did not reach the target
-    bool impossible = false;   // of the safe way: no mesh can have the target's boundary
-    std::string warning;       // of the safe way: it did, but not as well as was asked for
+    hm_quality_report quality;  // relative to the mesh as it was
+    double boundary_error = 0;  // against the B-spline moved by `moves`
+    double seconds = 0;         // of one hm_morph: the median; of hm_morph_safe
+    hm_safe_report safe;        // where it went the safe way
+    std::string refusal;        // of the safe way: why it did not reach the target
+    bool impossible = false;    // of the safe way: no mesh can have the target's boundary
+    std::string warning;        // of the safe way: it did, but not as well as was asked for
 
-    Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& its_moves, std::int32_t repeats,
-          const Threads& threads);
+    Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& its_moves,
+          std::int32_t repeats, const Threads& threads);
     // Solves again where it must.
-    Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target, hm_safe_options options,
-          const Threads& threads);
+    Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target,
+          hm_safe_options options, const Threads& threads);
     // Puts inner points where cells are better. Walls, and so `moves`, stay.
     void improve(const Basis& basis, const Mesh& mesh, const Threads& threads);
     bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
-    std::vector<double> moved_control(const Basis& basis) const; // x, y pairs: control points after `moves`
-    Curves moved_curves(const Basis& basis) const; // where the basis's curves are on the moved mesh
+    std::vector<double> moved_control(
+        const Basis& basis) const;  // x, y pairs: control points after `moves`
+    Curves moved_curves(
+        const Basis& basis) const;  // where the basis's curves are on the moved mesh
 
 private:
     void slide(const Basis& basis, const Mesh& mesh, const Threads& threads);
     void judge(const Basis& basis, const Mesh& mesh, const Threads& threads);
 };
 
-} // namespace cli
+}  // namespace cli

@@ -7,39 +7,50 @@
 
 namespace cli {
 
-void print_json(const Morph& morph, bool safe, const Companions& written, const std::optional<ToAirfoil>& airfoil) {
+void print_json(const Morph& morph, bool safe, const Companions& written,
+                const std::optional<ToAirfoil>& airfoil) {
     JsonObject object;
     object.add("inverted", morph.quality.inverted);
     if (!safe) object.add("admissible_step", morph.step.admissible);
-    object.add("self_crossing", morph.quality.self_crossing != 0).add("boundary_error", morph.boundary_error);
-    object.add("min_quality", morph.quality.min_quality).add("mean_quality", morph.quality.mean_quality);
+    object.add("self_crossing", morph.quality.self_crossing != 0)
+        .add("boundary_error", morph.boundary_error);
+    object.add("min_quality", morph.quality.min_quality)
+        .add("mean_quality", morph.quality.mean_quality);
     object.add("morph_seconds", morph.seconds);
     if (safe) {
         add_safe(object, morph.safe, morph.warning, &written.reached);
     }
     object.add("moved_curve", written.curve);
-    if (airfoil) object.add("airfoil_max_error", airfoil->max_error).add("airfoil_rms_error", airfoil->rms_error);
+    if (airfoil)
+        object.add("airfoil_max_error", airfoil->max_error)
+            .add("airfoil_rms_error", airfoil->rms_error);
     std::printf("%s\n", object.text().c_str());
 }
 
 void print_airfoil(const std::string& path, const ToAirfoil& airfoil) {
-    std::printf("airfoil          %s: its %s are %s chord off the moved curve at most (point %d), %s rms\n",
-                path.c_str(), plural(airfoil.points, "point").c_str(), brief(airfoil.max_error / airfoil.chord).c_str(),
-                airfoil.worst_point, brief(airfoil.rms_error / airfoil.chord).c_str());
+    std::printf(
+        "airfoil          %s: its %s are %s chord off the moved curve at most (point %d), %s rms\n",
+        path.c_str(), plural(airfoil.points, "point").c_str(),
+        brief(airfoil.max_error / airfoil.chord).c_str(), airfoil.worst_point,
+        brief(airfoil.rms_error / airfoil.chord).c_str());
 }
 
 void print_for_people(const Morph& morph, bool safe, const Companions& written) {
     const double admissible = safe ? morph.safe.admissible : morph.step.admissible;
     if (safe) print_target(morph.safe);
     std::printf("inverted cells   %d\n", morph.quality.inverted);
-    const std::string step = std::isinf(admissible) ? "unlimited"
-                             : brief(admissible) + (safe ? " of the last step that was tried" : " of this one");
+    const std::string step =
+        std::isinf(admissible)
+            ? "unlimited"
+            : brief(admissible) + (safe ? " of the last step that was tried" : " of this one");
     std::printf("admissible step  %s\n", step.c_str());
     std::printf("boundary         %s; %s off the B-spline at most\n",
                 morph.quality.self_crossing != 0 ? "crosses itself" : "does not cross itself",
                 brief(morph.boundary_error).c_str());
-    std::printf("quality          %s at least, %s on average (size and skew, relative to the mesh as it was)\n",
-                brief(morph.quality.min_quality).c_str(), brief(morph.quality.mean_quality).c_str());
+    std::printf(
+        "quality          %s at least, %s on average (size and skew, relative to the mesh as it "
+        "was)\n",
+        brief(morph.quality.min_quality).c_str(), brief(morph.quality.mean_quality).c_str());
     if (safe) print_worst_cells(morph.safe);
     std::printf("seconds          %s\n", brief(morph.seconds).c_str());
     if (!written.curve.empty()) std::printf("moved curve      %s\n", written.curve.c_str());
@@ -48,9 +59,10 @@ void print_for_people(const Morph& morph, bool safe, const Companions& written) 
     if (morph.refusal.empty()) {
         std::printf("\n");
     } else {
-        std::printf(": the movement that the mesh has, which is not %s %% of each line of the file, "
-                    "as bodies turn on the way\n",
-                    brief(100 * morph.safe.step_fraction).c_str());
+        std::printf(
+            ": the movement that the mesh has, which is not %s %% of each line of the file, "
+            "as bodies turn on the way\n",
+            brief(100 * morph.safe.step_fraction).c_str());
     }
 }
 
@@ -60,17 +72,19 @@ std::string why_not_valid(const Morph& morph, const Mesh& mesh) {
         text = plural(morph.quality.inverted, "inverted cell");
         if (morph.step.cell >= 0) {
             const std::size_t line = mesh.cell_offset[static_cast<std::size_t>(morph.step.cell)];
-            text += ": " + brief(morph.step.admissible) + " of this movement is admissible, limited by cell " +
+            text += ": " + brief(morph.step.admissible) +
+                    " of this movement is admissible, limited by cell " +
                     std::to_string(morph.step.cell) + " (" + mesh.file.place(line) + ")";
         }
     }
     if (morph.quality.self_crossing != 0) {
         const std::int32_t* points = morph.quality.crossing_points;
-        text += (text.empty() ? "" : "; ") + std::string("the boundary crosses itself between points ") +
-                std::to_string(points[0]) + ", " + std::to_string(points[1]) + " and " + std::to_string(points[2]) +
-                ", " + std::to_string(points[3]);
+        text += (text.empty() ? "" : "; ") +
+                std::string("the boundary crosses itself between points ") +
+                std::to_string(points[0]) + ", " + std::to_string(points[1]) + " and " +
+                std::to_string(points[2]) + ", " + std::to_string(points[3]);
     }
     return text;
 }
 
-} // namespace cli
+}  // namespace cli

@@ -16,11 +16,12 @@ struct Companions {
 };
 
 // safe: by hm_morph_safe, so that morph.safe is the report of that call.
-void print_json(const Morph& morph, bool safe, const Companions& written, const std::optional<ToAirfoil>& airfoil);
+void print_json(const Morph& morph, bool safe, const Companions& written,
+                const std::optional<ToAirfoil>& airfoil);
 void print_for_people(const Morph& morph, bool safe, const Companions& written);
 void print_airfoil(const std::string& path, const ToAirfoil& airfoil);
 
 // Inverted cells and crossings, with numbers and places in the mesh file.
 std::string why_not_valid(const Morph& morph, const Mesh& mesh);
 
-} // namespace cli
+}  // namespace cli

@@ -12,12 +12,13 @@ const char* strategy_name(std::int32_t strategy) {
     return names[strategy];
 }
 
-} // namespace
+}  // namespace
 
 void add_safe(JsonObject& object, const hm_safe_report& safe, const std::string& warning,
               const std::string* reached_moves) {
     object.add("step_fraction", safe.step_fraction).add("steps", safe.steps);
-    object.add("resolves", safe.resolves).add("strategy", std::string(strategy_name(safe.strategy)));
+    object.add("resolves", safe.resolves)
+        .add("strategy", std::string(strategy_name(safe.strategy)));
     object.add("last_step_admissible", safe.admissible);
     if (reached_moves != nullptr) object.add("reached_moves", *reached_moves);
     object.add("turned_offset", safe.turned_offset).add("start_quality", safe.start_quality);
@@ -25,7 +26,10 @@ void add_safe(JsonObject& object, const hm_safe_report& safe, const std::string&
     std::vector<JsonObject> worst(static_cast<std::size_t>(safe.n_worst));
     for (std::size_t i = 0; i < worst.size(); ++i) {
         const hm_worst_cell& cell = safe.worst[i];
-        worst[i].add("cell", cell.cell).add("quality", cell.quality).add("start_quality", cell.start_quality);
+        worst[i]
+            .add("cell", cell.cell)
+            .add("quality", cell.quality)
+            .add("start_quality", cell.start_quality);
         worst[i].add("x", cell.x).add("y", cell.y);
     }
     object.add("worst_cells", worst);
@@ -40,24 +44,29 @@ void print_target(const hm_safe_report& safe) {
 void print_worst_cells(const hm_safe_report& safe) {
     for (std::int32_t i = 0; i < safe.n_worst; ++i) {
         const hm_worst_cell& cell = safe.worst[i];
-        std::printf("%-16s cell %d at (%s, %s): %s, before %s\n", i == 0 ? "worst cells" : "", cell.cell,
-                    brief(cell.x).c_str(), brief(cell.y).c_str(), brief(cell.quality).c_str(),
-                    brief(cell.start_quality).c_str());
+        std::printf("%-16s cell %d at (%s, %s): %s, before %s\n", i == 0 ? "worst cells" : "",
+                    cell.cell, brief(cell.x).c_str(), brief(cell.y).c_str(),
+                    brief(cell.quality).c_str(), brief(cell.start_quality).c_str());
     }
 }
 
 std::vector<Option> safe_options() {
-    return {
-        {"--safe", nullptr,
-         "reach the target with good cells whatever it takes: other operators, several steps on the mesh as it\n"
-         "moves, untangling. A body that turns takes along the offsets of its points from the curve"},
-        {"--min-quality", "Q",
-         "for --safe: smallest quality, in parts of the smallest before, 0 to 1 (default 0.05); where it cannot\n"
-         "be had, the best mesh is written with a warning"},
-        {"--max-height-change", "F",
-         "for --safe: first-layer heights may grow and shrink by this factor at most (default: any)"},
-        {"--strict", nullptr, "for --safe: a mesh poorer than asked for is not written, exit code 1"},
-        {"--heights", nullptr, "for --safe: bring distances from the wall back to what they were, near it"}};
+    return {{"--safe", nullptr,
+             "reach the target with good cells whatever it takes: other operators, several steps "
+             "on the mesh as it\n"
+             "moves, untangling. A body that turns takes along the offsets of its points from the "
+             "curve"},
+            {"--min-quality", "Q",
+             "for --safe: smallest quality, in parts of the smallest before, 0 to 1 (default "
+             "0.05); where it cannot\n"
+             "be had, the best mesh is written with a warning"},
+            {"--max-height-change", "F",
+             "for --safe: first-layer heights may grow and shrink by this factor at most (default: "
+             "any)"},
+            {"--strict", nullptr,
+             "for --safe: a mesh poorer than asked for is not written, exit code 1"},
+            {"--heights", nullptr,
+             "for --safe: bring distances from the wall back to what they were, near it"}};
 }
 
 hm_safe_options safe_options_of(const Arguments& arguments) {
@@ -70,4 +79,4 @@ hm_safe_options safe_options_of(const Arguments& arguments) {
     return options;
 }
 
-} // namespace cli
+}  // namespace cli

@@ -24,4 +24,4 @@ inline hm_section section_of(const Arguments& arguments) {
     return section;
 }
 
-} // namespace cli
+}  // namespace cli

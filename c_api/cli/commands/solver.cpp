@@ -3,8 +3,12 @@
 namespace cli {
 
 Solver::Solver(const Mesh& mesh, const Task& task, const Threads& threads)
-    : mesh_(mesh), mesh_view_(mesh.view()), curves_view_(task.curves), problem_(sized<hm_problem>()),
-      options_(task.options), report_(sized<hm_solve_report>()) {
+    : mesh_(mesh),
+      mesh_view_(mesh.view()),
+      curves_view_(task.curves),
+      problem_(sized<hm_problem>()),
+      options_(task.options),
+      report_(sized<hm_solve_report>()) {
     problem_.mesh = &mesh_view_;
     problem_.curves = task.curves.curves.empty() ? nullptr : curves_view_.get();
     problem_.n_conditions = static_cast<std::int32_t>(task.conditions.size());
@@ -46,8 +50,10 @@ void Solver::slide(Field& moved, Field& displacement) {
     const hm_points_out to = moved.write();
     call(mesh_, hm_slide, analysis_, &from, &to);
     for (std::size_t point = 0; point < moved.x.size(); ++point) {
-        if (moved.x[point] != before.x[point]) displacement.x[point] = moved.x[point] - mesh_.x[point];
-        if (moved.y[point] != before.y[point]) displacement.y[point] = moved.y[point] - mesh_.y[point];
+        if (moved.x[point] != before.x[point])
+            displacement.x[point] = moved.x[point] - mesh_.x[point];
+        if (moved.y[point] != before.y[point])
+            displacement.y[point] = moved.y[point] - mesh_.y[point];
     }
 }
 
@@ -68,4 +74,4 @@ void Solver::lay_out() {
     call(mesh_, hm_basis_init, &basis_, basis_block_.data(), bytes, analysis_);
 }
 
-} // namespace cli
+}  // namespace cli

@@ -11,7 +11,7 @@
 
 namespace cli {
 
-struct SolveTimes { // seconds
+struct SolveTimes {     // seconds
     double setup = 0;   // structure of the mesh, operator
     double factor = 0;  // ordering, symbolic and numeric factorisation
     double solve = 0;   // all functions
@@ -19,21 +19,24 @@ struct SolveTimes { // seconds
 
 class Solver {
 public:
-    Solver(const Mesh& mesh, const Task& task, const Threads& threads); // all must outlive it
+    Solver(const Mesh& mesh, const Task& task, const Threads& threads);  // all must outlive it
     Solver(const Solver&) = delete;
 
-    hm_status run(); // from the mesh to the basis; once more does the same in the same memory
+    hm_status run();  // from the mesh to the basis; once more does the same in the same memory
 
     void prepare();  // up to the plan, without numbers
 
-    // Puts points of a moved mesh that slide along curves onto these curves, and changes the displacement accordingly.
+    // Puts points of a moved mesh that slide along curves onto these curves, and changes the
+    // displacement accordingly.
     void slide(Field& moved, Field& displacement);
 
     hm_plan* plan() { return plan_; }
     const hm_basis* basis() const { return basis_; }
-    hm_basis* unsolved() { return basis_; } // after prepare()
+    hm_basis* unsolved() { return basis_; }  // after prepare()
     const hm_solve_report& report() const { return report_; }
-    double found() const { return found_; } // where the last solution has not converged: hm_error.value
+    double found() const {
+        return found_;
+    }  // where the last solution has not converged: hm_error.value
     const SolveTimes& times() const { return times_; }
     std::size_t plan_bytes() const { return plan_block_.size(); }
 
@@ -56,4 +59,4 @@ private:
     SolveTimes times_;
 };
 
-} // namespace cli
+}  // namespace cli

@@ -4,11 +4,14 @@ namespace cli {
 
 const Option storage_option = {
     "--storage", "P",
-    "of the functions in BASIS: double (default), or single: half the memory, faster morphs, each value\n"
+    "of the functions in BASIS: double (default), or single: half the memory, faster morphs, each "
+    "value\n"
     "within 2^-24 of itself, exact on curves; not for --safe and transfer"};
 
-Stored::Stored(const Arguments& arguments, const Mesh& mesh, const hm_basis* solved) : basis_(solved) {
-    if (arguments.choice("--storage", {{"double", HM_DOUBLE}, {"single", HM_SINGLE}}) == HM_DOUBLE) return;
+Stored::Stored(const Arguments& arguments, const Mesh& mesh, const hm_basis* solved)
+    : basis_(solved) {
+    if (arguments.choice("--storage", {{"double", HM_DOUBLE}, {"single", HM_SINGLE}}) == HM_DOUBLE)
+        return;
     std::size_t bytes = 0;
     call(mesh, hm_single_size, solved, &bytes);
     block_.resize(bytes);
@@ -23,4 +26,4 @@ std::size_t Stored::bytes() const {
     return static_cast<std::size_t>(info.bytes);
 }
 
-} // namespace cli
+}  // namespace cli

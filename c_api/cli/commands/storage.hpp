@@ -11,7 +11,8 @@ extern const Option storage_option;
 // The basis as it is, or in single precision in a block of its own.
 class Stored {
 public:
-    Stored(const Arguments& arguments, const Mesh& mesh, const hm_basis* solved); // the basis must outlive it
+    Stored(const Arguments& arguments, const Mesh& mesh,
+           const hm_basis* solved);  // the basis must outlive it
 
     const hm_basis* basis() const { return basis_; }
     std::size_t bytes() const;
@@ -22,4 +23,4 @@ private:
     const hm_basis* basis_;
 };
 
-} // namespace cli
+}  // namespace cli

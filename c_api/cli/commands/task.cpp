@@ -27,10 +27,12 @@ hm_condition condition_on(const MarkerPiece& on, std::int32_t kind) {
     return condition;
 }
 
-void add_condition(const Arguments& arguments, const Mesh& mesh, Task& task, const hm_condition& condition) {
+void add_condition(const Arguments& arguments, const Mesh& mesh, Task& task,
+                   const hm_condition& condition) {
     for (const hm_condition& other : task.conditions) {
         if (other.marker == condition.marker && other.piece == 0 && condition.piece == 0) {
-            arguments.refuse("marker " + in_quotes(mesh.markers[static_cast<std::size_t>(condition.marker)]) +
+            arguments.refuse("marker " +
+                             in_quotes(mesh.markers[static_cast<std::size_t>(condition.marker)]) +
                              " has two conditions: name it once");
         }
     }
@@ -38,9 +40,11 @@ void add_condition(const Arguments& arguments, const Mesh& mesh, Task& task, con
 }
 
 // binding: "A[,B..]=FILE", the markers that lie on the curves of that file.
-void put_on_curves(const Arguments& arguments, const Mesh& mesh, Task& task, const std::string& binding) {
+void put_on_curves(const Arguments& arguments, const Mesh& mesh, Task& task,
+                   const std::string& binding) {
     const std::size_t equals = binding.find('=');
-    if (equals == std::string::npos) arguments.refuse("--curve expects MARKER=FILE, found " + in_quotes(binding));
+    if (equals == std::string::npos)
+        arguments.refuse("--curve expects MARKER=FILE, found " + in_quotes(binding));
     const auto first_curve = static_cast<std::int32_t>(task.curves.curves.size());
     task.curves.append(read_curves(binding.substr(equals + 1)));
     for (const MarkerPiece& piece : mesh.find_pieces(binding.substr(0, equals))) {
@@ -51,12 +55,15 @@ void put_on_curves(const Arguments& arguments, const Mesh& mesh, Task& task, con
     }
 }
 
-// binding: "A[,B..]" or "A[,B..]=FILE", the markers whose points slide, along the curves of that file.
-void let_slide(const Arguments& arguments, const Mesh& mesh, Task& task, const std::string& binding) {
+// binding: "A[,B..]" or "A[,B..]=FILE", the markers whose points slide, along the curves of that
+// file.
+void let_slide(const Arguments& arguments, const Mesh& mesh, Task& task,
+               const std::string& binding) {
     const std::size_t equals = binding.find('=');
     hm_condition along = condition_on(0, HM_SLIP);
     if (equals != std::string::npos) {
-        task.slip_curves.push_back(std::make_shared<const CurveSet>(read_curves(binding.substr(equals + 1))));
+        task.slip_curves.push_back(
+            std::make_shared<const CurveSet>(read_curves(binding.substr(equals + 1))));
         along.along = task.slip_curves.back()->view.get();
         along.n_curves = along.along->n_curves;
     }
@@ -82,7 +89,8 @@ void centre_of(const Mesh& mesh, const std::vector<MarkerPiece>& pieces, double&
     bool first = true;
     for (std::int32_t face = 0; face < mesh.faces(); ++face) {
         const auto its = static_cast<std::size_t>(face);
-        if (std::find(markers.begin(), markers.end(), mesh.face_markers[its]) == markers.end()) continue;
+        if (std::find(markers.begin(), markers.end(), mesh.face_markers[its]) == markers.end())
+            continue;
         for (std::size_t end = 2 * its; end < 2 * its + 2; ++end) {
             const auto point = static_cast<std::size_t>(mesh.face_points[end]);
             const double at[2] = {mesh.x[point], mesh.y[point]};
@@ -98,8 +106,8 @@ void centre_of(const Mesh& mesh, const std::vector<MarkerPiece>& pieces, double&
 }
 
 // binding: "A[,B..]" or "A[,B..]=X,Y", the markers of one body and what it turns about.
-void make_rigid(const Arguments& arguments, const Mesh& mesh, Task& task, const std::string& binding,
-                std::int32_t body) {
+void make_rigid(const Arguments& arguments, const Mesh& mesh, Task& task,
+                const std::string& binding, std::int32_t body) {
     const std::size_t equals = binding.find('=');
     const std::vector<MarkerPiece> pieces = mesh.find_pieces(binding.substr(0, equals));
     double x = 0, y = 0;
@@ -107,7 +115,8 @@ void make_rigid(const Arguments& arguments, const Mesh& mesh, Task& task, const 
     if (equals != std::string::npos) {
         const std::string centre = binding.substr(equals + 1);
         const std::size_t comma = centre.find(',');
-        if (comma == std::string::npos || !parse(centre.substr(0, comma), x) || !parse(centre.substr(comma + 1), y)) {
+        if (comma == std::string::npos || !parse(centre.substr(0, comma), x) ||
+            !parse(centre.substr(comma + 1), y)) {
             arguments.refuse("--rigid expects MARKER or MARKER=X,Y, found " + in_quotes(binding));
         }
     }
@@ -121,19 +130,25 @@ void make_rigid(const Arguments& arguments, const Mesh& mesh, Task& task, const 
 }
 
 // binding: "A:B". Tags may hold colons.
-void make_periodic(const Arguments& arguments, const Mesh& mesh, Task& task, const std::string& binding) {
+void make_periodic(const Arguments& arguments, const Mesh& mesh, Task& task,
+                   const std::string& binding) {
     const auto number_of = [&mesh](const std::string& tag) {
         const auto found = std::find(mesh.markers.begin(), mesh.markers.end(), tag);
-        return found == mesh.markers.end() ? -1 : static_cast<std::int32_t>(std::distance(mesh.markers.begin(), found));
+        return found == mesh.markers.end()
+                   ? -1
+                   : static_cast<std::int32_t>(std::distance(mesh.markers.begin(), found));
     };
-    for (std::size_t colon = binding.find(':'); colon != std::string::npos; colon = binding.find(':', colon + 1)) {
-        const std::int32_t marker = number_of(binding.substr(0, colon)), partner = number_of(binding.substr(colon + 1));
+    for (std::size_t colon = binding.find(':'); colon != std::string::npos;
+         colon = binding.find(':', colon + 1)) {
+        const std::int32_t marker = number_of(binding.substr(0, colon)),
+                           partner = number_of(binding.substr(colon + 1));
         if (marker < 0 || partner < 0) continue;
         const SidePair pair = side_pair(mesh, marker, partner);
         if (!pair.passage.empty()) task.passages.push_back(pair.passage);
         return add_condition(arguments, mesh, task, pair.condition);
     }
-    arguments.refuse("--periodic expects two markers of the mesh as A:B, found " + in_quotes(binding));
+    arguments.refuse("--periodic expects two markers of the mesh as A:B, found " +
+                     in_quotes(binding));
 }
 
 std::int32_t operator_of(const Arguments& arguments) {
@@ -152,14 +167,17 @@ std::int32_t scheme_of(const Arguments& arguments) {
     if (name == "nodal-gradient") return HM_NODAL_GRADIENT;
     if (name == "nodal-gradient-plain") return HM_NODAL_GRADIENT_PLAIN;
     if (name == "bounded") return HM_BOUNDED;
-    arguments.refuse("--scheme is compact, nodal-gradient, nodal-gradient-plain or bounded, found " + in_quotes(name));
+    arguments.refuse(
+        "--scheme is compact, nodal-gradient, nodal-gradient-plain or bounded, found " +
+        in_quotes(name));
 }
 
 std::int32_t quarters_of(const Arguments& arguments) {
     if (!arguments.has("--exponent")) return 0;
     double exponent = 0;
     const bool is_number = parse(arguments.text("--exponent"), exponent);
-    const auto quarters = is_number && exponent >= 0 && exponent <= 4 ? static_cast<std::int32_t>(4 * exponent) : -1;
+    const auto quarters =
+        is_number && exponent >= 0 && exponent <= 4 ? static_cast<std::int32_t>(4 * exponent) : -1;
     if (quarters < 0 || quarters != 4 * exponent) {
         arguments.refuse("--exponent expects a number from 0 to 4 in steps of 1/4, found " +
                          in_quotes(arguments.text("--exponent")));
@@ -167,34 +185,43 @@ std::int32_t quarters_of(const Arguments& arguments) {
     return quarters == 0 ? HM_NO_WEIGHT : quarters;
 }
 
-} // namespace
+}  // namespace
 
 Task::Task() : options(sized<hm_options>()) {}
 
 std::vector<Option> task_options() {
     return {
-    {"--curve", "A[,B..]=CURVE",
-     "markers, and the file with the curves they lie on (may be repeated). A@X:Y is the piece\n"
-     "of marker A nearest to (X, Y): one of several bodies or sides, here and below"},
-    {"--rigid", "A[,B..][=X,Y]",
-     "markers of a body that only moves, turns about X,Y (default: its middle; of a piece, the\n"
-     "point that it is near to) and scales (may be repeated)"},
-    {"--slip", "C[,D..][=CURVE]", "markers along which points slide, straight or curved without corners, or along the\n"
-                                  "curves of a file, which BASIS keeps (may be repeated)"},
-    {"--periodic", "E:F",
-     "a pair of markers, one the other moved: their points move alike; or one the other turned, as\n"
-     "the sides of a passage of an annulus: then their points move turned (may be repeated)"},
-    {"--free", "G[,H..]", "markers whose points may move off their line (may be repeated; not with conformal)"},
-    {"--operator", "OPERATOR", "conformal (default): keeps angles near the wall, takes large movements; laplace: the\n"
-                               "harmonic functions of the paper; weighted: harmonic with a conductivity 1/d^Q"},
-    {"--exponent", "Q",
-     "of the distance d to what moves, 0 to 4 in steps of 1/4\n(default 1.5 for conformal, 1 for weighted)"},
-    {"--scheme", "SCHEME",
-     "compact (default): on the mesh's cells; bounded: on Delaunay triangles of its points, so that\n"
-     "laplace and weighted functions stay between 0 and 1; nodal-gradient: laplace by averaged\n"
-     "gradients, engines direct and fas; nodal-gradient-plain: the paper's text, engine fas"},
-    {"--offset-correction", nullptr, "conformal: what the mesh is off its curve turns with the curve"},
-    {"--tol", "T", "largest relative residual that counts as converged (default 1e-10)"}};
+        {"--curve", "A[,B..]=CURVE",
+         "markers, and the file with the curves they lie on (may be repeated). A@X:Y is the piece\n"
+         "of marker A nearest to (X, Y): one of several bodies or sides, here and below"},
+        {"--rigid", "A[,B..][=X,Y]",
+         "markers of a body that only moves, turns about X,Y (default: its middle; of a piece, "
+         "the\n"
+         "point that it is near to) and scales (may be repeated)"},
+        {"--slip", "C[,D..][=CURVE]",
+         "markers along which points slide, straight or curved without corners, or along the\n"
+         "curves of a file, which BASIS keeps (may be repeated)"},
+        {"--periodic", "E:F",
+         "a pair of markers, one the other moved: their points move alike; or one the other "
+         "turned, as\n"
+         "the sides of a passage of an annulus: then their points move turned (may be repeated)"},
+        {"--free", "G[,H..]",
+         "markers whose points may move off their line (may be repeated; not with conformal)"},
+        {"--operator", "OPERATOR",
+         "conformal (default): keeps angles near the wall, takes large movements; laplace: the\n"
+         "harmonic functions of the paper; weighted: harmonic with a conductivity 1/d^Q"},
+        {"--exponent", "Q",
+         "of the distance d to what moves, 0 to 4 in steps of 1/4\n(default 1.5 for conformal, 1 "
+         "for weighted)"},
+        {"--scheme", "SCHEME",
+         "compact (default): on the mesh's cells; bounded: on Delaunay triangles of its points, so "
+         "that\n"
+         "laplace and weighted functions stay between 0 and 1; nodal-gradient: laplace by "
+         "averaged\n"
+         "gradients, engines direct and fas; nodal-gradient-plain: the paper's text, engine fas"},
+        {"--offset-correction", nullptr,
+         "conformal: what the mesh is off its curve turns with the curve"},
+        {"--tol", "T", "largest relative residual that counts as converged (default 1e-10)"}};
 }
 
 Task task_of(const Arguments& arguments, const Mesh& mesh) {
@@ -205,10 +232,13 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
     task.options.scheme = scheme_of(arguments);
     task.options.offset_correction = arguments.has("--offset-correction") ? 1 : 0;
     set_engine(arguments, task.options);
-    for (const std::string& binding : arguments.all("--curve")) put_on_curves(arguments, mesh, task, binding);
+    for (const std::string& binding : arguments.all("--curve"))
+        put_on_curves(arguments, mesh, task, binding);
     std::int32_t body = 0;
-    for (const std::string& binding : arguments.all("--rigid")) make_rigid(arguments, mesh, task, binding, body++);
-    for (const std::string& binding : arguments.all("--periodic")) make_periodic(arguments, mesh, task, binding);
+    for (const std::string& binding : arguments.all("--rigid"))
+        make_rigid(arguments, mesh, task, binding, body++);
+    for (const std::string& binding : arguments.all("--periodic"))
+        make_periodic(arguments, mesh, task, binding);
     const auto add = [&](const char* option, std::int32_t kind) {
         for (const std::string& tags : arguments.all(option)) {
             for (const MarkerPiece& piece : mesh.find_pieces(tags)) {
@@ -217,7 +247,8 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
         }
     };
     add("--given", HM_GIVEN);
-    for (const std::string& binding : arguments.all("--slip")) let_slide(arguments, mesh, task, binding);
+    for (const std::string& binding : arguments.all("--slip"))
+        let_slide(arguments, mesh, task, binding);
     add("--free", HM_FREE);
     return task;
 }
@@ -228,13 +259,14 @@ Task task_of(const Basis& basis) {
     task.options.operator_kind = info.operator_kind;
     task.options.scheme = info.scheme;
     task.options.engine = info.engine;
-    task.options.exponent_quarters = info.exponent_quarters == 0 ? HM_NO_WEIGHT : info.exponent_quarters;
+    task.options.exponent_quarters =
+        info.exponent_quarters == 0 ? HM_NO_WEIGHT : info.exponent_quarters;
     task.options.offset_correction = info.offset_correction;
     task.conditions = basis.conditions();
     task.slip_curves = basis.slip_curves();
     task.curves = copied(basis.curves());
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
-        if (info.point_curve[k] >= info.curves) continue; // on no curve
+        if (info.point_curve[k] >= info.curves) continue;  // on no curve
         task.given_points.push_back(info.curve_point[k]);
         task.given_curves.push_back(info.point_curve[k]);
         task.given_u.push_back(info.point_u[k]);
@@ -242,4 +274,4 @@ Task task_of(const Basis& basis) {
     return task;
 }
 
-} // namespace cli
+}  // namespace cli

@@ -1,4 +1,5 @@
-// What is to be solved: curves, conditions, operator; from the command line, or once more as a basis was solved.
+// What is to be solved: curves, conditions, operator; from the command line, or once more as a
+// basis was solved.
 #pragma once
 
 #include "basics/arguments.hpp"
@@ -13,9 +14,9 @@ namespace cli {
 struct Task {
     Curves curves;
     std::vector<hm_condition> conditions;
-    std::vector<std::shared_ptr<const CurveSet>> slip_curves; // that conditions point to
-    std::vector<std::string> passages; // pairs of sides that are turned, in words
-    std::vector<std::int32_t> given_points, given_curves; // parameters that are known
+    std::vector<std::shared_ptr<const CurveSet>> slip_curves;  // that conditions point to
+    std::vector<std::string> passages;  // pairs of sides that are turned, in words
+    std::vector<std::int32_t> given_points, given_curves;  // parameters that are known
     std::vector<double> given_u;
     hm_options options;
     Task();
@@ -25,4 +26,4 @@ std::vector<Option> task_options();
 Task task_of(const Arguments& arguments, const Mesh& mesh);
 Task task_of(const Basis& basis);
 
-} // namespace cli
+}  // namespace cli

@@ -5,8 +5,9 @@
 
 namespace cli {
 
-const Option window_option = {"--window", "X,Y,X,Y",
-                              "lower left and upper right corner of what --svg shows (default: the body)"};
+const Option window_option = {
+    "--window", "X,Y,X,Y",
+    "lower left and upper right corner of what --svg shows (default: the body)"};
 
 std::optional<Box> window_of(const Arguments& arguments) {
     if (!arguments.has(window_option.name)) return std::nullopt;
@@ -23,7 +24,8 @@ std::optional<Box> window_of(const Arguments& arguments) {
     }
     const Box window = {{number[0], number[1]}, {number[2], number[3]}};
     if (n == 4 && window.width() > 0 && window.height() > 0) return window;
-    arguments.refuse("--window expects X,Y,X,Y, the lower left and the upper right corner, found " + in_quotes(text));
+    arguments.refuse("--window expects X,Y,X,Y, the lower left and the upper right corner, found " +
+                     in_quotes(text));
 }
 
-} // namespace cli
+}  // namespace cli

@@ -10,6 +10,6 @@ namespace cli {
 
 extern const Option window_option;
 
-std::optional<Box> window_of(const Arguments& arguments); // nothing: not given
+std::optional<Box> window_of(const Arguments& arguments);  // nothing: not given
 
-} // namespace cli
+}  // namespace cli

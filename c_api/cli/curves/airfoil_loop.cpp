@@ -25,7 +25,7 @@ AirfoilLoop::AirfoilLoop(const hm_curves& curves, std::int32_t curve) {
         const double from = its.knots[span], to = its.knots[span + 1];
         for (int i = 0; i < per_span && from < to; ++i) add(from + (to - from) * i / per_span);
     }
-    if (is_periodic) { // from the largest x on
+    if (is_periodic) {  // from the largest x on
         const auto least = [](Point a, Point b) { return a.x < b.x; };
         const auto first = std::max_element(at.begin(), at.end(), least) - at.begin();
         std::rotate(at.begin(), at.begin() + first, at.end());
@@ -50,13 +50,15 @@ void AirfoilLoop::measure() {
     leading = at[nose];
     part.resize(at.size());
     for (std::size_t k = 0; k < at.size(); ++k) {
-        part[k] = k <= nose ? arc[k] / arc[nose] : 1 + (arc[k] - arc[nose]) / (arc.back() - arc[nose]);
+        part[k] =
+            k <= nose ? arc[k] / arc[nose] : 1 + (arc[k] - arc[nose]) / (arc.back() - arc[nose]);
     }
 }
 
 bool AirfoilLoop::runs_clockwise() const {
     double area = 0;
-    for (std::size_t k = 1; k < at.size(); ++k) area += at[k - 1].x * at[k].y - at[k].x * at[k - 1].y;
+    for (std::size_t k = 1; k < at.size(); ++k)
+        area += at[k - 1].x * at[k].y - at[k].x * at[k - 1].y;
     return area < 0;
 }
 
@@ -68,10 +70,13 @@ void AirfoilLoop::reverse() {
 double AirfoilLoop::u_at(double its_part) const {
     const auto next = std::upper_bound(part.begin() + 1, part.end() - 1, its_part) - part.begin();
     const auto k = static_cast<std::size_t>(next);
-    const double length = part[k] - part[k - 1], t = length > 0 ? (its_part - part[k - 1]) / length : 0;
+    const double length = part[k] - part[k - 1],
+                 t = length > 0 ? (its_part - part[k - 1]) / length : 0;
     return u[k - 1] + std::clamp(t, 0.0, 1.0) * (u[k] - u[k - 1]);
 }
 
-double AirfoilLoop::within(double its_u) const { return its_u > end_ ? its_u - (end_ - begin_) : its_u; }
+double AirfoilLoop::within(double its_u) const {
+    return its_u > end_ ? its_u - (end_ - begin_) : its_u;
+}
 
-} // namespace cli
+}  // namespace cli

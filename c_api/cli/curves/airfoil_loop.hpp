@@ -11,22 +11,24 @@ namespace cli {
 
 struct AirfoilLoop {
     std::vector<Point> at;
-    std::vector<double> u;    // rises; of a periodic curve beyond the last knot, where the first span comes again
-    std::vector<double> part; // of the arc: 0 at the beginning, 1 at the leading edge, 2 at the end
+    std::vector<double>
+        u;  // rises; of a periodic curve beyond the last knot, where the first span comes again
+    std::vector<double>
+        part;  // of the arc: 0 at the beginning, 1 at the leading edge, 2 at the end
     Point leading = {0, 0}, trailing = {0, 0};
-    bool is_periodic = false; // else its ends are one control point, or two
-    bool is_blunt = false;    // two ends
+    bool is_periodic = false;  // else its ends are one control point, or two
+    bool is_blunt = false;     // two ends
 
     AirfoilLoop(const hm_curves& curves, std::int32_t curve);
     bool runs_clockwise() const;
-    void reverse(); // the parameter no longer belongs to the points
+    void reverse();  // the parameter no longer belongs to the points
     double u_at(double part) const;
 
-    double within(double u) const; // the same parameter between the first and the last knot
+    double within(double u) const;  // the same parameter between the first and the last knot
 
 private:
     void measure();
-    double begin_ = 0, end_ = 0; // of the parameter
+    double begin_ = 0, end_ = 0;  // of the parameter
 };
 
-} // namespace cli
+}  // namespace cli

@@ -1,4 +1,5 @@
-// Curves for CAD and Fortran programs, as B-splines with all their knots: plain text, readable as it is written.
+// Curves for CAD and Fortran programs, as B-splines with all their knots: plain text, readable as
+// it is written.
 #pragma once
 
 #include "curves/curves.hpp"
@@ -10,11 +11,12 @@ namespace cli {
 // IGES 5.3: an entity 126 (rational B-spline curve) for each curve, in the plane z = 0.
 void write_iges(std::ostream& out, const Curves& curves);
 
-// STEP (ISO 10303-21, AP 203): B_SPLINE_CURVE_WITH_KNOTS, rational ones where there are weights, as a wireframe.
+// STEP (ISO 10303-21, AP 203): B_SPLINE_CURVE_WITH_KNOTS, rational ones where there are weights, as
+// a wireframe.
 void write_step(std::ostream& out, const Curves& curves);
 
-// Fortran namelists: &control_points (n, xy(2, n), and weights(n) if the curves are rational), then for each curve
-// &curve (degree, closed, n_indices, indices, knots); all is counted from 1.
+// Fortran namelists: &control_points (n, xy(2, n), and weights(n) if the curves are rational), then
+// for each curve &curve (degree, closed, n_indices, indices, knots); all is counted from 1.
 void write_namelist(std::ostream& out, const Curves& curves);
 
-} // namespace cli
+}  // namespace cli

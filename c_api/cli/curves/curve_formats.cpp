@@ -9,9 +9,12 @@
 namespace cli {
 
 bool ends_with(const std::string& path, const std::string& ending) {
-    const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
+    const auto same = [](char a, char b) {
+        return std::tolower(static_cast<unsigned char>(a)) == b;
+    };
     if (path.size() < ending.size()) return false;
-    return std::equal(ending.rbegin(), ending.rend(), path.rbegin(), [&](char b, char a) { return same(a, b); });
+    return std::equal(ending.rbegin(), ending.rend(), path.rbegin(),
+                      [&](char b, char a) { return same(a, b); });
 }
 
 void write_curve_file(OutputFiles& files, const std::string& path, const Curves& curves) {
@@ -23,4 +26,4 @@ void write_curve_file(OutputFiles& files, const std::string& path, const Curves&
     write_curves(out, curves);
 }
 
-} // namespace cli
+}  // namespace cli

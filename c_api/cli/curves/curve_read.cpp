@@ -26,15 +26,17 @@ private:
     void finish_curve();
 
     std::int32_t count(const char* keyword, std::int32_t smallest);
-    template <class Number> std::vector<Number> numbers(std::int32_t n, const char* what);
-    template <class Number> Number number(std::string_view word, const char* what) const;
+    template <class Number>
+    std::vector<Number> numbers(std::int32_t n, const char* what);
+    template <class Number>
+    Number number(std::string_view word, const char* what) const;
     void only_once(bool there_already) const;
     void points_first() const;
 
     TextFile file_;
     LineReader lines_;
     Curves curves_;
-    Curve curve_; // the one being read
+    Curve curve_;  // the one being read
     bool has_closed_ = false;
     std::size_t knots_offset_ = 0, indices_offset_ = 0;
 };
@@ -54,7 +56,8 @@ void CurveReader::read_keyword() {
     if (keyword == "knots") return read_knots();
     if (keyword == "indices") return read_indices();
     if (keyword == "weights") return read_weights();
-    if (keyword != "curve") lines_.expected("degree, closed, points, knots, indices, weights or curve");
+    if (keyword != "curve")
+        lines_.expected("degree, closed, points, knots, indices, weights or curve");
     finish_curve();
 }
 
@@ -77,15 +80,18 @@ void CurveReader::read_closed() {
 }
 
 void CurveReader::read_points() {
-    if (!curves_.control.empty()) lines_.fail("a second list of points: further curves use those of the first");
+    if (!curves_.control.empty())
+        lines_.fail("a second list of points: further curves use those of the first");
     const std::int32_t n = count("points", 2);
     for (std::int32_t point = 0; point < n; ++point) {
         const bool found = lines_.next();
         const auto& words = lines_.words();
         if (!found || words.size() != 2) {
-            lines_.expected("x and y of point " + std::to_string(point + 1) + " of " + std::to_string(n));
+            lines_.expected("x and y of point " + std::to_string(point + 1) + " of " +
+                            std::to_string(n));
         }
-        for (const std::string_view word : words) curves_.control.push_back(number<double>(word, "a finite number"));
+        for (const std::string_view word : words)
+            curves_.control.push_back(number<double>(word, "a finite number"));
     }
 }
 
@@ -105,7 +111,8 @@ void CurveReader::read_indices() {
     for (std::int32_t& index : curve_.indices) {
         if (index < 1 || index > curves_.points()) {
             const std::string last = std::to_string(curves_.points());
-            file_.fail(indices_offset_, "expected indices between 1 and " + last + ", found " + std::to_string(index));
+            file_.fail(indices_offset_, "expected indices between 1 and " + last + ", found " +
+                                            std::to_string(index));
         }
         --index;
     }
@@ -115,7 +122,8 @@ void CurveReader::read_weights() {
     only_once(!curves_.weights.empty());
     points_first();
     const std::int32_t n = count("weights", 2);
-    if (n != curves_.points()) lines_.expected("weights " + std::to_string(curves_.points()) + ", one for each point");
+    if (n != curves_.points())
+        lines_.expected("weights " + std::to_string(curves_.points()) + ", one for each point");
     const std::size_t offset = lines_.offset();
     curves_.weights = numbers<double>(n, "weight");
     for (const double weight : curves_.weights) {
@@ -132,14 +140,16 @@ void CurveReader::finish_curve() {
         curve_.indices = default_indices(curves_.points(), curve_.degree, curve_.closed);
     } else if (!closes(curve_)) {
         const std::string how = closed_name(curve_.closed);
-        file_.fail(indices_offset_, "these indices do not make the curve closed " + how + " as the file says");
+        file_.fail(indices_offset_,
+                   "these indices do not make the curve closed " + how + " as the file says");
     }
     const std::size_t n_knots = curve_.indices.size() + static_cast<std::size_t>(curve_.degree) + 1;
     if (curve_.knots.size() != n_knots) {
-        file_.fail(knots_offset_, "expected knots " + std::to_string(n_knots) + " (" +
-                                      plural(static_cast<std::int64_t>(curve_.indices.size()), "control point") +
-                                      " with repeats, degree " + std::to_string(curve_.degree) + "), found knots " +
-                                      std::to_string(curve_.knots.size()));
+        file_.fail(knots_offset_,
+                   "expected knots " + std::to_string(n_knots) + " (" +
+                       plural(static_cast<std::int64_t>(curve_.indices.size()), "control point") +
+                       " with repeats, degree " + std::to_string(curve_.degree) +
+                       "), found knots " + std::to_string(curve_.knots.size()));
     }
     curves_.curves.push_back(std::exchange(curve_, Curve()));
     has_closed_ = false;
@@ -149,42 +159,47 @@ std::int32_t CurveReader::count(const char* keyword, std::int32_t smallest) {
     const auto& words = lines_.words();
     std::int32_t value = 0;
     if (words.size() != 2 || !parse(words[1], value) || value < smallest) {
-        lines_.expected(keyword + std::string(" and a whole number from ") + std::to_string(smallest));
+        lines_.expected(keyword + std::string(" and a whole number from ") +
+                        std::to_string(smallest));
     }
     return value;
 }
 
 // n numbers, in lines of any length.
-template <class Number> std::vector<Number> CurveReader::numbers(std::int32_t n, const char* what) {
+template <class Number>
+std::vector<Number> CurveReader::numbers(std::int32_t n, const char* what) {
     std::vector<Number> values;
     const auto wanted = static_cast<std::size_t>(n);
     while (values.size() < wanted) {
-        const std::string next =
-            std::string(what) + " " + std::to_string(values.size() + 1) + " of " + std::to_string(n);
+        const std::string next = std::string(what) + " " + std::to_string(values.size() + 1) +
+                                 " of " + std::to_string(n);
         if (!lines_.next()) lines_.expected(next);
         for (const std::string_view word : lines_.words()) {
             values.push_back(number<Number>(word, next.c_str()));
-            if (values.size() > wanted) lines_.expected("no more than " + std::to_string(n) + " numbers", word);
+            if (values.size() > wanted)
+                lines_.expected("no more than " + std::to_string(n) + " numbers", word);
         }
     }
     return values;
 }
 
-template <class Number> Number CurveReader::number(std::string_view word, const char* what) const {
+template <class Number>
+Number CurveReader::number(std::string_view word, const char* what) const {
     Number value = 0;
     if (!parse(word, value)) lines_.expected(what, word);
     return value;
 }
 
 void CurveReader::only_once(bool there_already) const {
-    if (there_already) lines_.fail(in_quotes(lines_.line()) + " stands here a second time for one curve");
+    if (there_already)
+        lines_.fail(in_quotes(lines_.line()) + " stands here a second time for one curve");
 }
 
 void CurveReader::points_first() const {
     if (curves_.control.empty()) lines_.expected("points");
 }
 
-} // namespace
+}  // namespace
 
 Curves read_curves(const std::string& path) { return CurveReader(TextFile(path)).read(); }
 
@@ -192,4 +207,4 @@ Curves read_curves(const std::string& path, std::string text) {
     return CurveReader(TextFile(path, std::move(text))).read();
 }
 
-} // namespace cli
+}  // namespace cli

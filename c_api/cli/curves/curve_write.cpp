@@ -26,7 +26,7 @@ void write_indices(std::ostream& out, const Curve& curve) {
     for (const std::int32_t index : curve.indices) out << index + 1 << '\n';
 }
 
-} // namespace
+}  // namespace
 
 void write_curves(std::ostream& out, const Curves& curves) {
     out << "# B-spline; control points are numbered from 1 in this order\n";
@@ -35,9 +35,10 @@ void write_curves(std::ostream& out, const Curves& curves) {
         if (!first) out << "curve\n";
         out << "degree " << curve.degree << "\nclosed " << closed_name(curve.closed) << '\n';
         if (first) write_points(out, curves);
-        if (curve.indices != default_indices(curves.points(), curve.degree, curve.closed)) write_indices(out, curve);
+        if (curve.indices != default_indices(curves.points(), curve.degree, curve.closed))
+            write_indices(out, curve);
         write_numbers(out, "knots", curve.knots);
     }
 }
 
-} // namespace cli
+}  // namespace cli

@@ -9,7 +9,7 @@ namespace cli {
 
 void Curves::append(const Curves& others) {
     const std::int32_t first = points();
-    if (!weights.empty() || !others.weights.empty()) { // points that came without a weight have 1
+    if (!weights.empty() || !others.weights.empty()) {  // points that came without a weight have 1
         weights.resize(control.size() / 2, 1.0);
         weights.insert(weights.end(), others.weights.begin(), others.weights.end());
         weights.resize((control.size() + others.control.size()) / 2, 1.0);
@@ -21,7 +21,8 @@ void Curves::append(const Curves& others) {
     }
 }
 
-std::vector<std::int32_t> default_indices(std::int32_t n, std::int32_t degree, std::int32_t closed) {
+std::vector<std::int32_t> default_indices(std::int32_t n, std::int32_t degree,
+                                          std::int32_t closed) {
     const std::int32_t repeated = closed == HM_PERIODIC ? degree : closed == HM_TIED ? 1 : 0;
     std::vector<std::int32_t> indices(static_cast<std::size_t>(n + repeated));
     std::iota(indices.begin(), indices.end(), 0);
@@ -34,7 +35,8 @@ bool closes(const Curve& curve) {
     if (curve.closed == HM_OPEN) return !ends_meet;
     if (curve.closed == HM_TIED) return ends_meet;
     return curve.indices.size() > 2 * static_cast<std::size_t>(curve.degree) &&
-           std::equal(curve.indices.begin(), curve.indices.begin() + curve.degree, curve.indices.end() - curve.degree);
+           std::equal(curve.indices.begin(), curve.indices.begin() + curve.degree,
+                      curve.indices.end() - curve.degree);
 }
 
 Curves copied(const hm_curves& from) {
@@ -49,7 +51,7 @@ Curves copied(const hm_curves& from) {
         if (its.indices) curve.indices.assign(its.indices, its.indices + its.n_indices);
         for (std::int32_t& index : curve.indices) index -= its.indices ? from.index_base : 0;
         curve.knots.assign(its.knots, its.knots + its.n_indices + its.degree + 1);
-        for (const std::int32_t closed : {HM_TIED, HM_PERIODIC}) { // what the indices say
+        for (const std::int32_t closed : {HM_TIED, HM_PERIODIC}) {  // what the indices say
             curve.closed = closed;
             if (closes(curve)) break;
             curve.closed = HM_OPEN;
@@ -79,4 +81,4 @@ CurvesView::CurvesView(const Curves& curves) : view_(sized<hm_curves>()) {
     view_.curve = curve_.data();
 }
 
-} // namespace cli
+}  // namespace cli

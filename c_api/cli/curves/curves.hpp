@@ -17,15 +17,16 @@ struct Curve {
 };
 
 struct Curves {
-    std::vector<double> control;        // x,y pairs
-    std::vector<double> weights;        // one per control point, or empty
+    std::vector<double> control;  // x,y pairs
+    std::vector<double> weights;  // one per control point, or empty
     std::vector<Curve> curves;
 
     std::int32_t points() const { return static_cast<std::int32_t>(control.size() / 2); }
-    void append(const Curves& others); // their control points' numbers go on after these
+    void append(const Curves& others);  // their control points' numbers go on after these
 };
 
-// The order of n points in a curve that uses each in turn and closes as said: the first of them stand again at its end.
+// The order of n points in a curve that uses each in turn and closes as said: the first of them
+// stand again at its end.
 std::vector<std::int32_t> default_indices(std::int32_t n, std::int32_t degree, std::int32_t closed);
 
 // Do repeated indices close the curve as said?
@@ -34,7 +35,7 @@ bool closes(const Curve& curve);
 // Out of the library's arrays.
 Curves copied(const hm_curves& from);
 
-const char* closed_name(std::int32_t closed); // "open", "tied", "periodic"
+const char* closed_name(std::int32_t closed);  // "open", "tied", "periodic"
 
 // The library's view of curves. It points into them: they must stay as they are.
 class CurvesView {
@@ -55,4 +56,4 @@ struct CurveSet {
     const CurvesView view;
 };
 
-} // namespace cli
+}  // namespace cli

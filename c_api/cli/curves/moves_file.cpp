@@ -16,7 +16,10 @@ constexpr double pi = 3.14159265358979323846;
 class MovesReader {
 public:
     MovesReader(const TextFile& file, const Movable& movable, const Mesh& mesh)
-        : movable_(movable), mesh_(mesh), lines_(file, '#'), moves_(2 * static_cast<std::size_t>(movable.functions())),
+        : movable_(movable),
+          mesh_(mesh),
+          lines_(file, '#'),
+          moves_(2 * static_cast<std::size_t>(movable.functions())),
           moved_(static_cast<std::size_t>(movable.functions())) {}
 
     std::vector<double> read() {
@@ -42,19 +45,23 @@ private:
             lines_.expected("a control point between 1 and " + std::to_string(n_control), words[0]);
         }
         const auto point = static_cast<std::size_t>(index - 1);
-        if (moved_[point]) lines_.fail("control point " + std::to_string(index) + " is moved a second time");
+        if (moved_[point])
+            lines_.fail("control point " + std::to_string(index) + " is moved a second time");
         moved_[point] = true;
         for (std::size_t i = 0; i < 2; ++i) moves_[2 * point + i] = number(words[i + 1]);
     }
 
     void read_body() {
         const auto& words = lines_.words();
-        if (words.size() < 5 || words.size() > 6) lines_.expected("rigid MARKER dx dy degrees [scale]");
+        if (words.size() < 5 || words.size() > 6)
+            lines_.expected("rigid MARKER dx dy degrees [scale]");
         const auto function = static_cast<std::size_t>(function_of(std::string(words[1])));
         if (moved_[function])
-            lines_.fail("the body of " + in_quotes(std::string(words[1])) + " is moved a second time");
+            lines_.fail("the body of " + in_quotes(std::string(words[1])) +
+                        " is moved a second time");
         moved_[function] = true;
-        const double angle = number(words[4]) * pi / 180, scale = words.size() > 5 ? number(words[5]) : 1;
+        const double angle = number(words[4]) * pi / 180,
+                     scale = words.size() > 5 ? number(words[5]) : 1;
         if (!(scale > 0)) lines_.expected("a scale above 0", words[5]);
         moves_[2 * function] = number(words[2]);
         moves_[2 * function + 1] = number(words[3]);
@@ -66,12 +73,14 @@ private:
         const auto& words = lines_.words();
         const std::int32_t n_modes = movable_.n_modes;
         std::int32_t mode = 0;
-        if (words.size() < 3 || words.size() > 4) lines_.expected("mode K amplitude, or mode K amplitude amplitude-y");
+        if (words.size() < 3 || words.size() > 4)
+            lines_.expected("mode K amplitude, or mode K amplitude amplitude-y");
         if (!parse(words[1], mode) || mode < 1 || mode > n_modes) {
             lines_.expected("a mode between 1 and " + std::to_string(n_modes), words[1]);
         }
         const auto function = static_cast<std::size_t>(movable_.functions() - n_modes + mode - 1);
-        if (moved_[function]) lines_.fail("mode " + std::to_string(mode) + " is moved a second time");
+        if (moved_[function])
+            lines_.fail("mode " + std::to_string(mode) + " is moved a second time");
         moved_[function] = true;
         moves_[2 * function] = number(words[2]);
         if (words.size() == 4) moves_[2 * function + 1] = number(words[3]);
@@ -79,14 +88,16 @@ private:
 
     std::int32_t function_of(const std::string& tag) const {
         for (const hm_condition& condition : movable_.conditions) {
-            if (condition.kind == HM_RIGID && mesh_.markers[static_cast<std::size_t>(condition.marker)] == tag) {
+            if (condition.kind == HM_RIGID &&
+                mesh_.markers[static_cast<std::size_t>(condition.marker)] == tag) {
                 return movable_.n_control + 2 * condition.body;
             }
         }
         lines_.expected("a marker of a rigid body", tag);
     }
 
-    template <class Word> double number(const Word& word) const {
+    template <class Word>
+    double number(const Word& word) const {
         double value = 0;
         if (!parse(word, value)) lines_.expected("a finite number", word);
         return value;
@@ -99,35 +110,44 @@ private:
     std::vector<bool> moved_;
 };
 
-} // namespace
+}  // namespace
 
 std::vector<double> read_moves(const std::string& path, const Movable& movable, const Mesh& mesh) {
     const TextFile file(path);
     if (trimmed(file.text()).empty())
-        file.fail(0, "the file is empty: a file of moves without any says so by a comment, as in `# nothing moves`");
+        file.fail(0,
+                  "the file is empty: a file of moves without any says so by a comment, as in `# "
+                  "nothing moves`");
     return MovesReader(file, movable, mesh).read();
 }
 
 std::vector<double> read_moves(const std::string& path, const Basis& basis, const Mesh& mesh) {
-    const Movable movable = {basis.curves().n_control, basis.info().bodies, basis.info().modes, basis.conditions()};
+    const Movable movable = {basis.curves().n_control, basis.info().bodies, basis.info().modes,
+                             basis.conditions()};
     return read_moves(path, movable, mesh);
 }
 
-void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis, const Mesh& mesh) {
+void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis,
+                 const Mesh& mesh) {
     const auto n_control = static_cast<std::size_t>(basis.curves().n_control);
     if (n_control > 0) out << "# control point, dx, dy\n";
     for (std::size_t point = 0; point < n_control; ++point) {
-        out << point + 1 << ' ' << exact(moves[2 * point]) << ' ' << exact(moves[2 * point + 1]) << '\n';
+        out << point + 1 << ' ' << exact(moves[2 * point]) << ' ' << exact(moves[2 * point + 1])
+            << '\n';
     }
     std::vector<bool> written(static_cast<std::size_t>(basis.info().bodies));
     for (const hm_condition& condition : basis.conditions()) {
-        if (condition.kind != HM_RIGID || written[static_cast<std::size_t>(condition.body)]) continue;
-        written[static_cast<std::size_t>(condition.body)] = true; // another marker of the same body says no more
-        const double* const its = &moves[2 * (n_control + 2 * static_cast<std::size_t>(condition.body))];
-        out << "# body, dx, dy, degrees, scale\nrigid " << mesh.markers[static_cast<std::size_t>(condition.marker)]
-            << ' ' << exact(its[0]) << ' ' << exact(its[1]) << ' ' << exact(std::atan2(its[3], 1 + its[2]) * 180 / pi)
+        if (condition.kind != HM_RIGID || written[static_cast<std::size_t>(condition.body)])
+            continue;
+        written[static_cast<std::size_t>(condition.body)] =
+            true;  // another marker of the same body says no more
+        const double* const its =
+            &moves[2 * (n_control + 2 * static_cast<std::size_t>(condition.body))];
+        out << "# body, dx, dy, degrees, scale\nrigid "
+            << mesh.markers[static_cast<std::size_t>(condition.marker)] << ' ' << exact(its[0])
+            << ' ' << exact(its[1]) << ' ' << exact(std::atan2(its[3], 1 + its[2]) * 180 / pi)
             << ' ' << exact(std::hypot(1 + its[2], its[3])) << '\n';
     }
 }
 
-} // namespace cli
+}  // namespace cli

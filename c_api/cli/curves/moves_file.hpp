@@ -1,5 +1,6 @@
-// Files of movements: lines "index dx dy", the control point counted from 1, "rigid MARKER dx dy degrees [scale]", and
-// "mode K amplitude [amplitude-y]" for functions by table; points and bodies that are not named stay.
+// Files of movements: lines "index dx dy", the control point counted from 1, "rigid MARKER dx dy
+// degrees [scale]", and "mode K amplitude [amplitude-y]" for functions by table; points and bodies
+// that are not named stay.
 #pragma once
 
 #include "mesh/basis_file.hpp"
@@ -22,6 +23,7 @@ struct Movable {
 // Pairs [2*functions].
 std::vector<double> read_moves(const std::string& path, const Movable& movable, const Mesh& mesh);
 std::vector<double> read_moves(const std::string& path, const Basis& basis, const Mesh& mesh);
-void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis, const Mesh& mesh);
+void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis,
+                 const Mesh& mesh);
 
-} // namespace cli
+}  // namespace cli

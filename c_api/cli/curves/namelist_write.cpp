@@ -10,7 +10,8 @@ namespace {
 
 // name = values, so many in a line.
 template <class Values, class Text>
-void put(std::ostream& out, const char* name, const Values& values, std::size_t in_a_line, Text text) {
+void put(std::ostream& out, const char* name, const Values& values, std::size_t in_a_line,
+         Text text) {
     out << "  " << name << " =";
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (i % in_a_line == 0) out << "\n   ";
@@ -19,7 +20,7 @@ void put(std::ostream& out, const char* name, const Values& values, std::size_t 
     out << '\n';
 }
 
-} // namespace
+}  // namespace
 
 void write_namelist(std::ostream& out, const Curves& curves) {
     const auto number = [](std::int32_t value) { return std::to_string(value); };
@@ -29,7 +30,8 @@ void write_namelist(std::ostream& out, const Curves& curves) {
     if (!curves.weights.empty()) put(out, "weights", curves.weights, 1, exact);
     out << "/\n";
     for (const Curve& curve : curves.curves) {
-        out << "&curve\n  degree = " << number(curve.degree) << "\n  closed = '" << closed_name(curve.closed) << "'\n"
+        out << "&curve\n  degree = " << number(curve.degree) << "\n  closed = '"
+            << closed_name(curve.closed) << "'\n"
             << "  n_indices = " << curve.indices.size() << '\n';
         put(out, "indices", curve.indices, 10, from_1);
         put(out, "knots", curve.knots, 1, exact);
@@ -37,4 +39,4 @@ void write_namelist(std::ostream& out, const Curves& curves) {
     }
 }
 
-} // namespace cli
+}  // namespace cli

@@ -22,7 +22,8 @@ public:
         bool is_point = read_pair(x, y);
         if (!is_point && !lines_.next()) lines_.expected("x and y of a point");
         if (!is_point && !read_pair(x, y)) lines_.expected("x and y of a point");
-        const bool has_counts = !is_point && std::floor(x) == x && std::floor(y) == y && x > 1.5 && y > 1.5;
+        const bool has_counts =
+            !is_point && std::floor(x) == x && std::floor(y) == y && x > 1.5 && y > 1.5;
         if (has_counts) {
             read_side(x, "upper");
             std::reverse(section_.x.begin(), section_.x.end());
@@ -46,19 +47,20 @@ private:
     }
 
     void add(double x, double y) {
-        const bool repeats = !section_.x.empty() && section_.x.back() == x && section_.y.back() == y;
-        if (repeats) return; // some files have the leading edge twice
+        const bool repeats =
+            !section_.x.empty() && section_.x.back() == x && section_.y.back() == y;
+        if (repeats) return;  // some files have the leading edge twice
         section_.x.push_back(x);
         section_.y.push_back(y);
     }
 
-    void read_side(double count, const char* side) { // from the leading edge on
+    void read_side(double count, const char* side) {  // from the leading edge on
         for (std::int32_t point = 1; point <= count; ++point) {
             double x = 0, y = 0;
             const bool found = lines_.next();
             if (!found || !read_pair(x, y)) {
-                lines_.expected("x and y of point " + std::to_string(point) + " of " + brief(count) + " of the " +
-                                side + " side");
+                lines_.expected("x and y of point " + std::to_string(point) + " of " +
+                                brief(count) + " of the " + side + " side");
             }
             add(x, y);
         }
@@ -71,7 +73,8 @@ private:
             section_.x.pop_back();
             section_.y.pop_back();
         }
-        if (section_.x.size() < 3) lines_.fail("the section has " + plural(std::int64_t(section_.x.size()), "point"));
+        if (section_.x.size() < 3)
+            lines_.fail("the section has " + plural(std::int64_t(section_.x.size()), "point"));
     }
 
     TextFile file_;
@@ -88,7 +91,7 @@ double area_of(const Section& section) {
     return sum / 2;
 }
 
-} // namespace
+}  // namespace
 
 Section read_section(const std::string& path) { return SectionReader(path).read(); }
 
@@ -107,10 +110,12 @@ Section sampled(const Curves& curves) {
     const std::size_t last = curve.knots.size() - 1 - degree;
     for (std::size_t k = degree; k < last; ++k) {
         const double begin = curve.knots[k], end = curve.knots[k + 1];
-        for (int i = 0; end > begin && i < points_per_span; ++i) add(begin + (end - begin) * i / points_per_span);
+        for (int i = 0; end > begin && i < points_per_span; ++i)
+            add(begin + (end - begin) * i / points_per_span);
     }
     if (curve.closed == HM_OPEN) add(curve.knots[last]);
-    section.is_loop = curve.closed != HM_OPEN || curves.curves.size() > 1; // a second one is the base
+    section.is_loop =
+        curve.closed != HM_OPEN || curves.curves.size() > 1;  // a second one is the base
     return section;
 }
 
@@ -122,7 +127,8 @@ void write_selig(std::ostream& out, const Curves& curves) {
         std::rotate(section.x.begin(), section.x.begin() + first, section.x.end());
         std::rotate(section.y.begin(), section.y.begin() + first, section.y.end());
     }
-    if (curves.curves.front().closed != HM_OPEN) { // published closed sections repeat their first point
+    if (curves.curves.front().closed !=
+        HM_OPEN) {  // published closed sections repeat their first point
         section.x.push_back(section.x[0]);
         section.y.push_back(section.y[0]);
         ++n;
@@ -135,4 +141,4 @@ void write_selig(std::ostream& out, const Curves& curves) {
     }
 }
 
-} // namespace cli
+}  // namespace cli

@@ -16,8 +16,8 @@ namespace {
 using Complex = std::complex<double>;
 Complex complex(Point point) { return {point.x, point.y}; }
 
-// A B-spline through the section's points, as close as their number allows: it tells where the edges are and what is
-// between the points.
+// A B-spline through the section's points, as close as their number allows: it tells where the
+// edges are and what is between the points.
 Curves fitted(const Section& section, const std::string& path) {
     auto options = sized<hm_fit_options>();
     const auto n = static_cast<std::int32_t>(section.x.size());
@@ -29,7 +29,8 @@ Curves fitted(const Section& section, const std::string& path) {
     Block block(bytes);
     const hm_curves* curves = nullptr;
     auto report = sized<hm_fit_report>();
-    call(path, hm_fit, &curves, block.data(), bytes, &points, n, std::int32_t{1}, &options, &report);
+    call(path, hm_fit, &curves, block.data(), bytes, &points, n, std::int32_t{1}, &options,
+         &report);
     return copied(*curves);
 }
 
@@ -37,7 +38,10 @@ Curves fitted(const Section& section, const std::string& path) {
 class LeastSquares {
 public:
     LeastSquares(const hm_curves& curves, std::int32_t curve, const AirfoilLoop& loop)
-        : curves_(curves), curve_(curve), loop_(loop), row_(static_cast<std::size_t>(curves.n_control), unused) {
+        : curves_(curves),
+          curve_(curve),
+          loop_(loop),
+          row_(static_cast<std::size_t>(curves.n_control), unused) {
         const hm_curve& its = curves.curve[curve];
         for (std::int32_t i = 0; i < its.n_indices; ++i) kind_of(its, i) = free;
         if (!loop.is_periodic) kind_of(its, 0) = kind_of(its, its.n_indices - 1) = known;
@@ -48,9 +52,9 @@ public:
         }
     }
 
-    // The least sum of squared distances between C(u[k]) and target[k], of which only this share counts along the
-    // curve, as parameters will follow (tangent distance minimisation: W. Wang, H. Pottmann, Y. Liu, ACM Trans. Graph.
-    // 25 (2006) 214).
+    // The least sum of squared distances between C(u[k]) and target[k], of which only this share
+    // counts along the curve, as parameters will follow (tangent distance minimisation: W. Wang, H.
+    // Pottmann, Y. Liu, ACM Trans. Graph. 25 (2006) 214).
     void solve(const std::vector<double>& u, const std::vector<Point>& target, double share,
                std::vector<double>& control) {
         hm_curves now = curves_;
@@ -62,13 +66,16 @@ public:
         std::vector<double> value(order);
         for (std::size_t k = 0; k < u.size(); ++k) {
             double xy[4];
-            call(std::string("curve"), hm_curve_basis, &now, curve_, loop_.within(u[k]), 0, used.data(), value.data());
+            call(std::string("curve"), hm_curve_basis, &now, curve_, loop_.within(u[k]), 0,
+                 used.data(), value.data());
             call(std::string("curve"), hm_curve_point, &now, curve_, loop_.within(u[k]), 1, xy);
-            const double rest[2] = {target[k].x - xy[0], target[k].y - xy[1]}; // what the movement should be
+            const double rest[2] = {target[k].x - xy[0],
+                                    target[k].y - xy[1]};  // what the movement should be
             const double speed = std::hypot(xy[2], xy[3]), tx = speed > 0 ? xy[2] / speed : 0,
                          ty = speed > 0 ? xy[3] / speed : 0;
             const double less = 1 - share;
-            const double weight[2][2] = {{1 - less * tx * tx, -less * tx * ty}, {-less * tx * ty, 1 - less * ty * ty}};
+            const double weight[2][2] = {{1 - less * tx * tx, -less * tx * ty},
+                                         {-less * tx * ty, 1 - less * ty * ty}};
             for (std::size_t a = 0; a < order; ++a) {
                 const std::int32_t row = row_[index(used[a])];
                 if (row < 0) continue;
@@ -86,7 +93,8 @@ public:
             }
         }
         // A control point on which no sample depends stays where it is.
-        for (std::size_t i = 0; i < n; ++i) matrix[i * n + i] += 1e-12 * static_cast<double>(u.size());
+        for (std::size_t i = 0; i < n; ++i)
+            matrix[i * n + i] += 1e-12 * static_cast<double>(u.size());
         eliminate(matrix, right);
         for (std::size_t i = 0; i < n; ++i) control[2 * unknowns_[i / 2] + i % 2] += right[i];
     }
@@ -94,12 +102,15 @@ public:
 private:
     static constexpr std::int32_t unused = -1, known = -2, free = -3;
 
-    std::size_t index(std::int32_t control) const { return static_cast<std::size_t>(control - curves_.index_base); }
+    std::size_t index(std::int32_t control) const {
+        return static_cast<std::size_t>(control - curves_.index_base);
+    }
     std::int32_t& kind_of(const hm_curve& its, std::int32_t i) {
         return row_[its.indices ? index(its.indices[i]) : static_cast<std::size_t>(i)];
     }
 
-    // Gauss, without pivots: the matrix is positive definite. The solution replaces the right-hand side.
+    // Gauss, without pivots: the matrix is positive definite. The solution replaces the right-hand
+    // side.
     static void eliminate(std::vector<double>& matrix, std::vector<double>& right) {
         const std::size_t n = right.size();
         for (std::size_t k = 0; k < n; ++k) {
@@ -119,11 +130,12 @@ private:
     const hm_curves& curves_;
     std::int32_t curve_;
     const AirfoilLoop& loop_;
-    std::vector<std::int32_t> row_;     // of each control point: its unknown, or what it is instead
-    std::vector<std::size_t> unknowns_; // the control points that are looked for
+    std::vector<std::int32_t> row_;  // of each control point: its unknown, or what it is instead
+    std::vector<std::size_t> unknowns_;  // the control points that are looked for
 };
 
-// Each parameter moves to the foot of its target, to first order, and stays behind the one before it.
+// Each parameter moves to the foot of its target, to first order, and stays behind the one before
+// it.
 void correct_parameters(const hm_curves& curves, std::int32_t curve, const AirfoilLoop& loop,
                         const std::vector<Point>& target, std::vector<double>& u) {
     double least = u.front();
@@ -138,9 +150,11 @@ void correct_parameters(const hm_curves& curves, std::int32_t curve, const Airfo
     }
 }
 
-// Both ends come to the middle between them, and the sides follow in proportion to the arc from the leading edge.
+// Both ends come to the middle between them, and the sides follow in proportion to the arc from the
+// leading edge.
 void taper(std::vector<Point>& outline, const std::vector<double>& part) {
-    const Complex first = complex(outline.front()), last = complex(outline.back()), half = .5 * (last - first);
+    const Complex first = complex(outline.front()), last = complex(outline.back()),
+                  half = .5 * (last - first);
     for (std::size_t k = 0; k < outline.size(); ++k) {
         const Complex moved = complex(outline[k]) + (1 - part[k]) * half;
         outline[k] = {moved.real(), moved.imag()};
@@ -148,8 +162,11 @@ void taper(std::vector<Point>& outline, const std::vector<double>& part) {
 }
 
 // The straight base keeps its place between the two ends that it has in common with the airfoil.
-void move_base(const hm_curves& before, const Curve& airfoil, const Curve& base, std::vector<double>& control) {
-    const auto point = [](const double* pairs, std::int32_t i) { return Complex(pairs[2 * i], pairs[2 * i + 1]); };
+void move_base(const hm_curves& before, const Curve& airfoil, const Curve& base,
+               std::vector<double>& control) {
+    const auto point = [](const double* pairs, std::int32_t i) {
+        return Complex(pairs[2 * i], pairs[2 * i + 1]);
+    };
     const std::int32_t a = airfoil.indices.front(), b = airfoil.indices.back();
     const Complex from = point(before.control, a), to = point(control.data(), a);
     const Complex turn = (point(control.data(), b) - to) / (point(before.control, b) - from);
@@ -161,10 +178,10 @@ void move_base(const hm_curves& before, const Curve& airfoil, const Curve& base,
     }
 }
 
-} // namespace
+}  // namespace
 
-ToAirfoil moves_to_airfoil(const Basis& basis, std::int32_t curve, const Section& section, const std::string& path,
-                           bool on_chord) {
+ToAirfoil moves_to_airfoil(const Basis& basis, std::int32_t curve, const Section& section,
+                           const std::string& path, bool on_chord) {
     const hm_curves& before = basis.curves();
     const Curves copy = copied(before);
     const AirfoilLoop from(before, curve);
@@ -172,19 +189,23 @@ ToAirfoil moves_to_airfoil(const Basis& basis, std::int32_t curve, const Section
     AirfoilLoop to(*CurvesView(through).get(), 0);
     if (to.runs_clockwise() != from.runs_clockwise()) to.reverse();
     if (from.is_blunt && !to.is_blunt) {
-        throw Failure(
-            exit_file,
-            path + ": the trailing edge is sharp, and that of the mesh's airfoil is blunt: its base cannot vanish");
+        throw Failure(exit_file, path +
+                                     ": the trailing edge is sharp, and that of the mesh's airfoil "
+                                     "is blunt: its base cannot vanish");
     }
     if (to.is_blunt && !from.is_blunt) {
-        warn(path + ": the blunt base, " + brief(std::abs(complex(to.at.front()) - complex(to.at.back()))) +
-             " wide, becomes one point, as the mesh's airfoil has it: both sides are tapered from the leading edge on");
+        warn(path + ": the blunt base, " +
+             brief(std::abs(complex(to.at.front()) - complex(to.at.back()))) +
+             " wide, becomes one point, as the mesh's airfoil has it: both sides are tapered from "
+             "the leading edge on");
     }
-    const Complex scale =
-        !on_chord ? 1 : (complex(from.trailing) - complex(from.leading)) / (complex(to.trailing) - complex(to.leading));
+    const Complex scale = !on_chord ? 1
+                                    : (complex(from.trailing) - complex(from.leading)) /
+                                          (complex(to.trailing) - complex(to.leading));
     const auto place = [&](double& x, double& y) {
         const Complex at =
-            !on_chord ? Complex(x, y) : complex(from.leading) + scale * (Complex(x, y) - complex(to.leading));
+            !on_chord ? Complex(x, y)
+                      : complex(from.leading) + scale * (Complex(x, y) - complex(to.leading));
         x = at.real();
         y = at.imag();
     };
@@ -199,12 +220,13 @@ ToAirfoil moves_to_airfoil(const Basis& basis, std::int32_t curve, const Section
     hm_curves after = before;
     after.control = control.data();
     const Curve& its = copy.curves[static_cast<std::size_t>(curve)];
-    if (!from.is_periodic) { // the ends are where the section's are
+    if (!from.is_periodic) {  // the ends are where the section's are
         const Complex first = complex(target.front()), last = complex(target.back());
         const Complex ends[] = {from.is_blunt ? first : .5 * (first + last),
                                 from.is_blunt ? last : .5 * (first + last)};
         for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-            const auto i = static_cast<std::size_t>(end == 0 ? its.indices.front() : its.indices.back());
+            const auto i =
+                static_cast<std::size_t>(end == 0 ? its.indices.front() : its.indices.back());
             control[2 * i] = ends[end].real();
             control[2 * i + 1] = ends[end].imag();
         }
@@ -225,7 +247,8 @@ ToAirfoil moves_to_airfoil(const Basis& basis, std::int32_t curve, const Section
 
     ToAirfoil result;
     result.moves.resize(2 * static_cast<std::size_t>(basis.functions()));
-    for (std::size_t i = 0; i < control.size(); ++i) result.moves[i] = control[i] - before.control[i];
+    for (std::size_t i = 0; i < control.size(); ++i)
+        result.moves[i] = control[i] - before.control[i];
     result.points = static_cast<std::int32_t>(placed.x.size());
     result.chord = std::abs(scale * (complex(to.trailing) - complex(to.leading)));
     for (std::size_t k = 0; k < placed.x.size(); ++k) {
@@ -245,4 +268,4 @@ ToAirfoil moves_to_airfoil(const Basis& basis, std::int32_t curve, const Section
     return result;
 }
 
-} // namespace cli
+}  // namespace cli

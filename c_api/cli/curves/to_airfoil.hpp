@@ -1,5 +1,5 @@
-// The movement of control points that makes another airfoil of the mesh's: least squares with the knots that the curve
-// has.
+// The movement of control points that makes another airfoil of the mesh's: least squares with the
+// knots that the curve has.
 #pragma once
 
 #include "mesh/basis_file.hpp"
@@ -11,16 +11,18 @@
 namespace cli {
 
 struct ToAirfoil {
-    std::vector<double> moves; // pairs [2*functions], as hm_morph takes them
-    // Distances of the section's points from the moved curve, in the mesh's unit; the section's chord in that unit.
+    std::vector<double> moves;  // pairs [2*functions], as hm_morph takes them
+    // Distances of the section's points from the moved curve, in the mesh's unit; the section's
+    // chord in that unit.
     double max_error = 0, rms_error = 0, chord = 0;
-    std::int32_t points = 0, worst_point = 0; // worst: from 1, in the order of the section
+    std::int32_t points = 0, worst_point = 0;  // worst: from 1, in the order of the section
 };
 
-// path: of the section's file, for messages. curve: which of the basis's curves (from 0) is the airfoil; a next one
-// that begins or ends where it ends is its base. On the chord, the section is scaled, turned and moved so that the line
-// from its leading to its trailing edge becomes that of the curve; else its coordinates are those of the mesh.
-ToAirfoil moves_to_airfoil(const Basis& basis, std::int32_t curve, const Section& section, const std::string& path,
-                           bool on_chord);
+// path: of the section's file, for messages. curve: which of the basis's curves (from 0) is the
+// airfoil; a next one that begins or ends where it ends is its base. On the chord, the section is
+// scaled, turned and moved so that the line from its leading to its trailing edge becomes that of
+// the curve; else its coordinates are those of the mesh.
+ToAirfoil moves_to_airfoil(const Basis& basis, std::int32_t curve, const Section& section,
+                           const std::string& path, bool on_chord);
 
-} // namespace cli
+}  // namespace cli

@@ -12,8 +12,8 @@ namespace {
 std::int32_t count(LineReader& lines, const char* keyword) {
     std::int32_t n = 0;
     const bool found = lines.next();
-    if (!found || lines.words().size() != 2 || lines.words()[0] != keyword || !parse(lines.words()[1], n) || n < 1 ||
-        n > (1 << 20)) {
+    if (!found || lines.words().size() != 2 || lines.words()[0] != keyword ||
+        !parse(lines.words()[1], n) || n < 1 || n > (1 << 20)) {
         lines.expected(std::string(keyword) + " and how many");
     }
     return n;
@@ -22,7 +22,8 @@ std::int32_t count(LineReader& lines, const char* keyword) {
 std::int32_t index(LineReader& lines, std::size_t word, std::int32_t most, const char* what) {
     std::int32_t number = 0;
     if (!parse(lines.words()[word], number) || number < 1 || number > most) {
-        lines.expected(std::string(what) + " between 1 and " + std::to_string(most), lines.words()[word]);
+        lines.expected(std::string(what) + " between 1 and " + std::to_string(most),
+                       lines.words()[word]);
     }
     return number - 1;
 }
@@ -33,15 +34,15 @@ double value(LineReader& lines, std::size_t word) {
     return number;
 }
 
-} // namespace
+}  // namespace
 
 std::vector<double> VariableMap::control_moves(const std::vector<double>& values) const {
     std::vector<double> moves(2 * static_cast<std::size_t>(points));
     const auto n = static_cast<std::size_t>(variables);
     for (std::size_t i = 0; i < static_cast<std::size_t>(points); ++i) {
         for (std::size_t j = 0; j < n; ++j) {
-            const double a = matrix[2 * (i * n + j)], b = matrix[2 * (i * n + j) + 1], x = values[2 * j],
-                y = values[2 * j + 1];
+            const double a = matrix[2 * (i * n + j)], b = matrix[2 * (i * n + j) + 1],
+                         x = values[2 * j], y = values[2 * j + 1];
             moves[2 * i] += a * x - b * y;
             moves[2 * i + 1] += a * y + b * x;
         }
@@ -55,13 +56,15 @@ VariableMap read_variables(const std::string& path) {
     VariableMap map;
     map.variables = count(lines, "variables");
     map.points = count(lines, "points");
-    map.matrix.resize(2 * static_cast<std::size_t>(map.variables) * static_cast<std::size_t>(map.points));
+    map.matrix.resize(2 * static_cast<std::size_t>(map.variables) *
+                      static_cast<std::size_t>(map.points));
     while (lines.next()) {
         if (lines.words().size() != 4) lines.expected("control point, variable, dx, dy");
         const std::int32_t point = index(lines, 0, map.points, "a control point");
         const std::int32_t variable = index(lines, 1, map.variables, "a variable");
-        const std::size_t at = 2 * (static_cast<std::size_t>(point) * static_cast<std::size_t>(map.variables) +
-                                    static_cast<std::size_t>(variable));
+        const std::size_t at =
+            2 * (static_cast<std::size_t>(point) * static_cast<std::size_t>(map.variables) +
+                 static_cast<std::size_t>(variable));
         map.matrix[at] = value(lines, 2);
         map.matrix[at + 1] = value(lines, 3);
     }
@@ -69,12 +72,14 @@ VariableMap read_variables(const std::string& path) {
 }
 
 void write_variables(std::ostream& out, const VariableMap& map) {
-    out << "variables " << map.variables << "\npoints " << map.points << "\n# control point, variable, dx, dy\n";
+    out << "variables " << map.variables << "\npoints " << map.points
+        << "\n# control point, variable, dx, dy\n";
     std::size_t at = 0;
     for (std::int32_t i = 1; i <= map.points; ++i) {
         for (std::int32_t j = 1; j <= map.variables; ++j, at += 2) {
             if (map.matrix[at] == 0 && map.matrix[at + 1] == 0) continue;
-            out << i << ' ' << j << ' ' << exact(map.matrix[at]) << ' ' << exact(map.matrix[at + 1]) << '\n';
+            out << i << ' ' << j << ' ' << exact(map.matrix[at]) << ' ' << exact(map.matrix[at + 1])
+                << '\n';
         }
     }
 }
@@ -87,8 +92,10 @@ std::vector<double> read_values(const std::string& path, const VariableMap& map)
     while (lines.next()) {
         const std::size_t n = lines.words().size();
         if (n != 2 && n != 3) lines.expected("variable value, or variable x y");
-        const auto variable = static_cast<std::size_t>(index(lines, 0, map.variables, "a variable"));
-        if (named[variable]) lines.fail("variable " + std::to_string(variable + 1) + " has a value already");
+        const auto variable =
+            static_cast<std::size_t>(index(lines, 0, map.variables, "a variable"));
+        if (named[variable])
+            lines.fail("variable " + std::to_string(variable + 1) + " has a value already");
         named[variable] = true;
         values[2 * variable] = value(lines, 1);
         if (n == 3) values[2 * variable + 1] = value(lines, 2);
@@ -96,4 +103,4 @@ std::vector<double> read_values(const std::string& path, const VariableMap& map)
     return values;
 }
 
-} // namespace cli
+}  // namespace cli

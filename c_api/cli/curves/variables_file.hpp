@@ -14,7 +14,7 @@ namespace cli {
 
 struct VariableMap {
     std::int32_t points = 0, variables = 0;
-    std::vector<double> matrix; // [points * variables * 2] as of hm_variables_map
+    std::vector<double> matrix;  // [points * variables * 2] as of hm_variables_map
 
     // Movements of the control points for those of the variables, both pairs.
     std::vector<double> control_moves(const std::vector<double>& values) const;
@@ -22,7 +22,8 @@ struct VariableMap {
 
 VariableMap read_variables(const std::string& path);
 void write_variables(std::ostream& out, const VariableMap& map);
-// Lines "variable value" or "variable x y", variables counted from 1; those that are not named are 0. Pairs.
+// Lines "variable value" or "variable x y", variables counted from 1; those that are not named are
+// 0. Pairs.
 std::vector<double> read_values(const std::string& path, const VariableMap& map);
 
-} // namespace cli
+}  // namespace cli

@@ -8,22 +8,24 @@ namespace cli {
 
 namespace {
 
-template <class Number> void store(char* bytes, Number value, bool swapped) {
+template <class Number>
+void store(char* bytes, Number value, bool swapped) {
     std::memcpy(bytes, &value, sizeof value);
     if (swapped) std::reverse(bytes, bytes + sizeof value);
 }
 
-} // namespace
+}  // namespace
 
 std::size_t number_length(const Mesh& mesh, std::size_t offset) {
     switch (mesh.in_file.kind) {
-    case NumberKind::real32: return 4;
-    case NumberKind::real64: return 8;
-    case NumberKind::text: break;
+        case NumberKind::real32: return 4;
+        case NumberKind::real64: return 8;
+        case NumberKind::text: break;
     }
     const std::string& text = mesh.file.text();
     std::size_t end = offset;
-    while (end < text.size() && std::strchr("0123456789+-.eEdD", text[end]) && text[end] != '\0') ++end;
+    while (end < text.size() && std::strchr("0123456789+-.eEdD", text[end]) && text[end] != '\0')
+        ++end;
     return end - offset;
 }
 
@@ -31,9 +33,9 @@ double read_number(const Mesh& mesh, std::size_t offset) {
     const char* bytes = mesh.file.text().data() + offset;
     const bool swapped = mesh.in_file.swapped;
     switch (mesh.in_file.kind) {
-    case NumberKind::real32: return static_cast<double>(load<float>(bytes, swapped));
-    case NumberKind::real64: return load<double>(bytes, swapped);
-    case NumberKind::text: break;
+        case NumberKind::real32: return static_cast<double>(load<float>(bytes, swapped));
+        case NumberKind::real64: return load<double>(bytes, swapped);
+        case NumberKind::text: break;
     }
     double value = 0;
     parse({bytes, number_length(mesh, offset)}, value);
@@ -48,4 +50,4 @@ void store_real(char* bytes, double value, const FileCoordinates& as) {
     }
 }
 
-} // namespace cli
+}  // namespace cli

@@ -1,10 +1,11 @@
-// CGNS files (https://cgns.github.io/CGNS_docs_current/sids), of both kinds that libcgns writes (HDF5 and ADF): the
-// first base, all its zones, structured and unstructured, of two dimensions or one cell thick. Made with `make CGNS=1`;
-// without, such a file is known and refused.
+// CGNS files (https://cgns.github.io/CGNS_docs_current/sids), of both kinds that libcgns writes
+// (HDF5 and ADF): the first base, all its zones, structured and unstructured, of two dimensions or
+// one cell thick. Made with `make CGNS=1`; without, such a file is known and refused.
 //
-// libcgns reads and writes; mesh.file keeps the coordinates alone, all x, then all y, then all z, as the machine has
-// them. A morphed file is a copy of the file in which the coordinate arrays are written anew. Markers are boundary
-// conditions. Zones meet where their points have equal coordinates, as cuts do; connectivities are not read.
+// libcgns reads and writes; mesh.file keeps the coordinates alone, all x, then all y, then all z,
+// as the machine has them. A morphed file is a copy of the file in which the coordinate arrays are
+// written anew. Markers are boundary conditions. Zones meet where their points have equal
+// coordinates, as cuts do; connectivities are not read.
 #include "formats/format.hpp"
 
 #include "formats/cgns_read.hpp"
@@ -23,14 +24,17 @@ bool probe_cgns(const TextFile& file) {
 void read_cgns(Mesh& mesh, const ReadOptions&) { read_cgns(mesh); }
 #else
 void read_cgns(Mesh& mesh, const ReadOptions&) {
-    mesh.file.fail(0, "this is an HDF5 or ADF file: CGNS files are read by programs made with `make CGNS=1`, "
-                      "where libcgns is installed");
+    mesh.file.fail(
+        0,
+        "this is an HDF5 or ADF file: CGNS files are read by programs made with `make CGNS=1`, "
+        "where libcgns is installed");
 }
 #endif
 
-} // namespace
+}  // namespace
 
-const Format cgns_format = {"cgns", ".cgns", "CGNS, 2D or one cell thick (programs made with CGNS=1)",
-                            probe_cgns, read_cgns, nullptr};
+const Format cgns_format = {
+    "cgns",     ".cgns",   "CGNS, 2D or one cell thick (programs made with CGNS=1)",
+    probe_cgns, read_cgns, nullptr};
 
-} // namespace cli
+}  // namespace cli

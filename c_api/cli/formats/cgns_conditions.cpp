@@ -13,7 +13,8 @@ std::pair<std::int32_t, std::int32_t> edge_of(std::int32_t a, std::int32_t b) {
     return {std::min(a, b), std::max(a, b)};
 }
 
-template <class Visit> void for_each(const std::vector<cgsize_t>& items, bool is_range, Visit visit) {
+template <class Visit>
+void for_each(const std::vector<cgsize_t>& items, bool is_range, Visit visit) {
     if (!is_range) {
         for (const cgsize_t item : items) visit(item);
     } else if (items.size() == 2) {
@@ -21,7 +22,7 @@ template <class Visit> void for_each(const std::vector<cgsize_t>& items, bool is
     }
 }
 
-} // namespace
+}  // namespace
 
 void CgnsConditions::read() {
     find_open_edges();
@@ -29,10 +30,12 @@ void CgnsConditions::read() {
     mesh_.face_offset.resize(mesh_.face_markers.size());
 }
 
-std::int32_t CgnsConditions::point(const CgnsZone& zone, const char* condition, cgsize_t number) const {
+std::int32_t CgnsConditions::point(const CgnsZone& zone, const char* condition,
+                                   cgsize_t number) const {
     if (number < 1 || number > zone.n[0]) {
-        cgns_.fail(in_zone(zone) + ": the boundary condition " + in_quotes(condition) + " has point " +
-                   std::to_string(number) + ", but there are " + plural(zone.n[0], "point"));
+        cgns_.fail(in_zone(zone) + ": the boundary condition " + in_quotes(condition) +
+                   " has point " + std::to_string(number) + ", but there are " +
+                   plural(zone.n[0], "point"));
     }
     return static_cast<std::int32_t>(zone.first) + static_cast<std::int32_t>(number) - 1;
 }
@@ -43,7 +46,8 @@ void CgnsConditions::find_open_edges() {
         const std::int32_t begin = mesh_.cell_start[cell], end = mesh_.cell_start[cell + 1];
         for (std::int32_t i = begin; i < end; ++i) {
             const std::int32_t a = mesh_.cell_points[static_cast<std::size_t>(i)];
-            const std::int32_t b = mesh_.cell_points[static_cast<std::size_t>(i + 1 < end ? i + 1 : begin)];
+            const std::int32_t b =
+                mesh_.cell_points[static_cast<std::size_t>(i + 1 < end ? i + 1 : begin)];
             ++cells[edge_of(a, b)];
         }
     }
@@ -64,22 +68,27 @@ void CgnsConditions::add_conditions(std::size_t z) {
         cgsize_t n = 0, list_size = 0;
         DataType_t list_type;
         int normal_index[3], n_data = 0;
-        const int status = cg_boco_info(cgns_.file, cgns_base, number, c, name, &type, &set, &n, normal_index,
-                                        &list_size, &list_type, &n_data);
+        const int status = cg_boco_info(cgns_.file, cgns_base, number, c, name, &type, &set, &n,
+                                        normal_index, &list_size, &list_type, &n_data);
         cgns_(status, in_zone(zones_[z]) + ", boundary condition " + std::to_string(c));
         cgns_(cg_boco_gridlocation_read(cgns_.file, cgns_base, number, c, &location));
-        const std::size_t dimensions = zones_[z].is_structured ? static_cast<std::size_t>(cell_dimension_) : 1;
+        const std::size_t dimensions =
+            zones_[z].is_structured ? static_cast<std::size_t>(cell_dimension_) : 1;
         std::vector<cgsize_t> items(static_cast<std::size_t>(n) * dimensions);
         std::vector<double> normals(static_cast<std::size_t>(std::max<cgsize_t>(list_size, 1)));
-        cgns_(cg_boco_read(cgns_.file, cgns_base, number, c, items.data(), list_size > 0 ? normals.data() : nullptr),
+        cgns_(cg_boco_read(cgns_.file, cgns_base, number, c, items.data(),
+                           list_size > 0 ? normals.data() : nullptr),
               in_zone(zones_[z]) + ", boundary condition " + in_quotes(name));
-        if (set == ElementRange || set == ElementList) location = cell_dimension_ == 2 ? EdgeCenter : FaceCenter;
+        if (set == ElementRange || set == ElementList)
+            location = cell_dimension_ == 2 ? EdgeCenter : FaceCenter;
         const bool is_range = set == PointRange || set == ElementRange;
         if (zones_[z].is_structured) {
             mark_points(name, structured_points(zones_[z], items, dimensions, is_range, location));
         } else if (location == Vertex) {
             std::set<std::int32_t> points;
-            for_each(items, is_range, [&](cgsize_t item) { points.insert(plane_point(point(zones_[z], name, item))); });
+            for_each(items, is_range, [&](cgsize_t item) {
+                points.insert(plane_point(point(zones_[z], name, item)));
+            });
             mark_points(name, points);
         } else {
             for_each(items, is_range, [&](cgsize_t item) { mark_element(name, z, item); });
@@ -87,8 +96,10 @@ void CgnsConditions::add_conditions(std::size_t z) {
     }
 }
 
-// Of faces, indices are those of their first corner: the points one further along the side belong to it, too.
-CgnsConditions::Points CgnsConditions::structured_points(const CgnsZone& zone, const std::vector<cgsize_t>& items,
+// Of faces, indices are those of their first corner: the points one further along the side belong
+// to it, too.
+CgnsConditions::Points CgnsConditions::structured_points(const CgnsZone& zone,
+                                                         const std::vector<cgsize_t>& items,
                                                          std::size_t dimensions, bool is_range,
                                                          GridLocation_t location) const {
     std::set<std::int32_t> points;
@@ -100,7 +111,8 @@ CgnsConditions::Points CgnsConditions::structured_points(const CgnsZone& zone, c
             }
         }
         const std::int64_t line = index[1] - 1 + zone.n[1] * (index[2] - 1);
-        const std::int64_t point = static_cast<std::int64_t>(zone.first) + index[0] - 1 + zone.n[0] * line;
+        const std::int64_t point =
+            static_cast<std::int64_t>(zone.first) + index[0] - 1 + zone.n[0] * line;
         points.insert(plane_point(static_cast<std::int32_t>(point)));
     };
     std::array<std::int64_t, 3> low = {1, 1, 1}, high = {1, 1, 1};
@@ -132,7 +144,8 @@ void CgnsConditions::mark(const std::string& name, Edge edge) {
     open_.erase(found);
 }
 
-// Boundary edges with both ends among the points; a condition on a whole plane marks none: it has inner points.
+// Boundary edges with both ends among the points; a condition on a whole plane marks none: it has
+// inner points.
 void CgnsConditions::mark_points(const std::string& name, const std::set<std::int32_t>& points) {
     if (cell_dimension_ == 3 && points.size() == static_cast<std::size_t>(mesh_.points())) return;
     std::vector<Edge> edges;
@@ -148,13 +161,14 @@ void CgnsConditions::mark_points(const std::string& name, const std::set<std::in
 void CgnsConditions::mark_element(const std::string& name, std::size_t z, cgsize_t number) {
     const auto found = sides_.find({z, number});
     if (found == sides_.end()) {
-        cgns_.fail(in_zone(zones_[z]) + ": the boundary condition " + in_quotes(name) + " names element " +
-                   std::to_string(number) + ", which is no face of the boundary");
+        cgns_.fail(in_zone(zones_[z]) + ": the boundary condition " + in_quotes(name) +
+                   " names element " + std::to_string(number) +
+                   ", which is no face of the boundary");
     }
     std::set<std::int32_t> ends;
     for (const std::int32_t its : found->second) ends.insert(plane_point(its));
     if (ends.size() == 2) mark(name, edge_of(*ends.begin(), *ends.rbegin()));
 }
 
-} // namespace cli
+}  // namespace cli
 #endif

@@ -1,4 +1,5 @@
-// Boundary conditions of a CGNS file: markers of the plane's mesh. Only in programs made with `make CGNS=1`.
+// Boundary conditions of a CGNS file: markers of the plane's mesh. Only in programs made with `make
+// CGNS=1`.
 #pragma once
 
 #ifdef HARMORPH_CGNS
@@ -15,23 +16,30 @@ using CgnsSides = std::map<std::pair<std::size_t, cgsize_t>, std::vector<std::in
 class CgnsConditions {
 public:
     // plane_point: the point of the mesh that each point of the file is or follows.
-    CgnsConditions(Mesh& mesh, const Cgns& cgns, const std::vector<CgnsZone>& zones, int cell_dimension,
-                   std::vector<std::int32_t> plane_point, const CgnsSides& sides)
-        : mesh_(mesh), cgns_(cgns), zones_(zones), cell_dimension_(cell_dimension),
-          plane_point_(std::move(plane_point)), sides_(sides) {}
+    CgnsConditions(Mesh& mesh, const Cgns& cgns, const std::vector<CgnsZone>& zones,
+                   int cell_dimension, std::vector<std::int32_t> plane_point,
+                   const CgnsSides& sides)
+        : mesh_(mesh),
+          cgns_(cgns),
+          zones_(zones),
+          cell_dimension_(cell_dimension),
+          plane_point_(std::move(plane_point)),
+          sides_(sides) {}
 
-    void read(); // adds faces and markers to the mesh, which has its cells
+    void read();  // adds faces and markers to the mesh, which has its cells
 
 private:
     using Edge = std::pair<std::int32_t, std::int32_t>;
-    using Points = std::set<std::int32_t>; // of the mesh
+    using Points = std::set<std::int32_t>;  // of the mesh
 
     void find_open_edges();
     void add_conditions(std::size_t z);
-    Points structured_points(const CgnsZone& zone, const std::vector<cgsize_t>& items, std::size_t dimensions,
-                             bool is_range, GridLocation_t location) const;
+    Points structured_points(const CgnsZone& zone, const std::vector<cgsize_t>& items,
+                             std::size_t dimensions, bool is_range, GridLocation_t location) const;
     std::int32_t point(const CgnsZone& zone, const char* condition, cgsize_t number) const;
-    std::int32_t plane_point(std::int32_t point) const { return plane_point_[static_cast<std::size_t>(point)]; }
+    std::int32_t plane_point(std::int32_t point) const {
+        return plane_point_[static_cast<std::size_t>(point)];
+    }
     void mark(const std::string& name, Edge edge);
     void mark_points(const std::string& name, const Points& points);
     void mark_element(const std::string& name, std::size_t z, cgsize_t number);
@@ -42,8 +50,8 @@ private:
     int cell_dimension_;
     std::vector<std::int32_t> plane_point_;
     const CgnsSides& sides_;
-    std::set<Edge> open_; // boundary edges without a marker
+    std::set<Edge> open_;  // boundary edges without a marker
 };
 
-} // namespace cli
+}  // namespace cli
 #endif

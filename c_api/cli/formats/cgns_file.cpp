@@ -13,7 +13,7 @@
 namespace cli {
 
 Cgns::Cgns(const std::string& name, int mode, const std::string& path) : path_(path) {
-    cg_configure(CG_CONFIG_ERROR, nullptr); // nothing is printed
+    cg_configure(CG_CONFIG_ERROR, nullptr);  // nothing is printed
     (*this)(cg_open(name.c_str(), mode, &file));
     is_open_ = true;
 }
@@ -27,7 +27,8 @@ std::string CgnsZone::point(std::size_t k) const {
     const auto number = static_cast<std::int64_t>(k);
     if (!is_structured) return in_zone(*this) + ", point " + std::to_string(number + 1);
     return in_zone(*this) + ", point (" + std::to_string(number % n[0] + 1) + ", " +
-           std::to_string(number / n[0] % n[1] + 1) + ", " + std::to_string(number / n[0] / n[1] + 1) + ")";
+           std::to_string(number / n[0] % n[1] + 1) + ", " +
+           std::to_string(number / n[0] / n[1] + 1) + ")";
 }
 
 std::string in_zone(const CgnsZone& zone) { return "zone " + in_quotes(zone.name); }
@@ -39,7 +40,8 @@ std::vector<CgnsZone> read_zones(const Cgns& cgns, int& cell_dimension) {
     if (n_bases < 1) cgns.fail("the file has no base");
     cgns(cg_base_read(cgns.file, cgns_base, name, &cell_dimension, &dimension));
     if (cell_dimension != 2 && cell_dimension != 3) {
-        cgns.fail("expected a base with cells of 2 or 3 dimensions, found " + std::to_string(cell_dimension));
+        cgns.fail("expected a base with cells of 2 or 3 dimensions, found " +
+                  std::to_string(cell_dimension));
     }
     cgns(cg_nzones(cgns.file, cgns_base, &n_zones));
     if (n_zones < 1) cgns.fail("the base " + in_quotes(name) + " has no zone");
@@ -59,7 +61,8 @@ std::vector<CgnsZone> read_zones(const Cgns& cgns, int& cell_dimension) {
         for (int d = 0; d < (zone.is_structured ? cell_dimension : 1); ++d)
             zone.n[static_cast<std::size_t>(d)] = size[d];
         for (const std::int64_t n : zone.n) {
-            if (n < 1 || n > INT32_MAX) cgns.fail(in_zone(zone) + " has a size that is none: " + std::to_string(n));
+            if (n < 1 || n > INT32_MAX)
+                cgns.fail(in_zone(zone) + " has a size that is none: " + std::to_string(n));
         }
         first += zone.points();
         if (first > INT32_MAX) cgns.fail("more than 2147483647 points");
@@ -126,10 +129,11 @@ void store_cgns(std::ostream& out, const Mesh& mesh, const std::string& numbers)
                 }
                 ++d;
                 int c = 0;
-                const void* const data =
-                    array.type == RealSingle ? static_cast<const void*>(singles.data()) : values.data();
-                cgns(cg_coord_partial_write(cgns.file, cgns_base, number, array.type, array.name.c_str(), low, high,
-                                            data, &c));
+                const void* const data = array.type == RealSingle
+                                             ? static_cast<const void*>(singles.data())
+                                             : values.data();
+                cgns(cg_coord_partial_write(cgns.file, cgns_base, number, array.type,
+                                            array.name.c_str(), low, high, data, &c));
             }
         }
         cgns.close();
@@ -138,5 +142,5 @@ void store_cgns(std::ostream& out, const Mesh& mesh, const std::string& numbers)
     out << changed.rdbuf();
 }
 
-} // namespace cli
+}  // namespace cli
 #endif

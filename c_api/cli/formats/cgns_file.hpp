@@ -1,9 +1,10 @@
-// What a CGNS file has of zones and coordinates, by libcgns. Only in programs made with `make CGNS=1`.
+// What a CGNS file has of zones and coordinates, by libcgns. Only in programs made with `make
+// CGNS=1`.
 #pragma once
 
 #ifdef HARMORPH_CGNS
 #include "basics/failure.hpp"
-#include "mesh/mesh.hpp"
+#include "mesh/mesh_file.hpp"
 
 #include <cgnslib.h>
 
@@ -29,7 +30,9 @@ public:
     void operator()(int status, const std::string& what = "") const {
         if (status != CG_OK) fail((what.empty() ? "" : what + ": ") + cg_get_error());
     }
-    [[noreturn]] void fail(const std::string& message) const { throw Failure(exit_file, path_ + ": " + message); }
+    [[noreturn]] void fail(const std::string& message) const {
+        throw Failure(exit_file, path_ + ": " + message);
+    }
 
     int file = 0;
 
@@ -41,10 +44,12 @@ private:
 struct CgnsZone {
     std::string name;
     bool is_structured = false;
-    std::array<std::int64_t, 3> n = {1, 1, 1}; // points along i, j, k; of unstructured zones all in the first
-    std::size_t first = 0;                     // its first point of all
+    std::array<std::int64_t, 3> n = {
+        1, 1, 1};           // points along i, j, k; of unstructured zones all in the first
+    std::size_t first = 0;  // its first point of all
     std::size_t points() const { return static_cast<std::size_t>(n[0] * n[1] * n[2]); }
-    // "zone 'a', point 12", or "zone 'a', point (4, 1, 1)": the k-th of its points, from 0, in the file's numbering.
+    // "zone 'a', point 12", or "zone 'a', point (4, 1, 1)": the k-th of its points, from 0, in the
+    // file's numbering.
     std::string point(std::size_t k) const;
 };
 
@@ -59,8 +64,9 @@ std::vector<CgnsZone> read_zones(const Cgns& cgns, int& cell_dimension);
 std::vector<CgnsArray> read_arrays(const Cgns& cgns, int zone, const std::string& where);
 void whole_range(const CgnsZone& zone, cgsize_t* low, cgsize_t* high);
 
-// The file with other coordinates, for FileCoordinates::store: a copy, in which libcgns writes the arrays anew.
+// The file with other coordinates, for FileCoordinates::store: a copy, in which libcgns writes the
+// arrays anew.
 void store_cgns(std::ostream& out, const Mesh& mesh, const std::string& numbers);
 
-} // namespace cli
+}  // namespace cli
 #endif

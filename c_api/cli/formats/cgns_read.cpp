@@ -15,7 +15,8 @@ namespace {
 
 class CgnsReader {
 public:
-    explicit CgnsReader(Mesh& mesh) : mesh_(mesh), cgns_(mesh.file.path(), CG_MODE_READ, mesh.file.path()) {}
+    explicit CgnsReader(Mesh& mesh)
+        : mesh_(mesh), cgns_(mesh.file.path(), CG_MODE_READ, mesh.file.path()) {}
 
     void read() {
         zones_ = read_zones(cgns_, cell_dimension_);
@@ -42,7 +43,8 @@ public:
 
 private:
     // Of all coordinates of n points, x first: "zone 'a', point 12, CoordinateX".
-    static std::string place(const std::vector<CgnsZone>& zones, std::size_t n, std::size_t number) {
+    static std::string place(const std::vector<CgnsZone>& zones, std::size_t n,
+                             std::size_t number) {
         std::size_t z = zones.size() - 1;
         while (zones[z].first > number % n) --z;
         return zones[z].point(number % n - zones[z].first) + ", Coordinate" + "XYZ"[number / n % 3];
@@ -60,7 +62,8 @@ private:
             std::size_t d = 0;
             for (const CgnsArray& array : read_arrays(cgns_, number, in_zone(zones_[z]))) {
                 double* const to = space_.x[d++].data() + zones_[z].first;
-                cgns_(cg_coord_read(cgns_.file, cgns_base, number, array.name.c_str(), RealDouble, low, high, to),
+                cgns_(cg_coord_read(cgns_.file, cgns_base, number, array.name.c_str(), RealDouble,
+                                    low, high, to),
                       in_zone(zones_[z]) + ", " + array.name);
                 all_single = all_single && array.type == RealSingle;
             }
@@ -72,7 +75,8 @@ private:
             for (std::size_t k = 0; k < n; ++k) {
                 const double value = space_.x[d][k];
                 const float single = static_cast<float>(value);
-                if (!(value - value == 0)) cgns_.fail(place(zones_, n, (d * n + k)) + " is not finite");
+                if (!(value - value == 0))
+                    cgns_.fail(place(zones_, n, (d * n + k)) + " is not finite");
                 const void* const from = all_single ? static_cast<const void*>(&single) : &value;
                 std::memcpy(&numbers[(d * n + k) * bytes], from, bytes);
             }
@@ -81,8 +85,9 @@ private:
             for (std::size_t k = 0; k < n; ++k) space_.offset[d].push_back((d * n + k) * bytes);
         }
         mesh_.file = TextFile(mesh_.file.path(), std::move(numbers));
-        mesh_.file.name_places(
-            [zones = zones_, n, bytes](std::size_t offset) { return place(zones, n, offset / bytes); });
+        mesh_.file.name_places([zones = zones_, n, bytes](std::size_t offset) {
+            return place(zones, n, offset / bytes);
+        });
         mesh_.in_file.kind = all_single ? NumberKind::real32 : NumberKind::real64;
         mesh_.in_file.store = store_cgns;
         mesh_.in_file.swapped = false;
@@ -101,14 +106,15 @@ private:
     void add_structured(const CgnsZone& zone) {
         const auto at = [&zone](std::int64_t i, std::int64_t j, std::int64_t k) {
             const std::int64_t line = j + zone.n[1] * k;
-            return static_cast<std::int32_t>(static_cast<std::int64_t>(zone.first) + i + zone.n[0] * line);
+            return static_cast<std::int32_t>(static_cast<std::int64_t>(zone.first) + i +
+                                             zone.n[0] * line);
         };
         const bool solid = cell_dimension_ == 3;
         for (std::int64_t k = 0; k + 1 < zone.n[2] || (!solid && k == 0); ++k) {
             for (std::int64_t j = 0; j + 1 < zone.n[1]; ++j) {
                 for (std::int64_t i = 0; i + 1 < zone.n[0]; ++i) {
-                    std::vector<std::int32_t> cell = {
-                        at(i, j, k), at(i + 1, j, k), at(i + 1, j + 1, k), at(i, j + 1, k)};
+                    std::vector<std::int32_t> cell = {at(i, j, k), at(i + 1, j, k),
+                                                      at(i + 1, j + 1, k), at(i, j + 1, k)};
                     for (std::size_t c = 0; solid && c < 4; ++c) {
                         cell.push_back(cell[c] + static_cast<std::int32_t>(zone.n[0] * zone.n[1]));
                     }
@@ -118,10 +124,12 @@ private:
         }
     }
 
-    std::int32_t point(const CgnsZone& zone, const std::string& section, cgsize_t element, std::int64_t number) const {
+    std::int32_t point(const CgnsZone& zone, const std::string& section, cgsize_t element,
+                       std::int64_t number) const {
         if (number < 1 || number > zone.n[0]) {
-            cgns_.fail(in_zone(zone) + ", section " + in_quotes(section) + ": element " + std::to_string(element) +
-                       " has point " + std::to_string(number) + ", but there are " + plural(zone.n[0], "point"));
+            cgns_.fail(in_zone(zone) + ", section " + in_quotes(section) + ": element " +
+                       std::to_string(element) + " has point " + std::to_string(number) +
+                       ", but there are " + plural(zone.n[0], "point"));
         }
         return static_cast<std::int32_t>(zone.first) + static_cast<std::int32_t>(number) - 1;
     }
@@ -135,8 +143,8 @@ private:
             ElementType_t type;
             cgsize_t begin = 0, end = 0, size = 0;
             int n_boundary = 0, has_parents = 0;
-            cgns_(cg_section_read(cgns_.file, cgns_base, number, s, name, &type, &begin, &end, &n_boundary,
-                                  &has_parents),
+            cgns_(cg_section_read(cgns_.file, cgns_base, number, s, name, &type, &begin, &end,
+                                  &n_boundary, &has_parents),
                   in_zone(zones_[z]) + ", section " + std::to_string(s));
             if (type == NODE) continue;
             const std::string where = in_zone(zones_[z]) + ", section " + in_quotes(name);
@@ -145,10 +153,12 @@ private:
                 start(static_cast<std::size_t>(end - begin) + 2);
             const bool has_start = type == MIXED || type == NGON_n || type == NFACE_n;
             if (has_start) {
-                cgns_(cg_poly_elements_read(cgns_.file, cgns_base, number, s, data.data(), start.data(), nullptr),
+                cgns_(cg_poly_elements_read(cgns_.file, cgns_base, number, s, data.data(),
+                                            start.data(), nullptr),
                       where);
             } else {
-                cgns_(cg_elements_read(cgns_.file, cgns_base, number, s, data.data(), nullptr), where);
+                cgns_(cg_elements_read(cgns_.file, cgns_base, number, s, data.data(), nullptr),
+                      where);
             }
             int n_points = 0;
             if (!has_start) cgns_(cg_npe(type, &n_points));
@@ -166,8 +176,8 @@ private:
                     --count;
                 }
                 if (at + count > data.size()) {
-                    cgns_.fail(in_zone(zones_[z]) + ", section " + in_quotes(name) + " ends inside element " +
-                               std::to_string(element));
+                    cgns_.fail(in_zone(zones_[z]) + ", section " + in_quotes(name) +
+                               " ends inside element " + std::to_string(element));
                 }
                 std::vector<std::int32_t> points;
                 for (std::size_t k = 0; k < count; ++k) {
@@ -179,19 +189,20 @@ private:
         }
     }
 
-    void add_element(std::size_t z, cgsize_t number, ElementType_t type, const std::vector<std::int32_t>& points,
-                     const char* section) {
+    void add_element(std::size_t z, cgsize_t number, ElementType_t type,
+                     const std::vector<std::int32_t>& points, const char* section) {
         const bool plane = cell_dimension_ == 2;
-        const bool is_cell = plane ? type == TRI_3 || type == QUAD_4 || type == NGON_n
-                                   : type == TETRA_4 || type == PYRA_5 || type == PENTA_6 || type == HEXA_8;
+        const bool is_cell =
+            plane ? type == TRI_3 || type == QUAD_4 || type == NGON_n
+                  : type == TETRA_4 || type == PYRA_5 || type == PENTA_6 || type == HEXA_8;
         const bool is_side = plane ? type == BAR_2 : type == TRI_3 || type == QUAD_4;
         if (is_cell) {
             add_cell(points);
         } else if (is_side) {
             sides_[{z, number}] = points;
         } else {
-            cgns_.fail(in_zone(zones_[z]) + ", section " + in_quotes(section) + ": element " + std::to_string(number) +
-                       " is of type " + cg_ElementTypeName(type) + ": " +
+            cgns_.fail(in_zone(zones_[z]) + ", section " + in_quotes(section) + ": element " +
+                       std::to_string(number) + " is of type " + cg_ElementTypeName(type) + ": " +
                        (plane ? "TRI_3, QUAD_4, NGON_n and BAR_2 are read"
                               : "TETRA_4, PYRA_5, PENTA_6, HEXA_8, TRI_3 and QUAD_4 are read"));
         }
@@ -201,7 +212,8 @@ private:
     std::vector<std::int32_t> find_plane_points() const {
         const std::size_t n = space_.x[0].size();
         std::vector<std::int32_t> plane_point(n, -1);
-        for (const CoordinateSlot& slot : mesh_.in_file.slots) plane_point[slot.offset / bytes_ % n] = slot.point;
+        for (const CoordinateSlot& slot : mesh_.in_file.slots)
+            plane_point[slot.offset / bytes_ % n] = slot.point;
         return plane_point;
     }
 
@@ -209,15 +221,15 @@ private:
     Cgns cgns_;
     std::vector<CgnsZone> zones_;
     int cell_dimension_ = 0;
-    std::size_t bytes_ = 8; // of a number in mesh.file
+    std::size_t bytes_ = 8;  // of a number in mesh.file
     SpacePoints space_;
     std::unique_ptr<OneCellThick> solid_;
     CgnsSides sides_;
 };
 
-} // namespace
+}  // namespace
 
 void read_cgns(Mesh& mesh) { CgnsReader(mesh).read(); }
 
-} // namespace cli
+}  // namespace cli
 #endif

@@ -2,11 +2,11 @@
 #pragma once
 
 #ifdef HARMORPH_CGNS
-#include "mesh/mesh.hpp"
+#include "mesh/mesh_file.hpp"
 
 namespace cli {
 
 void read_cgns(Mesh& mesh);
 
-} // namespace cli
+}  // namespace cli
 #endif

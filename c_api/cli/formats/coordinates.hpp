@@ -1,6 +1,6 @@
-// Where a mesh file keeps its coordinates. With that the file can be written again with other coordinates, and every
-// byte besides them stays: readers of all formats leave such a record, so that no format has a writer of its own for
-// this.
+// Where a mesh file keeps its coordinates. With that the file can be written again with other
+// coordinates, and every byte besides them stays: readers of all formats leave such a record, so
+// that no format has a writer of its own for this.
 #pragma once
 
 #include <array>
@@ -20,7 +20,8 @@ enum class NumberKind { text, real32, real64 };
 struct CoordinateSlot {
     std::size_t offset;  // of its first byte
     std::int32_t point;  // of the mesh; from the number of points on: one of `between`
-    std::int32_t rule;   // takes_x, takes_y: the number is that coordinate; else a place in `directions`
+    std::int32_t
+        rule;  // takes_x, takes_y: the number is that coordinate; else a place in `directions`
 };
 enum CoordinateRule : std::int32_t { takes_x = -1, takes_y = -2 };
 
@@ -29,9 +30,9 @@ struct Direction {
     double along[2];
 };
 
-// A point of the file that is none of the mesh, but lies between some: the middle of an edge (two corners), whose
-// distance from the straight edge turns and grows with the edge, or of a cell (three or four), which moves by their
-// mean.
+// A point of the file that is none of the mesh, but lies between some: the middle of an edge (two
+// corners), whose distance from the straight edge turns and grows with the edge, or of a cell
+// (three or four), which moves by their mean.
 struct Between {
     std::array<std::int32_t, 4> corners;
     std::int32_t n_corners;
@@ -40,14 +41,15 @@ struct Between {
 
 struct FileCoordinates {
     NumberKind kind = NumberKind::text;
-    bool is_computed = false; // the mesh's coordinates are none of the file's numbers: an inclined plane, or a wedge
-    bool swapped = false; // binary numbers are not in this machine's byte order
+    bool is_computed = false;  // the mesh's coordinates are none of the file's numbers: an inclined
+                               // plane, or a wedge
+    bool swapped = false;      // binary numbers are not in this machine's byte order
     std::vector<CoordinateSlot> slots;
     std::vector<Direction> directions;
     std::vector<Between> between;
-    // Of files that a library writes: mesh.file has the coordinates alone; writes the whole file with other ones. NULL:
-    // mesh.file is the file.
+    // Of files that a library writes: mesh.file has the coordinates alone; writes the whole file
+    // with other ones. NULL: mesh.file is the file.
     void (*store)(std::ostream& out, const Mesh& mesh, const std::string& numbers) = nullptr;
 };
 
-} // namespace cli
+}  // namespace cli

@@ -1,9 +1,11 @@
-// Fluent's mesh files in text (appendix "Mesh File Format" of the Fluent User's Guide), two dimensions.
+// Fluent's mesh files in text (appendix "Mesh File Format" of the Fluent User's Guide), two
+// dimensions.
 //
-// The file is a list of sections (NUMBER (HEAD) (BODY)): 10 nodes, 12 cells, 13 faces, 45 and 39 names of zones; others
-// stay as they are. Cells are given by their faces: a face goes from a node to another and has a cell on its right and
-// one on its left, or 0. Whole numbers are hexadecimal, except those of sections, dimensions and zones in 45 and 39.
-// Markers are the zones of boundary faces, by name if they have one, else "zone:NUMBER".
+// The file is a list of sections (NUMBER (HEAD) (BODY)): 10 nodes, 12 cells, 13 faces, 45 and 39
+// names of zones; others stay as they are. Cells are given by their faces: a face goes from a node
+// to another and has a cell on its right and one on its left, or 0. Whole numbers are hexadecimal,
+// except those of sections, dimensions and zones in 45 and 39. Markers are the zones of boundary
+// faces, by name if they have one, else "zone:NUMBER".
 #include "formats/format.hpp"
 
 #include "formats/fluent_sections.hpp"
@@ -29,9 +31,10 @@ enum SectionType {
     cell_tree_section = 58,
     face_tree_section = 59
 };
-constexpr std::int64_t first_binary_section = 2000; // 2010, 3010: nodes in single and double precision, and so on
+constexpr std::int64_t first_binary_section =
+    2000;  // 2010, 3010: nodes in single and double precision, and so on
 enum ZoneType { no_type = 0, interior = 2 };
-enum FaceType { mixed = 0, polygonal = 5 }; // those that have the number of nodes before each face
+enum FaceType { mixed = 0, polygonal = 5 };  // those that have the number of nodes before each face
 
 class FluentReader {
 public:
@@ -54,9 +57,9 @@ private:
         std::size_t x_offset, y_offset;
     };
     struct Face {
-        std::int32_t nodes[2], cells[2]; // from 0; no cell: -1
+        std::int32_t nodes[2], cells[2];  // from 0; no cell: -1
         std::int64_t zone;
-        bool is_interior;                // by the type of its zone
+        bool is_interior;  // by the type of its zone
         std::size_t offset;
     };
 
@@ -66,7 +69,8 @@ private:
     void read_name();
     std::int64_t hexadecimal(const char* what);
     std::int64_t hexadecimal(const char* what, std::int64_t low, std::int64_t high);
-    std::int64_t whole(const char* what, std::int64_t low, std::int64_t high, std::int64_t value) const;
+    std::int64_t whole(const char* what, std::int64_t low, std::int64_t high,
+                       std::int64_t value) const;
 
     [[noreturn]] void lacks(const std::string& what) const;
     void add_points();
@@ -76,41 +80,45 @@ private:
     Mesh& mesh_;
     NumberReader numbers_;
     FluentSections sections_;
-    FluentSection section_; // the one that is read
+    FluentSection section_;  // the one that is read
     std::vector<Node> nodes_;
     std::vector<Face> faces_;
     std::int64_t largest_cell_ = 0;
-    std::map<std::int64_t, std::string> names_; // of zones
+    std::map<std::int64_t, std::string> names_;  // of zones
 };
 
 void FluentReader::read_section() {
     numbers_.jump(section_.head);
     numbers_.stop_at(section_.head_end);
     switch (section_.number) {
-    case dimension_section:
-        if (numbers_.whole("2, of two dimensions") != 2) numbers_.expected("2: meshes of two dimensions are read");
-        return;
-    case node_section: return read_nodes();
-    case face_section: return read_faces();
-    case old_name_section:
-    case name_section: return read_name();
-    case cell_tree_section:
-    case face_tree_section:
-        mesh_.file.fail(section_.begin, "the mesh has hanging nodes (from refinement), which are not read");
-    default: break;
+        case dimension_section:
+            if (numbers_.whole("2, of two dimensions") != 2)
+                numbers_.expected("2: meshes of two dimensions are read");
+            return;
+        case node_section: return read_nodes();
+        case face_section: return read_faces();
+        case old_name_section:
+        case name_section: return read_name();
+        case cell_tree_section:
+        case face_tree_section:
+            mesh_.file.fail(section_.begin,
+                            "the mesh has hanging nodes (from refinement), which are not read");
+        default: break;
     }
     const std::int64_t meaning = section_.number % 1000;
-    const bool is_read = meaning == node_section || meaning == cell_section || meaning == face_section;
+    const bool is_read =
+        meaning == node_section || meaning == cell_section || meaning == face_section;
     if (section_.number >= first_binary_section && is_read) {
-        mesh_.file.fail(section_.begin,
-                        "the section " + std::to_string(section_.number) + " is binary: save the mesh as text");
+        mesh_.file.fail(section_.begin, "the section " + std::to_string(section_.number) +
+                                            " is binary: save the mesh as text");
     }
 }
 
-std::int64_t FluentReader::whole(const char* what, std::int64_t low, std::int64_t high, std::int64_t value) const {
+std::int64_t FluentReader::whole(const char* what, std::int64_t low, std::int64_t high,
+                                 std::int64_t value) const {
     if (value >= low && value <= high) return value;
-    numbers_.fail(std::string("expected ") + what + " between " + std::to_string(low) + " and " + std::to_string(high) +
-                  ", found " + std::to_string(value));
+    numbers_.fail(std::string("expected ") + what + " between " + std::to_string(low) + " and " +
+                  std::to_string(high) + ", found " + std::to_string(value));
 }
 
 std::int64_t FluentReader::hexadecimal(const char* what) {
@@ -127,13 +135,15 @@ std::int64_t FluentReader::hexadecimal(const char* what, std::int64_t low, std::
     return whole(what, low, high, hexadecimal(what));
 }
 
-// Head: zone, first node, last node, type, and mostly the dimension. Zone 0 says how many there are in all.
+// Head: zone, first node, last node, type, and mostly the dimension. Zone 0 says how many there are
+// in all.
 void FluentReader::read_nodes() {
     const std::int64_t zone = hexadecimal("a zone");
     const std::int64_t first = hexadecimal("the first node", 0, INT32_MAX);
     const std::int64_t last = hexadecimal("the last node", 0, INT32_MAX);
     if (zone == 0) return;
-    if (section_.body == 0) mesh_.file.fail(section_.begin, "the section has no coordinates of nodes");
+    if (section_.body == 0)
+        mesh_.file.fail(section_.begin, "the section has no coordinates of nodes");
     numbers_.jump(section_.body);
     numbers_.stop_at(section_.body_end);
     for (std::int64_t number = first; number <= last; ++number) {
@@ -156,7 +166,8 @@ void FluentReader::read_faces() {
     const std::int64_t first = hexadecimal("the first face", 0, INT32_MAX);
     const std::int64_t last = hexadecimal("the last face", 0, INT32_MAX);
     if (zone == 0) return;
-    const std::int64_t type = hexadecimal("the type of a zone"), face_type = hexadecimal("the type of faces");
+    const std::int64_t type = hexadecimal("the type of a zone"),
+                       face_type = hexadecimal("the type of faces");
     if (section_.body == 0) mesh_.file.fail(section_.begin, "the section has no faces");
     numbers_.jump(section_.body);
     numbers_.stop_at(section_.body_end);
@@ -164,7 +175,8 @@ void FluentReader::read_faces() {
         Face face = {{}, {}, zone, type == interior, 0};
         if (face_type == mixed || face_type == polygonal) hexadecimal("2 nodes of a face", 2, 2);
         for (std::size_t k = 0; k < 2; ++k) {
-            face.nodes[k] = static_cast<std::int32_t>(hexadecimal("a node of a face", 1, INT32_MAX)) - 1;
+            face.nodes[k] =
+                static_cast<std::int32_t>(hexadecimal("a node of a face", 1, INT32_MAX)) - 1;
             if (k == 0) face.offset = numbers_.number_offset();
         }
         for (std::int32_t& cell : face.cells) {
@@ -175,7 +187,8 @@ void FluentReader::read_faces() {
         faces_.push_back(face);
     }
     if (!numbers_.at_end()) {
-        mesh_.file.fail(numbers_.offset(), "the section has more numbers than " + plural(last - first + 1, "face"));
+        mesh_.file.fail(numbers_.offset(),
+                        "the section has more numbers than " + plural(last - first + 1, "face"));
     }
 }
 
@@ -196,10 +209,12 @@ void FluentReader::lacks(const std::string& what) const {
 void FluentReader::add_points() {
     if (nodes_.empty()) lacks("a section (10 ...) with nodes");
     const auto before = [](const Node& a, const Node& b) { return a.number < b.number; };
-    if (!std::is_sorted(nodes_.begin(), nodes_.end(), before)) std::stable_sort(nodes_.begin(), nodes_.end(), before);
+    if (!std::is_sorted(nodes_.begin(), nodes_.end(), before))
+        std::stable_sort(nodes_.begin(), nodes_.end(), before);
     for (const Node& node : nodes_) {
         if (node.number != mesh_.points() + 1) {
-            const std::string expected = std::to_string(mesh_.points() + 1), found = std::to_string(node.number);
+            const std::string expected = std::to_string(mesh_.points() + 1),
+                              found = std::to_string(node.number);
             mesh_.file.fail(node.x_offset, "expected node " + expected + ", found node " + found);
         }
         mesh_.add_point(node.x, node.y, node.x_offset, node.y_offset);
@@ -217,7 +232,8 @@ void FluentReader::add_cells() {
     const auto n_faces = static_cast<std::int64_t>(faces_.size());
     if (largest_cell_ > n_faces) {
         const std::string largest = std::to_string(largest_cell_), there = plural(n_faces, "face");
-        mesh_.file.fail(faces_[0].offset, "faces have cells up to " + largest + ", but there are " + there);
+        mesh_.file.fail(faces_[0].offset,
+                        "faces have cells up to " + largest + ", but there are " + there);
     }
     std::vector<Cell> list(static_cast<std::size_t>(largest_cell_), Cell{{}, faces_[0].offset});
     for (const Face& face : faces_) {
@@ -236,17 +252,20 @@ void FluentReader::add_cells() {
         for (auto side = sides; side != end; ++side) {
             points.push_back((*side)[0]);
             const std::int32_t tip = (*side)[1];
-            const auto next = std::find_if(
-                side + 1, end, [tip](const auto& other) { return other[0] == tip || other[1] == tip; });
-            if (next != end && (*next)[0] != tip) std::swap((*next)[0], (*next)[1]); // written the other way round
+            const auto next = std::find_if(side + 1, end, [tip](const auto& other) {
+                return other[0] == tip || other[1] == tip;
+            });
+            if (next != end && (*next)[0] != tip)
+                std::swap((*next)[0], (*next)[1]);  // written the other way round
             if (next != end) std::iter_swap(side + 1, next);
             const bool is_last = side + 1 == end;
-            if (is_last ? (*side)[1] != (*sides)[0] : next == end) points.clear(); // goes nowhere
+            if (is_last ? (*side)[1] != (*sides)[0] : next == end) points.clear();  // goes nowhere
             if (points.empty()) break;
         }
         if (points.size() < 3) {
             const std::string its = plural(static_cast<std::int64_t>(cell.sides.size()), "face");
-            mesh_.file.fail(cell.offset, "the faces of " + cell_name(number) + " (" + its + ") do not form a polygon");
+            mesh_.file.fail(cell.offset, "the faces of " + cell_name(number) + " (" + its +
+                                             ") do not form a polygon");
         }
         mesh_.add_cell(points, cell.offset);
     }
@@ -257,8 +276,8 @@ void FluentReader::add_faces() {
     for (const Face& face : faces_) {
         if (face.is_interior && face.cells[0] >= 0 && face.cells[1] >= 0) continue;
         const auto name = names_.find(face.zone);
-        const std::int32_t marker =
-            mesh_.add_marker(name == names_.end() ? "zone:" + std::to_string(face.zone) : name->second);
+        const std::int32_t marker = mesh_.add_marker(
+            name == names_.end() ? "zone:" + std::to_string(face.zone) : name->second);
         mesh_.add_face(face.nodes[0], face.nodes[1], marker, face.offset);
     }
 }
@@ -273,8 +292,9 @@ bool probe_fluent(const TextFile& file) {
 
 void read_fluent(Mesh& mesh, const ReadOptions&) { FluentReader(mesh).read(); }
 
-} // namespace
+}  // namespace
 
-const Format fluent_format = {"fluent", ".msh", "Fluent in text, two dimensions", probe_fluent, read_fluent, nullptr};
+const Format fluent_format = {"fluent",     ".msh",      "Fluent in text, two dimensions",
+                              probe_fluent, read_fluent, nullptr};
 
-} // namespace cli
+}  // namespace cli

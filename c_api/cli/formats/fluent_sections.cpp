@@ -5,9 +5,12 @@
 
 namespace cli {
 
-void FluentSections::over_blanks() { at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size()); }
+void FluentSections::over_blanks() {
+    at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size());
+}
 
-// Behind the bracket that closes the list which begins here. Brackets in quotation marks do not count.
+// Behind the bracket that closes the list which begins here. Brackets in quotation marks do not
+// count.
 std::size_t FluentSections::end_of_list(std::size_t begin) const {
     int depth = 0;
     for (std::size_t at = begin; (at = text_.find_first_of("()\"", at)) != text_.npos; ++at) {
@@ -28,7 +31,8 @@ bool FluentSections::next() {
     section_ = {};
     section_.begin = at_;
     if (text_[at_] != '(') {
-        file_.fail(at_, "expected a section such as (10 ...), found " + in_quotes(text_.substr(at_, 16)));
+        file_.fail(
+            at_, "expected a section such as (10 ...), found " + in_quotes(text_.substr(at_, 16)));
     }
     const std::size_t end = end_of_list(at_);
     ++at_;
@@ -54,4 +58,4 @@ bool FluentSections::next() {
     return true;
 }
 
-} // namespace cli
+}  // namespace cli

@@ -9,7 +9,7 @@ namespace cli {
 
 struct FluentSection {
     std::int64_t number = 0;
-    std::size_t begin = 0;               // all are places in the file; of the section's first bracket
+    std::size_t begin = 0;  // all are places in the file; of the section's first bracket
     std::size_t head = 0, head_end = 0;  // without the brackets
     std::size_t body = 0, body_end = 0;  // without the brackets; 0: there is none
 };
@@ -18,7 +18,7 @@ class FluentSections {
 public:
     explicit FluentSections(const TextFile& file) : file_(file), text_(file.text()) {}
 
-    bool next(); // false: the end of the file
+    bool next();  // false: the end of the file
     const FluentSection& section() const { return section_; }
 
 private:
@@ -27,8 +27,8 @@ private:
 
     const TextFile& file_;
     std::string_view text_;
-    std::size_t at_ = 0; // behind the section
+    std::size_t at_ = 0;  // behind the section
     FluentSection section_;
 };
 
-} // namespace cli
+}  // namespace cli

@@ -16,10 +16,11 @@ bool is_single(char c) { return c == '(' || c == ')' || c == '{' || c == '}' || 
 // The value behind "label=" in an arch entry, in bytes.
 int bytes_of(const std::string& arch, const std::string& kind, int usual) {
     const std::size_t at = arch.find(kind + "=");
-    return at == std::string::npos ? usual : (arch.compare(at + kind.size() + 1, 2, "64") == 0 ? 8 : 4);
+    return at == std::string::npos ? usual
+                                   : (arch.compare(at + kind.size() + 1, 2, "64") == 0 ? 8 : 4);
 }
 
-} // namespace
+}  // namespace
 
 bool read_foam_header(const TextFile& file, FoamHeader& header) {
     const std::string& text = file.text();
@@ -30,7 +31,8 @@ bool read_foam_header(const TextFile& file, FoamHeader& header) {
     header.end = close + 1;
     const std::string entries = text.substr(open + 1, close - open - 1);
     const auto value = [&entries](const std::string& key) {
-        for (std::size_t at = entries.find(key); at != std::string::npos; at = entries.find(key, at + 1)) {
+        for (std::size_t at = entries.find(key); at != std::string::npos;
+             at = entries.find(key, at + 1)) {
             const bool begins = at == 0 || is_blank(entries[at - 1]) || entries[at - 1] == ';';
             const std::size_t behind = at + key.size();
             if (!begins || behind >= entries.size() || !is_blank(entries[behind])) continue;
@@ -82,7 +84,8 @@ std::string_view FoamReader::word() {
 
 void FoamReader::expected(std::string_view what) const {
     const std::string_view found = std::string_view(file_.text()).substr(word_, at_ - word_);
-    fail("expected " + std::string(what) + ", found " + (found.empty() ? "the end of the file" : in_quotes(found)));
+    fail("expected " + std::string(what) + ", found " +
+         (found.empty() ? "the end of the file" : in_quotes(found)));
 }
 
 std::int64_t FoamReader::count(const char* what) {
@@ -105,11 +108,12 @@ bool FoamReader::is_next(std::string_view wanted) {
 const char* FoamReader::binary(std::int64_t n, int bytes, const char* what) {
     expect("(");
     const std::string& text = file_.text();
-    const std::size_t size = static_cast<std::size_t>(n) * static_cast<std::size_t>(bytes), begin = at_;
+    const std::size_t size = static_cast<std::size_t>(n) * static_cast<std::size_t>(bytes),
+                      begin = at_;
     if (size > text.size() - begin || text.size() - begin - size < 1 || text[begin + size] != ')') {
-        file_.fail(begin,
-                   "expected " + plural(n, what) + " of " + plural(bytes, "byte") +
-                       " and a closing bracket: the file is cut off, or its header says another size of numbers");
+        file_.fail(begin, "expected " + plural(n, what) + " of " + plural(bytes, "byte") +
+                              " and a closing bracket: the file is cut off, or its header says "
+                              "another size of numbers");
     }
     at_ = begin + size + 1;
     return text.data() + begin;
@@ -117,7 +121,8 @@ const char* FoamReader::binary(std::int64_t n, int bytes, const char* what) {
 
 std::int64_t FoamReader::label_at(const char* at) const {
     const bool swapped = !little_endian_machine();
-    return header_.label_bytes == 8 ? load<std::int64_t>(at, swapped) : load<std::int32_t>(at, swapped);
+    return header_.label_bytes == 8 ? load<std::int64_t>(at, swapped)
+                                    : load<std::int32_t>(at, swapped);
 }
 
 std::vector<std::int64_t> FoamReader::labels() {
@@ -131,7 +136,8 @@ std::vector<std::int64_t> FoamReader::labels() {
     }
     if (header_.is_binary) {
         const char* from = n > 0 ? binary(n, header_.label_bytes, "label") : nullptr;
-        for (std::int64_t i = 0; i < n; ++i) values.push_back(label_at(from + i * header_.label_bytes));
+        for (std::int64_t i = 0; i < n; ++i)
+            values.push_back(label_at(from + i * header_.label_bytes));
         if (n == 0 && is_next("(")) binary(0, 1, "label");
         return values;
     }
@@ -147,14 +153,17 @@ void FoamReader::faces(std::vector<std::int64_t>& start, std::vector<std::int64_
         start = labels();
         const std::size_t here = word_;
         points = labels();
-        if (start.empty() || start[0] != 0 || start.back() != static_cast<std::int64_t>(points.size()) ||
+        if (start.empty() || start[0] != 0 ||
+            start.back() != static_cast<std::int64_t>(points.size()) ||
             !std::is_sorted(start.begin(), start.end())) {
             file_.fail(here, "the list where faces begin does not fit the list of their points");
         }
         offsets.assign(start.size() - 1, here);
         return;
     }
-    if (header_.is_binary) fail("a binary file of faces has the class faceCompactList, not " + in_quotes(header_.type));
+    if (header_.is_binary)
+        fail("a binary file of faces has the class faceCompactList, not " +
+             in_quotes(header_.type));
     const std::int64_t n = count("the number of faces");
     start.assign(1, 0);
     expect("(");
@@ -169,7 +178,8 @@ void FoamReader::faces(std::vector<std::int64_t>& start, std::vector<std::int64_
     expect(")");
 }
 
-void FoamReader::vectors(std::array<std::vector<double>, 3>& x, std::array<std::vector<std::size_t>, 3>& offsets) {
+void FoamReader::vectors(std::array<std::vector<double>, 3>& x,
+                         std::array<std::vector<std::size_t>, 3>& offsets) {
     const std::int64_t n = count("the number of points");
     if (header_.is_binary) {
         const int bytes = header_.scalar_bytes;
@@ -179,9 +189,11 @@ void FoamReader::vectors(std::array<std::vector<double>, 3>& x, std::array<std::
             const auto d = static_cast<std::size_t>(i % 3);
             const char* const at = from + i * bytes;
             const bool swapped = !little_endian_machine();
-            x[d].push_back(bytes == 8 ? load<double>(at, swapped) : static_cast<double>(load<float>(at, swapped)));
+            x[d].push_back(bytes == 8 ? load<double>(at, swapped)
+                                      : static_cast<double>(load<float>(at, swapped)));
             offsets[d].push_back(begin + static_cast<std::size_t>(i * bytes));
-            if (!std::isfinite(x[d].back())) file_.fail(offsets[d].back(), "a coordinate is not finite");
+            if (!std::isfinite(x[d].back()))
+                file_.fail(offsets[d].back(), "a coordinate is not finite");
         }
         return;
     }
@@ -199,4 +211,4 @@ void FoamReader::vectors(std::array<std::vector<double>, 3>& x, std::array<std::
     expect(")");
 }
 
-} // namespace cli
+}  // namespace cli

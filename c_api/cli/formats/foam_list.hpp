@@ -1,7 +1,7 @@
 // OpenFOAM's files: a header that says how numbers are stored, then one list, in text or binary.
 #pragma once
 
-#include "mesh/mesh.hpp"
+#include "mesh/mesh_file.hpp"
 
 #include <array>
 
@@ -10,8 +10,8 @@ namespace cli {
 struct FoamHeader {
     bool is_binary = false;
     int label_bytes = 4, scalar_bytes = 8;
-    std::string type;      // the entry "class"
-    std::size_t end = 0;   // of the header
+    std::string type;     // the entry "class"
+    std::size_t end = 0;  // of the header
 };
 
 // The header of a file of OpenFOAM; false: there is none.
@@ -23,22 +23,24 @@ public:
     explicit FoamReader(const TextFile& file);
 
     const FoamHeader& header() const { return header_; }
-    std::string_view word();               // the next; empty at the end
-    std::int64_t count(const char* what);  // not negative
-    void expect(std::string_view wanted);  // this word
-    bool is_next(std::string_view wanted); // does this word follow? It is not taken
+    std::string_view word();                // the next; empty at the end
+    std::int64_t count(const char* what);   // not negative
+    void expect(std::string_view wanted);   // this word
+    bool is_next(std::string_view wanted);  // does this word follow? It is not taken
     std::size_t offset() const { return word_; }
     [[noreturn]] void fail(const std::string& message) const { file_.fail(word_, message); }
     [[noreturn]] void expected(std::string_view what) const;
 
-    std::vector<std::int64_t> labels();    // a list of whole numbers: N (...), N {value} or binary
+    std::vector<std::int64_t> labels();  // a list of whole numbers: N (...), N {value} or binary
     // The faces of a faceList or faceCompactList: where the points of each begin, and all points.
-    void faces(std::vector<std::int64_t>& start, std::vector<std::int64_t>& points, std::vector<std::size_t>& offsets);
-    void vectors(std::array<std::vector<double>, 3>& x, std::array<std::vector<std::size_t>, 3>& offsets);
+    void faces(std::vector<std::int64_t>& start, std::vector<std::int64_t>& points,
+               std::vector<std::size_t>& offsets);
+    void vectors(std::array<std::vector<double>, 3>& x,
+                 std::array<std::vector<std::size_t>, 3>& offsets);
 
 private:
     void skip();
-    const char* binary(std::int64_t n, int bytes, const char* what); // ( n numbers )
+    const char* binary(std::int64_t n, int bytes, const char* what);  // ( n numbers )
     std::int64_t label_at(const char* at) const;
 
     const TextFile& file_;
@@ -46,4 +48,4 @@ private:
     std::size_t at_ = 0, word_ = 0;
 };
 
-} // namespace cli
+}  // namespace cli

@@ -1,6 +1,8 @@
-// Gmsh's MSH files (https://gmsh.info/doc/texinfo/gmsh.html#MSH-file-format), versions 2.2 and 4.1, in text and binary.
+// Gmsh's MSH files (https://gmsh.info/doc/texinfo/gmsh.html#MSH-file-format), versions 2.2 and 4.1,
+// in text and binary.
 //
-// Markers are the physical groups of curves, by name if they have one; a curve without a group is "curve:TAG".
+// Markers are the physical groups of curves, by name if they have one; a curve without a group is
+// "curve:TAG".
 #include "formats/format.hpp"
 
 #include "formats/gmsh_content.hpp"
@@ -18,10 +20,12 @@ bool probe_gmsh(const TextFile& file) {
 
 void read_gmsh(Mesh& mesh, const ReadOptions&) { build_gmsh_mesh(mesh, read_gmsh_content(mesh)); }
 
-// Version 2.2: what every program reads that reads any. Cells are the physical surface 1, markers curves from 2 on.
+// Version 2.2: what every program reads that reads any. Cells are the physical surface 1, markers
+// curves from 2 on.
 void create_gmsh(std::ostream& out, const Mesh& mesh) {
     mesh.refuse_polygons("Gmsh");
-    out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n" << mesh.markers.size() + 1 << "\n2 1 \"domain\"\n";
+    out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n"
+        << mesh.markers.size() + 1 << "\n2 1 \"domain\"\n";
     for (std::size_t marker = 0; marker < mesh.markers.size(); ++marker) {
         out << "1 " << marker + 2 << " \"" << mesh.markers[marker] << "\"\n";
     }
@@ -32,21 +36,22 @@ void create_gmsh(std::ostream& out, const Mesh& mesh) {
     std::size_t number = 0;
     for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
         const std::int32_t tag = mesh.face_markers[face] + 2;
-        out << ++number << " 1 2 " << tag << ' ' << tag << ' ' << mesh.face_points[2 * face] + 1 << ' '
-            << mesh.face_points[2 * face + 1] + 1 << '\n';
+        out << ++number << " 1 2 " << tag << ' ' << tag << ' ' << mesh.face_points[2 * face] + 1
+            << ' ' << mesh.face_points[2 * face + 1] + 1 << '\n';
     }
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
         const std::int32_t begin = mesh.cell_start[cell], end = mesh.cell_start[cell + 1];
         out << ++number << (end - begin == 3 ? " 2 2 1 1" : " 3 2 1 1");
-        for (std::int32_t i = begin; i < end; ++i) out << ' ' << mesh.cell_points[static_cast<std::size_t>(i)] + 1;
+        for (std::int32_t i = begin; i < end; ++i)
+            out << ' ' << mesh.cell_points[static_cast<std::size_t>(i)] + 1;
         out << '\n';
     }
     out << "$EndElements\n";
 }
 
-} // namespace
+}  // namespace
 
 const Format gmsh_format = {"gmsh",     ".msh",    "Gmsh MSH 2.2 and 4.1, text and binary",
                             probe_gmsh, read_gmsh, create_gmsh};
 
-} // namespace cli
+}  // namespace cli

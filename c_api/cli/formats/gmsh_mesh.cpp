@@ -1,8 +1,8 @@
 // The mesh of a Gmsh file's nodes and elements.
 //
-// Of quadratic elements the mesh has the corners; the other nodes are written with it: the middle of an edge keeps its
-// distance from the straight edge, relative to the edge's length and direction; the middle of a cell moves by the mean
-// of the corners.
+// Of quadratic elements the mesh has the corners; the other nodes are written with it: the middle
+// of an edge keeps its distance from the straight edge, relative to the edge's length and
+// direction; the middle of a cell moves by the mean of the corners.
 #include "formats/gmsh_content.hpp"
 
 #include "formats/tidy.hpp"
@@ -28,9 +28,9 @@ private:
 
     Mesh& mesh_;
     const GmshContent& content_;
-    std::vector<std::int64_t> dense_;                       // node of a tag, -1: none
-    std::unordered_map<std::int64_t, std::int64_t> sparse_; // the same, if tags are far apart
-    std::vector<std::int32_t> point_of_;                    // of a node; -1: no corner
+    std::vector<std::int64_t> dense_;                        // node of a tag, -1: none
+    std::unordered_map<std::int64_t, std::int64_t> sparse_;  // the same, if tags are far apart
+    std::vector<std::int32_t> point_of_;                     // of a node; -1: no corner
 };
 
 // Tags are mostly 1 .. n, but need not be.
@@ -43,8 +43,10 @@ void GmshMesh::index_nodes() {
         const std::int64_t tag = content_.nodes[i].tag;
         const std::size_t offset = content_.nodes[i].x_offset;
         if (tag < 0) mesh_.file.fail(offset, "a node has the number " + std::to_string(tag));
-        std::int64_t& place = is_dense ? dense_[static_cast<std::size_t>(tag)] : sparse_.emplace(tag, -1).first->second;
-        if (place != -1) mesh_.file.fail(offset, "two nodes have the number " + std::to_string(tag));
+        std::int64_t& place = is_dense ? dense_[static_cast<std::size_t>(tag)]
+                                       : sparse_.emplace(tag, -1).first->second;
+        if (place != -1)
+            mesh_.file.fail(offset, "two nodes have the number " + std::to_string(tag));
         place = static_cast<std::int64_t>(i);
     }
 }
@@ -52,16 +54,21 @@ void GmshMesh::index_nodes() {
 std::size_t GmshMesh::node_of(std::int64_t tag, std::size_t offset) const {
     std::int64_t node = -1;
     if (!dense_.empty()) {
-        if (tag >= 0 && tag < static_cast<std::int64_t>(dense_.size())) node = dense_[static_cast<std::size_t>(tag)];
+        if (tag >= 0 && tag < static_cast<std::int64_t>(dense_.size()))
+            node = dense_[static_cast<std::size_t>(tag)];
     } else {
         const auto found = sparse_.find(tag);
         if (found != sparse_.end()) node = found->second;
     }
-    if (node < 0) mesh_.file.fail(offset, "an element has node " + std::to_string(tag) + ", which does not exist");
+    if (node < 0)
+        mesh_.file.fail(offset,
+                        "an element has node " + std::to_string(tag) + ", which does not exist");
     return static_cast<std::size_t>(node);
 }
 
-std::int32_t GmshMesh::corner(std::int64_t tag, std::size_t offset) { return point_of_[node_of(tag, offset)]; }
+std::int32_t GmshMesh::corner(std::int64_t tag, std::size_t offset) {
+    return point_of_[node_of(tag, offset)];
+}
 
 // Points of the mesh are all nodes but those that are in the middle of edges and cells only.
 void GmshMesh::build() {
@@ -104,17 +111,20 @@ void GmshMesh::build_between() {
         const std::int64_t* const nodes = content_.element_nodes.data() + element.first;
         for (auto k = corners; k < static_cast<std::size_t>(element.type->nodes); ++k) {
             const std::size_t node = node_of(nodes[k], element.offset);
-            if (point_of_[node] != -1) continue; // a corner elsewhere, or done by a neighbour
+            if (point_of_[node] != -1) continue;  // a corner elsewhere, or done by a neighbour
             Between between = {{}, 2, content_.nodes[node].x, content_.nodes[node].y};
-            const std::size_t edge = k - corners, n_edges = element.type->dimension == 1 ? 1 : corners;
+            const std::size_t edge = k - corners,
+                              n_edges = element.type->dimension == 1 ? 1 : corners;
             if (edge < n_edges) {
                 between.corners = {corner(nodes[edge], element.offset),
                                    corner(nodes[(edge + 1) % corners], element.offset)};
             } else {
                 between.n_corners = static_cast<std::int32_t>(corners);
-                for (std::size_t i = 0; i < corners; ++i) between.corners[i] = corner(nodes[i], element.offset);
+                for (std::size_t i = 0; i < corners; ++i)
+                    between.corners[i] = corner(nodes[i], element.offset);
             }
-            const auto number = static_cast<std::int32_t>(mesh_.x.size() + mesh_.in_file.between.size());
+            const auto number =
+                static_cast<std::int32_t>(mesh_.x.size() + mesh_.in_file.between.size());
             mesh_.in_file.between.push_back(between);
             mesh_.in_file.slots.push_back({content_.nodes[node].x_offset, number, takes_x});
             mesh_.in_file.slots.push_back({content_.nodes[node].y_offset, number, takes_y});
@@ -126,8 +136,8 @@ void GmshMesh::build_between() {
                  plural(static_cast<std::int64_t>(mesh_.in_file.between.size()), "point") + ")");
 }
 
-} // namespace
+}  // namespace
 
 void build_gmsh_mesh(Mesh& mesh, const GmshContent& content) { GmshMesh(mesh, content).build(); }
 
-} // namespace cli
+}  // namespace cli

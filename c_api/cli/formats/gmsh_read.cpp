@@ -14,9 +14,10 @@ namespace cli {
 
 namespace {
 
-constexpr GmshElementType element_types[] = {{15, 0, 1, 1}, {1, 1, 2, 2}, {8, 1, 2, 3},  {2, 2, 3, 3},
-                                             {9, 2, 3, 6},  {3, 2, 4, 4}, {16, 2, 4, 8}, {10, 2, 4, 9}};
-constexpr int first_solid = 4, last_solid = 7; // tetrahedron, hexahedron, prism, pyramid
+constexpr GmshElementType element_types[] = {{15, 0, 1, 1}, {1, 1, 2, 2}, {8, 1, 2, 3},
+                                             {2, 2, 3, 3},  {9, 2, 3, 6}, {3, 2, 4, 4},
+                                             {16, 2, 4, 8}, {10, 2, 4, 9}};
+constexpr int first_solid = 4, last_solid = 7;  // tetrahedron, hexahedron, prism, pyramid
 
 class GmshReader {
 public:
@@ -38,16 +39,16 @@ private:
     void end_section(std::string_view name);
 
     std::int32_t marker_of(std::int64_t physical, std::int64_t curve);
-    std::int64_t size(const char* what) { return numbers_.count(what, 8); } // 4.1: size_t
+    std::int64_t size(const char* what) { return numbers_.count(what, 8); }  // 4.1: size_t
 
     Mesh& mesh_;
     NumberReader numbers_;
-    int version_ = 0; // 2 or 4
+    int version_ = 0;  // 2 or 4
     bool nodes_read_ = false, elements_read_ = false;
     OnePlane plane_;
     GmshContent content_;
-    std::map<std::int64_t, std::string> names_;             // of physical groups of curves
-    std::unordered_map<std::int64_t, std::int64_t> groups_; // 4.1: of curves
+    std::map<std::int64_t, std::string> names_;              // of physical groups of curves
+    std::unordered_map<std::int64_t, std::int64_t> groups_;  // 4.1: of curves
 };
 
 GmshContent GmshReader::read() {
@@ -66,7 +67,9 @@ GmshContent GmshReader::read() {
 void GmshReader::read_format() {
     if (numbers_.next_line() != "$MeshFormat") numbers_.expected("$MeshFormat");
     const std::string version(numbers_.word());
-    version_ = version == "2.2" || version == "2" || version == "2.1" ? 2 : version == "4.1" ? 4 : 0;
+    version_ = version == "2.2" || version == "2" || version == "2.1" ? 2
+               : version == "4.1"                                     ? 4
+                                                                      : 0;
     if (version_ == 0) numbers_.expected("version 2.2 or 4.1 of the format");
     const std::int64_t kind = numbers_.whole("0 (text) or 1 (binary)");
     if (kind != 0 && kind != 1) numbers_.expected("0 (text) or 1 (binary)");
@@ -78,7 +81,8 @@ void GmshReader::read_format() {
         mesh_.in_file.kind = NumberKind::real64;
         const std::int64_t one = numbers_.whole("the number 1 in the file's byte order");
         numbers_.swapped = mesh_.in_file.swapped = one != 1;
-        if (one != 1 && one != 1 << 24) numbers_.fail("expected the number 1 in one byte order or the other");
+        if (one != 1 && one != 1 << 24)
+            numbers_.fail("expected the number 1 in one byte order or the other");
     }
     end_section("MeshFormat");
 }
@@ -86,7 +90,7 @@ void GmshReader::read_format() {
 void GmshReader::read_section(std::string_view name) {
     const bool was_binary = numbers_.is_binary;
     if (name == "PhysicalNames") {
-        numbers_.is_binary = false; // text in all files
+        numbers_.is_binary = false;  // text in all files
         read_names();
         numbers_.is_binary = was_binary;
     } else if (name == "Entities" && version_ == 4) {
@@ -99,9 +103,11 @@ void GmshReader::read_section(std::string_view name) {
         elements_read_ = true;
     } else if (name == "PartitionedEntities") {
         numbers_.fail("the mesh is partitioned: save it as one part");
-    } else { // stays as it is
-        const std::size_t end = mesh_.file.text().find("$End" + std::string(name), numbers_.offset());
-        if (end == std::string::npos) numbers_.fail("the section " + in_quotes(name) + " has no end");
+    } else {  // stays as it is
+        const std::size_t end =
+            mesh_.file.text().find("$End" + std::string(name), numbers_.offset());
+        if (end == std::string::npos)
+            numbers_.fail("the section " + in_quotes(name) + " has no end");
         numbers_.jump(end);
     }
     end_section(name);
@@ -135,7 +141,9 @@ void GmshReader::read_entities() {
             const std::int64_t n_groups = size("a number of physical groups");
             for (std::int64_t k = 0; k < n_groups; ++k) {
                 const std::int64_t group = numbers_.whole("a physical group");
-                if (dimension == 1) groups_.emplace(tag, std::abs(group)); // the first; negative: the other way round
+                if (dimension == 1)
+                    groups_.emplace(tag,
+                                    std::abs(group));  // the first; negative: the other way round
             }
             if (dimension == 0) continue;
             const std::int64_t n_around = size("a number of bounding entities");
@@ -165,7 +173,8 @@ void GmshReader::read_nodes_2() {
 
 void GmshReader::read_nodes_4() {
     const std::int64_t n_blocks = size("the number of blocks of nodes");
-    for (const char* what : {"the number of nodes", "the least node", "the largest node"}) numbers_.whole(what, 8);
+    for (const char* what : {"the number of nodes", "the least node", "the largest node"})
+        numbers_.whole(what, 8);
     std::vector<std::int64_t> tags;
     for (std::int64_t block = 0; block < n_blocks; ++block) {
         const std::int64_t dimension = numbers_.whole("an entity's dimension");
@@ -176,7 +185,8 @@ void GmshReader::read_nodes_4() {
         for (std::int64_t i = 0; i < n; ++i) tags.push_back(numbers_.whole("a node's number", 8));
         for (const std::int64_t tag : tags) {
             read_node(tag);
-            for (std::int64_t k = 0; parametric != 0 && k < std::min<std::int64_t>(dimension, 3); ++k) {
+            for (std::int64_t k = 0; parametric != 0 && k < std::min<std::int64_t>(dimension, 3);
+                 ++k) {
                 numbers_.real("a node's parameter");
             }
         }
@@ -194,14 +204,15 @@ const GmshElementType& GmshReader::element_type(std::int64_t number) {
                   " is not read: triangles and quadrilaterals of first and second order are");
 }
 
-void GmshReader::read_element(const GmshElementType& type, std::int32_t marker, std::size_t offset) {
+void GmshReader::read_element(const GmshElementType& type, std::int32_t marker,
+                              std::size_t offset) {
     const std::size_t first = content_.element_nodes.size();
     const int bytes = version_ == 4 ? 8 : 4;
     for (int k = 0; k < type.nodes; ++k) {
         content_.element_nodes.push_back(numbers_.whole("a node of an element", bytes));
     }
     if (type.dimension == 0) {
-        content_.element_nodes.resize(first); // points are kept, but are no boundary
+        content_.element_nodes.resize(first);  // points are kept, but are no boundary
     } else {
         content_.elements.push_back({&type, marker, offset, first});
     }
@@ -228,7 +239,8 @@ void GmshReader::read_elements_2() {
                 const std::int64_t tag = numbers_.whole("a tag of an element");
                 if (t < 2) tags[t] = tag;
             }
-            read_element(type, type.dimension == 1 ? marker_of(std::abs(tags[0]), tags[1]) : -1, offset);
+            read_element(type, type.dimension == 1 ? marker_of(std::abs(tags[0]), tags[1]) : -1,
+                         offset);
         }
         if (in_block == 0) numbers_.fail("a block without elements");
     }
@@ -245,7 +257,8 @@ void GmshReader::read_elements_4() {
         const std::int64_t n = size("the number of elements of a block");
         const auto group = groups_.find(entity);
         std::int32_t marker = -1;
-        if (type.dimension == 1) marker = marker_of(group == groups_.end() ? 0 : group->second, entity);
+        if (type.dimension == 1)
+            marker = marker_of(group == groups_.end() ? 0 : group->second, entity);
         for (std::int64_t i = 0; i < n; ++i) {
             numbers_.whole("an element's number", 8);
             read_element(type, marker, numbers_.number_offset());
@@ -259,8 +272,8 @@ std::int32_t GmshReader::marker_of(std::int64_t physical, std::int64_t curve) {
     return mesh_.add_marker(name == names_.end() ? std::to_string(physical) : name->second);
 }
 
-} // namespace
+}  // namespace
 
 GmshContent read_gmsh_content(Mesh& mesh) { return GmshReader(mesh).read(); }
 
-} // namespace cli
+}  // namespace cli

@@ -13,20 +13,24 @@ namespace {
 struct FaceSide {
     int direction, first, second;
 };
-constexpr FaceSide face_sides[] = {{2, 0, 1}, {0, 1, 2}, {1, 2, 0}}; // faces 1 and 2: k; 3 and 4: i; 5 and 6: j
+constexpr FaceSide face_sides[] = {
+    {2, 0, 1}, {0, 1, 2}, {1, 2, 0}};  // faces 1 and 2: k; 3 and 4: i; 5 and 6: j
 
-} // namespace
+}  // namespace
 
-std::vector<NmfPatch> read_nmf(const std::string& path, const std::vector<std::array<std::int64_t, 3>>& sizes) {
+std::vector<NmfPatch> read_nmf(const std::string& path,
+                               const std::vector<std::array<std::int64_t, 3>>& sizes) {
     const TextFile file(path);
     LineReader lines(file, '#');
-    const auto number = [&lines](std::size_t at, std::int64_t low, std::int64_t high, const char* what) {
+    const auto number = [&lines](std::size_t at, std::int64_t low, std::int64_t high,
+                                 const char* what) {
         std::int64_t value = 0;
         const auto& words = lines.words();
         const std::string wanted =
             std::string(what) + " between " + std::to_string(low) + " and " + std::to_string(high);
         if (at >= words.size()) lines.expected(wanted);
-        if (!parse(words[at], value) || value < low || value > high) lines.expected(wanted, words[at]);
+        if (!parse(words[at], value) || value < low || value > high)
+            lines.expected(wanted, words[at]);
         return value;
     };
     const auto n_blocks = static_cast<std::int64_t>(sizes.size());
@@ -65,4 +69,4 @@ std::vector<NmfPatch> read_nmf(const std::string& path, const std::vector<std::a
     return patches;
 }
 
-} // namespace cli
+}  // namespace cli

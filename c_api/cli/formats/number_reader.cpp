@@ -11,7 +11,7 @@ namespace {
 
 bool separates(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ','; }
 
-} // namespace
+}  // namespace
 
 // Commas separate numbers in what Fortran's list-directed output and C programs write.
 std::string_view NumberReader::word() {
@@ -42,7 +42,8 @@ const char* NumberReader::found_end() const {
 }
 
 const char* NumberReader::take(std::size_t bytes, const char* what) {
-    if (at_ > end_ || bytes > end_ - at_) file_.fail(end_, std::string("expected ") + what + ", found " + found_end());
+    if (at_ > end_ || bytes > end_ - at_)
+        file_.fail(end_, std::string("expected ") + what + ", found " + found_end());
     file_.passed(at_);
     number_ = at_;
     at_ += bytes;
@@ -75,7 +76,8 @@ std::int64_t NumberReader::whole(const char* what, int bytes) {
 std::int64_t NumberReader::count(const char* what, int bytes) {
     const std::int64_t value = whole(what, bytes);
     if (value < 0 || value > INT32_MAX) {
-        fail(std::string("expected ") + what + " between 0 and 2147483647, found " + std::to_string(value));
+        fail(std::string("expected ") + what + " between 0 and 2147483647, found " +
+             std::to_string(value));
     }
     return value;
 }
@@ -84,8 +86,10 @@ double NumberReader::real(const char* what, int bytes) {
     double value = 0;
     if (is_binary) {
         const char* const from = take(static_cast<std::size_t>(bytes), what);
-        value = bytes == 8 ? load<double>(from, swapped) : static_cast<double>(load<float>(from, swapped));
-        if (!std::isfinite(value)) fail(std::string("expected ") + what + ", found a number that is not finite");
+        value = bytes == 8 ? load<double>(from, swapped)
+                           : static_cast<double>(load<float>(from, swapped));
+        if (!std::isfinite(value))
+            fail(std::string("expected ") + what + ", found a number that is not finite");
     } else if (!parse(word(), value)) {
         expected(what);
     }
@@ -93,8 +97,8 @@ double NumberReader::real(const char* what, int bytes) {
 }
 
 void NumberReader::expected(std::string_view what) const {
-    file_.fail(number_,
-               "expected " + std::string(what) + ", found " + (word_.empty() ? found_end() : in_quotes(word_)));
+    file_.fail(number_, "expected " + std::string(what) + ", found " +
+                            (word_.empty() ? found_end() : in_quotes(word_)));
 }
 
-} // namespace cli
+}  // namespace cli

@@ -24,4 +24,4 @@ private:
     double z_ = 0;
 };
 
-} // namespace cli
+}  // namespace cli

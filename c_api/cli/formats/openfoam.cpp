@@ -1,6 +1,8 @@
-// OpenFOAM's polyMesh (https://www.openfoam.com/documentation/user-guide/4-mesh-generation-and-conversion): the mesh is
-// the file `points`, in text or binary; faces, owner and boundary stand beside it. Two dimensions: the patches of type
-// empty are the planes, or two patches of type wedge. All other patches are markers.
+// OpenFOAM's polyMesh
+// (https://www.openfoam.com/documentation/user-guide/4-mesh-generation-and-conversion): the mesh is
+// the file `points`, in text or binary; faces, owner and boundary stand beside it. Two dimensions:
+// the patches of type empty are the planes, or two patches of type wedge. All other patches are
+// markers.
 #include "formats/format.hpp"
 
 #include "formats/foam_list.hpp"
@@ -35,19 +37,17 @@ std::vector<Patch> read_boundary(const TextFile& file) {
         while (!reader.is_next("}")) {
             const std::string key(reader.word());
             if (key.empty()) reader.expected("an entry of the patch, or '}'");
-            if (key == "type")
-                patch.type = std::string(reader.word());
-            else if (key == "nFaces")
-                patch.n_faces = reader.count("the number of faces");
-            else if (key == "startFace")
-                patch.start_face = reader.count("the first face");
+            if (key == "type") patch.type = std::string(reader.word());
+            else if (key == "nFaces") patch.n_faces = reader.count("the number of faces");
+            else if (key == "startFace") patch.start_face = reader.count("the first face");
             for (std::string_view word = reader.word(); word != ";"; word = reader.word()) {
                 if (word.empty()) reader.expected("';'");
             }
         }
         reader.expect("}");
         if (patch.n_faces < 0 || patch.start_face < 0 || patch.type.empty()) {
-            file.fail(patch.offset, "the patch " + in_quotes(patch.name) + " has no type, nFaces or startFace");
+            file.fail(patch.offset,
+                      "the patch " + in_quotes(patch.name) + " has no type, nFaces or startFace");
         }
         patches.push_back(patch);
     }
@@ -57,15 +57,18 @@ std::vector<Patch> read_boundary(const TextFile& file) {
 
 class PolyMesh {
 public:
-    explicit PolyMesh(Mesh& mesh) : mesh_(mesh), folder_(std::filesystem::path(mesh.file.path()).parent_path()) {}
+    explicit PolyMesh(Mesh& mesh)
+        : mesh_(mesh), folder_(std::filesystem::path(mesh.file.path()).parent_path()) {}
 
     void read() {
         FoamReader points(mesh_.file);
         points.vectors(space_.points.x, space_.points.offset);
         if (points.header().is_binary) {
-            mesh_.in_file.kind = points.header().scalar_bytes == 8 ? NumberKind::real64 : NumberKind::real32;
+            mesh_.in_file.kind =
+                points.header().scalar_bytes == 8 ? NumberKind::real64 : NumberKind::real32;
         }
-        const TextFile faces = beside("faces"), owners = beside("owner"), boundary = beside("boundary");
+        const TextFile faces = beside("faces"), owners = beside("owner"),
+                       boundary = beside("boundary");
         std::vector<std::size_t> offsets;
         FoamReader(faces).faces(start_, points_, offsets);
         owner_ = FoamReader(owners).labels();
@@ -74,8 +77,10 @@ public:
         n_cells_ = owner_.empty() ? 0 : 1 + *std::max_element(owner_.begin(), owner_.end());
         for (const Patch& patch : patches_) {
             if (patch.start_face + patch.n_faces > n_faces()) {
-                const std::string name = in_quotes(patch.name), last = std::to_string(n_faces() - 1);
-                boundary.fail(patch.offset, "the patch " + name + " ends behind face " + last + ", the last");
+                const std::string name = in_quotes(patch.name),
+                                  last = std::to_string(n_faces() - 1);
+                boundary.fail(patch.offset,
+                              "the patch " + name + " ends behind face " + last + ", the last");
             }
         }
         const std::vector<std::int64_t> plane = plane_faces(boundary);
@@ -90,7 +95,8 @@ private:
         const std::filesystem::path path = folder_ / name;
         if (!std::filesystem::exists(path)) {
             const bool is_compressed = std::filesystem::exists(path.string() + ".gz");
-            throw_missing(path.string() + (is_compressed ? ".gz is compressed: gunzip it" : " does not exist"));
+            throw_missing(path.string() +
+                          (is_compressed ? ".gz is compressed: gunzip it" : " does not exist"));
         }
         return TextFile(path.string());
     }
@@ -107,20 +113,26 @@ private:
             points_[static_cast<std::size_t>(start_[static_cast<std::size_t>(face)] + k)]);
     }
 
-    void check(const TextFile& faces, const std::vector<std::size_t>& offsets, const TextFile& owners) const {
+    void check(const TextFile& faces, const std::vector<std::size_t>& offsets,
+               const TextFile& owners) const {
         for (std::int64_t face = 0; face < n_faces(); ++face) {
             const std::size_t offset = offsets[static_cast<std::size_t>(face)];
-            if (corners(face) < 3) faces.fail(offset, "face " + std::to_string(face) + " has fewer than 3 points");
+            if (corners(face) < 3)
+                faces.fail(offset, "face " + std::to_string(face) + " has fewer than 3 points");
             for (std::int64_t k = 0; k < corners(face); ++k) {
-                const std::int64_t its = points_[static_cast<std::size_t>(start_[static_cast<std::size_t>(face)] + k)];
+                const std::int64_t its =
+                    points_[static_cast<std::size_t>(start_[static_cast<std::size_t>(face)] + k)];
                 if (its >= 0 && its < space_.points.points()) continue;
-                faces.fail(offset, "face " + std::to_string(face) + " has point " + std::to_string(its) +
-                                       ", but there are " + plural(space_.points.points(), "point"));
+                faces.fail(offset, "face " + std::to_string(face) + " has point " +
+                                       std::to_string(its) + ", but there are " +
+                                       plural(space_.points.points(), "point"));
             }
         }
         if (static_cast<std::int64_t>(owner_.size()) != n_faces()) {
-            const std::string faces_there = plural(n_faces(), "face"), found = std::to_string(owner_.size());
-            owners.fail(owners.text().size(), "expected owners of " + faces_there + ", found " + found);
+            const std::string faces_there = plural(n_faces(), "face"),
+                              found = std::to_string(owner_.size());
+            owners.fail(owners.text().size(),
+                        "expected owners of " + faces_there + ", found " + found);
         }
         for (const std::int64_t its : owner_) {
             if (its < 0 || its >= n_faces())
@@ -128,8 +140,8 @@ private:
         }
     }
 
-    // The faces of one plane. Patches of type empty hold both planes, which have no point in common; of patches of type
-    // wedge, which may share an axis, the first is one plane.
+    // The faces of one plane. Patches of type empty hold both planes, which have no point in
+    // common; of patches of type wedge, which may share an axis, the first is one plane.
     std::vector<std::int64_t> plane_faces(const TextFile& boundary) {
         std::vector<std::int64_t> empty;
         const Patch* wedge = nullptr;
@@ -141,7 +153,8 @@ private:
         std::vector<std::int64_t> plane;
         if (wedge != nullptr) {
             space_.kind = HM_WEDGE;
-            for (std::int64_t i = 0; i < wedge->n_faces; ++i) plane.push_back(wedge->start_face + i);
+            for (std::int64_t i = 0; i < wedge->n_faces; ++i)
+                plane.push_back(wedge->start_face + i);
         } else if (!empty.empty()) {
             space_.kind = HM_PLANES;
             plane = one_side(empty);
@@ -150,14 +163,16 @@ private:
         }
         if (static_cast<std::int64_t>(plane.size()) != n_cells_) {
             boundary.fail(wedge != nullptr ? wedge->offset : 0,
-                          "a plane of type " + std::string(wedge != nullptr ? "wedge" : "empty") + " has " +
-                              plural(static_cast<std::int64_t>(plane.size()), "face") + ", but the mesh has " +
-                              plural(n_cells_, "cell") + ": it is not one cell thick");
+                          "a plane of type " + std::string(wedge != nullptr ? "wedge" : "empty") +
+                              " has " + plural(static_cast<std::int64_t>(plane.size()), "face") +
+                              ", but the mesh has " + plural(n_cells_, "cell") +
+                              ": it is not one cell thick");
         }
         return plane;
     }
 
-    // Of faces in two planes those that are connected with the first one; of meshes of several parts, of each part.
+    // Of faces in two planes those that are connected with the first one; of meshes of several
+    // parts, of each part.
     std::vector<std::int64_t> one_side(const std::vector<std::int64_t>& faces) const {
         std::vector<std::int32_t> parent(space_.points.x[0].size());
         std::iota(parent.begin(), parent.end(), 0);
@@ -175,7 +190,7 @@ private:
             }
         }
         std::vector<std::int64_t> of_cell(static_cast<std::size_t>(n_cells_), -1), side;
-        std::vector<char> taken(parent.size(), 0); // 1: this plane; 2: the one opposite
+        std::vector<char> taken(parent.size(), 0);  // 1: this plane; 2: the one opposite
         for (const std::int64_t face : faces) {
             const auto cell = static_cast<std::size_t>(owner_[static_cast<std::size_t>(face)]);
             char& its = taken[static_cast<std::size_t>(root(point(face, 0)))];
@@ -206,15 +221,18 @@ private:
             for (std::int64_t i = 0; i < patch.n_faces; ++i) {
                 const std::int64_t face = patch.start_face + i;
                 if (corners(face) > 4) {
-                    const std::string place = "face " + std::to_string(face) + " of the patch " + in_quotes(patch.name);
-                    mesh_.file.fail(0, place + " does not reach from one plane to the other: "
-                                               "the mesh is not one cell thick");
+                    const std::string place =
+                        "face " + std::to_string(face) + " of the patch " + in_quotes(patch.name);
+                    mesh_.file.fail(0, place +
+                                           " does not reach from one plane to the other: "
+                                           "the mesh is not one cell thick");
                 }
                 for (std::int64_t k = 0; k < 4; ++k) {
                     space_.side_points.push_back(point(face, std::min(k, corners(face) - 1)));
                 }
                 space_.side_markers.push_back(marker);
-                space_.side_offset.push_back(space_.points.offset[0][static_cast<std::size_t>(point(face, 0))]);
+                space_.side_offset.push_back(
+                    space_.points.offset[0][static_cast<std::size_t>(point(face, 0))]);
             }
         }
     }
@@ -234,10 +252,13 @@ bool probe_openfoam(const TextFile& file) {
 
 void read_openfoam(Mesh& mesh, const ReadOptions&) { PolyMesh(mesh).read(); }
 
-} // namespace
+}  // namespace
 
-const Format openfoam_format = {
-    "openfoam", "points", "OpenFOAM polyMesh, one cell thick: empty planes or a wedge pair", probe_openfoam,
-    read_openfoam, nullptr};
+const Format openfoam_format = {"openfoam",
+                                "points",
+                                "OpenFOAM polyMesh, one cell thick: empty planes or a wedge pair",
+                                probe_openfoam,
+                                read_openfoam,
+                                nullptr};
 
-} // namespace cli
+}  // namespace cli

@@ -21,7 +21,9 @@ std::int32_t Places::find_or_add(const Place& place, std::int32_t number) {
 }
 
 std::size_t Places::CubeHash::operator()(const Cube& cube) const {
-    const auto mixed = [](std::int64_t value) { return static_cast<std::size_t>(value) * 0x9E3779B97F4A7C15u; };
+    const auto mixed = [](std::int64_t value) {
+        return static_cast<std::size_t>(value) * 0x9E3779B97F4A7C15u;
+    };
     return mixed(cube[0]) ^ mixed(cube[1]) >> 7 ^ mixed(cube[2]) >> 13;
 }
 
@@ -40,4 +42,4 @@ Places::Cube Places::cube_of(const Place& place, double offset) const {
     return cube;
 }
 
-} // namespace cli
+}  // namespace cli

@@ -15,11 +15,13 @@ public:
     // Places are one whose coordinates differ by no more than `tolerance`, which may be 0.
     explicit Places(double tolerance) : tolerance_(tolerance) {}
 
-    // The number of the first point that is at this place. If there was none, that is `number` from now on.
+    // The number of the first point that is at this place. If there was none, that is `number` from
+    // now on.
     std::int32_t find_or_add(const Place& place, std::int32_t number);
 
 private:
-    using Cube = std::array<std::int64_t, 3>; // of a grid so coarse that a place has neighbours in eight cubes at most
+    using Cube = std::array<std::int64_t, 3>;  // of a grid so coarse that a place has neighbours in
+                                               // eight cubes at most
     struct CubeHash {
         std::size_t operator()(const Cube& cube) const;
     };
@@ -35,4 +37,4 @@ private:
     std::unordered_multimap<Cube, Point, CubeHash> points_;
 };
 
-} // namespace cli
+}  // namespace cli

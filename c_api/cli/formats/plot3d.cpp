@@ -1,11 +1,12 @@
-// PLOT3D grids (https://www.grc.nasa.gov/www/wind/valid/plot3d.html): one block or many, two dimensions or one cell
-// thick (between planes of any direction, or in a wedge), in text, in binary, or of Fortran's unformatted records;
-// plot3d_layout finds out which.
+// PLOT3D grids (https://www.grc.nasa.gov/www/wind/valid/plot3d.html): one block or many, two
+// dimensions or one cell thick (between planes of any direction, or in a wedge), in text, in
+// binary, or of Fortran's unformatted records; plot3d_layout finds out which.
 //
-// Points of blocks' sides at the same coordinates (to 1e-12 of the largest) are one point of the mesh, so that
-// interfaces and cuts close and cells at a pole become triangles. What is left of the sides is boundary: of the names
-// in a .nmf file beside the grid, else BLOCK:SIDE, as 1:jmin. Numbers with a repeat count, 3*1.0, are written out when
-// the file is read: the morphed file has them one by one.
+// Points of blocks' sides at the same coordinates (to 1e-12 of the largest) are one point of the
+// mesh, so that interfaces and cuts close and cells at a pole become triangles. What is left of the
+// sides is boundary: of the names in a .nmf file beside the grid, else BLOCK:SIDE, as 1:jmin.
+// Numbers with a repeat count, 3*1.0, are written out when the file is read: the morphed file has
+// them one by one.
 #include "formats/format.hpp"
 
 #include "formats/plot3d_layout.hpp"
@@ -21,25 +22,28 @@ namespace {
 
 bool begins_with_number(const TextFile& file) {
     const std::string_view text = trimmed(std::string_view(file.text()).substr(0, 256));
-    return !text.empty() && text.find_first_not_of("0123456789+-.eEdD*, \t\r\n") == std::string_view::npos;
+    return !text.empty() &&
+           text.find_first_not_of("0123456789+-.eEdD*, \t\r\n") == std::string_view::npos;
 }
 
 bool has_usual_extension(const std::string& path) {
     const std::string extension = std::filesystem::path(path).extension().string();
-    for (const char* usual :
-         {".p3d", ".p2d", ".xyz", ".x", ".grd", ".p3dfmt", ".p2dfmt", ".ufmt", ".fmt", ".g", ".gu"}) {
+    for (const char* usual : {".p3d", ".p2d", ".xyz", ".x", ".grd", ".p3dfmt", ".p2dfmt", ".ufmt",
+                              ".fmt", ".g", ".gu"}) {
         if (extension == usual) return true;
     }
     return false;
 }
 
-// A file that is cut off fits no layout, but its records or its name may still say what it should be.
+// A file that is cut off fits no layout, but its records or its name may still say what it should
+// be.
 bool probe_plot3d(const TextFile& file) {
     Plot3dLayout layout;
     std::string reason, expanded;
     if (find_plot3d_layout(file, layout, reason)) return true;
     if (begins_with_number(file) && expand_repeats(file.text(), expanded)) {
-        return find_plot3d_layout(TextFile(file.path(), expanded), layout, reason) || has_usual_extension(file.path());
+        return find_plot3d_layout(TextFile(file.path(), expanded), layout, reason) ||
+               has_usual_extension(file.path());
     }
     return (!reason.empty() && !begins_with_number(file)) || has_usual_extension(file.path());
 }
@@ -58,9 +62,10 @@ void read_plot3d(Mesh& mesh, const ReadOptions&) {
     read_plot3d_blocks(mesh, layout);
 }
 
-} // namespace
+}  // namespace
 
-const Format plot3d_format = {"plot3d", ".p3d", "PLOT3D, 2D or one cell thick: text, binary, Fortran unformatted",
-                              probe_plot3d,    read_plot3d,   nullptr};
+const Format plot3d_format = {
+    "plot3d",     ".p3d",      "PLOT3D, 2D or one cell thick: text, binary, Fortran unformatted",
+    probe_plot3d, read_plot3d, nullptr};
 
-} // namespace cli
+}  // namespace cli

@@ -11,13 +11,14 @@ namespace cli {
 namespace {
 
 constexpr std::int64_t most_blocks = 1 << 20;
-constexpr int word_bytes = 4; // bytes of a whole number in binary files
+constexpr int word_bytes = 4;  // bytes of a whole number in binary files
 
 std::string sizes(const Plot3dLayout& layout) {
     std::string text = plural(static_cast<std::int64_t>(layout.blocks.size()), "block");
     if (layout.blocks.size() > 1) text += ", the first of";
     for (int d = 0; d < layout.dimensions; ++d) {
-        text += (d == 0 ? " " : " x ") + std::to_string(layout.blocks[0].n[static_cast<std::size_t>(d)]);
+        text += (d == 0 ? " " : " x ") +
+                std::to_string(layout.blocks[0].n[static_cast<std::size_t>(d)]);
     }
     return text;
 }
@@ -56,18 +57,22 @@ public:
         numbers.jump(end_of_whole_.back());
         bool in_word = false;
         for (std::size_t i = end_of_whole_.back(); i < text.size(); ++i) {
-            const bool blank = text[i] == ' ' || (text[i] >= '\t' && text[i] <= '\r') || text[i] == ',';
+            const bool blank =
+                text[i] == ' ' || (text[i] >= '\t' && text[i] <= '\r') || text[i] == ',';
             if (!blank && !in_word) ++total_;
             in_word = !blank;
-            if (text[i] == '\0') total_ = INT64_MIN; // binary
+            if (text[i] == '\0') total_ = INT64_MIN;  // binary
         }
     }
 
     bool fits(Plot3dLayout& layout, std::string& reason) const {
         if (total_ <= 0) return false;
         const std::int64_t n_blocks = layout.has_count ? whole_[0] : 1;
-        const std::int64_t first = layout.has_count ? 1 : 0, n_sizes = first + n_blocks * layout.dimensions;
-        if (n_blocks < 1 || n_blocks > most_blocks || n_sizes > static_cast<std::int64_t>(whole_.size())) return false;
+        const std::int64_t first = layout.has_count ? 1 : 0,
+                           n_sizes = first + n_blocks * layout.dimensions;
+        if (n_blocks < 1 || n_blocks > most_blocks ||
+            n_sizes > static_cast<std::int64_t>(whole_.size()))
+            return false;
         layout.blocks.clear();
         std::int64_t wanted = n_sizes;
         for (std::int64_t at = first; at < n_sizes; at += layout.dimensions) {
@@ -99,7 +104,8 @@ private:
 
 class BinaryLayout {
 public:
-    BinaryLayout(const TextFile& file, Plot3dLayout& layout) : text_(file.text()), layout_(layout) {}
+    BinaryLayout(const TextFile& file, Plot3dLayout& layout)
+        : text_(file.text()), layout_(layout) {}
 
     bool fits(std::string& reason) {
         std::int64_t n_blocks = 1;
@@ -117,8 +123,8 @@ public:
         if (!close()) return false;
         for (std::size_t block = 0; block < layout_.blocks.size(); ++block) {
             const std::int64_t points = layout_.blocks[block].points();
-            const std::int64_t bytes =
-                points * (layout_.dimensions * layout_.real_bytes + (layout_.has_iblank ? word_bytes : 0));
+            const std::int64_t bytes = points * (layout_.dimensions * layout_.real_bytes +
+                                                 (layout_.has_iblank ? word_bytes : 0));
             const std::size_t begin = at_;
             const bool opened = open(bytes);
             layout_.blocks[block].data = at_;
@@ -127,9 +133,11 @@ public:
             if (there && close()) continue;
             // The length of a record proves the layout: what is wrong is the file.
             if (layout_.record_bytes > 0 && opened) {
-                reason = "byte " + std::to_string(begin) + ": the record of block " + std::to_string(block + 1) + " (" +
-                         sizes(layout_) + ") has " + std::to_string(bytes) + " bytes, but " +
-                         (there ? "another length behind it" : "the file ends after " + std::to_string(left()));
+                reason = "byte " + std::to_string(begin) + ": the record of block " +
+                         std::to_string(block + 1) + " (" + sizes(layout_) + ") has " +
+                         std::to_string(bytes) + " bytes, but " +
+                         (there ? "another length behind it"
+                                : "the file ends after " + std::to_string(left()));
             }
             return false;
         }
@@ -155,8 +163,8 @@ private:
         if (left() < layout_.record_bytes) return false;
         const char* const at = text_.data() + at_;
         const bool four = layout_.record_bytes == 4;
-        const std::int64_t length =
-            four ? load<std::uint32_t>(at, layout_.swapped) : load<std::int64_t>(at, layout_.swapped);
+        const std::int64_t length = four ? load<std::uint32_t>(at, layout_.swapped)
+                                         : load<std::int64_t>(at, layout_.swapped);
         at_ += static_cast<std::size_t>(layout_.record_bytes);
         return length == length_;
     }
@@ -167,7 +175,8 @@ private:
     std::int64_t length_ = 0;
 };
 
-template <class Try> bool any_of_all(Plot3dLayout& layout, Try fits) {
+template <class Try>
+bool any_of_all(Plot3dLayout& layout, Try fits) {
     for (const bool has_count : {true, false}) {
         for (const int dimensions : {2, 3}) {
             for (const bool has_iblank : {false, true}) {
@@ -181,7 +190,7 @@ template <class Try> bool any_of_all(Plot3dLayout& layout, Try fits) {
     return false;
 }
 
-} // namespace
+}  // namespace
 
 bool find_plot3d_layout(const TextFile& file, Plot3dLayout& layout, std::string& reason) {
     layout.is_text = false;
@@ -191,7 +200,8 @@ bool find_plot3d_layout(const TextFile& file, Plot3dLayout& layout, std::string&
                 layout.record_bytes = record_bytes;
                 layout.swapped = swapped;
                 layout.real_bytes = real_bytes;
-                if (any_of_all(layout, [&] { return BinaryLayout(file, layout).fits(reason); })) return true;
+                if (any_of_all(layout, [&] { return BinaryLayout(file, layout).fits(reason); }))
+                    return true;
             }
         }
     }
@@ -201,4 +211,4 @@ bool find_plot3d_layout(const TextFile& file, Plot3dLayout& layout, std::string&
     return any_of_all(layout, [&] { return text.fits(layout, reason); });
 }
 
-} // namespace cli
+}  // namespace cli

@@ -16,7 +16,8 @@ namespace cli {
 
 namespace {
 
-constexpr double rounding_of_cuts = 1e-12; // of the largest coordinate: generators compute both sides of a cut
+constexpr double rounding_of_cuts =
+    1e-12;  // of the largest coordinate: generators compute both sides of a cut
 
 class Plot3dReader {
 public:
@@ -35,25 +36,27 @@ private:
         const auto number = first_[block] + index[0] + its.n[0] * (index[1] + its.n[1] * index[2]);
         return point_of_[static_cast<std::size_t>(number)];
     }
-    std::vector<std::int32_t> corners(std::size_t block, const Index3& low, const Index3& high, int direction) const;
+    std::vector<std::int32_t> corners(std::size_t block, const Index3& low, const Index3& high,
+                                      int direction) const;
     void build_cells(std::size_t block);
     void build_sides(std::size_t block);
     void add_side(const NmfPatch& side);
 
     Mesh& mesh_;
     const Plot3dLayout& layout_;
-    SpacePoints in_file_, points_;          // as the file has them; joined, each place on a side once
+    SpacePoints in_file_, points_;  // as the file has them; joined, each place on a side once
     std::vector<SpaceCopy> copies_;
-    std::vector<std::int64_t> first_;       // point of each block in the file
-    std::vector<std::int32_t> point_of_;    // in points_, of those of the file
-    std::unique_ptr<OneCellThick> solid_;   // none: one plane
+    std::vector<std::int64_t> first_;      // point of each block in the file
+    std::vector<std::int32_t> point_of_;   // in points_, of those of the file
+    std::unique_ptr<OneCellThick> solid_;  // none: one plane
     std::vector<NmfPatch> patches_;
     std::int64_t blanked_ = 0;
 };
 
 void Plot3dReader::read() {
     read_points();
-    const std::filesystem::path map = std::filesystem::path(mesh_.file.path()).replace_extension(".nmf");
+    const std::filesystem::path map =
+        std::filesystem::path(mesh_.file.path()).replace_extension(".nmf");
     if (std::filesystem::exists(map)) {
         std::vector<Index3> sizes;
         for (const Plot3dBlock& block : layout_.blocks) sizes.push_back(block.n);
@@ -76,14 +79,16 @@ void Plot3dReader::read() {
     if (solid_) solid_->finish();
     drop_interior_faces(mesh_, false);
     drop_empty_markers(mesh_);
-    if (blanked_ > 0) mesh_.remark(plural(blanked_, "point") + " with iblank 0: iblank is ignored (and kept)");
+    if (blanked_ > 0)
+        mesh_.remark(plural(blanked_, "point") + " with iblank 0: iblank is ignored (and kept)");
 }
 
 void Plot3dReader::read_points() {
     NumberReader numbers(mesh_.file);
     numbers.is_binary = !layout_.is_text;
     numbers.swapped = mesh_.in_file.swapped = layout_.swapped;
-    if (!layout_.is_text) mesh_.in_file.kind = layout_.real_bytes == 8 ? NumberKind::real64 : NumberKind::real32;
+    if (!layout_.is_text)
+        mesh_.in_file.kind = layout_.real_bytes == 8 ? NumberKind::real64 : NumberKind::real32;
     numbers.jump(layout_.data);
     std::int64_t total = 0;
     for (const Plot3dBlock& block : layout_.blocks) total += block.points();
@@ -112,8 +117,8 @@ void Plot3dReader::read_points() {
     }
 }
 
-// The direction from one plane of a block to the other, which has two points, or one where there is one plane; -1:
-// several directions have two, and only the whole mesh tells.
+// The direction from one plane of a block to the other, which has two points, or one where there is
+// one plane; -1: several directions have two, and only the whole mesh tells.
 int Plot3dReader::across(const Plot3dBlock& block) const {
     for (const int d : {2, 1, 0}) {
         if (block.n[static_cast<std::size_t>(d)] == 1) return d;
@@ -172,14 +177,15 @@ void Plot3dReader::join_points() {
     in_file_ = {};
 }
 
-// Of a box of one cell, or of one of its sides: the points round it in the plane across `direction`, without those that
-// are the same as the one before.
-std::vector<std::int32_t> Plot3dReader::corners(std::size_t block, const Index3& low, const Index3& high,
-                                                int direction) const {
+// Of a box of one cell, or of one of its sides: the points round it in the plane across
+// `direction`, without those that are the same as the one before.
+std::vector<std::int32_t> Plot3dReader::corners(std::size_t block, const Index3& low,
+                                                const Index3& high, int direction) const {
     const auto u = static_cast<std::size_t>(direction == 0 ? 1 : 0),
                v = static_cast<std::size_t>(direction == 2 ? 1 : 2);
     std::vector<std::int32_t> found;
-    for (const auto& corner : {std::array<bool, 2>{false, false}, {true, false}, {true, true}, {false, true}}) {
+    for (const auto& corner :
+         {std::array<bool, 2>{false, false}, {true, false}, {true, true}, {false, true}}) {
         Index3 index = low;
         index[u] = corner[0] ? high[u] : low[u];
         index[v] = corner[1] ? high[v] : low[v];
@@ -195,11 +201,14 @@ void Plot3dReader::build_cells(std::size_t block) {
     if (solid_ && std::count(its.n.begin(), its.n.end(), 2) == 0) {
         const auto& offset = solid_->points().offset[0];
         mesh_.file.fail(offset[static_cast<std::size_t>(point(block, {0, 0, 0}))],
-                        "the mesh has three dimensions and is not one cell thick: block " + std::to_string(block + 1) +
-                            " (" + std::to_string(its.n[0]) + " x " + std::to_string(its.n[1]) + " x " +
-                            std::to_string(its.n[2]) + ") has no direction of two points");
+                        "the mesh has three dimensions and is not one cell thick: block " +
+                            std::to_string(block + 1) + " (" + std::to_string(its.n[0]) + " x " +
+                            std::to_string(its.n[1]) + " x " + std::to_string(its.n[2]) +
+                            ") has no direction of two points");
     }
-    const auto cells_along = [&](std::size_t d) { return static_cast<int>(d) == flat ? 1 : its.n[d] - 1; };
+    const auto cells_along = [&](std::size_t d) {
+        return static_cast<int>(d) == flat ? 1 : its.n[d] - 1;
+    };
     Index3 low = {0, 0, 0};
     for (low[2] = 0; low[2] < cells_along(2); ++low[2]) {
         for (low[1] = 0; low[1] < cells_along(1); ++low[1]) {
@@ -208,15 +217,18 @@ void Plot3dReader::build_cells(std::size_t block) {
                 for (std::size_t d = 0; d < 3; ++d) high[d] += static_cast<int>(d) == flat ? 0 : 1;
                 if (!solid_) {
                     const std::vector<std::int32_t> cell = corners(block, low, high, flat);
-                    if (cell.size() >= 3) mesh_.add_cell(cell, mesh_.point_offset[static_cast<std::size_t>(cell[0])]);
+                    if (cell.size() >= 3)
+                        mesh_.add_cell(cell, mesh_.point_offset[static_cast<std::size_t>(cell[0])]);
                     continue;
                 }
                 std::array<std::int32_t, 8> cell;
-                for (std::size_t c = 0; c < 8; ++c) { // round the lower side, then the upper
+                for (std::size_t c = 0; c < 8; ++c) {  // round the lower side, then the upper
                     const bool i = c % 4 == 1 || c % 4 == 2, j = c % 4 >= 2, k = c >= 4;
-                    cell[c] = point(block, {i ? high[0] : low[0], j ? high[1] : low[1], k ? high[2] : low[2]});
+                    cell[c] = point(
+                        block, {i ? high[0] : low[0], j ? high[1] : low[1], k ? high[2] : low[2]});
                 }
-                solid_->add_cell(cell.data(), 8, solid_->points().offset[0][static_cast<std::size_t>(cell[0])]);
+                solid_->add_cell(cell.data(), 8,
+                                 solid_->points().offset[0][static_cast<std::size_t>(cell[0])]);
             }
         }
     }
@@ -227,7 +239,8 @@ void Plot3dReader::build_sides(std::size_t block) {
     const Plot3dBlock& its = layout_.blocks[block];
     for (int direction = 0; direction < 3; ++direction) {
         if (direction == across(its)) continue;
-        const std::size_t d = static_cast<std::size_t>(direction), u = d == 0 ? 1 : 0, v = d == 2 ? 1 : 2;
+        const std::size_t d = static_cast<std::size_t>(direction), u = d == 0 ? 1 : 0,
+                          v = d == 2 ? 1 : 2;
         for (const bool at_end : {false, true}) {
             const std::string name =
                 std::to_string(block + 1) + ":" + "ijk"[direction] + (at_end ? "max" : "min");
@@ -240,9 +253,10 @@ void Plot3dReader::build_sides(std::size_t block) {
                     face.high[u] = std::min(i + 1, its.n[u] - 1);
                     face.high[v] = std::min(j + 1, its.n[v] - 1);
                     for (const NmfPatch& patch : patches_) {
-                        if (patch.block == block && patch.direction == direction && patch.at_end == at_end &&
-                            patch.low[u] <= face.low[u] && face.high[u] <= patch.high[u] &&
-                            patch.low[v] <= face.low[v] && face.high[v] <= patch.high[v]) {
+                        if (patch.block == block && patch.direction == direction &&
+                            patch.at_end == at_end && patch.low[u] <= face.low[u] &&
+                            face.high[u] <= patch.high[u] && patch.low[v] <= face.low[v] &&
+                            face.high[v] <= patch.high[v]) {
                             face.name = patch.name;
                         }
                     }
@@ -255,7 +269,7 @@ void Plot3dReader::build_sides(std::size_t block) {
 
 void Plot3dReader::add_side(const NmfPatch& side) {
     const std::vector<std::int32_t> its = corners(side.block, side.low, side.high, side.direction);
-    if (its.size() < (solid_ ? 3 : 2)) return; // a pole
+    if (its.size() < (solid_ ? 3 : 2)) return;  // a pole
     const auto first = static_cast<std::size_t>(its[0]);
     if (solid_) {
         solid_->add_side(its.data(), its.size(), side.name, solid_->points().offset[0][first]);
@@ -264,8 +278,10 @@ void Plot3dReader::add_side(const NmfPatch& side) {
     }
 }
 
-} // namespace
+}  // namespace
 
-void read_plot3d_blocks(Mesh& mesh, const Plot3dLayout& layout) { Plot3dReader(mesh, layout).read(); }
+void read_plot3d_blocks(Mesh& mesh, const Plot3dLayout& layout) {
+    Plot3dReader(mesh, layout).read();
+}
 
-} // namespace cli
+}  // namespace cli

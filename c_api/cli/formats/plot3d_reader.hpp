@@ -9,4 +9,4 @@ namespace cli {
 // mesh.file is the grid, in this layout.
 void read_plot3d_blocks(Mesh& mesh, const Plot3dLayout& layout);
 
-} // namespace cli
+}  // namespace cli

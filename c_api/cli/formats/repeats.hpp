@@ -9,4 +9,4 @@ namespace cli {
 // in the line where it stands.
 bool expand_repeats(const std::string& text, std::string& expanded);
 
-} // namespace cli
+}  // namespace cli

@@ -39,7 +39,8 @@ public:
             }
         }
         const auto before = [](const Change& a, const Change& b) { return a.offset < b.offset; };
-        if (!std::is_sorted(list.begin(), list.end(), before)) std::sort(list.begin(), list.end(), before);
+        if (!std::is_sorted(list.begin(), list.end(), before))
+            std::sort(list.begin(), list.end(), before);
     }
 
     std::vector<Change> list;
@@ -63,7 +64,8 @@ private:
         double tolerance = std::numeric_limits<double>::infinity();
         Complex mean_before = 0, mean_after = 0;
         for (std::int32_t k = 0; k < between.n_corners; ++k) {
-            const auto corner = static_cast<std::size_t>(between.corners[static_cast<std::size_t>(k)]);
+            const auto corner =
+                static_cast<std::size_t>(between.corners[static_cast<std::size_t>(k)]);
             moved = moved || before(corner) != after(corner);
             mean_before += before(corner) / double(between.n_corners);
             mean_after += after(corner) / double(between.n_corners);
@@ -84,7 +86,8 @@ private:
     void grow(const CoordinateSlot& slot, double dx, double dy, double tolerance) {
         Direction direction = {{1, 0}};
         if (slot.rule == takes_y) direction = {{0, 1}};
-        if (slot.rule >= 0) direction = mesh_.in_file.directions[static_cast<std::size_t>(slot.rule)];
+        if (slot.rule >= 0)
+            direction = mesh_.in_file.directions[static_cast<std::size_t>(slot.rule)];
         const double change = dx * direction.along[0] + dy * direction.along[1];
         if (change != 0) add(slot, read_number(mesh_, slot.offset) + change, tolerance);
     }
@@ -104,10 +107,12 @@ private:
             const auto n = static_cast<std::size_t>(mesh_.cell_start[cell + 1]) - first;
             for (std::size_t i = 0; i < n; ++i) {
                 const auto a = static_cast<std::size_t>(mesh_.cell_points[first + i]);
-                const auto b = static_cast<std::size_t>(mesh_.cell_points[first + (i + 1 < n ? i + 1 : 0)]);
+                const auto b =
+                    static_cast<std::size_t>(mesh_.cell_points[first + (i + 1 < n ? i + 1 : 0)]);
                 const double dx = mesh_.x[a] - mesh_.x[b], dy = mesh_.y[a] - mesh_.y[b];
                 const double ex = x_[a] - x_[b], ey = y_[a] - y_[b];
-                const double least = std::sqrt(std::min(dx * dx + dy * dy, ex * ex + ey * ey)) / 1000;
+                const double least =
+                    std::sqrt(std::min(dx * dx + dy * dy, ex * ex + ey * ey)) / 1000;
                 tolerance_[a] = std::min(tolerance_[a], least);
                 tolerance_[b] = std::min(tolerance_[b], least);
             }
@@ -122,7 +127,8 @@ private:
 NumberStyle style_of(const Mesh& mesh) {
     NumberStyle style;
     for (const CoordinateSlot& slot : mesh.in_file.slots) {
-        style.see(std::string_view(mesh.file.text()).substr(slot.offset, number_length(mesh, slot.offset)));
+        style.see(std::string_view(mesh.file.text())
+                      .substr(slot.offset, number_length(mesh, slot.offset)));
     }
     return style;
 }
@@ -147,7 +153,7 @@ void write_changed(std::ostream& out, const Mesh& mesh, const double* x, const d
     out.write(text.data() + copied, static_cast<std::streamsize>(text.size() - copied));
 }
 
-} // namespace
+}  // namespace
 
 void write_moved(std::ostream& out, const Mesh& mesh, const double* x, const double* y) {
     if (mesh.in_file.store == nullptr) return write_changed(out, mesh, x, y);
@@ -162,4 +168,4 @@ void round_as_file(const Mesh& mesh, std::vector<double>& x, std::vector<double>
     for (double& value : y) value = static_cast<double>(static_cast<float>(value));
 }
 
-} // namespace cli
+}  // namespace cli

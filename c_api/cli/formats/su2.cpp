@@ -1,4 +1,5 @@
-// SU2 mesh files (https://su2code.github.io/docs_v7/Mesh-File): two dimensions, triangles and quadrilaterals.
+// SU2 mesh files (https://su2code.github.io/docs_v7/Mesh-File): two dimensions, triangles and
+// quadrilaterals.
 #include "formats/su2.hpp"
 
 #include "basics/text_out.hpp"
@@ -26,7 +27,8 @@ void create_su2(std::ostream& stream, const Mesh& mesh) {
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
         const std::int32_t begin = mesh.cell_start[cell], end = mesh.cell_start[cell + 1];
         out << static_cast<int>(end - begin == 3 ? element_triangle : element_quad);
-        for (std::int32_t i = begin; i < end; ++i) out << ' ' << mesh.cell_points[static_cast<std::size_t>(i)];
+        for (std::int32_t i = begin; i < end; ++i)
+            out << ' ' << mesh.cell_points[static_cast<std::size_t>(i)];
         out << ' ' << cell << '\n';
     }
     out << "NPOIN= " << mesh.points() << '\n';
@@ -37,7 +39,8 @@ void create_su2(std::ostream& stream, const Mesh& mesh) {
     out << "NMARK= " << mesh.markers.size() << '\n';
     for (std::size_t marker = 0; marker < mesh.markers.size(); ++marker) {
         const auto number = static_cast<std::int32_t>(marker);
-        out << "MARKER_TAG= " << mesh.markers[marker] << "\nMARKER_ELEMS= " << mesh.faces(number) << '\n';
+        out << "MARKER_TAG= " << mesh.markers[marker] << "\nMARKER_ELEMS= " << mesh.faces(number)
+            << '\n';
         for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
             if (mesh.face_markers[face] != number) continue;
             out << static_cast<int>(element_line) << ' ' << mesh.face_points[2 * face] << ' '
@@ -46,8 +49,8 @@ void create_su2(std::ostream& stream, const Mesh& mesh) {
     }
 }
 
-} // namespace
+}  // namespace
 
 const Format su2_format = {"su2", ".su2", "SU2", probe_su2, read_su2, create_su2};
 
-} // namespace cli
+}  // namespace cli

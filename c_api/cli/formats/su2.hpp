@@ -5,8 +5,13 @@
 
 namespace cli {
 
-enum Su2Element { element_vertex = 1, element_line = 3, element_triangle = 5, element_quad = 9 }; // VTK's numbers
+enum Su2Element {
+    element_vertex = 1,
+    element_line = 3,
+    element_triangle = 5,
+    element_quad = 9
+};  // VTK's numbers
 
-void read_su2(Mesh& mesh, const ReadOptions& options); // fills the mesh, or throws a Failure
+void read_su2(Mesh& mesh, const ReadOptions& options);  // fills the mesh, or throws a Failure
 
-} // namespace cli
+}  // namespace cli

@@ -1,8 +1,9 @@
 // Reads SU2 files.
 //
-// Files from outside vary: sections in any order, tabs, carriage returns, "KEY=value" and "KEY= value", two counts
-// after NPOIN, 2 to 4 numbers per point, elements with or without their number, periodic blocks and FFD boxes between
-// or after. Of several zones (NZONE, IZONE) one is read; lines of the others are passed over, and stay.
+// Files from outside vary: sections in any order, tabs, carriage returns, "KEY=value" and "KEY=
+// value", two counts after NPOIN, 2 to 4 numbers per point, elements with or without their number,
+// periodic blocks and FFD boxes between or after. Of several zones (NZONE, IZONE) one is read;
+// lines of the others are passed over, and stay.
 #include "formats/su2.hpp"
 
 #include "basics/failure.hpp"
@@ -15,25 +16,30 @@ namespace cli {
 
 namespace {
 
-struct Heading { // a line KEY= value
+struct Heading {  // a line KEY= value
     std::string key;
     std::string_view value;
 };
 
-// MARKERTAG, MARKER TAG: what else it could be would be passed over, with all of the marker's faces.
+// MARKERTAG, MARKER TAG: what else it could be would be passed over, with all of the marker's
+// faces.
 bool nearly_marker_tag(const std::string& key) {
     std::string letters;
     for (const char c : key) letters += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-    letters.erase(std::remove_if(letters.begin(), letters.end(), [](char c) { return c < 'A' || c > 'Z'; }),
-                  letters.end());
+    letters.erase(
+        std::remove_if(letters.begin(), letters.end(), [](char c) { return c < 'A' || c > 'Z'; }),
+        letters.end());
     return letters == "MARKERTAG";
 }
 
-bool is_transfer(const std::string& key) { return key.compare(0, 4, "SEND") == 0 || key.compare(0, 4, "RECE") == 0; }
+bool is_transfer(const std::string& key) {
+    return key.compare(0, 4, "SEND") == 0 || key.compare(0, 4, "RECE") == 0;
+}
 
 class Su2Reader {
 public:
-    Su2Reader(Mesh& mesh, const ReadOptions& options) : mesh_(mesh), lines_(mesh.file, '%'), options_(options) {}
+    Su2Reader(Mesh& mesh, const ReadOptions& options)
+        : mesh_(mesh), lines_(mesh.file, '%'), options_(options) {}
     void read();
 
 private:
@@ -64,14 +70,14 @@ private:
     const ReadOptions& options_;
     std::int32_t zones_ = 1, chosen_zone_ = 1, zones_begun_ = 0;
     std::size_t zones_line_ = 0;
-    std::vector<std::int32_t> points_; // of one element
-    std::set<std::string> seen_; // sections that may stand only once
+    std::vector<std::int32_t> points_;  // of one element
+    std::set<std::string> seen_;        // sections that may stand only once
     std::int32_t markers_announced_ = 0, markers_found_ = 0;
 };
 
 void Su2Reader::read() {
-    bool understood = true; // lines after a heading that is not are passed over
-    bool other_zone = false; // than the one to be read
+    bool understood = true;   // lines after a heading that is not are passed over
+    bool other_zone = false;  // than the one to be read
     while (lines_.next()) {
         if (at_heading()) {
             const Heading here = heading();
@@ -122,7 +128,8 @@ void Su2Reader::choose_zone(const Heading& heading) {
     }
     if (options_.zone.empty()) return;
     if (!parse(options_.zone, chosen_zone_) || chosen_zone_ < 1 || chosen_zone_ > zones_) {
-        throw Failure(exit_usage, "--zone expects a number between 1 and " + std::to_string(zones_) + ", found " +
+        throw Failure(exit_usage, "--zone expects a number between 1 and " +
+                                      std::to_string(zones_) + ", found " +
                                       in_quotes(options_.zone));
     }
 }
@@ -130,8 +137,8 @@ void Su2Reader::choose_zone(const Heading& heading) {
 std::int32_t Su2Reader::begin_zone(const Heading& heading) {
     const std::int32_t zone = count(heading);
     if (zone != ++zones_begun_ || zone > zones_) {
-        lines_.expected("IZONE= " + std::to_string(zones_begun_) + " of the " + plural(zones_, "zone") +
-                        " that NZONE= announces");
+        lines_.expected("IZONE= " + std::to_string(zones_begun_) + " of the " +
+                        plural(zones_, "zone") + " that NZONE= announces");
     }
     return zone;
 }
@@ -141,7 +148,8 @@ void Su2Reader::read_points(const Heading& heading) {
     const std::int32_t n = count(heading);
     for (std::int32_t point = 0; point < n; ++point) {
         const Words& words = data_line("point", point, n);
-        if (words.size() < 2 || words.size() > 4) lines_.expected("a point: x, y and at most two numbers more");
+        if (words.size() < 2 || words.size() > 4)
+            lines_.expected("a point: x, y and at most two numbers more");
         double xyz[4];
         for (std::size_t i = 0; i < words.size(); ++i) {
             if (!parse(words[i], xyz[i])) lines_.expected("a finite number", words[i]);
@@ -180,22 +188,23 @@ void Su2Reader::read_face(const Words& words, std::int32_t marker) {
         lines_.expected("element type 3 (line) in a marker", words[0]);
     }
     if (type == element_vertex) {
-        mesh_.remark("vertex elements of marker " + in_quotes(mesh_.markers[static_cast<std::size_t>(marker)]) +
-                     " are ignored");
+        mesh_.remark("vertex elements of marker " +
+                     in_quotes(mesh_.markers[static_cast<std::size_t>(marker)]) + " are ignored");
         return;
     }
     const std::vector<std::int32_t>& ends = points_of(words, 2);
     mesh_.add_face(ends[0], ends[1], marker, lines_.offset());
 }
 
-// Points shared with other parts or periodic partners: first SEND_RECV= 1, or SEND_TO= 1, RECEIVE_FROM= 1, ...; then n
-// lines such as "1 point transformation".
+// Points shared with other parts or periodic partners: first SEND_RECV= 1, or SEND_TO= 1,
+// RECEIVE_FROM= 1, ...; then n lines such as "1 point transformation".
 void Su2Reader::pass_over_halo(std::int32_t n) {
     mesh_.remark("SEND_RECEIVE blocks are ignored (and kept)");
     for (std::int32_t i = 0; i < n; ++i) {
         bool there = lines_.next();
         while (there && i == 0 && at_heading() && is_transfer(heading().key)) there = lines_.next();
-        if (!there || at_heading()) lines_.expected("element " + std::to_string(i + 1) + " of " + std::to_string(n));
+        if (!there || at_heading())
+            lines_.expected("element " + std::to_string(i + 1) + " of " + std::to_string(n));
     }
 }
 
@@ -212,12 +221,14 @@ void Su2Reader::pass_over_section(const std::string& key) {
 Heading Su2Reader::heading() const {
     const std::size_t equals = lines_.line().find('=');
     if (equals == std::string_view::npos) return {};
-    return {std::string(trimmed(lines_.line().substr(0, equals))), trimmed(lines_.line().substr(equals + 1))};
+    return {std::string(trimmed(lines_.line().substr(0, equals))),
+            trimmed(lines_.line().substr(equals + 1))};
 }
 
 void Su2Reader::only_once(const Heading& heading) {
     if (!seen_.insert(heading.key).second) {
-        lines_.fail(heading.key + "= stands here a second time: files of several zones are not read");
+        lines_.fail(heading.key +
+                    "= stands here a second time: files of several zones are not read");
     }
 }
 
@@ -230,7 +241,8 @@ std::int32_t Su2Reader::count(const Heading& heading) const {
     return value;
 }
 
-const Su2Reader::Words& Su2Reader::data_line(const std::string& what, std::int32_t index, std::int32_t n) {
+const Su2Reader::Words& Su2Reader::data_line(const std::string& what, std::int32_t index,
+                                             std::int32_t n) {
     if (!lines_.next() || at_heading()) {
         lines_.expected(what + " " + std::to_string(index + 1) + " of " + std::to_string(n));
     }
@@ -257,20 +269,20 @@ const std::vector<std::int32_t>& Su2Reader::points_of(const Words& words, std::s
 void Su2Reader::check_complete() const {
     if (zones_ > 1 && zones_begun_ < zones_) {
         const std::string announced = std::to_string(zones_), lines = plural(zones_begun_, "line");
-        mesh_.file.fail(zones_line_,
-                        "NZONE= announces " + announced + " zones, but the file has " + lines + " IZONE=");
+        mesh_.file.fail(zones_line_, "NZONE= announces " + announced + " zones, but the file has " +
+                                         lines + " IZONE=");
     }
     for (const char* key : {"NDIME", "NELEM", "NPOIN"}) {
         if (seen_.count(key) == 0) lines_.expected(std::string(key) + "=");
     }
     if (markers_found_ < markers_announced_) {
-        lines_.expected(plural(markers_announced_, "MARKER_TAG= block") + " as NMARK says (there are " +
-                        std::to_string(markers_found_) + ")");
+        lines_.expected(plural(markers_announced_, "MARKER_TAG= block") +
+                        " as NMARK says (there are " + std::to_string(markers_found_) + ")");
     }
 }
 
-} // namespace
+}  // namespace
 
 void read_su2(Mesh& mesh, const ReadOptions& options) { Su2Reader(mesh, options).read(); }
 
-} // namespace cli
+}  // namespace cli

@@ -1,6 +1,8 @@
-// AFLR's UGRID files (http://www.simcenter.msstate.edu/software/documentation/ug_io/3d_grid_file_type_ugrid.html), one
-// cell thick, between planes of any direction or in a wedge: text, or binary of both byte orders (.b8, .lb8, .b4,
-// .lb4). Markers have the names that a .mapbc file beside the mesh gives their tags, else the tags themselves.
+// AFLR's UGRID files
+// (http://www.simcenter.msstate.edu/software/documentation/ug_io/3d_grid_file_type_ugrid.html), one
+// cell thick, between planes of any direction or in a wedge: text, or binary of both byte orders
+// (.b8, .lb8, .b4, .lb4). Markers have the names that a .mapbc file beside the mesh gives their
+// tags, else the tags themselves.
 #include "formats/format.hpp"
 
 #include "formats/bytes.hpp"
@@ -26,7 +28,8 @@ struct Layout {
 
 // Whole numbers behind the coordinates: points of faces, tags of faces, points of cells.
 std::int64_t whole_numbers(const Counts& n) {
-    return 4 * n[triangles] + 5 * n[quads] + 4 * n[tetrahedra] + 5 * n[pyramids] + 6 * n[prisms] + 8 * n[hexahedra];
+    return 4 * n[triangles] + 5 * n[quads] + 4 * n[tetrahedra] + 5 * n[pyramids] + 6 * n[prisms] +
+           8 * n[hexahedra];
 }
 
 bool binary_counts(const TextFile& file, bool swapped, Counts& n) {
@@ -38,7 +41,9 @@ bool binary_counts(const TextFile& file, bool swapped, Counts& n) {
     return n[nodes] > 0;
 }
 
-bool is_binary(const TextFile& file) { return file.text().substr(0, 4 * n_counts).find('\0') != std::string::npos; }
+bool is_binary(const TextFile& file) {
+    return file.text().substr(0, 4 * n_counts).find('\0') != std::string::npos;
+}
 
 // The bytes that a binary file of such a layout has; some have more, of grid levels.
 std::int64_t binary_size(const Counts& n, int real_bytes) {
@@ -53,7 +58,8 @@ bool find_layout(const TextFile& file, Layout& layout) {
             layout.swapped = swapped;
             layout.real_bytes = real_bytes;
             if (layout.is_text || !binary_counts(file, swapped, n)) continue;
-            if (binary_size(n, real_bytes) == static_cast<std::int64_t>(file.text().size())) return true;
+            if (binary_size(n, real_bytes) == static_cast<std::int64_t>(file.text().size()))
+                return true;
         }
     }
     return false;
@@ -63,7 +69,8 @@ bool find_layout(const TextFile& file, Layout& layout) {
 Layout layout_of(const TextFile& file) {
     Layout layout;
     if (find_layout(file, layout) || layout.is_text) return layout;
-    const bool little = ends_with(file.path(), ".lb8.ugrid") || ends_with(file.path(), ".lb4.ugrid");
+    const bool little =
+        ends_with(file.path(), ".lb8.ugrid") || ends_with(file.path(), ".lb4.ugrid");
     layout.swapped = little != little_endian_machine();
     layout.real_bytes = ends_with(file.path(), "b4.ugrid") ? 4 : 8;
     Counts n = {};
@@ -72,7 +79,8 @@ Layout layout_of(const TextFile& file) {
         file.fail(0, "expected 7 counts in " + kind + " byte order, as the name says");
     const std::int64_t wanted = binary_size(n, layout.real_bytes);
     if (wanted > static_cast<std::int64_t>(file.text().size())) {
-        const std::string announced = "of " + std::to_string(n[nodes]) + " nodes in " + kind + " byte order";
+        const std::string announced =
+            "of " + std::to_string(n[nodes]) + " nodes in " + kind + " byte order";
         const std::string found = std::to_string(file.text().size());
         file.fail(file.text().size(), announced + " the file would have " + std::to_string(wanted) +
                                           " bytes, but it has " + found);
@@ -81,7 +89,7 @@ Layout layout_of(const TextFile& file) {
 }
 
 std::map<std::int64_t, std::string> read_names(const std::string& mesh) {
-    std::filesystem::path path = std::filesystem::path(mesh).replace_extension(); // .ugrid
+    std::filesystem::path path = std::filesystem::path(mesh).replace_extension();  // .ugrid
     for (const char* kind : {".b8", ".lb8", ".b4", ".lb4"}) {
         if (path.extension() == kind) path.replace_extension();
     }
@@ -94,7 +102,8 @@ std::map<std::int64_t, std::string> read_names(const std::string& mesh) {
     while (lines.next()) {
         const auto& words = lines.words();
         std::int64_t tag = 0;
-        if (words.size() < 2 || !parse(words[0], tag)) lines.expected("a boundary: tag, condition and name");
+        if (words.size() < 2 || !parse(words[0], tag))
+            lines.expected("a boundary: tag, condition and name");
         names[tag] = words.size() > 2 ? std::string(words[2]) : std::string(words[0]);
     }
     return names;
@@ -102,10 +111,12 @@ std::map<std::int64_t, std::string> read_names(const std::string& mesh) {
 
 class UgridReader {
 public:
-    UgridReader(Mesh& mesh, const Layout& layout) : mesh_(mesh), layout_(layout), numbers_(mesh.file) {
+    UgridReader(Mesh& mesh, const Layout& layout)
+        : mesh_(mesh), layout_(layout), numbers_(mesh.file) {
         numbers_.is_binary = !layout.is_text;
         numbers_.swapped = mesh.in_file.swapped = layout.swapped;
-        if (!layout.is_text) mesh.in_file.kind = layout.real_bytes == 8 ? NumberKind::real64 : NumberKind::real32;
+        if (!layout.is_text)
+            mesh.in_file.kind = layout.real_bytes == 8 ? NumberKind::real64 : NumberKind::real32;
     }
 
     void read() {
@@ -120,7 +131,7 @@ public:
                 const std::size_t n = corners_of[kind];
                 std::int32_t points[8];
                 const std::size_t offset = read_item(points, n);
-                if (kind == pyramids) { // the base is 1 4 5 2, the apex 3
+                if (kind == pyramids) {  // the base is 1 4 5 2, the apex 3
                     const std::int32_t apex = points[2];
                     points[2] = points[4];
                     points[4] = apex;
@@ -150,8 +161,8 @@ private:
             const std::int64_t point = numbers_.whole("a point");
             if (k == 0) offset = numbers_.number_offset();
             if (point < 1 || point > counts_[nodes]) {
-                numbers_.fail("expected points between 1 and " + std::to_string(counts_[nodes]) + ", found " +
-                              std::to_string(point));
+                numbers_.fail("expected points between 1 and " + std::to_string(counts_[nodes]) +
+                              ", found " + std::to_string(point));
             }
             points[k] = static_cast<std::int32_t>(point) - 1;
         }
@@ -176,7 +187,8 @@ private:
         for (const Side& side : sides) {
             const std::int64_t tag = numbers_.whole("a face's tag");
             const auto name = names.find(tag);
-            thick.add_side(side.points, side.n, name == names.end() ? std::to_string(tag) : name->second, side.offset);
+            thick.add_side(side.points, side.n,
+                           name == names.end() ? std::to_string(tag) : name->second, side.offset);
         }
     }
 
@@ -205,9 +217,10 @@ void read_ugrid(Mesh& mesh, const ReadOptions&) {
     UgridReader(mesh, layout).read();
 }
 
-} // namespace
+}  // namespace
 
-const Format ugrid_format = {"ugrid", ".ugrid", "UGRID, one cell thick: text, .b8, .lb8, .b4, .lb4",
-                             probe_ugrid,   read_ugrid,     nullptr};
+const Format ugrid_format = {
+    "ugrid",     ".ugrid",   "UGRID, one cell thick: text, .b8, .lb8, .b4, .lb4",
+    probe_ugrid, read_ugrid, nullptr};
 
-} // namespace cli
+}  // namespace cli

@@ -1,5 +1,6 @@
-// VTK's legacy files (https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html), unstructured grids of
-// versions 1 to 5.1, in text and binary, with triangles and quadrilaterals in one plane z = constant.
+// VTK's legacy files (https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html),
+// unstructured grids of versions 1 to 5.1, in text and binary, with triangles and quadrilaterals in
+// one plane z = constant.
 #include "formats/format.hpp"
 
 #include "formats/bytes.hpp"
@@ -28,7 +29,7 @@ private:
     void read_array(const char* name, std::int64_t n, std::vector<std::int64_t>& values);
     void read_types();
     void pass_over();
-    void begin_numbers(); // behind the end of the line
+    void begin_numbers();  // behind the end of the line
     std::int64_t text_count(const char* what);
 
     Mesh& mesh_;
@@ -50,7 +51,8 @@ void VtkReader::read() {
         read_section(name);
     }
     if (cells_.starts.size() != cells_.types.size() + 1) {
-        numbers_.fail("CELLS has " + plural(static_cast<std::int64_t>(cells_.starts.size()) - 1, "cell") +
+        numbers_.fail("CELLS has " +
+                      plural(static_cast<std::int64_t>(cells_.starts.size()) - 1, "cell") +
                       ", CELL_TYPES " + std::to_string(cells_.types.size()));
     }
     add_vtk_cells(mesh_, cells_);
@@ -66,7 +68,8 @@ void VtkReader::read_head() {
     const std::string_view format = numbers_.next_line();
     if (format != "ASCII" && format != "BINARY") numbers_.expected("ASCII or BINARY");
     binary_ = format == "BINARY";
-    numbers_.swapped = mesh_.in_file.swapped = binary_ && little_endian_machine(); // always big-endian
+    numbers_.swapped = mesh_.in_file.swapped =
+        binary_ && little_endian_machine();  // always big-endian
     if (numbers_.word() != "DATASET") numbers_.expected("DATASET");
     if (numbers_.word() != "UNSTRUCTURED_GRID") numbers_.expected("UNSTRUCTURED_GRID");
 }
@@ -128,7 +131,8 @@ void VtkReader::read_points() {
 
 // Version 5.1 has two arrays; before it, each cell began with the number of its points.
 void VtkReader::read_cells() {
-    const std::int64_t n = text_count("the number of cells"), size = text_count("the number of whole numbers of cells");
+    const std::int64_t n = text_count("the number of cells"),
+                       size = text_count("the number of whole numbers of cells");
     const std::size_t here = numbers_.offset();
     if (numbers_.word() == "OFFSETS") {
         numbers_.jump(here);
@@ -145,7 +149,8 @@ void VtkReader::read_array(const char* name, std::int64_t n, std::vector<std::in
     numbers_.is_binary = false;
     if (numbers_.word() != name) numbers_.expected(name);
     const std::string type(numbers_.word());
-    if (type != "vtktypeint64" && type != "vtktypeint32") numbers_.expected("vtktypeint64 or vtktypeint32");
+    if (type != "vtktypeint64" && type != "vtktypeint32")
+        numbers_.expected("vtktypeint64 or vtktypeint32");
     begin_numbers();
     if (&values == &cells_.starts) cells_.starts_offset = numbers_.offset();
     for (std::int64_t i = 0; i < n; ++i) {
@@ -178,15 +183,19 @@ void VtkReader::read_types() {
     types_read_ = true;
 }
 
-bool probe_vtk(const TextFile& file) { return file.text().compare(0, 22, "# vtk DataFile Version") == 0; }
+bool probe_vtk(const TextFile& file) {
+    return file.text().compare(0, 22, "# vtk DataFile Version") == 0;
+}
 
 void read_vtk(Mesh& mesh, const ReadOptions&) { VtkReader(mesh).read(); }
 
 void create_vtk(std::ostream& out, const Mesh& mesh) {
-    out << "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " << mesh.points()
-        << " double\n";
-    for (std::size_t i = 0; i < mesh.x.size(); ++i) out << exact(mesh.x[i]) << ' ' << exact(mesh.y[i]) << " 0\n";
-    out << "CELLS " << mesh.cells() << ' ' << mesh.cell_points.size() + static_cast<std::size_t>(mesh.cells()) << '\n';
+    out << "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS "
+        << mesh.points() << " double\n";
+    for (std::size_t i = 0; i < mesh.x.size(); ++i)
+        out << exact(mesh.x[i]) << ' ' << exact(mesh.y[i]) << " 0\n";
+    out << "CELLS " << mesh.cells() << ' '
+        << mesh.cell_points.size() + static_cast<std::size_t>(mesh.cells()) << '\n';
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
         out << mesh.cell_start[cell + 1] - mesh.cell_start[cell];
         for (std::int32_t i = mesh.cell_start[cell]; i < mesh.cell_start[cell + 1]; ++i) {
@@ -200,9 +209,10 @@ void create_vtk(std::ostream& out, const Mesh& mesh) {
     }
 }
 
-} // namespace
+}  // namespace
 
 const Format vtk_format = {"vtk",     ".vtk",   "VTK legacy unstructured grids, text and binary",
-                           probe_vtk, read_vtk, create_vtk, false};
+                           probe_vtk, read_vtk, create_vtk,
+                           false};
 
-} // namespace cli
+}  // namespace cli

@@ -1,5 +1,6 @@
-// VTK's XML files of unstructured grids (.vtu, https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html)
-// with triangles and quadrilaterals in one plane z = constant: arrays in text, or raw in the section AppendedData.
+// VTK's XML files of unstructured grids (.vtu,
+// https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html) with triangles and
+// quadrilaterals in one plane z = constant: arrays in text, or raw in the section AppendedData.
 #include "formats/format.hpp"
 
 #include "formats/bytes.hpp"
@@ -29,7 +30,7 @@ private:
     struct Array {
         bool is_there = false;
         XmlTag tag;
-        std::size_t text_end = 0; // of an array in text
+        std::size_t text_end = 0;  // of an array in text
     };
 
     void read_tags();
@@ -58,7 +59,7 @@ private:
 };
 
 void VtkXmlReader::read_tags() {
-    std::string_view section; // Points, Cells, PointData, ...
+    std::string_view section;  // Points, Cells, PointData, ...
     bool has_head = false;
     while (appended_ == 0 && tags_.next()) {
         const XmlTag& tag = tags_.tag();
@@ -66,14 +67,17 @@ void VtkXmlReader::read_tags() {
             has_head = true;
             read_head(tag);
         } else if (!has_head) {
-            mesh_.file.fail(tag.begin, "expected <VTKFile, found " + in_quotes("<" + std::string(tag.name)));
-        } else if (tag.name == "Points" || tag.name == "Cells" || tag.name == "/Points" || tag.name == "/Cells") {
+            mesh_.file.fail(tag.begin,
+                            "expected <VTKFile, found " + in_quotes("<" + std::string(tag.name)));
+        } else if (tag.name == "Points" || tag.name == "Cells" || tag.name == "/Points" ||
+                   tag.name == "/Cells") {
             section = tag.is_empty ? "" : tag.name;
         } else {
             read_tag(section);
         }
     }
-    if (!has_piece_) mesh_.file.fail(mesh_.file.text().size(), "expected <Piece, found the end of the file");
+    if (!has_piece_)
+        mesh_.file.fail(mesh_.file.text().size(), "expected <Piece, found the end of the file");
 }
 
 void VtkXmlReader::read_tag(std::string_view section) {
@@ -87,7 +91,7 @@ void VtkXmlReader::read_tag(std::string_view section) {
     if (section == "Cells" && name == "connectivity") array = &connectivity_;
     if (section == "Cells" && name == "offsets") array = &offsets_;
     if (section == "Cells" && name == "types") array = &types_;
-    if (!array) return; // stays as it is
+    if (!array) return;  // stays as it is
     if (array->is_there) mesh_.file.fail(tag.begin, "the array stands here a second time");
     *array = {true, tag, tag.is_empty ? tag.end : tags_.text_end()};
 }
@@ -99,11 +103,14 @@ void VtkXmlReader::read_head(const XmlTag& tag) {
     const std::string_view type = tag.attribute("type"), order = tag.attribute("byte_order");
     const std::string_view header = tag.attribute("header_type");
     if (type != "UnstructuredGrid") refuse("a file of type UnstructuredGrid", type);
-    if (!order.empty() && order != "LittleEndian" && order != "BigEndian") refuse("LittleEndian or BigEndian", order);
-    if (!header.empty() && header != "UInt32" && header != "UInt64") refuse("header_type UInt32 or UInt64", header);
+    if (!order.empty() && order != "LittleEndian" && order != "BigEndian")
+        refuse("LittleEndian or BigEndian", order);
+    if (!header.empty() && header != "UInt32" && header != "UInt64")
+        refuse("header_type UInt32 or UInt64", header);
     numbers_.swapped = mesh_.in_file.swapped = (order != "BigEndian") != little_endian_machine();
     header_bytes_ = header == "UInt64" ? 8 : 4;
-    is_compressed_ = !tag.attribute("compressor").empty(); // VTK writes the name into files in text, too
+    is_compressed_ =
+        !tag.attribute("compressor").empty();  // VTK writes the name into files in text, too
 }
 
 void VtkXmlReader::begin_piece(const XmlTag& tag) {
@@ -116,10 +123,12 @@ void VtkXmlReader::begin_piece(const XmlTag& tag) {
 void VtkXmlReader::begin_appended(const XmlTag& tag) {
     const std::string_view encoding = tag.attribute("encoding"), text = mesh_.file.text();
     if (encoding != "raw") {
-        mesh_.file.fail(tag.begin, "appended data with encoding raw are read, these have " + in_quotes(encoding));
+        mesh_.file.fail(tag.begin, "appended data with encoding raw are read, these have " +
+                                       in_quotes(encoding));
     }
     const std::size_t mark = text.find_first_not_of(" \t\r\n", tag.end);
-    if (mark == text.npos || text[mark] != '_') mesh_.file.fail(tag.end, "expected _ before the appended data");
+    if (mark == text.npos || text[mark] != '_')
+        mesh_.file.fail(tag.end, "expected _ before the appended data");
     appended_ = mark + 1;
 }
 
@@ -127,15 +136,16 @@ std::int64_t VtkXmlReader::count(const XmlTag& tag, std::string_view key) const 
     std::int64_t value = 0;
     const std::string_view text = trimmed(tag.attribute(key));
     if (!parse(text, value) || value < 0 || value > INT32_MAX) {
-        mesh_.file.fail(tag.begin,
-                        "expected " + std::string(key) + " between 0 and 2147483647, found " + in_quotes(text));
+        mesh_.file.fail(tag.begin, "expected " + std::string(key) +
+                                       " between 0 and 2147483647, found " + in_quotes(text));
     }
     return value;
 }
 
 // To the array's first number; `bytes` each, if they are not text.
 void VtkXmlReader::begin_array(const Array& array, const char* name, int bytes) {
-    if (!array.is_there) mesh_.file.fail(mesh_.file.text().size(), "the file has no array " + std::string(name));
+    if (!array.is_there)
+        mesh_.file.fail(mesh_.file.text().size(), "the file has no array " + std::string(name));
     const std::string_view format = array.tag.attribute("format");
     const std::size_t at = array.tag.begin;
     numbers_.is_binary = format == "appended";
@@ -144,24 +154,29 @@ void VtkXmlReader::begin_array(const Array& array, const char* name, int bytes) 
         return numbers_.stop_at(array.text_end);
     }
     if (!numbers_.is_binary) {
-        mesh_.file.fail(at, "arrays of format ascii and appended are read, this one has " + in_quotes(format));
+        mesh_.file.fail(
+            at, "arrays of format ascii and appended are read, this one has " + in_quotes(format));
     }
-    if (is_compressed_) mesh_.file.fail(at, "the array is compressed: save the file without compression");
-    if (appended_ == 0) mesh_.file.fail(at, "the array is appended, but the file has no section AppendedData");
+    if (is_compressed_)
+        mesh_.file.fail(at, "the array is compressed: save the file without compression");
+    if (appended_ == 0)
+        mesh_.file.fail(at, "the array is appended, but the file has no section AppendedData");
     std::int64_t offset = 0;
     const std::size_t there = mesh_.file.text().size() - appended_;
-    if (!parse(array.tag.attribute("offset"), offset) || offset < 0 || static_cast<std::size_t>(offset) > there) {
-        mesh_.file.fail(at, "expected an offset between 0 and " + std::to_string(there) + ", found " +
-                                in_quotes(array.tag.attribute("offset")));
+    if (!parse(array.tag.attribute("offset"), offset) || offset < 0 ||
+        static_cast<std::size_t>(offset) > there) {
+        mesh_.file.fail(at, "expected an offset between 0 and " + std::to_string(there) +
+                                ", found " + in_quotes(array.tag.attribute("offset")));
     }
     numbers_.jump(appended_ + static_cast<std::size_t>(offset));
     numbers_.stop_at(mesh_.file.text().size());
     std::int64_t length = numbers_.whole("the length of an array", header_bytes_);
-    if (header_bytes_ == 4) length &= 0xffffffff; // has no sign
+    if (header_bytes_ == 4) length &= 0xffffffff;  // has no sign
     const std::size_t rest = mesh_.file.text().size() - numbers_.offset();
     if (length < 0 || static_cast<std::size_t>(length) > rest || length % bytes != 0) {
-        numbers_.fail("the array " + std::string(name) + " has " + std::to_string(length) + " bytes, " +
-                      std::to_string(bytes) + " for each number, but only " + std::to_string(rest) + " follow");
+        numbers_.fail("the array " + std::string(name) + " has " + std::to_string(length) +
+                      " bytes, " + std::to_string(bytes) + " for each number, but only " +
+                      std::to_string(rest) + " follow");
     }
     numbers_.stop_at(numbers_.offset() + static_cast<std::size_t>(length));
 }
@@ -171,12 +186,14 @@ void VtkXmlReader::read_points() {
     const int bytes = type == "Float32" ? 4 : 8;
     begin_array(points_, "Points", bytes);
     if (type != "Float32" && type != "Float64") {
-        mesh_.file.fail(points_.tag.begin, "expected points of type Float32 or Float64, found " + in_quotes(type));
+        mesh_.file.fail(points_.tag.begin,
+                        "expected points of type Float32 or Float64, found " + in_quotes(type));
     }
     if (points_.tag.attribute("NumberOfComponents") != "3") {
         mesh_.file.fail(points_.tag.begin, "expected points with NumberOfComponents=\"3\"");
     }
-    if (numbers_.is_binary) mesh_.in_file.kind = bytes == 4 ? NumberKind::real32 : NumberKind::real64;
+    if (numbers_.is_binary)
+        mesh_.in_file.kind = bytes == 4 ? NumberKind::real32 : NumberKind::real64;
     OnePlane plane;
     for (std::int64_t i = 0; i < n_points_; ++i) {
         const double x = numbers_.real("a point's x", bytes);
@@ -187,7 +204,8 @@ void VtkXmlReader::read_points() {
         mesh_.add_point(x, y, x_offset, y_offset);
     }
     if (!numbers_.at_end()) {
-        mesh_.file.fail(numbers_.offset(), "the array Points has more numbers than " + plural(n_points_, "point"));
+        mesh_.file.fail(numbers_.offset(),
+                        "the array Points has more numbers than " + plural(n_points_, "point"));
     }
 }
 
@@ -201,7 +219,8 @@ void VtkXmlReader::read_cells() {
     cells_.starts_offset = offsets_.tag.begin;
 }
 
-void VtkXmlReader::read_wholes(const Array& array, const char* name, std::vector<std::int64_t>& values,
+void VtkXmlReader::read_wholes(const Array& array, const char* name,
+                               std::vector<std::int64_t>& values,
                                std::vector<std::size_t>* offsets) {
     const std::string_view type = array.tag.attribute("type");
     const int bytes = type == "Int8" || type == "UInt8"     ? 1
@@ -210,7 +229,8 @@ void VtkXmlReader::read_wholes(const Array& array, const char* name, std::vector
                                                             : 0;
     begin_array(array, name, bytes > 0 ? bytes : 1);
     if (bytes == 0) {
-        mesh_.file.fail(array.tag.begin, "expected whole numbers of 8, 32 or 64 bits, found " + in_quotes(type));
+        mesh_.file.fail(array.tag.begin,
+                        "expected whole numbers of 8, 32 or 64 bits, found " + in_quotes(type));
     }
     while (!numbers_.at_end()) {
         values.push_back(numbers_.whole("a whole number", bytes));
@@ -220,8 +240,10 @@ void VtkXmlReader::read_wholes(const Array& array, const char* name, std::vector
 
 void VtkXmlReader::check_length(const Array& array, const char* name, std::size_t length) const {
     if (static_cast<std::int64_t>(length) == n_cells_) return;
-    const std::string numbers = plural(static_cast<std::int64_t>(length), "number"), cells = plural(n_cells_, "cell");
-    mesh_.file.fail(array.tag.begin, "the array " + std::string(name) + " has " + numbers + " for " + cells);
+    const std::string numbers = plural(static_cast<std::int64_t>(length), "number"),
+                      cells = plural(n_cells_, "cell");
+    mesh_.file.fail(array.tag.begin,
+                    "the array " + std::string(name) + " has " + numbers + " for " + cells);
 }
 
 bool probe_vtu(const TextFile& file) {
@@ -233,9 +255,11 @@ void read_vtu(Mesh& mesh, const ReadOptions&) { VtkXmlReader(mesh).read(); }
 
 void create_vtu(std::ostream& out, const Mesh& mesh) { write_vtu(out, mesh); }
 
-} // namespace
+}  // namespace
 
-const Format vtk_xml_format = {"vtu",  ".vtu", "VTK XML unstructured grids, text and appended raw data",
-                               probe_vtu,  read_vtu,   create_vtu, false};
+const Format vtk_xml_format = {
+    "vtu",     ".vtu",   "VTK XML unstructured grids, text and appended raw data",
+    probe_vtu, read_vtu, create_vtu,
+    false};
 
-} // namespace cli
+}  // namespace cli

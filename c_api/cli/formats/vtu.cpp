@@ -10,15 +10,17 @@ namespace cli {
 
 namespace {
 
-void begin_array(std::ostream& out, const std::string& type, const std::string& name, std::size_t components) {
-    out << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\"" << components
-        << "\" format=\"ascii\">\n";
+void begin_array(std::ostream& out, const std::string& type, const std::string& name,
+                 std::size_t components) {
+    out << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\""
+        << components << "\" format=\"ascii\">\n";
 }
 
 void write_points(std::ostream& out, const std::vector<double>& x, const std::vector<double>& y) {
     out << "<Points>\n";
     begin_array(out, "Float64", "Points", 3);
-    for (std::size_t point = 0; point < x.size(); ++point) out << exact(x[point]) << ' ' << exact(y[point]) << " 0\n";
+    for (std::size_t point = 0; point < x.size(); ++point)
+        out << exact(x[point]) << ' ' << exact(y[point]) << " 0\n";
     out << "</DataArray>\n</Points>\n";
 }
 
@@ -28,7 +30,8 @@ void write_cells(std::ostream& out, const Mesh& mesh) {
     begin_array(out, "Int32", "connectivity", 1);
     for (std::size_t cell = 0; cell < n; ++cell) {
         for (std::int32_t i = mesh.cell_start[cell]; i < mesh.cell_start[cell + 1]; ++i) {
-            out << mesh.cell_points[static_cast<std::size_t>(i)] << (i + 1 < mesh.cell_start[cell + 1] ? ' ' : '\n');
+            out << mesh.cell_points[static_cast<std::size_t>(i)]
+                << (i + 1 < mesh.cell_start[cell + 1] ? ' ' : '\n');
         }
     }
     out << "</DataArray>\n";
@@ -41,7 +44,8 @@ void write_cells(std::ostream& out, const Mesh& mesh) {
 }
 
 void write_point_data(std::ostream& out, const PointData& data) {
-    out << "<PointData " << (data.components == 3 ? "Vectors" : "Scalars") << "=\"" << data.name << "\">\n";
+    out << "<PointData " << (data.components == 3 ? "Vectors" : "Scalars") << "=\"" << data.name
+        << "\">\n";
     begin_array(out, "Float64", data.name, data.components);
     for (std::size_t i = 0; i < data.values.size(); ++i) {
         out << exact(data.values[i]) << ((i + 1) % data.components == 0 ? '\n' : ' ');
@@ -49,24 +53,27 @@ void write_point_data(std::ostream& out, const PointData& data) {
     out << "</DataArray>\n</PointData>\n";
 }
 
-void write_grid(std::ostream& out, const Mesh& mesh, const std::vector<double>& x, const std::vector<double>& y,
-                const PointData* data) {
-    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-        << "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << mesh.points() << "\" NumberOfCells=\"" << mesh.cells()
-        << "\">\n";
+void write_grid(std::ostream& out, const Mesh& mesh, const std::vector<double>& x,
+                const std::vector<double>& y, const PointData* data) {
+    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
+           "byte_order=\"LittleEndian\">\n"
+        << "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << mesh.points() << "\" NumberOfCells=\""
+        << mesh.cells() << "\">\n";
     write_points(out, x, y);
     write_cells(out, mesh);
     if (data) write_point_data(out, *data);
     out << "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
-} // namespace
+}  // namespace
 
-void write_vtu(std::ostream& out, const Mesh& mesh) { write_grid(out, mesh, mesh.x, mesh.y, nullptr); }
+void write_vtu(std::ostream& out, const Mesh& mesh) {
+    write_grid(out, mesh, mesh.x, mesh.y, nullptr);
+}
 
-void write_vtu(std::ostream& out, const Mesh& mesh, const std::vector<double>& x, const std::vector<double>& y,
-               const PointData& data) {
+void write_vtu(std::ostream& out, const Mesh& mesh, const std::vector<double>& x,
+               const std::vector<double>& y, const PointData& data) {
     write_grid(out, mesh, x, y, &data);
 }
 
-} // namespace cli
+}  // namespace cli

@@ -1,7 +1,7 @@
 // VTU files (VTK XML, unstructured grid, in plain text) for ParaView.
 #pragma once
 
-#include "mesh/mesh.hpp"
+#include "mesh/mesh_file.hpp"
 
 #include <iosfwd>
 #include <string>
@@ -11,14 +11,14 @@ namespace cli {
 
 struct PointData {
     std::string name;
-    std::size_t components;     // 1, or 3 for a vector
-    std::vector<double> values; // [points * components]
+    std::size_t components;      // 1, or 3 for a vector
+    std::vector<double> values;  // [points * components]
 };
 
 void write_vtu(std::ostream& out, const Mesh& mesh);
 
 // The cells of the mesh over points at x, y, with values at the points.
-void write_vtu(std::ostream& out, const Mesh& mesh, const std::vector<double>& x, const std::vector<double>& y,
-               const PointData& data);
+void write_vtu(std::ostream& out, const Mesh& mesh, const std::vector<double>& x,
+               const std::vector<double>& y, const PointData& data);
 
-} // namespace cli
+}  // namespace cli

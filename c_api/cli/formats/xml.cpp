@@ -11,7 +11,9 @@ std::string_view XmlTag::attribute(std::string_view key) const {
     return {};
 }
 
-std::size_t XmlReader::text_end() const { return std::min(file_.text().find('<', tag_.end), file_.text().size()); }
+std::size_t XmlReader::text_end() const {
+    return std::min(file_.text().find('<', tag_.end), file_.text().size());
+}
 
 bool XmlReader::next() {
     const std::string_view text = file_.text();
@@ -19,7 +21,8 @@ bool XmlReader::next() {
         const std::size_t begin = text_end();
         if (begin == text.size()) return false;
         const bool is_comment = text.substr(begin, 4) == "<!--";
-        const bool is_declaration = !is_comment && (text.substr(begin, 2) == "<?" || text.substr(begin, 2) == "<!");
+        const bool is_declaration =
+            !is_comment && (text.substr(begin, 2) == "<?" || text.substr(begin, 2) == "<!");
         tag_ = {};
         tag_.begin = begin;
         if (!is_comment && !is_declaration) {
@@ -28,7 +31,8 @@ bool XmlReader::next() {
         }
         const std::string_view closing = is_comment ? "-->" : ">";
         const std::size_t end = text.find(closing, begin);
-        if (end == text.npos) file_.fail(begin, is_comment ? "the comment has no end" : "the declaration has no end");
+        if (end == text.npos)
+            file_.fail(begin, is_comment ? "the comment has no end" : "the declaration has no end");
         tag_.end = end + closing.size();
     }
 }
@@ -36,8 +40,12 @@ bool XmlReader::next() {
 // Behind the character <: NAME KEY="VALUE" KEY='VALUE' ..., then > or />.
 void XmlReader::read_attributes(std::size_t at) {
     const std::string_view text = file_.text();
-    const auto over_blanks = [&] { at = std::min(text.find_first_not_of(blanks, at), text.size()); };
-    const auto no_end = [&] { file_.fail(tag_.begin, "the tag <" + std::string(tag_.name) + " has no end"); };
+    const auto over_blanks = [&] {
+        at = std::min(text.find_first_not_of(blanks, at), text.size());
+    };
+    const auto no_end = [&] {
+        file_.fail(tag_.begin, "the tag <" + std::string(tag_.name) + " has no end");
+    };
     const std::size_t name_end = std::min(text.find_first_of(" \t\r\n>/", at + 1), text.size());
     tag_.name = text.substr(at, std::min<std::size_t>(name_end - at, 64));
     at = name_end;
@@ -49,7 +57,8 @@ void XmlReader::read_attributes(std::size_t at) {
         }
         const std::size_t equals = text.find_first_of("=<>", at);
         if (equals == text.npos) no_end();
-        if (text[equals] != '=') file_.fail(at, "expected an attribute KEY=\"VALUE\" in <" + std::string(tag_.name));
+        if (text[equals] != '=')
+            file_.fail(at, "expected an attribute KEY=\"VALUE\" in <" + std::string(tag_.name));
         const std::string_view key = trimmed(text.substr(at, equals - at));
         at = equals + 1;
         over_blanks();
@@ -65,4 +74,4 @@ void XmlReader::read_attributes(std::size_t at) {
     tag_.end = at + 1;
 }
 
-} // namespace cli
+}  // namespace cli

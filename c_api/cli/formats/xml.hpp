@@ -1,4 +1,5 @@
-// The tags of an XML file, one after another, as far as mesh files need them: no entities, no sections CDATA.
+// The tags of an XML file, one after another, as far as mesh files need them: no entities, no
+// sections CDATA.
 #pragma once
 
 #include "basics/text_file.hpp"
@@ -16,16 +17,18 @@ struct XmlTag {
     std::size_t end = 0;    // behind the character >
     std::vector<std::pair<std::string_view, std::string_view>> attributes;
 
-    std::string_view attribute(std::string_view key) const; // empty: not there
+    std::string_view attribute(std::string_view key) const;  // empty: not there
 };
 
 class XmlReader {
 public:
     explicit XmlReader(const TextFile& file) : file_(file) {}
 
-    bool next(); // to the tag after this one, over text, comments and declarations; false: the end of the file
+    bool next();  // to the tag after this one, over text, comments and declarations; false: the end
+                  // of the file
     const XmlTag& tag() const { return tag_; }
-    std::size_t text_end() const; // where the text behind this tag ends: at the next <, or the end of the file
+    std::size_t text_end()
+        const;  // where the text behind this tag ends: at the next <, or the end of the file
 
 private:
     void read_attributes(std::size_t at);
@@ -34,4 +37,4 @@ private:
     XmlTag tag_;
 };
 
-} // namespace cli
+}  // namespace cli

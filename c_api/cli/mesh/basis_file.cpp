@@ -21,20 +21,23 @@ Block read_block(const std::string& path) {
     if (error) throw Failure(exit_file, path + ": cannot be read: " + error.message());
     Block block(static_cast<std::size_t>(bytes));
     std::ifstream file(path, std::ios::binary);
-    if (!file.read(reinterpret_cast<char *>(block.data()), static_cast<std::streamsize>(bytes))) {
+    if (!file.read(reinterpret_cast<char*>(block.data()), static_cast<std::streamsize>(bytes))) {
         throw Failure(exit_file, path + ": cannot be read");
     }
     return block;
 }
 
 // The library speaks of blocks; what is missing of a file is told in its own terms.
-bool attach(const hm_basis** basis, const Block& block, const hm_mesh* mesh, const std::string& path) {
+bool attach(const hm_basis** basis, const Block& block, const hm_mesh* mesh,
+            const std::string& path) {
     hm_error error = {};
     const hm_status status = hm_basis_attach(basis, block.data(), block.size(), mesh, &error);
     if (status == HM_BAD_BASIS && error.value > 0) {
         const std::string found = std::to_string(block.size());
-        const std::string expected = std::to_string(block.size() + static_cast<std::size_t>(error.value));
-        const std::string text = "it has " + found + " bytes, at least " + expected + " are expected";
+        const std::string expected =
+            std::to_string(block.size() + static_cast<std::size_t>(error.value));
+        const std::string text =
+            "it has " + found + " bytes, at least " + expected + " are expected";
         throw Failure(exit_file, path + ": the file is cut off: " + text);
     }
     if (status < 0) refuse(error, path);
@@ -54,35 +57,45 @@ constexpr const char *title_of_names = "harmorph markers ", *title_of_slip = "ha
 class BehindBlock {
 public:
     BehindBlock(const Block& block, std::uint64_t bytes, const std::string& path)
-        : path_(path), text_(std::string(reinterpret_cast<const char *>(block.data()) + bytes, block.size() - bytes)) {
-        next_line(); // the line feed before the title
+        : path_(path),
+          text_(std::string(reinterpret_cast<const char*>(block.data()) + bytes,
+                            block.size() - bytes)) {
+        next_line();  // the line feed before the title
     }
 
     std::vector<std::string> names() {
         std::int32_t n = 0;
-        if (!next_line() || !begins_with(title_of_names) || !parse(rest_behind(title_of_names), n) || n < 0) {
-            refuse("holds a basis without the names of its mesh's markers, so that it is not known which are meant");
+        if (!next_line() || !begins_with(title_of_names) ||
+            !parse(rest_behind(title_of_names), n) || n < 0) {
+            refuse(
+                "holds a basis without the names of its mesh's markers, so that it is not known "
+                "which are meant");
         }
         std::vector<std::string> names;
-        while (names.size() < static_cast<std::size_t>(n) && next_line() && !text_.eof()) names.push_back(line_);
+        while (names.size() < static_cast<std::size_t>(n) && next_line() && !text_.eof())
+            names.push_back(line_);
         if (names.size() == static_cast<std::size_t>(n)) return names;
-        throw Failure(exit_file, path_ + ": the file is cut off: it has " + std::to_string(names.size()) +
+        throw Failure(exit_file, path_ + ": the file is cut off: it has " +
+                                     std::to_string(names.size()) +
                                      " names of markers, expected are " + std::to_string(n));
     }
 
     // The curves along which points of these conditions slide.
-    std::vector<std::shared_ptr<const CurveSet>> slip_curves(std::vector<hm_condition>& conditions) {
+    std::vector<std::shared_ptr<const CurveSet>> slip_curves(
+        std::vector<hm_condition>& conditions) {
         std::vector<std::shared_ptr<const CurveSet>> sets;
         std::int32_t n = 0;
         if (!next_line()) return sets;
-        if (!begins_with(title_of_slip) || !parse(rest_behind(title_of_slip), n)) refuse_slip_curves();
+        if (!begins_with(title_of_slip) || !parse(rest_behind(title_of_slip), n))
+            refuse_slip_curves();
         for (std::int32_t set = 0; set < n; ++set) {
             if (!next_line() || !begins_with(title_of_conditions)) refuse_slip_curves();
             std::istringstream numbers{std::string(rest_behind(title_of_conditions))};
             sets.push_back(std::make_shared<const CurveSet>(read_curves(path_, lines_of_curves())));
             const hm_curves* const along = sets.back()->view.get();
             for (std::size_t number = 0; numbers >> number;) {
-                const bool is_theirs = number < conditions.size() && conditions[number].kind == HM_SLIP &&
+                const bool is_theirs = number < conditions.size() &&
+                                       conditions[number].kind == HM_SLIP &&
                                        conditions[number].n_curves == along->n_curves;
                 if (!is_theirs) refuse_slip_curves();
                 conditions[number].along = along;
@@ -93,8 +106,12 @@ public:
 
 private:
     bool next_line() { return static_cast<bool>(std::getline(text_, line_)); }
-    bool begins_with(std::string_view word) const { return line_.compare(0, word.size(), word) == 0; }
-    std::string_view rest_behind(std::string_view word) const { return std::string_view(line_).substr(word.size()); }
+    bool begins_with(std::string_view word) const {
+        return line_.compare(0, word.size(), word) == 0;
+    }
+    std::string_view rest_behind(std::string_view word) const {
+        return std::string_view(line_).substr(word.size());
+    }
     std::string lines_of_curves() {
         std::string lines;
         while (next_line() && line_ != end_of_curves) lines += line_ + '\n';
@@ -113,24 +130,30 @@ private:
     std::string line_;
 };
 
-void refuse_other_markers(const std::vector<std::string>& names, const std::string& path, const Mesh& mesh) {
+void refuse_other_markers(const std::vector<std::string>& names, const std::string& path,
+                          const Mesh& mesh) {
     if (names == mesh.markers) return;
-    throw Failure(exit_file, path + ": the basis belongs to another mesh: its markers are " + listed(names) +
-                                 "; those of " + mesh.file.path() + " are " + listed(mesh.markers));
+    throw Failure(exit_file, path + ": the basis belongs to another mesh: its markers are " +
+                                 listed(names) + "; those of " + mesh.file.path() + " are " +
+                                 listed(mesh.markers));
 }
 
-} // namespace
+}  // namespace
 
 Basis::Basis(const std::string& path, const Mesh& mesh)
-    : path_(path), block_(read_block(path)), info_(sized<hm_basis_info>()), curves_(sized<hm_curves>()) {
+    : path_(path),
+      block_(read_block(path)),
+      info_(sized<hm_basis_info>()),
+      curves_(sized<hm_curves>()) {
     attach(&basis_, block_, nullptr, path_);
     info_ = info_of(basis_, path_);
     BehindBlock text(block_, info_.bytes, path_);
     refuse_other_markers(text.names(), path_, mesh);
     const hm_mesh view = mesh.view();
     mesh_has_moved_ = attach(&basis_, block_, &view, path_);
-    if (info_.solved == 0) throw Failure(exit_file, path_ + ": holds no functions: it has not been solved");
-    curve_.assign(static_cast<std::size_t>(info_.curves) + 1, sized<hm_curve>()); // never none
+    if (info_.solved == 0)
+        throw Failure(exit_file, path_ + ": holds no functions: it has not been solved");
+    curve_.assign(static_cast<std::size_t>(info_.curves) + 1, sized<hm_curve>());  // never none
     call(path_, hm_basis_curves, basis_, &curves_, curve_.data(), info_.curves);
     std::int32_t n = 0;
     hm_basis_conditions(basis_, nullptr, 0, &n, nullptr);
@@ -141,7 +164,8 @@ Basis::Basis(const std::string& path, const Mesh& mesh)
     slip_curves_ = text.slip_curves(conditions_);
 }
 
-std::vector<double> Basis::values(std::int32_t function, std::int32_t number, const Mesh& mesh) const {
+std::vector<double> Basis::values(std::int32_t function, std::int32_t number,
+                                  const Mesh& mesh) const {
     std::vector<double> values(mesh.x.size());
     call(path_, hm_basis_values, basis_, function, number, values.data());
     return values;
@@ -150,7 +174,7 @@ std::vector<double> Basis::values(std::int32_t function, std::int32_t number, co
 void write_basis(std::ostream& out, const hm_basis* basis, const Mesh& mesh,
                  const std::vector<hm_condition>& conditions) {
     const hm_basis_info info = info_of(basis, "basis");
-    out.write(reinterpret_cast<const char *>(basis), static_cast<std::streamsize>(info.bytes));
+    out.write(reinterpret_cast<const char*>(basis), static_cast<std::streamsize>(info.bytes));
     out << '\n' << title_of_names << mesh.markers.size() << '\n';
     for (const std::string& name : mesh.markers) out << name << '\n';
     std::vector<const hm_curves*> sets;
@@ -170,4 +194,4 @@ void write_basis(std::ostream& out, const hm_basis* basis, const Mesh& mesh,
     }
 }
 
-} // namespace cli
+}  // namespace cli

@@ -1,13 +1,13 @@
-// Basis files: the library's block as it is, which hm_basis_attach takes, and behind it the names of the mesh's
-// markers, which the block has by number only, and the curves along which points slide, which the block does not have:
+// Basis files: the library's block as it is, which hm_basis_attach takes, and behind it the names
+// of the mesh's markers, which the block has by number only, and the curves along which points
+// slide, which the block does not have:
 //
 //     harmorph markers 2        (behind a line feed)
 //     far field                 marker 0
 //     airfoil                   marker 1; names stand in alphabetical order
 //     harmorph slip 1           sets of curves
-//     conditions 0 3            those of the block, from 0, whose points slide along the curves that follow
-//     degree 3                  ... the lines of a curve file
-//     end
+//     conditions 0 3            those of the block, from 0, whose points slide along the curves
+//     that follow degree 3                  ... the lines of a curve file end
 #pragma once
 
 #include "curves/curves.hpp"
@@ -20,7 +20,8 @@
 
 namespace cli {
 
-// A basis read from a file and attached to its mesh. Refused by name: a file without names, a mesh with other markers.
+// A basis read from a file and attached to its mesh. Refused by name: a file without names, a mesh
+// with other markers.
 class Basis {
 public:
     Basis(const std::string& path, const Mesh& mesh);
@@ -28,11 +29,15 @@ public:
 
     const std::string& path() const { return path_; }
     const hm_basis* get() const { return basis_; }
-    const hm_curves& curves() const { return curves_; } // those it was solved with
+    const hm_curves& curves() const { return curves_; }  // those it was solved with
     bool mesh_has_moved() const { return mesh_has_moved_; }
     const hm_basis_info& info() const { return info_; }
-    const std::vector<hm_condition>& conditions() const { return conditions_; } // on the mesh's markers
-    const std::vector<std::shared_ptr<const CurveSet>>& slip_curves() const { return slip_curves_; } // of conditions
+    const std::vector<hm_condition>& conditions() const {
+        return conditions_;
+    }  // on the mesh's markers
+    const std::vector<std::shared_ptr<const CurveSet>>& slip_curves() const {
+        return slip_curves_;
+    }  // of conditions
     std::int32_t functions() const { return info_.functions; }
     // One of the numbers of a function's value at every point of the mesh.
     std::vector<double> values(std::int32_t function, std::int32_t number, const Mesh& mesh) const;
@@ -53,4 +58,4 @@ private:
 void write_basis(std::ostream& out, const hm_basis* basis, const Mesh& mesh,
                  const std::vector<hm_condition>& conditions);
 
-} // namespace cli
+}  // namespace cli

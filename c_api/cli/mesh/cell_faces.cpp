@@ -11,9 +11,12 @@ namespace {
 
 // Places of the corners of each face; -1 ends a triangle.
 using FaceCorners = std::array<int, 4>;
-constexpr FaceCorners of_tetrahedron[] = {{0, 1, 2, -1}, {0, 1, 3, -1}, {1, 2, 3, -1}, {0, 2, 3, -1}};
-constexpr FaceCorners of_pyramid[] = {{0, 1, 2, 3}, {0, 1, 4, -1}, {1, 2, 4, -1}, {2, 3, 4, -1}, {3, 0, 4, -1}};
-constexpr FaceCorners of_prism[] = {{0, 1, 2, -1}, {3, 4, 5, -1}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
+constexpr FaceCorners of_tetrahedron[] = {
+    {0, 1, 2, -1}, {0, 1, 3, -1}, {1, 2, 3, -1}, {0, 2, 3, -1}};
+constexpr FaceCorners of_pyramid[] = {
+    {0, 1, 2, 3}, {0, 1, 4, -1}, {1, 2, 4, -1}, {2, 3, 4, -1}, {3, 0, 4, -1}};
+constexpr FaceCorners of_prism[] = {
+    {0, 1, 2, -1}, {3, 4, 5, -1}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
 constexpr FaceCorners of_hexahedron[] = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4},
                                          {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
 
@@ -23,9 +26,11 @@ std::array<std::int32_t, 4> sorted(std::array<std::int32_t, 4> points) {
     return points;
 }
 
-} // namespace
+}  // namespace
 
-bool CellFaces::Face::is_same(const Face& face) const { return sorted(points) == sorted(face.points); }
+bool CellFaces::Face::is_same(const Face& face) const {
+    return sorted(points) == sorted(face.points);
+}
 
 void CellFaces::add(const std::int32_t* points, std::size_t n) {
     const auto cell = cells();
@@ -33,11 +38,12 @@ void CellFaces::add(const std::int32_t* points, std::size_t n) {
         for (std::size_t f = 0; f < count; ++f) {
             Face face = {{}, cell};
             std::size_t filled = 0;
-            for (const int corner : of[f]) { // a side whose ends are one point is none
+            for (const int corner : of[f]) {  // a side whose ends are one point is none
                 if (corner < 0) continue;
                 const std::int32_t point = points[corner];
                 const auto end = face.points.begin() + static_cast<std::ptrdiff_t>(filled);
-                if (std::find(face.points.begin(), end, point) == end) face.points[filled++] = point;
+                if (std::find(face.points.begin(), end, point) == end)
+                    face.points[filled++] = point;
             }
             if (filled < 3) continue;
             if (filled == 3) face.points[3] = face.points[2];
@@ -85,4 +91,4 @@ std::int32_t CellFaces::find(const std::int32_t* points, std::size_t n) const {
     return -1;
 }
 
-} // namespace cli
+}  // namespace cli

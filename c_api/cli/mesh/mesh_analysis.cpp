@@ -21,13 +21,14 @@ hm_mesh_report MeshAnalysis::report() const {
     return report;
 }
 
-BoundaryPiece MeshAnalysis::boundary(const std::vector<std::int32_t>& markers, const Point* near) const {
+BoundaryPiece MeshAnalysis::boundary(const std::vector<std::int32_t>& markers,
+                                     const Point* near) const {
     const auto n_markers = static_cast<std::int32_t>(markers.size());
     std::vector<std::int32_t> points(mesh_.x.size());
     std::int32_t n = 0, is_loop = 0;
     const auto piece = [&](std::int32_t index, hm_error* error) {
-        return hm_analysis_boundary(analysis_, n_markers, markers.data(), index, points.data(), mesh_.points(), &n,
-                                    &is_loop, error);
+        return hm_analysis_boundary(analysis_, n_markers, markers.data(), index, points.data(),
+                                    mesh_.points(), &n, &is_loop, error);
     };
     std::int32_t chosen = 0;
     double least = HUGE_VAL;
@@ -41,13 +42,14 @@ BoundaryPiece MeshAnalysis::boundary(const std::vector<std::int32_t>& markers, c
         }
     }
     if (near == nullptr && piece(1, nullptr) == HM_OK) {
-        throw Failure(exit_usage,
-                      "these markers are several separate pieces of boundary, and a curve is fitted to one: "
-                      "name the markers of one body, or a piece as MARKER@X:Y");
+        throw Failure(
+            exit_usage,
+            "these markers are several separate pieces of boundary, and a curve is fitted to one: "
+            "name the markers of one body, or a piece as MARKER@X:Y");
     }
     call(mesh_, piece, chosen);
     points.resize(static_cast<std::size_t>(n));
     return {points, is_loop != 0};
 }
 
-} // namespace cli
+}  // namespace cli

@@ -8,19 +8,21 @@
 
 namespace cli {
 
-struct BoundaryPiece { // points in order, the mesh on their left
+struct BoundaryPiece {  // points in order, the mesh on their left
     std::vector<std::int32_t> points;
     bool is_loop = false;
 };
 
 class MeshAnalysis {
 public:
-    explicit MeshAnalysis(const Mesh& mesh); // refuses a mesh that is not well formed; inverted cells are allowed
+    explicit MeshAnalysis(
+        const Mesh& mesh);  // refuses a mesh that is not well formed; inverted cells are allowed
     MeshAnalysis(const MeshAnalysis&) = delete;
 
     hm_mesh_report report() const;
     // Refuses more than one piece, unless the one nearest to a point is asked for.
-    BoundaryPiece boundary(const std::vector<std::int32_t>& markers, const Point* near = nullptr) const;
+    BoundaryPiece boundary(const std::vector<std::int32_t>& markers,
+                           const Point* near = nullptr) const;
 
 private:
     const Mesh& mesh_;
@@ -29,4 +31,4 @@ private:
     hm_analysis* analysis_ = nullptr;
 };
 
-} // namespace cli
+}  // namespace cli

@@ -1,5 +1,5 @@
-// Meshes of three dimensions that are one cell thick, from their cells: between two planes of any direction, or in a
-// wedge round an axis.
+// Meshes of three dimensions that are one cell thick, from their cells: between two planes of any
+// direction, or in a wedge round an axis.
 #pragma once
 
 #include "mesh/cell_faces.hpp"
@@ -7,21 +7,26 @@
 
 namespace cli {
 
-// A plane of such a mesh is a set of boundary faces, one of each cell, that are connected by their edges. Where cells
-// meet does not depend on rounding, and neither does this.
+// A plane of such a mesh is a set of boundary faces, one of each cell, that are connected by their
+// edges. Where cells meet does not depend on rounding, and neither does this.
 class OneCellThick {
 public:
-    OneCellThick(Mesh& mesh, SpacePoints points) : mesh_(mesh) { space_.points = std::move(points); }
+    OneCellThick(Mesh& mesh, SpacePoints points) : mesh_(mesh) {
+        space_.points = std::move(points);
+    }
 
-    void add_cell(const std::int32_t* points, std::size_t n, std::size_t offset); // as in CellFaces::add
+    void add_cell(const std::int32_t* points, std::size_t n,
+                  std::size_t offset);  // as in CellFaces::add
     // A face of the boundary, of 3 or 4 points. Faces in the planes are passed over.
-    void add_side(const std::int32_t* points, std::size_t n, const std::string& marker, std::size_t offset);
+    void add_side(const std::int32_t* points, std::size_t n, const std::string& marker,
+                  std::size_t offset);
     void add_copy(const SpaceCopy& copy) { space_.copies.push_back(copy); }
     const SpacePoints& points() const { return space_.points; }
-    void finish(); // fills the mesh; refuses, naming a cell or a point, what is not one cell thick
+    void finish();  // fills the mesh; refuses, naming a cell or a point, what is not one cell thick
 
 private:
-    using PlaneFaces = std::vector<std::int32_t>; // [cells] the face of each cell that lies in a plane; -1: not known
+    using PlaneFaces = std::vector<std::int32_t>;  // [cells] the face of each cell that lies in a
+                                                   // plane; -1: not known
 
     struct Side {
         std::array<std::int32_t, 4> points;
@@ -38,9 +43,9 @@ private:
     CellFaces cells_;
     std::vector<std::size_t> cell_offset_;
     std::vector<Side> sides_;
-    std::vector<std::string> names_; // of sides; those of planes become no markers
-    PlaneFaces planes_[2]; // that of the mesh, and the one opposite
-    std::array<double, 3> origin_ = {}, normal_ = {}; // of the first face in the plane
+    std::vector<std::string> names_;  // of sides; those of planes become no markers
+    PlaneFaces planes_[2];            // that of the mesh, and the one opposite
+    std::array<double, 3> origin_ = {}, normal_ = {};  // of the first face in the plane
 };
 
-} // namespace cli
+}  // namespace cli

@@ -12,18 +12,21 @@ namespace {
 
 class Refined {
 public:
-    explicit Refined(const Mesh& mesh) : mesh_(mesh), edges_(mesh_edges(mesh, [](Edge) { return true; })) {
+    explicit Refined(const Mesh& mesh)
+        : mesh_(mesh), edges_(mesh_edges(mesh, [](Edge) { return true; })) {
         std::sort(edges_.begin(), edges_.end(), precedes);
-        for (std::int32_t point = 0; point < mesh.points(); ++point) points_.push_back(old_point(point));
-        for (const Edge& edge : edges_) points_.push_back(middle(old_point(edge.a), old_point(edge.b)));
+        for (std::int32_t point = 0; point < mesh.points(); ++point)
+            points_.push_back(old_point(point));
+        for (const Edge& edge : edges_)
+            points_.push_back(middle(old_point(edge.a), old_point(edge.b)));
         for (std::int32_t cell = 0; cell < mesh.cells(); ++cell) divide(cell);
     }
 
     void place_boundary(const std::function<Point(std::int32_t, Point, Point)>& on_boundary) {
         for (std::int32_t face = 0; face < mesh_.faces(); ++face) {
             const std::int32_t a = end(face, 0), b = end(face, 1);
-            points_[static_cast<std::size_t>(between(a, b))] =
-                on_boundary(mesh_.face_markers[static_cast<std::size_t>(face)], old_point(a), old_point(b));
+            points_[static_cast<std::size_t>(between(a, b))] = on_boundary(
+                mesh_.face_markers[static_cast<std::size_t>(face)], old_point(a), old_point(b));
         }
     }
 
@@ -39,7 +42,8 @@ public:
         out << "NMARK= " << mesh_.markers.size() << '\n';
         for (std::size_t marker = 0; marker < mesh_.markers.size(); ++marker) {
             const auto number = static_cast<std::int32_t>(marker);
-            out << "MARKER_TAG= " << mesh_.markers[marker] << "\nMARKER_ELEMS= " << 2 * mesh_.faces(number) << '\n';
+            out << "MARKER_TAG= " << mesh_.markers[marker]
+                << "\nMARKER_ELEMS= " << 2 * mesh_.faces(number) << '\n';
             for (std::int32_t face = 0; face < mesh_.faces(); ++face) {
                 if (mesh_.face_markers[static_cast<std::size_t>(face)] != number) continue;
                 const std::int32_t a = end(face, 0), b = end(face, 1), half_way = between(a, b);
@@ -66,8 +70,10 @@ private:
     }
 
     void divide(std::int32_t cell) {
-        const auto begin = static_cast<std::size_t>(mesh_.cell_start[static_cast<std::size_t>(cell)]);
-        const auto n = static_cast<std::size_t>(mesh_.cell_start[static_cast<std::size_t>(cell) + 1]) - begin;
+        const auto begin =
+            static_cast<std::size_t>(mesh_.cell_start[static_cast<std::size_t>(cell)]);
+        const auto n =
+            static_cast<std::size_t>(mesh_.cell_start[static_cast<std::size_t>(cell) + 1]) - begin;
         const auto corner = [&](std::size_t k) { return mesh_.cell_points[begin + k % n]; };
         std::int32_t centre = -1;
         if (n == 4) {
@@ -75,8 +81,8 @@ private:
             points_.push_back(middle(middle(old_point(corner(0)), old_point(corner(1))),
                                      middle(old_point(corner(2)), old_point(corner(3)))));
         } else {
-            cells_.push_back(
-                {between(corner(0), corner(1)), between(corner(1), corner(2)), between(corner(2), corner(0))});
+            cells_.push_back({between(corner(0), corner(1)), between(corner(1), corner(2)),
+                              between(corner(2), corner(0))});
         }
         for (std::size_t k = 0; k < n; ++k) {
             const std::int32_t before = between(corner(k + n - 1), corner(k)),
@@ -89,11 +95,11 @@ private:
 
     const Mesh& mesh_;
     std::vector<Edge> edges_;
-    std::vector<Point> points_; // the old ones, one on each edge, one in each quadrilateral
+    std::vector<Point> points_;  // the old ones, one on each edge, one in each quadrilateral
     std::vector<std::vector<std::int32_t>> cells_;
 };
 
-} // namespace
+}  // namespace
 
 void write_refined(std::ostream& out, const Mesh& mesh,
                    const std::function<Point(std::int32_t, Point, Point)>& on_boundary) {
@@ -102,4 +108,4 @@ void write_refined(std::ostream& out, const Mesh& mesh,
     refined.write(out);
 }
 
-} // namespace cli
+}  // namespace cli

@@ -2,15 +2,16 @@
 #pragma once
 
 #include "basics/geometry.hpp"
-#include "mesh/mesh.hpp"
+#include "mesh/mesh_file.hpp"
 
 #include <functional>
 #include <iosfwd>
 
 namespace cli {
 
-// Writes it as an SU2 file. on_boundary(marker, a, b): where the middle of a boundary face between two points is to be.
+// Writes it as an SU2 file. on_boundary(marker, a, b): where the middle of a boundary face between
+// two points is to be.
 void write_refined(std::ostream& out, const Mesh& mesh,
                    const std::function<Point(std::int32_t, Point, Point)>& on_boundary);
 
-} // namespace cli
+}  // namespace cli

@@ -15,14 +15,15 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double fits_within = 1e-6; // of the extent, as the library has it
+constexpr double fits_within = 1e-6;  // of the extent, as the library has it
 
 struct Sides {
-    std::vector<Complex> from, to; // images of each other, in order
+    std::vector<Complex> from, to;  // images of each other, in order
 
     double misfit(Complex turn, Complex shift) const {
         double worst = 0;
-        for (std::size_t k = 0; k < from.size(); ++k) worst = std::max(worst, std::abs(to[k] - turn * from[k] - shift));
+        for (std::size_t k = 0; k < from.size(); ++k)
+            worst = std::max(worst, std::abs(to[k] - turn * from[k] - shift));
         return worst;
     }
     bool fit(Complex turn, Complex shift) const {
@@ -53,7 +54,8 @@ std::optional<Sides> sides_of(const Mesh& mesh, std::int32_t marker, std::int32_
         if (a.is_loop || b.is_loop || a.points.size() != b.points.size()) return {};
         Sides sides;
         const auto place = [&mesh](std::int32_t point) {
-            return Complex(mesh.x[static_cast<std::size_t>(point)], mesh.y[static_cast<std::size_t>(point)]);
+            return Complex(mesh.x[static_cast<std::size_t>(point)],
+                           mesh.y[static_cast<std::size_t>(point)]);
         };
         // Both have the mesh on their left: they run against each other.
         for (std::size_t k = 0; k < a.points.size(); ++k) {
@@ -61,12 +63,12 @@ std::optional<Sides> sides_of(const Mesh& mesh, std::int32_t marker, std::int32_
             sides.to.push_back(place(b.points[b.points.size() - 1 - k]));
         }
         return sides;
-    } catch (const Failure&) { // the library says what is wrong when the problem is solved
+    } catch (const Failure&) {  // the library says what is wrong when the problem is solved
         return {};
     }
 }
 
-} // namespace
+}  // namespace
 
 SidePair side_pair(const Mesh& mesh, std::int32_t marker, std::int32_t partner) {
     SidePair out{sized<hm_condition>(), {}};
@@ -89,9 +91,9 @@ SidePair side_pair(const Mesh& mesh, std::int32_t marker, std::int32_t partner) 
     pair.y = centre.imag();
     out.passage = "'" + mesh.markers[static_cast<std::size_t>(marker)] + "' to '" +
                   mesh.markers[static_cast<std::size_t>(partner)] + "' turned by " +
-                  brief(180 / std::acos(-1.0) * std::arg(turn)) + " degrees about (" + brief(pair.x) + ", " +
-                  brief(pair.y) + ")";
+                  brief(180 / std::acos(-1.0) * std::arg(turn)) + " degrees about (" +
+                  brief(pair.x) + ", " + brief(pair.y) + ")";
     return out;
 }
 
-} // namespace cli
+}  // namespace cli

@@ -28,7 +28,8 @@ public:
         } else {
             std::vector<Direction>& directions = mesh_.in_file.directions;
             const auto next = static_cast<std::int32_t>(directions.size());
-            const auto known = numbers_.emplace(std::make_pair(direction.along[0], direction.along[1]), next);
+            const auto known =
+                numbers_.emplace(std::make_pair(direction.along[0], direction.along[1]), next);
             if (known.second) directions.push_back(direction);
             rule = known.first->second;
         }
@@ -46,15 +47,18 @@ private:
 [[noreturn]] void refuse_space(const Mesh& mesh, const SpaceMesh& space, const hm_error& error) {
     const std::string text = error.text;
     const auto item = static_cast<std::size_t>(error.item);
-    const bool is_point = text.compare(0, 5, "point") == 0 && error.item >= 0 && item < space.points.x[0].size();
-    const bool is_side = text.compare(0, 4, "side") == 0 && error.item >= 0 && item < space.side_offset.size();
+    const bool is_point =
+        text.compare(0, 5, "point") == 0 && error.item >= 0 && item < space.points.x[0].size();
+    const bool is_side =
+        text.compare(0, 4, "side") == 0 && error.item >= 0 && item < space.side_offset.size();
     std::size_t offset = space.face_offset.empty() ? 0 : space.face_offset[0];
     if (is_point) offset = space.points.offset[0][item];
     if (is_side) offset = space.side_offset[item];
     mesh.file.fail(offset, "the mesh has three dimensions and is not one cell thick: " + text);
 }
 
-// In a wedge that reaches to the axis, its edges there are a boundary of the plane, but no face of the file.
+// In a wedge that reaches to the axis, its edges there are a boundary of the plane, but no face of
+// the file.
 void add_axis(Mesh& mesh) {
     double largest = 0;
     for (const double y : mesh.y) largest = std::max(largest, std::fabs(y));
@@ -65,14 +69,15 @@ void add_axis(Mesh& mesh) {
         const std::int32_t begin = mesh.cell_start[cell], end = mesh.cell_start[cell + 1];
         for (std::int32_t k = begin; k < end; ++k) {
             const std::int32_t a = mesh.cell_points[static_cast<std::size_t>(k)];
-            const std::int32_t b = mesh.cell_points[static_cast<std::size_t>(k + 1 < end ? k + 1 : begin)];
+            const std::int32_t b =
+                mesh.cell_points[static_cast<std::size_t>(k + 1 < end ? k + 1 : begin)];
             if (!is_on_axis(a) || !is_on_axis(b)) continue;
             mesh.add_face(a, b, mesh.add_marker("axis"), mesh.cell_offset[cell]);
         }
     }
 }
 
-} // namespace
+}  // namespace
 
 void take_flat(Mesh& mesh, const SpacePoints& points, const std::vector<SpaceCopy>& copies) {
     std::size_t normal = 3, offender = 0;
@@ -100,7 +105,8 @@ void take_flat(Mesh& mesh, const SpacePoints& points, const std::vector<SpaceCop
         for (std::size_t k = 0; k < points.x[d].size(); ++k) {
             slots.add(points.offset[d][k], points.x[d][k], static_cast<std::int32_t>(k), direction);
         }
-        for (const SpaceCopy& copy : copies) slots.add(copy.offset[d], copy.x[d], copy.of, direction);
+        for (const SpaceCopy& copy : copies)
+            slots.add(copy.offset[d], copy.x[d], copy.of, direction);
     }
 }
 
@@ -108,7 +114,8 @@ void take_plane(Mesh& mesh, const SpaceMesh& space) {
     hm_space_mesh given = {};
     given.struct_size = sizeof given;
     given.n_points = space.points.points();
-    given.points = {space.points.x[0].data(), space.points.x[1].data(), space.points.x[2].data(), 1};
+    given.points = {space.points.x[0].data(), space.points.x[1].data(), space.points.x[2].data(),
+                    1};
     given.kind = space.kind;
     given.n_faces = static_cast<std::int32_t>(space.face_start.size()) - 1;
     given.face_start = space.face_start.data();
@@ -135,7 +142,8 @@ void take_plane(Mesh& mesh, const SpaceMesh& space) {
     mesh.x.assign(found.points.x, found.points.x + found.n_points);
     mesh.y.assign(found.points.y, found.points.y + found.n_points);
     for (std::int32_t p = 0; p < found.n_points; ++p) {
-        mesh.point_offset.push_back(space.points.offset[0][static_cast<std::size_t>(info.space_point[p])]);
+        mesh.point_offset.push_back(
+            space.points.offset[0][static_cast<std::size_t>(info.space_point[p])]);
     }
     mesh.cell_start.assign(found.cell_start, found.cell_start + found.n_cells + 1);
     mesh.cell_points.assign(found.cell_points, found.cell_points + mesh.cell_start.back());
@@ -146,13 +154,16 @@ void take_plane(Mesh& mesh, const SpaceMesh& space) {
 
     if (info.kind == HM_WEDGE) add_axis(mesh);
 
-    // Where each point of space goes with a unit step of its point in the plane, along x and along y.
-    const auto n = static_cast<std::size_t>(info.n_space_points), m = static_cast<std::size_t>(info.n_points);
+    // Where each point of space goes with a unit step of its point in the plane, along x and along
+    // y.
+    const auto n = static_cast<std::size_t>(info.n_space_points),
+               m = static_cast<std::size_t>(info.n_points);
     std::vector<double> steps[2], ones(m, 1.0), zeros(m, 0.0);
     for (const int along : {0, 1}) {
         std::vector<double>& step = steps[along];
         step.resize(3 * n);
-        const hm_points unit = {along == 0 ? ones.data() : zeros.data(), along == 1 ? ones.data() : zeros.data(), 1};
+        const hm_points unit = {along == 0 ? ones.data() : zeros.data(),
+                                along == 1 ? ones.data() : zeros.data(), 1};
         const hm_space_points_out to = {step.data(), step.data() + n, step.data() + 2 * n, 1};
         accepted(hm_plane_spread(plane, &unit, nullptr, &to, nullptr, &error));
     }
@@ -165,11 +176,13 @@ void take_plane(Mesh& mesh, const SpaceMesh& space) {
         slots.add(offset, value, info.follows[k], {{steps[0][d * n + k], steps[1][d * n + k]}});
     };
     for (std::size_t k = 0; k < n; ++k) {
-        for (std::size_t d = 0; d < 3; ++d) add(k, d, space.points.offset[d][k], space.points.x[d][k]);
+        for (std::size_t d = 0; d < 3; ++d)
+            add(k, d, space.points.offset[d][k], space.points.x[d][k]);
     }
     for (const SpaceCopy& copy : space.copies) {
-        for (std::size_t d = 0; d < 3; ++d) add(static_cast<std::size_t>(copy.of), d, copy.offset[d], copy.x[d]);
+        for (std::size_t d = 0; d < 3; ++d)
+            add(static_cast<std::size_t>(copy.of), d, copy.offset[d], copy.x[d]);
     }
 }
 
-} // namespace cli
+}  // namespace cli

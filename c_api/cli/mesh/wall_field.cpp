@@ -27,4 +27,4 @@ WallField read_wall_field(const std::string& path, const Mesh& mesh) {
     return field;
 }
 
-} // namespace cli
+}  // namespace cli

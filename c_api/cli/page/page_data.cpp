@@ -14,11 +14,13 @@ namespace {
 // Bytes of numbers, the lowest first whatever the processor's order, in base 64.
 class Base64 {
 public:
-    template <class Number> void add(Number number) {
+    template <class Number>
+    void add(Number number) {
         using Bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
         Bits bits;
         std::memcpy(&bits, &number, sizeof bits);
-        for (std::size_t i = 0; i < sizeof bits; ++i) add_byte(static_cast<std::uint32_t>(bits >> (8 * i)) & 255u);
+        for (std::size_t i = 0; i < sizeof bits; ++i)
+            add_byte(static_cast<std::uint32_t>(bits >> (8 * i)) & 255u);
     }
     std::string text() && {
         const std::size_t missing = (3 - pending_count_) % 3;
@@ -29,7 +31,8 @@ public:
 
 private:
     void add_byte(std::uint32_t byte) {
-        constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+        constexpr const char* digits =
+            "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
         pending_ = pending_ << 8 | byte;
         if (++pending_count_ < 3) return;
         for (int shift = 18; shift >= 0; shift -= 6) text_ += digits[pending_ >> shift & 63u];
@@ -42,13 +45,15 @@ private:
     std::size_t pending_count_ = 0;
 };
 
-template <class Number> std::string base64(const Number* numbers, std::size_t n) {
+template <class Number>
+std::string base64(const Number* numbers, std::size_t n) {
     Base64 result;
     for (std::size_t i = 0; i < n; ++i) result.add(numbers[i]);
     return std::move(result).text();
 }
 
-template <class Number> std::string base64(const std::vector<Number>& numbers) {
+template <class Number>
+std::string base64(const std::vector<Number>& numbers) {
     return base64(numbers.data(), numbers.size());
 }
 
@@ -59,13 +64,17 @@ public:
 
     // All but what is asked for afterwards.
     JsonObject& run() {
-        const auto name = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
+        const auto name = [](const std::string& path) {
+            return std::filesystem::path(path).filename().string();
+        };
         object_.add("version", std::string(hm_version())).add("mesh", name(mesh_.file.path()));
         object_.add("basis", name(basis_.path()));
         object_.add("all_points", mesh_.points()).add("all_cells", mesh_.cells());
-        object_.add("points", static_cast<std::int64_t>(selection_.points.size())).add("in_cells", selection_.in_cells);
+        object_.add("points", static_cast<std::int64_t>(selection_.points.size()))
+            .add("in_cells", selection_.in_cells);
         object_.add("cells", static_cast<std::int64_t>(selection_.cells.size()));
-        object_.add("operator", std::string(operator_name())).add("numbers", basis_.info().numbers_per_value);
+        object_.add("operator", std::string(operator_name()))
+            .add("numbers", basis_.info().numbers_per_value);
         add_points();
         add_cells();
         add_boundary();
@@ -74,7 +83,8 @@ public:
         return object_;
     }
 
-    // The points' values of the first number of the first function, of its second number, ..., of the next function.
+    // The points' values of the first number of the first function, of its second number, ..., of
+    // the next function.
     void add_functions() {
         Base64 all;
         for (std::int32_t function = 0; function < basis_.functions(); ++function) {
@@ -104,7 +114,8 @@ private:
         return names[basis_.info().operator_kind];
     }
 
-    template <class Number> void add_array(const char* key, const std::vector<Number>& numbers) {
+    template <class Number>
+    void add_array(const char* key, const std::vector<Number>& numbers) {
         object_.add(key, base64(numbers));
     }
 
@@ -139,7 +150,8 @@ private:
         std::vector<std::int32_t> faces, markers, edges;
         for (const std::int32_t face : selection_.faces) {
             for (std::int32_t end = 0; end < 2; ++end) {
-                const std::int32_t point = mesh_.face_points[static_cast<std::size_t>(2 * face + end)];
+                const std::int32_t point =
+                    mesh_.face_points[static_cast<std::size_t>(2 * face + end)];
                 faces.push_back(slot[static_cast<std::size_t>(point)]);
             }
             markers.push_back(mesh_.face_markers[static_cast<std::size_t>(face)]);
@@ -152,7 +164,8 @@ private:
 
     // Markers in the numbering of the faces: what is asked of each.
     void add_boundary() {
-        static const char* const kinds[] = {"curve", "rigid", "fixed", "slip", "free", "periodic", "given", "rotation"};
+        static const char* const kinds[] = {"curve", "rigid",    "fixed", "slip",
+                                            "free",  "periodic", "given", "rotation"};
         std::vector<hm_condition> conditions(mesh_.markers.size());
         for (hm_condition& condition : conditions) condition.kind = HM_FIXED;
         for (const hm_condition& condition : basis_.conditions()) {
@@ -161,8 +174,13 @@ private:
         std::vector<JsonObject> markers;
         for (std::size_t i = 0; i < conditions.size(); ++i) {
             const hm_condition& its = conditions[i];
-            markers.emplace_back().add("name", mesh_.markers[i]).add("kind", std::string(kinds[its.kind]));
-            markers.back().add("first_curve", its.first_curve).add("n_curves", its.n_curves).add("body", its.body);
+            markers.emplace_back()
+                .add("name", mesh_.markers[i])
+                .add("kind", std::string(kinds[its.kind]));
+            markers.back()
+                .add("first_curve", its.first_curve)
+                .add("n_curves", its.n_curves)
+                .add("body", its.body);
         }
         object_.add("markers", markers);
     }
@@ -171,13 +189,15 @@ private:
         const hm_curves& curves = basis_.curves();
         const auto n = static_cast<std::size_t>(curves.n_control);
         object_.add("control", base64(curves.control, 2 * n));
-        object_.add("weights", curves.weights == nullptr ? std::string() : base64(curves.weights, n));
+        object_.add("weights",
+                    curves.weights == nullptr ? std::string() : base64(curves.weights, n));
         std::vector<JsonObject> list;
         for (std::int32_t i = 0; i < curves.n_curves && n > 0; ++i) {
             const hm_curve& curve = curves.curve[i];
             std::vector<std::int32_t> indices;
             for (std::int32_t k = 0; k < curve.n_indices; ++k) {
-                indices.push_back(curve.indices == nullptr ? k : curve.indices[k] - curves.index_base);
+                indices.push_back(curve.indices == nullptr ? k
+                                                           : curve.indices[k] - curves.index_base);
             }
             const auto n_knots = static_cast<std::size_t>(curve.n_indices + curve.degree + 1);
             list.emplace_back().add("degree", curve.degree).add("indices", base64(indices));
@@ -190,7 +210,8 @@ private:
         std::vector<JsonObject> bodies(static_cast<std::size_t>(basis_.info().bodies));
         std::vector<bool> named(bodies.size());
         for (const hm_condition& condition : basis_.conditions()) {
-            if (condition.kind != HM_RIGID || named[static_cast<std::size_t>(condition.body)]) continue;
+            if (condition.kind != HM_RIGID || named[static_cast<std::size_t>(condition.body)])
+                continue;
             named[static_cast<std::size_t>(condition.body)] = true;
             JsonObject& body = bodies[static_cast<std::size_t>(condition.body)];
             body.add("marker", mesh_.markers[static_cast<std::size_t>(condition.marker)]);
@@ -207,34 +228,40 @@ private:
 
 // A tag of the mesh might end the script it stands in.
 std::string for_script(std::string json) {
-    for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) json.replace(at, 1, "\\u003c");
+    for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;)
+        json.replace(at, 1, "\\u003c");
     return json;
 }
 
-} // namespace
+}  // namespace
 
-void write_page_data(std::ostream& out, const Mesh& mesh, const Basis& basis, const PageSelection& selection,
-                     const std::string& moves) {
+void write_page_data(std::ostream& out, const Mesh& mesh, const Basis& basis,
+                     const PageSelection& selection, const std::string& moves) {
     Writer writer(mesh, basis, selection);
     JsonObject& object = writer.run();
     writer.add_functions();
     out << for_script(object.add("moves", moves).text());
 }
 
-void write_report_data(std::ostream& out, const Mesh& mesh, const Basis& basis, const PageSelection& selection,
-                       const Morph& morph, bool safe) {
+void write_report_data(std::ostream& out, const Mesh& mesh, const Basis& basis,
+                       const PageSelection& selection, const Morph& morph, bool safe) {
     Writer writer(mesh, basis, selection);
     JsonObject& object = writer.run();
     writer.add_displacement(morph.displacement);
-    object.add("functions", std::string()).add("moved", base64(morph.moves)).add("refusal", morph.refusal);
-    object.add("inverted", morph.quality.inverted).add("self_crossing", morph.quality.self_crossing != 0);
+    object.add("functions", std::string())
+        .add("moved", base64(morph.moves))
+        .add("refusal", morph.refusal);
+    object.add("inverted", morph.quality.inverted)
+        .add("self_crossing", morph.quality.self_crossing != 0);
     object.add("admissible_step", morph.step.admissible).add("limiting_cell", morph.step.cell);
-    object.add("min_quality", morph.quality.min_quality).add("mean_quality", morph.quality.mean_quality);
-    object.add("worst_cell", morph.quality.min_quality_cell).add("boundary_error", morph.boundary_error);
+    object.add("min_quality", morph.quality.min_quality)
+        .add("mean_quality", morph.quality.mean_quality);
+    object.add("worst_cell", morph.quality.min_quality_cell)
+        .add("boundary_error", morph.boundary_error);
     object.add("safe", safe).add("strategy", morph.safe.strategy).add("steps", morph.safe.steps);
     object.add("resolves", morph.safe.resolves).add("step_fraction", morph.safe.step_fraction);
     object.add("untangled", morph.safe.untangled);
     out << for_script(object.text());
 }
 
-} // namespace cli
+}  // namespace cli

@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::int32_t unselected = -1;
 
-// The length of the shortest way along edges of the mesh from some points to each point; infinite where none leads.
+// The length of the shortest way along edges of the mesh from some points to each point; infinite
+// where none leads.
 class Distances {
 public:
     explicit Distances(const Mesh& mesh) : mesh_(mesh), start_(mesh.x.size() + 1) {
@@ -48,7 +49,8 @@ public:
             if (way > distance[place(here)]) continue;
             for (std::size_t i = start_[place(here)]; i < start_[place(here) + 1]; ++i) {
                 const std::size_t next = place(neighbour_[i]);
-                const double x = mesh_.x[next] - mesh_.x[place(here)], y = mesh_.y[next] - mesh_.y[place(here)];
+                const double x = mesh_.x[next] - mesh_.x[place(here)],
+                             y = mesh_.y[next] - mesh_.y[place(here)];
                 const double longer = way + std::hypot(x, y);
                 if (!(longer < distance[next])) continue;
                 distance[next] = longer;
@@ -107,14 +109,16 @@ private:
         for (std::int32_t cell = 0; cell < mesh_.cells(); ++cell) {
             const auto begin = mesh_.cell_points.begin() + mesh_.cell_start[place(cell)];
             const auto end = mesh_.cell_points.begin() + mesh_.cell_start[place(cell) + 1];
-            if (!std::all_of(begin, end, [this](std::int32_t point) { return is_near(point); })) continue;
+            if (!std::all_of(begin, end, [this](std::int32_t point) { return is_near(point); }))
+                continue;
             selection_.cells.push_back(cell);
             for (auto point = begin; point != end; ++point) add(*point);
         }
     }
 
-    // One point of each square of a grid that is the coarser the farther it is from the body stands for all in it; two
-    // such points are joined where mesh edges lead from the one's square to the other's. The boundary keeps its points.
+    // One point of each square of a grid that is the coarser the farther it is from the body stands
+    // for all in it; two such points are joined where mesh edges lead from the one's square to the
+    // other's. The boundary keeps its points.
     void thin_the_rest() {
         for (const std::int32_t point : mesh_.face_points) add(point);
         const std::size_t most = place(selection_.in_cells) / 4 + 100;
@@ -131,14 +135,17 @@ private:
             const std::int32_t a = stand_in(edge.a), b = stand_in(edge.b);
             if (a != b) selection_.edges.push_back({std::min(a, b), std::max(a, b)});
         }
-        const auto less = [](Edge one, Edge other) { return one.a != other.a ? one.a < other.a : one.b < other.b; };
+        const auto less = [](Edge one, Edge other) {
+            return one.a != other.a ? one.a < other.a : one.b < other.b;
+        };
         const auto same = [](Edge one, Edge other) { return one.a == other.a && one.b == other.b; };
         std::sort(selection_.edges.begin(), selection_.edges.end(), less);
         selection_.edges.erase(std::unique(selection_.edges.begin(), selection_.edges.end(), same),
                                selection_.edges.end());
     }
 
-    // Grid squares of about `share` of the distance to the body, which is not 0: those points have been selected.
+    // Grid squares of about `share` of the distance to the body, which is not 0: those points have
+    // been selected.
     void group(double share) {
         std::unordered_map<std::uint64_t, std::int32_t> first;
         stand_ins_.clear();
@@ -166,17 +173,18 @@ private:
     const Mesh& mesh_;
     bool is_whole_ = false;
     double reach_ = 0;
-    std::vector<double> distance_;       // of each point from the body
-    std::vector<std::int32_t> slot_;     // of each point: its place in the selection
-    std::vector<std::int32_t> group_;    // of each point of the rest: the one that stands for it
+    std::vector<double> distance_;     // of each point from the body
+    std::vector<std::int32_t> slot_;   // of each point: its place in the selection
+    std::vector<std::int32_t> group_;  // of each point of the rest: the one that stands for it
     std::vector<std::int32_t> stand_ins_;
     PageSelection selection_;
 };
 
-} // namespace
+}  // namespace
 
-PageSelection select_for_page(const Mesh& mesh, const std::vector<std::int32_t>& body, std::int32_t most) {
+PageSelection select_for_page(const Mesh& mesh, const std::vector<std::int32_t>& body,
+                              std::int32_t most) {
     return Selector(mesh, body, most).select();
 }
 
-} // namespace cli
+}  // namespace cli

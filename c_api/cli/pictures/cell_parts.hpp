@@ -1,9 +1,9 @@
-// The parts of one mesh cell in its corners' control volumes of the median dual, bounded by the middles of the cell's
-// sides and its barycentre.
+// The parts of one mesh cell in its corners' control volumes of the median dual, bounded by the
+// middles of the cell's sides and its barycentre.
 #pragma once
 
 #include "basics/geometry.hpp"
-#include "mesh/mesh.hpp"
+#include "mesh/mesh_file.hpp"
 
 #include <array>
 #include <vector>
@@ -11,8 +11,8 @@
 namespace cli {
 
 struct CellParts {
-    std::vector<std::int32_t> points;  // of the mesh
-    std::vector<Point> corner, middle; // middle[i]: of the side from corner i to the next one
+    std::vector<std::int32_t> points;   // of the mesh
+    std::vector<Point> corner, middle;  // middle[i]: of the side from corner i to the next one
     Point barycentre = {0, 0};
     Box box;
 
@@ -38,4 +38,4 @@ struct CellParts {
     }
 };
 
-} // namespace cli
+}  // namespace cli

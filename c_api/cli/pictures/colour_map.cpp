@@ -21,13 +21,14 @@ constexpr int n_intervals = sizeof upwards / sizeof upwards[0] - 1;
 
 std::string hexadecimal(const Colour& colour) {
     char text[8];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<unsigned>(std::lround(colour.red)) & 255u,
+    std::snprintf(text, sizeof text, "#%02x%02x%02x",
+                  static_cast<unsigned>(std::lround(colour.red)) & 255u,
                   static_cast<unsigned>(std::lround(colour.green)) & 255u,
                   static_cast<unsigned>(std::lround(colour.blue)) & 255u);
     return text;
 }
 
-} // namespace
+}  // namespace
 
 std::string colour(double value) {
     const Colour* const anchors = value < 0 ? downwards : upwards;
@@ -36,12 +37,13 @@ std::string colour(double value) {
     const Colour& a = anchors[interval];
     const Colour& b = anchors[interval + 1];
     const double t = position - interval;
-    return hexadecimal(
-        {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green), a.blue + t * (b.blue - a.blue)});
+    return hexadecimal({a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
+                        a.blue + t * (b.blue - a.blue)});
 }
 
 double colour_place(double value, double most) {
-    return most > 0 ? std::copysign(std::pow(std::min(std::fabs(value) / most, 1.0), 2. / 3), value) : 0;
+    return most > 0 ? std::copysign(std::pow(std::min(std::fabs(value) / most, 1.0), 2. / 3), value)
+                    : 0;
 }
 
-} // namespace cli
+}  // namespace cli

@@ -12,9 +12,10 @@ namespace {
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-// One end of a piece of a line: it lies on an edge of the mesh, where the neighbouring triangle's piece begins.
+// One end of a piece of a line: it lies on an edge of the mesh, where the neighbouring triangle's
+// piece begins.
 struct End {
-    std::int32_t multiple, a, b; // a < b: the edge
+    std::int32_t multiple, a, b;  // a < b: the edge
     Point at;
 };
 
@@ -24,14 +25,17 @@ public:
         : mesh_(mesh), values_(values), step_(step) {}
 
     void add(const Corners& corners) {
-        const auto value = [&](std::size_t i) { return values_[static_cast<std::size_t>(corners[i])] / step_; };
+        const auto value = [&](std::size_t i) {
+            return values_[static_cast<std::size_t>(corners[i])] / step_;
+        };
         const auto [low, high] = std::minmax({value(0), value(1), value(2)});
         for (double level = std::floor(low) + 1; level <= high; ++level) {
             for (std::size_t i = 0; i < 3; ++i) {
                 const std::size_t next = (i + 1) % 3;
-                if ((value(i) < level) == (value(next) < level)) continue; // two of three edges are crossed
-                ends_.push_back(
-                    end_on(std::min(corners[i], corners[next]), std::max(corners[i], corners[next]), level));
+                if ((value(i) < level) == (value(next) < level))
+                    continue;  // two of three edges are crossed
+                ends_.push_back(end_on(std::min(corners[i], corners[next]),
+                                       std::max(corners[i], corners[next]), level));
             }
         }
     }
@@ -40,15 +44,16 @@ public:
         join();
         std::vector<ContourLine> lines;
         std::vector<bool> used(ends_.size() / 2);
-        const auto follow = [&](std::size_t end) { // from this end of a piece to where the line leaves or closes
-            ContourLine line = {ends_[end].multiple, {ends_[end].at}};
-            while (end != none && !used[end / 2]) {
-                used[end / 2] = true;
-                line.points.push_back(ends_[end ^ 1].at);
-                end = partner_[end ^ 1];
-            }
-            lines.push_back(std::move(line));
-        };
+        const auto follow =
+            [&](std::size_t end) {  // from this end of a piece to where the line leaves or closes
+                ContourLine line = {ends_[end].multiple, {ends_[end].at}};
+                while (end != none && !used[end / 2]) {
+                    used[end / 2] = true;
+                    line.points.push_back(ends_[end ^ 1].at);
+                    end = partner_[end ^ 1];
+                }
+                lines.push_back(std::move(line));
+            };
         for (std::size_t end = 0; end < ends_.size(); ++end) {
             if (partner_[end] == none && !used[end / 2]) follow(end);
         }
@@ -65,15 +70,19 @@ private:
         return {static_cast<std::int32_t>(level),
                 a,
                 b,
-                {mesh_.x[i] + t * (mesh_.x[j] - mesh_.x[i]), mesh_.y[i] + t * (mesh_.y[j] - mesh_.y[i])}};
+                {mesh_.x[i] + t * (mesh_.x[j] - mesh_.x[i]),
+                 mesh_.y[i] + t * (mesh_.y[j] - mesh_.y[i])}};
     }
 
     // Pieces 2k, 2k + 1 are of one triangle; ends on the same edge are of neighbours.
     void join() {
-        const auto key = [this](std::size_t end) { return std::tie(ends_[end].multiple, ends_[end].a, ends_[end].b); };
+        const auto key = [this](std::size_t end) {
+            return std::tie(ends_[end].multiple, ends_[end].a, ends_[end].b);
+        };
         std::vector<std::size_t> order(ends_.size());
         for (std::size_t end = 0; end < order.size(); ++end) order[end] = end;
-        std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
         partner_.assign(ends_.size(), none);
         for (std::size_t k = 0; k + 1 < order.size(); ++k) {
             if (key(order[k]) != key(order[k + 1])) continue;
@@ -87,16 +96,16 @@ private:
     const std::vector<double>& values_;
     double step_;
     std::vector<End> ends_;
-    std::vector<std::size_t> partner_; // of each end: the neighbour's, or none at a boundary
+    std::vector<std::size_t> partner_;  // of each end: the neighbour's, or none at a boundary
 };
 
-} // namespace
+}  // namespace
 
-std::vector<ContourLine> contour_lines(const Mesh& mesh, const std::vector<double>& values, double step,
-                                       const Box& window) {
+std::vector<ContourLine> contour_lines(const Mesh& mesh, const std::vector<double>& values,
+                                       double step, const Box& window) {
     Tracer tracer(mesh, values, step);
     for_each_triangle(mesh, window, [&](const Corners& corners) { tracer.add(corners); });
     return tracer.lines();
 }
 
-} // namespace cli
+}  // namespace cli

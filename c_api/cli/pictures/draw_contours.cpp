@@ -61,25 +61,28 @@ private:
 
     // Along the line, upright.
     void write(const std::string& text, Point at, Point before, Point after) {
-        double angle = std::atan2(after.y - before.y, after.x - before.x) * 180 / 3.14159265358979323846;
+        double angle =
+            std::atan2(after.y - before.y, after.x - before.x) * 180 / 3.14159265358979323846;
         if (angle > 90) angle -= 180;
         if (angle < -90) angle += 180;
         const std::string turn =
             "transform=\"rotate(" + pixels(angle) + " " + pixels(at.x) + " " + pixels(at.y) + ")\"";
-        const char* const style = "font-size=\"12\" fill=\"#111\" stroke=\"white\" stroke-width=\"3\" "
-                                  "stroke-linejoin=\"round\" paint-order=\"stroke\" text-anchor=\"middle\" "
-                                  "dy=\".35em\" ";
+        const char* const style =
+            "font-size=\"12\" fill=\"#111\" stroke=\"white\" stroke-width=\"3\" "
+            "stroke-linejoin=\"round\" paint-order=\"stroke\" text-anchor=\"middle\" "
+            "dy=\".35em\" ";
         plot_.svg().text({at.x, at.y}, text, style + turn);
     }
 
     Plot& plot_;
     const std::vector<Point>& taken_;
-    std::vector<Point> places_; // of values
+    std::vector<Point> places_;  // of values
 };
 
-} // namespace
+}  // namespace
 
-void draw_contours(Plot& plot, const std::vector<ContourLine>& lines, double step, const std::vector<Point>& taken) {
+void draw_contours(Plot& plot, const std::vector<ContourLine>& lines, double step,
+                   const std::vector<Point>& taken) {
     std::vector<std::pair<std::vector<Point>, std::string>> drawn;
     SvgPath path;
     for (const ContourLine& line : lines) {
@@ -89,11 +92,12 @@ void draw_contours(Plot& plot, const std::vector<ContourLine>& lines, double ste
         for (std::size_t i = 1; i < pixels.size(); ++i) path.line_to(pixels[i]);
         drawn.emplace_back(std::move(pixels), brief(line.multiple * step + 0.0));
     }
-    plot.svg().path(path, "fill=\"none\" stroke=\"#10222e\" stroke-width=\".8\" stroke-opacity=\".75\"");
+    plot.svg().path(path,
+                    "fill=\"none\" stroke=\"#10222e\" stroke-width=\".8\" stroke-opacity=\".75\"");
     std::stable_sort(drawn.begin(), drawn.end(),
                      [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
     Labels labels(plot, taken);
     for (const auto& [pixels, text] : drawn) labels.add(pixels, text);
 }
 
-} // namespace cli
+}  // namespace cli

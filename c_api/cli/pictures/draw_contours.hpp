@@ -7,6 +7,7 @@
 namespace cli {
 
 // taken: pixels where something else is written.
-void draw_contours(Plot& plot, const std::vector<ContourLine>& lines, double step, const std::vector<Point>& taken);
+void draw_contours(Plot& plot, const std::vector<ContourLine>& lines, double step,
+                   const std::vector<Point>& taken);
 
-} // namespace cli
+}  // namespace cli

@@ -44,8 +44,10 @@ bool runs_clockwise(const hm_curves& curves, const std::vector<std::int32_t>& po
     return area <= 0;
 }
 
-// The unit vector that leads away from the polygon at one of its corners: to the left if it runs clockwise.
-Point outward(const hm_curves& curves, const std::vector<std::int32_t>& polygon, std::size_t corner) {
+// The unit vector that leads away from the polygon at one of its corners: to the left if it runs
+// clockwise.
+Point outward(const hm_curves& curves, const std::vector<std::int32_t>& polygon,
+              std::size_t corner) {
     const std::size_t last = polygon.size() - 1;
     const bool closed = polygon.front() == polygon.back();
     const std::size_t before = corner > 0 ? corner - 1 : closed ? last - 1 : corner;
@@ -58,7 +60,8 @@ Point outward(const hm_curves& curves, const std::vector<std::int32_t>& polygon,
     return {-left * (b.y - a.y) / length, left * (b.x - a.x) / length};
 }
 
-// So many pixels outside the control polygon at one of its points; at the point if it is in no polygon.
+// So many pixels outside the control polygon at one of its points; at the point if it is in no
+// polygon.
 Point beside(const Plot& plot, const hm_curves& curves, std::int32_t index, double distance) {
     const Point pixel = plot.pixel(control_point(curves, index));
     for (std::int32_t i = 0; i < curves.n_curves; ++i) {
@@ -71,7 +74,7 @@ Point beside(const Plot& plot, const hm_curves& curves, std::int32_t index, doub
     return pixel;
 }
 
-} // namespace
+}  // namespace
 
 std::vector<double> sample_parameters(const hm_curve& curve) {
     constexpr int samples = 24;
@@ -93,7 +96,8 @@ Box box_of(const hm_curves& curves) {
     return box;
 }
 
-Box box_of_bodies(const hm_basis_info& info, const std::vector<double>& x, const std::vector<double>& y) {
+Box box_of_bodies(const hm_basis_info& info, const std::vector<double>& x,
+                  const std::vector<double>& y) {
     Box box;
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
         const auto point = static_cast<std::size_t>(info.curve_point[k]);
@@ -106,24 +110,28 @@ Box window_round(const std::vector<Box>& boxes, double chords) {
     Box all;
     for (const Box& box : boxes) all.include(box);
     const double chord = std::max(all.width(), all.height());
-    return all.widened(chord > 0 ? chords * chord : 1); // control points moved into one spot still make a picture
+    return all.widened(chord > 0 ? chords * chord
+                                 : 1);  // control points moved into one spot still make a picture
 }
 
 void draw_outlines(Plot& plot, const hm_curves& curves, const std::string& attributes) {
     for (std::int32_t i = 0; i < curves.n_curves; ++i) {
-        plot.svg().path(plot.polyline(outline(curves, i)), "fill=\"none\" stroke-linejoin=\"round\" " + attributes);
+        plot.svg().path(plot.polyline(outline(curves, i)),
+                        "fill=\"none\" stroke-linejoin=\"round\" " + attributes);
     }
 }
 
 void draw_control_polygons(Plot& plot, const hm_curves& curves, const std::string& attributes) {
     for (std::int32_t i = 0; i < curves.n_curves; ++i) {
         std::vector<Point> points;
-        for (const std::int32_t index : polygon(curves, i)) points.push_back(control_point(curves, index));
+        for (const std::int32_t index : polygon(curves, i))
+            points.push_back(control_point(curves, index));
         plot.svg().path(plot.polyline(points), "fill=\"none\" " + attributes);
     }
 }
 
-void draw_control_points(Plot& plot, const hm_curves& curves, double radius, const std::string& attributes) {
+void draw_control_points(Plot& plot, const hm_curves& curves, double radius,
+                         const std::string& attributes) {
     for (std::int32_t i = 0; i < curves.n_control; ++i) {
         plot.svg().circle(plot.pixel(control_point(curves, i)), radius, attributes);
     }
@@ -137,12 +145,14 @@ void draw_numbers(Plot& plot, const hm_curves& curves, const LabelStyle& style, 
         const std::string text = std::to_string(index + 1);
         const double width = width_of_text(text, its.font_size) / 2, height = .4 * its.font_size;
         const Box box = {{at.x - width, at.y - height}, {at.x + width, at.y + height}};
-        if (std::any_of(taken.begin(), taken.end(), [&](const Box& other) { return box.overlaps(other); })) return;
+        if (std::any_of(taken.begin(), taken.end(),
+                        [&](const Box& other) { return box.overlaps(other); }))
+            return;
         taken.push_back(box);
-        plot.svg().text(
-            {at.x, at.y + .36 * its.font_size}, text,
-            "text-anchor=\"middle\" stroke=\"white\" stroke-width=\"3\" paint-order=\"stroke\" font-size=\"" +
-                pixels(its.font_size) + "\" " + its.attributes);
+        plot.svg().text({at.x, at.y + .36 * its.font_size}, text,
+                        "text-anchor=\"middle\" stroke=\"white\" stroke-width=\"3\" "
+                        "paint-order=\"stroke\" font-size=\"" +
+                            pixels(its.font_size) + "\" " + its.attributes);
     };
     if (chosen >= 0 && chosen < curves.n_control) draw(chosen, chosen_style);
     for (std::int32_t i = 0; i < curves.n_control; ++i) {
@@ -160,4 +170,4 @@ Point control_point(const hm_curves& curves, std::int32_t index) {
     return {curves.control[2 * index], curves.control[2 * index + 1]};
 }
 
-} // namespace cli
+}  // namespace cli

@@ -16,7 +16,8 @@ public:
             ++begin_[index(edge.a) + 1];
             ++begin_[index(edge.b) + 1];
         }
-        for (std::size_t point = 1; point < begin_.size(); ++point) begin_[point] += begin_[point - 1];
+        for (std::size_t point = 1; point < begin_.size(); ++point)
+            begin_[point] += begin_[point - 1];
         next_ = begin_;
         at_point_.resize(2 * edges.size());
         for (std::size_t edge = 0; edge < edges.size(); ++edge) {
@@ -43,10 +44,11 @@ private:
 
     const std::vector<Edge>& edges_;
     std::vector<bool> used_;
-    std::vector<std::size_t> begin_, next_, at_point_; // compressed rows; next_: the first that may be unused
+    std::vector<std::size_t> begin_, next_,
+        at_point_;  // compressed rows; next_: the first that may be unused
 };
 
-} // namespace
+}  // namespace
 
 std::vector<Edge> mesh_edges(const Mesh& mesh, const std::function<bool(Edge)>& visible) {
     std::vector<Edge> edges;
@@ -67,15 +69,17 @@ std::vector<Edge> mesh_edges(const Mesh& mesh, const std::function<bool(Edge)>& 
     return edges;
 }
 
-std::vector<std::vector<std::int32_t>> edge_chains(const std::vector<Edge>& edges, std::int32_t n_points) {
+std::vector<std::vector<std::int32_t>> edge_chains(const std::vector<Edge>& edges,
+                                                   std::int32_t n_points) {
     UnusedEdges unused(edges, n_points);
     std::vector<std::vector<std::int32_t>> chains;
     for (const Edge& edge : edges) {
         std::vector<std::int32_t> chain = {edge.a};
-        for (std::int32_t point = edge.a; (point = unused.follow(point)) >= 0;) chain.push_back(point);
+        for (std::int32_t point = edge.a; (point = unused.follow(point)) >= 0;)
+            chain.push_back(point);
         if (chain.size() > 1) chains.push_back(std::move(chain));
     }
     return chains;
 }
 
-} // namespace cli
+}  // namespace cli

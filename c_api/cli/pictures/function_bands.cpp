@@ -13,24 +13,28 @@ namespace cli {
 
 namespace {
 
-// Triangles are shapes of their own up to so many, and as long as each has some pixels; otherwise a raster says the
-// same in less, and contour lines hide that colours end at pixels.
+// Triangles are shapes of their own up to so many, and as long as each has some pixels; otherwise a
+// raster says the same in less, and contour lines hide that colours end at pixels.
 constexpr double most_triangles = 60000, least_pixels = 16;
 
-// A function is linear on each triangle. The parts of all triangles between two levels are one path: small files, and
-// bands whose edges are the function's level lines.
+// A function is linear on each triangle. The parts of all triangles between two levels are one
+// path: small files, and bands whose edges are the function's level lines.
 class BandPainter {
 public:
-    explicit BandPainter(const Bands& bands) : bands_(bands), paths_(static_cast<std::size_t>(bands.count())) {}
+    explicit BandPainter(const Bands& bands)
+        : bands_(bands), paths_(static_cast<std::size_t>(bands.count())) {}
 
     // Corners in pixels.
     void add(const std::array<Point, 3>& corners, const std::array<double, 3>& values) {
         Piece triangle;
-        for (std::size_t i = 0; i < 3; ++i) triangle.push_back({corners[i], values[i] / bands_.step - bands_.first});
-        const auto [low, high] = std::minmax({triangle[0].level, triangle[1].level, triangle[2].level});
+        for (std::size_t i = 0; i < 3; ++i)
+            triangle.push_back({corners[i], values[i] / bands_.step - bands_.first});
+        const auto [low, high] =
+            std::minmax({triangle[0].level, triangle[1].level, triangle[2].level});
         const double most = bands_.count() - 1;
         const auto first = static_cast<std::size_t>(std::clamp(std::floor(low), 0.0, most));
-        const auto last = static_cast<std::size_t>(std::clamp(std::ceil(high) - 1, static_cast<double>(first), most));
+        const auto last = static_cast<std::size_t>(
+            std::clamp(std::ceil(high) - 1, static_cast<double>(first), most));
         for (std::size_t band = first; band <= last; ++band) {
             Piece piece = triangle;
             if (band > first) piece = part_above(piece, static_cast<double>(band), 1);
@@ -57,7 +61,8 @@ private:
             if (from >= 0) part.push_back(a);
             if ((from < 0 && to > 0) || (from > 0 && to < 0)) {
                 const double t = from / (from - to);
-                part.push_back({{a.at.x + t * (b.at.x - a.at.x), a.at.y + t * (b.at.y - a.at.y)}, level});
+                part.push_back(
+                    {{a.at.x + t * (b.at.x - a.at.x), a.at.y + t * (b.at.y - a.at.y)}, level});
             }
         }
         return part;
@@ -72,7 +77,7 @@ private:
     std::vector<SvgPath> paths_;
 };
 
-} // namespace
+}  // namespace
 
 Bands::Bands(double low, double high) {
     step = high > low ? round_step((high - low) / 20) : 1;
@@ -85,10 +90,12 @@ std::string Bands::colour(std::int32_t band) const {
     return cli::colour(colour_place((first + band + .5) * step, most));
 }
 
-std::string paint_function(Plot& plot, const Mesh& mesh, const std::vector<double>& values, const Bands& bands) {
+std::string paint_function(Plot& plot, const Mesh& mesh, const std::vector<double>& values,
+                           const Bands& bands) {
     std::size_t triangles = 0;
     for_each_triangle(mesh, plot.window(), [&](const Corners&) { ++triangles; });
-    const double most = std::min(most_triangles, plot.frame().width() * plot.frame().height() / least_pixels);
+    const double most =
+        std::min(most_triangles, plot.frame().width() * plot.frame().height() / least_pixels);
     const bool is_raster = static_cast<double>(triangles) > most;
     BandPainter painter(bands);
     Raster raster(is_raster ? plot.frame() : Box{{0, 0}, {1, 1}});
@@ -110,15 +117,18 @@ std::string paint_function(Plot& plot, const Mesh& mesh, const std::vector<doubl
         raster.runs(painter.paths(), [&](std::size_t column, std::size_t row) {
             const double value = raster.at(column, row);
             if (value == Raster::nothing) return -1;
-            return std::clamp(static_cast<int>(std::floor(value / bands.step)) - bands.first, 0, bands.count() - 1);
+            return std::clamp(static_cast<int>(std::floor(value / bands.step)) - bands.first, 0,
+                              bands.count() - 1);
         });
     }
     for (std::int32_t band = 0; band < bands.count(); ++band) {
         const std::string shade = bands.colour(band);
-        // The line of the same colour covers the hair lines that renderers leave between neighbours.
-        const std::string line =
-            is_raster ? " shape-rendering=\"crispEdges\"" : " stroke=\"" + shade + "\" stroke-width=\".5\"";
-        plot.svg().path(painter.paths()[static_cast<std::size_t>(band)], "fill=\"" + shade + "\"" + line);
+        // The line of the same colour covers the hair lines that renderers leave between
+        // neighbours.
+        const std::string line = is_raster ? " shape-rendering=\"crispEdges\""
+                                           : " stroke=\"" + shade + "\" stroke-width=\".5\"";
+        plot.svg().path(painter.paths()[static_cast<std::size_t>(band)],
+                        "fill=\"" + shade + "\"" + line);
     }
     if (!is_raster) return "";
     return "Of " + plural(static_cast<std::int64_t>(triangles), "triangle") +
@@ -126,7 +136,7 @@ std::string paint_function(Plot& plot, const Mesh& mesh, const std::vector<doubl
 }
 
 void draw_colour_bar(Sheet& sheet, const Bands& bands, const std::string& name) {
-    constexpr double least_between = 20; // pixels between two numbers
+    constexpr double least_between = 20;  // pixels between two numbers
     const Box frames = sheet.frames();
     const Box bar = {{frames.high.x + 20, frames.low.y}, {frames.high.x + 40, frames.high.y}};
     const double height = bar.height() / bands.count();
@@ -136,7 +146,8 @@ void draw_colour_bar(Sheet& sheet, const Bands& bands, const std::string& name) 
     for (std::int32_t band = 0; band <= bands.count(); ++band) {
         const double y = bar.high.y - height * band;
         if (band < bands.count())
-            svg.rectangle({{bar.low.x, y - height}, {bar.high.x, y}}, "fill=\"" + bands.colour(band) + "\"");
+            svg.rectangle({{bar.low.x, y - height}, {bar.high.x, y}},
+                          "fill=\"" + bands.colour(band) + "\"");
         if ((bands.first + band) % every != 0) continue;
         const std::string number = brief(bands.level(band));
         svg.line({bar.high.x, y}, {bar.high.x + 5, y}, "stroke=\"#444\"");
@@ -149,4 +160,4 @@ void draw_colour_bar(Sheet& sheet, const Bands& bands, const std::string& name) 
     svg.text(at, name, "font-size=\"14\" fill=\"#111\" text-anchor=\"middle\" " + turn);
 }
 
-} // namespace cli
+}  // namespace cli

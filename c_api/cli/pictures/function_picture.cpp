@@ -20,8 +20,9 @@ constexpr const char* wall = "stroke=\"#111\" stroke-width=\"1.8\"";
 constexpr const char* curve = "stroke=\"#111\" stroke-width=\"1.8\"";
 constexpr const char* polygon = "stroke=\"#555\" stroke-width=\".8\"";
 constexpr const char* control = "fill=\"white\" stroke=\"#111\" stroke-width=\"1.2\"";
-constexpr const char* chosen = "fill=\"none\" stroke=\"#d6006c\" stroke-width=\"2.6\""; // a ring hides nothing
-} // namespace function_style
+constexpr const char* chosen =
+    "fill=\"none\" stroke=\"#d6006c\" stroke-width=\"2.6\"";  // a ring hides nothing
+}  // namespace function_style
 
 struct Range {
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -37,11 +38,12 @@ Range visible_range(const Mesh& mesh, const std::vector<FunctionPanel>& panels, 
     Range range;
     for_each_triangle(mesh, window, [&](const Corners& corners) {
         for (const FunctionPanel& panel : panels) {
-            for (const std::int32_t corner : corners) range.include(panel.values[static_cast<std::size_t>(corner)]);
+            for (const std::int32_t corner : corners)
+                range.include(panel.values[static_cast<std::size_t>(corner)]);
         }
     });
     if (!(range.low <= range.high)) return {0, 1};
-    const double rounding = 1e-9 * range.most(); // has no contour lines
+    const double rounding = 1e-9 * range.most();  // has no contour lines
     if (std::fabs(range.low) <= rounding) range.low = 0;
     if (std::fabs(range.high) <= rounding) range.high = 0;
     return range;
@@ -54,15 +56,16 @@ Range range_of(const FunctionPanel& panel) {
 
 std::string operator_name(const FunctionPanel& panel) {
     switch (panel.basis->info().operator_kind) {
-    case HM_LAPLACE: return "harmonic";
-    case HM_WEIGHTED: return "weighted harmonic";
-    default: return "conformal";
+        case HM_LAPLACE: return "harmonic";
+        case HM_WEIGHTED: return "weighted harmonic";
+        default: return "conformal";
     }
 }
 
 std::string exponent(const FunctionPanel& panel) {
     const hm_basis_info& info = panel.basis->info();
-    return info.operator_kind == HM_LAPLACE ? "" : "exponent " + brief(info.exponent_quarters / 4.0);
+    return info.operator_kind == HM_LAPLACE ? ""
+                                            : "exponent " + brief(info.exponent_quarters / 4.0);
 }
 
 // Which of a value's numbers a panel shows.
@@ -70,20 +73,25 @@ std::string number_name(const FunctionPanel& panel) {
     static const char* const complex[] = {"real part", "imaginary part"};
     static const char* const matrix[] = {"xx", "xy", "yx", "yy"};
     const std::int32_t numbers = panel.basis->info().numbers_per_value;
-    return numbers == 1 ? "" : numbers == 2 ? complex[panel.number] : std::string("component ") + matrix[panel.number];
+    return numbers == 1   ? ""
+           : numbers == 2 ? complex[panel.number]
+                          : std::string("component ") + matrix[panel.number];
 }
 
-// Functions of control points are numbered as these are; each rigid body has one for its shift and one for its turn.
+// Functions of control points are numbered as these are; each rigid body has one for its shift and
+// one for its turn.
 std::string subject(const FunctionPanel& panel) {
     const hm_curves& curves = panel.basis->curves();
     const std::int32_t body_function = panel.function - curves.n_control;
-    if (body_function >= 0) return std::string(body_function % 2 == 0 ? "shift" : "turn") + " of a rigid body";
+    if (body_function >= 0)
+        return std::string(body_function % 2 == 0 ? "shift" : "turn") + " of a rigid body";
     std::string text = "control point " + std::to_string(panel.function + 1);
     if (curves.n_curves < 2) return text;
     for (std::int32_t i = 0; i < curves.n_curves; ++i) {
         const std::int32_t place = place_on_curve(curves, i, panel.function);
         if (place >= 0)
-            return text + " (point " + std::to_string(place + 1) + " of curve " + std::to_string(i + 1) + ")";
+            return text + " (point " + std::to_string(place + 1) + " of curve " +
+                   std::to_string(i + 1) + ")";
     }
     return text;
 }
@@ -94,7 +102,9 @@ std::string rounded(double value) {
     return text;
 }
 
-std::string joined(const std::string& a, const std::string& b) { return a.empty() || b.empty() ? a + b : a + ", " + b; }
+std::string joined(const std::string& a, const std::string& b) {
+    return a.empty() || b.empty() ? a + b : a + ", " + b;
+}
 
 std::string capitalised(std::string text) {
     text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
@@ -102,7 +112,8 @@ std::string capitalised(std::string text) {
 }
 
 // Whether all panels say the same.
-template <class Text> bool common(const std::vector<FunctionPanel>& panels, Text text) {
+template <class Text>
+bool common(const std::vector<FunctionPanel>& panels, Text text) {
     return std::all_of(panels.begin(), panels.end(),
                        [&](const FunctionPanel& panel) { return text(panel) == text(panels[0]); });
 }
@@ -114,7 +125,9 @@ struct Words {
 
 // What all panels have in common stands in the title, the rest over each of them.
 Words words_of(const std::vector<FunctionPanel>& panels) {
-    const auto kind = [](const FunctionPanel& panel) { return joined(operator_name(panel), exponent(panel)); };
+    const auto kind = [](const FunctionPanel& panel) {
+        return joined(operator_name(panel), exponent(panel));
+    };
     const bool one_subject = common(panels, subject), one_kind = common(panels, kind),
                one_number = common(panels, number_name);
     const bool of_bodies = panels[0].function >= panels[0].basis->curves().n_control;
@@ -124,21 +137,27 @@ Words words_of(const std::vector<FunctionPanel>& panels) {
     if (one_kind) words.subtitle = capitalised(kind(panels[0]));
     if (one_number) words.subtitle = joined(words.subtitle, number_name(panels[0]));
     words.subtitle += words.subtitle.empty() ? "On" : "; on";
-    words.subtitle +=
-        of_bodies ? " other boundaries it is 0" : " its curve each is the B-spline basis function of its control point";
+    words.subtitle += of_bodies
+                          ? " other boundaries it is 0"
+                          : " its curve each is the B-spline basis function of its control point";
     if (panels.size() == 1) {
-        words.subtitle = joined(capitalised(kind(panels[0])), number_name(panels[0])) +
-                         (of_bodies ? "" : "; on the curve: the B-spline basis function of the control point");
+        words.subtitle =
+            joined(capitalised(kind(panels[0])), number_name(panels[0])) +
+            (of_bodies ? "" : "; on the curve: the B-spline basis function of the control point");
         const Range range = range_of(panels[0]);
-        words.subtitle += "; from " + brief(range.low + 0.0) + " to " + brief(range.high) + " in the whole mesh";
+        words.subtitle +=
+            "; from " + brief(range.low + 0.0) + " to " + brief(range.high) + " in the whole mesh";
     }
     words.quantity = joined("value of the function", one_number ? number_name(panels[0]) : "");
     for (const FunctionPanel& panel : panels) {
         std::string head = one_subject ? "" : subject(panel);
-        if (!one_kind) head = joined(head, common(panels, operator_name) ? exponent(panel) : operator_name(panel));
+        if (!one_kind)
+            head = joined(head,
+                          common(panels, operator_name) ? exponent(panel) : operator_name(panel));
         if (!one_number) head = joined(head, number_name(panel));
         const Range range = range_of(panel);
-        words.heads.push_back(capitalised(head) + ": " + rounded(range.low) + " to " + rounded(range.high));
+        words.heads.push_back(capitalised(head) + ": " + rounded(range.low) + " to " +
+                              rounded(range.high));
     }
     return words;
 }
@@ -149,17 +168,20 @@ void draw_curves(Plot& plot, const FunctionPanel& panel) {
     draw_control_polygons(plot, curves, function_style::polygon);
     draw_control_points(plot, curves, 3, function_style::control);
     if (panel.function < curves.n_control)
-        plot.svg().circle(plot.pixel(control_point(curves, panel.function)), 7, function_style::chosen);
+        plot.svg().circle(plot.pixel(control_point(curves, panel.function)), 7,
+                          function_style::chosen);
     draw_numbers(plot, curves, {13, 11, "fill=\"#111\""}, panel.function,
                  {18, 15, "font-weight=\"bold\" fill=\"#a80055\""});
 }
 
-} // namespace
+}  // namespace
 
 Box function_window(const Mesh& mesh, const Basis& basis) {
-    const Box near = window_round({box_of(basis.curves()), box_of_bodies(basis.info(), mesh.x, mesh.y)}, .4);
+    const Box near =
+        window_round({box_of(basis.curves()), box_of_bodies(basis.info(), mesh.x, mesh.y)}, .4);
     Box all;
-    for (std::size_t point = 0; point < mesh.x.size(); ++point) all.include(Point{mesh.x[point], mesh.y[point]});
+    for (std::size_t point = 0; point < mesh.x.size(); ++point)
+        all.include(Point{mesh.x[point], mesh.y[point]});
     return near.common(all.widened(.02 * std::max(all.width(), all.height())));
 }
 
@@ -168,11 +190,12 @@ double contour_step(const Mesh& mesh, const std::vector<FunctionPanel>& panels, 
     return Bands(range.low, range.high).step;
 }
 
-std::string function_picture(const Mesh& mesh, std::vector<FunctionPanel> panels, const std::optional<Box>& wished) {
+std::string function_picture(const Mesh& mesh, std::vector<FunctionPanel> panels,
+                             const std::optional<Box>& wished) {
     const Words words = words_of(panels);
     const hm_curves& curves = panels[0].basis->curves();
-    Sheet sheet(wished ? *wished : function_window(mesh, *panels[0].basis), words.title, words.subtitle,
-                {panels.size(), colour_bar_width});
+    Sheet sheet(wished ? *wished : function_window(mesh, *panels[0].basis), words.title,
+                words.subtitle, {panels.size(), colour_bar_width});
     const Range range = visible_range(mesh, panels, sheet.plot().window());
     const Bands bands(range.low, range.high);
     std::string note;
@@ -184,17 +207,19 @@ std::string function_picture(const Mesh& mesh, std::vector<FunctionPanel> panels
         if (panels.size() > 1) sheet.head(k, words.heads[k]);
         plot.begin_inside();
         note = paint_function(plot, mesh, panels[k].values, bands);
-        std::vector<Point> numbers; // where those of control points stand
+        std::vector<Point> numbers;  // where those of control points stand
         for (std::int32_t i = 0; i < panels[k].basis->curves().n_control; ++i) {
             numbers.push_back(plot.pixel(control_point(panels[k].basis->curves(), i)));
         }
-        draw_contours(plot, contour_lines(mesh, panels[k].values, bands.step, plot.window()), bands.step, numbers);
+        draw_contours(plot, contour_lines(mesh, panels[k].values, bands.step, plot.window()),
+                      bands.step, numbers);
         draw_boundary(plot, mesh, -1, function_style::wall);
         draw_curves(plot, panels[k]);
         plot.end_inside();
     }
     draw_colour_bar(sheet, bands, words.quantity);
-    sheet.legend_line("stroke=\"#10222e\" stroke-width=\".8\"", "contour lines, every " + brief(bands.step));
+    sheet.legend_line("stroke=\"#10222e\" stroke-width=\".8\"",
+                      "contour lines, every " + brief(bands.step));
     if (curves.n_control > 0) {
         sheet.legend_line(function_style::curve, "B-spline");
         sheet.legend_disc(3, function_style::control, "control points, numbered as in moves.txt");
@@ -204,4 +229,4 @@ std::string function_picture(const Mesh& mesh, std::vector<FunctionPanel> panels
     return sheet.document();
 }
 
-} // namespace cli
+}  // namespace cli

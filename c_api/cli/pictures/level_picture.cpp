@@ -19,9 +19,10 @@ constexpr std::array<const char*, 7> shades = {"#f2d7b6", "#bcd9ea", "#c9e4bd", 
 constexpr std::size_t known_shade = shades.size(), side_shade = known_shade + 1;
 constexpr const char* known_colour = "#8d969e";
 constexpr const char* side_colour = "#333";
-constexpr std::size_t most_cells = 40000; // drawn as shapes; above: a raster
+constexpr std::size_t most_cells = 40000;  // drawn as shapes; above: a raster
 
-// Which merged cell a point belongs to; where the value is known, its own control volume is a cell of the picture.
+// Which merged cell a point belongs to; where the value is known, its own control volume is a cell
+// of the picture.
 std::int32_t owner(const Level& level, std::int32_t point) {
     const std::int32_t cell = level.cells[place(point)];
     return cell >= 0 ? cell : -1 - point;
@@ -34,7 +35,8 @@ std::vector<std::size_t> shades_of(const Mesh& mesh, const Level& level) {
         const std::int32_t first = mesh.cell_start[cell], end = mesh.cell_start[cell + 1];
         for (std::int32_t i = first; i < end; ++i) {
             const std::int32_t a = level.cells[place(mesh.cell_points[place(i)])];
-            const std::int32_t b = level.cells[place(mesh.cell_points[place(i + 1 < end ? i + 1 : first)])];
+            const std::int32_t b =
+                level.cells[place(mesh.cell_points[place(i + 1 < end ? i + 1 : first)])];
             if (a < 0 || b < 0 || a == b) continue;
             neighbours.emplace_back(a, b);
             neighbours.emplace_back(b, a);
@@ -45,8 +47,9 @@ std::vector<std::size_t> shades_of(const Mesh& mesh, const Level& level) {
     auto next = neighbours.begin();
     for (std::int32_t cell = 0; cell < level.n_cells; ++cell) {
         std::array<bool, shades.size() + 1> taken = {};
-        for (; next != neighbours.end() && next->first == cell; ++next) taken[shade[place(next->second)]] = true;
-        const std::size_t start = place(cell) % shades.size(); // all shades come to be used
+        for (; next != neighbours.end() && next->first == cell; ++next)
+            taken[shade[place(next->second)]] = true;
+        const std::size_t start = place(cell) % shades.size();  // all shades come to be used
         shade[place(cell)] = start;
         for (std::size_t i = 0; i < shades.size(); ++i) {
             const std::size_t candidate = (start + i) % shades.size();
@@ -61,7 +64,11 @@ std::vector<std::size_t> shades_of(const Mesh& mesh, const Level& level) {
 class LevelPainter {
 public:
     LevelPainter(Plot& plot, const Mesh& mesh, const Level& level)
-        : plot_(plot), mesh_(mesh), level_(level), shade_(shades_of(mesh, level)), areas_(side_shade + 1) {
+        : plot_(plot),
+          mesh_(mesh),
+          level_(level),
+          shade_(shades_of(mesh, level)),
+          areas_(side_shade + 1) {
         for (std::size_t cell = 0; cell < place(mesh.cells()); ++cell) {
             if (CellParts(mesh, cell).box.overlaps(plot.window())) visible_.push_back(cell);
         }
@@ -75,12 +82,15 @@ public:
             paint_shapes();
         }
         for (std::size_t i = 0; i < areas_.size(); ++i) {
-            const std::string shade = i == side_shade ? side_colour : i == known_shade ? known_colour : shades[i];
-            const std::string line =
-                is_raster ? " shape-rendering=\"crispEdges\"" : " stroke=\"" + shade + "\" stroke-width=\".5\"";
+            const std::string shade = i == side_shade    ? side_colour
+                                      : i == known_shade ? known_colour
+                                                         : shades[i];
+            const std::string line = is_raster ? " shape-rendering=\"crispEdges\""
+                                               : " stroke=\"" + shade + "\" stroke-width=\".5\"";
             plot_.svg().path(areas_[i], "fill=\"" + shade + "\"" + line);
         }
-        plot_.svg().path(sides_, std::string("fill=\"none\" stroke=\"") + side_colour + "\" stroke-width=\".7\"");
+        plot_.svg().path(sides_, std::string("fill=\"none\" stroke=\"") + side_colour +
+                                     "\" stroke-width=\".7\"");
         if (!is_raster) return "";
         return "Of " + plural(static_cast<std::int64_t>(visible_.size()), "visible cell") +
                " of the mesh, volumes are drawn pixel by pixel.";
@@ -116,15 +126,17 @@ private:
                 const double here = owner(level_, parts.points[i]);
                 const auto part = parts.part(i);
                 for (const std::size_t k : {std::size_t{1}, std::size_t{2}}) {
-                    raster.fill({plot_.pixel(part[0]), plot_.pixel(part[k]), plot_.pixel(part[k + 1])},
-                                {here, here, here});
+                    raster.fill(
+                        {plot_.pixel(part[0]), plot_.pixel(part[k]), plot_.pixel(part[k + 1])},
+                        {here, here, here});
                 }
             }
         }
         raster.runs(areas_, [&](std::size_t column, std::size_t row) {
             const double here = raster.at(column, row);
             if (here == Raster::nothing) return -1;
-            const bool ends_right = column + 1 < raster.columns() && raster.at(column + 1, row) != here;
+            const bool ends_right =
+                column + 1 < raster.columns() && raster.at(column + 1, row) != here;
             const bool ends_below = row + 1 < raster.rows() && raster.at(column, row + 1) != here;
             const auto volume = static_cast<std::int32_t>(std::lround(here));
             return static_cast<int>(ends_right || ends_below ? side_shade : shade_of(volume));
@@ -140,17 +152,19 @@ private:
 };
 
 std::string name_of(const Level& level) {
-    if (level.number == 0) return "Level 0: the " + plural(level.n_cells, "control volume") + " of the mesh's points";
+    if (level.number == 0)
+        return "Level 0: the " + plural(level.n_cells, "control volume") + " of the mesh's points";
     return "Level " + std::to_string(level.number) + ": " + plural(level.n_cells, "merged volume");
 }
 
-} // namespace
+}  // namespace
 
-std::string level_picture(const Mesh& mesh, const hm_curves& curves, const std::vector<Level>& levels,
-                          const Box& window) {
+std::string level_picture(const Mesh& mesh, const hm_curves& curves,
+                          const std::vector<Level>& levels, const Box& window) {
     const bool is_single = levels.size() == 1;
     Sheet sheet(window, is_single ? name_of(levels[0]) : "Levels of agglomeration",
-                "Control volumes of the median dual, merged from level to level; each colour patch within dark lines "
+                "Control volumes of the median dual, merged from level to level; each colour patch "
+                "within dark lines "
                 "is one volume",
                 {levels.size()});
     std::string note;
@@ -169,4 +183,4 @@ std::string level_picture(const Mesh& mesh, const hm_curves& curves, const std::
     return sheet.document();
 }
 
-} // namespace cli
+}  // namespace cli

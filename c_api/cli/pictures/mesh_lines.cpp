@@ -14,14 +14,17 @@ namespace {
 
 constexpr std::size_t most_edges = 80000;
 
-// The first point in each square of so many pixels stands for all in it; two such points are joined where an edge leads
-// from the one's square to the other's.
-std::vector<Edge> thinned(const std::vector<Edge>& edges, const std::vector<Point>& pixels, double side) {
+// The first point in each square of so many pixels stands for all in it; two such points are joined
+// where an edge leads from the one's square to the other's.
+std::vector<Edge> thinned(const std::vector<Edge>& edges, const std::vector<Point>& pixels,
+                          double side) {
     std::unordered_map<std::int64_t, std::int32_t> first;
     const auto stand_in = [&](std::int32_t point) {
         const Point pixel = pixels[place(point)];
-        const auto column = static_cast<std::int64_t>(std::floor(std::clamp(pixel.x, -1e6, 1e6) / side));
-        const auto row = static_cast<std::int64_t>(std::floor(std::clamp(pixel.y, -1e6, 1e6) / side));
+        const auto column =
+            static_cast<std::int64_t>(std::floor(std::clamp(pixel.x, -1e6, 1e6) / side));
+        const auto row =
+            static_cast<std::int64_t>(std::floor(std::clamp(pixel.y, -1e6, 1e6) / side));
         return first.try_emplace(column * 4000000 + row, point).first->second;
     };
     std::vector<Edge> fewer;
@@ -29,19 +32,22 @@ std::vector<Edge> thinned(const std::vector<Edge>& edges, const std::vector<Poin
         const std::int32_t a = stand_in(edge.a), b = stand_in(edge.b);
         if (a != b) fewer.push_back({std::min(a, b), std::max(a, b)});
     }
-    const auto less = [](Edge one, Edge other) { return one.a != other.a ? one.a < other.a : one.b < other.b; };
+    const auto less = [](Edge one, Edge other) {
+        return one.a != other.a ? one.a < other.a : one.b < other.b;
+    };
     const auto same = [](Edge one, Edge other) { return one.a == other.a && one.b == other.b; };
     std::sort(fewer.begin(), fewer.end(), less);
     fewer.erase(std::unique(fewer.begin(), fewer.end(), same), fewer.end());
     return fewer;
 }
 
-} // namespace
+}  // namespace
 
-std::string draw_mesh(Plot& plot, const Mesh& mesh, const std::vector<double>& x, const std::vector<double>& y,
-                      const std::string& attributes) {
+std::string draw_mesh(Plot& plot, const Mesh& mesh, const std::vector<double>& x,
+                      const std::vector<double>& y, const std::string& attributes) {
     std::vector<Point> pixels(x.size());
-    for (std::size_t point = 0; point < x.size(); ++point) pixels[point] = plot.pixel({x[point], y[point]});
+    for (std::size_t point = 0; point < x.size(); ++point)
+        pixels[point] = plot.pixel({x[point], y[point]});
     const auto visible = [&](Edge edge) {
         Box box;
         box.include(pixels[place(edge.a)]);
@@ -60,15 +66,18 @@ std::string draw_mesh(Plot& plot, const Mesh& mesh, const std::vector<double>& x
     plot.svg().path(path, "fill=\"none\" " + attributes);
     if (edges.size() == all.size()) return "";
     return "Thinned: " + std::to_string(edges.size()) + " of " +
-           plural(static_cast<std::int64_t>(all.size()), "visible edge") + " are drawn, with points in one square of " +
-           brief(side) + " pixels as one.";
+           plural(static_cast<std::int64_t>(all.size()), "visible edge") +
+           " are drawn, with points in one square of " + brief(side) + " pixels as one.";
 }
 
-void draw_boundary(Plot& plot, const Mesh& mesh, std::int32_t marker, const std::string& attributes) {
+void draw_boundary(Plot& plot, const Mesh& mesh, std::int32_t marker,
+                   const std::string& attributes) {
     std::vector<Edge> faces;
     for (std::int32_t face = 0; face < mesh.faces(); ++face) {
-        const auto ends = std::minmax(mesh.face_points[2 * place(face)], mesh.face_points[2 * place(face) + 1]);
-        if (marker < 0 || mesh.face_markers[place(face)] == marker) faces.push_back({ends.first, ends.second});
+        const auto ends =
+            std::minmax(mesh.face_points[2 * place(face)], mesh.face_points[2 * place(face) + 1]);
+        if (marker < 0 || mesh.face_markers[place(face)] == marker)
+            faces.push_back({ends.first, ends.second});
     }
     SvgPath path;
     for (const std::vector<std::int32_t>& chain : edge_chains(faces, mesh.points())) {
@@ -84,4 +93,4 @@ void draw_boundary(Plot& plot, const Mesh& mesh, std::int32_t marker, const std:
     plot.svg().path(path, "fill=\"none\" " + attributes);
 }
 
-} // namespace cli
+}  // namespace cli

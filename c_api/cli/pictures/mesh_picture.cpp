@@ -18,29 +18,35 @@ namespace mesh_style {
 constexpr const char* curve = "stroke=\"#111\" stroke-width=\"1.2\"";
 constexpr const char* polygon = "stroke=\"#666\" stroke-width=\"1\"";
 constexpr const char* control = "fill=\"white\" stroke=\"#111\" stroke-width=\"1.3\"";
-} // namespace mesh_style
+}  // namespace mesh_style
 
 Box box_of(const Mesh& mesh) {
     Box box;
-    for (std::size_t point = 0; point < mesh.x.size(); ++point) box.include(Point{mesh.x[point], mesh.y[point]});
+    for (std::size_t point = 0; point < mesh.x.size(); ++point)
+        box.include(Point{mesh.x[point], mesh.y[point]});
     return box;
 }
 
-} // namespace
+}  // namespace
 
 std::string mesh_picture(const Mesh& mesh, bool boundaries_alone, const hm_curves& curves,
                          const std::optional<Box>& wished) {
-    const Box all = box_of(mesh), window = wished ? *wished : all.widened(.02 * std::max(all.width(), all.height()));
+    const Box all = box_of(mesh),
+              window = wished ? *wished : all.widened(.02 * std::max(all.width(), all.height()));
     const std::string title = boundaries_alone ? "Boundaries of the mesh" : "The mesh";
     Sheet sheet(window, title + (curves.n_control > 0 ? " and its B-spline" : ""),
-                plural(mesh.points(), "point") + ", " + plural(mesh.cells(), "cell") + "; boundaries in colours");
+                plural(mesh.points(), "point") + ", " + plural(mesh.cells(), "cell") +
+                    "; boundaries in colours");
     Plot& plot = sheet.plot();
-    std::vector<std::pair<std::string, std::string>> legend; // attributes, tag
+    std::vector<std::pair<std::string, std::string>> legend;  // attributes, tag
     plot.begin_inside();
     std::string note;
-    if (!boundaries_alone) note = draw_mesh(plot, mesh, mesh.x, mesh.y, "stroke=\"#5c6b78\" stroke-width=\".6\"");
-    for (std::int32_t marker = 0; marker < static_cast<std::int32_t>(mesh.markers.size()); ++marker) {
-        const std::string shade = marker_colours[static_cast<std::size_t>(marker) % marker_colours.size()];
+    if (!boundaries_alone)
+        note = draw_mesh(plot, mesh, mesh.x, mesh.y, "stroke=\"#5c6b78\" stroke-width=\".6\"");
+    for (std::int32_t marker = 0; marker < static_cast<std::int32_t>(mesh.markers.size());
+         ++marker) {
+        const std::string shade =
+            marker_colours[static_cast<std::size_t>(marker) % marker_colours.size()];
         const std::string style = "stroke=\"" + shade + "\" stroke-width=\"2.4\"";
         draw_boundary(plot, mesh, marker, style);
         legend.emplace_back(style, mesh.markers[static_cast<std::size_t>(marker)]);
@@ -60,4 +66,4 @@ std::string mesh_picture(const Mesh& mesh, bool boundaries_alone, const hm_curve
     return sheet.document();
 }
 
-} // namespace cli
+}  // namespace cli

@@ -13,12 +13,13 @@ namespace {
 namespace morph_style {
 constexpr const char* before = "stroke=\"#1f6fd0\" stroke-width=\".7\" stroke-opacity=\".75\"";
 constexpr const char* after = "stroke=\"#d62828\" stroke-width=\".7\" stroke-opacity=\".75\"";
-constexpr const char* old_curve = "stroke=\"#123f7a\" stroke-width=\"1.6\" stroke-dasharray=\"6 4\"";
+constexpr const char* old_curve =
+    "stroke=\"#123f7a\" stroke-width=\"1.6\" stroke-dasharray=\"6 4\"";
 constexpr const char* new_curve = "stroke=\"#1a1a1a\" stroke-width=\"2.2\"";
 constexpr const char* polygon = "stroke=\"#333\" stroke-width=\"1\"";
 constexpr const char* old_point = "fill=\"white\" stroke=\"#1f6fd0\" stroke-width=\"1.5\"";
 constexpr const char* new_point = "fill=\"#d62828\" stroke=\"white\" stroke-width=\"1\"";
-} // namespace morph_style
+}  // namespace morph_style
 
 void draw_curves_before(Plot& plot, const hm_curves& curves) {
     draw_outlines(plot, curves, morph_style::old_curve);
@@ -47,7 +48,8 @@ std::string what_moved(const Basis& basis, const Morph& morph) {
     if (basis.curves().n_control > 0) {
         double largest = 0;
         std::int64_t moved = 0;
-        for (std::size_t i = 0; i < 2 * static_cast<std::size_t>(basis.curves().n_control); i += 2) {
+        for (std::size_t i = 0; i < 2 * static_cast<std::size_t>(basis.curves().n_control);
+             i += 2) {
             const double length = std::hypot(morph.moves[i], morph.moves[i + 1]);
             largest = std::max(largest, length);
             moved += length > 0 ? 1 : 0;
@@ -56,29 +58,35 @@ std::string what_moved(const Basis& basis, const Morph& morph) {
                " moved, by up to " + brief(largest) + "; ";
     }
     if (basis.info().bodies == 0) return text;
-    return text + std::to_string(basis.info().bodies) + " rigid " + (basis.info().bodies == 1 ? "body; " : "bodies; ");
+    return text + std::to_string(basis.info().bodies) + " rigid " +
+           (basis.info().bodies == 1 ? "body; " : "bodies; ");
 }
 
 std::string subtitle(const Basis& basis, const Morph& morph) {
-    return what_moved(basis, morph) + plural(morph.quality.inverted, "inverted cell") + "; size-skew quality " +
-           brief(morph.quality.min_quality) + " at least, " + brief(morph.quality.mean_quality) + " on average";
+    return what_moved(basis, morph) + plural(morph.quality.inverted, "inverted cell") +
+           "; size-skew quality " + brief(morph.quality.min_quality) + " at least, " +
+           brief(morph.quality.mean_quality) + " on average";
 }
 
-} // namespace
+}  // namespace
 
-std::string morph_picture(const Mesh& mesh, const Basis& basis, const Morph& morph, const std::optional<Box>& wished) {
+std::string morph_picture(const Mesh& mesh, const Basis& basis, const Morph& morph,
+                          const std::optional<Box>& wished) {
     const hm_curves& before = basis.curves();
     const std::vector<double> control = morph.moved_control(basis);
     hm_curves after = before;
     after.control = control.data();
     const Box bodies_before = box_of_bodies(basis.info(), mesh.x, mesh.y);
     const Box bodies_after = box_of_bodies(basis.info(), morph.moved.x, morph.moved.y);
-    const Box window = window_round({box_of(before), box_of(after), bodies_before, bodies_after}, .25);
-    Sheet sheet(wished ? *wished : window, "Mesh and B-spline, morphed together", subtitle(basis, morph));
+    const Box window =
+        window_round({box_of(before), box_of(after), bodies_before, bodies_after}, .25);
+    Sheet sheet(wished ? *wished : window, "Mesh and B-spline, morphed together",
+                subtitle(basis, morph));
     Plot& plot = sheet.plot();
     plot.begin_inside();
     draw_mesh(plot, mesh, mesh.x, mesh.y, morph_style::before);
-    const std::string note = draw_mesh(plot, mesh, morph.moved.x, morph.moved.y, morph_style::after);
+    const std::string note =
+        draw_mesh(plot, mesh, morph.moved.x, morph.moved.y, morph_style::after);
     draw_curves_before(plot, before);
     draw_curves_after(plot, after);
     plot.end_inside();
@@ -87,4 +95,4 @@ std::string morph_picture(const Mesh& mesh, const Basis& basis, const Morph& mor
     return sheet.document();
 }
 
-} // namespace cli
+}  // namespace cli

@@ -11,14 +11,16 @@ namespace cli {
 namespace {
 
 constexpr double left = 62, right_margin = 20, above = 50, axis_space = 36;
-constexpr double line_height = 20;             // of the subtitle
-constexpr double heading_space = 26, gap = 18; // between panels
-constexpr double row_height = 24;              // of legend and notes
+constexpr double line_height = 20;              // of the subtitle
+constexpr double heading_space = 26, gap = 18;  // between panels
+constexpr double row_height = 24;               // of legend and notes
 
 constexpr const char* number_style = "font-size=\"13\" fill=\"#333\"";
 constexpr const char* tick_style = "stroke=\"#444\" stroke-width=\"1\"";
 
-std::size_t columns_for(std::size_t panels) { return panels <= 3 ? panels : panels == 4 ? 2 : panels <= 9 ? 3 : 4; }
+std::size_t columns_for(std::size_t panels) {
+    return panels <= 3 ? panels : panels == 4 ? 2 : panels <= 9 ? 3 : 4;
+}
 
 // The wished window, and more on two sides where its shape is not that of the frame.
 Box fill(const Box& frame, double scale, Point centre) {
@@ -26,7 +28,8 @@ Box fill(const Box& frame, double scale, Point centre) {
     return {{centre.x - x, centre.y - y}, {centre.x + x, centre.y + y}};
 }
 
-// A text in lines of words that fit into a width. Sentences take less room than width_of_text() says of short labels.
+// A text in lines of words that fit into a width. Sentences take less room than width_of_text()
+// says of short labels.
 std::vector<std::string> broken(const std::string& text, double font_size, double width) {
     std::vector<std::string> lines(1);
     std::istringstream words(text);
@@ -42,7 +45,7 @@ std::vector<std::string> broken(const std::string& text, double font_size, doubl
     return lines;
 }
 
-} // namespace
+}  // namespace
 
 double round_step(double rough) {
     const double power = std::pow(10, std::floor(std::log10(rough)));
@@ -53,11 +56,14 @@ double round_step(double rough) {
 }
 
 Plot::Plot(Svg& svg, const Box& frame, const Box& window)
-    : svg_(svg), frame_(frame), scale_(std::min(frame_.width() / window.width(), frame_.height() / window.height())),
+    : svg_(svg),
+      frame_(frame),
+      scale_(std::min(frame_.width() / window.width(), frame_.height() / window.height())),
       window_(fill(frame_, scale_, window.centre())) {}
 
 Point Plot::pixel(Point point) const {
-    return {frame_.low.x + scale_ * (point.x - window_.low.x), frame_.high.y - scale_ * (point.y - window_.low.y)};
+    return {frame_.low.x + scale_ * (point.x - window_.low.x),
+            frame_.high.y - scale_ * (point.y - window_.low.y)};
 }
 
 SvgPath Plot::polyline(const std::vector<Point>& points) const {
@@ -89,7 +95,7 @@ void Plot::draw_scale(bool numbers_along_x, bool numbers_along_y) {
     for (double i = std::ceil(window_.low.x / step); i * step <= window_.high.x; ++i) {
         const double x = pixel({i * step, 0}).x;
         svg_.line({x, frame_.high.y}, {x, frame_.high.y + 5}, tick_style);
-        if (!numbers_along_x || x > frame_.high.x - 24) continue; // there stands the x
+        if (!numbers_along_x || x > frame_.high.x - 24) continue;  // there stands the x
         svg_.text({x, frame_.high.y + 19}, brief(i * step + 0.0),
                   std::string("text-anchor=\"middle\" ") + number_style);
     }
@@ -97,24 +103,28 @@ void Plot::draw_scale(bool numbers_along_x, bool numbers_along_y) {
     for (double i = std::ceil(window_.low.y / step); i * step <= window_.high.y; ++i) {
         const double y = pixel({0, i * step}).y;
         svg_.line({frame_.low.x - 5, y}, {frame_.low.x, y}, tick_style);
-        if (!numbers_along_y || y < frame_.low.y + 20) continue; // there stands the y
+        if (!numbers_along_y || y < frame_.low.y + 20) continue;  // there stands the y
         svg_.text({frame_.low.x - 8, y + 4.5}, brief(i * step + 0.0),
                   std::string("text-anchor=\"end\" ") + number_style);
     }
-    const char* const name_style = "font-size=\"15\" font-style=\"italic\" fill=\"#111\" text-anchor=\"end\"";
+    const char* const name_style =
+        "font-size=\"15\" font-style=\"italic\" fill=\"#111\" text-anchor=\"end\"";
     if (numbers_along_x) svg_.text({frame_.high.x, frame_.high.y + 19}, "x", name_style);
     if (numbers_along_y) svg_.text({frame_.low.x - 9, frame_.low.y + 11}, "y", name_style);
 }
 
-Sheet::Sheet(const Box& window, const std::string& title, const std::string& subtitle, SheetLayout layout)
+Sheet::Sheet(const Box& window, const std::string& title, const std::string& subtitle,
+             SheetLayout layout)
     : width_(columns_for(layout.panels) < 3 ? 960 : 1200), svg_(width_, title, subtitle) {
-    constexpr double lowest[] = {320, 180}, highest[] = {900, 420}; // of one frame, of each of several
+    constexpr double lowest[] = {320, 180},
+                     highest[] = {900, 420};  // of one frame, of each of several
     const std::size_t columns = columns_for(layout.panels);
     const bool is_single = layout.panels == 1;
     const auto n = static_cast<double>(columns);
     const double frame_width = (width_ - left - right_margin - layout.right - gap * (n - 1)) / n;
     const double shape = window.height() / window.width();
-    const double height = std::clamp(frame_width * shape, lowest[is_single ? 0 : 1], highest[is_single ? 0 : 1]);
+    const double height =
+        std::clamp(frame_width * shape, lowest[is_single ? 0 : 1], highest[is_single ? 0 : 1]);
     svg_.text({left, 32}, title, "font-size=\"20\" font-weight=\"bold\" fill=\"#111\"");
     double top = above;
     for (const std::string& line : broken(subtitle, 15, width_ - left - right_margin)) {
@@ -134,7 +144,8 @@ Sheet::Sheet(const Box& window, const std::string& title, const std::string& sub
 
 void Sheet::head(std::size_t panel, const std::string& text) {
     const Box& frame = plots_[panel].frame();
-    svg_.text({frame.low.x, frame.low.y - 8}, text, "font-size=\"14\" font-weight=\"bold\" fill=\"#111\"");
+    svg_.text({frame.low.x, frame.low.y - 8}, text,
+              "font-size=\"14\" font-weight=\"bold\" fill=\"#111\"");
 }
 
 Box Sheet::frames() const {
@@ -183,4 +194,4 @@ void Sheet::note(const std::string& text) {
 
 std::string Sheet::document() const { return svg_.document(bottom_ + 8); }
 
-} // namespace cli
+}  // namespace cli

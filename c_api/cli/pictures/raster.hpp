@@ -1,5 +1,5 @@
-// A grid of pixels over a frame, for pictures of more cells than a file should hold: each pixel keeps one value, and
-// equal neighbours in a row become one rectangle.
+// A grid of pixels over a frame, for pictures of more cells than a file should hold: each pixel
+// keeps one value, and equal neighbours in a row become one rectangle.
 #pragma once
 
 #include "pictures/svg.hpp"
@@ -16,22 +16,25 @@ public:
 
     explicit Raster(const Box& frame);
 
-    // The values of a linear function at the pixels whose centres lie in the triangle; all in pixels of the sheet.
+    // The values of a linear function at the pixels whose centres lie in the triangle; all in
+    // pixels of the sheet.
     void fill(const std::array<Point, 3>& corners, const std::array<double, 3>& values);
     std::size_t columns() const { return columns_; }
     std::size_t rows() const { return rows_; }
     double at(std::size_t column, std::size_t row) const {
         return value_[row * columns_ + column];
-    } // nothing: not filled
+    }  // nothing: not filled
 
     // One path for each shade: shade_of(column, row) is a place in the paths, or -1.
-    template <class ShadeOf> void runs(std::vector<SvgPath>& paths, ShadeOf shade_of) const {
+    template <class ShadeOf>
+    void runs(std::vector<SvgPath>& paths, ShadeOf shade_of) const {
         for (std::size_t row = 0; row < rows_; ++row) {
             for (std::size_t begin = 0, end = 0; begin < columns_; begin = end) {
                 const int shade = shade_of(begin, row);
                 for (end = begin + 1; end < columns_ && shade_of(end, row) == shade;) ++end;
                 if (shade < 0) continue;
-                const Point low = {frame_.low.x + static_cast<double>(begin), frame_.low.y + static_cast<double>(row)};
+                const Point low = {frame_.low.x + static_cast<double>(begin),
+                                   frame_.low.y + static_cast<double>(row)};
                 paths[static_cast<std::size_t>(shade)].rectangle(
                     {low, {low.x + static_cast<double>(end - begin), low.y + 1}});
             }
@@ -44,4 +47,4 @@ private:
     std::vector<double> value_;
 };
 
-} // namespace cli
+}  // namespace cli

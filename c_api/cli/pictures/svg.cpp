@@ -8,7 +8,7 @@ namespace cli {
 namespace {
 
 std::int64_t hundredths(double value) {
-    constexpr double far_away = 1e7; // pixels; nobody sees the difference
+    constexpr double far_away = 1e7;  // pixels; nobody sees the difference
     return std::llround(100 * std::clamp(value, -far_away, far_away));
 }
 
@@ -17,19 +17,24 @@ std::string short_decimal(std::int64_t hundredths) {
     const std::int64_t size = std::abs(hundredths), whole = size / 100, rest = size % 100;
     std::string text = hundredths < 0 ? "-" : "";
     if (whole > 0 || rest == 0) text += std::to_string(whole);
-    if (rest > 0) text += rest < 10 ? ".0" + std::to_string(rest) : "." + std::to_string(rest % 10 ? rest : rest / 10);
+    if (rest > 0)
+        text += rest < 10 ? ".0" + std::to_string(rest)
+                          : "." + std::to_string(rest % 10 ? rest : rest / 10);
     return text;
 }
 
 std::string escaped(const std::string& text) {
     std::string result;
-    for (const char c : text) result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+    for (const char c : text)
+        result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
     return result;
 }
 
-std::string attribute(const char* name, double value) { return std::string(" ") + name + "=\"" + pixels(value) + "\""; }
+std::string attribute(const char* name, double value) {
+    return std::string(" ") + name + "=\"" + pixels(value) + "\"";
+}
 
-} // namespace
+}  // namespace
 
 SvgPath::Grid SvgPath::rounded(Point pixel) { return {hundredths(pixel.x), hundredths(pixel.y)}; }
 
@@ -61,7 +66,8 @@ void SvgPath::close() {
 
 void SvgPath::rectangle(const Box& box) {
     move_to(box.low);
-    data_ += "h" + pixels(box.width()) + "v" + pixels(box.height()) + "h" + pixels(-box.width()) + "z";
+    data_ +=
+        "h" + pixels(box.width()) + "v" + pixels(box.height()) + "h" + pixels(-box.width()) + "z";
     in_steps_ = false;
 }
 
@@ -78,26 +84,27 @@ void Svg::line(Point from, Point to, const std::string& attributes) {
 }
 
 void Svg::circle(Point centre, double radius, const std::string& attributes) {
-    body_ += "<circle" + attribute("cx", centre.x) + attribute("cy", centre.y) + attribute("r", radius) + " " +
-             attributes + "/>\n";
+    body_ += "<circle" + attribute("cx", centre.x) + attribute("cy", centre.y) +
+             attribute("r", radius) + " " + attributes + "/>\n";
 }
 
 void Svg::rectangle(const Box& box, const std::string& attributes) {
-    body_ += "<rect" + attribute("x", box.low.x) + attribute("y", box.low.y) + attribute("width", box.width()) +
-             attribute("height", box.height()) + " " + attributes + "/>\n";
+    body_ += "<rect" + attribute("x", box.low.x) + attribute("y", box.low.y) +
+             attribute("width", box.width()) + attribute("height", box.height()) + " " +
+             attributes + "/>\n";
 }
 
 void Svg::text(Point at, const std::string& text, const std::string& attributes) {
-    body_ +=
-        "<text" + attribute("x", at.x) + attribute("y", at.y) + " " + attributes + ">" + escaped(text) + "</text>\n";
+    body_ += "<text" + attribute("x", at.x) + attribute("y", at.y) + " " + attributes + ">" +
+             escaped(text) + "</text>\n";
 }
 
 std::string Svg::document(double its_height) const {
     const std::string width = pixels(width_), height = pixels(its_height);
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
            "\" viewBox=\"0 0 " + width + " " + height +
-           "\" role=\"img\" font-family=\"Helvetica, Arial, sans-serif\">\n<title>" + escaped(title_) +
-           "</title>\n<desc>" + escaped(description_) +
+           "\" role=\"img\" font-family=\"Helvetica, Arial, sans-serif\">\n<title>" +
+           escaped(title_) + "</title>\n<desc>" + escaped(description_) +
            "</desc>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" + body_ + "</svg>\n";
 }
 
@@ -107,4 +114,4 @@ double width_of_text(const std::string& text, double font_size) {
     return .55 * font_size * static_cast<double>(text.size());
 }
 
-} // namespace cli
+}  // namespace cli

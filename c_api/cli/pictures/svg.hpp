@@ -18,7 +18,7 @@ public:
     const std::string& data() const { return data_; }
 
 private:
-    struct Grid { // a point in hundredths; steps between rounded points do not drift
+    struct Grid {  // a point in hundredths; steps between rounded points do not drift
         std::int64_t x, y;
     };
     static Grid rounded(Point pixel);
@@ -26,7 +26,7 @@ private:
 
     std::string data_;
     Grid at_ = {0, 0};
-    bool in_steps_ = false; // the last command was a step: the next needs no letter
+    bool in_steps_ = false;  // the last command was a step: the next needs no letter
 };
 
 class Svg {
@@ -38,16 +38,16 @@ public:
     void line(Point from, Point to, const std::string& attributes);
     void circle(Point centre, double radius, const std::string& attributes);
     void rectangle(const Box& box, const std::string& attributes);
-    void text(Point at, const std::string& text, const std::string& attributes); // escaped here
+    void text(Point at, const std::string& text, const std::string& attributes);  // escaped here
     void raw(const std::string& markup) { body_ += markup; }
-    std::string document(double height) const; // on white
+    std::string document(double height) const;  // on white
 
 private:
     double width_;
     std::string title_, description_, body_;
 };
 
-std::string pixels(double value);                                // "12.5": at most two decimals
-double width_of_text(const std::string& text, double font_size); // about, in pixels
+std::string pixels(double value);                                 // "12.5": at most two decimals
+double width_of_text(const std::string& text, double font_size);  // about, in pixels
 
-} // namespace cli
+}  // namespace cli

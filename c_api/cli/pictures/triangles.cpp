@@ -10,15 +10,16 @@ public:
     Polygon(const Mesh& mesh, std::size_t cell) : mesh_(mesh) {
         const auto first = mesh.cell_points.begin();
         corners_.assign(first + mesh.cell_start[cell], first + mesh.cell_start[cell + 1]);
-        double area = 0; // twice the area, from the first corner
-        for (std::size_t i = 1; i + 1 < corners_.size(); ++i) area += turn(corners_[0], corners_[i], corners_[i + 1]);
+        double area = 0;  // twice the area, from the first corner
+        for (std::size_t i = 1; i + 1 < corners_.size(); ++i)
+            area += turn(corners_[0], corners_[i], corners_[i + 1]);
         orientation_ = area < 0 ? -1 : 1;
     }
 
     bool is_triangle() const { return corners_.size() == 3; }
 
-    // Takes the ear away that has the largest area; of a polygon that has none (collapsed, inverted),
-    // the largest corner.
+    // Takes the ear away that has the largest area; of a polygon that has none (collapsed,
+    // inverted), the largest corner.
     Corners cut() {
         std::size_t best = 0;
         double largest = -1;
@@ -42,7 +43,8 @@ public:
 
 private:
     Point at(std::int32_t corner) const {
-        return {mesh_.x[static_cast<std::size_t>(corner)], mesh_.y[static_cast<std::size_t>(corner)]};
+        return {mesh_.x[static_cast<std::size_t>(corner)],
+                mesh_.y[static_cast<std::size_t>(corner)]};
     }
     double turn(std::int32_t a, std::int32_t b, std::int32_t c) const {
         const Point p = at(a), q = at(b), r = at(c);
@@ -57,7 +59,8 @@ private:
         return std::none_of(corners_.begin(), corners_.end(), [&](std::int32_t corner) {
             if (std::find(ear.begin(), ear.end(), corner) != ear.end()) return false;
             return orientation_ * turn(ear[0], ear[1], corner) >= 0 &&
-                   orientation_ * turn(ear[1], ear[2], corner) >= 0 && orientation_ * turn(ear[2], ear[0], corner) >= 0;
+                   orientation_ * turn(ear[1], ear[2], corner) >= 0 &&
+                   orientation_ * turn(ear[2], ear[0], corner) >= 0;
         });
     }
 
@@ -66,7 +69,7 @@ private:
     double orientation_;
 };
 
-} // namespace
+}  // namespace
 
 void divide_polygon(const Mesh& mesh, std::size_t cell, std::vector<Corners>& triangles) {
     Polygon polygon(mesh, cell);
@@ -74,4 +77,4 @@ void divide_polygon(const Mesh& mesh, std::size_t cell, std::vector<Corners>& tr
     triangles.push_back(polygon.rest());
 }
 
-} // namespace cli
+}  // namespace cli

@@ -1,4 +1,5 @@
-// The ring in Fluent files: faces with the cells beside them, numbers in hexadecimal, ends of lines CR LF.
+// The ring in Fluent files: faces with the cells beside them, numbers in hexadecimal, ends of lines
+// CR LF.
 #pragma once
 
 #include "ring.hpp"
@@ -11,10 +12,11 @@ inline std::string hexadecimal(int value) {
     return text;
 }
 
-// Tight: no blanks and ends of lines but those that separate numbers; the nodes in two sections, the second first; no
-// names of zones.
+// Tight: no blanks and ends of lines but those that separate numbers; the nodes in two sections,
+// the second first; no names of zones.
 inline std::string fluent(bool tight) {
-    const std::string line = tight ? "" : "\r\n", n_faces = hexadecimal(around * (2 * outwards + 1));
+    const std::string line = tight ? "" : "\r\n",
+                      n_faces = hexadecimal(around * (2 * outwards + 1));
     const int n = around * outwards;
     const auto head = [](std::initializer_list<int> values) {
         std::string text = "(";
@@ -23,9 +25,10 @@ inline std::string fluent(bool tight) {
     };
     std::string out = "(0 \"a comment (with one bracket\")\r\n(2 2)\r\n";
     if (!tight) {
-        out += "(10 (0 1 a8 0 2))\r\n(12 (0 1 " + hexadecimal(n) + " 0))\r\n(13 (0 1 " + n_faces + " 0))\r\n";
+        out += "(10 (0 1 a8 0 2))\r\n(12 (0 1 " + hexadecimal(n) + " 0))\r\n(13 (0 1 " + n_faces +
+               " 0))\r\n";
     }
-    const auto nodes = [&](int first, int last) { // from 0, without the last
+    const auto nodes = [&](int first, int last) {  // from 0, without the last
         out += "(10 " + head({1, first + 1, last, 1, 2}) + line + "(" + line;
         for (int k = first; k < last; ++k) {
             out += print("%.16e", x[std::size_t(k)]) + " " + print("%.16e", y[std::size_t(k)]);
@@ -36,39 +39,50 @@ inline std::string fluent(bool tight) {
     if (tight) nodes(100, 168);
     nodes(0, tight ? 100 : 168);
     if (!tight) out += "(12 (2 1 " + hexadecimal(n) + " 1 0)(3 3 3))\r\n";
-    const auto cell = [&](int i, int j) { return j < 0 || j >= outwards ? 0 : j * around + (i + around) % around + 1; };
+    const auto cell = [&](int i, int j) {
+        return j < 0 || j >= outwards ? 0 : j * around + (i + around) % around + 1;
+    };
     int face = 0;
-    // A face goes from a to b; the cell on its right is the first. `mixed`: the number of points before each face.
-    using Face = std::function<void(int, int, int, int)>; // a, b, right cell, left cell
-    const auto faces = [&](int zone, int type, bool mixed, const std::function<void(const Face&)>& each) {
+    // A face goes from a to b; the cell on its right is the first. `mixed`: the number of points
+    // before each face.
+    using Face = std::function<void(int, int, int, int)>;  // a, b, right cell, left cell
+    const auto faces = [&](int zone, int type, bool mixed,
+                           const std::function<void(const Face&)>& each) {
         std::string body;
         int count = 0;
         each([&](int a, int b, int right, int left) {
             if (count > 0 || !tight) body += "\r\n";
             body += mixed ? "2 " : "";
-            body += hexadecimal(a + 1) + " " + hexadecimal(b + 1) + " " + hexadecimal(right) + " " + hexadecimal(left);
+            body += hexadecimal(a + 1) + " " + hexadecimal(b + 1) + " " + hexadecimal(right) + " " +
+                    hexadecimal(left);
             ++count;
         });
-        out += "(13 " + head({zone, face + 1, face + count, type, mixed ? 0 : 2}) + "(" + body + line + "))\r\n";
+        out += "(13 " + head({zone, face + 1, face + count, type, mixed ? 0 : 2}) + "(" + body +
+               line + "))\r\n";
         face += count;
     };
-    faces(3, 2, false, [&](const auto& face_of) { // between cells
+    faces(3, 2, false, [&](const auto& face_of) {  // between cells
         for (int j = 1; j < outwards; ++j) {
-            for (int i = 0; i < around; ++i) face_of(point(i + 1, j), point(i, j), cell(i, j), cell(i, j - 1));
+            for (int i = 0; i < around; ++i)
+                face_of(point(i + 1, j), point(i, j), cell(i, j), cell(i, j - 1));
         }
         for (int j = 0; j < outwards; ++j) {
-            for (int i = 0; i < around; ++i) face_of(point(i, j), point(i, j + 1), cell(i, j), cell(i - 1, j));
+            for (int i = 0; i < around; ++i)
+                face_of(point(i, j), point(i, j + 1), cell(i, j), cell(i - 1, j));
         }
     });
     faces(16, 3, true, [&](const auto& face_of) {
         for (int i = 0; i < around; ++i) face_of(point(i + 1, 0), point(i, 0), cell(i, 0), 0);
     });
     faces(4, 9, false, [&](const auto& face_of) {
-        for (int i = 0; i < around; ++i) face_of(point(i, outwards), point(i + 1, outwards), cell(i, outwards - 1), 0);
+        for (int i = 0; i < around; ++i)
+            face_of(point(i, outwards), point(i + 1, outwards), cell(i, outwards - 1), 0);
     });
     if (tight) return out;
-    return out + "(45 (2 fluid air)())\r\n(45 (3 interior int_air)())\r\n(39 (16 wall body 1)())\r\n"
-                 "(45 (4 pressure-far-field far)(\r\n(gauge-pressure . 0) (text . \")\")))\r\n(64 (anything ()))\r\n";
+    return out +
+           "(45 (2 fluid air)())\r\n(45 (3 interior int_air)())\r\n(39 (16 wall body 1)())\r\n"
+           "(45 (4 pressure-far-field far)(\r\n(gauge-pressure . 0) (text . \")\")))\r\n(64 "
+           "(anything ()))\r\n";
 }
 
 inline Kinds fluent_kinds() {
@@ -78,4 +92,4 @@ inline Kinds fluent_kinds() {
     };
 }
 
-} // namespace ring
+}  // namespace ring

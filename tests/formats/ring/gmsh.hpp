@@ -7,7 +7,8 @@
 namespace ring {
 
 inline int tag(int i, int j) { return 10 + 2 * point(i, j); }
-const char gmsh_names[] = "$PhysicalNames\n3\n1 1 \"body\"\n1 2 \"far\"\n2 3 \"fluid, all of it\"\n$EndPhysicalNames\n";
+const char gmsh_names[] =
+    "$PhysicalNames\n3\n1 1 \"body\"\n1 2 \"far\"\n2 3 \"fluid, all of it\"\n$EndPhysicalNames\n";
 
 inline Bytes gmsh_begin(const std::string& version, bool binary, bool swapped) {
     Bytes out{swapped};
@@ -26,7 +27,8 @@ inline std::string gmsh_2(bool binary, bool swapped) {
             out.put(std::int32_t{10 + 2 * k});
             for (const double value : {x[k], y[k], 0.}) out.put(value);
         } else {
-            out.text += std::to_string(10 + 2 * k) + " " + print("%.16g", x[k]) + " " + print("%.16g", y[k]) + " 0\n";
+            out.text += std::to_string(10 + 2 * k) + " " + print("%.16g", x[k]) + " " +
+                        print("%.16g", y[k]) + " 0\n";
         }
     }
     out.text += (binary ? "\n$EndNodes\n$Elements\n" : "$EndNodes\n$Elements\n") +
@@ -44,7 +46,8 @@ inline std::string gmsh_2(bool binary, bool swapped) {
     for (int i = 0; i < around; ++i) element(1, 1, {tag(i, 0), tag(i + 1, 0)});
     for (int i = 0; i < around; ++i) element(1, 2, {tag(i, outwards), tag(i + 1, outwards)});
     for (int j = 0; j < outwards; ++j) {
-        for (int i = 0; i < around; ++i) element(3, 3, {tag(i, j), tag(i + 1, j), tag(i + 1, j + 1), tag(i, j + 1)});
+        for (int i = 0; i < around; ++i)
+            element(3, 3, {tag(i, j), tag(i + 1, j), tag(i + 1, j + 1), tag(i, j + 1)});
     }
     out.text += binary ? "\n$EndElements\n" : "$EndElements\n";
     return out.text + "$NodeData\n1\n\"anything\"\n1\n0\n$EndNodeData\n";
@@ -58,8 +61,12 @@ inline std::string gmsh_4(bool binary, bool swapped) {
     const auto whole = [&](std::int32_t value) {
         binary ? out.put(value) : void(out.text += std::to_string(value) + " ");
     };
-    const auto real = [&](double value) { binary ? out.put(value) : void(out.text += print("%.16g", value) + " "); };
-    const auto line = [&] { if (!binary) out.text.back() = '\n'; };
+    const auto real = [&](double value) {
+        binary ? out.put(value) : void(out.text += print("%.16g", value) + " ");
+    };
+    const auto line = [&] {
+        if (!binary) out.text.back() = '\n';
+    };
     const auto end = [&](const char* text) { out.text += std::string(binary ? "\n" : "") + text; };
     out.text += "$Entities\n";
     for (const int n : {0, 2, 1, 0}) size(std::uint64_t(n));
@@ -83,7 +90,7 @@ inline std::string gmsh_4(bool binary, bool swapped) {
     end("$EndEntities\n$Nodes\n");
     for (const int n : {2, 168, 10, 10 + 2 * 167}) size(std::uint64_t(n));
     line();
-    for (int block = 0; block < 2; ++block) { // the first has parameters, which stay
+    for (int block = 0; block < 2; ++block) {  // the first has parameters, which stay
         const int first = block == 0 ? 0 : around, last = block == 0 ? around : int(x.size());
         whole(block == 0 ? 1 : 2);
         whole(block == 0 ? 4 : 6);
@@ -103,7 +110,8 @@ inline std::string gmsh_4(bool binary, bool swapped) {
         }
     }
     end("$EndNodes\n$Elements\n");
-    for (const int n : {3, around * (outwards + 2), 1, around * (outwards + 2)}) size(std::uint64_t(n));
+    for (const int n : {3, around * (outwards + 2), 1, around * (outwards + 2)})
+        size(std::uint64_t(n));
     line();
     int number = 0;
     for (int curve = 0; curve < 2; ++curve) {
@@ -121,7 +129,8 @@ inline std::string gmsh_4(bool binary, bool swapped) {
     line();
     for (int j = 0; j < outwards; ++j) {
         for (int i = 0; i < around; ++i) {
-            for (const int value : {++number, tag(i, j), tag(i + 1, j), tag(i + 1, j + 1), tag(i, j + 1)}) {
+            for (const int value :
+                 {++number, tag(i, j), tag(i + 1, j), tag(i + 1, j + 1), tag(i, j + 1)}) {
                 size(std::uint64_t(value));
             }
             line();
@@ -131,7 +140,8 @@ inline std::string gmsh_4(bool binary, bool swapped) {
     return out.text;
 }
 
-// Quads of eight nodes; the middle of an edge is off the straight edge by (.01, .02) times its length and its normal.
+// Quads of eight nodes; the middle of an edge is off the straight edge by (.01, .02) times its
+// length and its normal.
 inline std::string gmsh_quadratic() {
     std::ostringstream nodes, elements;
     std::map<std::pair<int, int>, int> middles;
@@ -151,8 +161,8 @@ inline std::string gmsh_quadratic() {
     for (int marker = 0; marker < 2; ++marker) {
         for (int i = 0; i < around; ++i) {
             const int a = point(i, marker * outwards), b = point(i + 1, marker * outwards);
-            elements << ++n_elements << " 8 2 " << marker + 1 << " 1 " << a + 1 << " " << b + 1 << " " << middle(a, b)
-                     << "\n";
+            elements << ++n_elements << " 8 2 " << marker + 1 << " 1 " << a + 1 << " " << b + 1
+                     << " " << middle(a, b) << "\n";
         }
     }
     for (int j = 0; j < outwards; ++j) {
@@ -164,9 +174,9 @@ inline std::string gmsh_quadratic() {
             elements << "\n";
         }
     }
-    return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + std::string(gmsh_names) + "$Nodes\n" + std::to_string(n_nodes) +
-           "\n" + nodes.str() + "$EndNodes\n$Elements\n" + std::to_string(n_elements) + "\n" + elements.str() +
-           "$EndElements\n";
+    return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + std::string(gmsh_names) + "$Nodes\n" +
+           std::to_string(n_nodes) + "\n" + nodes.str() + "$EndNodes\n$Elements\n" +
+           std::to_string(n_elements) + "\n" + elements.str() + "$EndElements\n";
 }
 
 inline Kinds gmsh_kinds() {
@@ -181,4 +191,4 @@ inline Kinds gmsh_kinds() {
     };
 }
 
-} // namespace ring
+}  // namespace ring

@@ -7,16 +7,18 @@ namespace ring {
 
 struct Plot3d {
     bool has_count, iblank, text;
-    int record, real;    // bytes
+    int record, real;  // bytes
     bool swapped;
-    char across;         // '-': two dimensions; 'j', 'k': the index across, planes y = constant and z = constant
-    int blocks;          // 1 or 2
+    char across;  // '-': two dimensions; 'j', 'k': the index across, planes y = constant and z =
+                  // constant
+    int blocks;   // 1 or 2
 };
 
 inline std::string plot3d(const Plot3d& as) {
     Bytes out{as.swapped};
     const auto whole = [&](int value) {
-        if (as.text) out.text += " " + std::to_string(value); else out.put(std::int32_t{value});
+        if (as.text) out.text += " " + std::to_string(value);
+        else out.put(std::int32_t{value});
     };
     int in_line = 0;
     const auto real = [&](double value) {
@@ -47,11 +49,12 @@ inline std::string plot3d(const Plot3d& as) {
     });
     const int points = ni * nj * layers;
     for (int block = 0; block < as.blocks; ++block) {
-        const auto each = [&](const std::function<void(int, int)>& visit) { // point, layer
+        const auto each = [&](const std::function<void(int, int)>& visit) {  // point, layer
             for (int k = 0; k < last; ++k) {
                 for (int j = 0; j < middle; ++j) {
                     for (int i = 0; i < ni; ++i) {
-                        visit(point(i + block * (ni - 1), as.across == 'j' ? k : j), as.across == 'j' ? j : k);
+                        visit(point(i + block * (ni - 1), as.across == 'j' ? k : j),
+                              as.across == 'j' ? j : k);
                     }
                 }
             }
@@ -69,17 +72,47 @@ inline std::string plot3d(const Plot3d& as) {
 
 inline Kinds plot3d_kinds() {
     return {
-        {"text.p3d", [] { return plot3d({false, false, true, 0, 8, false, '-', 1}); }},
-        {"two-text-iblank.p3d", [] { return plot3d({true, true, true, 0, 8, false, '-', 2}); }},
-        {"text-k.p3d", [] { return plot3d({true, false, true, 0, 8, false, 'k', 1}); }},
-        {"stream.p3d", [] { return plot3d({true, false, false, 0, 8, false, '-', 1}); }},
-        {"stream-single.p3d", [] { return plot3d({false, true, false, 0, 4, true, 'j', 1}); }},
-        {"two-stream-swapped.p3d", [] { return plot3d({true, true, false, 0, 8, true, 'k', 2}); }},
-        {"two-fortran.p3d", [] { return plot3d({true, false, false, 4, 8, false, 'j', 2}); }},
-        {"fortran-swapped.p3d", [] { return plot3d({false, true, false, 4, 8, true, '-', 1}); }},
-        {"fortran-8.p3d", [] { return plot3d({true, true, false, 8, 8, false, 'k', 1}); }},
-        {"two-fortran-8-single.p3d", [] { return plot3d({true, false, false, 8, 4, true, '-', 2}); }},
+        {"text.p3d",
+         [] {
+             return plot3d({false, false, true, 0, 8, false, '-', 1});
+         }},
+        {"two-text-iblank.p3d",
+         [] {
+             return plot3d({true, true, true, 0, 8, false, '-', 2});
+         }},
+        {"text-k.p3d",
+         [] {
+             return plot3d({true, false, true, 0, 8, false, 'k', 1});
+         }},
+        {"stream.p3d",
+         [] {
+             return plot3d({true, false, false, 0, 8, false, '-', 1});
+         }},
+        {"stream-single.p3d",
+         [] {
+             return plot3d({false, true, false, 0, 4, true, 'j', 1});
+         }},
+        {"two-stream-swapped.p3d",
+         [] {
+             return plot3d({true, true, false, 0, 8, true, 'k', 2});
+         }},
+        {"two-fortran.p3d",
+         [] {
+             return plot3d({true, false, false, 4, 8, false, 'j', 2});
+         }},
+        {"fortran-swapped.p3d",
+         [] {
+             return plot3d({false, true, false, 4, 8, true, '-', 1});
+         }},
+        {"fortran-8.p3d",
+         [] {
+             return plot3d({true, true, false, 8, 8, false, 'k', 1});
+         }},
+        {"two-fortran-8-single.p3d",
+         [] {
+             return plot3d({true, false, false, 8, 4, true, '-', 2});
+         }},
     };
 }
 
-} // namespace ring
+}  // namespace ring

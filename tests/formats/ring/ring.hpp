@@ -15,8 +15,8 @@
 
 namespace ring {
 
-constexpr int around = 24, outwards = 6; // cells
-inline std::vector<double> x, y;         // point (i, j) is number j * around + i
+constexpr int around = 24, outwards = 6;  // cells
+inline std::vector<double> x, y;          // point (i, j) is number j * around + i
 
 inline int point(int i, int j) { return j * around + i % around; }
 
@@ -24,7 +24,8 @@ inline void make_coordinates() {
     const double pi = std::acos(-1.0);
     for (int j = 0; j <= outwards; ++j) {
         for (int i = 0; i < around; ++i) {
-            const double r = std::pow(4.0, double(j) / outwards), angle = 2 * pi * (i + .25) / around;
+            const double r = std::pow(4.0, double(j) / outwards),
+                         angle = 2 * pi * (i + .25) / around;
             x.push_back(r * std::cos(angle));
             y.push_back(r * std::sin(angle));
         }
@@ -59,7 +60,7 @@ inline void read_coordinates(const char* path) {
 
 // The number in a format of printf, or in Fortran's D17.9 where the format is "Fortran".
 inline std::string print(const char* format, double value) {
-    if (std::string(format) == "Fortran") { // D17.9: 0.123456789D+01
+    if (std::string(format) == "Fortran") {  // D17.9: 0.123456789D+01
         int exponent = 0;
         double mantissa = value;
         for (; std::fabs(mantissa) >= 1; ++exponent) mantissa /= 10;
@@ -76,14 +77,16 @@ inline std::string print(const char* format, double value) {
 struct Bytes {
     bool swapped = false;
     std::string text = {};
-    template <class Number> void put(Number value) {
+    template <class Number>
+    void put(Number value) {
         char bytes[sizeof value];
         std::memcpy(bytes, &value, sizeof value);
-        for (std::size_t i = 0; i < sizeof value; ++i) text += bytes[swapped ? sizeof value - 1 - i : i];
+        for (std::size_t i = 0; i < sizeof value; ++i)
+            text += bytes[swapped ? sizeof value - 1 - i : i];
     }
 };
 
 // The kinds of files: the text of each under the name of the file.
 using Kinds = std::map<std::string, std::function<std::string()>>;
 
-} // namespace ring
+}  // namespace ring

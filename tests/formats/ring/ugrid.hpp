@@ -1,5 +1,5 @@
-// The ring in UGRID files, between the planes y = 0 and y = 1. Point p of the ring is 2 p + 2 in the first plane and
-// 2 p + 1 in the second.
+// The ring in UGRID files, between the planes y = 0 and y = 1. Point p of the ring is 2 p + 2 in
+// the first plane and 2 p + 1 in the second.
 #pragma once
 
 #include "ring.hpp"
@@ -16,7 +16,9 @@ inline std::string ugrid(bool text, bool swapped, int real_bytes, bool split) {
         else if (real_bytes == 8) out.put(value);
         else out.put(static_cast<float>(value));
     };
-    const auto line = [&] { if (text) out.text.back() = '\n'; };
+    const auto line = [&] {
+        if (text) out.text.back() = '\n';
+    };
     const auto item = [&](const std::vector<int>& points) {
         for (const int value : points) whole(value);
         line();
@@ -24,8 +26,8 @@ inline std::string ugrid(bool text, bool swapped, int real_bytes, bool split) {
     const auto low = [](int i, int j) { return 2 * point(i, j) + 2; };
     const auto high = [](int i, int j) { return 2 * point(i, j) + 1; };
     const int n = around * outwards;
-    item({2 * int(x.size()), split ? 4 * n : 0, 2 * around + (split ? 0 : 2 * n), 0, 0, split ? 2 * n : 0,
-          split ? 0 : n});
+    item({2 * int(x.size()), split ? 4 * n : 0, 2 * around + (split ? 0 : 2 * n), 0, 0,
+          split ? 2 * n : 0, split ? 0 : n});
     for (std::size_t p = 0; p < x.size(); ++p) {
         for (const double layer : {1., 0.}) {
             real(x[p]);
@@ -49,14 +51,22 @@ inline std::string ugrid(bool text, bool swapped, int real_bytes, bool split) {
         }
     }
     for (const int j : {0, outwards}) {
-        for (int i = 0; i < around; ++i) item({low(i, j), high(i, j), high(i + 1, j), low(i + 1, j)});
+        for (int i = 0; i < around; ++i)
+            item({low(i, j), high(i, j), high(i + 1, j), low(i + 1, j)});
     }
     if (!split) {
         for (const Place& at : {Place(low), Place(high)}) {
-            each_cell([&](int i, int j) { item({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}); });
+            each_cell([&](int i, int j) {
+                item({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+            });
         }
     }
-    const auto tags = [&](int count, int tag) { for (int k = 0; k < count; ++k) { whole(tag); line(); } };
+    const auto tags = [&](int count, int tag) {
+        for (int k = 0; k < count; ++k) {
+            whole(tag);
+            line();
+        }
+    };
     if (split) tags(2 * n, 3);
     if (split) tags(2 * n, 4);
     tags(around, 1);
@@ -65,17 +75,19 @@ inline std::string ugrid(bool text, bool swapped, int real_bytes, bool split) {
     if (!split) tags(n, 4);
     each_cell([&](int i, int j) {
         if (split) {
-            item({low(i, j), low(i + 1, j), low(i + 1, j + 1), high(i, j), high(i + 1, j), high(i + 1, j + 1)});
-            item({high(i, j), high(i + 1, j + 1), high(i, j + 1), low(i, j), low(i + 1, j + 1), low(i, j + 1)});
-        } else if (i % 3 == 0) { // a side of the plane at the bottom, in front, at the left
-            item({low(i, j), low(i + 1, j), low(i + 1, j + 1), low(i, j + 1), high(i, j), high(i + 1, j),
-                  high(i + 1, j + 1), high(i, j + 1)});
+            item({low(i, j), low(i + 1, j), low(i + 1, j + 1), high(i, j), high(i + 1, j),
+                  high(i + 1, j + 1)});
+            item({high(i, j), high(i + 1, j + 1), high(i, j + 1), low(i, j), low(i + 1, j + 1),
+                  low(i, j + 1)});
+        } else if (i % 3 == 0) {  // a side of the plane at the bottom, in front, at the left
+            item({low(i, j), low(i + 1, j), low(i + 1, j + 1), low(i, j + 1), high(i, j),
+                  high(i + 1, j), high(i + 1, j + 1), high(i, j + 1)});
         } else if (i % 3 == 1) {
-            item({high(i, j), high(i + 1, j), low(i + 1, j), low(i, j), high(i, j + 1), high(i + 1, j + 1),
-                  low(i + 1, j + 1), low(i, j + 1)});
+            item({high(i, j), high(i + 1, j), low(i + 1, j), low(i, j), high(i, j + 1),
+                  high(i + 1, j + 1), low(i + 1, j + 1), low(i, j + 1)});
         } else {
-            item({low(i, j), high(i, j), high(i + 1, j), low(i + 1, j), low(i, j + 1), high(i, j + 1),
-                  high(i + 1, j + 1), low(i + 1, j + 1)});
+            item({low(i, j), high(i, j), high(i + 1, j), low(i + 1, j), low(i, j + 1),
+                  high(i, j + 1), high(i + 1, j + 1), low(i + 1, j + 1)});
         }
     });
     return out.text;
@@ -90,4 +102,4 @@ inline Kinds ugrid_kinds() {
     };
 }
 
-} // namespace ring
+}  // namespace ring

@@ -8,7 +8,8 @@ namespace ring {
 inline std::string vtk(bool text, const char* real_type, bool new_cells) {
     Bytes out{true};
     out.text = std::string("# vtk DataFile Version ") + (new_cells ? "5.1" : "3.0") + "\n\n" +
-               (text ? "ASCII" : "BINARY") + "\nDATASET UNSTRUCTURED_GRID\nFIELD FieldData 1\nTIME 1 1 double\n";
+               (text ? "ASCII" : "BINARY") +
+               "\nDATASET UNSTRUCTURED_GRID\nFIELD FieldData 1\nTIME 1 1 double\n";
     const auto whole = [&](int value, bool eight) {
         if (text) out.text += std::to_string(value) + " ";
         else if (eight) out.put(std::int64_t{value});
@@ -25,9 +26,11 @@ inline std::string vtk(bool text, const char* real_type, bool new_cells) {
         for (const double value : {x[p], y[p], 0.}) real(value);
         if (p % 3 == 2 && text) out.text += "\n";
     }
-    const int n = around * outwards, lines = new_cells ? 0 : 1; // a line among the cells is passed over
+    const int n = around * outwards,
+              lines = new_cells ? 0 : 1;  // a line among the cells is passed over
     if (new_cells) out.text += "\nMETADATA\nINFORMATION 0\n";
-    out.text += "\nCELLS " + std::to_string(n + 1) + " " + std::to_string((new_cells ? 4 : 5) * n + 3 * lines) + "\n";
+    out.text += "\nCELLS " + std::to_string(n + 1) + " " +
+                std::to_string((new_cells ? 4 : 5) * n + 3 * lines) + "\n";
     if (new_cells) {
         out.text += "OFFSETS vtktypeint64\n";
         for (int cell = 0; cell <= n; ++cell) whole(4 * cell, true);
@@ -57,4 +60,4 @@ inline Kinds vtk_kinds() {
     };
 }
 
-} // namespace ring
+}  // namespace ring

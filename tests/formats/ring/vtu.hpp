@@ -11,7 +11,8 @@ inline std::string vtu(int header_bytes, bool swapped, bool is_single) {
     Bytes appended{swapped};
     std::size_t after_mark = 0;
     const auto array = [&](const char* type, const char* attributes, int count, int bytes,
-                           const std::function<void(int, Bytes&)>& put, const std::function<std::string(int)>& text) {
+                           const std::function<void(int, Bytes&)>& put,
+                           const std::function<std::string(int)>& text) {
         arrays += std::string("<DataArray type=\"") + type + "\" " + attributes;
         if (header_bytes == 0) {
             arrays += " format=\"ascii\">";
@@ -21,17 +22,21 @@ inline std::string vtu(int header_bytes, bool swapped, bool is_single) {
         }
         arrays += " format='appended'  offset=\"" + std::to_string(after_mark) + "\"/>\n";
         const int length = count * bytes;
-        header_bytes == 8 ? appended.put(std::uint64_t(length)) : appended.put(std::uint32_t(length));
+        header_bytes == 8 ? appended.put(std::uint64_t(length))
+                          : appended.put(std::uint32_t(length));
         for (int k = 0; k < count; ++k) put(k, appended);
         after_mark = appended.text.size();
     };
     const auto wholes = [&](const char* type, const char* attributes, int count, int bytes,
                             const std::function<int(int)>& value) {
-        array(type, attributes, count, bytes, [&](int k, Bytes& out) {
-            if (bytes == 8) out.put(std::int64_t{value(k)});
-            else if (bytes == 4) out.put(std::int32_t{value(k)});
-            else out.put(std::uint8_t(value(k)));
-        }, [&](int k) { return std::to_string(value(k)); });
+        array(
+            type, attributes, count, bytes,
+            [&](int k, Bytes& out) {
+                if (bytes == 8) out.put(std::int64_t{value(k)});
+                else if (bytes == 4) out.put(std::int32_t{value(k)});
+                else out.put(std::uint8_t(value(k)));
+            },
+            [&](int k) { return std::to_string(value(k)); });
     };
     const auto coordinate = [](int k) {
         const auto p = std::size_t(k / 3);
@@ -39,12 +44,16 @@ inline std::string vtu(int header_bytes, bool swapped, bool is_single) {
     };
     const int n = around * outwards, size = header_bytes == 8 ? 8 : 4;
     const char* const type = size == 8 ? "Int64" : "Int32";
-    arrays += "<PointData>\n"; // an array of the same name elsewhere
-    wholes("UInt8", "Name=\"types\"", 168, 1, [](int) { return 60; }); // the character <
+    arrays += "<PointData>\n";  // an array of the same name elsewhere
+    wholes("UInt8", "Name=\"types\"", 168, 1, [](int) { return 60; });  // the character <
     arrays += "</PointData>\n<Points>\n";
-    array(is_single ? "Float32" : "Float64", "Name=\"xyz\" NumberOfComponents=\"3\"", 3 * 168, is_single ? 4 : 8,
-          [&](int k, Bytes& out) { is_single ? out.put(float(coordinate(k))) : out.put(coordinate(k)); },
-          [&](int k) { return print("%.16g", coordinate(k)); });
+    array(
+        is_single ? "Float32" : "Float64", "Name=\"xyz\" NumberOfComponents=\"3\"", 3 * 168,
+        is_single ? 4 : 8,
+        [&](int k, Bytes& out) {
+            is_single ? out.put(float(coordinate(k))) : out.put(coordinate(k));
+        },
+        [&](int k) { return print("%.16g", coordinate(k)); });
     arrays += "</Points>\n<Cells>\n";
     wholes(type, "Name=\"connectivity\"", 4 * n, size, [](int k) {
         const int i = k / 4 % around, j = k / 4 / around;
@@ -59,9 +68,11 @@ inline std::string vtu(int header_bytes, bool swapped, bool is_single) {
     std::string text = "<?xml version=\"1.0\"?>\n<!-- a <comment> -->\n";
     text += "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\"";
     text += std::string(" byte_order=\"") + (swapped ? "Big" : "Little") + "Endian\"" + more;
-    text += ">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"168\" NumberOfCells=\"" + std::to_string(n) + "\">\n";
+    text += ">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"168\" NumberOfCells=\"" +
+            std::to_string(n) + "\">\n";
     text += arrays + "</Cells>\n</Piece>\n</UnstructuredGrid>\n";
-    if (header_bytes > 0) text += "<AppendedData encoding=\"raw\">\n _" + appended.text + "\n</AppendedData>\n";
+    if (header_bytes > 0)
+        text += "<AppendedData encoding=\"raw\">\n _" + appended.text + "\n</AppendedData>\n";
     return text + "</VTKFile>\n";
 }
 
@@ -75,4 +86,4 @@ inline Kinds vtu_kinds() {
     };
 }
 
-} // namespace ring
+}  // namespace ring

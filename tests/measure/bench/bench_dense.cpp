@@ -28,10 +28,14 @@ public:
         sides_.assign(static_cast<std::size_t>(front_) * DenseFront::right_hand_sides, 1);
     }
     void factor() {
-        if (its_.dpotrf(pivots_, panel_.data(), front_) != 0) throw std::runtime_error("dpotrf failed");
-        if (border() > 0) its_.dtrsm('T', border(), pivots_, panel_.data(), front_, below(), front_);
+        if (its_.dpotrf(pivots_, panel_.data(), front_) != 0)
+            throw std::runtime_error("dpotrf failed");
+        if (border() > 0)
+            its_.dtrsm('T', border(), pivots_, panel_.data(), front_, below(), front_);
     }
-    void update() { its_.dsyrk(border(), pivots_, -1, below(), front_, 1, update_.data(), border()); }
+    void update() {
+        its_.dsyrk(border(), pivots_, -1, below(), front_, 1, update_.data(), border());
+    }
     void solve() {
         int const wide = DenseFront::right_hand_sides, p = pivots_, n = front_;
         double *const y = sides_.data(), *const rest = y + static_cast<std::ptrdiff_t>(p) * wide;
@@ -58,7 +62,8 @@ private:
     int border() const { return front_ - pivots_; }
     double* below() { return panel_.data() + pivots_; }
     std::size_t index(int i, int j) const {
-        return static_cast<std::size_t>(i) * static_cast<std::size_t>(front_) + static_cast<std::size_t>(j);
+        return static_cast<std::size_t>(i) * static_cast<std::size_t>(front_) +
+               static_cast<std::size_t>(j);
     }
 };
 
@@ -107,19 +112,26 @@ void add_front(int front, int pivots, int kernel, Limits const& limits, Table& t
     if (Blas const* const its = blas()) {
         BlasFront their_front(*its, pivots, front);
         theirs = time_front(their_front, has_border);
-        if (!(their_front.difference(our_front) < 1e-10)) throw std::runtime_error("our factor is not OpenBLAS's");
+        if (!(their_front.difference(our_front) < 1e-10))
+            throw std::runtime_error("our factor is not OpenBLAS's");
     }
     auto row = [&](char const* what, double flops, double our_seconds, double their_seconds) {
-        table.add({what, count(front), count(pivots), {1e-9 * flops / our_seconds, "%.1f"},
-                   {1e-9 * flops / their_seconds, "%.1f"}, ratio(their_seconds / our_seconds),
-                   percent(flops / our_seconds / limits.peak), percent(flops / their_seconds / limits.peak)});
+        table.add({what,
+                   count(front),
+                   count(pivots),
+                   {1e-9 * flops / our_seconds, "%.1f"},
+                   {1e-9 * flops / their_seconds, "%.1f"},
+                   ratio(their_seconds / our_seconds),
+                   percent(flops / our_seconds / limits.peak),
+                   percent(flops / their_seconds / limits.peak)});
     };
     double const p = pivots, b = front - pivots, sides = DenseFront::right_hand_sides;
     double const factor_flops = p * p * (p / 3 + b), update_flops = b * (b + 1) * p;
     row("factor", factor_flops, ours.factor, theirs.factor);
     if (!has_border) return;
     row("update", update_flops, ours.update, theirs.update);
-    row("both", factor_flops + update_flops, ours.factor + ours.update, theirs.factor + theirs.update);
+    row("both", factor_flops + update_flops, ours.factor + ours.update,
+        theirs.factor + theirs.update);
     row("solve, 24 wide", 2 * sides * p * (p + 2 * b), ours.solve, theirs.solve);
 }
 
@@ -127,18 +139,22 @@ void add_front(int front, int pivots, int kernel, Limits const& limits, Table& t
 
 void bench_dense(Settings const& settings, Limits const& limits, Report& report) {
     say("dense kernels");
-    Table table{"Dense kernels, one thread [GFLOP/s]; ours: " + DenseFront::kernel_name(settings.kernel),
-                {"what", "front", "pivots", "ours", "OpenBLAS", "ratio", "ours % of peak", "theirs %"}, {}, {}};
+    Table table{
+        "Dense kernels, one thread [GFLOP/s]; ours: " + DenseFront::kernel_name(settings.kernel),
+        {"what", "front", "pivots", "ours", "OpenBLAS", "ratio", "ours % of peak", "theirs %"},
+        {},
+        {}};
     Others others;
     if (blas() != nullptr) blas()->set_threads(1);
     for (int const front : {64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048}) {
-        add_front(front, front, settings.kernel, limits, table);       // the root
-        add_front(front, front / 3, settings.kernel, limits, table);   // as dissection makes them
+        add_front(front, front, settings.kernel, limits, table);      // the root
+        add_front(front, front / 3, settings.kernel, limits, table);  // as dissection makes them
     }
     if (blas() != nullptr) blas()->set_threads(settings.threads);
     else table.notes.push_back("OpenBLAS: not installed (libopenblas-dev)");
     table.notes.push_back(
-        "factor: dpotrf and dtrsm; update: dsyrk; solve: dtrsm and dgemm. Flops are those of the plain "
+        "factor: dpotrf and dtrsm; update: dsyrk; solve: dtrsm and dgemm. Flops are those of the "
+        "plain "
         "algorithm on both sides. Peak: multiply-adds in registers, as above.");
     table.notes.push_back(others.text());
     report.finish(table);

@@ -1,5 +1,6 @@
-// One displacement of the wall, as a time step has it: against factor and solution of 20 functions, and against linear
-// elasticity by conjugate gradients, which is what mesh deformation in flow solvers usually is.
+// One displacement of the wall, as a time step has it: against factor and solution of 20 functions,
+// and against linear elasticity by conjugate gradients, which is what mesh deformation in flow
+// solvers usually is.
 #include "clock.hpp"
 #include "elasticity.hpp"
 #include "ours.hpp"
@@ -11,12 +12,12 @@ namespace bench {
 namespace {
 
 constexpr Index functions = 20;
-constexpr Index several = 12;   // fields of one substitution
+constexpr Index several = 12;  // fields of one substitution
 
 struct Operator {
     char const* name;
     Index number;
-    double largest_share;   // of factor and solution that a displacement may cost
+    double largest_share;  // of factor and solution that a displacement may cost
 };
 constexpr Operator operators[] = {{"laplace", HM_LAPLACE, 0.12}, {"conformal", HM_CONFORMAL, 0.20}};
 
@@ -47,12 +48,14 @@ public:
         std::size_t bytes = 0;
         done(hm_analysis_size(&problem, &options, &bytes, &error_), "hm_analysis_size");
         void* block = workspace_.analysis.give(bytes);
-        done(hm_analysis_init(&analysis_, block, bytes, &problem, &options, &error_), "hm_analysis_init");
+        done(hm_analysis_init(&analysis_, block, bytes, &problem, &options, &error_),
+             "hm_analysis_init");
         done(hm_plan_size(analysis_, &bytes, &error_), "hm_plan_size");
         block = workspace_.plan.give(bytes);
         done(hm_plan_init(&plan_, block, bytes, analysis_, &error_), "hm_plan_init");
         done(hm_basis_size(analysis_, &bytes, &error_), "hm_basis_size");
-        done(hm_basis_init(&basis_, basis_block_.give(bytes), bytes, analysis_, &error_), "hm_basis_init");
+        done(hm_basis_init(&basis_, basis_block_.give(bytes), bytes, analysis_, &error_),
+             "hm_basis_init");
     }
 
     void factor() { done(hm_plan_factor(plan_, nullptr, &error_), "hm_plan_factor"); }
@@ -81,7 +84,10 @@ private:
 class Movement {
 public:
     Movement(Case const& its_case, Plan& plan)
-        : plan_(plan.get()), points_(plan.given_points()), n_(its_case.mesh.x.size()), fields_(2 * n_ * several) {
+        : plan_(plan.get()),
+          points_(plan.given_points()),
+          n_(its_case.mesh.x.size()),
+          fields_(2 * n_ * several) {
         for (Index const point : points_) {
             double const x = its_case.mesh.x[at(point)];
             wall_.push_back(0);
@@ -98,8 +104,8 @@ public:
         std::size_t bytes = 0;
         done(hm_displace_size(plan_, fields, &bytes, &error_), "hm_displace_size");
         void* const block = work_.give(bytes);
-        done(hm_displace(plan_, static_cast<Index>(points_.size()), nullptr, fields, given_.data(), nullptr, to_.data(),
-                         block, bytes, nullptr, &error_),
+        done(hm_displace(plan_, static_cast<Index>(points_.size()), nullptr, fields, given_.data(),
+                         nullptr, to_.data(), block, bytes, nullptr, &error_),
              "hm_displace");
     }
     // Of what displace() has left in the fields.
@@ -108,9 +114,10 @@ public:
         done(hm_displace_size(plan_, fields, &bytes, &error_), "hm_displace_size");
         void* const block = work_.give(bytes);
         std::vector<double> gradient(2 * points_.size());
-        std::vector<hm_points_out> const to(at(fields), {gradient.data(), gradient.data() + points_.size(), 1});
-        done(hm_displace_adjoint(plan_, static_cast<Index>(points_.size()), nullptr, fields, dj_.data(), to.data(),
-                                 block, bytes, nullptr, &error_),
+        std::vector<hm_points_out> const to(at(fields),
+                                            {gradient.data(), gradient.data() + points_.size(), 1});
+        done(hm_displace_adjoint(plan_, static_cast<Index>(points_.size()), nullptr, fields,
+                                 dj_.data(), to.data(), block, bytes, nullptr, &error_),
              "hm_displace_adjoint");
     }
     std::vector<Index> const& points() const { return points_; }
@@ -134,19 +141,20 @@ private:
 void bench_displace(Settings const& settings, Report& report) {
     std::string const threads = " (threads: " + std::to_string(settings.threads) + ")";
     Table ours{"One displacement of the wall [s]" + threads,
-               {"mesh", "operator", "factor", "20 functions", "displacement", "% of both", "allowed %", "adjoint",
-                "12 fields", "us/node", "growth"},
+               {"mesh", "operator", "factor", "20 functions", "displacement", "% of both",
+                "allowed %", "adjoint", "12 fields", "us/node", "growth"},
                {},
                {}};
     Table against{
-        "Against linear elasticity, stiffness 1/area, conjugate gradients with incomplete Cholesky to 1e-6 [s]" +
+        "Against linear elasticity, stiffness 1/area, conjugate gradients with incomplete Cholesky "
+        "to 1e-6 [s]" +
             threads,
-        {"mesh", "set-up", "iterations", "solution", "our factor", "our displacement", "ratio of displacements",
-         "ratio with set-up"},
+        {"mesh", "set-up", "iterations", "solution", "our factor", "our displacement",
+         "ratio of displacements", "ratio with set-up"},
         {},
         {}};
     ours.begin();
-    std::map<std::string, double> first;   // per node, of the smallest mesh of a kind
+    std::map<std::string, double> first;  // per node, of the smallest mesh of a kind
     Others others;
     for (std::string const& kind : settings.kinds)
         for (Index const size : settings.sizes) {
@@ -170,22 +178,34 @@ void bench_displace(Settings const& settings, Report& report) {
                 double const many = time_of([&] { movement.displace(several); });
                 double& per_node = first[kind + its.name];
                 if (per_node == 0) per_node = one / nodes;
-                ours.add({its_case.name(), its.name, seconds(factor), seconds(solve), seconds(one),
-                          percent(one / (factor + solve)), percent(its.largest_share), seconds(adjoint), seconds(many),
-                          {1e6 * one / nodes, "%.3f"}, ratio(one / nodes / per_node)});
+                ours.add({its_case.name(),
+                          its.name,
+                          seconds(factor),
+                          seconds(solve),
+                          seconds(one),
+                          percent(one / (factor + solve)),
+                          percent(its.largest_share),
+                          seconds(adjoint),
+                          seconds(many),
+                          {1e6 * one / nodes, "%.3f"},
+                          ratio(one / nodes / per_node)});
                 if (its.number != HM_LAPLACE || size > settings.elasticity) continue;
-                ElasticTimes const elastic = solve_elasticity(its_case, movement.points(), movement.wall());
+                ElasticTimes const elastic =
+                    solve_elasticity(its_case, movement.points(), movement.wall());
                 against.add({its_case.name(), seconds(elastic.set_up), count(elastic.iterations),
-                             seconds(elastic.solve), seconds(factor), seconds(one), ratio(elastic.solve / one),
+                             seconds(elastic.solve), seconds(factor), seconds(one),
+                             ratio(elastic.solve / one),
                              ratio((elastic.set_up + elastic.solve) / (factor + one))});
             }
         }
     ours.notes.push_back(
-        "Medians, warm. 20 functions: hm_plan_solve. growth: us/node against the smallest mesh of the kind.");
+        "Medians, warm. 20 functions: hm_plan_solve. growth: us/node against the smallest mesh of "
+        "the kind.");
     ours.notes.push_back(others.text());
     against.notes.push_back(elasticity_note());
-    against.notes.push_back("On meshes of at most " + std::to_string(settings.elasticity)
-                            + " points (--elasticity): at a million, 5000 iterations take a quarter of an hour.");
+    against.notes.push_back(
+        "On meshes of at most " + std::to_string(settings.elasticity) +
+        " points (--elasticity): at a million, 5000 iterations take a quarter of an hour.");
     report.finish(ours);
     report.finish(against);
 }

@@ -1,4 +1,5 @@
-// The engines that iterate against the direct one: iterations, seconds, memory, and how far their functions are apart.
+// The engines that iterate against the direct one: iterations, seconds, memory, and how far their
+// functions are apart.
 #include "ours.hpp"
 #include "settings.hpp"
 
@@ -32,9 +33,10 @@ double difference(hm_basis const* a, hm_basis const* b, Index functions, std::si
 }  // namespace
 
 void bench_iterative(Settings const& settings, Report& report) {
-    Table table{"Engines, to 1e-10 (threads: " + std::to_string(settings.threads) + ", functions in blocks of 4)",
-                {"mesh", "functions", "engine", "levels", "iterations", "fine sweeps", "seconds", "plan B/node",
-                 "residual", "from direct"},
+    Table table{"Engines, to 1e-10 (threads: " + std::to_string(settings.threads) +
+                    ", functions in blocks of 4)",
+                {"mesh", "functions", "engine", "levels", "iterations", "fine sweeps", "seconds",
+                 "plan B/node", "residual", "from direct"},
                 {},
                 {}};
     table.begin();
@@ -48,21 +50,25 @@ void bench_iterative(Settings const& settings, Report& report) {
             for (Engine const& engine : engines) {
                 if (engine.number == HM_FAS && points > most_points_of_fas) continue;
                 say(its_case.name() + ": " + engine.name);
-                Ours iterative(its_case, workspace, functions, settings.executor, settings.kernel, engine.number);
+                Ours iterative(its_case, workspace, functions, settings.executor, settings.kernel,
+                               engine.number);
                 Ours& ours = engine.number == HM_DIRECT ? direct : iterative;
                 Phases const once = ours.run();
                 hm_solve_report const& its = ours.report();
                 double const apart = engine.number == HM_DIRECT
                                          ? 0
-                                         : difference(direct.basis(), ours.basis(), functions, its_case.mesh.x.size());
-                table.add({its_case.name(), count(functions), engine.name, count(its.levels), count(its.iterations),
-                           count(its.fine_sweeps), seconds(once.engine()), count(ours.plan_bytes() / points),
-                           residual(its.residual), residual(apart)});
+                                         : difference(direct.basis(), ours.basis(), functions,
+                                                      its_case.mesh.x.size());
+                table.add({its_case.name(), count(functions), engine.name, count(its.levels),
+                           count(its.iterations), count(its.fine_sweeps), seconds(once.engine()),
+                           count(ours.plan_bytes() / points), residual(its.residual),
+                           residual(apart)});
             }
         }
     }
     table.notes.push_back(
-        "Seconds: direct: ordering, symbolic pass, factor and solution; others: levels and solution. One cold "
+        "Seconds: direct: ordering, symbolic pass, factor and solution; others: levels and "
+        "solution. One cold "
         "run, so only roughly.");
     table.notes.push_back("FAS: up to 300000 points.");
     report.finish(table);

@@ -1,4 +1,5 @@
-// What this machine can do at best: bytes read per second by the threads asked for, and multiply-adds of one.
+// What this machine can do at best: bytes read per second by the threads asked for, and
+// multiply-adds of one.
 #include "clock.hpp"
 #include "peers.hpp"
 #include "settings.hpp"
@@ -12,34 +13,37 @@
 namespace bench {
 namespace {
 
-// One loop for each width of vectors, compiled for the processors that have it: GCC's vectors are split where they are
-// wider than what the function is compiled for, so that templates and inlining would not do.
-#define BENCH_LOOPS(name, target, bytes)                                                             \
-    struct name {                                                                                    \
-        typedef double Vector __attribute__((vector_size(bytes)));                                   \
-        static constexpr double per_round = 2.0 * 12 * (bytes) / sizeof(double);                     \
-        target static double multiply_add(long rounds, double factor) {                              \
-            Vector sum[12], a, b;                                                                    \
-            for (std::size_t k = 0; k < (bytes) / sizeof(double); ++k) a[k] = factor, b[k] = 1;      \
-            for (Vector& s : sum) s = b;                                                             \
-            for (long r = 0; r < rounds; ++r)                                                        \
-                for (Vector& s : sum) s = s * a + b;                                                 \
-            double all = 0;                                                                          \
-            for (Vector& s : sum) all += s[0];                                                       \
-            return all;                                                                              \
-        }                                                                                            \
-        target static double read(double const* data, std::size_t n, std::size_t ahead) {            \
-            Vector sum[8] = {};                                                                      \
-            std::size_t const step = 8 * (bytes) / sizeof(double);                                   \
-            for (std::size_t i = 0; i + step <= n; i += step) {                                      \
-                for (std::size_t k = 0; k < step; k += 8) __builtin_prefetch(data + i + k + ahead);  \
-                for (std::size_t k = 0; k < 8; ++k)                                                  \
-                    sum[k] += *reinterpret_cast<Vector const*>(data + i + k * (bytes) / sizeof(double)); \
-            }                                                                                        \
-            double all = 0;                                                                          \
-            for (Vector& s : sum) all += s[0];                                                       \
-            return all;                                                                              \
-        }                                                                                            \
+// One loop for each width of vectors, compiled for the processors that have it: GCC's vectors are
+// split where they are wider than what the function is compiled for, so that templates and inlining
+// would not do.
+#define BENCH_LOOPS(name, target, bytes)                                                           \
+    struct name {                                                                                  \
+        typedef double Vector __attribute__((vector_size(bytes)));                                 \
+        static constexpr double per_round = 2.0 * 12 * (bytes) / sizeof(double);                   \
+        target static double multiply_add(long rounds, double factor) {                            \
+            Vector sum[12], a, b;                                                                  \
+            for (std::size_t k = 0; k < (bytes) / sizeof(double); ++k) a[k] = factor, b[k] = 1;    \
+            for (Vector & s : sum) s = b;                                                          \
+            for (long r = 0; r < rounds; ++r)                                                      \
+                for (Vector & s : sum) s = s * a + b;                                              \
+            double all = 0;                                                                        \
+            for (Vector & s : sum) all += s[0];                                                    \
+            return all;                                                                            \
+        }                                                                                          \
+        target static double read(double const* data, std::size_t n, std::size_t ahead) {          \
+            Vector sum[8] = {};                                                                    \
+            std::size_t const step = 8 * (bytes) / sizeof(double);                                 \
+            for (std::size_t i = 0; i + step <= n; i += step) {                                    \
+                for (std::size_t k = 0; k < step; k += 8)                                          \
+                    __builtin_prefetch(data + i + k + ahead);                                      \
+                for (std::size_t k = 0; k < 8; ++k)                                                \
+                    sum[k] +=                                                                      \
+                        *reinterpret_cast<Vector const*>(data + i + k * (bytes) / sizeof(double)); \
+            }                                                                                      \
+            double all = 0;                                                                        \
+            for (Vector & s : sum) all += s[0];                                                    \
+            return all;                                                                            \
+        }                                                                                          \
     };
 
 #if defined(__x86_64__)
@@ -64,7 +68,8 @@ Loops loops_of(char const* name) {
 Loops widest() {
 #if defined(__x86_64__)
     if (__builtin_cpu_supports("avx512f")) return loops_of<Avx512>("AVX-512");
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return loops_of<Avx2>("AVX2");
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+        return loops_of<Avx2>("AVX2");
 #endif
     return loops_of<Plain>("16-byte vectors");
 }
@@ -74,11 +79,13 @@ double volatile sink;
 double measure_peak(Loops const& loops) {
     long const rounds = 4000000;
     double const factor = 0.5;
-    return static_cast<double>(rounds) * loops.per_round / time_of([&] { sink = loops.multiply_add(rounds, factor); });
+    return static_cast<double>(rounds) * loops.per_round /
+           time_of([&] { sink = loops.multiply_add(rounds, factor); });
 }
 
 // Each thread reads its part. data: aligned, so that whole vectors may be read.
-void read_all(Loops const& loops, double const* data, std::size_t n, std::size_t ahead, Settings const& settings) {
+void read_all(Loops const& loops, double const* data, std::size_t n, std::size_t ahead,
+              Settings const& settings) {
     struct Job {
         Loops const& loops;
         double const* data;
@@ -86,19 +93,20 @@ void read_all(Loops const& loops, double const* data, std::size_t n, std::size_t
     };
     auto const read_part = [](void* context, std::int32_t index) {
         Job const& job = *static_cast<Job const*>(context);
-        sink = job.loops.read(job.data + static_cast<std::size_t>(index) * job.part, job.part, job.ahead);
+        sink = job.loops.read(job.data + static_cast<std::size_t>(index) * job.part, job.part,
+                              job.ahead);
     };
     Job job{loops, data, n / static_cast<std::size_t>(settings.threads) / 64 * 64, ahead};
     if (settings.executor->run == nullptr) read_part(&job, 0);
     else settings.executor->run(settings.executor->user, settings.threads, read_part, &job);
 }
 
-std::size_t const distances[] = {0, 128, 512, 1024};   // of prefetches
+std::size_t const distances[] = {0, 128, 512, 1024};  // of prefetches
 
 // Bytes per second.
 // [bytes/s], and the distance of prefetches that is the best for this processor.
-double measure_reading(Loops const& loops, double const* data, std::size_t n, Settings const& settings,
-                       std::size_t& distance) {
+double measure_reading(Loops const& loops, double const* data, std::size_t n,
+                       Settings const& settings, std::size_t& distance) {
     double best = 0;
     for (std::size_t const ahead : distances) {
         double const speed = 1 / time_of([&] { read_all(loops, data, n, ahead, settings); });
@@ -113,8 +121,8 @@ double const* aligned(void const* data) {
     return reinterpret_cast<double const*>((reinterpret_cast<std::uintptr_t>(data) + 63) / 64 * 64);
 }
 
-// Far more than the last cache holds, and no more than a quarter of the memory. Virtual machines may tell of a cache
-// that they share with others.
+// Far more than the last cache holds, and no more than a quarter of the memory. Virtual machines
+// may tell of a cache that they share with others.
 std::size_t bytes_in_no_cache() {
     double const mega = 1 << 20;
     double cache = 100 * mega, memory = 1024 * mega;
@@ -122,7 +130,8 @@ std::size_t bytes_in_no_cache() {
     cache = std::max(cache, static_cast<double>(sysconf(_SC_LEVEL3_CACHE_SIZE)));
 #endif
 #if defined(_SC_PHYS_PAGES)
-    memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    memory =
+        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 #endif
     return static_cast<std::size_t>(std::min(4 * cache, memory / 4));
 }
@@ -130,7 +139,8 @@ std::size_t bytes_in_no_cache() {
 double measure_dgemm(Blas const& its) {
     int const n = 2000;
     std::vector<double> a(static_cast<std::size_t>(n) * n, 1.5), b = a, c = a;
-    double const seconds = time_of([&] { its.dgemm('N', 'N', n, n, n, 1, a.data(), n, b.data(), n, 0, c.data(), n); });
+    double const seconds =
+        time_of([&] { its.dgemm('N', 'N', n, n, n, 1, a.data(), n, b.data(), n, 0, c.data(), n); });
     return 2.0 * n * n * n / seconds;
 }
 
@@ -142,11 +152,14 @@ Limits measure_machine(Settings const& settings, Report& report) {
     Loops const loops = widest();
     Table table{"The machine", {"what", "value", "unit"}, {}, {}};
     limits.peak = measure_peak(loops);
-    table.add({std::string("multiply-adds in registers, one thread, ") + loops.name, {1e-9 * limits.peak, "%.1f"},
+    table.add({std::string("multiply-adds in registers, one thread, ") + loops.name,
+               {1e-9 * limits.peak, "%.1f"},
                "GFLOP/s"});
     if (blas() != nullptr) {
         blas()->set_threads(1);
-        table.add({"OpenBLAS dgemm of 2000, one thread", {1e-9 * measure_dgemm(*blas()), "%.1f"}, "GFLOP/s"});
+        table.add({"OpenBLAS dgemm of 2000, one thread",
+                   {1e-9 * measure_dgemm(*blas()), "%.1f"},
+                   "GFLOP/s"});
         blas()->set_threads(settings.threads);
     } else {
         table.notes.push_back("OpenBLAS: not installed (libopenblas-dev)");
@@ -160,9 +173,12 @@ Limits measure_machine(Settings const& settings, Report& report) {
     limits.read_once = [loops, distance, &settings](void const* from, std::size_t bytes) {
         read_all(loops, aligned(from), bytes / 8 - 8, distance, settings);
     };
-    std::string const threads = settings.threads == 1 ? "one thread" : std::to_string(settings.threads) + " threads";
-    table.add({"reading " + std::to_string(n >> 17) + " MB, " + threads + ", best of four prefetches",
-               {1e-9 * limits.read, "%.1f"}, "GB/s"});
+    std::string const threads =
+        settings.threads == 1 ? "one thread" : std::to_string(settings.threads) + " threads";
+    table.add(
+        {"reading " + std::to_string(n >> 17) + " MB, " + threads + ", best of four prefetches",
+         {1e-9 * limits.read, "%.1f"},
+         "GB/s"});
     std::size_t const third = n / 3;
     double *a = data, *b = data + third, *c = data + 2 * third;
     double const seconds = time_of([&] {

@@ -1,4 +1,5 @@
-// The product and its transpose against OpenBLAS's dgemm and the machine's read bandwidth; admissible step and quality.
+// The product and its transpose against OpenBLAS's dgemm and the machine's read bandwidth;
+// admissible step and quality.
 #include "clock.hpp"
 #include "ours.hpp"
 #include "peers.hpp"
@@ -14,17 +15,23 @@ namespace {
 struct Operator {
     char const* name;
     Index kind;
-    Index numbers;   // of a value
+    Index numbers;  // of a value
 };
 constexpr Operator laplace{"Laplace", HM_LAPLACE, 1}, conformal{"conformal", HM_CONFORMAL, 2};
 
 class Product {
 public:
     // All arrays are in the same kind of pages.
-    Product(Case const& its_case, hm_basis const* basis, Index functions, hm_executor const* executor,
-            Pages pages = Pages::huge, Operator const& its = laplace)
-        : case_(its_case), operator_(its), basis_(basis), executor_(executor), m_(at(functions)),
-          n_(its_case.mesh.x.size()), pages_(pages), xy_(pages) {
+    Product(Case const& its_case, hm_basis const* basis, Index functions,
+            hm_executor const* executor, Pages pages = Pages::huge, Operator const& its = laplace)
+        : case_(its_case),
+          operator_(its),
+          basis_(basis),
+          executor_(executor),
+          m_(at(functions)),
+          n_(its_case.mesh.x.size()),
+          pages_(pages),
+          xy_(pages) {
         x_ = xy_.numbers(2 * n_);
         std::copy(its_case.mesh.x.begin(), its_case.mesh.x.end(), x_);
         std::copy(its_case.mesh.y.begin(), its_case.mesh.y.end(), y());
@@ -32,7 +39,8 @@ public:
         gradient_.assign(2 * m_, 0);
     }
 
-    // In place: F read, coordinates read and written. The move is tiny, so that repeating it does no harm.
+    // In place: F read, coordinates read and written. The move is tiny, so that repeating it does
+    // no harm.
     void morph() {
         hm_points const from{x_, y(), 1};
         hm_points_out const to{x_, y(), 1};
@@ -49,23 +57,27 @@ public:
     struct Pairs {
         Pair morph, adjoint;
     };
-    // Against the fastest of the ways to store F and the coordinates that suit dgemm; the least of calls in turn.
+    // Against the fastest of the ways to store F and the coordinates that suit dgemm; the least of
+    // calls in turn.
     Pairs against(Blas const& its) {
         Block memory_by_node(pages_), memory_by_function(pages_);
         double *const by_node = memory_by_node.numbers(m_ * n_), *const by_function =
-                                                                     memory_by_function.numbers(m_ * n_);
+                                                                     memory_by_function.numbers(m_ *
+                                                                                                n_);
         for (std::size_t k = 0; k < m_; ++k) {
-            done(hm_basis_values(basis_, static_cast<Index>(k), 0, &by_function[k * n_], &error_), "hm_basis_values");
+            done(hm_basis_values(basis_, static_cast<Index>(k), 0, &by_function[k * n_], &error_),
+                 "hm_basis_values");
             for (std::size_t i = 0; i < n_; ++i) by_node[i * m_ + k] = by_function[k * n_ + i];
         }
-        std::vector<double> columns(2 * m_), pairs(move_);   // moves as [m x 2] and as [2 x m]
+        std::vector<double> columns(2 * m_), pairs(move_);  // moves as [m x 2] and as [2 x m]
         for (std::size_t k = 0; k < m_; ++k) {
             columns[k] = move_[2 * k];
             columns[m_ + k] = move_[2 * k + 1];
         }
         check(its, by_node, columns);
         int const m = static_cast<int>(m_), n = static_cast<int>(n_);
-        double *const x = x_, *const g = gradient_.data(), *const f = by_node, *const t = by_function;
+        double *const x = x_, *const g = gradient_.data(), *const f = by_node,
+                      *const t = by_function;
         std::vector<std::function<void()>> const morphs = {
             [&] { its.dgemm('T', 'N', n, 2, m, 1, f, m, columns.data(), m, 1, x, n); },
             [&] { its.dgemm('N', 'N', 2, n, m, 1, pairs.data(), 2, f, m, 1, x, 2); },
@@ -78,7 +90,8 @@ public:
             auto const seconds = in_turn(one, other);
             return Pair{least(seconds.first), least(seconds.second)};
         };
-        return {pair([&] { morph(); }, fastest(morphs)), pair([&] { adjoint(); }, fastest(adjoints))};
+        return {pair([&] { morph(); }, fastest(morphs)),
+                pair([&] { adjoint(); }, fastest(adjoints))};
     }
 
     double basis_bytes() const {
@@ -92,16 +105,28 @@ public:
     double morph_bytes(double number = 8) const { return nodes() * (number * numbers() + 32); }
     double adjoint_bytes(double number = 8) const { return nodes() * (number * numbers() + 16); }
 
-    // Milliseconds and bytes of one product, against dgemm and against reading the basis, in turn with each.
-    void add_row(char const* what, double bytes, std::function<void()> const& work, Pair seconds, Limits const& limits,
-                 Table& table) const {
-        auto const read = [&] { limits.read_once(basis_, static_cast<std::size_t>(basis_bytes())); };
+    // Milliseconds and bytes of one product, against dgemm and against reading the basis, in turn
+    // with each.
+    void add_row(char const* what, double bytes, std::function<void()> const& work, Pair seconds,
+                 Limits const& limits, Table& table) const {
+        auto const read = [&] {
+            limits.read_once(basis_, static_cast<std::size_t>(basis_bytes()));
+        };
         auto const with_reading = in_turn(work, read);
-        double const alone = least(with_reading.first), reading = basis_bytes() / least(with_reading.second);
-        table.add({what, case_.name(), operator_.name, count(static_cast<Index>(m_)),
-                   pages_ == Pages::huge ? "2 MiB" : "4 KiB", milliseconds(alone), {1e9 * alone / nodes(), "%.2f"},
-                   {1e-9 * bytes / alone, "%.1f"}, {1e-9 * reading, "%.1f"}, percent(bytes / alone / reading),
-                   milliseconds(seconds.theirs), ratio(seconds.theirs / seconds.ours)});
+        double const alone = least(with_reading.first),
+                     reading = basis_bytes() / least(with_reading.second);
+        table.add({what,
+                   case_.name(),
+                   operator_.name,
+                   count(static_cast<Index>(m_)),
+                   pages_ == Pages::huge ? "2 MiB" : "4 KiB",
+                   milliseconds(alone),
+                   {1e9 * alone / nodes(), "%.2f"},
+                   {1e-9 * bytes / alone, "%.1f"},
+                   {1e-9 * reading, "%.1f"},
+                   percent(bytes / alone / reading),
+                   milliseconds(seconds.theirs),
+                   ratio(seconds.theirs / seconds.ours)});
     }
 
 private:
@@ -109,15 +134,15 @@ private:
     Operator operator_;
     hm_basis const* basis_;
     hm_executor const* executor_;
-    std::size_t m_, n_;   // functions, points
+    std::size_t m_, n_;  // functions, points
     Pages pages_;
     Block xy_;
-    double* x_ = nullptr;   // all x, then all y
+    double* x_ = nullptr;  // all x, then all y
     std::vector<double> move_, gradient_;
     hm_error error_{};
 
     double* y() { return x_ + n_; }
-    double numbers() const { return static_cast<double>(m_) * operator_.numbers; }   // of a point
+    double numbers() const { return static_cast<double>(m_) * operator_.numbers; }  // of a point
     void done(hm_status status, char const* call) const { require(status, error_, call); }
     static std::function<void()> fastest(std::vector<std::function<void()>> const& ways) {
         double best = not_measured;
@@ -135,18 +160,21 @@ private:
         std::vector<double> ours(2 * n_), theirs(2 * n_);
         int const m = static_cast<int>(m_), n = static_cast<int>(n_);
         hm_points_out const displacement{ours.data(), ours.data() + n_, 1};
-        done(hm_morph(basis_, move_.data(), nullptr, &displacement, executor_, &error_), "hm_morph");
+        done(hm_morph(basis_, move_.data(), nullptr, &displacement, executor_, &error_),
+             "hm_morph");
         its.dgemm('T', 'N', n, 2, m, 1, by_node, m, columns.data(), m, 0, theirs.data(), n);
         for (std::size_t i = 0; i < 2 * n_; ++i)
-            if (!(std::fabs(ours[i] - theirs[i]) < 1e-20)) throw std::runtime_error("our morph is not OpenBLAS's");
+            if (!(std::fabs(ours[i] - theirs[i]) < 1e-20))
+                throw std::runtime_error("our morph is not OpenBLAS's");
     }
 };
 
-void add_products(Case const& its_case, Operator const& its, Settings const& settings, Limits const& limits,
-                  Table& table) {
+void add_products(Case const& its_case, Operator const& its, Settings const& settings,
+                  Limits const& limits, Table& table) {
     for (Index const functions : settings.functions) {
         Workspace workspace;
-        Ours ours(its_case, workspace, functions, settings.executor, settings.kernel, HM_DIRECT, HM_DOUBLE, its.kind);
+        Ours ours(its_case, workspace, functions, settings.executor, settings.kernel, HM_DIRECT,
+                  HM_DOUBLE, its.kind);
         ours.run();
         for (Pages const pages : {Pages::plain, Pages::huge}) {
             hm_error error{};
@@ -156,19 +184,24 @@ void add_products(Case const& its_case, Operator const& its, Settings const& set
             Block block(pages);
             std::memcpy(block.give(info.bytes), ours.basis(), info.bytes);
             hm_basis const* basis = nullptr;
-            require(hm_basis_attach(&basis, block.give(0), info.bytes, nullptr, &error), error, "hm_basis_attach");
+            require(hm_basis_attach(&basis, block.give(0), info.bytes, nullptr, &error), error,
+                    "hm_basis_attach");
             Product product(its_case, basis, functions, settings.executor, pages, its);
             Product::Pairs pairs{{not_measured, not_measured}, {not_measured, not_measured}};
             if (blas() != nullptr && its.numbers == 1) pairs = product.against(*blas());
-            product.add_row("morph", product.morph_bytes(), [&] { product.morph(); }, pairs.morph, limits, table);
-            product.add_row("adjoint", product.adjoint_bytes(), [&] { product.adjoint(); }, pairs.adjoint, limits,
-                            table);
+            product.add_row(
+                "morph", product.morph_bytes(), [&] { product.morph(); }, pairs.morph, limits,
+                table);
+            product.add_row(
+                "adjoint", product.adjoint_bytes(), [&] { product.adjoint(); }, pairs.adjoint,
+                limits, table);
         }
     }
 }
 
 // The same functions in single precision against double, call by call in turn.
-void add_storage(Case const& its_case, Settings const& settings, Limits const& limits, Table& table) {
+void add_storage(Case const& its_case, Settings const& settings, Limits const& limits,
+                 Table& table) {
     for (Index const functions : settings.functions) {
         Workspace workspace;
         Ours ours(its_case, workspace, functions, settings.executor, settings.kernel);
@@ -178,20 +211,30 @@ void add_storage(Case const& its_case, Settings const& settings, Limits const& l
         Block block;
         hm_basis* single = nullptr;
         require(hm_single_size(ours.basis(), &bytes, &error), error, "hm_single_size");
-        require(hm_single_init(&single, block.give(bytes), bytes, ours.basis(), &error), error, "hm_single_init");
+        require(hm_single_init(&single, block.give(bytes), bytes, ours.basis(), &error), error,
+                "hm_single_init");
         Product wide(its_case, ours.basis(), functions, settings.executor),
             narrow(its_case, single, functions, settings.executor);
-        auto row = [&](char const* what, double its_bytes, auto const& of_wide, auto const& of_narrow) {
+        auto row = [&](char const* what, double its_bytes, auto const& of_wide,
+                       auto const& of_narrow) {
             auto const both = in_turn(of_wide, of_narrow);
             double const first = least(both.first), second = least(both.second);
             auto const with_reading = in_turn(of_narrow, [&] { limits.read_once(single, bytes); });
             double const reading = static_cast<double>(bytes) / least(with_reading.second);
-            table.add({what, its_case.name(), count(functions), milliseconds(first), milliseconds(second),
-                       ratio(first / second), {1e-9 * its_bytes / second, "%.1f"}, {1e-9 * reading, "%.1f"},
+            table.add({what,
+                       its_case.name(),
+                       count(functions),
+                       milliseconds(first),
+                       milliseconds(second),
+                       ratio(first / second),
+                       {1e-9 * its_bytes / second, "%.1f"},
+                       {1e-9 * reading, "%.1f"},
                        percent(its_bytes / least(with_reading.first) / reading)});
         };
-        row("morph", narrow.morph_bytes(4), [&] { wide.morph(); }, [&] { narrow.morph(); });
-        row("adjoint", narrow.adjoint_bytes(4), [&] { wide.adjoint(); }, [&] { narrow.adjoint(); });
+        row(
+            "morph", narrow.morph_bytes(4), [&] { wide.morph(); }, [&] { narrow.morph(); });
+        row(
+            "adjoint", narrow.adjoint_bytes(4), [&] { wide.adjoint(); }, [&] { narrow.adjoint(); });
     }
 }
 
@@ -211,25 +254,32 @@ void add_step(Case const& its_case, Settings const& settings, Table& table) {
     double const step = time_of([&] {
         hm_step_report report{};
         report.struct_size = sizeof report;
-        require(hm_admissible_step(basis, &mesh, nullptr, &displacement, executor, &report, &error), error,
-                "hm_admissible_step");
+        require(hm_admissible_step(basis, &mesh, nullptr, &displacement, executor, &report, &error),
+                error, "hm_admissible_step");
     });
     double const quality = time_of([&] {
         hm_quality_report report{};
         report.struct_size = sizeof report;
-        require(hm_quality(basis, &mesh, nullptr, &mesh.points, executor, &report, &error), error, "hm_quality");
+        require(hm_quality(basis, &mesh, nullptr, &mesh.points, executor, &report, &error), error,
+                "hm_quality");
     });
     auto const assess = [&] {
         hm_step_report limit{};
         limit.struct_size = sizeof limit;
         hm_quality_report report{};
         report.struct_size = sizeof report;
-        require(hm_assess(basis, &mesh, nullptr, &displacement, executor, &limit, &report, &error), error, "hm_assess");
+        require(hm_assess(basis, &mesh, nullptr, &displacement, executor, &limit, &report, &error),
+                error, "hm_assess");
     };
     auto const in_turns = in_turn([&] { product.morph(); }, assess);
     double const morph = least(in_turns.first), both = least(in_turns.second);
-    table.add({its_case.name(), count(its_case.mesh.n_cells()), milliseconds(morph), milliseconds(step),
-               milliseconds(quality), milliseconds(both), {1e9 * both / its_case.mesh.n_cells(), "%.2f"},
+    table.add({its_case.name(),
+               count(its_case.mesh.n_cells()),
+               milliseconds(morph),
+               milliseconds(step),
+               milliseconds(quality),
+               milliseconds(both),
+               {1e9 * both / its_case.mesh.n_cells(), "%.2f"},
                ratio(both / morph)});
 }
 
@@ -241,41 +291,52 @@ void bench_morph(Settings const& settings, Limits const& limits, Report& report)
     for (Index const size : settings.sizes) largest = std::max(largest, size);
     largest = std::min(largest, Index{1000000});
     Table products{"Morph and adjoint [ms] (threads: " + std::to_string(settings.threads) + ")",
-                   {"what", "mesh", "operator", "functions", "pages", "ours", "ns/node", "GB/s", "reading",
-                    "% of reading", "dgemm", "ratio"},
-                   {}, {}};
-    Table steps{"Admissible step and quality against a morph of 20 functions [ms]",
-                {"mesh", "cells", "morph", "step", "quality", "both at once", "ns/cell", "both / morph"}, {}, {}};
-    Table storage{
-        "Functions in single precision against double [ms] (threads: " + std::to_string(settings.threads) + ")",
-        {"what", "mesh", "functions", "double", "single", "ratio", "GB/s", "reading", "% of reading"},
+                   {"what", "mesh", "operator", "functions", "pages", "ours", "ns/node", "GB/s",
+                    "reading", "% of reading", "dgemm", "ratio"},
+                   {},
+                   {}};
+    Table steps{
+        "Admissible step and quality against a morph of 20 functions [ms]",
+        {"mesh", "cells", "morph", "step", "quality", "both at once", "ns/cell", "both / morph"},
         {},
         {}};
+    Table storage{"Functions in single precision against double [ms] (threads: " +
+                      std::to_string(settings.threads) + ")",
+                  {"what", "mesh", "functions", "double", "single", "ratio", "GB/s", "reading",
+                   "% of reading"},
+                  {},
+                  {}};
     Others others;
     for (std::string const& kind : settings.kinds) {
         say(kind + " " + std::to_string(largest) + ": morph");
         Case const its_case = make_case(kind, largest);
         if (kind == settings.kinds[0]) {
             Case const small = make_case(kind, 5000);
-            for (Operator const& its : {laplace, conformal}) add_products(small, its, settings, limits, products);
-            for (Operator const& its : {laplace, conformal}) add_products(its_case, its, settings, limits, products);
+            for (Operator const& its : {laplace, conformal})
+                add_products(small, its, settings, limits, products);
+            for (Operator const& its : {laplace, conformal})
+                add_products(its_case, its, settings, limits, products);
             add_storage(its_case, settings, limits, storage);
         }
         add_step(its_case, settings, steps);
     }
     if (blas() == nullptr) products.notes.push_back("OpenBLAS: not installed (libopenblas-dev)");
     products.notes.push_back(
-        "Bytes: 8 m + 32 a node for the morph, in place; 8 m + 16 for the adjoint; m: functions, or two numbers of "
+        "Bytes: 8 m + 32 a node for the morph, in place; 8 m + 16 for the adjoint; m: functions, "
+        "or two numbers of "
         "each where they are conformal. Reading: of the basis "
         "[GB/s], in turn with the product, in the same pages.");
     products.notes.push_back(
-        "dgemm: the best of three ways to store F and the coordinates, in the same pages; the least of calls in turn.");
+        "dgemm: the best of three ways to store F and the coordinates, in the same pages; the "
+        "least of calls in turn.");
     products.notes.push_back(others.text());
     storage.notes.push_back(
-        "In turn, the least of each. Bytes: 4 m + 32 a node for the morph, 4 m + 16 for the adjoint. Reading: of the "
+        "In turn, the least of each. Bytes: 4 m + 32 a node for the morph, 4 m + 16 for the "
+        "adjoint. Reading: of the "
         "narrow basis [GB/s], in turn with the product.");
     storage.notes.push_back(others.text());
-    steps.notes.push_back("Morph and both at once: in turn, the least of each; step and quality: medians.");
+    steps.notes.push_back(
+        "Morph and both at once: in turn, the least of each; step and quality: medians.");
     report.finish(products);
     report.finish(storage);
     report.finish(steps);

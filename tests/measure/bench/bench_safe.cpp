@@ -1,5 +1,5 @@
-// A safe morph on the way of which the functions are solved again four times, against one whole solution: analysis,
-// plan, factor and 20 conformal functions.
+// A safe morph on the way of which the functions are solved again four times, against one whole
+// solution: analysis, plan, factor and 20 conformal functions.
 #include "clock.hpp"
 #include "ours.hpp"
 #include "settings.hpp"
@@ -31,7 +31,8 @@ public:
         std::size_t bytes = 0;
         done(hm_analysis_size(&problem.given, &options_, &bytes, &error_), "hm_analysis_size");
         void* block = analysis_block_.give(bytes);
-        done(hm_analysis_init(&analysis_, block, bytes, &problem.given, &options_, &error_), "hm_analysis_init");
+        done(hm_analysis_init(&analysis_, block, bytes, &problem.given, &options_, &error_),
+             "hm_analysis_init");
         done(hm_plan_size(analysis_, &bytes, &error_), "hm_plan_size");
         block = plan_block_.give(bytes);
         done(hm_plan_init(&plan_, block, bytes, analysis_, &error_), "hm_plan_init");
@@ -49,17 +50,21 @@ public:
     void bend(double height) {
         move_.assign(2 * at(functions), 0);
         const double* const control = fit_.curves().control;
-        for (std::size_t i = 0; i < at(functions); ++i) move_[2 * i + 1] = height * std::sin(3 * control[2 * i]);
+        for (std::size_t i = 0; i < at(functions); ++i)
+            move_[2 * i + 1] = height * std::sin(3 * control[2 * i]);
     }
     void morph() {
         std::size_t bytes = 0;
         done(hm_morph_safe_size(plan_, basis_, &bytes, &error_), "hm_morph_safe_size");
         void* const block = work_.give(bytes);
         hm_points_out const to{x_.data(), y_.data(), 1};
-        done(hm_morph_safe(plan_, basis_, move_.data(), &to, nullptr, block, bytes, &safe_, &report_, &error_),
+        done(hm_morph_safe(plan_, basis_, move_.data(), &to, nullptr, block, bytes, &safe_,
+                           &report_, &error_),
              "hm_morph_safe");
     }
-    bool has_wanted_resolves() const { return report_.step_fraction == 1 && report_.resolves == wanted_resolves; }
+    bool has_wanted_resolves() const {
+        return report_.step_fraction == 1 && report_.resolves == wanted_resolves;
+    }
     hm_safe_report const& report() const { return report_; }
 
 private:
@@ -81,10 +86,12 @@ private:
 }  // namespace
 
 void bench_safe(Settings const& settings, Report& report) {
-    Table table{"Safe morph with four solutions on the way, in whole solutions [s] (threads: "
-                    + std::to_string(settings.threads) + ")",
-                {"mesh", "height", "steps", "quality", "solution", "factor and functions", "safe morph",
-                 "safe / solution", "of which the four"}, {}, {}};
+    Table table{"Safe morph with four solutions on the way, in whole solutions [s] (threads: " +
+                    std::to_string(settings.threads) + ")",
+                {"mesh", "height", "steps", "quality", "solution", "factor and functions",
+                 "safe morph", "safe / solution", "of which the four"},
+                {},
+                {}};
     Others others;
     for (std::string const& kind : settings.kinds)
         for (Index const size : settings.sizes) {
@@ -102,13 +109,22 @@ void bench_safe(Settings const& settings, Report& report) {
                 throw std::runtime_error(its_case.name() + ": no movement takes four solutions");
             auto const whole = in_turn([&] { its.solve(); }, [&] { its.morph(); });
             auto const again = in_turn([&] { its.solve(); }, [&] { its.solve_again(); });
-            double const solution = least(whole.first), safe = least(whole.second), part = least(again.second);
-            table.add({its_case.name(), {height, "%.2f"}, count(its.report().steps), {its.report().min_quality, "%.3f"},
-                       seconds(solution), seconds(part), seconds(safe), ratio(safe / solution),
+            double const solution = least(whole.first), safe = least(whole.second),
+                         part = least(again.second);
+            table.add({its_case.name(),
+                       {height, "%.2f"},
+                       count(its.report().steps),
+                       {its.report().min_quality, "%.3f"},
+                       seconds(solution),
+                       seconds(part),
+                       seconds(safe),
+                       ratio(safe / solution),
                        ratio(wanted_resolves * part / solution)});
         }
-    table.notes.push_back("20 conformal functions, warm, in turn, the least of each. solution: analysis, plan, factor "
-                          "and functions. of which the four: four times factor and functions.");
+    table.notes.push_back(
+        "20 conformal functions, warm, in turn, the least of each. solution: analysis, plan, "
+        "factor "
+        "and functions. of which the four: four times factor and functions.");
     table.notes.push_back(others.text());
     report.finish(table);
 }

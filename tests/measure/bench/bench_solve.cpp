@@ -1,4 +1,5 @@
-// From the matrix to the functions: ours against other direct solvers, on the same matrix and right-hand sides.
+// From the matrix to the functions: ours against other direct solvers, on the same matrix and
+// right-hand sides.
 #include "clock.hpp"
 #include "comparison.hpp"
 
@@ -16,7 +17,10 @@ public:
             double const per_node = comparison.our_seconds(set) / comparison.points();
             std::string const key = its_case.kind + " " + std::to_string(functions);
             double const before = last_.count(key) > 0 ? last_[key] : not_measured;
-            table.add({its_case.name(), count(functions), {1e6 * per_node, "%.3f"}, ratio(per_node / before)});
+            table.add({its_case.name(),
+                       count(functions),
+                       {1e6 * per_node, "%.3f"},
+                       ratio(per_node / before)});
             last_[key] = per_node;
         }
     }
@@ -28,22 +32,28 @@ private:
 }  // namespace
 
 void bench_solve(Settings const& settings, Report& report) {
-    std::string const factor = settings.precision == HM_SINGLE ? "; our factor in single precision" : "";
+    std::string const factor =
+        settings.precision == HM_SINGLE ? "; our factor in single precision" : "";
     std::string const threads = " (threads: " + std::to_string(settings.threads) + factor + ")";
     Table against{"Ordering, symbolic pass, factorisation, solution [s]" + threads,
-                  {"mesh", "functions", "ours", "peer", "analysis", "factor", "solve", "theirs", "ratio",
-                   "our plan B/node", "their B/node", "our residual", "their residual"},
+                  {"mesh", "functions", "ours", "peer", "analysis", "factor", "solve", "theirs",
+                   "ratio", "our plan B/node", "their B/node", "our residual", "their residual"},
                   {},
                   {}};
-    Table phases{"Our phases [s]" + threads,
-                 {"mesh", "nodes", "functions", "structure", "assembly", "ordering", "symbolic", "factor", "solve",
-                  "engine", "around %", "plan B/node", "factor B/node", "analysis B/node"},
+    Table phases{
+        "Our phases [s]" + threads,
+        {"mesh", "nodes", "functions", "structure", "assembly", "ordering", "symbolic", "factor",
+         "solve", "engine", "around %", "plan B/node", "factor B/node", "analysis B/node"},
+        {},
+        {}};
+    Table trials{"Their orderings, tried once they are warm [s]" + threads,
+                 {"mesh", "peer", "analysis", "factor", "with the first solve"},
                  {},
                  {}};
-    Table trials{"Their orderings, tried once they are warm [s]" + threads,
-                 {"mesh", "peer", "analysis", "factor", "with the first solve"}, {}, {}};
     Table growth{"Growth of our time per node, from each size to the next" + threads,
-                 {"mesh", "functions", "us/node", "growth"}, {}, {}};
+                 {"mesh", "functions", "us/node", "growth"},
+                 {},
+                 {}};
     Growth grown;
     Others others;
     int disturbed = 0;
@@ -62,14 +72,19 @@ void bench_solve(Settings const& settings, Report& report) {
         }
     }
     phases.notes.push_back(
-        "engine = ordering + symbolic + factor + solve; symbolic includes hm_plan_init, and solve the refinement "
+        "engine = ordering + symbolic + factor + solve; symbolic includes hm_plan_init, and solve "
+        "the refinement "
         "of a factor in single precision. around: structure and assembly, in % of all.");
     for (SolverPackage const& package : solver_packages())
-        if (package.make == nullptr) against.notes.push_back(package.name + ": " + presence(package));
-    against.notes.push_back("Residual: the worst function's |b - A x| / |b|, with one matrix assembled here. Medians, "
-                            "warm.");
+        if (package.make == nullptr)
+            against.notes.push_back(package.name + ": " + presence(package));
+    against.notes.push_back(
+        "Residual: the worst function's |b - A x| / |b|, with one matrix assembled here. Medians, "
+        "warm.");
     against.notes.push_back(others.text());
-    if (disturbed > 0) against.notes.push_back(std::to_string(disturbed) + " runs had less than 97 % of a processor.");
+    if (disturbed > 0)
+        against.notes.push_back(std::to_string(disturbed) +
+                                " runs had less than 97 % of a processor.");
     report.finish(phases);
     report.finish(trials);
     report.finish(growth);

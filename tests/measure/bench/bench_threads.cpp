@@ -1,4 +1,5 @@
-// One thread and several in turn, from the mesh to the functions: no peer, whose threads would wait beside ours.
+// One thread and several in turn, from the mesh to the functions: no peer, whose threads would wait
+// beside ours.
 #include "clock.hpp"
 #include "ours.hpp"
 #include "settings.hpp"
@@ -17,9 +18,12 @@ struct Least {
     int runs = 0;
 
     void include(Phases const& its, double seconds) {
-        auto take = [&](double& least, double found) { least = runs == 0 ? found : std::min(least, found); };
-        for (double Phases::*phase : {&Phases::structure, &Phases::ordering, &Phases::symbolic, &Phases::assembly,
-                                      &Phases::factor, &Phases::solve, &Phases::residual})
+        auto take = [&](double& least, double found) {
+            least = runs == 0 ? found : std::min(least, found);
+        };
+        for (double Phases::*phase :
+             {&Phases::structure, &Phases::ordering, &Phases::symbolic, &Phases::assembly,
+              &Phases::factor, &Phases::solve, &Phases::residual})
             take(phases.*phase, its.*phase);
         take(whole, seconds);
         ++runs;
@@ -35,10 +39,14 @@ void run_once(Ours& ours, Least& least) {
 }  // namespace
 
 void bench_threads(Settings const& settings, Report& report) {
-    if (settings.threads < 2) throw std::runtime_error("compares one thread with --threads N: 2 or more");
-    Table table{"One thread and " + std::to_string(settings.threads) + " in turn [ms], the least of all runs",
-                {"mesh", "nodes", "functions", "threads", "structure", "ordering", "symbolic", "assembly", "factor",
-                 "solve", "residual", "mesh to basis", "ratio"}, {}, {}};
+    if (settings.threads < 2)
+        throw std::runtime_error("compares one thread with --threads N: 2 or more");
+    Table table{"One thread and " + std::to_string(settings.threads) +
+                    " in turn [ms], the least of all runs",
+                {"mesh", "nodes", "functions", "threads", "structure", "ordering", "symbolic",
+                 "assembly", "factor", "solve", "residual", "mesh to basis", "ratio"},
+                {},
+                {}};
     table.begin();
     cli::Threads const alone(1);
     Others others;
@@ -46,7 +54,7 @@ void bench_threads(Settings const& settings, Report& report) {
         for (Index const size : settings.sizes) {
             Case const its_case = make_case(kind, size);
             for (Index const functions : settings.functions) {
-                Workspace workspace;   // in turn, so that both have the same memory
+                Workspace workspace;  // in turn, so that both have the same memory
                 Ours one(its_case, workspace, functions, alone.executor(), settings.kernel),
                     all(its_case, workspace, functions, settings.executor, settings.kernel);
                 Least least[2], warm;
@@ -60,16 +68,19 @@ void bench_threads(Settings const& settings, Report& report) {
                 }
                 for (int several = 0; several < 2; ++several) {
                     Phases const& p = least[several].phases;
-                    table.add({its_case.name(), count(static_cast<double>(its_case.mesh.x.size())), count(functions),
-                               count(several == 0 ? 1 : settings.threads), milliseconds(p.structure),
-                               milliseconds(p.ordering), milliseconds(p.symbolic), milliseconds(p.assembly),
-                               milliseconds(p.factor), milliseconds(p.solve), milliseconds(p.residual),
-                               milliseconds(least[several].whole), ratio(least[0].whole / least[several].whole)});
+                    table.add({its_case.name(), count(static_cast<double>(its_case.mesh.x.size())),
+                               count(functions), count(several == 0 ? 1 : settings.threads),
+                               milliseconds(p.structure), milliseconds(p.ordering),
+                               milliseconds(p.symbolic), milliseconds(p.assembly),
+                               milliseconds(p.factor), milliseconds(p.solve),
+                               milliseconds(p.residual), milliseconds(least[several].whole),
+                               ratio(least[0].whole / least[several].whole)});
                 }
             }
         }
     }
-    table.notes.push_back("mesh to basis: with what is between the phases, and the checks of the result.");
+    table.notes.push_back(
+        "mesh to basis: with what is between the phases, and the checks of the result.");
     table.notes.push_back(others.text());
     report.finish(table);
 }

@@ -12,16 +12,18 @@ namespace {
 using fixtures::Mesh;
 
 double const pi = std::acos(-1.0);
-double const radius = 20, outline_length = 2.04;   // [chord]
+double const radius = 20, outline_length = 2.04;  // [chord]
 
 int half_of(double points) { return static_cast<int>(0.5 * points); }
 
-// Cells as long as high: a ring at distance d is first + 2 pi d / columns high, so growth is geometric.
+// Cells as long as high: a ring at distance d is first + 2 pi d / columns high, so growth is
+// geometric.
 Mesh iso_mesh(double size) {
     double const rings_per_column = std::log1p(radius * 2 * pi / outline_length) / (2 * pi);
     int const n_side = half_of(std::sqrt(size / rings_per_column));
     int const rings = static_cast<int>(size / (2 * n_side)) - 1;
-    return o_mesh(fixtures::naca4({}, n_side), fixtures::stretched(outline_length / (2 * n_side), radius, rings));
+    return o_mesh(fixtures::naca4({}, n_side),
+                  fixtures::stretched(outline_length / (2 * n_side), radius, rings));
 }
 
 // Two thirds as many rings as columns, as RANS meshes have.
@@ -32,12 +34,14 @@ Mesh viscous_mesh(double size, double first) {
 }
 
 Mesh unstructured_mesh(double size) {
-    double const points_per_square = 0.22;   // of wall points; measured for this growth, the same at all sizes
+    double const points_per_square =
+        0.22;  // of wall points; measured for this growth, the same at all sizes
     int const n_side = half_of(std::sqrt(size / points_per_square));
     fixtures::HybridOptions options;
     options.layers = 0;
     options.first = 0.87 * outline_length / (2 * n_side);
-    options.ring_growth = 1 + 2 * 2 * pi / (2 * n_side);   // twice what keeps the number of points in a ring
+    options.ring_growth =
+        1 + 2 * 2 * pi / (2 * n_side);  // twice what keeps the number of points in a ring
     options.radius = radius;
     return hybrid_mesh(fixtures::naca4({}, n_side), options);
 }
@@ -45,7 +49,8 @@ Mesh unstructured_mesh(double size) {
 }  // namespace
 
 std::vector<std::string> const& known_kinds() {
-    static std::vector<std::string> const kinds = {"iso", "viscous", "thin", "unstructured", "shuffled"};
+    static std::vector<std::string> const kinds = {"iso", "viscous", "thin", "unstructured",
+                                                   "shuffled"};
     return kinds;
 }
 
@@ -74,7 +79,8 @@ std::string Case::name() const {
 }
 
 Fit::Fit(Case const& its_case, Index n_control) {
-    // Faces run clockwise round the body, one from each of its points: in order also where points are shuffled.
+    // Faces run clockwise round the body, one from each of its points: in order also where points
+    // are shuffled.
     fixtures::Mesh const& mesh = its_case.mesh;
     std::vector<double> x, y;
     for (Index face = its_case.wall_points; face-- > 0;) {
@@ -82,7 +88,8 @@ Fit::Fit(Case const& its_case, Index n_control) {
         x.push_back(mesh.x[from]);
         y.push_back(mesh.y[from]);
     }
-    // The list above begins at the trailing edge's neighbour or at the edge itself: the fit finds the corner.
+    // The list above begins at the trailing edge's neighbour or at the edge itself: the fit finds
+    // the corner.
     hm_fit_options options{};
     options.struct_size = sizeof options;
     options.n_control = n_control;
@@ -91,8 +98,8 @@ Fit::Fit(Case const& its_case, Index n_control) {
     require(hm_fit_size(its_case.wall_points, &options, &bytes, &error), error, "hm_fit_size");
     block_.reset(new unsigned char[bytes]);
     hm_points const wall{x.data(), y.data(), 1};
-    hm_status const status =
-        hm_fit(&curves_, block_.get(), bytes, &wall, its_case.wall_points, 1, &options, nullptr, &error);
+    hm_status const status = hm_fit(&curves_, block_.get(), bytes, &wall, its_case.wall_points, 1,
+                                    &options, nullptr, &error);
     require(status, error, "hm_fit");
 }
 
@@ -109,7 +116,9 @@ Problem::Problem(Case const& its_case, Fit const& fit) : mesh(its_case.mesh.view
 }
 
 void require(hm_status status, hm_error const& error, const char* call) {
-    if (status < 0) throw std::runtime_error(std::string(call) + ": " + hm_status_name(status) + ", " + error.text);
+    if (status < 0)
+        throw std::runtime_error(std::string(call) + ": " + hm_status_name(status) + ", " +
+                                 error.text);
 }
 
 }  // namespace bench

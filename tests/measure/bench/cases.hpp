@@ -14,9 +14,10 @@ inline std::size_t at(Index k) { return static_cast<std::size_t>(k); }
 
 // A NACA 0012 in a circle of 20 chords.
 struct Case {
-    std::string kind;         // one of known_kinds()
+    std::string kind;  // one of known_kinds()
     fixtures::Mesh mesh;
-    Index wall_points = 0;    // the first points of the mesh, in order round the airfoil (but for shuffled)
+    Index wall_points =
+        0;  // the first points of the mesh, in order round the airfoil (but for shuffled)
 
     std::string name() const;
 };
@@ -26,9 +27,9 @@ std::vector<std::string> const& known_kinds();
 // iso:          O-mesh of quads, as long as they are high
 // viscous:      O-mesh of quads, the first 1e-5 chords high
 // thin:         the same, 1e-6 chords high
-// unstructured: Delaunay triangles that grow with the distance, numbered as a generator lays them down
-// shuffled:     the same, points and cells in random order
-// About `size` points. An unknown kind: std::invalid_argument.
+// unstructured: Delaunay triangles that grow with the distance, numbered as a generator lays them
+// down shuffled:     the same, points and cells in random order About `size` points. An unknown
+// kind: std::invalid_argument.
 Case make_case(std::string const& kind, Index size);
 
 // A fit through the airfoil's points, in its own memory.
@@ -42,8 +43,8 @@ private:
     hm_curves const* curves_ = nullptr;
 };
 
-// The airfoil moves with the fit's control points, the far field stays. `given` refers to the other members and to both
-// arguments.
+// The airfoil moves with the fit's control points, the far field stays. `given` refers to the other
+// members and to both arguments.
 struct Problem {
     Problem(Case const& its_case, Fit const& fit);
     Problem(Problem const&) = delete;

@@ -61,7 +61,8 @@ private:
     static double busy_seconds() {
         std::ifstream file("/proc/stat");
         std::string name;
-        double user = -1, nice = 0, system = 0, idle = 0, wait = 0, interrupt = 0, soft = 0, stolen = 0;
+        double user = -1, nice = 0, system = 0, idle = 0, wait = 0, interrupt = 0, soft = 0,
+               stolen = 0;
         file >> name >> user >> nice >> system >> idle >> wait >> interrupt >> soft >> stolen;
         return file ? 0.01 * (user + nice + system + interrupt + soft + stolen) : -1;
     }
@@ -78,7 +79,8 @@ inline double median(std::vector<double> values) {
     return *middle;
 }
 
-// Seconds of one call: warmed up, then the median of at least 5 and at most 200 calls that fill `budget` seconds.
+// Seconds of one call: warmed up, then the median of at least 5 and at most 200 calls that fill
+// `budget` seconds.
 template <class Work>
 double time_of(Work work, double budget = 0.3) {
     work();
@@ -96,10 +98,12 @@ inline double least(std::vector<double> const& values) {
     return values.empty() ? not_measured : *std::min_element(values.begin(), values.end());
 }
 
-// Seconds of many calls of each, in turn: what disturbs one disturbs the other. Turns last a millisecond at least, so
-// that each finds what fits in a cache there; the first call of a turn warms up.
+// Seconds of many calls of each, in turn: what disturbs one disturbs the other. Turns last a
+// millisecond at least, so that each finds what fits in a cache there; the first call of a turn
+// warms up.
 template <class One, class Other>
-std::pair<std::vector<double>, std::vector<double>> in_turn(One one, Other other, double budget = 1) {
+std::pair<std::vector<double>, std::vector<double>> in_turn(One one, Other other,
+                                                            double budget = 1) {
     std::pair<std::vector<double>, std::vector<double>> seconds;
     auto const turn = [](auto& work, std::vector<double>& its) {
         Stopwatch whole, watch;
@@ -119,8 +123,8 @@ std::pair<std::vector<double>, std::vector<double>> in_turn(One one, Other other
     return seconds;
 }
 
-// What run() returns. While others have the processor too, one thread's run is repeated, twice at most; the least
-// disturbed counts. disturbed: how many were so even then.
+// What run() returns. While others have the processor too, one thread's run is repeated, twice at
+// most; the least disturbed counts. disturbed: how many were so even then.
 template <class Run>
 auto undisturbed(Run run, int threads, int& disturbed) {
     double const enough = 0.97;

@@ -7,8 +7,10 @@
 namespace bench {
 namespace {
 
-Index const largest_for_many = 2000000;   // points with more than 20 functions: beyond, 32 GB would not do
-double const near_best = 1.3;             // what took longer than this many times the best in its trial is not measured
+Index const largest_for_many =
+    2000000;  // points with more than 20 functions: beyond, 32 GB would not do
+double const near_best =
+    1.3;  // what took longer than this many times the best in its trial is not measured
 
 template <class Runs, class Value>
 double median_of(Runs const& runs, Value value) {
@@ -23,8 +25,8 @@ Comparison::Comparison(Case const& its_case, Settings const& settings)
     : case_(its_case), settings_(settings), matrix_(its_case.mesh) {
     for (Index const functions : settings.functions) {
         if (functions > 20 && points() > largest_for_many) continue;
-        ours_.push_back(std::make_unique<Ours>(its_case, workspace_, functions, settings.executor, settings.kernel,
-                                               HM_DIRECT, settings.precision));
+        ours_.push_back(std::make_unique<Ours>(its_case, workspace_, functions, settings.executor,
+                                               settings.kernel, HM_DIRECT, settings.precision));
         Ours& ours = *ours_.back();
         ours.run();
         b_.push_back(matrix_.right_hand_sides(ours.basis(), ours.fit().curves(), points()));
@@ -44,7 +46,8 @@ void Comparison::run() {
         if (package.make != nullptr) choose(package);
     for (int k = 0; k < repeats(); ++k) {
         for (std::size_t set = 0; set < sets(); ++set)
-            our_runs_[set].push_back(undisturbed([&] { return ours_[set]->run(); }, settings_.threads, disturbed_));
+            our_runs_[set].push_back(
+                undisturbed([&] { return ours_[set]->run(); }, settings_.threads, disturbed_));
         for (Candidate& candidate : candidates_) run_peer(candidate);
     }
 }
@@ -79,10 +82,12 @@ void Comparison::choose(SolverPackage const& package) {
 
 // Small systems are tried several times: one run says little about them.
 Comparison::Trial Comparison::try_out(SolverPackage const& package, SolverPeer& peer) {
-    Trial trial{peer.name(), package.name, peer.ordering(), "", not_measured, not_measured, not_measured};
+    Trial trial{peer.name(),  package.name, peer.ordering(), "",
+                not_measured, not_measured, not_measured};
     std::vector<PeerTimes> runs;
     try {
-        for (int k = 0; k < (points() < 500000 ? 3 : 1); ++k) runs.push_back(peer.run(matrix_, b_, x_));
+        for (int k = 0; k < (points() < 500000 ? 3 : 1); ++k)
+            runs.push_back(peer.run(matrix_, b_, x_));
     } catch (std::runtime_error const& error) {
         trial.error = error.what();
         return trial;
@@ -94,7 +99,8 @@ Comparison::Trial Comparison::try_out(SolverPackage const& package, SolverPeer& 
 }
 
 // Its ordering alone took longer than another's whole.
-bool Comparison::is_hopeless(SolverPackage const& package, SolverPeer const& peer, double best) const {
+bool Comparison::is_hopeless(SolverPackage const& package, SolverPeer const& peer,
+                             double best) const {
     for (Trial const& trial : trials_) {
         bool const same = trial.package == package.name && trial.ordering == peer.ordering();
         if (best > 0 && same && trial.analysis > best) return true;
@@ -114,10 +120,12 @@ void Comparison::report_phases(Table& table) const {
     for (std::size_t set = 0; set < sets(); ++set) {
         Phases const p = medians(our_runs_[set]);
         Ours const& ours = *ours_[set];
-        table.add({case_.name(), count(points()), count(ours.functions()), seconds(p.structure), seconds(p.assembly),
-                   seconds(p.ordering), seconds(p.symbolic), seconds(p.factor), seconds(p.solve), seconds(p.engine()),
-                   percent(p.around() / (p.around() + p.engine())), count(ours.plan_bytes() / points()),
-                   count(8 * ours.factor_entries() / points()), count(ours.analysis_bytes() / points())});
+        table.add({case_.name(), count(points()), count(ours.functions()), seconds(p.structure),
+                   seconds(p.assembly), seconds(p.ordering), seconds(p.symbolic), seconds(p.factor),
+                   seconds(p.solve), seconds(p.engine()),
+                   percent(p.around() / (p.around() + p.engine())),
+                   count(ours.plan_bytes() / points()), count(8 * ours.factor_entries() / points()),
+                   count(ours.analysis_bytes() / points())});
     }
 }
 
@@ -130,15 +138,17 @@ void Comparison::report_against(Table& table) const {
             Candidate const* best = nullptr;
             for (Candidate const& candidate : candidates_) {
                 bool const is_its = candidate.package == package.name;
-                if (is_its && (best == nullptr || candidate.seconds(set) < best->seconds(set))) best = &candidate;
+                if (is_its && (best == nullptr || candidate.seconds(set) < best->seconds(set)))
+                    best = &candidate;
             }
             if (best == nullptr) continue;
             auto part = [&](auto value) { return seconds(median_of(best->runs, value)); };
             table.add({case_.name(), count(functions(set)), seconds(ours), best->peer->name(),
                        part([](PeerTimes const& run) { return run.analysis; }),
                        part([](PeerTimes const& run) { return run.factor; }),
-                       part([&](PeerTimes const& run) { return run.solve[set]; }), seconds(best->seconds(set)),
-                       ratio(best->seconds(set) / ours), count(our_bytes), count(best->peer->bytes() / points()),
+                       part([&](PeerTimes const& run) { return run.solve[set]; }),
+                       seconds(best->seconds(set)), ratio(best->seconds(set) / ours),
+                       count(our_bytes), count(best->peer->bytes() / points()),
                        residual(our_residual), residual(best->residual[set])});
         }
     }
@@ -146,8 +156,8 @@ void Comparison::report_against(Table& table) const {
 
 void Comparison::report_trials(Table& table) const {
     for (Trial const& trial : trials_)
-        table.add({case_.name(), trial.error.empty() ? trial.name : trial.error, seconds(trial.analysis),
-                   seconds(trial.factor), seconds(trial.whole)});
+        table.add({case_.name(), trial.error.empty() ? trial.name : trial.error,
+                   seconds(trial.analysis), seconds(trial.factor), seconds(trial.whole)});
 }
 
 }  // namespace bench

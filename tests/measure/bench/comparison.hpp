@@ -14,7 +14,8 @@ public:
     void run();
 
     void report_phases(Table& table) const;
-    void report_against(Table& table) const;   // of each package what was fastest with these functions
+    void report_against(
+        Table& table) const;  // of each package what was fastest with these functions
     void report_trials(Table& table) const;
 
     std::size_t sets() const { return ours_.size(); }
@@ -30,7 +31,7 @@ private:
     struct Candidate {
         std::string package;
         std::unique_ptr<SolverPeer> peer;
-        double trial = 0;   // seconds with the first set
+        double trial = 0;  // seconds with the first set
         std::vector<PeerTimes> runs;
         std::vector<double> residual;
 
@@ -45,8 +46,8 @@ private:
     Settings const& settings_;
     Laplacian matrix_;
     Workspace workspace_;
-    std::vector<std::unique_ptr<Ours>> ours_;   // one for each number of functions
-    std::vector<Columns> b_, x_;                // likewise; x_: what a peer has just solved
+    std::vector<std::unique_ptr<Ours>> ours_;  // one for each number of functions
+    std::vector<Columns> b_, x_;               // likewise; x_: what a peer has just solved
     std::vector<std::vector<Phases>> our_runs_;
     std::vector<Candidate> candidates_;
     std::vector<Trial> trials_;

@@ -1,6 +1,6 @@
 #include "dense_front.hpp"
 
-#include <harmorph/dense/dense.hpp>
+#include "dense/dense.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -14,7 +14,8 @@ namespace dense = harmorph::dense;
 harmorph::Kernel chosen(int kernel) {
     auto const wanted = static_cast<harmorph::Kernel>(kernel);
     if (wanted == harmorph::Kernel::automatic) return harmorph::best_kernel();
-    if (!harmorph::has_kernel(wanted)) throw std::invalid_argument("this processor lacks the kernel asked for");
+    if (!harmorph::has_kernel(wanted))
+        throw std::invalid_argument("this processor lacks the kernel asked for");
     return wanted;
 }
 
@@ -40,7 +41,7 @@ DenseFront::DenseFront(int kernel, int pivots, int front) : inside_(new Inside) 
     in.original = numbers(dense::panel_entries(pivots, front - pivots));
     dense::Panel<double> const panel{in.original.data(), pivots, front - pivots};
     for (int i = 0; i < pivots; ++i)
-        for (int j = 0; j < front; ++j) {   // in the diagonal's place, the row's sum
+        for (int j = 0; j < front; ++j) {  // in the diagonal's place, the row's sum
             double const its = j < i ? entry(front, j, i) : entry(front, i, j);
             *panel.at(i, i) += its;
             if (j > i) *panel.at(i, j) = its;
@@ -62,7 +63,8 @@ void DenseFront::restore() {
 
 void DenseFront::factor() {
     Inside& in = *inside_;
-    if (dense::factor(in.kernel, in.panel, 1e-14, in.workers()) >= 0) throw std::runtime_error("our factor failed");
+    if (dense::factor(in.kernel, in.panel, 1e-14, in.workers()) >= 0)
+        throw std::runtime_error("our factor failed");
 }
 
 void DenseFront::update() {
@@ -72,8 +74,10 @@ void DenseFront::update() {
 
 void DenseFront::solve() {
     Inside& in = *inside_;
-    dense::solve_forward(in.kernel, in.panel, in.sides.data(), right_hand_sides, harmorph::Executor{});
-    dense::solve_backward(in.kernel, in.panel, in.sides.data(), right_hand_sides, harmorph::Executor{});
+    dense::solve_forward(in.kernel, in.panel, in.sides.data(), right_hand_sides,
+                         harmorph::Executor{});
+    dense::solve_backward(in.kernel, in.panel, in.sides.data(), right_hand_sides,
+                          harmorph::Executor{});
 }
 
 double DenseFront::factored(int i, int j) const { return *inside_->panel.at(i, j); }

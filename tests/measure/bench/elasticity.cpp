@@ -36,7 +36,8 @@ public:
         for (std::size_t cell = 0; cell + 1 < mesh_.cell_start.size(); ++cell) {
             Index const* const p = &mesh_.cells[at(mesh_.cell_start[cell])];
             add_triangle({p[0], p[1], p[2]});
-            if (mesh_.cell_start[cell + 1] - mesh_.cell_start[cell] == 4) add_triangle({p[0], p[2], p[3]});
+            if (mesh_.cell_start[cell + 1] - mesh_.cell_start[cell] == 4)
+                add_triangle({p[0], p[2], p[3]});
         }
         matrix_.resize(2 * n_, 2 * n_);
         matrix_.setFromTriplets(entries_.begin(), entries_.end());
@@ -68,14 +69,16 @@ private:
                 for (int i = 0; i < 2; ++i)
                     for (int j = 0; j < 2; ++j) {
                         double const gradients = i == j ? g[a][0] * g[b][0] + g[a][1] * g[b][1] : 0;
-                        double const entry = lame * g[a][i] * g[b][j] + shear * (g[a][j] * g[b][i] + gradients);
+                        double const entry =
+                            lame * g[a][i] * g[b][j] + shear * (g[a][j] * g[b][i] + gradients);
                         add(triangle.point[a], i, triangle.point[b], j, entry / (4 * area));
                     }
     }
     void add(Index point, int i, Index other, int j, double entry) {
         Index const row = unknown_[at(point)], column = unknown_[at(other)];
         if (row < 0) return;
-        if (column < 0) right_[2 * row + i] -= entry * (*known_)[2 * at(other) + static_cast<std::size_t>(j)];
+        if (column < 0)
+            right_[2 * row + i] -= entry * (*known_)[2 * at(other) + static_cast<std::size_t>(j)];
         else if (column <= row) entries_.emplace_back(2 * row + i, 2 * column + j, entry);
     }
 
@@ -100,12 +103,14 @@ ElasticTimes solve_elasticity(Case const& its_case, std::vector<Index> const& po
     Elasticity elasticity(its_case.mesh);
     elasticity.assemble(known);
     // The natural order of the mesh, as flow solvers keep it.
-    using Preconditioner = Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+    using Preconditioner =
+        Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>>;
     Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower, Preconditioner> solver;
     solver.setTolerance(tolerance);
     solver.setMaxIterations(most_elastic_iterations);
     solver.compute(elasticity.matrix());
-    if (solver.info() != Eigen::Success) throw std::runtime_error("the incomplete Cholesky factorisation failed");
+    if (solver.info() != Eigen::Success)
+        throw std::runtime_error("the incomplete Cholesky factorisation failed");
     times.set_up = watch.lap();
     Eigen::VectorXd const solution = solver.solve(elasticity.right());
     times.solve = watch.seconds();
@@ -114,8 +119,10 @@ ElasticTimes solve_elasticity(Case const& its_case, std::vector<Index> const& po
 }
 
 std::string elasticity_note() {
-    return "Elasticity by Eigen: one run each, plane strain, Poisson's ratio 0.3, quads split; at most " +
-           std::to_string(most_elastic_iterations) + " iterations: where there are so many, 1e-6 was not reached.";
+    return "Elasticity by Eigen: one run each, plane strain, Poisson's ratio 0.3, quads split; at "
+           "most " +
+           std::to_string(most_elastic_iterations) +
+           " iterations: where there are so many, 1e-6 was not reached.";
 }
 #pragma GCC diagnostic pop
 #else

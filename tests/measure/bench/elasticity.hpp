@@ -1,4 +1,5 @@
-// Mesh deformation as flow solvers have it: linear elasticity with stiff small cells, solved by conjugate gradients.
+// Mesh deformation as flow solvers have it: linear elasticity with stiff small cells, solved by
+// conjugate gradients.
 #pragma once
 
 #include "cases.hpp"
@@ -7,15 +8,15 @@ namespace bench {
 
 // Not numbers where the peer is not installed.
 struct ElasticTimes {
-    double set_up;       // assembly and incomplete factorisation
-    double solve;        // conjugate gradients to 1e-6
+    double set_up;  // assembly and incomplete factorisation
+    double solve;   // conjugate gradients to 1e-6
     double iterations;
 };
 
 constexpr int most_elastic_iterations = 5000;
 
-// Linear elements (a quad is split), Young's modulus 1/area of each cell, Poisson's ratio 0.3; displacements x,y of the
-// points of the body, 0 on the far field.
+// Linear elements (a quad is split), Young's modulus 1/area of each cell, Poisson's ratio 0.3;
+// displacements x,y of the points of the body, 0 on the far field.
 ElasticTimes solve_elasticity(Case const& its_case, std::vector<Index> const& points,
                               std::vector<double> const& displacement);
 std::string elasticity_note();

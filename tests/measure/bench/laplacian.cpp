@@ -14,7 +14,8 @@ struct Weight {
 };
 
 // Half the cotangent of the angle at each corner belongs to the side it sees.
-void add_triangle(Mesh const& mesh, Index const (&corner)[3], double share, std::vector<Weight>& weights) {
+void add_triangle(Mesh const& mesh, Index const (&corner)[3], double share,
+                  std::vector<Weight>& weights) {
     for (int k = 0; k < 3; ++k) {
         Index const a = corner[(k + 1) % 3], b = corner[(k + 2) % 3];
         Point const o = mesh.point(corner[k]), p = mesh.point(a), q = mesh.point(b);
@@ -70,13 +71,13 @@ Laplacian::Laplacian(Mesh const& mesh) : unknown_of(mesh.x.size(), 0) {
     }
 
     std::vector<Weight> weights;
-    weights.reserve(3 * mesh.cells.size());   // three a corner of a quad
+    weights.reserve(3 * mesh.cells.size());  // three a corner of a quad
     for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
         Index const begin = mesh.cell_start[at(cell)];
         add_cell(mesh, mesh.cells.data() + begin, mesh.cell_start[at(cell) + 1] - begin, weights);
     }
     std::vector<double> diagonal(at(n), 0);
-    std::vector<std::size_t> filled(at(n) + 1, 1);   // the diagonal
+    std::vector<std::size_t> filled(at(n) + 1, 1);  // the diagonal
     for (Weight& w : weights) {
         Index const a = unknown_of[at(w.a)], b = unknown_of[at(w.b)];
         if (a >= 0) diagonal[at(a)] += w.value;
@@ -102,12 +103,13 @@ Laplacian::Laplacian(Mesh const& mesh) : unknown_of(mesh.x.size(), 0) {
     };
     for (Weight const& w : weights)
         if (w.b >= 0) put(w.a, w.b, w.value);
-    std::vector<Weight>().swap(weights);   // the largest array of all
+    std::vector<Weight>().swap(weights);  // the largest array of all
     start.push_back(0);
     for (Index row = 0; row < n; ++row) {
         put(row, row, diagonal[at(row)]);
         std::size_t const from = begin[at(row)];
-        Index const kept = compress(&column[from], &value[from], static_cast<Index>(filled[at(row)] - from));
+        Index const kept =
+            compress(&column[from], &value[from], static_cast<Index>(filled[at(row)] - from));
         std::copy_n(column.data() + from, kept, column.data() + start.back());
         std::copy_n(value.data() + from, kept, value.data() + start.back());
         start.push_back(start.back() + kept);
@@ -116,7 +118,8 @@ Laplacian::Laplacian(Mesh const& mesh) : unknown_of(mesh.x.size(), 0) {
     value.resize(at(start.back()));
 }
 
-Columns Laplacian::right_hand_sides(hm_basis const* basis, hm_curves const& curves, Index n_points) const {
+Columns Laplacian::right_hand_sides(hm_basis const* basis, hm_curves const& curves,
+                                    Index n_points) const {
     hm_error error{};
     hm_basis_info info{};
     info.struct_size = sizeof info;
@@ -129,8 +132,8 @@ Columns Laplacian::right_hand_sides(hm_basis const* basis, hm_curves const& curv
         Index const k = place[at(c.point)];
         Index control[6];
         double values[6];
-        hm_status const status =
-            hm_curve_basis(&curves, info.point_curve[k], info.point_u[k], 0, control, values, &error);
+        hm_status const status = hm_curve_basis(&curves, info.point_curve[k], info.point_u[k], 0,
+                                                control, values, &error);
         require(status, error, "hm_curve_basis");
         for (Index i = 0; i <= curves.curve[info.point_curve[k]].degree; ++i)
             b[at(control[i] - curves.index_base)][c.unknown] -= c.value * values[i];
@@ -156,7 +159,7 @@ double Laplacian::worst_residual(Columns const& b, Columns const& x) const {
             left += rest[i] * rest[i];
         }
         double const relative = std::sqrt(left / whole);
-        if (!(relative <= worst)) worst = relative;   // NaN stays
+        if (!(relative <= worst)) worst = relative;  // NaN stays
     }
     return worst;
 }

@@ -1,4 +1,5 @@
-// The benchmark's command line. Run by `make bench` (run.sh), which builds it with the peers this machine has.
+// The benchmark's command line. Run by `make bench` (run.sh), which builds it with the peers this
+// machine has.
 #include "peers.hpp"
 #include "settings.hpp"
 
@@ -21,10 +22,13 @@ namespace bench {
 namespace {
 
 char const* const usage =
-    "usage: bench [--parts \"dense solve threads iterative displace safe morph\"] [--sizes \"10000 100000 1000000\"]\n"
-    "             [--kinds \"iso viscous thin unstructured shuffled\"] [--functions \"20 60\"] [--threads N] "
+    "usage: bench [--parts \"dense solve threads iterative displace safe morph\"] [--sizes \"10000 "
+    "100000 1000000\"]\n"
+    "             [--kinds \"iso viscous thin unstructured shuffled\"] [--functions \"20 60\"] "
+    "[--threads N] "
     "[--repeats N]\n"
-    "             [--kernel 0..4] [--precision double|single] [--elasticity POINTS] [--json FILE]\n";
+    "             [--kernel 0..4] [--precision double|single] [--elasticity POINTS] [--json "
+    "FILE]\n";
 
 template <class T>
 std::vector<T> words(std::string const& text) {
@@ -36,7 +40,8 @@ std::vector<T> words(std::string const& text) {
 }
 
 int precision(std::string const& name) {
-    if (name != "double" && name != "single") throw std::invalid_argument("no such precision: " + name);
+    if (name != "double" && name != "single")
+        throw std::invalid_argument("no such precision: " + name);
     return name == "single" ? HM_SINGLE : HM_DOUBLE;
 }
 
@@ -61,15 +66,16 @@ Settings read(int argc, char** argv) {
     return out;
 }
 
-// Libraries read these once, when they are loaded: so the program starts itself again with what the comparison needs.
-// OpenMP's limit holds CHOLMOD, which asks for four threads, to the number given;
+// Libraries read these once, when they are loaded: so the program starts itself again with what the
+// comparison needs. OpenMP's limit holds CHOLMOD, which asks for four threads, to the number given;
 // waiting threads do not keep the processor from OpenBLAS's. What holds OpenBLAS back from the best
 // kernels it has for this processor is taken away: the peer is to be at its best.
 void start_with_environment(Settings const& settings, char** argv) {
     std::string const threads = std::to_string(settings.threads);
     char const* const limit = std::getenv("OMP_THREAD_LIMIT");
-    bool const is_right = limit != nullptr && limit == threads && std::getenv("OPENBLAS_CORETYPE") == nullptr
-                          && std::getenv("OPENBLAS_L2_SIZE") == nullptr;
+    bool const is_right = limit != nullptr && limit == threads &&
+                          std::getenv("OPENBLAS_CORETYPE") == nullptr &&
+                          std::getenv("OPENBLAS_L2_SIZE") == nullptr;
     if (is_right) return;
     setenv("OMP_THREAD_LIMIT", threads.c_str(), 1);
     setenv("OMP_NUM_THREADS", threads.c_str(), 1);
@@ -78,7 +84,7 @@ void start_with_environment(Settings const& settings, char** argv) {
     unsetenv("OPENBLAS_CORETYPE");
     unsetenv("OPENBLAS_L2_SIZE");
     execv("/proc/self/exe", argv);
-    execvp(argv[0], argv);   // where there is no /proc
+    execvp(argv[0], argv);  // where there is no /proc
     throw std::runtime_error("the program cannot start itself again");
 }
 
@@ -107,7 +113,8 @@ std::string date() {
 }
 
 void run(Settings settings) {
-    // Peers that allocate are to find their memory warm, as our blocks are: what is freed stays with the program.
+    // Peers that allocate are to find their memory warm, as our blocks are: what is freed stays
+    // with the program.
 #ifdef __GLIBC__
     mallopt(M_MMAP_MAX, 0);
     mallopt(M_TRIM_THRESHOLD, -1);
@@ -118,14 +125,17 @@ void run(Settings settings) {
     if (settings.kernel != HM_KERNEL_AUTO) executor.kernel = settings.kernel;
     settings.executor = &executor;
     Report report;
-    report.fact("machine", processor() + ", " + std::to_string(sysconf(_SC_NPROCESSORS_ONLN)) + " processors");
+    report.fact("machine",
+                processor() + ", " + std::to_string(sysconf(_SC_NPROCESSORS_ONLN)) + " processors");
     report.fact("date", date());
     report.fact("compiler", compiler() + ", " BENCH_FLAGS);
     report.fact("threads", std::to_string(settings.threads));
-    for (SolverPackage const& package : solver_packages()) report.fact(package.name, presence(package));
-    report.fact("OpenBLAS", blas() != nullptr
-                                ? blas()->name()
-                                : "not installed (libopenblas-dev); CHOLMOD runs on what it is linked with");
+    for (SolverPackage const& package : solver_packages())
+        report.fact(package.name, presence(package));
+    report.fact("OpenBLAS",
+                blas() != nullptr
+                    ? blas()->name()
+                    : "not installed (libopenblas-dev); CHOLMOD runs on what it is linked with");
 
     // The other parts' tables speak of shares of what is measured here.
     Limits const limits = measure_machine(settings, report);
@@ -134,7 +144,7 @@ void run(Settings settings) {
         if (!settings.has(name)) return;
         try {
             measure();
-        } catch (std::runtime_error const& error) {   // the others are still worth knowing
+        } catch (std::runtime_error const& error) {  // the others are still worth knowing
             failures += std::string(name) + ": " + error.what() + "\n";
         }
     };

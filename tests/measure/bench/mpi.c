@@ -1,6 +1,7 @@
-/* What processes cost and gain: usage mpi NI NJ FUNCTIONS OPERATOR, under mpirun. One line of numbers, see mpi.sh:
- * seconds of the processor that works longest, not of the clock, so that other programs disturb less; and the largest
- * number of bytes that a process has for harmorph at a time. */
+/* What processes cost and gain: usage mpi NI NJ FUNCTIONS OPERATOR, under mpirun. One line of
+ * numbers, see mpi.sh: seconds of the processor that works longest, not of the clock, so that other
+ * programs disturb less; and the largest number of bytes that a process has for harmorph at a time.
+ */
 #include "mpi_case.h"
 
 #include <string.h>
@@ -21,7 +22,7 @@ static double begin(void) {
 
 static double since(double start) { return slowest(((double)clock() - start) / CLOCKS_PER_SEC); }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     int rank, size, repeat;
     problem_case its;
     solver with;
@@ -81,8 +82,9 @@ int main(int argc, char **argv) {
     }
     bytes = slowest(bytes);
     if (rank == 0) {
-        printf("%d %d %d %.4f %.4f %.4f %.3f %.3f %.0f\n", size, (int)its.n_points, (int)its.n_functions, factor, solve,
-               exchange, 1e3 * morph, 1e3 * adjoint, bytes / its.n_points);
+        printf("%d %d %d %.4f %.4f %.4f %.3f %.3f %.0f\n", size, (int)its.n_points,
+               (int)its.n_functions, factor, solve, exchange, 1e3 * morph, 1e3 * adjoint,
+               bytes / its.n_points);
     }
     MPI_Finalize();
     return 0;

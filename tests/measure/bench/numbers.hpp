@@ -1,4 +1,5 @@
-// Arrays as the core's arenas and BLAS libraries lay them out: from the beginning of a cache line on.
+// Arrays as the core's arenas and BLAS libraries lay them out: from the beginning of a cache line
+// on.
 #pragma once
 
 #include <new>
@@ -17,9 +18,13 @@ struct LineAligned {
     T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), line)); }
     void deallocate(T* data, std::size_t) { ::operator delete(data, line); }
     template <class U>
-    bool operator==(LineAligned<U> const&) const { return true; }
+    bool operator==(LineAligned<U> const&) const {
+        return true;
+    }
     template <class U>
-    bool operator!=(LineAligned<U> const&) const { return false; }
+    bool operator!=(LineAligned<U> const&) const {
+        return false;
+    }
 };
 
 using Numbers = std::vector<double, LineAligned<double>>;

@@ -32,10 +32,17 @@ struct Ours::Clock {
     }
 };
 
-Ours::Ours(Case const& its_case, Workspace& workspace, Index functions, hm_executor const* executor, int kernel,
-           Index engine, Index precision, Index operator_kind)
-    : case_(its_case), workspace_(workspace), functions_(functions), executor_(executor), kernel_(kernel),
-      engine_(engine), precision_(precision), operator_kind_(operator_kind), fit_(its_case, functions) {}
+Ours::Ours(Case const& its_case, Workspace& workspace, Index functions, hm_executor const* executor,
+           int kernel, Index engine, Index precision, Index operator_kind)
+    : case_(its_case),
+      workspace_(workspace),
+      functions_(functions),
+      executor_(executor),
+      kernel_(kernel),
+      engine_(engine),
+      precision_(precision),
+      operator_kind_(operator_kind),
+      fit_(its_case, functions) {}
 
 Phases Ours::run() {
     Problem const problem(case_, fit_);
@@ -58,7 +65,8 @@ Phases Ours::run() {
     hm_analysis* analysis = nullptr;
     analysis_bytes_ = static_cast<double>(bytes);
     void* block = workspace_.analysis.give(bytes);
-    done(hm_analysis_init(&analysis, block, bytes, &problem.given, &options, &error), "hm_analysis_init");
+    done(hm_analysis_init(&analysis, block, bytes, &problem.given, &options, &error),
+         "hm_analysis_init");
 
     done(hm_basis_size(analysis, &bytes, &error), "hm_basis_size");
     block = basis_block_.give(bytes);
@@ -88,8 +96,9 @@ Phases medians(std::vector<Phases> const& runs) {
         return median(seconds);
     };
     Phases out;
-    for (double Phases::*phase : {&Phases::structure, &Phases::ordering, &Phases::symbolic, &Phases::assembly,
-                                  &Phases::factor, &Phases::solve, &Phases::residual})
+    for (double Phases::*phase :
+         {&Phases::structure, &Phases::ordering, &Phases::symbolic, &Phases::assembly,
+          &Phases::factor, &Phases::solve, &Phases::residual})
         out.*phase = of(phase);
     return out;
 }

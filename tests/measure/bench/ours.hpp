@@ -12,9 +12,10 @@
 namespace bench {
 
 struct Phases {
-    double structure = 0, ordering = 0, symbolic = 0;   // hm_analysis_init; symbolic: with hm_plan_init as a whole
-    double assembly = 0, factor = 0;                    // hm_plan_factor
-    double solve = 0, residual = 0;                     // hm_plan_solve
+    double structure = 0, ordering = 0,
+           symbolic = 0;              // hm_analysis_init; symbolic: with hm_plan_init as a whole
+    double assembly = 0, factor = 0;  // hm_plan_factor
+    double solve = 0, residual = 0;   // hm_plan_solve
 
     // What a solver does that is given the matrix and the right-hand sides.
     double engine() const { return ordering + symbolic + factor + solve; }
@@ -28,7 +29,7 @@ enum class Pages { plain, huge };
 struct Block {
     Pages pages = Pages::huge;
     std::unique_ptr<void, void (*)(void*)> memory{nullptr, std::free};
-    void* data = nullptr;   // inside the memory
+    void* data = nullptr;  // inside the memory
     std::size_t bytes = 0;
 
     Block() = default;
@@ -36,10 +37,11 @@ struct Block {
     void* give(std::size_t wanted) {
         if (wanted > bytes) {
             memory.reset();
-            std::size_t const room = hm_pages_room(wanted);   // SIZE_MAX: there is none
+            std::size_t const room = hm_pages_room(wanted);  // SIZE_MAX: there is none
             memory.reset(room <= PTRDIFF_MAX ? std::malloc(room) : nullptr);
             if (!memory) throw std::bad_alloc();
-            data = pages == Pages::huge ? hm_pages_place(memory.get(), wanted) : at_cache_line(memory.get());
+            data = pages == Pages::huge ? hm_pages_place(memory.get(), wanted)
+                                        : at_cache_line(memory.get());
             bytes = wanted;
         }
         return data;
@@ -60,8 +62,9 @@ class Ours {
 public:
     // precision: of the direct engine's factor. Engines that iterate: functions in blocks of 4.
     // Their report may say that they have not converged.
-    Ours(Case const& its_case, Workspace& workspace, Index functions, hm_executor const* executor, int kernel,
-         Index engine = HM_DIRECT, Index precision = HM_DOUBLE, Index operator_kind = HM_LAPLACE);
+    Ours(Case const& its_case, Workspace& workspace, Index functions, hm_executor const* executor,
+         int kernel, Index engine = HM_DIRECT, Index precision = HM_DOUBLE,
+         Index operator_kind = HM_LAPLACE);
     Ours(Ours const&) = delete;
 
     // From the beginning, in the same blocks each time: the first run is the warm-up.

@@ -1,4 +1,5 @@
-// CHOLMOD, supernodal: Y. Chen, T. A. Davis, W. W. Hager, S. Rajamanickam, ACM Trans. Math. Softw. 35 (2008) 22.
+// CHOLMOD, supernodal: Y. Chen, T. A. Davis, W. W. Hager, S. Rajamanickam, ACM Trans. Math. Softw.
+// 35 (2008) 22.
 #include "clock.hpp"
 #include "solver_peer.hpp"
 
@@ -16,9 +17,11 @@ __attribute__((weak)) void omp_set_max_active_levels(int);
 namespace bench {
 namespace {
 
-// CHOLMOD has threads of its own, by OpenMP, and those of its BLAS; both at once may get into each other's way.
+// CHOLMOD has threads of its own, by OpenMP, and those of its BLAS; both at once may get into each
+// other's way.
 struct Threads {
-    int blas = 1, openmp = 1;   // OpenMP's number is limited from outside: here only one or all of them
+    int blas = 1,
+        openmp = 1;  // OpenMP's number is limited from outside: here only one or all of them
 
     void set() const {
         if (openblas_set_num_threads != nullptr) openblas_set_num_threads(blas);
@@ -53,7 +56,8 @@ public:
     Index largest() const override { return 1 << 30; }
     double bytes() const override { return bytes_; }
 
-    PeerTimes run(Laplacian const& matrix, std::vector<Columns> const& b, std::vector<Columns>& x) override {
+    PeerTimes run(Laplacian const& matrix, std::vector<Columns> const& b,
+                  std::vector<Columns>& x) override {
         // The upper triangle is what it permutes in one step.
         cholmod_sparse a{};
         a.nrow = a.ncol = at(matrix.n);
@@ -68,7 +72,7 @@ public:
         a.sorted = a.packed = 1;
 
         threads_.set();
-        std::size_t const before = common_.memory_inuse;   // what the last solution left
+        std::size_t const before = common_.memory_inuse;  // what the last solution left
         common_.memory_usage = before;
         PeerTimes times;
         Stopwatch watch;
@@ -89,7 +93,8 @@ public:
             right.dtype = CHOLMOD_DOUBLE;
             // solve2 keeps its work for the next run.
             watch.lap();
-            good = cholmod_solve2(CHOLMOD_A, factor, &right, nullptr, &x_, nullptr, &y_, &e_, &common_) != 0;
+            good = cholmod_solve2(CHOLMOD_A, factor, &right, nullptr, &x_, nullptr, &y_, &e_,
+                                  &common_) != 0;
             times.solve.push_back(watch.seconds());
             if (good) std::memcpy(x[set].data.data(), x_->x, x[set].data.size() * sizeof(double));
         }
@@ -106,7 +111,8 @@ private:
     double bytes_ = not_measured;
 
     [[noreturn]] void fail(const char* call) const {
-        throw std::runtime_error(name() + ": " + call + " failed with status " + std::to_string(common_.status));
+        throw std::runtime_error(name() + ": " + call + " failed with status " +
+                                 std::to_string(common_.status));
     }
 };
 
@@ -120,8 +126,10 @@ SolverPeers make_cholmod(int threads) {
         int number;
     };
     SolverPeers out;
-    for (Ordering const ordering : {Ordering{"AMD", CHOLMOD_AMD}, {"METIS", CHOLMOD_METIS}, {"NESDIS", CHOLMOD_NESDIS}})
-        for (Threads const& way : ways) out.push_back(std::make_unique<Cholmod>(ordering.name, ordering.number, way));
+    for (Ordering const ordering :
+         {Ordering{"AMD", CHOLMOD_AMD}, {"METIS", CHOLMOD_METIS}, {"NESDIS", CHOLMOD_NESDIS}})
+        for (Threads const& way : ways)
+            out.push_back(std::make_unique<Cholmod>(ordering.name, ordering.number, way));
     return out;
 }
 

@@ -20,10 +20,12 @@ public:
     Index largest() const override { return 150000; }
     double bytes() const override { return not_measured; }
 
-    PeerTimes run(Laplacian const& matrix, std::vector<Columns> const& b, std::vector<Columns>& x) override {
+    PeerTimes run(Laplacian const& matrix, std::vector<Columns> const& b,
+                  std::vector<Columns>& x) override {
         using Sparse = Eigen::SparseMatrix<double>;
-        Eigen::Map<Sparse const> const a(matrix.n, matrix.n, static_cast<Index>(matrix.value.size()),
-                                         matrix.start.data(), matrix.column.data(), matrix.value.data());
+        Eigen::Map<Sparse const> const a(
+            matrix.n, matrix.n, static_cast<Index>(matrix.value.size()), matrix.start.data(),
+            matrix.column.data(), matrix.value.data());
         PeerTimes times;
         Stopwatch watch;
         Eigen::SimplicialLLT<Sparse, Eigen::Upper> solver;
@@ -33,7 +35,8 @@ public:
         times.factor = watch.lap();
         if (solver.info() != Eigen::Success) throw std::runtime_error("Eigen SimplicialLLT failed");
         for (std::size_t set = 0; set < b.size(); ++set) {
-            auto const rows = static_cast<Eigen::Index>(b[set].rows), count = static_cast<Eigen::Index>(b[set].count());
+            auto const rows = static_cast<Eigen::Index>(b[set].rows),
+                       count = static_cast<Eigen::Index>(b[set].count());
             Eigen::Map<Eigen::MatrixXd const> const right(b[set].data.data(), rows, count);
             watch.lap();
             Eigen::Map<Eigen::MatrixXd>(x[set].data.data(), rows, count) = solver.solve(right);

@@ -1,5 +1,5 @@
-// MUMPS, sequential, for symmetric positive definite matrices: P. R. Amestoy, I. S. Duff, J. Koster, J.-Y. L'Excellent,
-// SIAM J. Matrix Anal. Appl. 23 (2001) 15.
+// MUMPS, sequential, for symmetric positive definite matrices: P. R. Amestoy, I. S. Duff, J.
+// Koster, J.-Y. L'Excellent, SIAM J. Matrix Anal. Appl. 23 (2001) 15.
 #include "clock.hpp"
 #include "solver_peer.hpp"
 
@@ -20,14 +20,14 @@ public:
     Mumps(std::string ordering_name, int ordering, int threads)
         : ordering_(std::move(ordering_name)), threads_(threads) {
         its_.par = 1;
-        its_.sym = 1;                   // positive definite
-        its_.comm_fortran = -987654;    // MUMPS's word for all processes
+        its_.sym = 1;                 // positive definite
+        its_.comm_fortran = -987654;  // MUMPS's word for all processes
         its_.job = start;
         dmumps_c(&its_);
         for (int const stream : {1, 2, 3}) control(stream) = -1;
-        control(4) = 0;                 // says nothing
+        control(4) = 0;  // says nothing
         control(7) = ordering;
-        control(14) = 50;               // [%] more memory than estimated
+        control(14) = 50;  // [%] more memory than estimated
     }
     ~Mumps() override {
         its_.job = finish;
@@ -41,8 +41,9 @@ public:
     Index largest() const override { return 1 << 30; }
     double bytes() const override { return bytes_; }
 
-    PeerTimes run(Laplacian const& matrix, std::vector<Columns> const& b, std::vector<Columns>& x) override {
-        std::vector<MUMPS_INT> row, column;   // from 1; the lower triangle
+    PeerTimes run(Laplacian const& matrix, std::vector<Columns> const& b,
+                  std::vector<Columns>& x) override {
+        std::vector<MUMPS_INT> row, column;  // from 1; the lower triangle
         for (Index i = 0; i < matrix.n; ++i) {
             for (Index k = matrix.start[at(i)]; k < matrix.start[at(i) + 1]; ++k) {
                 row.push_back(i + 1);
@@ -58,13 +59,13 @@ public:
         PeerTimes times;
         times.analysis = seconds_of(analyse);
         times.factor = seconds_of(factorise);
-        bytes_ = 1e6 * its_.infog[21];   // INFOG(22): used by the factorisation [10^6 bytes]
+        bytes_ = 1e6 * its_.infog[21];  // INFOG(22): used by the factorisation [10^6 bytes]
         for (std::size_t set = 0; set < b.size(); ++set) {
-            x[set].data = b[set].data;   // solved in place
+            x[set].data = b[set].data;  // solved in place
             its_.rhs = x[set].data.data();
             its_.nrhs = static_cast<MUMPS_INT>(b[set].count());
             its_.lrhs = static_cast<MUMPS_INT>(b[set].rows);
-            control(27) = its_.nrhs;     // all at a time
+            control(27) = its_.nrhs;  // all at a time
             times.solve.push_back(seconds_of(solve));
         }
         return times;
@@ -76,14 +77,16 @@ private:
     DMUMPS_STRUC_C its_{};
     double bytes_ = not_measured;
 
-    MUMPS_INT& control(int number) { return its_.icntl[number - 1]; }   // ICNTL, counted from 1 in its manual
+    MUMPS_INT& control(int number) {
+        return its_.icntl[number - 1];
+    }  // ICNTL, counted from 1 in its manual
     double seconds_of(Job job) {
         Stopwatch watch;
         its_.job = job;
         dmumps_c(&its_);
         if (its_.infog[0] < 0) {
-            throw std::runtime_error(name() + ": job " + std::to_string(job) + " failed with INFOG(1) = " +
-                                     std::to_string(its_.infog[0]));
+            throw std::runtime_error(name() + ": job " + std::to_string(job) +
+                                     " failed with INFOG(1) = " + std::to_string(its_.infog[0]));
         }
         return watch.seconds();
     }

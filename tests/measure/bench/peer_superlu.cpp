@@ -1,5 +1,5 @@
-// SuperLU, sequential, in its mode for symmetric patterns: J. W. Demmel, S. C. Eisenstat, J. R. Gilbert, X. S. Li,
-// J. W. H. Liu, SIAM J. Matrix Anal. Appl. 20 (1999) 720.
+// SuperLU, sequential, in its mode for symmetric patterns: J. W. Demmel, S. C. Eisenstat, J. R.
+// Gilbert, X. S. Li, J. W. H. Liu, SIAM J. Matrix Anal. Appl. 20 (1999) 720.
 #include "clock.hpp"
 #include "solver_peer.hpp"
 
@@ -50,7 +50,8 @@ public:
     Index largest() const override { return 150000; }
     double bytes() const override { return bytes_; }
 
-    PeerTimes run(Laplacian const& matrix, std::vector<Columns> const& b, std::vector<Columns>& x) override {
+    PeerTimes run(Laplacian const& matrix, std::vector<Columns> const& b,
+                  std::vector<Columns>& x) override {
         Whole its(matrix);
         if (openblas_set_num_threads != nullptr) openblas_set_num_threads(threads_);
         int const n = matrix.n;
@@ -61,8 +62,8 @@ public:
         options.DiagPivotThresh = 0;
         std::vector<int> by_column(at(n)), by_row(at(n)), tree(at(n));
         SuperMatrix a, permuted, lower, upper;
-        dCreate_CompCol_Matrix(&a, n, n, static_cast<int>(its.row.size()), its.value.data(), its.row.data(),
-                               its.start.data(), SLU_NC, SLU_D, SLU_GE);
+        dCreate_CompCol_Matrix(&a, n, n, static_cast<int>(its.row.size()), its.value.data(),
+                               its.row.data(), its.start.data(), SLU_NC, SLU_D, SLU_GE);
         SuperLUStat_t statistics;
         StatInit(&statistics);
         GlobalLU_t memory;
@@ -72,8 +73,8 @@ public:
         get_perm_c(options.ColPerm, &a, by_column.data());
         sp_preorder(&options, &a, by_column.data(), tree.data(), &permuted);
         times.analysis = watch.lap();
-        dgstrf(&options, &permuted, sp_ienv(2), sp_ienv(1), tree.data(), nullptr, 0, by_column.data(), by_row.data(),
-               &lower, &upper, &memory, &statistics, &info);
+        dgstrf(&options, &permuted, sp_ienv(2), sp_ienv(1), tree.data(), nullptr, 0,
+               by_column.data(), by_row.data(), &lower, &upper, &memory, &statistics, &info);
         times.factor = watch.lap();
         bool const is_factored = info == 0;
         if (is_factored) {
@@ -82,12 +83,13 @@ public:
             bytes_ = used.total_needed;
         }
         for (std::size_t set = 0; set < b.size() && info == 0; ++set) {
-            x[set].data = b[set].data;   // solved in place
+            x[set].data = b[set].data;  // solved in place
             SuperMatrix right;
-            dCreate_Dense_Matrix(&right, n, static_cast<int>(b[set].count()), x[set].data.data(), n, SLU_DN, SLU_D,
-                                 SLU_GE);
+            dCreate_Dense_Matrix(&right, n, static_cast<int>(b[set].count()), x[set].data.data(), n,
+                                 SLU_DN, SLU_D, SLU_GE);
             watch.lap();
-            dgstrs(NOTRANS, &lower, &upper, by_column.data(), by_row.data(), &right, &statistics, &info);
+            dgstrs(NOTRANS, &lower, &upper, by_column.data(), by_row.data(), &right, &statistics,
+                   &info);
             times.solve.push_back(watch.seconds());
             Destroy_SuperMatrix_Store(&right);
         }
@@ -98,7 +100,8 @@ public:
         Destroy_CompCol_Permuted(&permuted);
         Destroy_SuperMatrix_Store(&a);
         StatFree(&statistics);
-        if (info != 0) throw std::runtime_error("SuperLU failed with info = " + std::to_string(info));
+        if (info != 0)
+            throw std::runtime_error("SuperLU failed with info = " + std::to_string(info));
         return times;
     }
 

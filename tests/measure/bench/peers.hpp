@@ -7,8 +7,8 @@
 namespace bench {
 
 struct SolverPackage {
-    std::string name, package;   // package: Debian's
-    SolverPeers (*make)(int threads);   // null: not installed
+    std::string name, package;         // package: Debian's
+    SolverPeers (*make)(int threads);  // null: not installed
 };
 
 std::vector<SolverPackage> const& solver_packages();

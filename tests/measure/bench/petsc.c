@@ -1,8 +1,9 @@
-/* usage: petsc NI NJ FUNCTIONS OPERATOR FIRST   O-mesh of NI x NJ points (the seam repeats a column); FIRST: height of
- * the first layer, 0: cells as long as wide. Each process makes its own rings alone. Prints: processes, points, seconds
- * to create and to solve (processor time of the slowest process), iterations of the slowest function, seconds of a
- * morph; megabytes of the largest process: harmorph with its basis, the rest (PETSc and its solvers), and the
- * most that the process had at a time; estimated error. */
+/* usage: petsc NI NJ FUNCTIONS OPERATOR FIRST   O-mesh of NI x NJ points (the seam repeats a
+ * column); FIRST: height of the first layer, 0: cells as long as wide. Each process makes its own
+ * rings alone. Prints: processes, points, seconds to create and to solve (processor time of the
+ * slowest process), iterations of the slowest function, seconds of a morph; megabytes of the
+ * largest process: harmorph with its basis, the rest (PETSc and its solvers), and the most that the
+ * process had at a time; estimated error. */
 #include <harmorph_petsc.h>
 
 #include <math.h>
@@ -16,7 +17,7 @@
 
 enum { WALL = 1, FAR_FIELD = 2 };
 
-static void need(hm_status status, const hm_error *error) {
+static void need(hm_status status, const hm_error* error) {
     if (status >= 0) return;
     fprintf(stderr, "%s: %s\n", hm_status_name(status), error->text);
     MPI_Abort(MPI_COMM_WORLD, 1);
@@ -30,7 +31,7 @@ static double seconds(void) {
 
 static double resident(void) { /* bytes, now */
     long pages = 0, all = 0;
-    FILE *file = fopen("/proc/self/statm", "r");
+    FILE* file = fopen("/proc/self/statm", "r");
     if (file == NULL || fscanf(file, "%ld %ld", &all, &pages) != 2) pages = 0;
     if (file != NULL) fclose(file);
     return (double)pages * (double)sysconf(_SC_PAGESIZE);
@@ -42,17 +43,19 @@ static double most_resident(void) { /* bytes, at any time */
     return 1024.0 * (double)use.ru_maxrss;
 }
 
-static void place(int i, int j, int ni, int nj, double first, double *x, double *y) {
+static void place(int i, int j, int ni, int nj, double first, double* x, double* y) {
     const double angle = 6.283185307179586 * (i % (ni - 1)) / (ni - 1), t = (double)j / (nj - 1);
     const double even = exp(6.283185307179586 * (nj - 1) / (ni - 1)) - 1;
-    const double r = 1 + (first > 0 ? first * expm1(t * log1p(20 / first)) : expm1(t * log1p(even)));
+    const double r =
+        1 + (first > 0 ? first * expm1(t * log1p(20 / first)) : expm1(t * log1p(even)));
     *x = (r + 0.6 / r) * cos(angle);
     *y = (r - 0.6 / r) * sin(angle);
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     const int ni = argc > 1 ? atoi(argv[1]) : 401, nj = argc > 2 ? atoi(argv[2]) : 101;
-    const int functions = argc > 3 ? atoi(argv[3]) : 20, operator_kind = argc > 4 ? atoi(argv[4]) : HM_LAPLACE;
+    const int functions = argc > 3 ? atoi(argv[3]) : 20,
+              operator_kind = argc > 4 ? atoi(argv[4]) : HM_LAPLACE;
     const double first = argc > 5 ? atof(argv[5]) : 0;
     int rank, size, begin, end, i, j, n = 0;
     hm_error error;
@@ -65,8 +68,8 @@ int main(int argc, char **argv) {
         const size_t points = (size_t)ni * (size_t)(end - begin + 1);
         double *const x = malloc(points * sizeof *x), *const y = malloc(points * sizeof *y),
                       *wall = malloc(2 * (size_t)ni * sizeof *wall);
-        int64_t *const numbers = malloc(points * sizeof *numbers);
-        int32_t *const lists = malloc(2 * (size_t)ni * sizeof *lists);
+        int64_t* const numbers = malloc(points * sizeof *numbers);
+        int32_t* const lists = malloc(2 * (size_t)ni * sizeof *lists);
         int32_t start[3] = {0, ni, 2 * ni}, markers[2] = {WALL, FAR_FIELD}, n_lists = 0;
         hm_mesh mesh = {sizeof mesh};
         hm_part_mesh part = {sizeof part};
@@ -75,10 +78,10 @@ int main(int argc, char **argv) {
         hm_problem problem = {sizeof problem};
         hm_options options = {sizeof options};
         hm_petsc_report report = {sizeof report};
-        hm_petsc *system;
-        hm_basis *rows;
+        hm_petsc* system;
+        hm_basis* rows;
         size_t bytes;
-        void *block;
+        void* block;
         double before, times[4], memory[3], *move;
         for (j = begin; j <= end; ++j) {
             for (i = 0; i < ni; ++i, ++n) {
@@ -110,8 +113,8 @@ int main(int argc, char **argv) {
         fit.n_control = functions;
         fit.closed = HM_PERIODIC;
         need(hm_fit_size(ni - 1, &fit, &bytes, &error), &error);
-        need(hm_fit(&problem.curves, malloc(bytes), bytes, &(hm_points){wall, wall + ni, 1}, ni - 1, 1, &fit, NULL,
-                    &error),
+        need(hm_fit(&problem.curves, malloc(bytes), bytes, &(hm_points){wall, wall + ni, 1}, ni - 1,
+                    1, &fit, NULL, &error),
              &error);
         on_curve.marker = WALL;
         on_curve.n_curves = 1;
@@ -137,9 +140,9 @@ int main(int argc, char **argv) {
         MPI_Allreduce(MPI_IN_PLACE, times + 1, 3, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
         MPI_Allreduce(MPI_IN_PLACE, memory, 3, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
         if (rank == 0) {
-            printf("%d %ld %.2f %.2f %d %.4f %.1f %.1f %.1f %.1e\n", size, (long)ni * nj, times[1], times[2],
-                   (int)report.iterations, times[3], 1e-6 * memory[0], 1e-6 * memory[1], 1e-6 * memory[2],
-                   report.error);
+            printf("%d %ld %.2f %.2f %d %.4f %.1f %.1f %.1f %.1e\n", size, (long)ni * nj, times[1],
+                   times[2], (int)report.iterations, times[3], 1e-6 * memory[0], 1e-6 * memory[1],
+                   1e-6 * memory[2], report.error);
         }
         hm_petsc_free(&system);
     }

@@ -33,12 +33,14 @@ void print_cell(std::string const& text, std::size_t width, bool to_right) {
 }
 
 void print_row(std::vector<Value> const& row, std::vector<std::size_t> const& width) {
-    for (std::size_t k = 0; k < row.size(); ++k) print_cell(row[k].text, width[k], row[k].is_number);
+    for (std::size_t k = 0; k < row.size(); ++k)
+        print_cell(row[k].text, width[k], row[k].is_number);
     std::printf("\n");
 }
 
 // To the right above numbers.
-void print_columns(Table const& table, std::vector<std::size_t> const& width, std::vector<Value> const* row) {
+void print_columns(Table const& table, std::vector<std::size_t> const& width,
+                   std::vector<Value> const* row) {
     std::printf("\n%s\n", table.title.c_str());
     for (std::size_t k = 0; k < table.columns.size(); ++k)
         print_cell(table.columns[k], width[k], row != nullptr && (*row)[k].is_number);
@@ -48,10 +50,12 @@ void print_columns(Table const& table, std::vector<std::size_t> const& width, st
 }  // namespace
 
 Value::Value(double its_number, const char* how)
-    : text(std::isfinite(its_number) ? format(how, its_number) : "-"), number(its_number), is_number(true) {}
+    : text(std::isfinite(its_number) ? format(how, its_number) : "-"),
+      number(its_number),
+      is_number(true) {}
 
 void Table::begin() {
-    constexpr std::size_t narrowest = 10;   // rows that are not known yet may be as wide
+    constexpr std::size_t narrowest = 10;  // rows that are not known yet may be as wide
     for (std::string const& name : columns) width.push_back(std::max(narrowest, name.size()));
     width[0] = 2 * narrowest;
 }
@@ -70,7 +74,8 @@ void Table::print() const {
         std::vector<std::size_t> widest;
         for (std::string const& name : columns) widest.push_back(name.size());
         for (std::vector<Value> const& row : rows)
-            for (std::size_t k = 0; k < row.size(); ++k) widest[k] = std::max(widest[k], row[k].text.size());
+            for (std::size_t k = 0; k < row.size(); ++k)
+                widest[k] = std::max(widest[k], row[k].text.size());
         print_columns(*this, widest, rows.empty() ? nullptr : &rows[0]);
         for (std::vector<Value> const& row : rows) print_row(row, widest);
     }
@@ -98,7 +103,8 @@ bool Report::write_json(std::string const& path) const {
     std::fprintf(file, "  \"tables\": [");
     for (std::size_t t = 0; t < tables_.size(); ++t) {
         Table const& table = tables_[t];
-        std::fprintf(file, "%s\n    {\"title\": %s, \"rows\": [", t > 0 ? "," : "", quoted(table.title).c_str());
+        std::fprintf(file, "%s\n    {\"title\": %s, \"rows\": [", t > 0 ? "," : "",
+                     quoted(table.title).c_str());
         for (std::size_t r = 0; r < table.rows.size(); ++r) {
             std::fprintf(file, "%s\n      {", r > 0 ? "," : "");
             for (std::size_t k = 0; k < table.columns.size(); ++k)
@@ -115,8 +121,6 @@ bool Report::write_json(std::string const& path) const {
     return std::fclose(file) == 0;
 }
 
-void say(std::string const& text) {
-    std::fprintf(stderr, "... %s\n", text.c_str());
-}
+void say(std::string const& text) { std::fprintf(stderr, "... %s\n", text.c_str()); }
 
 }  // namespace bench

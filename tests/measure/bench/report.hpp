@@ -6,7 +6,8 @@
 
 namespace bench {
 
-// A text, or a number and how it is printed. A number that is not finite is printed as "-" and is null in JSON.
+// A text, or a number and how it is printed. A number that is not finite is printed as "-" and is
+// null in JSON.
 struct Value {
     std::string text;
     double number = 0;
@@ -29,12 +30,13 @@ struct Table {
     std::vector<std::string> columns;
     std::vector<std::vector<Value>> rows;
     std::vector<std::string> notes;
-    std::vector<std::size_t> width{};   // of the columns, where rows are printed as they come
+    std::vector<std::size_t> width{};  // of the columns, where rows are printed as they come
 
     void add(std::vector<Value> row);
-    // From now on each row is printed as it is added, the columns above the first: for runs that are long.
+    // From now on each row is printed as it is added, the columns above the first: for runs that
+    // are long.
     void begin();
-    void print() const;   // what has not been printed yet
+    void print() const;  // what has not been printed yet
 };
 
 class Report {

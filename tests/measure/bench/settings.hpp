@@ -14,13 +14,14 @@ struct Settings {
     std::vector<std::string> kinds{"iso", "viscous", "unstructured"};
     std::vector<std::int32_t> functions{20, 60};
     std::vector<std::string> parts{"dense", "solve", "morph"};
-    int threads = 1;        // of both sides
-    hm_executor const* executor = nullptr;   // with as many
-    int kernel = 0;         // HM_KERNEL_...
-    int precision = HM_DOUBLE;   // of our factor
-    int repeats = 0;        // of the solves; 0: by size
-    std::int32_t elasticity = 100000;   // largest mesh, in points, on which displacements are compared with elasticity
-    std::string json;       // file name; empty: none
+    int threads = 1;                        // of both sides
+    hm_executor const* executor = nullptr;  // with as many
+    int kernel = 0;                         // HM_KERNEL_...
+    int precision = HM_DOUBLE;              // of our factor
+    int repeats = 0;                        // of the solves; 0: by size
+    std::int32_t elasticity =
+        100000;  // largest mesh, in points, on which displacements are compared with elasticity
+    std::string json;  // file name; empty: none
 
     bool has(std::string const& part) const {
         for (std::string const& wanted : parts)
@@ -31,9 +32,10 @@ struct Settings {
 
 // Bytes read per second, and arithmetic: what the other parts are measured against.
 struct Limits {
-    double read = 0;        // [bytes/s] of all threads over an array that fits in no cache
-    std::function<void(void const* data, std::size_t bytes)> read_once;   // by these threads, for other data
-    double peak = 0;        // [flop/s] of one thread, multiply-adds in registers
+    double read = 0;  // [bytes/s] of all threads over an array that fits in no cache
+    std::function<void(void const* data, std::size_t bytes)>
+        read_once;    // by these threads, for other data
+    double peak = 0;  // [flop/s] of one thread, multiply-adds in registers
 };
 
 Limits measure_machine(Settings const& settings, Report& report);

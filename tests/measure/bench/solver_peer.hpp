@@ -6,9 +6,9 @@
 namespace bench {
 
 struct PeerTimes {
-    double analysis = 0;         // ordering and symbolic pass
+    double analysis = 0;  // ordering and symbolic pass
     double factor = 0;
-    std::vector<double> solve;   // of each set of right-hand sides
+    std::vector<double> solve;  // of each set of right-hand sides
     double whole(std::size_t set) const { return analysis + factor + solve[set]; }
 };
 
@@ -21,14 +21,17 @@ public:
     // Larger systems are not asked for: they would take minutes.
     virtual Index largest() const = 0;
     // From the beginning, all sets with one factor. An error: std::runtime_error.
-    virtual PeerTimes run(Laplacian const& matrix, std::vector<Columns> const& b, std::vector<Columns>& x) = 0;
-    // At most at once in the last run, factor and its work; right-hand sides not counted. NaN: not known.
+    virtual PeerTimes run(Laplacian const& matrix, std::vector<Columns> const& b,
+                          std::vector<Columns>& x) = 0;
+    // At most at once in the last run, factor and its work; right-hand sides not counted. NaN: not
+    // known.
     virtual double bytes() const = 0;
 };
 
 using SolverPeers = std::vector<std::unique_ptr<SolverPeer>>;
 
-// One for each ordering it offers and each way to use the threads. Compiled where its package is there.
+// One for each ordering it offers and each way to use the threads. Compiled where its package is
+// there.
 SolverPeers make_cholmod(int threads);
 SolverPeers make_eigen(int threads);
 SolverPeers make_mumps(int threads);

@@ -1,5 +1,5 @@
-// A bar chart of the comparison: for each movement the quality at least (full bars) and on average (outlines)
-// by each method.
+// A bar chart of the comparison: for each movement the quality at least (full bars) and on average
+// (outlines) by each method.
 #pragma once
 
 #include <ostream>
@@ -22,26 +22,31 @@ struct Bars {
         const double bar = 14, gap = 22, height = 220, left = 46, top = 44;
         const double group_width = bar * static_cast<double>(methods.size()) + gap;
         const double width = left + group_width * static_cast<double>(groups.size()) + 10;
-        out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << width << ' ' << top + height + 40
-            << "\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"11\"><rect width=\"100%\" height=\"100%\" "
+        out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << width << ' '
+            << top + height + 40
+            << "\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"11\"><rect "
+               "width=\"100%\" height=\"100%\" "
                "fill=\"#fff\"/>\n";
         for (int tick = 0; tick <= 5; ++tick) {
             const double y = top + height * (1 - tick / 5.0);
-            out << "<path d=\"M" << left << ' ' << y << "H" << width - 10 << "\" stroke=\"#ddd\"/><text x=\""
-                << left - 6 << "\" y=\"" << y + 4 << "\" text-anchor=\"end\">" << tick / 5.0 << "</text>\n";
+            out << "<path d=\"M" << left << ' ' << y << "H" << width - 10
+                << "\" stroke=\"#ddd\"/><text x=\"" << left - 6 << "\" y=\"" << y + 4
+                << "\" text-anchor=\"end\">" << tick / 5.0 << "</text>\n";
         }
         for (std::size_t m = 0; m < methods.size(); ++m) {
             const double x = left + 150 * static_cast<double>(m);
-            out << "<rect x=\"" << x << "\" y=\"12\" width=\"12\" height=\"12\" fill=\"" << colours[m % 4]
-                << "\"/><text x=\"" << x + 18 << "\" y=\"22\">" << methods[m] << "</text>\n";
+            out << "<rect x=\"" << x << "\" y=\"12\" width=\"12\" height=\"12\" fill=\""
+                << colours[m % 4] << "\"/><text x=\"" << x + 18 << "\" y=\"22\">" << methods[m]
+                << "</text>\n";
         }
         for (std::size_t g = 0; g < groups.size(); ++g) {
             const double x = left + gap / 2 + group_width * static_cast<double>(g);
             for (std::size_t m = 0; m < methods.size(); ++m) {
                 const double at = x + bar * static_cast<double>(m);
                 const auto bar_of = [&](double value, const char* style) {
-                    out << "<rect x=\"" << at << "\" y=\"" << top + height * (1 - value) << "\" width=\"" << bar - 2
-                        << "\" height=\"" << height * value << "\" " << style << '"' << colours[m % 4] << "\"/>\n";
+                    out << "<rect x=\"" << at << "\" y=\"" << top + height * (1 - value)
+                        << "\" width=\"" << bar - 2 << "\" height=\"" << height * value << "\" "
+                        << style << '"' << colours[m % 4] << "\"/>\n";
                 };
                 bar_of(groups[g].least[m], "fill=");
                 bar_of(groups[g].mean[m], "fill=\"none\" stroke=");

@@ -1,6 +1,8 @@
-// The comparison of `make deform`: the safe morph against linear elasticity, radial basis functions and inverse
-// distances, on the same movements by the same measures. Built only where Eigen is installed.
-//   compare FOLDER MESH:MARKER ...      airfoils of chord 1 from x = 0 to 1; the block of tests/meshes comes always
+// The comparison of `make deform`: the safe morph against linear elasticity, radial basis functions
+// and inverse distances, on the same movements by the same measures. Built only where Eigen is
+// installed.
+//   compare FOLDER MESH:MARKER ...      airfoils of chord 1 from x = 0 to 1; the block of
+//   tests/meshes comes always
 #include "commands/commands.hpp"
 #include "mesh/basis_file.hpp"
 #include "curves/curve_file.hpp"
@@ -35,8 +37,10 @@ Motion motion_of(const cli::Mesh& mesh, std::int32_t wall) {
     out.cells = {mesh.cell_start, mesh.cell_points};
     for (std::size_t k = 0; k < mesh.x.size(); ++k) out.start.emplace_back(mesh.x[k], mesh.y[k]);
     for (std::int32_t cell = 0; cell < out.cells.count(); ++cell) {
-        const auto begin = out.cells.point.begin() + out.cells.start[cell], end = begin + out.cells.size(cell);
-        if (twice_area(out.start[begin[0]], out.start[begin[1]], out.start[begin[2]]) < 0) std::reverse(begin, end);
+        const auto begin = out.cells.point.begin() + out.cells.start[cell],
+                   end = begin + out.cells.size(cell);
+        if (twice_area(out.start[begin[0]], out.start[begin[1]], out.start[begin[2]]) < 0)
+            std::reverse(begin, end);
     }
     std::set<std::pair<std::int32_t, std::int32_t>> sides;  // as the cells go round
     for (std::int32_t cell = 0; cell < out.cells.count(); ++cell)
@@ -98,19 +102,20 @@ void print(const std::vector<Row>& rows) {
         const Measures& its = row.measures;
         const auto mark = [&](bool good) { return row.valid && good ? '*' : ' '; };
         std::printf("  %-17s  %5d  %8s  %8.3f%c  %8.3f%c", row.name.c_str(), row.steps,
-                    row.valid ? "valid" : "inverted", its.min_quality, mark(its.min_quality >= .98 * min_quality),
-                    its.mean_quality, mark(its.mean_quality >= .98 * mean_quality));
-        std::printf("  %7.2f%c  %6.3f  %6.3f  %7.4f%c  %7.2f\n", its.angle, mark(its.angle <= angle + 1.15),
-                    its.min_height, its.max_height, its.height_error, mark(its.height_error <= height + .02),
-                    row.seconds);
+                    row.valid ? "valid" : "inverted", its.min_quality,
+                    mark(its.min_quality >= .98 * min_quality), its.mean_quality,
+                    mark(its.mean_quality >= .98 * mean_quality));
+        std::printf("  %7.2f%c  %6.3f  %6.3f  %7.4f%c  %7.2f\n", its.angle,
+                    mark(its.angle <= angle + 1.15), its.min_height, its.max_height,
+                    its.height_error, mark(its.height_error <= height + .02), row.seconds);
     }
 }
 
 // One mesh, its curve and the conditions of the safe morph.
 class Comparison {
 public:
-    Comparison(const cli::Mesh& mesh, const cli::Task& task, std::int32_t wall, const cli::Threads& threads,
-               const std::string& path)
+    Comparison(const cli::Mesh& mesh, const cli::Task& task, std::int32_t wall,
+               const cli::Threads& threads, const std::string& path)
         : mesh_(mesh), motion_(motion_of(mesh, wall)), threads_(threads) {
         cli::Solver solver(mesh, task, threads);
         const double begin = seconds();
@@ -126,7 +131,8 @@ public:
         motion_.wall_at = [&](double t) {
             const cli::Field field = cli::displacement(*basis_, mesh_, moves(t), threads_);
             std::vector<Point> out;
-            for (const std::int32_t k : motion_.wall) out.push_back(motion_.start[k] + Point(field.x[k], field.y[k]));
+            for (const std::int32_t k : motion_.wall)
+                out.push_back(motion_.start[k] + Point(field.x[k], field.y[k]));
             return out;
         };
         std::printf("  %s\n", what.c_str());
@@ -144,7 +150,8 @@ public:
         own.steps = morph.safe.steps;
         own.valid = morph.valid() && morph.refusal.empty();
         std::vector<Point> at;
-        for (std::size_t k = 0; k < mesh_.x.size(); ++k) at.emplace_back(morph.moved.x[k], morph.moved.y[k]);
+        for (std::size_t k = 0; k < mesh_.x.size(); ++k)
+            at.emplace_back(morph.moved.x[k], morph.moved.y[k]);
         own.measures = measure(motion_, at);
         rows.push_back(own);
         print(rows);
@@ -164,7 +171,8 @@ public:
         files.commit();
         std::printf(
             "\n"
-            "figure %s Size-skew quality on %s by method: full bars at least, outlines on average; no bar where cells "
+            "figure %s Size-skew quality on %s by method: full bars at least, outlines on average; "
+            "no bar where cells "
             "are inverted.\n",
             std::filesystem::path(path).filename().c_str(), mesh.c_str());
     }
@@ -202,19 +210,23 @@ void begin_table(const std::string& mesh, const char* remark) {
         "\n"
         "== Against other methods: %s\n"
         "\n"
-        "table The same movements by other methods%s. Quality is size-skew; angle is the mean change [degrees] "
-        "between the wall and the first-layer edges; heights are ratios of first-layer heights, error the mean of "
+        "table The same movements by other methods%s. Quality is size-skew; angle is the mean "
+        "change [degrees] "
+        "between the wall and the first-layer edges; heights are ratios of first-layer heights, "
+        "error the mean of "
         "|ratio - 1|; a star: the best, or within 2 %% of the best valid one\n",
         mesh.c_str(), remark);
-    std::printf("  %-17s  %5s  %8s  %9s  %9s  %8s  %6s  %6s  %8s  %7s\n", "method", "steps", "cells", "min q", "mean q",
-                "angle", "lowest", "highest", "error", "seconds");
+    std::printf("  %-17s  %5s  %8s  %9s  %9s  %8s  %6s  %6s  %8s  %7s\n", "method", "steps",
+                "cells", "min q", "mean q", "angle", "lowest", "highest", "error", "seconds");
 }
 
 void airfoil(const std::string& folder, const std::string& path, const std::string& marker,
              const cli::Threads& threads) {
     const std::string curve_path = folder + "/compared.curve";
-    std::printf("\n== The curve of the comparison: %s\n\ntable The curve through the airfoil's points\n  what  is\n",
-                path.c_str());
+    std::printf(
+        "\n== The curve of the comparison: %s\n\ntable The curve through the airfoil's points\n  "
+        "what  is\n",
+        path.c_str());
     cli::run_command({"fit", path, "--marker", marker, "-o", curve_path});
     begin_table(path, "");
     const cli::Mesh mesh = cli::read_mesh(path);
@@ -223,9 +235,11 @@ void airfoil(const std::string& folder, const std::string& path, const std::stri
     const std::int32_t wall = mesh.find_markers(marker)[0];
     Comparison its(mesh, task_on(mesh, marker, curves), wall, threads, folder + "/compared.basis");
     for (const double height : {.1, .3, .6})
-        its.compare("camber " + cli::brief(height), [&](double t) { return movements.camber(t * height); });
+        its.compare("camber " + cli::brief(height),
+                    [&](double t) { return movements.camber(t * height); });
     for (const double degrees : {20., 60., 120.})
-        its.compare("rotation " + cli::brief(degrees), [&](double t) { return movements.rotation(t * degrees); });
+        its.compare("rotation " + cli::brief(degrees),
+                    [&](double t) { return movements.rotation(t * degrees); });
     its.compare("bump .3", [&](double t) { return movements.bump(.3 * t); });
     its.compare("flap 30", [&](double t) { return movements.flap(30 * t); });
     const std::string name = std::filesystem::path(path).stem().string();
@@ -235,7 +249,8 @@ void airfoil(const std::string& folder, const std::string& path, const std::stri
 void block(const std::string& folder, const cli::Threads& threads) {
     const cli::Mesh mesh = cli::read_mesh("tests/meshes/block.su2");
     const Movements movements{{.4, .48, .6, .48, .6, .52, .4, .52}};
-    begin_table("tests/meshes/block.su2", " (the outer sides slide in harmorph's mesh, and are fixed in the others)");
+    begin_table("tests/meshes/block.su2",
+                " (the outer sides slide in harmorph's mesh, and are fixed in the others)");
     cli::Curves curves;
     curves.control = movements.control;
     curves.curves.push_back({1, HM_TIED, {0, 1, 2, 3, 0}, {0, 0, 1, 2, 3, 4, 4}});
@@ -265,8 +280,8 @@ int main(int argc, char** argv) {
             const std::size_t colon = word.rfind(':');
             deform::airfoil(folder, word.substr(0, colon), word.substr(colon + 1), threads);
         }
-        std::printf("\nharmorph is best or within 2 %% of the best in %d of %d columns\n", deform::Comparison::best,
-                    deform::Comparison::columns);
+        std::printf("\nharmorph is best or within 2 %% of the best in %d of %d columns\n",
+                    deform::Comparison::best, deform::Comparison::columns);
         return 0;
     } catch (const cli::Failure& failure) {
         std::fprintf(stderr, "compare: %s\n", failure.what());

@@ -1,6 +1,8 @@
-// `make deform`: how far meshes follow large movements, per basis and with the safe morph; tables and pictures. A
-// client of the program's own parts. It prints sections and captions as tests/figures.sh reads them.
-//   deform FOLDER MESH:MARKER ...      airfoils of chord 1 from x = 0 to 1; the block of tests/meshes comes always
+// `make deform`: how far meshes follow large movements, per basis and with the safe morph; tables
+// and pictures. A client of the program's own parts. It prints sections and captions as
+// tests/figures.sh reads them.
+//   deform FOLDER MESH:MARKER ...      airfoils of chord 1 from x = 0 to 1; the block of
+//   tests/meshes comes always
 #include "mesh/basis_file.hpp"
 #include "commands/commands.hpp"
 #include "curves/curve_file.hpp"
@@ -29,14 +31,17 @@ struct Operator {
     const char* name;
     std::int32_t kind, quarters;
 };
-constexpr Operator operators[] = {{"laplace", HM_LAPLACE, 0},      {"weighted 1", HM_WEIGHTED, 4},
-                                  {"conformal 1", HM_CONFORMAL, 4}, {"conformal 1.5", HM_CONFORMAL, 6},
+constexpr Operator operators[] = {{"laplace", HM_LAPLACE, 0},
+                                  {"weighted 1", HM_WEIGHTED, 4},
+                                  {"conformal 1", HM_CONFORMAL, 4},
+                                  {"conformal 1.5", HM_CONFORMAL, 6},
                                   {"conformal 2", HM_CONFORMAL, 8}};
 
 // One mesh with the basis of one operator, solved.
 class Case {
 public:
-    Case(const cli::Mesh& mesh, cli::Task task, const cli::Threads& threads, const std::string& path)
+    Case(const cli::Mesh& mesh, cli::Task task, const cli::Threads& threads,
+         const std::string& path)
         : mesh_(mesh), threads_(threads), task_(std::move(task)), solver_(mesh, task_, threads) {
         solver_.run();
         solver_.run();  // the first one warms up
@@ -49,7 +54,9 @@ public:
 
     double seconds() const { return seconds_; }
     const cli::Basis& basis() const { return *basis_; }
-    cli::Morph linear(const Moves& moves) const { return cli::Morph(*basis_, mesh_, moves, 1, threads_); }
+    cli::Morph linear(const Moves& moves) const {
+        return cli::Morph(*basis_, mesh_, moves, 1, threads_);
+    }
     cli::Morph safe(const Moves& moves, double heights = 0) const {
         auto options = cli::sized<hm_safe_options>();
         options.heights = heights;
@@ -73,26 +80,29 @@ public:
         cli::OutputFiles files;
         files.add(stem + ".svg") << cli::morph_picture(mesh_, *basis_, morph);
         const auto caption = [&](const std::string& path, const std::string& text) {
-            std::printf("figure %s %s\n", std::filesystem::path(path).filename().c_str(), text.c_str());
+            std::printf("figure %s %s\n", std::filesystem::path(path).filename().c_str(),
+                        text.c_str());
         };
-        caption(stem + ".svg",
-                "The safe morph of " + what + ": the mesh is drawn before in blue and after in red. It has " +
-                    cli::plural(morph.quality.inverted, "inverted cell") + " and a size-skew quality of " +
-                    cli::brief(morph.quality.min_quality) + " at least.");
+        caption(stem + ".svg", "The safe morph of " + what +
+                                   ": the mesh is drawn before in blue and after in red. It has " +
+                                   cli::plural(morph.quality.inverted, "inverted cell") +
+                                   " and a size-skew quality of " +
+                                   cli::brief(morph.quality.min_quality) + " at least.");
         if (curves.n_control > 4) {  // an airfoil: both of its edges, where they are now
             for (const bool leading : {true, false}) {
                 std::size_t edge = 0;
                 for (std::size_t i = 0; i < moves.size(); i += 2) {
-                    const bool further =
-                        leading ? curves.control[i] < curves.control[edge] : curves.control[i] > curves.control[edge];
+                    const bool further = leading ? curves.control[i] < curves.control[edge]
+                                                 : curves.control[i] > curves.control[edge];
                     if (further) edge = i;
                 }
-                const cli::Point at = {curves.control[edge] + moves[edge], curves.control[edge + 1] + moves[edge + 1]};
+                const cli::Point at = {curves.control[edge] + moves[edge],
+                                       curves.control[edge + 1] + moves[edge + 1]};
                 const cli::Box window = cli::Box{at, at}.widened(.05);
                 const std::string name = stem + (leading ? "-leading.svg" : "-trailing.svg");
                 files.add(name) << cli::morph_picture(mesh_, *basis_, morph, window);
-                caption(name, std::string("The same mesh round the ") + (leading ? "leading" : "trailing") +
-                                  " edge after " + what + ".");
+                caption(name, std::string("The same mesh round the ") +
+                                  (leading ? "leading" : "trailing") + " edge after " + what + ".");
             }
         }
         files.commit();
@@ -107,41 +117,49 @@ private:
     std::unique_ptr<cli::Basis> basis_;
 };
 
-void print_limits(const char* name, const Case& its, const Movements& movements, double laplace_seconds) {
+void print_limits(const char* name, const Case& its, const Movements& movements,
+                  double laplace_seconds) {
     const auto limit = [&](Moves (Movements::*kind)(double) const, double most) {
         return its.limit([&](double amount) { return (movements.*kind)(amount); }, most);
     };
-    const double rotation = its.limit([&](double degrees) { return movements.rotation(degrees); }, 180);
-    std::printf("  %-14s  %8.3f  %8.1f  %8.3f  %9.2f  %8.2f  %20.2f\n", name, limit(&Movements::camber, 4), rotation,
-                limit(&Movements::bump, 8), limit(&Movements::thickening, 99), limit(&Movements::translation, 99),
+    const double rotation =
+        its.limit([&](double degrees) { return movements.rotation(degrees); }, 180);
+    std::printf("  %-14s  %8.3f  %8.1f  %8.3f  %9.2f  %8.2f  %20.2f\n", name,
+                limit(&Movements::camber, 4), rotation, limit(&Movements::bump, 8),
+                limit(&Movements::thickening, 99), limit(&Movements::translation, 99),
                 its.seconds() / laplace_seconds);
 }
 
-bool print_safe(const std::string& name, const std::string& what, const Case& its, const Moves& moves,
-                const std::string& picture) {
+bool print_safe(const std::string& name, const std::string& what, const Case& its,
+                const Moves& moves, const std::string& picture) {
     const cli::Morph morph = its.safe(moves);
-    static const char* const strategies[] = {"linear", "other", "substeps", "untangled", "improved"};
+    static const char* const strategies[] = {"linear", "other", "substeps", "untangled",
+                                             "improved"};
     const hm_safe_report& report = morph.safe;
     const bool good = morph.valid() && morph.refusal.empty();
-    std::printf("  %-14s  %6.1f %%  %6d  %8d  %-9s  %8d  %6.3f  %6.3f  %8.2g  %10.1f\n", name.c_str(),
-                100 * report.step_fraction, report.steps, report.resolves, strategies[report.strategy],
-                morph.quality.inverted, morph.quality.min_quality, morph.quality.mean_quality, morph.boundary_error,
-                morph.seconds / its.seconds());
+    std::printf("  %-14s  %6.1f %%  %6d  %8d  %-9s  %8d  %6.3f  %6.3f  %8.2g  %10.1f\n",
+                name.c_str(), 100 * report.step_fraction, report.steps, report.resolves,
+                strategies[report.strategy], morph.quality.inverted, morph.quality.min_quality,
+                morph.quality.mean_quality, morph.boundary_error, morph.seconds / its.seconds());
     if (!morph.refusal.empty()) std::printf("    %s\n", morph.refusal.c_str());
     its.draw(picture, what, morph);
     return good;
 }
 
 constexpr const char* safe_heading =
-    "\ntable Safe morphs: how much of the movement was reached, quality at least and on average, distance from the "
+    "\ntable Safe morphs: how much of the movement was reached, quality at least and on average, "
+    "distance from the "
     "B-spline\n"
-    "  movement          target   steps  resolves  strategy   inverted  min q   mean q  boundary  time/solve\n";
+    "  movement          target   steps  resolves  strategy   inverted  min q   mean q  boundary  "
+    "time/solve\n";
 
-// Safe morphs to targets beyond every limit, and what becomes of the first layer. Returns how many targets were missed.
+// Safe morphs to targets beyond every limit, and what becomes of the first layer. Returns how many
+// targets were missed.
 int safe_targets(const Case& its, const Movements& movements, const std::string& stem) {
     std::printf("%s", safe_heading);
     int missed = 0;
-    const auto target = [&](const char* name, const char* what, const Moves& moves, const char* picture) {
+    const auto target = [&](const char* name, const char* what, const Moves& moves,
+                            const char* picture) {
         missed += print_safe(name, what, its, moves, stem + picture) ? 0 : 1;
     };
     target("camber 1.2", "a camber of 1.2 chords", movements.camber(1.2), "-camber");
@@ -150,20 +168,25 @@ int safe_targets(const Case& its, const Movements& movements, const std::string&
     target("rotation 30", "a rotation by 30 degrees", movements.rotation(30), "-rotation30");
     std::printf("\n");
     const hm_safe_report turned = its.safe(movements.rotation(30)).safe;
-    std::printf("  wall angles at 30 degrees of rotation: changed by %.3g degrees on average, %.3g at most\n",
-                turned.mean_angle_change, turned.max_angle_change);
+    std::printf(
+        "  wall angles at 30 degrees of rotation: changed by %.3g degrees on average, %.3g at "
+        "most\n",
+        turned.mean_angle_change, turned.max_angle_change);
     for (const double heights : {0., 1.}) {
         const hm_safe_report bent = its.safe(movements.camber(.08), heights).safe;
-        std::printf("  first-layer heights at camber .08, %s: %.3f .. %.3f of what they were, %.3f on average\n",
-                    heights > 0 ? "brought back" : "as they are", bent.min_height_ratio, bent.max_height_ratio,
-                    bent.mean_height_ratio);
+        std::printf(
+            "  first-layer heights at camber .08, %s: %.3f .. %.3f of what they were, %.3f on "
+            "average\n",
+            heights > 0 ? "brought back" : "as they are", bent.min_height_ratio,
+            bent.max_height_ratio, bent.mean_height_ratio);
     }
     return missed;
 }
 
 int airfoil(const std::string& folder, const std::string& path, const std::string& marker,
             const cli::Threads& threads) {
-    const std::string stem = folder + "/" + std::filesystem::path(path).stem().string(), curve_path = stem + ".curve";
+    const std::string stem = folder + "/" + std::filesystem::path(path).stem().string(),
+                      curve_path = stem + ".curve";
     std::printf("\n== %s\n", path.c_str());
     std::printf("\ntable The curve through the airfoil's points\n  what  is\n");
     cli::run_command({"fit", path, "--marker", marker, "-o", curve_path});
@@ -192,12 +215,14 @@ int airfoil(const std::string& folder, const std::string& path, const std::strin
     return safe_targets(*usual, movements, stem);
 }
 
-// A block in a square, turned by 60 degrees and moved by (-0.2, -0.3); the outer boundary slips. (For radial basis
-// functions in 20 steps .1497 at least and .6554 on average were published.)
+// A block in a square, turned by 60 degrees and moved by (-0.2, -0.3); the outer boundary slips.
+// (For radial basis functions in 20 steps .1497 at least and .6554 on average were published.)
 int block(const std::string& folder, const cli::Threads& threads) {
     const cli::Mesh mesh = cli::read_mesh("tests/meshes/block.su2");
     const Movements movements{{.4, .48, .6, .48, .6, .52, .4, .52}};
-    std::printf("\n== tests/meshes/block.su2: 60 degrees and (-0.2, -0.3), sliding outer boundary\n%s", safe_heading);
+    std::printf(
+        "\n== tests/meshes/block.su2: 60 degrees and (-0.2, -0.3), sliding outer boundary\n%s",
+        safe_heading);
     int missed = 0;
     for (const std::int32_t quarters : {2, 3, 4, 5, 6}) {
         cli::Task task;
@@ -214,10 +239,11 @@ int block(const std::string& folder, const cli::Threads& threads) {
         task.options.exponent_quarters = quarters;
         const Case its(mesh, task, threads, folder + "/block.basis");
         const std::string name = "conformal " + cli::brief(quarters / 4.);
-        const std::string what =
-            "the block by 60 degrees and (-0.2, -0.3) with the exponent " + cli::brief(quarters / 4.);
+        const std::string what = "the block by 60 degrees and (-0.2, -0.3) with the exponent " +
+                                 cli::brief(quarters / 4.);
         const std::string picture = folder + "/block-" + cli::brief(quarters / 4.);
-        missed += print_safe(name, what, its, movements.rotation(60, .5, .5, -.2, -.3), picture) ? 0 : 1;
+        missed +=
+            print_safe(name, what, its, movements.rotation(60, .5, .5, -.2, -.3), picture) ? 0 : 1;
     }
     std::printf("\n");
     return missed;
@@ -228,7 +254,8 @@ int block(const std::string& folder, const cli::Threads& threads) {
 
 int main(int argc, char** argv) {
     try {
-        std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ); // tables appear as they grow, also through a pipe
+        std::setvbuf(stdout, nullptr, _IOLBF,
+                     BUFSIZ);  // tables appear as they grow, also through a pipe
         const std::string folder = argc > 1 ? argv[1] : ".";
         std::filesystem::create_directories(folder);
         const cli::Threads threads(1);
@@ -236,7 +263,8 @@ int main(int argc, char** argv) {
         for (int i = 2; i < argc; ++i) {
             const std::string word = argv[i];
             const std::size_t colon = word.rfind(':');
-            missed += deform::airfoil(folder, word.substr(0, colon), word.substr(colon + 1), threads);
+            missed +=
+                deform::airfoil(folder, word.substr(0, colon), word.substr(colon + 1), threads);
         }
         std::printf("\n%s of the safe morph missed\n", cli::plural(missed, "target").c_str());
         return missed == 0 ? 0 : 1;

@@ -1,6 +1,7 @@
-// Deforms a mesh as an elastic solid whose stiffness is the inverse of the cell's area, as SU2_DEF does: linear
-// triangles, plane strain, quadrilaterals as the mean of their two splits. R. P. Dwight, Robust mesh deformation using
-// the linear elasticity equations, Computational Fluid Dynamics 2006.
+// Deforms a mesh as an elastic solid whose stiffness is the inverse of the cell's area, as SU2_DEF
+// does: linear triangles, plane strain, quadrilaterals as the mean of their two splits. R. P.
+// Dwight, Robust mesh deformation using the linear elasticity equations, Computational Fluid
+// Dynamics 2006.
 #pragma once
 
 #include "motion.hpp"
@@ -14,11 +15,13 @@ public:
     static constexpr double poisson = 0.35;
 
     // One linear step: wall points from `at` to `wall`.
-    static std::vector<Point> step(const Motion& motion, const std::vector<Point>& at, const std::vector<Point>& wall) {
+    static std::vector<Point> step(const Motion& motion, const std::vector<Point>& at,
+                                   const std::vector<Point>& wall) {
         const auto n = static_cast<std::int32_t>(at.size());
         std::vector<Point> moved(at.size());
         std::vector<std::int32_t> unknown(at.size(), 0);
-        for (std::size_t k = 0; k < motion.wall.size(); ++k) moved[motion.wall[k]] = wall[k] - at[motion.wall[k]];
+        for (std::size_t k = 0; k < motion.wall.size(); ++k)
+            moved[motion.wall[k]] = wall[k] - at[motion.wall[k]];
         for (const std::int32_t point : motion.wall) unknown[point] = -1;
         for (const std::int32_t point : motion.outer) unknown[point] = -1;
         std::int32_t unknowns = 0;
@@ -26,11 +29,12 @@ public:
             if (unknown[k] == 0) unknown[k] = unknowns++;
         std::vector<Eigen::Triplet<double>> entries;
         Eigen::VectorXd right = Eigen::VectorXd::Zero(2 * unknowns);
-        const auto add = [&](const std::int32_t (&corner)[3], double part) {
+        const auto add = [&](const std::int32_t(&corner)[3], double part) {
             const double area = 0.5 * twice_area(at[corner[0]], at[corner[1]], at[corner[2]]);
             Eigen::Matrix<double, 3, 6> strain = Eigen::Matrix<double, 3, 6>::Zero();
             for (int k = 0; k < 3; ++k) {
-                const Point opposite = (at[corner[(k + 2) % 3]] - at[corner[(k + 1) % 3]]) / (2 * area);
+                const Point opposite =
+                    (at[corner[(k + 2) % 3]] - at[corner[(k + 1) % 3]]) / (2 * area);
                 const double by_x = -opposite.imag(), by_y = opposite.real();
                 strain(0, 2 * k) = strain(2, 2 * k + 1) = by_x;
                 strain(1, 2 * k + 1) = strain(2, 2 * k) = by_y;
@@ -39,15 +43,19 @@ public:
             Eigen::Matrix3d law;
             law << 1 - poisson, poisson, 0, poisson, 1 - poisson, 0, 0, 0, 0.5 - poisson;
             // integral of stress strain over the area, times the stiffness 1 / area
-            const Eigen::Matrix<double, 6, 6> local = part * scale * strain.transpose() * law * strain;
+            const Eigen::Matrix<double, 6, 6> local =
+                part * scale * strain.transpose() * law * strain;
             for (int i = 0; i < 6; ++i) {
                 const std::int32_t row = unknown[corner[i / 2]];
                 if (row < 0) continue;
                 for (int j = 0; j < 6; ++j) {
                     const std::int32_t column = unknown[corner[j / 2]];
                     const Point known = moved[corner[j / 2]];
-                    if (column >= 0) entries.emplace_back(2 * row + i % 2, 2 * column + j % 2, local(i, j));
-                    else right(2 * row + i % 2) -= local(i, j) * (j % 2 == 0 ? known.real() : known.imag());
+                    if (column >= 0)
+                        entries.emplace_back(2 * row + i % 2, 2 * column + j % 2, local(i, j));
+                    else
+                        right(2 * row + i % 2) -=
+                            local(i, j) * (j % 2 == 0 ? known.real() : known.imag());
                 }
             }
         };
@@ -55,7 +63,8 @@ public:
         for (std::int32_t cell = 0; cell < cells.count(); ++cell) {
             const std::int32_t size = cells.size(cell);
             for (std::int32_t k = 0; k < (size == 3 ? 1 : 4); ++k) {
-                const std::int32_t corner[3] = {cells.at(cell, k + size - 1), cells.at(cell, k), cells.at(cell, k + 1)};
+                const std::int32_t corner[3] = {cells.at(cell, k + size - 1), cells.at(cell, k),
+                                                cells.at(cell, k + 1)};
                 add(corner, size == 3 ? 1 : 0.5);
             }
         }
@@ -65,7 +74,9 @@ public:
         const Eigen::VectorXd solution = factor.solve(right);
         std::vector<Point> out = at;
         for (std::int32_t k = 0; k < n; ++k)
-            out[k] += unknown[k] < 0 ? moved[k] : Point(solution(2 * unknown[k]), solution(2 * unknown[k] + 1));
+            out[k] += unknown[k] < 0
+                          ? moved[k]
+                          : Point(solution(2 * unknown[k]), solution(2 * unknown[k] + 1));
         return out;
     }
 };

@@ -1,6 +1,7 @@
-// Carries the boundary's displacement and rotation to the mesh by inverse distances, as IDWarp does: E. Luke, E.
-// Collins, E. Blades, A fast mesh deformation method using explicit interpolation, J. Comput. Phys. 231 (2012) 586,
-// with the exponents 3 and 5 and the fraction .25 that are usual there.
+// Carries the boundary's displacement and rotation to the mesh by inverse distances, as IDWarp
+// does: E. Luke, E. Collins, E. Blades, A fast mesh deformation method using explicit
+// interpolation, J. Comput. Phys. 231 (2012) 586, with the exponents 3 and 5 and the fraction .25
+// that are usual there.
 #pragma once
 
 #include "motion.hpp"
@@ -14,7 +15,8 @@ class InverseDistance {
 public:
     static constexpr double alpha = 0.25;
 
-    static std::vector<Point> step(const Motion& motion, const std::vector<Point>& at, const std::vector<Point>& wall) {
+    static std::vector<Point> step(const Motion& motion, const std::vector<Point>& at,
+                                   const std::vector<Point>& wall) {
         struct Source {
             Point at, turn, shift;  // goes to turn z + shift
             double length;
@@ -31,7 +33,8 @@ public:
             double length = 0;
             for (const std::int32_t other : {previous[point], motion.next[point]}) {
                 if (other < 0) continue;
-                const Point before = at[other] - at[point], ratio = (now[other] - now[point]) / before;
+                const Point before = at[other] - at[point],
+                            ratio = (now[other] - now[point]) / before;
                 turn += std::abs(before) * ratio / std::abs(ratio);
                 length += 0.5 * std::abs(before);
             }
@@ -40,10 +43,13 @@ public:
             extent = std::max(extent, std::abs(at[point] - at[motion.wall[0]]));
         }
         Point centre = 0;
-        for (const std::int32_t point : motion.outer) centre += at[point] / static_cast<double>(motion.outer.size());
+        for (const std::int32_t point : motion.outer)
+            centre += at[point] / static_cast<double>(motion.outer.size());
         double size = 0;  // of the domain: its half width
-        for (const std::int32_t point : motion.outer) size = std::max(size, std::abs(at[point] - centre));
-        const double around = 2 * 3.14159265358979323846 * size / static_cast<double>(motion.outer.size());
+        for (const std::int32_t point : motion.outer)
+            size = std::max(size, std::abs(at[point] - centre));
+        const double around =
+            2 * 3.14159265358979323846 * size / static_cast<double>(motion.outer.size());
         for (const std::int32_t point : motion.outer) sources.push_back({at[point], 1, 0, around});
         std::vector<char> is_boundary(at.size(), 0);
         for (const std::int32_t point : motion.wall) is_boundary[point] = 1;
@@ -54,7 +60,8 @@ public:
             double weights = 0;
             for (const Source& its : sources) {
                 const double ratio = size / std::abs(at[k] - its.at), near = alpha * ratio;
-                const double weight = its.length * (ratio * ratio * ratio + near * near * near * near * near);
+                const double weight =
+                    its.length * (ratio * ratio * ratio + near * near * near * near * near);
                 sum += weight * (its.turn * at[k] + its.shift);
                 weights += weight;
             }

@@ -1,4 +1,5 @@
-// What a deformation did to a mesh, measured without the library: quality of cells, angles and heights at the wall.
+// What a deformation did to a mesh, measured without the library: quality of cells, angles and
+// heights at the wall.
 #pragma once
 
 #include "motion.hpp"
@@ -9,9 +10,10 @@
 namespace deform {
 
 struct Measures {
-    double min_quality = 1, mean_quality = 0;           // size-skew, relative to the start
-    double angle = 0;                                   // [degrees] mean change between wall and first-layer edges
-    double min_height = 1e300, max_height = 0, height_error = 0;  // ratios of first-layer heights; mean |ratio - 1|
+    double min_quality = 1, mean_quality = 0;  // size-skew, relative to the start
+    double angle = 0;  // [degrees] mean change between wall and first-layer edges
+    double min_height = 1e300, max_height = 0,
+           height_error = 0;  // ratios of first-layer heights; mean |ratio - 1|
 };
 
 inline double size_skew(const Cells& cells, std::int32_t cell, const std::vector<Point>& before,
@@ -20,19 +22,22 @@ inline double size_skew(const Cells& cells, std::int32_t cell, const std::vector
     const auto area = [&](const std::vector<Point>& at) {
         double sum = 0;
         for (std::int32_t k = 1; k + 1 < n; ++k)
-            sum += twice_area(at[cells.at(cell, 0)], at[cells.at(cell, k)], at[cells.at(cell, k + 1)]);
+            sum +=
+                twice_area(at[cells.at(cell, 0)], at[cells.at(cell, k)], at[cells.at(cell, k + 1)]);
         return sum;
     };
     double squares = 0, sines = 0;
     for (std::int32_t k = 0; k < n; ++k) {
         const Point corner_at = now[cells.at(cell, k)];
-        const Point back = now[cells.at(cell, k + n - 1)] - corner_at, on = now[cells.at(cell, k + 1)] - corner_at;
+        const Point back = now[cells.at(cell, k + n - 1)] - corner_at,
+                    on = now[cells.at(cell, k + 1)] - corner_at;
         const double corner = (std::conj(on) * back).imag();
         if (!(corner > 0)) return 0;
         squares += std::norm(on);
         sines += std::abs(on) * std::abs(back) / corner;
     }
-    const double size = area(now) / area(before), skew = n == 3 ? 2 * std::sqrt(3) * area(now) / squares : 4 / sines;
+    const double size = area(now) / area(before),
+                 skew = n == 3 ? 2 * std::sqrt(3) * area(now) / squares : 4 / sines;
     return skew * std::sqrt(std::min(size, 1 / size));
 }
 
@@ -51,9 +56,11 @@ inline Measures measure(const Motion& motion, const std::vector<Point>& now) {
     for (std::size_t k = 0; k < before.size(); ++k)
         if (motion.next[k] >= 0) previous[motion.next[k]] = static_cast<std::int32_t>(k);
     for (const std::int32_t point : motion.wall) on_wall[point] = 1;
-    const auto tangent = [&](std::int32_t k, const std::vector<Point>& at) {  // mean direction of the faces
+    const auto tangent = [&](std::int32_t k,
+                             const std::vector<Point>& at) {  // mean direction of the faces
         Point sum = 0;
-        if (motion.next[k] >= 0) sum += (at[motion.next[k]] - at[k]) / std::abs(at[motion.next[k]] - at[k]);
+        if (motion.next[k] >= 0)
+            sum += (at[motion.next[k]] - at[k]) / std::abs(at[motion.next[k]] - at[k]);
         if (previous[k] >= 0) sum += (at[k] - at[previous[k]]) / std::abs(at[k] - at[previous[k]]);
         return sum / std::abs(sum);
     };
@@ -64,10 +71,14 @@ inline Measures measure(const Motion& motion, const std::vector<Point>& now) {
         for (std::int32_t k = 0; k < cells.size(cell); ++k) {
             const std::int32_t foot = cells.at(cell, k);
             if (on_wall[foot] == 0) continue;
-            for (const std::int32_t to : {cells.at(cell, k + 1), cells.at(cell, k + cells.size(cell) - 1)}) {
+            for (const std::int32_t to :
+                 {cells.at(cell, k + 1), cells.at(cell, k + cells.size(cell) - 1)}) {
                 if (on_wall[to] != 0) continue;
-                const auto slope = [&](std::int32_t end) { return std::arg(rise(foot, end, before) / Point(0, 1)); };
-                if (above[foot] < 0 || std::fabs(slope(to)) < std::fabs(slope(above[foot]))) above[foot] = to;
+                const auto slope = [&](std::int32_t end) {
+                    return std::arg(rise(foot, end, before) / Point(0, 1));
+                };
+                if (above[foot] < 0 || std::fabs(slope(to)) < std::fabs(slope(above[foot])))
+                    above[foot] = to;
             }
         }
     double count = 0;

@@ -13,7 +13,9 @@ struct Cells {
 
     std::int32_t count() const { return static_cast<std::int32_t>(start.size()) - 1; }
     std::int32_t size(std::int32_t cell) const { return start[cell + 1] - start[cell]; }
-    std::int32_t at(std::int32_t cell, std::int32_t corner) const { return point[start[cell] + corner % size(cell)]; }
+    std::int32_t at(std::int32_t cell, std::int32_t corner) const {
+        return point[start[cell] + corner % size(cell)];
+    }
 };
 
 using Point = std::complex<double>;
@@ -23,17 +25,19 @@ inline double twice_area(Point a, Point b, Point c) { return (std::conj(b - a) *
 
 // Where boundary points are on the way from t = 0 to 1: outer points stay.
 struct Motion {
-    Cells cells;                              // counter-clockwise
-    std::vector<Point> start;                 // all points
-    std::vector<std::int32_t> wall, outer;    // boundary points
-    std::vector<std::int32_t> next;           // [points] the next wall point, mesh on the left of the face there; or -1
+    Cells cells;                            // counter-clockwise
+    std::vector<Point> start;               // all points
+    std::vector<std::int32_t> wall, outer;  // boundary points
+    std::vector<std::int32_t>
+        next;  // [points] the next wall point, mesh on the left of the face there; or -1
     std::function<std::vector<Point>(double)> wall_at;  // positions of wall points
 
     bool is_valid(const std::vector<Point>& at) const {
         for (std::int32_t cell = 0; cell < cells.count(); ++cell)
             for (std::int32_t k = 0; k < cells.size(cell); ++k) {
                 const std::int32_t n = cells.size(cell);
-                if (!(twice_area(at[cells.at(cell, k + n - 1)], at[cells.at(cell, k)], at[cells.at(cell, k + 1)]) > 0))
+                if (!(twice_area(at[cells.at(cell, k + n - 1)], at[cells.at(cell, k)],
+                                 at[cells.at(cell, k + 1)]) > 0))
                     return false;
             }
         return true;

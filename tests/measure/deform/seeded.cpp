@@ -1,9 +1,12 @@
-// Part of `make deform`: seeded random movements that the safe morph should follow: with good cells, and with few
-// solutions. Movements whose prescribed walls cross are not counted: the library says so before anything moves. Nor are
-// those whose walls fold so sharply, stretch so much, or leave gaps so narrow, that no mesh with these cells is good: a
-// bound of the quality is computed from the wall (wall_bound.hpp).
-//   seeded FOLDER N MESH:MARKER ...     airfoils of chord 1; the channel and the cascade come always; N of each
-// In the environment: DETAILS (any value) prints every movement; OPERATOR is a value of hm_options.operator_kind.
+// Part of `make deform`: seeded random movements that the safe morph should follow: with good
+// cells, and with few solutions. Movements whose prescribed walls cross are not counted: the
+// library says so before anything moves. Nor are those whose walls fold so sharply, stretch so
+// much, or leave gaps so narrow, that no mesh with these cells is good: a bound of the quality is
+// computed from the wall (wall_bound.hpp).
+//   seeded FOLDER N MESH:MARKER ...     airfoils of chord 1; the channel and the cascade come
+//   always; N of each
+// In the environment: DETAILS (any value) prints every movement; OPERATOR is a value of
+// hm_options.operator_kind.
 #include "mesh/basis_file.hpp"
 #include "commands/commands.hpp"
 #include "curves/curve_file.hpp"
@@ -40,12 +43,13 @@ struct Counts {
         quick += more.quick;
     }
     void print(const std::string& name, double seconds) const {
-        std::printf("  %-28s  %5d  %8d  %6d  %9d  %6d  %6d  %8.2g\n", name.c_str(), counted, impossible, folded,
-                    reached, good, quick, seconds);
+        std::printf("  %-28s  %5d  %8d  %6d  %9d  %6d  %6d  %8.2g\n", name.c_str(), counted,
+                    impossible, folded, reached, good, quick, seconds);
     }
 };
 
-using Movement = std::function<std::vector<double>(const std::vector<double>& control, std::uint64_t seed)>;
+using Movement =
+    std::function<std::vector<double>(const std::vector<double>& control, std::uint64_t seed)>;
 
 // The wall as the linear step has it.
 cli::Field target(const cli::Mesh& mesh, const cli::Basis& basis, const std::vector<double>& moves,
@@ -59,15 +63,23 @@ cli::Field target(const cli::Mesh& mesh, const cli::Basis& basis, const std::vec
 }
 
 WallBound bound_of(const cli::Mesh& mesh, const cli::Task& task, const cli::Field& at) {
-    return {mesh.cell_start, mesh.cell_points, mesh.face_points, mesh.face_markers, task.conditions[0].marker,
-            mesh.x, mesh.y,
-            at.x, at.y};
+    return {mesh.cell_start,
+            mesh.cell_points,
+            mesh.face_points,
+            mesh.face_markers,
+            task.conditions[0].marker,
+            mesh.x,
+            mesh.y,
+            at.x,
+            at.y};
 }
 
-Counts count(const std::string& name, const cli::Mesh& mesh, cli::Task task, const std::string& folder, int wanted,
-             const cli::Threads& threads, const Movement& movement) {
+Counts count(const std::string& name, const cli::Mesh& mesh, cli::Task task,
+             const std::string& folder, int wanted, const cli::Threads& threads,
+             const Movement& movement) {
     const std::string path = folder + "/seeded.basis";
-    if (const char* const kind = std::getenv("OPERATOR")) task.options.operator_kind = std::atoi(kind);
+    if (const char* const kind = std::getenv("OPERATOR"))
+        task.options.operator_kind = std::atoi(kind);
     {
         cli::Solver solver(mesh, task, threads);
         solver.run();
@@ -79,9 +91,10 @@ Counts count(const std::string& name, const cli::Mesh& mesh, cli::Task task, con
     const bool details = std::getenv("DETAILS") != nullptr;
     Counts counts;
     std::vector<double> seconds;
-    for (std::uint64_t seed = 1; counts.counted < wanted && seed < 1000 * static_cast<std::uint64_t>(wanted); ++seed) {
-        const cli::Morph morph(basis, mesh, movement(task.curves.control, seed), cli::sized<hm_safe_options>(),
-                               threads);
+    for (std::uint64_t seed = 1;
+         counts.counted < wanted && seed < 1000 * static_cast<std::uint64_t>(wanted); ++seed) {
+        const cli::Morph morph(basis, mesh, movement(task.curves.control, seed),
+                               cli::sized<hm_safe_options>(), threads);
         if (morph.impossible) {
             ++counts.impossible;
             continue;
@@ -91,14 +104,17 @@ Counts count(const std::string& name, const cli::Mesh& mesh, cli::Task task, con
         const bool good = whole && morph.quality.min_quality >= good_quality * report.start_quality;
         const bool quick = report.resolves <= few_solutions;
         const std::vector<double> moves = movement(task.curves.control, seed);
-        const WallBound bound = bound_of(mesh, task, whole ? morph.moved : target(mesh, basis, moves, threads));
+        const WallBound bound =
+            bound_of(mesh, task, whole ? morph.moved : target(mesh, basis, moves, threads));
         if (!good && bound.quality < good_quality * report.start_quality) {
             ++counts.folded;
             std::printf(
-                "    seed %d: left out: because of the wall at point %d (angle %.2f degrees; 0: a face or a gap) no\n"
+                "    seed %d: left out: because of the wall at point %d (angle %.2f degrees; 0: a "
+                "face or a gap) no\n"
                 "        smallest quality is above %.4f of the start's; found was %.4f\n",
                 static_cast<int>(seed), static_cast<int>(bound.point), bound.angle,
-                bound.quality / report.start_quality, morph.quality.min_quality / report.start_quality);
+                bound.quality / report.start_quality,
+                morph.quality.min_quality / report.start_quality);
             continue;
         }
         ++counts.counted;
@@ -108,10 +124,12 @@ Counts count(const std::string& name, const cli::Mesh& mesh, cli::Task task, con
         seconds.push_back(morph.seconds);
         const std::string& why = morph.refusal.empty() ? morph.warning : morph.refusal;
         if (details || !good || !quick) {
-            std::printf("    seed %d: %d solutions, strategy %d, quality %.3f of the start's, at most %.3f; %s\n",
-                        static_cast<int>(seed), report.resolves, report.strategy,
-                        morph.quality.min_quality / report.start_quality,
-                        std::min(1.0, bound.quality / report.start_quality), why.c_str());
+            std::printf(
+                "    seed %d: %d solutions, strategy %d, quality %.3f of the start's, at most "
+                "%.3f; %s\n",
+                static_cast<int>(seed), report.resolves, report.strategy,
+                morph.quality.min_quality / report.start_quality,
+                std::min(1.0, bound.quality / report.start_quality), why.c_str());
         }
     }
     counts.print(name, seconds.empty() ? 0 : cli::median(seconds));
@@ -125,28 +143,33 @@ cli::Curves fit(const std::string& path, const std::string& marker, const std::s
     return cli::read_curves(curve);
 }
 
-// [0, 3] x [0, 1] in 60 x 24 cells, the first of height .002 at the floor, whose middle third is the wall that moves.
+// [0, 3] x [0, 1] in 60 x 24 cells, the first of height .002 at the floor, whose middle third is
+// the wall that moves.
 void write_channel(const std::string& path) {
     constexpr int n = 20, n_y = 24;
     constexpr double first = .002;
     std::vector<double> height;
     double low = 1, high = 2;  // the ratio of neighbouring heights, by bisection
     for (int k = 0; k < 60; ++k) {
-        double const ratio = .5 * (low + high), top = first * (std::pow(ratio, n_y) - 1) / (ratio - 1);
+        double const ratio = .5 * (low + high),
+                     top = first * (std::pow(ratio, n_y) - 1) / (ratio - 1);
         (top < 1 ? low : high) = ratio;
     }
-    for (int j = 0; j <= n_y; ++j) height.push_back(j == n_y ? 1 : first * (std::pow(low, j) - 1) / (low - 1));
+    for (int j = 0; j <= n_y; ++j)
+        height.push_back(j == n_y ? 1 : first * (std::pow(low, j) - 1) / (low - 1));
     cli::OutputFiles files;
     std::ostream& out = files.add(path);
     const auto id = [&](int i, int j) { return j * (3 * n + 1) + i; };
     out << "NDIME= 2\nNELEM= " << 3 * n * n_y << "\n";
     for (int j = 0; j < n_y; ++j)
         for (int i = 0; i < 3 * n; ++i)
-            out << "9 " << id(i, j) << " " << id(i + 1, j) << " " << id(i + 1, j + 1) << " " << id(i, j + 1) << "\n";
+            out << "9 " << id(i, j) << " " << id(i + 1, j) << " " << id(i + 1, j + 1) << " "
+                << id(i, j + 1) << "\n";
     out << "NPOIN= " << (3 * n + 1) * (n_y + 1) << "\n";
     out.precision(17);
     for (int j = 0; j <= n_y; ++j)
-        for (int i = 0; i <= 3 * n; ++i) out << 1.0 * i / n << " " << height[static_cast<std::size_t>(j)] << "\n";
+        for (int i = 0; i <= 3 * n; ++i)
+            out << 1.0 * i / n << " " << height[static_cast<std::size_t>(j)] << "\n";
     const auto marker = [&](const char* tag, int faces) {
         out << "MARKER_TAG= " << tag << "\nMARKER_ELEMS= " << faces << "\n";
     };
@@ -171,10 +194,12 @@ cli::Curves straight_wall(int n_control) {
     cli::Curve curve;
     curve.degree = 3;
     curve.closed = HM_OPEN;
-    for (int k = 0; k < n_control + 4; ++k) curve.knots.push_back(std::clamp((k - 3.) / (n_control - 3), 0., 1.));
+    for (int k = 0; k < n_control + 4; ++k)
+        curve.knots.push_back(std::clamp((k - 3.) / (n_control - 3), 0., 1.));
     for (std::size_t k = 0; k < static_cast<std::size_t>(n_control); ++k) {
         curve.indices.push_back(static_cast<std::int32_t>(k));
-        out.control.push_back(1 + (curve.knots[k + 1] + curve.knots[k + 2] + curve.knots[k + 3]) / 3);
+        out.control.push_back(1 +
+                              (curve.knots[k + 1] + curve.knots[k + 2] + curve.knots[k + 3]) / 3);
         out.control.push_back(0);
     }
     out.curves = {curve};
@@ -185,13 +210,15 @@ Counts channel(const std::string& folder, int wanted, const cli::Threads& thread
     const std::string path = folder + "/channel.su2";
     write_channel(path);
     const cli::Mesh mesh = cli::read_mesh(path);
-    return count("a piece of a channel's floor", mesh, task_on(mesh, "bump", straight_wall(20)), folder, wanted,
-                 threads, [](const std::vector<double>& control, std::uint64_t seed) {
+    return count("a piece of a channel's floor", mesh, task_on(mesh, "bump", straight_wall(20)),
+                 folder, wanted, threads,
+                 [](const std::vector<double>& control, std::uint64_t seed) {
                      return random_bump(control.size() / 2, seed, .5);
                  });
 }
 
-Counts cascade(const std::string& folder, int wanted, const cli::Curves& curves, const cli::Threads& threads) {
+Counts cascade(const std::string& folder, int wanted, const cli::Curves& curves,
+               const cli::Threads& threads) {
     constexpr double pitch = .9;
     const cli::Mesh mesh = cli::read_mesh("tests/meshes/cascade.su2");
     cli::Task task = task_on(mesh, "blade", curves);
@@ -206,19 +233,25 @@ Counts cascade(const std::string& folder, int wanted, const cli::Curves& curves,
                  });
 }
 
-void run(const std::string& folder, int wanted, const std::vector<std::string>& airfoils, const cli::Threads& threads) {
-    std::printf("\n== Seeded random movements\n\ntable The curves through the airfoils' points\n  what  is\n");
+void run(const std::string& folder, int wanted, const std::vector<std::string>& airfoils,
+         const cli::Threads& threads) {
+    std::printf(
+        "\n== Seeded random movements\n\ntable The curves through the airfoils' points\n  what  "
+        "is\n");
     std::vector<cli::Curves> curves = {fit("tests/meshes/cascade.su2", "blade", folder)};
     const auto colon = [](const std::string& word) { return word.rfind(':'); };
     for (const std::string& word : airfoils)
         curves.push_back(fit(word.substr(0, colon(word)), word.substr(colon(word) + 1), folder));
     std::printf(
-        "\ntable Movements that cross no walls, how many that do were left out, and how many whose walls fold or "
+        "\ntable Movements that cross no walls, how many that do were left out, and how many whose "
+        "walls fold or "
         "stretch so much\n"
         "that no mesh can have the quality asked for; how many of the first end at the target\n"
-        "with valid cells, how many of these with %.2f of the smallest quality of the start or more, how many of all\n"
+        "with valid cells, how many of these with %.2f of the smallest quality of the start or "
+        "more, how many of all\n"
         "with at most %d solutions, and the median of the time\n"
-        "  mesh                          count  crossing  folded  at target    good   quick   seconds\n",
+        "  mesh                          count  crossing  folded  at target    good   quick   "
+        "seconds\n",
         good_quality, few_solutions);
     Counts all;
     all.add(channel(folder, wanted, threads));
@@ -226,9 +259,10 @@ void run(const std::string& folder, int wanted, const std::vector<std::string>& 
     for (std::size_t i = 0; i < airfoils.size(); ++i) {
         const std::string path = airfoils[i].substr(0, colon(airfoils[i]));
         const cli::Mesh mesh = cli::read_mesh(path);
-        const cli::Task task = task_on(mesh, airfoils[i].substr(colon(airfoils[i]) + 1), curves[i + 1]);
-        all.add(count(std::filesystem::path(path).stem().string(), mesh, task, folder, wanted, threads,
-                      [](const std::vector<double>& control, std::uint64_t seed) {
+        const cli::Task task =
+            task_on(mesh, airfoils[i].substr(colon(airfoils[i]) + 1), curves[i + 1]);
+        all.add(count(std::filesystem::path(path).stem().string(), mesh, task, folder, wanted,
+                      threads, [](const std::vector<double>& control, std::uint64_t seed) {
                           return random_movement(control.size() / 2, seed);
                       }));
     }

@@ -9,7 +9,8 @@
 
 namespace deform {
 
-inline cli::Task task_on(const cli::Mesh& mesh, const std::string& marker, const cli::Curves& curves) {
+inline cli::Task task_on(const cli::Mesh& mesh, const std::string& marker,
+                         const cli::Curves& curves) {
     cli::Task task;
     task.curves = curves;
     auto condition = cli::sized<hm_condition>();

@@ -1,7 +1,8 @@
-// What no mesh can do better: where a wall folds, the cells at the fold share its angle, and a cell with a small angle
-// is poor, as one with an angle near 180 degrees is at a spike; where a face of the wall becomes longer, a cell on the
-// face is large or flat; and in a gap no triangle can be higher than the gap is wide. So the wall at the target alone
-// bounds the smallest size-skew quality that a mesh with these cells can have.
+// What no mesh can do better: where a wall folds, the cells at the fold share its angle, and a cell
+// with a small angle is poor, as one with an angle near 180 degrees is at a spike; where a face of
+// the wall becomes longer, a cell on the face is large or flat; and in a gap no triangle can be
+// higher than the gap is wide. So the wall at the target alone bounds the smallest size-skew
+// quality that a mesh with these cells can have.
 #pragma once
 
 #include "cell_bound.hpp"
@@ -11,15 +12,18 @@
 
 namespace deform {
 
-// Rows of cells; faces: pairs of points with markers; x, y at the start; wall_x, wall_y at the target, looked at on the
-// wall only. Every corner at the wall must be convex, as corners of valid cells are.
+// Rows of cells; faces: pairs of points with markers; x, y at the start; wall_x, wall_y at the
+// target, looked at on the wall only. Every corner at the wall must be convex, as corners of valid
+// cells are.
 struct WallBound {
     double quality = 1;     // [-]
-    double angle = 0;       // [degrees] of the wall where this is so; 0: because of the length of a face, or of a gap
+    double angle = 0;       // [degrees] of the wall where this is so; 0: because of the length of a
+                            // face, or of a gap
     std::size_t point = 0;  // where this is so
 
-    WallBound(const std::vector<int>& cell_start, const std::vector<int>& cell_points, const std::vector<int>& faces,
-              const std::vector<int>& markers, int wall, const std::vector<double>& x, const std::vector<double>& y,
+    WallBound(const std::vector<int>& cell_start, const std::vector<int>& cell_points,
+              const std::vector<int>& faces, const std::vector<int>& markers, int wall,
+              const std::vector<double>& x, const std::vector<double>& y,
               const std::vector<double>& wall_x, const std::vector<double>& wall_y)
         : at_x(wall_x), at_y(wall_y), corners(x.size()) {
         for (std::size_t end = 0; end < faces.size(); ++end) {
@@ -29,7 +33,8 @@ struct WallBound {
         for (std::size_t face = 0; face < markers.size(); ++face) {
             if (markers[face] != wall) continue;
             bool const is_forwards = cells.count({faces[2 * face], faces[2 * face + 1]}) > 0;
-            int const begin = faces[2 * face + (is_forwards ? 0 : 1)], end = faces[2 * face + (is_forwards ? 1 : 0)];
+            int const begin = faces[2 * face + (is_forwards ? 0 : 1)],
+                      end = faces[2 * face + (is_forwards ? 1 : 0)];
             corners[at(begin)].next = end;
             corners[at(end)].previous = begin;
             note(bound_on_face(begin, end), 0, at(begin));
@@ -37,7 +42,8 @@ struct WallBound {
         for (std::size_t k = 0; k < corners.size(); ++k) {
             if (corners[k].previous == none || corners[k].next == none) continue;
             double const open = open_angle(k);
-            note(std::min(best_quality(open, corners[k].triangles, corners[k].quads), bound_of_widest(k, open)),
+            note(std::min(best_quality(open, corners[k].triangles, corners[k].quads),
+                          bound_of_widest(k, open)),
                  open * 180 / pi, k);
         }
     }
@@ -46,7 +52,8 @@ private:
     static constexpr int none = -1;
 
     struct Corner {
-        int triangles = 0, quads = 0, previous = none, next = none;  // along the wall, the mesh on the left
+        int triangles = 0, quads = 0, previous = none,
+            next = none;  // along the wall, the mesh on the left
         bool is_on_wall = false;
     };
     struct Cell {
@@ -56,7 +63,8 @@ private:
 
     const std::vector<double>&at_x, &at_y;
     std::vector<Corner> corners;
-    std::map<std::pair<int, int>, Cell> cells;  // by their sides between points of the wall, counter-clockwise
+    std::map<std::pair<int, int>, Cell>
+        cells;  // by their sides between points of the wall, counter-clockwise
 
     static std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
@@ -81,12 +89,15 @@ private:
             for (int k = 0; k < n; ++k) {
                 int const a = corner(k), b = corner(k + 1);
                 if (!corners[at(a)].is_on_wall || !corners[at(b)].is_on_wall) continue;
-                cells[{twice_area > 0 ? a : b, twice_area > 0 ? b : a}] = {n, .5 * std::fabs(twice_area)};
+                cells[{twice_area > 0 ? a : b, twice_area > 0 ? b : a}] = {
+                    n, .5 * std::fabs(twice_area)};
             }
         }
     }
 
-    double length(std::size_t a, std::size_t b) const { return std::hypot(at_x[b] - at_x[a], at_y[b] - at_y[a]); }
+    double length(std::size_t a, std::size_t b) const {
+        return std::hypot(at_x[b] - at_x[a], at_y[b] - at_y[a]);
+    }
 
     // Of the triangle on a face, which contains no other point of the wall.
     double bound_on_face(int begin, int end) const {
@@ -107,7 +118,8 @@ private:
     // Of the mesh at a point of the wall.
     double open_angle(std::size_t k) const {
         std::size_t const a = at(corners[k].next), b = at(corners[k].previous);
-        double const ux = at_x[a] - at_x[k], uy = at_y[a] - at_y[k], vx = at_x[b] - at_x[k], vy = at_y[b] - at_y[k];
+        double const ux = at_x[a] - at_x[k], uy = at_y[a] - at_y[k], vx = at_x[b] - at_x[k],
+                     vy = at_y[b] - at_y[k];
         double const turn = std::atan2(ux * vy - uy * vx, ux * vx + uy * vy);
         return turn < 0 ? turn + 2 * pi : turn;
     }
@@ -123,9 +135,10 @@ private:
         auto const next = cells.find({static_cast<int>(k), its.next}),
                    previous = cells.find({its.previous, static_cast<int>(k)});
         if (next == cells.end() || previous == cells.end()) return best;
-        return std::min(best,
-                        std::max(best_quad_with_wide_angle(mean, length(k, at(its.next)), next->second.area),
-                                 best_quad_with_wide_angle(mean, length(k, at(its.previous)), previous->second.area)));
+        return std::min(best, std::max(best_quad_with_wide_angle(mean, length(k, at(its.next)),
+                                                                 next->second.area),
+                                       best_quad_with_wide_angle(mean, length(k, at(its.previous)),
+                                                                 previous->second.area)));
     }
 };
 

@@ -1,6 +1,6 @@
-// Displacements given point by point, on the meshes that are named: a B-spline's movement gives the morph by this
-// B-spline, and random fields end in a valid mesh or are refused with a reason. Prints a table and "N passed,
-// M failed".
+// Displacements given point by point, on the meshes that are named: a B-spline's movement gives the
+// morph by this B-spline, and random fields end in a valid mesh or are refused with a reason.
+// Prints a table and "N passed, M failed".
 //   fields FOLDER SEEDS MESH:MARKER ...      FOLDER/MESH.MARKER.curve: the fitted curves
 #include "curves/curve_file.hpp"
 #include "basics/failure.hpp"
@@ -29,7 +29,7 @@ void check(bool holds, const std::string& what) {
 
 struct Wall {
     std::vector<std::int32_t> points;
-    std::vector<double> x, y;   // where they are
+    std::vector<double> x, y;  // where they are
     cli::Field by{0};
     double extent = 0;
     hm_points read() const { return {by.x.data(), by.y.data(), 1}; }
@@ -46,7 +46,8 @@ Wall wall_of(const cli::Mesh& mesh, hm_plan* plan) {
     for (const std::int32_t point : out.points) {
         const auto k = static_cast<std::size_t>(point);
         const double at[2] = {mesh.x[k], mesh.y[k]};
-        for (int c = 0; c < 2; ++c) low[c] = std::min(low[c], at[c]), high[c] = std::max(high[c], at[c]);
+        for (int c = 0; c < 2; ++c)
+            low[c] = std::min(low[c], at[c]), high[c] = std::max(high[c], at[c]);
         out.x.push_back(at[0]);
         out.y.push_back(at[1]);
     }
@@ -66,7 +67,8 @@ constexpr Way ways[] = {{"conformal", HM_CONFORMAL, HM_DIRECT},
                         {"Laplace*", HM_LAPLACE, HM_MULTIGRID},
                         {"weighted*", HM_WEIGHTED, HM_MULTIGRID}};
 
-cli::Task task_on(const cli::Mesh& mesh, const std::string& marker, std::int32_t kind, const Way& way) {
+cli::Task task_on(const cli::Mesh& mesh, const std::string& marker, std::int32_t kind,
+                  const Way& way) {
     cli::Task task;
     auto condition = cli::sized<hm_condition>();
     for (std::size_t k = 0; k < mesh.markers.size(); ++k)
@@ -78,11 +80,15 @@ cli::Task task_on(const cli::Mesh& mesh, const std::string& marker, std::int32_t
     return task;
 }
 
-double uniform(std::mt19937& random) { return std::uniform_real_distribution<double>(-1, 1)(random); }
+double uniform(std::mt19937& random) {
+    return std::uniform_real_distribution<double>(-1, 1)(random);
+}
 
-// The largest difference between the mesh that a B-spline moves and the one that is displaced as its wall is.
-double difference_from_morph(const cli::Mesh& mesh, const std::string& marker, const cli::Curves& curves,
-                             const Way& way, const cli::Threads& threads) {
+// The largest difference between the mesh that a B-spline moves and the one that is displaced as
+// its wall is.
+double difference_from_morph(const cli::Mesh& mesh, const std::string& marker,
+                             const cli::Curves& curves, const Way& way,
+                             const cli::Threads& threads) {
     cli::Task on_curve = task_on(mesh, marker, HM_ON_CURVE, way);
     on_curve.curves = curves;
     on_curve.conditions[0].n_curves = static_cast<std::int32_t>(curves.curves.size());
@@ -96,10 +102,12 @@ double difference_from_morph(const cli::Mesh& mesh, const std::string& marker, c
 
     std::mt19937 random(7);
     std::vector<double> move;
-    for (std::size_t k = 0; k < curves.control.size(); ++k) move.push_back(.01 * wall.extent * uniform(random));
+    for (std::size_t k = 0; k < curves.control.size(); ++k)
+        move.push_back(.01 * wall.extent * uniform(random));
     cli::Field expected(mesh.x.size()), found(mesh.x.size());
     const hm_points_out to_expected = expected.write(), to_found = found.write();
-    cli::call(mesh, hm_morph, functions.basis(), move.data(), nullptr, &to_expected, threads.executor());
+    cli::call(mesh, hm_morph, functions.basis(), move.data(), nullptr, &to_expected,
+              threads.executor());
     for (std::size_t k = 0; k < wall.points.size(); ++k) {
         wall.by.x[k] = expected.x[static_cast<std::size_t>(wall.points[k])];
         wall.by.y[k] = expected.y[static_cast<std::size_t>(wall.points[k])];
@@ -108,11 +116,12 @@ double difference_from_morph(const cli::Mesh& mesh, const std::string& marker, c
     cli::call(mesh, hm_displace_size, solver.plan(), 1, &bytes);
     cli::Block work(bytes);
     const hm_points given_wall = wall.read();
-    cli::call(mesh, hm_displace, solver.plan(), wall.count(), wall.points.data(), 1, &given_wall, nullptr, &to_found,
-              work.data(), bytes, nullptr);
+    cli::call(mesh, hm_displace, solver.plan(), wall.count(), wall.points.data(), 1, &given_wall,
+              nullptr, &to_found, work.data(), bytes, nullptr);
     double worst = 0;
     for (std::size_t k = 0; k < found.x.size(); ++k)
-        worst = std::max(worst, std::hypot(found.x[k] - expected.x[k], found.y[k] - expected.y[k]) / wall.extent);
+        worst = std::max(worst, std::hypot(found.x[k] - expected.x[k], found.y[k] - expected.y[k]) /
+                                    wall.extent);
     std::size_t other_bits = 0;
     for (std::size_t k = 0; k < wall.points.size(); ++k) {
         const auto at = static_cast<std::size_t>(wall.points[k]);
@@ -124,11 +133,12 @@ double difference_from_morph(const cli::Mesh& mesh, const std::string& marker, c
 
 enum class Kind { smooth, rough, large };
 
-// Smooth: a few waves along x, 5 % of the extent. Rough: each point by itself, a part of the distance to its
-// neighbour. Large: a turn of up to 120 degrees and a shift, with waves.
+// Smooth: a few waves along x, 5 % of the extent. Rough: each point by itself, a part of the
+// distance to its neighbour. Large: a turn of up to 120 degrees and a shift, with waves.
 void make_field(Wall& wall, Kind kind, std::mt19937& random) {
     const std::size_t n = wall.points.size();
-    const double turn = 2.1 * uniform(random), shift = .2 * wall.extent * uniform(random), waves = .05 * wall.extent;
+    const double turn = 2.1 * uniform(random), shift = .2 * wall.extent * uniform(random),
+                 waves = .05 * wall.extent;
     double phase[6], cx = 0, cy = 0;
     for (double& p : phase) p = 3.2 * uniform(random);
     for (std::size_t k = 0; k < n; ++k)
@@ -169,8 +179,9 @@ void run_safely(const cli::Mesh& mesh, cli::Solver& solver, const Wall& wall, cl
     const hm_points_out out = to.write();
     auto report = cli::sized<hm_safe_report>();
     hm_error error = {};
-    const hm_status status = hm_displace_safe(solver.plan(), solver.basis(), nullptr, wall.count(), wall.points.data(),
-                                              &given, &out, work.data(), work.size(), nullptr, &report, &error);
+    const hm_status status =
+        hm_displace_safe(solver.plan(), solver.basis(), nullptr, wall.count(), wall.points.data(),
+                         &given, &out, work.data(), work.size(), nullptr, &report, &error);
     if (status < 0) {
         ++ends.refused;
         check(status == HM_CROSSING && error.text[0] != 0, std::string("refused: ") + error.text);
@@ -189,7 +200,8 @@ void run_safely(const cli::Mesh& mesh, cli::Solver& solver, const Wall& wall, cl
     std::size_t other_bits = 0;
     for (std::size_t k = 0; k < wall.points.size(); ++k) {
         const auto point = static_cast<std::size_t>(wall.points[k]);
-        other_bits += to.x[point] != mesh.x[point] + wall.by.x[k] || to.y[point] != mesh.y[point] + wall.by.y[k];
+        other_bits += to.x[point] != mesh.x[point] + wall.by.x[k] ||
+                      to.y[point] != mesh.y[point] + wall.by.y[k];
     }
     check(other_bits == 0, "the given wall");
 }
@@ -225,14 +237,14 @@ void run(const std::string& folder, int seeds, const std::string& path, const st
     for (const Way& way : ways) {
         const double worst = difference_from_morph(mesh, marker, curves, way, threads);
         check(worst <= 1e-9, name + ", " + way.name + ": the morph by the B-spline, to 1e-9");
-        std::printf("%-24s %7d  %-9s %9.1e ", (name + ":" + marker).c_str(), static_cast<int>(mesh.x.size()), way.name,
-                    worst);
+        std::printf("%-24s %7d  %-9s %9.1e ", (name + ":" + marker).c_str(),
+                    static_cast<int>(mesh.x.size()), way.name, worst);
         run_fields(mesh, marker, way, seeds, threads);
         std::printf("\n");
     }
 }
 
-} // namespace
+}  // namespace
 
 int main(int argc, char** argv) {
     if (argc < 4) return 2;

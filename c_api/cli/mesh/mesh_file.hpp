@@ -1,5 +1,5 @@
-// A mesh as it was read from a file of any format. It keeps the file: a morphed mesh is the same file with other
-// numbers.
+// A mesh as it was read from a file of any format. It keeps the file: a morphed mesh is the same
+// file with other numbers.
 #pragma once
 
 #include "formats/coordinates.hpp"
@@ -22,12 +22,13 @@ struct MarkerPiece {
 struct Mesh {
     TextFile file;
     std::vector<double> x, y;
-    std::vector<std::int32_t> cell_start = {0}, cell_points; // compressed rows, counted from 0
-    bool has_polygons = false;                               // cells of more than four corners, or with hanging nodes
+    std::vector<std::int32_t> cell_start = {0}, cell_points;  // compressed rows, counted from 0
+    bool has_polygons = false;  // cells of more than four corners, or with hanging nodes
     std::vector<std::int32_t> face_points, face_markers;
-    std::vector<std::string> markers;                        // their tags; a marker's number is its place here
-    std::vector<std::size_t> point_offset, cell_offset, face_offset; // where each stands in file.text(); may be empty
-    std::vector<std::string> remarks;                        // what was passed over, for the user
+    std::vector<std::string> markers;  // their tags; a marker's number is its place here
+    std::vector<std::size_t> point_offset, cell_offset,
+        face_offset;                   // where each stands in file.text(); may be empty
+    std::vector<std::string> remarks;  // what was passed over, for the user
     FileCoordinates in_file;
 
     explicit Mesh(const std::string& path) : file(path) {}
@@ -37,28 +38,33 @@ struct Mesh {
     std::int32_t faces() const { return static_cast<std::int32_t>(face_markers.size()); }
     std::int32_t faces(std::int32_t marker) const;
 
-    hm_points coordinates() const { return {x.data(), y.data(), 1}; } // for the library, of these arrays
+    hm_points coordinates() const {
+        return {x.data(), y.data(), 1};
+    }  // for the library, of these arrays
     hm_mesh view() const;
 
-    // The numbers of the markers in a list "A,B"; a tag the file does not have is wrong usage. A tag may hold commas.
+    // The numbers of the markers in a list "A,B"; a tag the file does not have is wrong usage. A
+    // tag may hold commas.
     std::vector<std::int32_t> find_markers(const std::string& list) const;
     // The same where an entry may be "A@X:Y", a piece of a marker: the one nearest to a point.
     std::vector<MarkerPiece> find_pieces(const std::string& list) const;
 
-    // For readers. A marker of this tag, new or there already; a remark, once; what stands in the file at these
-    // offsets.
+    // For readers. A marker of this tag, new or there already; a remark, once; what stands in the
+    // file at these offsets.
     std::int32_t add_marker(std::string_view tag);
     void remark(const std::string& text);
     void add_point(double its_x, double its_y, std::size_t x_offset, std::size_t y_offset);
-    template <class Points> void add_cell(const Points& points, std::size_t offset) {
+    template <class Points>
+    void add_cell(const Points& points, std::size_t offset) {
         cell_points.insert(cell_points.end(), std::begin(points), std::end(points));
         cell_start.push_back(static_cast<std::int32_t>(cell_points.size()));
         cell_offset.push_back(offset);
     }
     // Wrong usage if there are cells of more than four corners; who: what takes none.
     void refuse_polygons(const std::string& who) const;
-    void find_polygons(); // cells of four corners, too, if a corner is not convex: for formats that have polygons
+    void find_polygons();  // cells of four corners, too, if a corner is not convex: for formats
+                           // that have polygons
     void add_face(std::int32_t a, std::int32_t b, std::int32_t marker, std::size_t offset);
 };
 
-} // namespace cli
+}  // namespace cli

@@ -1,4 +1,4 @@
-#include "mesh/mesh.hpp"
+#include "mesh/mesh_file.hpp"
 
 #include "basics/failure.hpp"
 #include "basics/numbers.hpp"
@@ -12,12 +12,14 @@ namespace {
 
 std::int32_t find_marker(const Mesh& mesh, std::string_view tag) {
     const auto found = std::find(mesh.markers.begin(), mesh.markers.end(), tag);
-    return found == mesh.markers.end() ? -1 : static_cast<std::int32_t>(found - mesh.markers.begin());
+    return found == mesh.markers.end() ? -1
+                                       : static_cast<std::int32_t>(found - mesh.markers.begin());
 }
 
 [[noreturn]] void refuse_tag(const Mesh& mesh, std::string_view tag) {
     std::string known;
-    for (const std::string& name : mesh.markers) known += (known.empty() ? "" : ", ") + in_quotes(name);
+    for (const std::string& name : mesh.markers)
+        known += (known.empty() ? "" : ", ") + in_quotes(name);
     throw Failure(exit_usage, mesh.file.path() + " has no marker " + in_quotes(tag) + ", but " +
                                   (known.empty() ? "none at all" : known));
 }
@@ -26,7 +28,8 @@ std::int32_t usable_marker(const Mesh& mesh, std::string_view tag) {
     const std::int32_t marker = find_marker(mesh, tag);
     if (marker < 0) refuse_tag(mesh, tag);
     if (mesh.faces(marker) == 0) {
-        throw Failure(exit_usage, "marker " + in_quotes(tag) + " of " + mesh.file.path() + " has no faces");
+        throw Failure(exit_usage,
+                      "marker " + in_quotes(tag) + " of " + mesh.file.path() + " has no faces");
     }
     return marker;
 }
@@ -38,7 +41,8 @@ MarkerPiece piece_of(const Mesh& mesh, std::string_view text) {
     if (find_marker(mesh, text) < 0 && at != std::string_view::npos) {
         const std::string_view point = text.substr(at + 1);
         const std::size_t colon = point.find(':');
-        piece.is_piece = colon != std::string_view::npos && parse(point.substr(0, colon), piece.x) &&
+        piece.is_piece = colon != std::string_view::npos &&
+                         parse(point.substr(0, colon), piece.x) &&
                          parse(point.substr(colon + 1), piece.y);
     }
     piece.marker = usable_marker(mesh, piece.is_piece ? trimmed(text.substr(0, at)) : text);
@@ -56,7 +60,7 @@ void for_each_tag(const Mesh& mesh, const std::string& list, const Visit& visit)
     }
 }
 
-} // namespace
+}  // namespace
 
 std::int32_t Mesh::faces(std::int32_t marker) const {
     return static_cast<std::int32_t>(std::count(face_markers.begin(), face_markers.end(), marker));
@@ -79,7 +83,8 @@ hm_mesh Mesh::view() const {
 
 std::vector<std::int32_t> Mesh::find_markers(const std::string& list) const {
     std::vector<std::int32_t> found;
-    for_each_tag(*this, list, [&](std::string_view tag) { found.push_back(usable_marker(*this, tag)); });
+    for_each_tag(*this, list,
+                 [&](std::string_view tag) { found.push_back(usable_marker(*this, tag)); });
     return found;
 }
 
@@ -112,8 +117,10 @@ void Mesh::add_point(double its_x, double its_y, std::size_t x_offset, std::size
 void Mesh::refuse_polygons(const std::string& who) const {
     for (std::size_t cell = 0; cell + 1 < cell_start.size(); ++cell) {
         if (cell_start[cell + 1] - cell_start[cell] <= 4) continue;
-        throw Failure(exit_usage, file.path() + " has cells of more than four corners (the first is cell " +
-                                      std::to_string(cell) + "): " + who + " takes triangles and quadrilaterals only");
+        throw Failure(exit_usage, file.path() +
+                                      " has cells of more than four corners (the first is cell " +
+                                      std::to_string(cell) + "): " + who +
+                                      " takes triangles and quadrilaterals only");
     }
 }
 
@@ -124,9 +131,10 @@ void Mesh::find_polygons() {
     for (std::size_t cell = 0; cell + 1 < cell_start.size() && !has_polygons; ++cell) {
         const std::int32_t first = cell_start[cell], n = cell_start[cell + 1] - first;
         has_polygons = n > 4;
-        double least = 0, most = 0; // sines of the turns at the corners
+        double least = 0, most = 0;  // sines of the turns at the corners
         for (std::int32_t k = 0; k < n && n == 4; ++k) {
-            const std::size_t a = at(first + k), b = at(first + (k + 1) % n), c = at(first + (k + 2) % n);
+            const std::size_t a = at(first + k), b = at(first + (k + 1) % n),
+                              c = at(first + (k + 2) % n);
             const double ux = x[b] - x[a], uy = y[b] - y[a], vx = x[c] - x[b], vy = y[c] - y[b];
             const double size = std::hypot(ux, uy) * std::hypot(vx, vy);
             const double turn = size > 0 ? (ux * vy - uy * vx) / size : 0;
@@ -144,4 +152,4 @@ void Mesh::add_face(std::int32_t a, std::int32_t b, std::int32_t marker, std::si
     face_offset.push_back(offset);
 }
 
-} // namespace cli
+}  // namespace cli
