@@ -12,7 +12,9 @@ words() {   # of all strings in these files, one string a line; strings that sta
     FNR == 1 { if (open) print text; open = 0; text = "" }
     {
         line = $0
-        if (line ~ /^ *(#|\/\/|static_assert)/) next
+        if (line ~ /^ *static_assert/) asserted = 1
+        if (asserted) { if (line ~ /;/) asserted = 0; next }
+        if (line ~ /^ *(#|\/\/)/) next
         while (match(line, /"([^"\\]|\\.)*"/)) {
             before = substr(line, 1, RSTART - 1)
             if (open && before !~ /^[ \t]*$/) { print text; text = "" }
