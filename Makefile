@@ -205,7 +205,7 @@ demo: all
 	@ls $(BUILD)/demo/*.svg $(BUILD)/demo/*.html
 
 # What lies where after an installation; uninstall takes the same list away.
-INSTALLED = bin/harmorph share/man/man1/harmorph.1 lib/libharmorph.so* include/harmorph.h include/harmorph_distributed.h \
+INSTALLED = bin/harmorph share/man/man1/harmorph.1 lib/libharmorph.so* include/harmorph.h include/harmorph_parts.h \
 	include/harmorph_openmp.h include/harmorph_pthreads.h include/harmorph_mpi.h include/harmorph_petsc.h \
 	include/harmorph_pages.h \
 	lib/libharmorph.a lib/pkgconfig/harmorph.pc \

@@ -1,8 +1,12 @@
 // What all entry points of the C interface have in common.
 #pragma once
 
-#include "fault_text.hpp"
 #include "base/arena.hpp"
+#include "fault_text.hpp"
+#include "harmorph_design.h"
+#include "harmorph_parts.h"
+#include "harmorph_space.h"
+#include "harmorph_study.h"
 
 namespace harmorph {
 

@@ -1,7 +1,6 @@
-// The C interface: curves and their fit.
+// The C interface: evaluation of curves.
 #include "call.hpp"
 #include "base/range.hpp"
-#include "bspline/fit.hpp"
 #include "bspline/projection.hpp"
 #include "views.hpp"
 
@@ -28,40 +27,6 @@ Status check_parameter(Curve const& curve, Real u, Index n_derivatives, Fault& f
     if (is_between(curve.begin(), u, curve.end())) return Status::ok;
     return fault.refuse(Status::bad_argument, "the parameter ~ is outside the curve",
                         Counts::from_zero, none, none, u);
-}
-
-// The block of a fit: the caller's structs, then the core's arrays.
-struct FitBlock {
-    Span<hm_curves> set;
-    Span<hm_curve> curve;
-    Fit fit;
-
-    void lay_out(Arena& arena, Index n, FitOptions const& options) noexcept {
-        arena.take(set, 1);
-        arena.take(curve, 2);
-        fit.lay_out(arena, n, options);
-    }
-    const hm_curves* present() const noexcept {
-        for (Index i = 0; i < fit.n_curves; ++i) curve[i] = struct_of(fit.curve[i]);
-        set[0] = {sizeof(hm_curves),  0,       fit.control.count() / 2,
-                  fit.control.data(), nullptr, fit.n_curves,
-                  curve.data()};
-        return set.data();
-    }
-};
-
-hm_fit_report report_of(FitReport const& made) noexcept {
-    hm_fit_report filled = {};
-    filled.max_error = made.max_error;
-    filled.rms_error = made.rms_error;
-    filled.max_error_point = made.max_error_point;
-    filled.closed = static_cast<std::int32_t>(made.closure);
-    filled.first_point = made.first_point;
-    filled.base_points = made.base_points;
-    filled.reason = static_cast<std::int32_t>(made.reason);
-    filled.corners = made.corners;
-    filled.backtrack_point = made.backtrack_point;
-    return filled;
 }
 
 }  // namespace
@@ -132,39 +97,6 @@ hm_status hm_curve_project(const hm_curves* curves, int32_t number, double x, do
         *u = foot.u;
         *distance = foot.distance;
         return Status::ok;
-    });
-}
-
-hm_status hm_fit_size(int32_t n, const hm_fit_options* options, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        FitOptions asked;
-        HARMORPH_TRY(require({{"bytes", bytes}}, fault));
-        HARMORPH_TRY(view_fit_options(options, asked, fault));
-        HARMORPH_TRY(check_fit(n, asked, fault));
-        FitBlock made;
-        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, n, asked); });
-    });
-}
-
-hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes, const hm_points* points,
-                 int32_t n, int32_t is_loop, const hm_fit_options* options, hm_fit_report* report,
-                 hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        Points view;
-        FitOptions asked;
-        HARMORPH_TRY(require({{"curves", curves}, {"block", block}}, fault));
-        HARMORPH_TRY(check_report_if(report, fault));
-        HARMORPH_TRY(view_points(points, "points", view, fault));
-        HARMORPH_TRY(view_fit_options(options, asked, fault));
-        HARMORPH_TRY(check_fit(n, asked, fault));
-        FitBlock made;
-        FitReport fitted;
-        HARMORPH_TRY(
-            place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, n, asked); }));
-        HARMORPH_TRY(made.fit.run(view, n, is_loop != 0, asked, fitted, fault));
-        *curves = made.present();
-        if (report != nullptr) write_struct(report_of(fitted), report);
-        return fault.status;
     });
 }
 

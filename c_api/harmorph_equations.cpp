@@ -1,5 +1,5 @@
 // The C interface: the equations of a part, and their matrix entries.
-#include "harmorph_distributed.h"
+#include "harmorph_parts.h"
 #include "part_handles.hpp"
 #include "request.hpp"
 

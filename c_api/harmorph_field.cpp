@@ -1,7 +1,7 @@
 // The C interface: one field of given displacements in a part.
 #include "base/range.hpp"
 #include "operators/right_hand_sides.hpp"
-#include "harmorph_distributed.h"
+#include "harmorph_parts.h"
 #include "part_handles.hpp"
 #include "views.hpp"
 

@@ -11,6 +11,7 @@ struct FinerTask {
     CurvesView view;
     CurveRefinement refinement;
     FinerCounts counts;
+    Index degree = 0;  // the degree asked for; 0: that of the curve
 
     Status open(const hm_curves* curves, CallFault& fault) noexcept {
         HARMORPH_TRY(view_curves(curves, view, fault));
@@ -22,21 +23,41 @@ struct FinerTask {
             Curve curve;
             HARMORPH_TRY(view.curve(i, curve, fault));
             HARMORPH_TRY(check_curve(curve, i, fault));
-            if (i == refinement.curve) HARMORPH_TRY(refinement.check(curve, fault));
+            if (i == refinement.curve) HARMORPH_TRY(check_refinement(curve, fault));
             counts.include(curve, i == refinement.curve, refinement);
         }
         return Status::ok;
     }
+
+private:
+    Status check_refinement(Curve const& curve, Fault& fault) const noexcept {
+        if (degree != 0 && degree != curve.degree + 1) {
+            return fault.refuse(Status::bad_argument,
+                                "a curve of degree # can be raised to the degree above, not to @",
+                                Counts::from_zero, curve.degree, degree);
+        }
+        return refinement.check(curve, fault);
+    }
 };
 
-Status view_knots(Index n, const double* u, CurveRefinement& refinement, Fault& fault) noexcept {
+// Which curve changes, and how. The degree of the curve is known once the curves are read.
+Status view_refinement(Index curve, Index degree, Index n, const double* u, FinerTask& task,
+                       Fault& fault) noexcept {
     constexpr Index most = Index{1} << 24;
     if (n < 0 || n > most) {
         return fault.refuse(Status::bad_argument, "n must be between 0 and 2^24, not #",
                             Counts::from_zero, n);
     }
+    if (degree != 0 && n != 0) {
+        return fault.refuse(Status::bad_argument,
+                            "either the degree is raised or knots are inserted: n must be 0, not #",
+                            Counts::from_zero, n);
+    }
     if (n > 0) HARMORPH_TRY(require({{"u", u}}, fault));
-    refinement.knots = {u, static_cast<Size>(n)};
+    task.refinement.curve = curve;
+    task.refinement.knots = {u, static_cast<Size>(n)};
+    task.refinement.elevates = degree != 0;
+    task.degree = degree;
     return Status::ok;
 }
 
@@ -89,42 +110,21 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_refine_size(const hm_curves* curves, int32_t curve, int32_t n, const double* u,
-                         size_t* bytes, hm_error* err) {
+hm_status hm_refine_size(const hm_curves* curves, int32_t curve, int32_t degree, int32_t n,
+                         const double* u, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         FinerTask task;
-        task.refinement.curve = curve;
-        HARMORPH_TRY(view_knots(n, u, task.refinement, fault));
+        HARMORPH_TRY(view_refinement(curve, degree, n, u, task, fault));
         return count_finer(task, curves, bytes, fault);
     });
 }
 
 hm_status hm_refine(const hm_curves** finer, const double** matrix, void* block, size_t bytes,
-                    const hm_curves* curves, int32_t curve, int32_t n, const double* u,
-                    hm_error* err) {
+                    const hm_curves* curves, int32_t curve, int32_t degree, int32_t n,
+                    const double* u, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         FinerTask task;
-        task.refinement.curve = curve;
-        HARMORPH_TRY(view_knots(n, u, task.refinement, fault));
-        return make_finer(task, finer, matrix, block, bytes, curves, fault);
-    });
-}
-
-hm_status hm_elevate_size(const hm_curves* curves, int32_t curve, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        FinerTask task;
-        task.refinement.curve = curve;
-        task.refinement.elevates = true;
-        return count_finer(task, curves, bytes, fault);
-    });
-}
-
-hm_status hm_elevate(const hm_curves** finer, const double** matrix, void* block, size_t bytes,
-                     const hm_curves* curves, int32_t curve, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        FinerTask task;
-        task.refinement.curve = curve;
-        task.refinement.elevates = true;
+        HARMORPH_TRY(view_refinement(curve, degree, n, u, task, fault));
         return make_finer(task, finer, matrix, block, bytes, curves, fault);
     });
 }

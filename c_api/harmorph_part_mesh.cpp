@@ -1,6 +1,6 @@
 // The C interface: a part of a mesh that no process has as a whole, and the edges where parts end.
 #include "parts/shared_boundary.hpp"
-#include "harmorph_distributed.h"
+#include "harmorph_parts.h"
 #include "part_handles.hpp"
 #include "views.hpp"
 

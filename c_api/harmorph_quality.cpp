@@ -67,6 +67,19 @@ hm_quality_report report_of(Quality const& quality, Crossing const& crossing,
     return filled;
 }
 
+// The admissible step where there is a displacement; the quality where it is wanted.
+Assessment judge(OrientedMesh const& cells, Points start, Points displacement, Points reference,
+                 bool wants_quality, Executor const& executor) noexcept {
+    if (!displacement.given()) return {{}, measure_quality(cells, start, reference, executor)};
+    if (wants_quality && !reference.given()) return assess(cells, start, displacement, executor);
+    Assessment found;
+    found.limit = admissible_step(cells, start, displacement, executor);
+    if (wants_quality) {
+        found.quality = displaced_quality(cells, start, displacement, reference, executor);
+    }
+    return found;
+}
+
 }  // namespace
 }  // namespace harmorph
 
@@ -74,67 +87,33 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_admissible_step(const hm_basis* basis, const hm_mesh* mesh, const hm_points* from,
-                             const hm_points* displacement, const hm_executor* executor,
-                             hm_step_report* report, hm_error* err) {
+hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_points* from,
+                    const hm_points* displacement, const hm_points* reference,
+                    const hm_executor* executor, hm_step_report* step, hm_quality_report* quality,
+                    hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         Executor threads;
         Mesh view;
         OrientedMesh cells;
-        Points start, change;
-        HARMORPH_TRY(check_report(report, fault));
+        Points start, change, undeformed;
+        HARMORPH_TRY(check_report_if(step, fault));
+        HARMORPH_TRY(check_report_if(quality, fault));
+        if (displacement == nullptr && step != nullptr) {
+            return fault.refuse_argument("displacement",
+                                         "% is NULL, but an admissible step is asked for");
+        }
         HARMORPH_TRY(open_pair(basis, mesh, b, view, cells, fault));
         HARMORPH_TRY(view_coordinates(from, "from", view, start, fault));
-        HARMORPH_TRY(view_points(displacement, "displacement", change, fault));
-        HARMORPH_TRY(view_executor(executor, threads, fault));
-        write_struct(
-            report_of(admissible_step(cells, start, change, threads), cells, view.index_base),
-            report);
-        return Status::ok;
-    });
-}
-
-hm_status hm_quality(const hm_basis* basis, const hm_mesh* mesh, const hm_points* at,
-                     const hm_points* reference, const hm_executor* executor,
-                     hm_quality_report* report, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        Basis b;
-        Executor threads;
-        Mesh view;
-        OrientedMesh cells;
-        Points points, undeformed;
-        HARMORPH_TRY(check_report(report, fault));
-        HARMORPH_TRY(open_pair(basis, mesh, b, view, cells, fault));
-        HARMORPH_TRY(view_coordinates(at, "at", view, points, fault));
+        HARMORPH_TRY(view_points_if(displacement, "displacement", change, fault));
         HARMORPH_TRY(view_points_if(reference, "reference", undeformed, fault));
         HARMORPH_TRY(view_executor(executor, threads, fault));
-        Quality const quality = measure_quality(cells, points, undeformed, threads);
-        Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, points);
-        write_struct(report_of(quality, crossing, view), report);
-        return Status::ok;
-    });
-}
-
-hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_points* from,
-                    const hm_points* displacement, const hm_executor* executor,
-                    hm_step_report* step, hm_quality_report* quality, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        Basis b;
-        Executor threads;
-        Mesh view;
-        OrientedMesh cells;
-        Points start, change;
-        HARMORPH_TRY(check_report(step, fault));
-        HARMORPH_TRY(check_report(quality, fault));
-        HARMORPH_TRY(open_pair(basis, mesh, b, view, cells, fault));
-        HARMORPH_TRY(view_coordinates(from, "from", view, start, fault));
-        HARMORPH_TRY(view_points(displacement, "displacement", change, fault));
-        HARMORPH_TRY(view_executor(executor, threads, fault));
-        Assessment const assessment = assess(cells, start, change, threads);
+        Assessment const found =
+            judge(cells, start, change, undeformed, quality != nullptr, threads);
+        if (step != nullptr) write_struct(report_of(found.limit, cells, view.index_base), step);
+        if (quality == nullptr) return Status::ok;
         Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, start, change);
-        write_struct(report_of(assessment.limit, cells, view.index_base), step);
-        write_struct(report_of(assessment.quality, crossing, view), quality);
+        write_struct(report_of(found.quality, crossing, view), quality);
         return Status::ok;
     });
 }

@@ -1,7 +1,7 @@
 // The C interface: right-hand sides, values and residuals of the functions at the points of a part.
 #include "base/range.hpp"
 #include "operators/right_hand_sides.hpp"
-#include "harmorph_distributed.h"
+#include "harmorph_parts.h"
 #include "part_handles.hpp"
 
 namespace harmorph {

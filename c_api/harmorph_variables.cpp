@@ -20,7 +20,7 @@ Status check_fields(hm_variables const& v, Fault& fault) noexcept {
     if (v.peaks != nullptr && (ffd || v.kind == HM_CST)) {
         wrong = "variables: peaks are of HM_HICKS_HENNE and HM_NACA4 only";
     }
-    if (v.kind != HM_CST && !(v.nose_exponent == 0 && v.edge_exponent == 0)) {
+    if (v.kind != HM_CST && !(v.leading_exponent == 0 && v.trailing_exponent == 0)) {
         wrong = "variables: the exponents are of HM_CST only";
     }
     if (v.kind != HM_HICKS_HENNE && v.width != 0)
@@ -46,11 +46,11 @@ Status check_numbers(hm_variables const& v, Fault& fault) noexcept {
                             "variables: degree_x and degree_y are # and @, not 0 to 63",
                             Counts::from_zero, v.degree_x, v.degree_y);
     }
-    if (!is_between(0, v.nose_exponent, 10)) {
-        return refuse("variables: nose_exponent is ~, not 0 to 10", v.nose_exponent);
+    if (!is_between(0, v.leading_exponent, 10)) {
+        return refuse("variables: leading_exponent is ~, not 0 to 10", v.leading_exponent);
     }
-    if (!is_between(0, v.edge_exponent, 10)) {
-        return refuse("variables: edge_exponent is ~, not 0 to 10", v.edge_exponent);
+    if (!is_between(0, v.trailing_exponent, 10)) {
+        return refuse("variables: trailing_exponent is ~, not 0 to 10", v.trailing_exponent);
     }
     if (v.width != 0 && !is_between(1, v.width, 100))
         return refuse("variables: the width is ~, not 1 to 100", v.width);
@@ -96,9 +96,9 @@ Status open_variables(const hm_variables* given, CurvesView const& view, Variabl
     out.degree_x = v.degree_x;
     out.degree_y = v.degree_y;
     out.peaks = v.peaks;
-    if (!(v.nose_exponent == 0 && v.edge_exponent == 0)) {
-        out.nose_exponent = v.nose_exponent;
-        out.edge_exponent = v.edge_exponent;
+    if (!(v.leading_exponent == 0 && v.trailing_exponent == 0)) {
+        out.leading_exponent = v.leading_exponent;
+        out.trailing_exponent = v.trailing_exponent;
     }
     if (v.width != 0) out.width = v.width;
     if (out.kind != VariableKind::ffd) return Status::ok;

@@ -1,10 +1,18 @@
-// The C interface: versions, and the names of the statuses.
+// The C interface: versions, the names of the statuses, structs with their size and zeros.
 #include "harmorph.h"
+
+#include <cstring>
 
 extern "C" {
 
 int32_t hm_abi_version(void) { return HM_ABI; }
 const char* hm_version(void) { return HM_VERSION; }
+
+void hm_init(void* any_struct, uint64_t size) {
+    if (any_struct == nullptr || size < sizeof size) return;
+    std::memset(any_struct, 0, static_cast<size_t>(size));
+    std::memcpy(any_struct, &size, sizeof size);
+}
 
 const char* hm_status_name(hm_status status) {
     switch (status) {

@@ -1,4 +1,4 @@
-// Handles of harmorph_distributed.h: hm_part and hm_equations are the objects in their blocks.
+// Handles of harmorph_parts.h: hm_part and hm_equations are the objects in their blocks.
 #pragma once
 
 #include "handles.hpp"

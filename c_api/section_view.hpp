@@ -42,14 +42,14 @@ inline Status open_section(const hm_curves* curves, const hm_section* given, Cur
                             "section.n_curves is #: at most 8 curves form a section",
                             Counts::from_zero, asked.n_curves);
     }
-    section.nose = {asked.nose_x, asked.nose_y};
-    section.edge = {asked.edge_x, asked.edge_y};
+    section.nose = {asked.leading_x, asked.leading_y};
+    section.edge = {asked.trailing_x, asked.trailing_y};
     if (!is_coordinate(section.nose) || !is_coordinate(section.edge)) {
         return fault.refuse(Status::bad_argument,
                             "section: an end of the chord line is not finite or beyond 1e100");
     }
-    section.has_fixed_chord =
-        !(asked.nose_x == 0 && asked.nose_y == 0 && asked.edge_x == 0 && asked.edge_y == 0);
+    section.has_fixed_chord = !(asked.leading_x == 0 && asked.leading_y == 0 &&
+                                asked.trailing_x == 0 && asked.trailing_y == 0);
     section.n_curves = asked.n_curves;
     for (Index k = 0; k < asked.n_curves; ++k) {
         HARMORPH_TRY(view.curve(asked.first_curve + k, section.curve[k], fault));

@@ -7,22 +7,23 @@ namespace harmorph {
 namespace {
 
 // The header's table of what goes together; what does not is answered with what would.
-Status check_combination(hm_options const& o, Fault& fault) noexcept {
+Status check_combination(hm_options const& o, hm_study_options const& study,
+                         Fault& fault) noexcept {
     if (o.operator_kind < HM_CONFORMAL || o.operator_kind > HM_WEIGHTED) {
         return fault.refuse(Status::unsupported, "options.operator_kind is #, which is unknown",
                             Counts::from_zero, o.operator_kind);
     }
-    if (o.scheme < HM_COMPACT || o.scheme > HM_NODAL_GRADIENT_PLAIN) {
-        return fault.refuse(Status::unsupported, "options.scheme is #, which is unknown",
-                            Counts::from_zero, o.scheme);
+    if (study.scheme < HM_COMPACT || study.scheme > HM_NODAL_GRADIENT_PLAIN) {
+        return fault.refuse(Status::unsupported, "study options: scheme is #, which is unknown",
+                            Counts::from_zero, study.scheme);
     }
     if (o.engine < HM_DIRECT || o.engine > HM_FAS) {
         return fault.refuse(Status::unsupported, "options.engine is #, which is unknown",
                             Counts::from_zero, o.engine);
     }
-    bool const nodal = o.scheme == HM_NODAL_GRADIENT || o.scheme == HM_NODAL_GRADIENT_PLAIN;
+    bool const nodal = study.scheme == HM_NODAL_GRADIENT || study.scheme == HM_NODAL_GRADIENT_PLAIN;
     const char* wrong = nullptr;
-    if (o.operator_kind == HM_CONFORMAL && o.scheme != HM_COMPACT) {
+    if (o.operator_kind == HM_CONFORMAL && study.scheme != HM_COMPACT) {
         wrong =
             "the conformal operator goes with the compact scheme only; laplace goes with all "
             "schemes";
@@ -32,26 +33,27 @@ Status check_combination(hm_options const& o, Fault& fault) noexcept {
             "all";
     } else if (nodal && o.operator_kind != HM_LAPLACE) {
         wrong = "nodal gradients go with the operator laplace only";
-    } else if (o.scheme == HM_BOUNDED && o.engine != HM_DIRECT) {
+    } else if (study.scheme == HM_BOUNDED && o.engine != HM_DIRECT) {
         wrong = "the bounded scheme goes with the direct engine only";
     } else if (nodal && o.engine == HM_MULTIGRID) {
         wrong = "nodal gradients do not go with the engine multigrid; fas goes with them";
-    } else if (o.scheme == HM_NODAL_GRADIENT_PLAIN && o.engine != HM_FAS) {
+    } else if (study.scheme == HM_NODAL_GRADIENT_PLAIN && o.engine != HM_FAS) {
         wrong = "nodal gradients without correction (plain) go with the engine fas only";
     }
     return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
 }
 
 // Operator, weight, scheme and engine.
-Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept {
-    HARMORPH_TRY(check_combination(o, fault));
+Status view_operator(hm_options const& o, hm_study_options const& study, Method& method,
+                     Fault& fault) noexcept {
+    HARMORPH_TRY(check_combination(o, study, fault));
     if (o.exponent_quarters < HM_NO_WEIGHT || o.exponent_quarters > 16) {
         return fault.refuse(Status::bad_argument,
                             "options.exponent_quarters must be between -1 and 16, not #",
                             Counts::from_zero, o.exponent_quarters);
     }
     method.operator_kind = static_cast<Operator>(o.operator_kind);
-    method.scheme = static_cast<Scheme>(o.scheme);
+    method.scheme = static_cast<Scheme>(study.scheme);
     method.engine = static_cast<Engine>(o.engine);
     if (method.operator_kind == Operator::laplace && o.exponent_quarters > 0) {
         return fault.refuse(Status::unsupported,
@@ -77,58 +79,62 @@ Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept
 namespace {
 
 // Options that the engine does not have would be left out silently.
-Status check_engine(hm_options const& o, Fault& fault) noexcept {
+Status check_engine(hm_options const& o, hm_study_options const& study, Fault& fault) noexcept {
     const char* wrong = nullptr;
     if (o.engine == HM_DIRECT) {
-        if (o.levels != 0)
-            wrong = "options.levels: the direct engine has no levels; multigrid and fas do";
-        if (o.agglomeration != HM_AGGLOMERATE_AUTO) {
+        if (study.levels != 0)
+            wrong = "study options: levels: the direct engine has no levels; multigrid and fas do";
+        if (study.agglomeration != HM_AGGLOMERATE_AUTO) {
             wrong =
-                "options.agglomeration: the direct engine merges no cells; multigrid and fas do";
+                "study options: agglomeration: the direct engine merges no cells; multigrid and "
+                "fas do";
         }
-        if (o.block_width != 0)
-            wrong = "options.block_width goes with the engines multigrid and fas only";
-        if (o.max_iterations != 0)
-            wrong = "options.max_iterations goes with the engines multigrid and fas only";
-        if (o.history_length != 0)
-            wrong = "options.history goes with the engines multigrid and fas only";
+        if (study.block_width != 0)
+            wrong = "study options: block_width goes with the engines multigrid and fas only";
+        if (study.max_iterations != 0)
+            wrong = "study options: max_iterations goes with the engines multigrid and fas only";
+        if (study.history_length != 0)
+            wrong = "study options: history goes with the engines multigrid and fas only";
     } else if (o.precision != HM_DOUBLE) {
         wrong = "options.precision: only the direct engine has a factor to store in single";
     }
-    if (o.engine != HM_FAS && o.start != HM_START_COARSEST)
-        wrong = "options.start goes with the engine fas only";
+    if (o.engine != HM_FAS && study.start != HM_START_COARSEST)
+        wrong = "study options: start goes with the engine fas only";
     return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
 }
 
-Status view_iteration(hm_options const& o, Iteration& iteration, Fault& fault) noexcept {
-    if (o.levels < 0 || o.levels > Agglomeration::most_levels) {
-        return fault.refuse(Status::bad_argument, "options.levels must be between 0 and 20, not #",
-                            Counts::from_zero, o.levels);
-    }
-    if (o.agglomeration < HM_AGGLOMERATE_AUTO || o.agglomeration > HM_AGGLOMERATE_DIRECTIONAL) {
-        return fault.refuse(Status::bad_argument, "options.agglomeration is #, which is unknown",
-                            Counts::from_zero, o.agglomeration);
-    }
-    if (o.block_width != 0 && !Iteration::has_width(o.block_width)) {
+Status view_iteration(hm_study_options const& study, Iteration& iteration, Fault& fault) noexcept {
+    if (study.levels < 0 || study.levels > Agglomeration::most_levels) {
         return fault.refuse(Status::bad_argument,
-                            "options.block_width must be 0, 4, 8 or 16, not #", Counts::from_zero,
-                            o.block_width);
+                            "study options: levels must be between 0 and 20, not #",
+                            Counts::from_zero, study.levels);
     }
-    if (o.max_iterations < 0 || o.history_length < 0 ||
-        (o.history_length > 0 && o.history == nullptr)) {
+    if (study.agglomeration < HM_AGGLOMERATE_AUTO ||
+        study.agglomeration > HM_AGGLOMERATE_DIRECTIONAL) {
+        return fault.refuse(Status::bad_argument,
+                            "study options: agglomeration is #, which is unknown",
+                            Counts::from_zero, study.agglomeration);
+    }
+    if (study.block_width != 0 && !Iteration::has_width(study.block_width)) {
+        return fault.refuse(Status::bad_argument,
+                            "study options: block_width must be 0, 4, 8 or 16, not #",
+                            Counts::from_zero, study.block_width);
+    }
+    if (study.max_iterations < 0 || study.history_length < 0 ||
+        (study.history_length > 0 && study.history == nullptr)) {
         return fault.refuse(
             Status::bad_argument,
-            "options: max_iterations or history_length is negative, or history is NULL");
+            "study options: max_iterations or history_length is negative, or history is NULL");
     }
-    if (o.start < HM_START_COARSEST || o.start > HM_START_ZERO) {
-        return fault.refuse(Status::bad_argument, "options.start is #, which is unknown",
-                            Counts::from_zero, o.start);
+    if (study.start < HM_START_COARSEST || study.start > HM_START_ZERO) {
+        return fault.refuse(Status::bad_argument, "study options: start is #, which is unknown",
+                            Counts::from_zero, study.start);
     }
-    iteration.starts_from_zero = o.start == HM_START_ZERO;
-    iteration.merging = {static_cast<Merging>(o.agglomeration), o.levels};
-    if (o.block_width != 0) iteration.block_width = o.block_width;
-    iteration.max_iterations = o.max_iterations;
-    iteration.history = {o.history, static_cast<Size>(o.history_length)};
+    iteration.starts_from_zero = study.start == HM_START_ZERO;
+    iteration.merging = {static_cast<Merging>(study.agglomeration), study.levels};
+    if (study.block_width != 0) iteration.block_width = study.block_width;
+    iteration.max_iterations = study.max_iterations;
+    iteration.history = {study.history, static_cast<Size>(study.history_length)};
     return Status::ok;
 }
 
@@ -149,9 +155,17 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
             Status::unsupported,
             "options: fields are set that this version of the library does not know");
     }
-    if (o.reserved != 0) return fault.refuse(Status::bad_argument, "options.reserved must be 0");
-    HARMORPH_TRY(view_operator(o, method, fault));
-    HARMORPH_TRY(view_iteration(o, problem.iteration, fault));
+    hm_study_options study = {};
+    if (o.study != nullptr && !read_struct(o.study, study)) {
+        return fault.refuse(Status::bad_argument, "study options: struct_size is wrong");
+    }
+    if (o.study != nullptr && asks_for_more(o.study)) {
+        return fault.refuse(
+            Status::unsupported,
+            "study options: fields are set that this version of the library does not know");
+    }
+    HARMORPH_TRY(view_operator(o, study, method, fault));
+    HARMORPH_TRY(view_iteration(study, problem.iteration, fault));
     if (!is_finite(o.tolerance) || o.tolerance < 0 || o.tolerance >= 1) {
         return fault.refuse(Status::bad_argument,
                             "options.tolerance must be at least 0 and below 1, not ~",
@@ -169,7 +183,7 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
                             Counts::from_zero, o.precision);
     }
     method.precision = static_cast<Precision>(o.precision);
-    HARMORPH_TRY(check_engine(o, fault));
+    HARMORPH_TRY(check_engine(o, study, fault));
     if (o.tolerance > 0) method.tolerance = o.tolerance;
     problem.iteration.tolerance = method.tolerance;
     problem.progress = {o.progress, o.progress_user};

@@ -1,8 +1,9 @@
-/* harmorph in codes that run on several processes with MPI. Compile harmorph_mpi.c with mpicc and link it with your
- * code and libharmorph.a; the library itself knows nothing of MPI.
+/* harmorph in codes that run on several processes with MPI. Compile harmorph_mpi.c with mpicc and
+ * link it with your code and libharmorph.a; the library itself knows nothing of MPI.
  *
- * While functions are solved, every process has a copy of the whole mesh and solves a share of the functions. After the
- * exchange a process keeps the rows of the points of its own partition, with all functions:
+ * While functions are solved, every process has a copy of the whole mesh and solves a share of the
+ * functions. After the exchange a process keeps the rows of the points of its own partition, with
+ * all functions:
  *
  *     hm_analysis_init, hm_plan_init, hm_plan_factor      on every process, of the same problem
  *     hm_share_of(analysis, rank, size, &first, &n, &error)
@@ -10,66 +11,76 @@
  *     hm_extract_init(&rows, ..., share, n_points, points, &error)
  *     hm_mpi_exchange(rows, share, n_points, points, comm, &error)
  *
- * Then analysis, plan, share and the copy of the mesh may be freed. hm_morph(rows, ...) moves the points of this
- * process and needs no communication. Results are bitwise identical to a serial run, for any number of processes and
- * any partition, if all processes use the same kernel (set options.kernel where processors differ).
+ * Then analysis, plan, share and the copy of the mesh may be freed. hm_morph(rows, ...) moves the
+ * points of this process and needs no communication. Results are bitwise identical to a serial run,
+ * for any number of processes and any partition, if all processes use the same kernel (set
+ * options.kernel where processors differ).
  *
- * The calls of this header are collective: all processes of the communicator must make them. Either all processes
- * succeed or all get the same status; the reason is in the hm_error of the process that failed. The calls allocate
- * memory for the messages, and free it before they return. */
+ * The calls of this header are collective: all processes of the communicator must make them. Either
+ * all processes succeed or all get the same status; the reason is in the hm_error of the process
+ * that failed. The calls allocate memory for the messages, and free it before they return. */
 #ifndef HARMORPH_MPI_H
 #define HARMORPH_MPI_H
 
-#include <harmorph.h>
+#include "harmorph.h"
 #include <mpi.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* Fills `rows`, which hm_extract_init has made of the share of this process with the list points [n]. The shares of the
- * processes, in the order of ranks, must together be all functions. A process sends (points of all processes) *
- * numbers_per_value * (functions of the share) doubles and receives n * numbers_per_value * (all functions) doubles;
- * either number must be below 2^31. */
-hm_status hm_mpi_exchange(hm_basis *rows, const hm_basis *share, int32_t n, const int32_t *points, MPI_Comm comm,
-                          hm_error *err);
+/* Fills `rows`, which hm_extract_init has made of the share of this process with the list points
+ * [n]. The shares of the processes, in the order of ranks, must together be all functions. A
+ * process sends (points of all processes) * numbers_per_value * (functions of the share) doubles
+ * and receives n * numbers_per_value * (all functions) doubles; either number must be below 2^31.
+ */
+hm_status hm_mpi_exchange(hm_basis* rows, const hm_basis* share, int32_t n, const int32_t* points,
+                          MPI_Comm comm, hm_error* err);
 
-/* hm_adjoint for the rows of all processes together: gradient [2*functions] is bitwise the same on all processes. dj
- * must be 0 at ghost points, so that every point counts once. Communication: an all-reduce of two 32-bit integers, and
- * one of 4 * numbers_per_value * functions 64-bit integers. */
-hm_status hm_mpi_adjoint(const hm_basis *rows, const hm_points *dj, double *gradient,
-                         const hm_executor *executor, MPI_Comm comm, hm_error *err);
+/* hm_adjoint for the rows of all processes together: gradient [2*functions] is bitwise the same on
+ * all processes. dj must be 0 at ghost points, so that every point counts once. Communication: an
+ * all-reduce of two 32-bit integers, and one of 4 * numbers_per_value * functions 64-bit integers.
+ */
+hm_status hm_mpi_adjoint(const hm_basis* rows, const hm_points* dj, double* gradient,
+                         const hm_executor* executor, MPI_Comm comm, hm_error* err);
 
-/* hm_displace for codes that have the mesh in parts: one process, `root`, has the whole mesh and a plan with a factor;
- * plan is NULL on the others, which need neither mesh nor plan. n_wall, wall_points [n_wall], wall [n_fields]: the
- * given points that this process knows, by their numbers in the whole mesh, and their displacements. The lists of all
- * processes together are that of hm_displace: each given point must be in one of them, and may be in several, with
- * equal displacements. n, points [n], to [n_fields]: the points of this process, ghosts too, and what they receive.
- * from [n]: their coordinates; NULL on all processes: `to` receives displacements. With `from` each point of the mesh
- * must be in a list, for the boundary is judged as a whole. n_fields and root are the same on all processes. Results
- * have the bits of hm_displace on one process, for any partition. Communication: lists and fields to root, results
- * back, 16 bytes for each point and field. If the call is refused, `to` is unchanged on all processes. */
-hm_status hm_mpi_displace(hm_plan *plan, int32_t n_wall, const int32_t *wall_points, int32_t n_fields,
-                          const hm_points *wall, int32_t n, const int32_t *points, const hm_points *from,
-                          const hm_points_out *to, int32_t root, MPI_Comm comm, hm_error *err);
-/* The transpose: dj [n_fields], each of n points, 0 at ghosts, so that every point counts once; gradient [n_fields],
- * each of n_wall points: complete in the first list that has a point, in the order of ranks, and 0 where it is
- * repeated, so that sums over all processes are sums over the wall. */
-hm_status hm_mpi_displace_adjoint(hm_plan *plan, int32_t n_wall, const int32_t *wall_points, int32_t n_fields,
-                                  const hm_points *dj, int32_t n, const int32_t *points, const hm_points_out *gradient,
-                                  int32_t root, MPI_Comm comm, hm_error *err);
+/* hm_displace for codes that have the mesh in parts: one process, `root`, has the whole mesh and a
+ * plan with a factor; plan is NULL on the others, which need neither mesh nor plan. n_wall,
+ * wall_points [n_wall], wall [n_fields]: the given points that this process knows, by their numbers
+ * in the whole mesh, and their displacements. The lists of all processes together are that of
+ * hm_displace: each given point must be in one of them, and may be in several, with equal
+ * displacements. n, points [n], to [n_fields]: the points of this process, ghosts too, and what
+ * they receive. from [n]: their coordinates; NULL on all processes: `to` receives displacements.
+ * With `from` each point of the mesh must be in a list, for the boundary is judged as a whole.
+ * n_fields and root are the same on all processes. Results have the bits of hm_displace on one
+ * process, for any partition. Communication: lists and fields to root, results back, 16 bytes for
+ * each point and field. If the call is refused, `to` is unchanged on all processes. */
+hm_status hm_mpi_displace(hm_plan* plan, int32_t n_wall, const int32_t* wall_points,
+                          int32_t n_fields, const hm_points* wall, int32_t n, const int32_t* points,
+                          const hm_points* from, const hm_points_out* to, int32_t root,
+                          MPI_Comm comm, hm_error* err);
+/* The transpose: dj [n_fields], each of n points, 0 at ghosts, so that every point counts once;
+ * gradient [n_fields], each of n_wall points: complete in the first list that has a point, in the
+ * order of ranks, and 0 where it is repeated, so that sums over all processes are sums over the
+ * wall. */
+hm_status hm_mpi_displace_adjoint(hm_plan* plan, int32_t n_wall, const int32_t* wall_points,
+                                  int32_t n_fields, const hm_points* dj, int32_t n,
+                                  const int32_t* points, const hm_points_out* gradient,
+                                  int32_t root, MPI_Comm comm, hm_error* err);
 
 /* The same with Fortran communicators (MPI_Fint); harmorph_mpi.f90 calls these. */
-hm_status hm_mpi_exchange_f(hm_basis *rows, const hm_basis *share, int32_t n, const int32_t *points, MPI_Fint comm,
-                            hm_error *err);
-hm_status hm_mpi_adjoint_f(const hm_basis *rows, const hm_points *dj, double *gradient,
-                           const hm_executor *executor, MPI_Fint comm, hm_error *err);
-hm_status hm_mpi_displace_f(hm_plan *plan, int32_t n_wall, const int32_t *wall_points, int32_t n_fields,
-                            const hm_points *wall, int32_t n, const int32_t *points, const hm_points *from,
-                            const hm_points_out *to, int32_t root, MPI_Fint comm, hm_error *err);
-hm_status hm_mpi_displace_adjoint_f(hm_plan *plan, int32_t n_wall, const int32_t *wall_points, int32_t n_fields,
-                                    const hm_points *dj, int32_t n, const int32_t *points,
-                                    const hm_points_out *gradient, int32_t root, MPI_Fint comm, hm_error *err);
+hm_status hm_mpi_exchange_f(hm_basis* rows, const hm_basis* share, int32_t n, const int32_t* points,
+                            MPI_Fint comm, hm_error* err);
+hm_status hm_mpi_adjoint_f(const hm_basis* rows, const hm_points* dj, double* gradient,
+                           const hm_executor* executor, MPI_Fint comm, hm_error* err);
+hm_status hm_mpi_displace_f(hm_plan* plan, int32_t n_wall, const int32_t* wall_points,
+                            int32_t n_fields, const hm_points* wall, int32_t n,
+                            const int32_t* points, const hm_points* from, const hm_points_out* to,
+                            int32_t root, MPI_Fint comm, hm_error* err);
+hm_status hm_mpi_displace_adjoint_f(hm_plan* plan, int32_t n_wall, const int32_t* wall_points,
+                                    int32_t n_fields, const hm_points* dj, int32_t n,
+                                    const int32_t* points, const hm_points_out* gradient,
+                                    int32_t root, MPI_Fint comm, hm_error* err);
 
 #ifdef __cplusplus
 }

@@ -1,15 +1,15 @@
-/* Threads for harmorph by OpenMP. Compile files that include this header with -fopenmp. Two lines turn threads on:
+/* Threads for harmorph by OpenMP. Compile files that include this header with -fopenmp. Two lines
+ * turn threads on:
  *
  *     hm_executor executor = hm_openmp_executor(4);
- *     options.executor = &executor;
- */
+ *     options.executor = &executor; */
 #ifndef HARMORPH_OPENMP_H
 #define HARMORPH_OPENMP_H
 
 #include "harmorph.h"
 
-static inline void hm_openmp_run(void *user, int32_t n_tasks, void (*task)(void *context, int32_t index),
-                                 void *context) {
+static inline void hm_openmp_run(void* user, int32_t n_tasks,
+                                 void (*task)(void* context, int32_t index), void* context) {
     const int n_threads = (int)(intptr_t)user;
     int32_t i;
     (void)n_threads; /* used by the pragma only */
@@ -21,7 +21,7 @@ static inline hm_executor hm_openmp_executor(int32_t n_threads) {
     hm_executor executor;
     executor.struct_size = sizeof executor;
     executor.run = hm_openmp_run;
-    executor.user = (void *)(intptr_t)n_threads;
+    executor.user = (void*)(intptr_t)n_threads;
     executor.n_threads = n_threads < 256 ? n_threads : 256;
     executor.kernel = hm_best_kernel();
     return executor;

@@ -1,35 +1,37 @@
-/* harmorph on meshes that no process has as a whole: MPI and PETSc solve for the functions (PETSc 3.18 or later, with
- * real or complex scalars). Compile harmorph_petsc.c, which is one file where harmorph is installed, and, for the
- * adjoint, harmorph_mpi.c with mpicc and PETSc's flags (`pkg-config --cflags --libs petsc`); the library itself knows
- * nothing of either. The core's part is harmorph_distributed.h: matrix entries, right-hand sides and residuals of each
- * process's own cells.
+/* harmorph on meshes that no process has as a whole: MPI and PETSc solve for the functions (PETSc
+ * 3.18 or later, with real or complex scalars). Compile harmorph_petsc.c, which is one file where
+ * harmorph is installed, and, for the adjoint, harmorph_mpi.c with mpicc and PETSc's flags (`pkg-
+ * config --cflags --libs petsc`); the library itself knows nothing of either. The core's part is
+ * harmorph_parts.h: matrix entries, right-hand sides and residuals of each process's own cells.
  *
- *     PetscInitialize                                     by the caller
- *     hm_petsc_create(&system, &part, &problem, &options, comm, &error)     own cells, points with global numbers
- *     hm_petsc_rows_size, hm_petsc_solve                  a basis with the rows of this process's points
- *     hm_morph(rows, ...)                                 moves the points of this process; no messages
- *     hm_petsc_assess                                     admissible step and quality of the whole mesh
- *     hm_mpi_adjoint(rows, ...)                           see harmorph_mpi.h
- *     hm_petsc_free                                       the rows stay
+ *     PetscInitialize                          by the caller
+ *     hm_petsc_create(&system, &part, ...)     own cells, points with global numbers
+ *     hm_petsc_rows_size, hm_petsc_solve       a basis with the rows of this process's points
+ *     hm_morph(rows, ...)                      moves the points of this process; no messages
+ *     hm_petsc_assess                          admissible step and quality of the whole mesh
+ *     hm_mpi_adjoint(rows, ...)                see harmorph_mpi.h
+ *     hm_petsc_free                            the rows stay
  *
- * All calls but hm_petsc_rows_size and hm_petsc_owned are collective: all processes of the communicator must make them,
- * and each must have at least one own cell. Either all succeed or all get the same status, also where one process alone
- * gives a wrong argument, such as NULL for the system; the reason is in the hm_error of the process that found it. For
- * this each call has the communicator, which must be that of hm_petsc_create (or a duplicate). A refused call leaves
- * all arguments as they were. The calls allocate memory.
+ * All calls but hm_petsc_rows_size and hm_petsc_owned are collective: all processes of the
+ * communicator must make them, and each must have at least one own cell. Either all succeed or all
+ * get the same status, also where one process alone gives a wrong argument, such as NULL for the
+ * system; the reason is in the hm_error of the process that found it. For this each call has the
+ * communicator, which must be that of hm_petsc_create (or a duplicate). A refused call leaves all
+ * arguments as they were. The calls allocate memory.
  *
- * Solver: conjugate gradients with hypre's BoomerAMG (where PETSc has hypre, otherwise GAMG), with a relative tolerance
- * of 1e-6 for each solution; refinement with residuals as sums of differences continues until the estimated error is
- * below options.tolerance. All options of PETSc with the prefix hm_ are heard: `-hm_ksp_type preonly -hm_pc_type
- * cholesky -hm_pc_factor_mat_solver_type mumps` factors; `-hm_pc_type gamg`, `-hm_ksp_monitor`, `-hm_mat_type`, ...
+ * Solver: conjugate gradients with hypre's BoomerAMG (where PETSc has hypre, otherwise GAMG), with
+ * a relative tolerance of 1e-6 for each solution; refinement with residuals as sums of differences
+ * continues until the estimated error is below options.tolerance. All options of PETSc with the
+ * prefix hm_ are heard: `-hm_ksp_type preonly -hm_pc_type cholesky -hm_pc_factor_mat_solver_type
+ * mumps` factors; `-hm_pc_type gamg`, `-hm_ksp_monitor`, `-hm_mat_type`, ...
  *
- * Scalars: with real scalars an unknown of the conformal operator has two rows, a block of 2 x 2; with complex scalars
- * it has one, and the matrix is Hermitian (MUMPS then factors by `-hm_pc_type lu`: it has no Hermitian Cholesky). Real
- * operators have one row for each unknown with either. */
+ * Scalars: with real scalars an unknown of the conformal operator has two rows, a block of 2 x 2;
+ * with complex scalars it has one, and the matrix is Hermitian (MUMPS then factors by `-hm_pc_type
+ * lu`: it has no Hermitian Cholesky). Real operators have one row for each unknown with either. */
 #ifndef HARMORPH_PETSC_H
 #define HARMORPH_PETSC_H
 
-#include <harmorph_distributed.h>
+#include <harmorph_parts.h>
 #include <mpi.h>
 
 #ifdef __cplusplus
@@ -40,58 +42,66 @@ typedef struct hm_petsc hm_petsc;
 
 typedef struct hm_petsc_report {
     uint64_t struct_size;
-    int64_t  unknowns;             /* points with an unknown, of the whole mesh */
-    int32_t  functions;
-    int32_t  iterations;           /* of the KSP, largest sum over all solutions of one function; direct: solutions */
-    int32_t  solutions;            /* of each function, at most: the first one, and refinements */
-    int32_t  boundary_edges;       /* boundary faces and edges of cuts of the whole mesh, which every process has */
-    double   change;               /* [-] largest last correction of a function, relative to its largest value */
-    double   error;                /* [-] estimated from the corrections: above options.tolerance: HM_NOT_CONVERGED */
-    uint64_t bytes;                /* allocated by harmorph on this process, beside the basis */
+    int64_t unknowns; /* points with an unknown, of the whole mesh */
+    int32_t functions;
+    /* of the KSP, largest sum over all solutions of one function; direct: solutions */
+    int32_t iterations;
+    int32_t solutions; /* of each function, at most: the first one, and refinements */
+    /* boundary faces and edges of cuts of the whole mesh, which every process has */
+    int32_t boundary_edges;
+    /* [-] largest last correction of a function, relative to its largest value */
+    double change;
+    /* [-] estimated from the corrections: above options.tolerance: HM_NOT_CONVERGED */
+    double error;
+    uint64_t bytes; /* allocated by harmorph on this process, beside the basis */
 } hm_petsc_report;
 
-/* part: see hm_part_init; its arrays must exist as long as the system. problem.mesh is ignored. problem and options are
- * those of hm_equations_init, and the same on all processes. HM_FAR_FROM_CURVE as of hm_analysis_init. Refused on all
- * processes, beside what hm_part_init, hm_match_edges and hm_equations_init refuse: a point with two positions, a point
- * that two processes have inside their own cells (global numbers are wrong), a ghost point that no process has in an
- * own cell (HM_BAD_MESH); curves, conditions or options that are not the same everywhere (HM_BAD_CONDITION). */
-hm_status hm_petsc_create(hm_petsc **system, const hm_part_mesh *part, const hm_problem *problem,
-                          const hm_options *options, MPI_Comm comm, hm_error *err);
-/* Collective: PETSc's solvers end together. NULL, on all processes: nothing to do. *system becomes NULL. */
-void hm_petsc_free(hm_petsc **system);
+/* part: see hm_part_init; its arrays must exist as long as the system. problem.mesh is ignored.
+ * problem and options are those of hm_equations_init, and the same on all processes.
+ * HM_FAR_FROM_CURVE as of hm_analysis_init. Refused on all processes, beside what hm_part_init,
+ * hm_match_edges and hm_equations_init refuse: a point with two positions, a point that two
+ * processes have inside their own cells (global numbers are wrong), a ghost point that no process
+ * has in an own cell (HM_BAD_MESH); curves, conditions or options that are not the same everywhere
+ * (HM_BAD_CONDITION). */
+hm_status hm_petsc_create(hm_petsc** system, const hm_part_mesh* part, const hm_problem* problem,
+                          const hm_options* options, MPI_Comm comm, hm_error* err);
+/* Collective: PETSc's solvers end together. NULL, on all processes: nothing to do. *system becomes
+ * NULL. */
+void hm_petsc_free(hm_petsc** system);
 
 /* Bytes of a basis for the points of this process. */
-hm_status hm_petsc_rows_size(const hm_petsc *system, size_t *bytes, hm_error *err);
-/* Solves for all functions; *rows is in the block. HM_NOT_CONVERGED: solved, but less accurate than the tolerance.
- * HM_NOT_POSITIVE: PETSc could not factor or solve. report may be NULL. */
-hm_status hm_petsc_solve(hm_petsc *system, hm_basis **rows, void *block, size_t bytes, hm_petsc_report *report,
-                         MPI_Comm comm, hm_error *err);
-/* One field of displacements, as hm_displace: x and y [points] hold what is given at points of markers with HM_GIVEN on
- * every process that has such a point, and receive the displacements of all points. After a refused call they are
- * unchanged. */
-hm_status hm_petsc_displace(hm_petsc *system, const hm_points_out *displacement, hm_petsc_report *report,
-                            MPI_Comm comm, hm_error *err);
+hm_status hm_petsc_rows_size(const hm_petsc* system, size_t* bytes, hm_error* err);
+/* Solves for all functions; *rows is in the block. HM_NOT_CONVERGED: solved, but less accurate than
+ * the tolerance. HM_NOT_POSITIVE: PETSc could not factor or solve. report may be NULL. */
+hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, void* block, size_t bytes,
+                         hm_petsc_report* report, MPI_Comm comm, hm_error* err);
+/* One field of displacements, as hm_displace: x and y [points] hold what is given at points of
+ * markers with HM_GIVEN on every process that has such a point, and receive the displacements of
+ * all points. After a refused call they are unchanged. */
+hm_status hm_petsc_displace(hm_petsc* system, const hm_points_out* displacement,
+                            hm_petsc_report* report, MPI_Comm comm, hm_error* err);
 
-/* owned [points]: 1 at points that this process counts for, 0 elsewhere: every point of the mesh is owned once. For
- * sums over all points, as those of hm_mpi_adjoint. */
-hm_status hm_petsc_owned(const hm_petsc *system, uint8_t *owned, hm_error *err);
-/* hm_assess for the cells of all processes; reports are the same everywhere. rank: the process with the limiting cell
- * and that with the poorest one, [2]; cells and points are numbered as in that process's part; rank may be NULL.
- * self_crossing is not examined and 0. from NULL: the coordinates of the part. */
-hm_status hm_petsc_assess(const hm_petsc *system, const hm_basis *rows, const hm_points *from,
-                          const hm_points *displacement, hm_step_report *step, hm_quality_report *quality, int *rank,
-                          MPI_Comm comm, hm_error *err);
+/* owned [points]: 1 at points that this process counts for, 0 elsewhere: every point of the mesh is
+ * owned once. For sums over all points, as those of hm_mpi_adjoint. */
+hm_status hm_petsc_owned(const hm_petsc* system, uint8_t* owned, hm_error* err);
+/* hm_assess for the cells of all processes; reports are the same everywhere. rank: the process with
+ * the limiting cell and that with the poorest one, [2]; cells and points are numbered as in that
+ * process's part; rank may be NULL. self_crossing is not examined and 0. from NULL: the coordinates
+ * of the part. */
+hm_status hm_petsc_assess(const hm_petsc* system, const hm_basis* rows, const hm_points* from,
+                          const hm_points* displacement, hm_step_report* step,
+                          hm_quality_report* quality, int* rank, MPI_Comm comm, hm_error* err);
 
 /* The same with Fortran communicators (MPI_Fint); harmorph_petsc.f90 calls these. */
-hm_status hm_petsc_create_f(hm_petsc **system, const hm_part_mesh *part, const hm_problem *problem,
-                            const hm_options *options, MPI_Fint comm, hm_error *err);
-hm_status hm_petsc_solve_f(hm_petsc *system, hm_basis **rows, void *block, size_t bytes, hm_petsc_report *report,
-                           MPI_Fint comm, hm_error *err);
-hm_status hm_petsc_displace_f(hm_petsc *system, const hm_points_out *displacement, hm_petsc_report *report,
-                              MPI_Fint comm, hm_error *err);
-hm_status hm_petsc_assess_f(const hm_petsc *system, const hm_basis *rows, const hm_points *from,
-                            const hm_points *displacement, hm_step_report *step, hm_quality_report *quality, int *rank,
-                            MPI_Fint comm, hm_error *err);
+hm_status hm_petsc_create_f(hm_petsc** system, const hm_part_mesh* part, const hm_problem* problem,
+                            const hm_options* options, MPI_Fint comm, hm_error* err);
+hm_status hm_petsc_solve_f(hm_petsc* system, hm_basis** rows, void* block, size_t bytes,
+                           hm_petsc_report* report, MPI_Fint comm, hm_error* err);
+hm_status hm_petsc_displace_f(hm_petsc* system, const hm_points_out* displacement,
+                              hm_petsc_report* report, MPI_Fint comm, hm_error* err);
+hm_status hm_petsc_assess_f(const hm_petsc* system, const hm_basis* rows, const hm_points* from,
+                            const hm_points* displacement, hm_step_report* step,
+                            hm_quality_report* quality, int* rank, MPI_Fint comm, hm_error* err);
 
 #ifdef __cplusplus
 }

@@ -1,13 +1,14 @@
-/* Threads for harmorph by POSIX threads: a pool of threads that wait between calls. Compile and link with -pthread.
+/* Threads for harmorph by POSIX threads: a pool of threads that wait between calls. Compile and
+ * link with -pthread.
  *
  *     hm_pthreads pool;
- *     hm_executor executor = hm_pthreads_start(&pool, 4);   (executor.n_threads: threads that could be started)
+ *     hm_executor executor = hm_pthreads_start(&pool, 4);
  *     options.executor = &executor;
  *     ...
  *     hm_pthreads_stop(&pool);
  *
- * The address of the pool must not change until hm_pthreads_stop. The pool serves one call of the library at a time.
- */
+ * The address of the pool must not change until hm_pthreads_stop. The pool serves one call of the
+ * library at a time. */
 #ifndef HARMORPH_PTHREADS_H
 #define HARMORPH_PTHREADS_H
 
@@ -16,34 +17,36 @@
 
 #include "harmorph.h"
 
-/* A call of the library gives out tasks many times, a fraction of a millisecond apart, and to wake a sleeping thread
- * takes as long as a small task. So a thread with nothing to do asks this many times more before it sleeps, and lets
- * other programs run in between: a few tenths of a millisecond in all. */
+/* A call of the library gives out tasks many times, a fraction of a millisecond apart, and to wake
+ * a sleeping thread takes as long as a small task. So a thread with nothing to do asks this many
+ * times more before it sleeps, and lets other programs run in between: a few tenths of a
+ * millisecond in all. */
 #ifndef HM_PTHREADS_TURNS
 #define HM_PTHREADS_TURNS 1000
 #endif
 
 typedef struct hm_pthreads {
     pthread_mutex_t mutex;
-    pthread_cond_t  work, done;
-    pthread_t       thread[255];   /* in addition to the calling thread */
-    int32_t         n_started;
-    int32_t         next, n_tasks; /* of the current call */
-    int32_t         running;       /* tasks taken and not yet done */
-    int32_t         stop;
-    uint32_t        changes;       /* counts what threads wait for: new tasks, the last task done, stop */
-    void          (*task)(void *context, int32_t index);
-    void           *context;
+    pthread_cond_t work, done;
+    pthread_t thread[255]; /* in addition to the calling thread */
+    int32_t n_started;
+    int32_t next, n_tasks; /* of the current call */
+    int32_t running;       /* tasks taken and not yet done */
+    int32_t stop;
+    /* counts what threads wait for: new tasks, the last task done, stop */
+    uint32_t changes;
+    void (*task)(void* context, int32_t index);
+    void* context;
 } hm_pthreads;
 
-static inline void hm_pthreads_change(hm_pthreads *pool) {
+static inline void hm_pthreads_change(hm_pthreads* pool) {
 #if defined(__GNUC__)
     __atomic_store_n(&pool->changes, pool->changes + 1, __ATOMIC_RELAXED);
 #endif
 }
 
 /* Returns after the next change, or earlier. The mutex is locked on entry and on return. */
-static inline void hm_pthreads_wait(hm_pthreads *pool, pthread_cond_t *condition) {
+static inline void hm_pthreads_wait(hm_pthreads* pool, pthread_cond_t* condition) {
 #if defined(__GNUC__)
     const uint32_t seen = pool->changes;
     int32_t turn;
@@ -59,7 +62,7 @@ static inline void hm_pthreads_wait(hm_pthreads *pool, pthread_cond_t *condition
 }
 
 /* Runs tasks until none is left. The mutex is locked on entry and on return. */
-static inline void hm_pthreads_work(hm_pthreads *pool) {
+static inline void hm_pthreads_work(hm_pthreads* pool) {
     while (pool->next < pool->n_tasks) {
         const int32_t index = pool->next++;
         ++pool->running;
@@ -74,8 +77,8 @@ static inline void hm_pthreads_work(hm_pthreads *pool) {
     }
 }
 
-static inline void *hm_pthreads_main(void *argument) {
-    hm_pthreads *pool = (hm_pthreads *)argument;
+static inline void* hm_pthreads_main(void* argument) {
+    hm_pthreads* pool = (hm_pthreads*)argument;
     pthread_mutex_lock(&pool->mutex);
     while (!pool->stop) {
         hm_pthreads_work(pool);
@@ -85,9 +88,9 @@ static inline void *hm_pthreads_main(void *argument) {
     return NULL;
 }
 
-static inline void hm_pthreads_run(void *user, int32_t n_tasks, void (*task)(void *context, int32_t index),
-                                   void *context) {
-    hm_pthreads *pool = (hm_pthreads *)user;
+static inline void hm_pthreads_run(void* user, int32_t n_tasks,
+                                   void (*task)(void* context, int32_t index), void* context) {
+    hm_pthreads* pool = (hm_pthreads*)user;
     pthread_mutex_lock(&pool->mutex);
     pool->task = task;
     pool->context = context;
@@ -101,7 +104,7 @@ static inline void hm_pthreads_run(void *user, int32_t n_tasks, void (*task)(voi
     pthread_mutex_unlock(&pool->mutex);
 }
 
-static inline hm_executor hm_pthreads_start(hm_pthreads *pool, int32_t n_threads) {
+static inline hm_executor hm_pthreads_start(hm_pthreads* pool, int32_t n_threads) {
     hm_executor executor;
     pthread_mutex_init(&pool->mutex, NULL);
     pthread_cond_init(&pool->work, NULL);
@@ -109,7 +112,8 @@ static inline hm_executor hm_pthreads_start(hm_pthreads *pool, int32_t n_threads
     pool->n_started = pool->next = pool->n_tasks = pool->running = pool->stop = 0;
     pool->changes = 0;
     while (pool->n_started + 1 < n_threads && pool->n_started < 255) {
-        if (pthread_create(&pool->thread[pool->n_started], NULL, hm_pthreads_main, pool) != 0) break;
+        if (pthread_create(&pool->thread[pool->n_started], NULL, hm_pthreads_main, pool) != 0)
+            break;
         ++pool->n_started;
     }
     executor.struct_size = sizeof executor;
@@ -120,7 +124,7 @@ static inline hm_executor hm_pthreads_start(hm_pthreads *pool, int32_t n_threads
     return executor;
 }
 
-static inline void hm_pthreads_stop(hm_pthreads *pool) {
+static inline void hm_pthreads_stop(hm_pthreads* pool) {
     int32_t i;
     pthread_mutex_lock(&pool->mutex);
     pool->stop = 1;

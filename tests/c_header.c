@@ -1,6 +1,9 @@
 /* The header as strict C99 and as C++ see it: included twice, every struct and every kind of
  * constant used, and the sizes and places that other languages rely on. */
 #include <harmorph.h>
+#include <harmorph_design.h>
+#include <harmorph_space.h>
+#include <harmorph_study.h>
 #include <harmorph.h>
 
 #include <stdio.h>

@@ -18,7 +18,7 @@ listing() { (cd "$1" && find . -type f | sort); }
 cat >"$dir/expected" <<END
 ./bin/harmorph
 ./include/harmorph.h
-./include/harmorph_distributed.h
+./include/harmorph_parts.h
 ./include/harmorph_mpi.h
 ./include/harmorph_openmp.h
 ./include/harmorph_pages.h

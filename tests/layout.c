@@ -1,6 +1,9 @@
 /* The C side of layout.f90: size and places of all fields of each struct, and the values of the
  * constants. */
 #include <harmorph.h>
+#include <harmorph_design.h>
+#include <harmorph_space.h>
+#include <harmorph_study.h>
 
 int32_t layout_of(int32_t number, int64_t* numbers);
 
@@ -102,7 +105,7 @@ int32_t layout_of(int32_t number, int64_t* numbers) {
             AT(reason);
             AT(corners);
             AT(backtrack_point);
-            AT(reserved);
+            AT(pieces);
             break;
 #undef TYPE
 #define TYPE hm_condition
@@ -143,8 +146,8 @@ int32_t layout_of(int32_t number, int64_t* numbers) {
             PUT(sizeof(TYPE));
             AT(struct_size);
             AT(operator_kind);
-            AT(scheme);
             AT(engine);
+            AT(precision);
             AT(kernel);
             AT(tolerance);
             AT(progress);
@@ -152,15 +155,21 @@ int32_t layout_of(int32_t number, int64_t* numbers) {
             AT(executor);
             AT(exponent_quarters);
             AT(offset_correction);
+            AT(study);
+            break;
+#undef TYPE
+#define TYPE hm_study_options
+        case 110:
+            PUT(sizeof(TYPE));
+            AT(struct_size);
+            AT(scheme);
             AT(levels);
             AT(agglomeration);
             AT(block_width);
             AT(max_iterations);
             AT(history);
             AT(history_length);
-            AT(precision);
             AT(start);
-            AT(reserved);
             break;
 #undef TYPE
 #define TYPE hm_mesh_report
@@ -515,10 +524,10 @@ int32_t layout_of(int32_t number, int64_t* numbers) {
             AT(struct_size);
             AT(first_curve);
             AT(n_curves);
-            AT(nose_x);
-            AT(nose_y);
-            AT(edge_x);
-            AT(edge_y);
+            AT(leading_x);
+            AT(leading_y);
+            AT(trailing_x);
+            AT(trailing_y);
             break;
 #undef TYPE
 #define TYPE hm_quantity
@@ -545,8 +554,8 @@ int32_t layout_of(int32_t number, int64_t* numbers) {
             AT(x_max);
             AT(y_max);
             AT(peaks);
-            AT(nose_exponent);
-            AT(edge_exponent);
+            AT(leading_exponent);
+            AT(trailing_exponent);
             AT(width);
             break;
 #undef TYPE
@@ -562,9 +571,9 @@ int32_t layout_of(int32_t number, int64_t* numbers) {
             PUT(HM_CAMBER);
             PUT(HM_MAX_THICKNESS);
             PUT(HM_MAX_CAMBER);
-            PUT(HM_NOSE_RADIUS);
-            PUT(HM_EDGE_ANGLE);
-            PUT(HM_EDGE_GAP);
+            PUT(HM_LEADING_EDGE_RADIUS);
+            PUT(HM_TRAILING_EDGE_ANGLE);
+            PUT(HM_TRAILING_EDGE_GAP);
             PUT(HM_MIN_RADIUS);
             PUT(HM_CURVATURE_VARIATION);
             PUT(HM_CLEARANCE);

@@ -34,6 +34,7 @@ program layout
     type(hm_c_condition), target :: condition
     type(hm_c_problem), target :: problem
     type(hm_c_options), target :: options
+    type(hm_c_study_options), target :: study_options
     type(hm_mesh_report), target :: mesh_report
     type(hm_solve_report), target :: solve_report
     type(hm_c_basis_info), target :: basis_info
@@ -68,7 +69,7 @@ program layout
         c_loc(fit_report%max_error), c_loc(fit_report%rms_error), c_loc(fit_report%max_error_point), &
         c_loc(fit_report%closed), c_loc(fit_report%first_point), c_loc(fit_report%base_points), &
         c_loc(fit_report%reason), c_loc(fit_report%corners), c_loc(fit_report%backtrack_point), &
-        c_loc(fit_report%reserved)])
+        c_loc(fit_report%pieces)])
     call compare("hm_condition", 8, c_sizeof(condition), c_loc(condition), [c_loc(condition%struct_size), &
         c_loc(condition%marker), c_loc(condition%kind), c_loc(condition%first_curve), c_loc(condition%n_curves), &
         c_loc(condition%body), c_loc(condition%partner), c_loc(condition%x), c_loc(condition%y), &
@@ -78,12 +79,13 @@ program layout
         c_loc(problem%curves), c_loc(problem%n_conditions), c_loc(problem%conditions), c_loc(problem%n_given), &
         c_loc(problem%given_points), c_loc(problem%given_curves), c_loc(problem%given_u)])
     call compare("hm_options", 10, c_sizeof(options), c_loc(options), [c_loc(options%struct_size), &
-        c_loc(options%operator_kind), c_loc(options%scheme), c_loc(options%engine), c_loc(options%kernel), &
+        c_loc(options%operator_kind), c_loc(options%engine), c_loc(options%precision), c_loc(options%kernel), &
         c_loc(options%tolerance), c_loc(options%progress), c_loc(options%progress_user), c_loc(options%executor), &
-        c_loc(options%exponent_quarters), c_loc(options%offset_correction), c_loc(options%levels), &
-        c_loc(options%agglomeration), c_loc(options%block_width), c_loc(options%max_iterations), &
-        c_loc(options%history), c_loc(options%history_length), c_loc(options%precision), &
-        c_loc(options%start), c_loc(options%reserved)])
+        c_loc(options%exponent_quarters), c_loc(options%offset_correction), c_loc(options%study)])
+    call compare("hm_study_options", 110, c_sizeof(study_options), c_loc(study_options), &
+        [c_loc(study_options%struct_size), c_loc(study_options%scheme), c_loc(study_options%levels), &
+        c_loc(study_options%agglomeration), c_loc(study_options%block_width), c_loc(study_options%max_iterations), &
+        c_loc(study_options%history), c_loc(study_options%history_length), c_loc(study_options%start)])
     call compare("hm_mesh_report", 11, c_sizeof(mesh_report), c_loc(mesh_report), [c_loc(mesh_report%struct_size), &
         c_loc(mesh_report%points), c_loc(mesh_report%used_points), c_loc(mesh_report%cells), &
         c_loc(mesh_report%triangles), c_loc(mesh_report%quads), c_loc(mesh_report%edges), &
@@ -188,18 +190,18 @@ program layout
         c_loc(plane_info%max_distance_point), c_loc(plane_info%reserved), c_loc(plane_info%follows), &
         c_loc(plane_info%space_point)])
     call compare("hm_section", 27, c_sizeof(section), c_loc(section), [c_loc(section%struct_size), &
-        c_loc(section%first_curve), c_loc(section%n_curves), c_loc(section%nose_x), c_loc(section%nose_y), &
-        c_loc(section%edge_x), c_loc(section%edge_y)])
+        c_loc(section%first_curve), c_loc(section%n_curves), c_loc(section%leading_x), c_loc(section%leading_y), &
+        c_loc(section%trailing_x), c_loc(section%trailing_y)])
     call compare("hm_quantity", 28, c_sizeof(quantity), c_loc(quantity), [c_loc(quantity%struct_size), &
         c_loc(quantity%kind), c_loc(quantity%n_polygon), c_loc(quantity%station), c_loc(quantity%polygon)])
     call compare("hm_variables", 29, c_sizeof(variables), c_loc(variables), [c_loc(variables%struct_size), &
         c_loc(variables%kind), c_loc(variables%n_upper), c_loc(variables%n_lower), c_loc(variables%degree_x), &
         c_loc(variables%degree_y), c_loc(variables%x_min), c_loc(variables%y_min), c_loc(variables%x_max), &
-        c_loc(variables%y_max), c_loc(variables%peaks), c_loc(variables%nose_exponent), &
-        c_loc(variables%edge_exponent), c_loc(variables%width)])
+        c_loc(variables%y_max), c_loc(variables%peaks), c_loc(variables%leading_exponent), &
+        c_loc(variables%trailing_exponent), c_loc(variables%width)])
     call compare_numbers("constants", 30, int([hm_area, hm_centroid_x, hm_centroid_y, hm_moment_xx, hm_moment_yy, &
-        hm_moment_xy, hm_chord, hm_thickness, hm_camber, hm_max_thickness, hm_max_camber, hm_nose_radius, &
-        hm_edge_angle, hm_edge_gap, hm_min_radius, hm_curvature_variation, hm_clearance, hm_ffd, hm_cst, &
+        hm_moment_xy, hm_chord, hm_thickness, hm_camber, hm_max_thickness, hm_max_camber, hm_leading_edge_radius, &
+        hm_trailing_edge_angle, hm_trailing_edge_gap, hm_min_radius, hm_curvature_variation, hm_clearance, hm_ffd, hm_cst, &
         hm_hicks_henne, hm_naca4], c_int64_t))
 
     print "(i0, a, i0, a)", passed, " passed, ", failed, " failed"

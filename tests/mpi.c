@@ -3,6 +3,7 @@
 #include "mpi_case.h"
 
 #include <harmorph_pthreads.h>
+#include <harmorph_parts.h>
 
 #include <string.h>
 

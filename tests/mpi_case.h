@@ -4,6 +4,7 @@
 #define MPI_CASE_H
 
 #include <harmorph_mpi.h>
+#include <harmorph_parts.h>
 
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,7 @@
 /* A whole life of a basis in C99, from a mesh made here to a morphed one: what a solver written in
  * C would do. Needs nothing but the library, not even -lm. */
+#include <harmorph_design.h>
+#include <harmorph_study.h>
 #include "use_case.h"
 
 /* The body's points in order, by an analysis of the mesh alone; then a periodic cubic through them.
@@ -122,7 +124,7 @@ static void morph(const hm_basis* basis, const hm_mesh* mesh) {
     for (k = 0; k < 2 * CONTROL; ++k) move[k] = 0.01 * noise();
     require(hm_morph(basis, move, NULL, &(hm_points_out){dx, dy, 1}, NULL, &error),
             "displacements alone", &error);
-    require(hm_admissible_step(basis, mesh, NULL, &(hm_points){dx, dy, 1}, NULL, &step, &error),
+    require(hm_assess(basis, mesh, NULL, &(hm_points){dx, dy, 1}, NULL, NULL, &step, NULL, &error),
             "the admissible step", &error);
     check(step.admissible > 0 && step.cell >= 1 && step.cell <= CELLS,
           "somewhere a cell sets the limit", &error);
@@ -134,8 +136,8 @@ static void morph(const hm_basis* basis, const hm_mesh* mesh) {
                               &boundary_error, &point, &error),
             "its check", &error);
     check(boundary_error <= 1e-12, "the wall moves as the B-spline does", &error);
-    require(hm_quality(basis, mesh, &(hm_points){x_new, y_new, 1}, &(hm_points){x, y, 1}, NULL,
-                       &quality, &error),
+    require(hm_assess(basis, mesh, &(hm_points){x_new, y_new, 1}, NULL, &(hm_points){x, y, 1}, NULL,
+                      NULL, &quality, &error),
             "quality", &error);
     check(quality.inverted == 0 && quality.min_area > 0 && quality.self_crossing == 0,
           "the morphed mesh is valid", &error);
@@ -213,8 +215,8 @@ static void morph_safely(const hm_problem* problem, const hm_basis* basis) {
     }
     require(hm_morph(laplace, move, NULL, &(hm_points_out){dx, dy, 1}, NULL, &error),
             "a large displacement", &error);
-    require(hm_assess(laplace, problem->mesh, NULL, &(hm_points){dx, dy, 1}, NULL, &step, &quality,
-                      &error),
+    require(hm_assess(laplace, problem->mesh, NULL, &(hm_points){dx, dy, 1}, NULL, NULL, &step,
+                      &quality, &error),
             "its assessment", &error);
     check(step.admissible < 1 && quality.inverted > 0, "at once, cells are inverted", &error);
     require(hm_morph_safe_size(plan, laplace, &bytes, &error), "size of a safe morph", &error);
@@ -225,8 +227,8 @@ static void morph_safely(const hm_problem* problem, const hm_basis* basis) {
     check(report.step_fraction >= 1 && report.strategy >= HM_STRATEGY_SUBSTEPS &&
               report.inverted == 0,
           "all of it", &error);
-    require(hm_quality(laplace, problem->mesh, &(hm_points){x_new, y_new, 1}, &(hm_points){x, y, 1},
-                       NULL, &quality, &error),
+    require(hm_assess(laplace, problem->mesh, &(hm_points){x_new, y_new, 1}, NULL,
+                      &(hm_points){x, y, 1}, NULL, NULL, &quality, &error),
             "quality", &error);
     check(quality.inverted == 0 && quality.self_crossing == 0, "no cell is inverted", &error);
     require(hm_boundary_error(laplace, move, &(hm_points){x, y, 1}, &(hm_points){x_new, y_new, 1},
@@ -242,8 +244,8 @@ static void morph_safely(const hm_problem* problem, const hm_basis* basis) {
     check(improved.min_quality_before == report.min_quality &&
               improved.mean_quality_before == report.mean_quality,
           "it begins where the safe morph ended", &error);
-    require(hm_quality(laplace, problem->mesh, &(hm_points){dx, dy, 1}, &(hm_points){x, y, 1}, NULL,
-                       &quality, &error),
+    require(hm_assess(laplace, problem->mesh, &(hm_points){dx, dy, 1}, NULL, &(hm_points){x, y, 1},
+                      NULL, NULL, &quality, &error),
             "its quality", &error);
     check(quality.min_quality == improved.min_quality && quality.inverted == 0,
           "it is what the report says", &error);

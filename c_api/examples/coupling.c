@@ -55,8 +55,8 @@ int main(int argc, char** argv) {
         hm_quality_report quality = {.struct_size = sizeof quality};
         check(hm_displace(plan, n, points, 1, &(hm_points){wall, wall + 1, 2}, &mesh.points,
                           &(hm_points_out){x, x + mesh.n_points, 1}, work, bytes, NULL, &error));
-        check(hm_quality(judge, &mesh, &(hm_points){x, x + mesh.n_points, 1}, NULL, NULL, &quality,
-                         &error));
+        check(hm_assess(judge, &mesh, &(hm_points){x, x + mesh.n_points, 1}, NULL, NULL, NULL, NULL,
+                        &quality, &error));
         if (quality.min_quality < worst) worst = quality.min_quality;
         if (quality.inverted > 0) break; /* here a code would factor again on the last good mesh */
         ++steps;

@@ -77,11 +77,11 @@ int main(void) {
     hm_points_out to_displacement = {dx, dy, 1}, to_mesh = {x, y, 1};
     hm_step_report step = {.struct_size = sizeof step};
     check(hm_morph(basis, move, NULL, &to_displacement, NULL, &error), &error);
-    check(hm_admissible_step(basis, &mesh, NULL, &displacement, NULL, &step, &error), &error);
+    check(hm_assess(basis, &mesh, NULL, &displacement, NULL, NULL, &step, NULL, &error), &error);
     check(hm_morph(basis, move, &mesh.points, &to_mesh, NULL, &error), &error);
 
     hm_quality_report quality = {.struct_size = sizeof quality};
-    check(hm_quality(basis, &mesh, NULL, NULL, NULL, &quality, &error), &error);
+    check(hm_assess(basis, &mesh, NULL, NULL, NULL, NULL, NULL, &quality, &error), &error);
     printf("%d inverted cells; the mesh could follow %.1f times as far\n", quality.inverted,
            step.admissible);
     return quality.inverted > 0;

@@ -125,7 +125,8 @@ int main(void) {
          * mesh. */
 
         hm_quality_report quality = {.struct_size = sizeof quality};
-        check(hm_quality(basis, &mesh, &now, &mesh.points, NULL, &quality, &error), &error);
+        check(hm_assess(basis, &mesh, &now, NULL, &mesh.points, NULL, NULL, &quality, &error),
+              &error);
         inverted += quality.inverted;
         least_quality = fmin(least_quality, quality.min_quality);
         if (step % (PERIOD / 2) == 0 && angle == 0) {

@@ -1,6 +1,7 @@
 /* A solver with three dimensions and a mesh one cell thick in y: an O-mesh round an ellipse in the
  * plane x-z, twice. */
 #include <harmorph.h>
+#include <harmorph_space.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -95,7 +96,7 @@ int main(void) {
 
     hm_points moved = {x, z, 1};
     hm_quality_report quality = {.struct_size = sizeof quality};
-    check(hm_quality(basis, &mesh, &moved, NULL, NULL, &quality, &error), &error);
+    check(hm_assess(basis, &mesh, &moved, NULL, NULL, NULL, NULL, &quality, &error), &error);
     int apart = 0;
     for (int k = 0; k < LAYER; ++k)
         apart += x[k] != x[k + LAYER] || z[k] != z[k + LAYER] || y[k + LAYER] != 1;

@@ -112,12 +112,13 @@ int main(void) {
         for (int k = 0; k < 2 * CONTROL; ++k) move[k] *= missing / square;
         check(hm_morph(basis, move, NULL, &to_displacement, NULL, &error), &error);
         hm_step_report limit = {.struct_size = sizeof limit};
-        check(hm_admissible_step(basis, &mesh, NULL, &displacement, NULL, &limit, &error), &error);
+        check(hm_assess(basis, &mesh, NULL, &displacement, NULL, NULL, &limit, NULL, &error),
+              &error);
         for (int k = 0; k < 2 * CONTROL; ++k) move[k] *= fmin(1, 0.5 * limit.admissible);
         check(hm_morph(basis, move, &mesh.points, &to_mesh, NULL, &error), &error);
 
         hm_quality_report quality = {.struct_size = sizeof quality};
-        check(hm_quality(basis, &mesh, NULL, NULL, NULL, &quality, &error), &error);
+        check(hm_assess(basis, &mesh, NULL, NULL, NULL, NULL, NULL, &quality, &error), &error);
         inverted += quality.inverted;
     }
     printf("%d inverted cells on the way\n", inverted);

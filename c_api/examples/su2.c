@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
     hm_points_out moved = {file.x, file.y, 1};
     hm_quality_report quality = {.struct_size = sizeof quality};
     check(hm_morph(basis, move, &mesh.points, &moved, NULL, &error), &error);
-    check(hm_quality(basis, &mesh, NULL, NULL, NULL, &quality, &error), &error);
+    check(hm_assess(basis, &mesh, NULL, NULL, NULL, NULL, NULL, &quality, &error), &error);
     printf("%s: %d points, %d functions, %d inverted cells\n", argv[2], (int)file.n_points,
            (int)curves->n_control, (int)quality.inverted);
     free_su2(&file);

@@ -1,6 +1,7 @@
 /* The calls of harmorph_mpi.h, and, of the folder mpi, what they are made of: compile this file
  * alone. */
 #include "harmorph_mpi.h"
+#include <harmorph_parts.h>
 
 #include "mpi/agreement.h"
 #include "mpi/gathering.h"

@@ -2,6 +2,7 @@
 #ifndef HARMORPH_MPI_ROWS_H
 #define HARMORPH_MPI_ROWS_H
 
+#include <harmorph_parts.h>
 #include "agreement.h"
 
 typedef struct row_exchange {

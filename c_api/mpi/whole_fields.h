@@ -2,6 +2,7 @@
 #ifndef HARMORPH_MPI_WHOLE_FIELDS_H
 #define HARMORPH_MPI_WHOLE_FIELDS_H
 
+#include <harmorph_study.h>
 #include "gathering.h"
 
 /* What root has of all processes together: fields at the wall's points and at all points of the

@@ -1,6 +1,7 @@
 /* The calls of harmorph_petsc.h, and, of the folder petsc, what they are made of: compile this file
  * alone. */
 #include "harmorph_petsc.h"
+#include <harmorph_parts.h>
 
 #include "petsc/agreement.h"
 #include "petsc/mail.h"
@@ -222,7 +223,7 @@ hm_status hm_petsc_assess(const hm_petsc* system, const hm_basis* rows, const hm
     }
     if (status >= 0) status = hm_part_cells(system->part, &own, &cell, err);
     if (status >= 0)
-        status = hm_assess(rows, &own, from, displacement, NULL, &found_step, &found, err);
+        status = hm_assess(rows, &own, from, displacement, NULL, NULL, &found_step, &found, err);
     status = agree(status, comm, err);
     if (status < 0) return status;
     found_step.cell = given_cell(&own, cell, found_step.cell);

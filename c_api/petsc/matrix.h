@@ -2,6 +2,7 @@
 #ifndef HARMORPH_PETSC_MATRIX_H
 #define HARMORPH_PETSC_MATRIX_H
 
+#include <harmorph_parts.h>
 #include "scalars.h"
 
 typedef struct numbering {

@@ -3,6 +3,7 @@
 #ifndef HARMORPH_PETSC_PART_H
 #define HARMORPH_PETSC_PART_H
 
+#include <harmorph_parts.h>
 #include "owners.h"
 
 #include <petscksp.h>

@@ -2,6 +2,7 @@
 #ifndef HARMORPH_PETSC_PROBLEM_H
 #define HARMORPH_PETSC_PROBLEM_H
 
+#include <harmorph_parts.h>
 #include "part.h"
 
 static hm_status make_equations(hm_petsc* system, const hm_edge* edges, int32_t n,

@@ -2,6 +2,7 @@
 #ifndef HARMORPH_PETSC_SOLUTION_H
 #define HARMORPH_PETSC_SOLUTION_H
 
+#include <harmorph_parts.h>
 #include "matrix.h"
 
 static PetscErrorCode make_solver(hm_petsc* system) {

@@ -163,11 +163,11 @@ subroutine hmrefn(w, icurv, nu, u, la, a, ncp, ierr, msg)
     ncp = 0
     call this%open(w)
     call curves_now(this, set, list)
-    if (this%ok()) call this%told(hm_c_refine_size(set, int(icurv - 1, c_int32_t), int(nu, c_int32_t), u, bytes, &
-        this%e))
+    if (this%ok()) call this%told(hm_c_refine_size(set, int(icurv - 1, c_int32_t), 0_c_int32_t, int(nu, c_int32_t), u, &
+        bytes, this%e))
     call this%room(bytes, place)
     if (this%ok()) call this%told(hm_c_refine(finer, matrix, place, bytes, set, int(icurv - 1, c_int32_t), &
-        int(nu, c_int32_t), u, this%e))
+        0_c_int32_t, int(nu, c_int32_t), u, this%e))
     if (this%ok()) call keep_finer(this, finer, matrix, int(set%n_control), la, a, ncp)
     call this%finish(ierr, msg)
 end subroutine
@@ -184,13 +184,19 @@ subroutine hmelev(w, icurv, la, a, ncp, ierr, msg)
     type(hm_c_curves) :: set
     type(hm_c_curve) :: list(most_curves)
     type(c_ptr) :: finer, matrix, place
+    integer(c_int32_t) :: degree
+    real(c_double), parameter :: no_knots(1) = 0
     integer(c_size_t) :: bytes
     ncp = 0
     call this%open(w)
     call curves_now(this, set, list)
-    if (this%ok()) call this%told(hm_c_elevate_size(set, int(icurv - 1, c_int32_t), bytes, this%e))
+    degree = 1
+    if (this%ok() .and. icurv >= 1 .and. icurv <= set%n_curves) degree = list(icurv)%degree + 1_c_int32_t
+    if (this%ok()) call this%told(hm_c_refine_size(set, int(icurv - 1, c_int32_t), degree, 0_c_int32_t, no_knots, &
+        bytes, this%e))
     call this%room(bytes, place)
-    if (this%ok()) call this%told(hm_c_elevate(finer, matrix, place, bytes, set, int(icurv - 1, c_int32_t), this%e))
+    if (this%ok()) call this%told(hm_c_refine(finer, matrix, place, bytes, set, int(icurv - 1, c_int32_t), degree, &
+        0_c_int32_t, no_knots, this%e))
     if (this%ok()) call keep_finer(this, finer, matrix, int(set%n_control), la, a, ncp)
     call this%finish(ierr, msg)
 end subroutine

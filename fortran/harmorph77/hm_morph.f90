@@ -91,7 +91,7 @@ subroutine hmslid(w, x, y, inc, ierr, msg)
     call this%open_solved(w)
     call analysis_of_start(this, "HMSLID", analysis)
     call this%forgive()
-    if (this%ok()) call this%told(hm_c_slide(analysis, points_of(x, y, inc), points_of(x, y, inc), this%e))
+    if (this%ok()) call this%told(hm_c_slip(analysis, points_of(x, y, inc), points_of(x, y, inc), this%e))
     call this%finish(ierr, msg)
 end subroutine
 
@@ -108,7 +108,7 @@ subroutine hmsadj(w, x, y, gx, gy, inc, ierr, msg)
     call this%open_solved(w)
     call analysis_of_start(this, "HMSADJ", analysis)
     call this%forgive()
-    if (this%ok()) call this%told(hm_c_slide_adjoint(analysis, points_of(x, y, inc), points_of(gx, gy, inc), &
+    if (this%ok()) call this%told(hm_c_slip_adjoint(analysis, points_of(x, y, inc), points_of(gx, gy, inc), &
         points_of(gx, gy, inc), this%e))
     call this%finish(ierr, msg)
 end subroutine
@@ -123,14 +123,15 @@ subroutine hmstep(w, x, y, dx, dy, inc, s, icell, ierr, msg)
     integer, intent(out) :: icell, ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
-    type(hm_step_report) :: report
-    type(hm_c_points), target :: from
+    type(hm_step_report), target :: report
+    type(hm_c_points), target :: from, along
     icell = 0
     from = points_of(x, y, inc)
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call this%open_solved(w)
-    if (this%ok()) call this%told(hm_c_admissible_step(this%kept%basis, this%kept%mesh, c_loc(from), &
-        points_of(dx, dy, inc), c_null_ptr, report, this%e))
+    along = points_of(dx, dy, inc)
+    if (this%ok()) call this%told(hm_c_assess(this%kept%basis, this%kept%mesh, c_loc(from), c_loc(along), &
+        c_null_ptr, c_null_ptr, c_loc(report), c_null_ptr, this%e))
     if (this%ok()) then
         s = report%admissible
         icell = int(report%cell)
@@ -148,14 +149,14 @@ subroutine hmqual(w, x, y, inc, ninv, amin, qmin, ierr, msg)
     integer, intent(out) :: ninv, ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
-    type(hm_quality_report) :: report
+    type(hm_quality_report), target :: report
     type(hm_c_points), target :: at
     ninv = 0
     at = points_of(x, y, inc)
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call this%open_solved(w)
-    if (this%ok()) call this%told(hm_c_quality(this%kept%basis, this%kept%mesh, c_loc(at), c_null_ptr, c_null_ptr, &
-        report, this%e))
+    if (this%ok()) call this%told(hm_c_assess(this%kept%basis, this%kept%mesh, c_loc(at), c_null_ptr, c_null_ptr, &
+        c_null_ptr, c_null_ptr, c_loc(report), this%e))
     if (this%ok()) then
         ninv = int(report%inverted)
         amin = report%min_area

@@ -49,7 +49,7 @@ subroutine hmopt(w, name, ival, ierr, msg)
             case ("EXPONENT")
                 options%exponent_quarters = value
             case ("SCHEME")
-                options%scheme = value
+                this%kept%study%scheme = value
             case ("ENGINE")
                 options%engine = value
             case ("KERNEL")

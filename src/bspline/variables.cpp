@@ -51,7 +51,7 @@ void Variables::shapes(Real station, bool upper, Real* value) const noexcept {
         case VariableKind::ffd: break;
         case VariableKind::cst: {
             Real const shape_class =
-                power(station, nose_exponent) * power(1 - station, edge_exponent);
+                power(station, leading_exponent) * power(1 - station, trailing_exponent);
             bernstein(end - first, station, value + first);
             for (Index j = first; j < end; ++j) value[j] *= shape_class;
             break;

@@ -18,7 +18,7 @@ struct Variables {
     Index degree_x = 0, degree_y = 0;
     Vec2 low, high;  // the box
     const Real* peaks = nullptr;
-    Real nose_exponent = 0.5, edge_exponent = 1;
+    Real leading_exponent = 0.5, trailing_exponent = 1;
     Real width = 3;
 
     Index count() const noexcept {

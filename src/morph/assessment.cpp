@@ -3,31 +3,32 @@
 #include "base/parallel_reduce.hpp"
 
 namespace harmorph {
-namespace {
 
-// Quality is that of the caller's cells.
-Assessment assess_pieces(OrientedMesh const& cells, Points points, Points displacement,
-                         Executor const& executor) noexcept {
-    Assessment assessment;
-    assessment.limit = admissible_step(cells, points, displacement, executor);
-    assessment.quality =
-        reduce_cells<Quality>(cells.mesh.n_given, executor, [&](Index i, Quality& quality) {
-            auto const moved = [&](Index piece) {
-                CellShape shape = shape_of(cells, piece, points);
-                CellShape const change = shape_of(cells, piece, displacement);
-                for (Index k = 0; k < 4; ++k) shape.at[k] = shape.at[k] + change.at[k];
-                return shape;
-            };
-            quality.add(i, {cells.mesh, i, moved}, measure_cell(cells, i, points).area);
-        });
-    return assessment;
+Quality displaced_quality(OrientedMesh const& cells, Points points, Points displacement,
+                          Points reference, Executor const& executor) noexcept {
+    auto const moved = [&](Index piece) {
+        CellShape shape = shape_of(cells, piece, points);
+        CellShape const change = shape_of(cells, piece, displacement);
+        for (Index k = 0; k < 4; ++k) shape.at[k] = shape.at[k] + change.at[k];
+        return shape;
+    };
+    auto const measure = [&](Index cell) {
+        if (cells.mesh.is_of_pieces()) return CellMeasure(cells.mesh, cell, moved);
+        CellShape const shape = moved(cell);
+        return CellMeasure(shape.n, CellCorners(shape));
+    };
+    Index const n_cells = cells.mesh.n_given_cells();
+    return reduce_cells<Quality>(n_cells, executor, [&](Index cell, Quality& quality) {
+        quality.add(cell, measure(cell), measure_cell(cells, cell, reference).area);
+    });
 }
-
-}  // namespace
 
 Assessment assess(OrientedMesh const& cells, Points points, Points displacement,
                   Executor const& executor) noexcept {
-    if (cells.mesh.is_of_pieces()) return assess_pieces(cells, points, displacement, executor);
+    if (cells.mesh.is_of_pieces()) {
+        return {admissible_step(cells, points, displacement, executor),
+                displaced_quality(cells, points, displacement, points, executor)};
+    }
     CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
     CellPlaces const places{points, displacement, {}};
     return reduce_ranges<Assessment>(

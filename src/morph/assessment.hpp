@@ -20,4 +20,8 @@ struct Assessment {
 Assessment assess(OrientedMesh const& cells, Points points, Points displacement,
                   Executor const& executor) noexcept;
 
+// The quality at points + displacement, relative to the mesh at the coordinates `reference`.
+Quality displaced_quality(OrientedMesh const& cells, Points points, Points displacement,
+                          Points reference, Executor const& executor) noexcept;
+
 }  // namespace harmorph

@@ -1,5 +1,7 @@
 // Progress and cancellation, and what calls out of order do: nothing is lost, nothing is solved by
 // chance.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -25,8 +27,8 @@ struct Listener {
         self.events.push_back({phase, fraction});
         return self.events.size() - 1 == self.stop_at ? 42 : 0;
     }
-    hm_options options() {
-        hm_options out = laplace();
+    Options options() {
+        Options out = laplace();
         out.progress = call;
         out.progress_user = this;
         return out;
@@ -47,7 +49,7 @@ std::vector<double> values_of(const hm_basis* basis, std::int32_t n_functions,
 
 TEST_CASE("a tolerance below rounding is a warning, and the functions are there") {
     Case its = airfoil_case();
-    hm_options options = laplace();
+    Options options = laplace();
     options.tolerance = 1e-18;
     Attempt const attempt(its.problem(), &options);
     CHECK(attempt.status == HM_NOT_CONVERGED);
@@ -62,7 +64,7 @@ TEST_CASE("a tolerance below rounding is a warning, and the functions are there"
 TEST_CASE("phases are reported in order, each from 0 to 1, never backwards") {
     Case its = ring_case(60, 300, 0.5, 2);  // large enough for reports in between
     Listener listener;
-    hm_options const options = listener.options();
+    Options const options = listener.options();
     Solved const solved(its, &options);
     std::vector<Event> const& events = listener.events;
     REQUIRE(events.size() > 14);
@@ -86,7 +88,7 @@ TEST_CASE("phases are reported in order, each from 0 to 1, never backwards") {
 TEST_CASE("cancelled at any moment: nothing is lost, and doing it again gives the same bits") {
     Case its = ring_case(40, 200, 0.5, 2, Cells::hybrid, 3, 10);
     Listener listener;
-    hm_options options = listener.options();
+    Options options = listener.options();
     hm_problem const problem = its.problem();
     Solved const reference(problem, &options);
     std::vector<double> const expected = reference.all_values();
@@ -154,8 +156,8 @@ TEST_CASE("what does not belong together is refused: no factor yet, another anal
     std::vector<double> const d(its.mesh.x.size(), 0.0);
     hm_step_report step{};
     step.struct_size = sizeof step;
-    CHECK(hm_admissible_step(attempt.basis, &mesh, nullptr, points_in(d, d), nullptr, &step,
-                             nullptr) == HM_BAD_BASIS);
+    CHECK(hm_assess(attempt.basis, &mesh, nullptr, points_in(d, d), nullptr, nullptr, &step,
+                    nullptr, nullptr) == HM_BAD_BASIS);
     Attempt only_mesh;
     hm_problem problem = its.problem();
     problem.curves = nullptr;

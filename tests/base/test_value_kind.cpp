@@ -1,5 +1,7 @@
 // Values of all kinds, real, complex and 2 x 2: one basis, one morph, one adjoint, whatever a value
 // is made of.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
@@ -54,7 +56,7 @@ TEST_CASE("the numbers of a value are the linear map that a morph applies") {
     for (Kind const& kind : kinds) {
         INFO(kind.name);
         Case its = case_of(kind);
-        hm_options const options = options_of(kind.operator_kind);
+        Options const options = options_of(kind.operator_kind);
         Solved const solved(its, &options);
         hm_basis_info const info = solved.info();
         CHECK(info.numbers_per_value >= kind.least_numbers);
@@ -97,7 +99,7 @@ TEST_CASE("the adjoint is the transpose of the morph, for values of all kinds") 
     for (Kind const& kind : kinds) {
         INFO(kind.name);
         Case its = case_of(kind);
-        hm_options const options = options_of(kind.operator_kind);
+        Options const options = options_of(kind.operator_kind);
         Solved const solved(its, &options);
         std::int32_t const n = solved.info().functions;
         std::vector<double> const g = some_move(its.mesh.n_points(), 1, 5);
@@ -127,7 +129,7 @@ TEST_CASE("the adjoint is the transpose of the morph, for values of all kinds") 
 TEST_CASE("larger meshes and many functions: adjoint and morph agree beyond one block of either") {
     for (int const n : {9, 150}) {
         Case its = ring_case(14, 300, 0.5, 2, Cells::hybrid, 3, n);
-        hm_options const options = options_of(HM_CONFORMAL);
+        Options const options = options_of(HM_CONFORMAL);
         Solved const solved(its, &options);
         std::vector<double> const move = some_move(n, 1, 4),
                                   g = some_move(its.mesh.n_points(), 1, 5);
@@ -151,7 +153,7 @@ TEST_CASE("zero movement keeps every bit, and a movement that is not finite is r
     for (Kind const& kind : kinds) {
         INFO(kind.name);
         Case its = case_of(kind);
-        hm_options const options = options_of(kind.operator_kind);
+        Options const options = options_of(kind.operator_kind);
         Solved const solved(its, &options);
         std::vector<double> move(2 * static_cast<std::size_t>(solved.info().functions), -0.0);
         std::vector<double> x = its.mesh.x, y = its.mesh.y;
@@ -173,7 +175,7 @@ TEST_CASE(
     for (Kind const& kind : kinds) {
         INFO(kind.name);
         Case its = case_of(kind);
-        hm_options const options = options_of(kind.operator_kind);
+        Options const options = options_of(kind.operator_kind);
         Solved const solved(its, &options);
         std::size_t const bytes = static_cast<std::size_t>(solved.info().bytes);
         std::vector<double> const move = some_move(solved.info().functions, 0.1, 6);
@@ -209,7 +211,7 @@ TEST_CASE("a basis gives back the conditions it was solved with, and how") {
     its.put_on_curves(body, 0);
     its.set_rigid(second_body, 1.25, 0.75);
     its.set_slip(far_field);
-    hm_options options = options_of(HM_CONFORMAL, 5);
+    Options options = options_of(HM_CONFORMAL, 5);
     options.offset_correction = 1;
     Solved const solved(its, &options);
     hm_basis_info const info = solved.info();
@@ -273,16 +275,16 @@ TEST_CASE("a basis gives back the conditions it was solved with, and how") {
 
 TEST_CASE("a plan does not solve the basis of another operator, exponent or correction") {
     Case its = tiny_case();
-    auto const plan_of = [&](Attempt& attempt, hm_options const& options) {
+    auto const plan_of = [&](Attempt& attempt, Options const& options) {
         REQUIRE(attempt.analyse(its.problem(), &options));
         REQUIRE(attempt.prepare());
         REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr) == HM_OK);
     };
-    hm_options const options[] = {options_of(HM_WEIGHTED, 4), options_of(HM_WEIGHTED, 6),
-                                  options_of(HM_LAPLACE), options_of(HM_CONFORMAL, 4),
-                                  options_of(HM_CONFORMAL, 6)};
-    for (hm_options const& of_plan : options)
-        for (hm_options const& of_basis : options) {
+    Options const options[] = {options_of(HM_WEIGHTED, 4), options_of(HM_WEIGHTED, 6),
+                               options_of(HM_LAPLACE), options_of(HM_CONFORMAL, 4),
+                               options_of(HM_CONFORMAL, 6)};
+    for (Options const& of_plan : options)
+        for (Options const& of_basis : options) {
             Attempt a, b;
             plan_of(a, of_plan);
             plan_of(b, of_basis);
@@ -297,7 +299,7 @@ TEST_CASE(
     for (Kind const& kind : kinds) {
         INFO(kind.name);
         Case its = case_of(kind);
-        hm_options const options = options_of(kind.operator_kind);
+        Options const options = options_of(kind.operator_kind);
         hm_problem const problem = its.problem();
         for (std::size_t const shift : {std::size_t{0}, std::size_t{1}, std::size_t{13}}) {
             Attempt attempt;

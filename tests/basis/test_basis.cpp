@@ -1,5 +1,7 @@
 // A basis is one block that may be copied, written to a file and attached again,
 // and gives back what it was solved with.
+#include <harmorph_design.h>
+#include <harmorph_study.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/basis_copy.hpp>

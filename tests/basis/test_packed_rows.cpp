@@ -1,5 +1,8 @@
 // Shares of the functions, solved apart and put together from parcels, are the functions solved
 // together, bit by bit.
+#include <harmorph_parts.h>
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/c_mesh.hpp>
@@ -180,7 +183,7 @@ TEST_CASE(
     problems.back().its.mesh = c_mesh(naca4({}, 16), 6, 8, stretched(1e-3, 8, 12)).mesh;
     for (Method const& method : methods)
         for (KindOfProblem& problem : problems) {
-            hm_options& options = problem.options;
+            Options& options = problem.options;
             options = laplace();
             options.operator_kind = method.operator_kind;
             options.scheme = method.scheme;

@@ -1,4 +1,6 @@
 // Rows of some points do what the whole basis does at these points.
+#include <harmorph_parts.h>
+#include <harmorph_study.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/parts.hpp>
@@ -150,13 +152,13 @@ TEST_CASE("what needs the mesh is refused, and so are lists that are wrong") {
     quality.struct_size = sizeof quality;
     hm_step_report step{};
     step.struct_size = sizeof step;
-    CHECK(hm_quality(rows.basis, &mesh, &mesh.points, nullptr, nullptr, &quality, &error) ==
-          HM_BAD_BASIS);
+    CHECK(hm_assess(rows.basis, &mesh, &mesh.points, nullptr, nullptr, nullptr, nullptr, &quality,
+                    &error) == HM_BAD_BASIS);
     CHECK(std::string(error.text).find("list of points") != std::string::npos);
-    CHECK(hm_admissible_step(rows.basis, &mesh, nullptr, &mesh.points, nullptr, &step, &error) ==
-          HM_BAD_BASIS);
-    CHECK(hm_assess(rows.basis, &mesh, nullptr, &mesh.points, nullptr, &step, &quality, &error) ==
-          HM_BAD_BASIS);
+    CHECK(hm_assess(rows.basis, &mesh, nullptr, &mesh.points, nullptr, nullptr, &step, nullptr,
+                    &error) == HM_BAD_BASIS);
+    CHECK(hm_assess(rows.basis, &mesh, nullptr, &mesh.points, nullptr, nullptr, &step, &quality,
+                    &error) == HM_BAD_BASIS);
     const hm_basis* attached = nullptr;
     CHECK(hm_basis_attach(&attached, rows.basis, info_of(rows.basis).bytes, &mesh, &error) ==
           HM_BAD_BASIS);

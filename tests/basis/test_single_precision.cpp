@@ -1,5 +1,6 @@
 // Functions in single precision: the wall moves as with double ones, the rest to the stated bound,
 // and the adjoint is the transpose of that.
+#include <harmorph_study.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>

@@ -1,5 +1,8 @@
 // Bases in single storage as blocks: copied, attached, damaged; what they do not hold, and what
 // refuses them.
+#include <harmorph_design.h>
+#include <harmorph_parts.h>
+#include <harmorph_study.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/single.hpp>

@@ -1,4 +1,6 @@
 // Periodic pairs: both sides move alike, and one period is all there is to know about many.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/cascade.hpp>
@@ -17,7 +19,7 @@ std::vector<double> repeated(std::vector<double> const& move, int n) {
 }
 
 hm_status refused(Case& its, const char* words, std::int32_t item) {
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Attempt const attempt(its.problem(), &options);
     INFO(attempt.error.text);
     CHECK(std::string(attempt.error.text).find(words) != std::string::npos);
@@ -31,7 +33,7 @@ TEST_CASE("both sides move alike, to the last bit, and not only along the wall")
     for (std::int32_t const operator_kind : operators)
         for (Cells const kind : kinds) {
             Case its = cascade(kind);
-            hm_options const options = options_of(operator_kind);
+            Options const options = options_of(operator_kind);
             Solved const solved(its, &options);
             Field const moved = displacement(solved, some_move(4, 1, 4));
             for (std::size_t j = 0; j <= 8; ++j) {
@@ -51,7 +53,7 @@ TEST_CASE("two and three periods with bodies that move alike are one period, rep
         for (Cells const kind : kinds)
             for (int const n : {2, 3}) {
                 Case one = cascade(kind), many = periods(one, n);
-                hm_options const options = options_of(operator_kind);
+                Options const options = options_of(operator_kind);
                 Solved const a(one, &options), b(many, &options);
                 std::vector<double> const move = some_move(4, 0.3, 5);
                 Field const expected = displacement(a, move);
@@ -75,7 +77,7 @@ TEST_CASE(
         for (std::int32_t const quarters : {std::int32_t{HM_NO_WEIGHT}, 4, 16})
             for (int const n : {2, 3}) {
                 Case one = cascade(Cells::hybrid), several = periods(one, n);
-                hm_options const options = options_of(kind, quarters);
+                Options const options = options_of(kind, quarters);
                 Solved const a(one, &options), b(several, &options);
                 std::vector<double> const move = some_move(4, 0.3, 6);
                 Field const expected = displacement(a, move);
@@ -93,7 +95,7 @@ TEST_CASE("where the mesh is cut does not matter, and it may be turned") {
                     std::vector<std::int32_t> number;
                     Case a = similar(cascade(cells), turn, {1, 2});
                     Case b = similar(cut_elsewhere(cells, column, number), turn, {1, 2});
-                    hm_options const options = options_of(kind);
+                    Options const options = options_of(kind);
                     std::vector<double> const move = some_move(4, 0.3, 6);
                     Field const expected = displacement(Solved(a, &options), move);
                     Field const all = displacement(Solved(b, &options), move);
@@ -120,7 +122,7 @@ TEST_CASE("a pair one cell apart is one period of many, too, whatever scheme and
             Case one = one_cell_apart(kind);
             if (way.slip) one.set_slip(top);
             Case two = periods(one, 2);
-            hm_options options = options_of(way.operator_kind, way.quarters);
+            Options options = options_of(way.operator_kind, way.quarters);
             options.scheme = way.scheme;
             options.engine = way.engine;
             INFO("operator " << way.operator_kind << ", scheme " << way.scheme << ", engine "
@@ -139,7 +141,7 @@ TEST_CASE(
     "numbering and orientation, which marker is named, and a pair of slanting sides do not "
     "matter") {
     Case const origin = cascade(Cells::hybrid);
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     std::vector<double> const move = some_move(4, 0.3, 7);
     Case its = origin;
     Solved const reference(its, &options);
@@ -183,7 +185,7 @@ TEST_CASE(
     for (std::int32_t const operator_kind : operators) {
         Case its = cascade(Cells::hybrid);
         its.set_periodic(top, bottom);
-        hm_options const options = options_of(operator_kind);
+        Options const options = options_of(operator_kind);
         Solved const solved(its, &options);
         Field const moved = displacement(solved, some_move(4, 0.2, 12));
         std::size_t const last =
@@ -202,7 +204,7 @@ TEST_CASE(
 TEST_CASE("a pair whose ends lie on slip lines and on free boundaries") {
     Case its = cascade(Cells::hybrid);
     its.set_slip(top);
-    hm_options options = options_of(HM_CONFORMAL);
+    Options options = options_of(HM_CONFORMAL);
     Solved const slipping(its, &options);
     Field const moved = displacement(slipping, some_move(4, 0.2, 13));
     std::size_t const corner[] = {moved.size() - 9, moved.size() - 1};
@@ -225,7 +227,7 @@ TEST_CASE(
             its.mesh.y[k] += slope * (0.5 - std::fabs(its.mesh.x[k] - 0.5)) *
                              std::fmax(its.mesh.y[k] - 0.75, 0.0) * 4;
         its.set_slip(top);
-        hm_options const options = options_of(HM_CONFORMAL);
+        Options const options = options_of(HM_CONFORMAL);
         Solved const solved(its, &options);
         Field const moved = displacement(solved, some_move(4, 0.2, 14));
         std::vector<std::int32_t> const roof = points_on(its.mesh, top);
@@ -243,7 +245,7 @@ TEST_CASE("what is no pair is refused, with the place") {
     Case const good = cascade(Cells::quads);
     Case its = good;
     its.mesh.y[static_cast<std::size_t>(points_on(its.mesh, right)[4])] += 1e-4;
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     {
         Attempt const attempt(its.problem(), &options);
         CHECK(attempt.status == HM_BAD_CONDITION);
@@ -308,6 +310,6 @@ TEST_CASE("what is no pair is refused, with the place") {
 TEST_CASE("a side that is the partner of two others") {
     Case its = cascade(Cells::quads);
     its.set_periodic(top, right);  // right is left's partner already, and no translate of the top
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     CHECK(Attempt(its.problem(), &options).status == HM_BAD_CONDITION);
 }

@@ -1,4 +1,6 @@
 // Pieces of a marker that has several: each with a condition of its own, chosen by a point near it.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/operators.hpp>
@@ -27,14 +29,14 @@ Case one_marker() {
 }
 
 std::vector<double> functions(Case& its) {
-    hm_options const options = laplace();
+    Options const options = laplace();
     Solved const solved(its, &options);
     return values_in_shares(solved, solved.info().functions);
 }
 
 std::string refusal(Case& its) {
     Attempt attempt;
-    hm_options const options = laplace();
+    Options const options = laplace();
     CHECK(!attempt.analyse(its.problem(), &options));
     CHECK(attempt.status == HM_BAD_CONDITION);
     return attempt.error.text;
@@ -106,7 +108,7 @@ TEST_CASE("pieces are kept in the basis") {
     Case its = one_marker();
     its.put_on_curves(body, 1);
     choose_piece(its, 1.25, 0.75);
-    hm_options const options = laplace();
+    Options const options = laplace();
     Solved const solved(its, &options);
     hm_condition out[2] = {};
     out[0].struct_size = sizeof out[0];

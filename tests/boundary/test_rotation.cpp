@@ -1,4 +1,6 @@
 // Rotation pairs: one passage of an annulus is all there is to know about all of them.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/displaced.hpp>
@@ -19,7 +21,7 @@ Field of_passage(Field const& all, std::vector<std::int32_t> const& number) {
     return out;
 }
 
-void refused(Case& its, hm_status status, const char* words, hm_options const& options) {
+void refused(Case& its, hm_status status, const char* words, Options const& options) {
     Attempt const attempt(its.problem(), &options);
     INFO(attempt.error.text);
     CHECK(attempt.status == status);
@@ -38,7 +40,7 @@ TEST_CASE(
                 Case one = passage(kind, n);
                 std::vector<std::vector<std::int32_t>> number;
                 Case all = annulus_of(one, n, number);
-                hm_options const options = options_of(operator_kind);
+                Options const options = options_of(operator_kind);
                 Solved const a(one, &options), b(all, &options);
                 std::vector<double> const move = some_move(n_control, 0.05, 5);
                 Field const found = displacement(a, move),
@@ -63,7 +65,7 @@ TEST_CASE("a passage that is one cell wide in places, where its two sides are on
                 Case one = bent(one_cell_apart(kind), n, 0.1);
                 std::vector<std::vector<std::int32_t>> number;
                 Case all = annulus_of(one, n, number);
-                hm_options const options = options_of(operator_kind);
+                Options const options = options_of(operator_kind);
                 std::vector<double> const move = some_move(4, 0.05, 7);
                 Field const found = displacement(Solved(one, &options), move);
                 Field const expected = displacement(Solved(all, &options), turned_copies(move, n));
@@ -89,7 +91,7 @@ TEST_CASE(
                 Case one = bent(flat, n, 0.3);
                 std::vector<std::vector<std::int32_t>> number;
                 Case all = annulus_of(one, n, number);
-                hm_options options = options_of(operator_kind);
+                Options options = options_of(operator_kind);
                 options.precision = precision;
                 Solved const a(one, &options), b(all, &options);
                 std::vector<double> const move = some_move(one.curves.n_control(), 0.05, 3);
@@ -106,7 +108,7 @@ TEST_CASE("any number of threads gives the same bits") {
     Case its = bent(flat, 7, 0.3);
     std::vector<double> const move = some_move(its.curves.n_control(), 0.05, 3);
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
-        hm_options options = options_of(operator_kind);
+        Options options = options_of(operator_kind);
         Field const expected = displacement(Solved(its, &options), move);
         Backwards pool;
         hm_executor const executor = pool.executor(4);
@@ -135,7 +137,7 @@ TEST_CASE("rigid bodies in a passage turn and move as turned copies") {
             Complex const c = centre * std::pow(turn, m);
             all.set_rigid(100 + m, c.real(), c.imag(), m);
         }
-        hm_options const options = options_of(operator_kind);
+        Options const options = options_of(operator_kind);
         std::vector<double> const move = {0.02, -0.03, 0.1, 0.2};
         std::vector<double> copies;  // translations turn with the passage, rotations are the same
         for (int m = 0; m < n; ++m) {
@@ -153,7 +155,7 @@ TEST_CASE(
     Case const origin = passage(Cells::hybrid, 5);
     std::vector<double> const move = some_move(n_control, 0.05, 7);
     for (std::int32_t const operator_kind : operators) {
-        hm_options const options = options_of(operator_kind);
+        Options const options = options_of(operator_kind);
         Case its = origin;
         Field const expected = displacement(Solved(its, &options), move);
 
@@ -194,7 +196,7 @@ TEST_CASE("a pair in two pieces, each a pair of its own, in either sense") {
         if (same_sense) parts.set_rotation(51, 52);
         else parts.set_rotation(52, 51);
         for (std::int32_t const operator_kind : operators) {
-            hm_options const options = options_of(operator_kind);
+            Options const options = options_of(operator_kind);
             Case its = whole;
             Field const expected = displacement(Solved(its, &options), move);
             CHECK(largest_difference(displacement(Solved(parts, &options), move), expected) <
@@ -206,7 +208,7 @@ TEST_CASE("a pair in two pieces, each a pair of its own, in either sense") {
 TEST_CASE("the adjoint is the transpose") {
     for (std::int32_t const operator_kind : operators) {
         Case its = passage(Cells::hybrid, 7);
-        hm_options const options = options_of(operator_kind);
+        Options const options = options_of(operator_kind);
         Solved const solved(its, &options);
         std::vector<double> const move = some_move(n_control, 0.5, 3);
         Field const moved = displacement(solved, move), dj = some_field(moved.size(), 4);
@@ -227,7 +229,7 @@ TEST_CASE("displacements that are given: one passage of an annulus, and the exac
         std::vector<std::vector<std::int32_t>> number;
         Case of_all = annulus_of(curved, n, number);
         Case one = given_instead(curved), all = given_instead(of_all);
-        hm_options const options = options_of(operator_kind);
+        Options const options = options_of(operator_kind);
         Displaced a(one, &options), b(all, &options);
         Complex const turn = turn_of_passage(n);
         Field const some = some_field(curved.mesh.x.size(), 9, 0.03);
@@ -278,7 +280,7 @@ TEST_CASE(
                 last = k;
         its.mesh.add_face(first, centre, left);
         its.mesh.add_face(centre, last, right);
-        hm_options const options = options_of(operator_kind);
+        Options const options = options_of(operator_kind);
         Field const found = displacement(Solved(its, &options), some_move(n_control, 0.05, 5));
         CHECK(found[static_cast<std::size_t>(centre)] == 0.0);
         CHECK(std::abs(found[static_cast<std::size_t>(first)]) > 1e-4);
@@ -289,7 +291,7 @@ TEST_CASE(
 
 TEST_CASE("what is no rotation pair is refused, with the place") {
     Case const good = passage(Cells::quads, 5);
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Case its = good;
     std::int32_t const moved = points_on(its.mesh, right)[4];
     its.mesh.y[static_cast<std::size_t>(moved)] += 1e-4;
@@ -344,7 +346,7 @@ TEST_CASE("what is no rotation pair is refused, with the place") {
 
 TEST_CASE("combinations without rotation pairs say so") {
     Case its = passage(Cells::quads, 5);
-    hm_options options = options_of(HM_LAPLACE);
+    Options options = options_of(HM_LAPLACE);
     options.engine = HM_MULTIGRID;
     refused(its, HM_UNSUPPORTED, "the direct engine only", options);
     options.engine = HM_FAS;

@@ -1,4 +1,5 @@
 // Slip boundaries: points slide along straight lines, and a slip line is a line of symmetry.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
@@ -19,7 +20,7 @@ TEST_CASE("a line of symmetry: the half with slip moves as the half of the whole
     for (std::int32_t const operator_kind : operators)
         for (Cells const kind : kinds) {
             Case half = half_ring(6, 16, kind, 0.3, 3), whole = mirrored(half);
-            hm_options const options = options_of(operator_kind);
+            Options const options = options_of(operator_kind);
             Solved const a(half, &options), b(whole, &options);
             std::vector<double> const move = symmetric_move(4);
             Field const of_half = displacement(a, move);
@@ -37,7 +38,7 @@ TEST_CASE("at any angle points stay on their line to rounding, and slide") {
         for (double const angle : {0.0, 0.3, pi / 2, 2.2, -1.0}) {
             Complex const turn = std::polar(1.0, angle);
             Case its = similar(half_ring(6, 16, Cells::hybrid, 0.3, 5), turn, {0.4, -7});
-            hm_options const options = options_of(operator_kind);
+            Options const options = options_of(operator_kind);
             Solved const solved(its, &options);
             Field const moved = displacement(solved, turned(some_move(8, 1, 6), turn));
             double off = 0, along = 0;
@@ -62,7 +63,7 @@ TEST_CASE("at any angle points stay on their line to rounding, and slide") {
 TEST_CASE("many small steps later they are still on it") {
     Complex const turn = std::polar(1.0, 0.4);
     Case its = similar(half_ring(6, 16, Cells::quads, 0.3, 7), turn, 0);
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Solved const solved(its, &options);
     Mesh mesh = its.mesh;
     for (unsigned step = 0; step < 100; ++step) {
@@ -79,7 +80,7 @@ TEST_CASE(
     "kinds of points: corners of two lines are fixed, what is stronger wins, and lines go on over "
     "markers") {
     auto const kinds_of = [](Case& its, std::int32_t operator_kind) {
-        hm_options const options = options_of(operator_kind);
+        Options const options = options_of(operator_kind);
         Attempt seen;
         bool const done = seen.analyse(its.problem(), &options);
         INFO(seen.error.text);
@@ -126,7 +127,7 @@ TEST_CASE(
     Case its = tiny_case();
     its.set_slip(bottom);
     its.set_free(right);
-    hm_options const options = options_of(HM_LAPLACE);
+    Options const options = options_of(HM_LAPLACE);
     Solved const solved(its, &options);
     std::vector<double> const move = some_move(4, 1, 9);
     Field const moved = displacement(solved, move);
@@ -156,7 +157,7 @@ TEST_CASE(
         Complex const centre = std::polar(1.5, 0.7) * Complex(1.5, 0.5) + Complex(1, 2);
         its.set_rigid(second_body, centre.real(), centre.imag());
         its.set_slip(far_field);  // one marker, four lines
-        hm_options const options = options_of(operator_kind);
+        Options const options = options_of(operator_kind);
         Solved const solved(its, &options);
         std::vector<double> const move = some_move(solved.info().functions, 0.2, 10);
         Field const moved = displacement(solved, move);
@@ -181,7 +182,7 @@ TEST_CASE(
         Case its = tiny_case();
         its.set_slip(bottom);
         its.mesh.y[3] -= by;
-        hm_options const options = options_of(HM_CONFORMAL);
+        Options const options = options_of(HM_CONFORMAL);
         Solved const solved(its, &options);
         Field const moved = displacement(solved, some_move(4, 1, 9));
         double angle = 0;
@@ -204,7 +205,7 @@ TEST_CASE(
         Case its = tiny_case();
         its.set_slip(bottom);
         its.mesh.y[3] -= lift;  // of a line with faces of length 1
-        hm_options const options = options_of(HM_CONFORMAL);
+        Options const options = options_of(HM_CONFORMAL);
         Attempt seen;
         REQUIRE(seen.analyse(its.problem(), &options));
         std::vector<PointKind> out;
@@ -223,7 +224,7 @@ TEST_CASE(
     for (int const faces : {8, 24, 120}) {
         Case ring = ring_case(6, faces, 0.5, 2);
         ring.set_slip(far_field);
-        hm_options const options = options_of(HM_CONFORMAL);
+        Options const options = options_of(HM_CONFORMAL);
         Attempt seen;
         REQUIRE(seen.analyse(ring.problem(), &options));
         PointKind const expected = faces == 8 ? PointKind::fixed : PointKind::slip;
@@ -239,7 +240,7 @@ TEST_CASE(
     for (std::int32_t const operator_kind : operators) {
         Case its = ring_case(6, 24, 0.5, 2, Cells::hybrid);
         its.set_slip(far_field);
-        hm_options const options = options_of(operator_kind);
+        Options const options = options_of(operator_kind);
         Solved solved(its, &options);
         auto const largest_normal = [&](Mesh const& mesh) {
             Field const moved = displacement(solved, some_move(8, 1, 11));

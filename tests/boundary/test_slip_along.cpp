@@ -1,4 +1,6 @@
 // Boundaries that slide along B-splines that are given.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/circle.hpp>
@@ -28,13 +30,13 @@ struct Along {
         return last;
     }
     bool is_outer(std::size_t k) const { return std::hypot(its.mesh.x[k], its.mesh.y[k]) > 1.99; }
-    // The largest distance of outer points from the circle, after a random movement and hm_slide.
+    // The largest distance of outer points from the circle, after a random movement and hm_slip.
     double off_circle() {
         Attempt attempt;
-        hm_options const options = options_of(HM_CONFORMAL);
+        Options const options = options_of(HM_CONFORMAL);
         REQUIRE(attempt.analyse(its.problem(), &options));
         std::vector<double> x = its.mesh.x, y = its.mesh.y;
-        REQUIRE(hm_slide(attempt.analysis, points_in(x, y), points_out(x, y), nullptr) == HM_OK);
+        REQUIRE(hm_slip(attempt.analysis, points_in(x, y), points_out(x, y), nullptr) == HM_OK);
         CHECK(same_bits(x, its.mesh.x));
         CHECK(same_bits(y, its.mesh.y));
         std::vector<double> const by = some_move(static_cast<std::int32_t>(x.size()), 0.3, 4);
@@ -42,7 +44,7 @@ struct Along {
             x[k] += by[2 * k];
             y[k] += by[2 * k + 1];
         }
-        REQUIRE(hm_slide(attempt.analysis, points_in(x, y), points_out(x, y), nullptr) == HM_OK);
+        REQUIRE(hm_slip(attempt.analysis, points_in(x, y), points_out(x, y), nullptr) == HM_OK);
         double off = 0;
         for (std::size_t k = 0; k < x.size(); ++k) {
             if (is_outer(k)) off = std::fmax(off, std::fabs(std::hypot(x[k], y[k]) - 2));
@@ -53,7 +55,7 @@ struct Along {
 
 hm_error refusal(Along& of) {
     Attempt attempt;
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     CHECK(!attempt.analyse(of.its.problem(), &options));
     return attempt.error;
 }
@@ -124,7 +126,7 @@ TEST_CASE(
     "the conditions of a basis tell how many curves there were, and are refused without them") {
     Along of(circle(2, 11));
     of.condition();
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Solved solved(of.its.problem(), &options);
     std::vector<hm_condition> back(2);
     for (hm_condition& its : back) its.struct_size = sizeof its;
@@ -148,7 +150,7 @@ TEST_CASE("a plan takes functions only of its own curves for sliding") {
     Along one(circle(2, 11)), other(circle(2, 11));
     one.condition();
     other.condition();
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Solved solved(one.its.problem(), &options), same(other.its.problem(), &options);
     CHECK(hm_plan_solve(same.plan, solved.basis, nullptr, nullptr) == HM_OK);
     Along farther(circle(2.03, 11)), without(circle(2, 11));

@@ -1,3 +1,4 @@
+#include <harmorph_design.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/curves.hpp>
@@ -44,10 +45,10 @@ Finer refined(hm_curves const& curves, int curve, std::vector<double> const& u) 
     Finer out;
     std::size_t bytes = 0;
     int const n = static_cast<int>(u.size());
-    out.status = hm_refine_size(&curves, curve, n, u.data(), &bytes, &out.error);
+    out.status = hm_refine_size(&curves, curve, 0, n, u.data(), &bytes, &out.error);
     if (out.status < 0) return out;
     out.block.resize(bytes);
-    out.status = hm_refine(&out.curves, &out.matrix, out.block.data(), bytes, &curves, curve, n,
+    out.status = hm_refine(&out.curves, &out.matrix, out.block.data(), bytes, &curves, curve, 0, n,
                            u.data(), &out.error);
     return out;
 }
@@ -55,11 +56,12 @@ Finer refined(hm_curves const& curves, int curve, std::vector<double> const& u) 
 Finer elevated(hm_curves const& curves, int curve) {
     Finer out;
     std::size_t bytes = 0;
-    out.status = hm_elevate_size(&curves, curve, &bytes, &out.error);
+    std::int32_t const degree = curves.curve[curve].degree + 1;
+    out.status = hm_refine_size(&curves, curve, degree, 0, nullptr, &bytes, &out.error);
     if (out.status < 0) return out;
     out.block.resize(bytes);
-    out.status =
-        hm_elevate(&out.curves, &out.matrix, out.block.data(), bytes, &curves, curve, &out.error);
+    out.status = hm_refine(&out.curves, &out.matrix, out.block.data(), bytes, &curves, curve,
+                           degree, 0, nullptr, &out.error);
     return out;
 }
 
@@ -250,12 +252,12 @@ TEST_CASE("knots that cannot be inserted are refused by name, with nothing writt
 
     double const u = 2.2;
     std::size_t bytes = 0;
-    REQUIRE(hm_refine_size(&set.view(), 0, 1, &u, &bytes, nullptr) == HM_OK);
+    REQUIRE(hm_refine_size(&set.view(), 0, 0, 1, &u, &bytes, nullptr) == HM_OK);
     for (std::size_t const short_of : {std::size_t{1}, std::size_t{64}, bytes}) {
         fixtures::Guarded block(bytes - short_of, 8);
         hm_error error{};
         const hm_curves* made = nullptr;
-        CHECK(hm_refine(&made, nullptr, block.data(), bytes - short_of, &set.view(), 0, 1, &u,
+        CHECK(hm_refine(&made, nullptr, block.data(), bytes - short_of, &set.view(), 0, 0, 1, &u,
                         &error) == HM_BLOCK_TOO_SMALL);
         CHECK(error.value == static_cast<double>(short_of));
         CHECK(block.untouched());

@@ -1,4 +1,5 @@
 // What calls with curves and sections refuse, with the whole sentence that says so.
+#include <harmorph_design.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/curves.hpp>
@@ -46,7 +47,7 @@ TEST_CASE("points of curves, and knots that are to be inserted") {
     std::size_t bytes = 0;
     auto const refine = [&](double knot) {
         return [&, knot](hm_error* e) {
-            return u[0] = knot, hm_refine_size(&its.set, 0, 1, u, &bytes, e);
+            return u[0] = knot, hm_refine_size(&its.set, 0, 0, 1, u, &bytes, e);
         };
     };
     check_texts({
@@ -197,9 +198,9 @@ TEST_CASE("design variables: fields of another kind, and numbers out of range") 
         {HM_BAD_ARGUMENT, "variables: peaks are of HM_HICKS_HENNE and HM_NACA4 only",
          with(HM_FFD, [](auto& o) { o.peaks = &some; })},
         {HM_BAD_ARGUMENT, "variables: the exponents are of HM_CST only",
-         with(HM_FFD, [](auto& o) { o.nose_exponent = 1; })},
+         with(HM_FFD, [](auto& o) { o.leading_exponent = 1; })},
         {HM_BAD_ARGUMENT, "variables: the exponents are of HM_CST only",
-         with(HM_FFD, [](auto& o) { o.edge_exponent = 1; })},
+         with(HM_FFD, [](auto& o) { o.trailing_exponent = 1; })},
         {HM_BAD_ARGUMENT, "variables: the width is of HM_HICKS_HENNE only",
          with(HM_CST, [](auto& o) { o.width = 2; })},
         {HM_BAD_ARGUMENT,
@@ -215,12 +216,12 @@ TEST_CASE("design variables: fields of another kind, and numbers out of range") 
          with(HM_FFD, [](auto& o) { o.degree_x = 64; })},
         {HM_BAD_ARGUMENT, "variables: degree_x and degree_y are 0 and -1, not 0 to 63",
          with(HM_FFD, [](auto& o) { o.degree_y = -1; })},
-        {HM_BAD_ARGUMENT, "variables: nose_exponent is 11, not 0 to 10",
-         with(HM_CST, [](auto& o) { o.nose_exponent = 11; })},
-        {HM_BAD_ARGUMENT, "variables: nose_exponent is -1, not 0 to 10",
-         with(HM_CST, [](auto& o) { o.nose_exponent = -1; })},
-        {HM_BAD_ARGUMENT, "variables: edge_exponent is 11, not 0 to 10",
-         with(HM_CST, [](auto& o) { o.edge_exponent = 11; })},
+        {HM_BAD_ARGUMENT, "variables: leading_exponent is 11, not 0 to 10",
+         with(HM_CST, [](auto& o) { o.leading_exponent = 11; })},
+        {HM_BAD_ARGUMENT, "variables: leading_exponent is -1, not 0 to 10",
+         with(HM_CST, [](auto& o) { o.leading_exponent = -1; })},
+        {HM_BAD_ARGUMENT, "variables: trailing_exponent is 11, not 0 to 10",
+         with(HM_CST, [](auto& o) { o.trailing_exponent = 11; })},
         {HM_BAD_ARGUMENT, "variables: the width is 101, not 1 to 100",
          with(HM_HICKS_HENNE, [](auto& o) { o.width = 101; })},
         {HM_BAD_ARGUMENT, "variables: the width is -1, not 1 to 100",

@@ -1,3 +1,4 @@
+#include <harmorph_design.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/curves.hpp>
@@ -139,9 +140,9 @@ TEST_CASE(
     CurveSet set = circle(r, cx, cy);
     hm_section chord{};
     chord.struct_size = sizeof chord;
-    chord.nose_x = cx - r;
-    chord.edge_x = cx + r;
-    chord.nose_y = chord.edge_y = cy;
+    chord.leading_x = cx - r;
+    chord.trailing_x = cx + r;
+    chord.leading_y = chord.trailing_y = cy;
     auto const is = [&](int kind, double value) {
         CHECK(value_of(set, quantity(kind), &chord) == doctest::Approx(value).epsilon(1e-13));
     };
@@ -153,7 +154,7 @@ TEST_CASE(
     CHECK(std::fabs(value_of(set, quantity(HM_MOMENT_XY), &chord)) < 1e-14);
     is(HM_CHORD, 2 * r);
     is(HM_MAX_THICKNESS, 2 * r);
-    is(HM_NOSE_RADIUS, r);
+    is(HM_LEADING_EDGE_RADIUS, r);
     is(HM_MIN_RADIUS, r);
     for (double const station : {0.1, 0.37, 0.9}) {
         double const x = (2 * station - 1) * r;
@@ -242,13 +243,14 @@ TEST_CASE(
                 hm_section chord{};
                 chord.struct_size = sizeof chord;
                 if (fixed) {
-                    chord.edge_x = 0.999;
-                    chord.edge_y = -0.001;
+                    chord.trailing_x = 0.999;
+                    chord.trailing_y = -0.001;
                 }
                 INFO("rational " << rational << ", kind " << kind << ", fixed chord " << fixed);
                 for (int k = HM_AREA; k <= HM_CURVATURE_VARIATION; ++k) {
                     if (k == HM_THICKNESS || k == HM_CAMBER) continue;
-                    bool const zero = (k == HM_CHORD && fixed) || (k == HM_EDGE_GAP && kind == 0);
+                    bool const zero =
+                        (k == HM_CHORD && fixed) || (k == HM_TRAILING_EDGE_GAP && kind == 0);
                     if (zero) continue;
                     check_gradient(set, quantity(k), &chord,
                                    k == HM_CURVATURE_VARIATION || k == HM_MIN_RADIUS ? 1e-4 : 2e-7);
@@ -287,13 +289,13 @@ TEST_CASE(
         check(HM_CAMBER, 1, 0.3);
         check(HM_MAX_THICKNESS, 1);
         check(HM_MAX_CAMBER, 1);
-        check(HM_NOSE_RADIUS, 1);
-        check(HM_EDGE_ANGLE, 0);
+        check(HM_LEADING_EDGE_RADIUS, 1);
+        check(HM_TRAILING_EDGE_ANGLE, 0);
         check(HM_MIN_RADIUS, 1);
         check(HM_CURVATURE_VARIATION, -3);
-        if (open) check(HM_EDGE_GAP, 1);
-        CHECK(value_of(set, quantity(HM_EDGE_GAP)) > (open ? 0.009 : -1e-16));
-        CHECK(value_of(set, quantity(HM_EDGE_ANGLE)) > 5);
+        if (open) check(HM_TRAILING_EDGE_GAP, 1);
+        CHECK(value_of(set, quantity(HM_TRAILING_EDGE_GAP)) > (open ? 0.009 : -1e-16));
+        CHECK(value_of(set, quantity(HM_TRAILING_EDGE_ANGLE)) > 5);
     }
 }
 
@@ -338,8 +340,8 @@ TEST_CASE("what cannot be measured is refused with the reason, outputs untouched
     CHECK(refusal(set, clearance({0, std::nan("")}), "point 0 (from 0)") == HM_BAD_ARGUMENT);
     hm_section outside{};
     outside.struct_size = sizeof outside;
-    outside.nose_x = 10;
-    outside.edge_x = 11;
+    outside.leading_x = 10;
+    outside.trailing_x = 11;
     CHECK(refusal(set, quantity(HM_THICKNESS, 0.5), "less than two", &outside) == HM_BAD_CURVE);
     outside.n_curves = 2;
     CHECK(refusal(set, quantity(HM_AREA), "exceed", &outside) == HM_BAD_ARGUMENT);

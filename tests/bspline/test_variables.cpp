@@ -1,3 +1,4 @@
+#include <harmorph_design.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/curves.hpp>
@@ -98,7 +99,7 @@ double bernstein(int degree, int k, double t) {
 hm_section unit_chord() {
     hm_section out{};
     out.struct_size = sizeof out;
-    out.edge_x = 1;
+    out.trailing_x = 1;
     return out;
 }
 

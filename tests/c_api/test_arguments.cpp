@@ -1,6 +1,11 @@
 // Every argument of every call is looked at: NULL is refused by the argument's name, a struct
 // without its size, coordinates without an array or with a negative stride, and a block that is one
 // byte too short are refused, too.
+#include <harmorph_design.h>
+#include <harmorph_space.h>
+#include <harmorph_parts.h>
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -75,15 +80,10 @@ TEST_CASE("curves and fits") {
 
     double const at[] = {0.3};
     const double* matrix = nullptr;
-    check_arguments("curves, -, -, u, bytes", hm_refine_size, &curves, 0, 1, at, &bytes);
+    check_arguments("curves, -, -, -, u, bytes", hm_refine_size, &curves, 0, 0, 1, at, &bytes);
     Guarded refined(bytes);
-    check_arguments("finer, ?matrix, block, bytes, curves, -, -, u", hm_refine, &fitted, &matrix,
-                    refined.data(), bytes, &curves, 0, 1, at);
-    check_arguments("curves, -, bytes", hm_elevate_size, &curves, 0, &bytes);
-    Guarded elevated(bytes);
-    check_arguments("finer, ?matrix, block, bytes, curves, -", hm_elevate, &fitted, &matrix,
-                    elevated.data(), bytes, &curves, 0);
-
+    check_arguments("finer, ?matrix, block, bytes, curves, -, -, -, u", hm_refine, &fitted, &matrix,
+                    refined.data(), bytes, &curves, 0, 0, 1, at);
     hm_section section = with_size<hm_section>();
     hm_quantity quantity = with_size<hm_quantity>();
     quantity.kind = HM_AREA;
@@ -104,7 +104,7 @@ TEST_CASE("curves and fits") {
 TEST_CASE("from the problem to the basis") {
     Given g;
     hm_problem const problem = g.its.problem(g.mesh);
-    hm_options const options = laplace();
+    Options const options = laplace();
     hm_analysis* analysis = nullptr;
     hm_plan* plan = nullptr;
     hm_basis* basis = nullptr;
@@ -187,16 +187,12 @@ TEST_CASE("movements, gradients, quality") {
                     &g.executor);
     check_arguments("basis, move, from, to, error, ?point", hm_boundary_error, g.basis,
                     g.move.data(), &g.at, &g.at, &error, &g.n);
-    check_arguments("analysis, from, to", hm_slide, g.analysis, &g.at, &g.to);
-    check_arguments("analysis, from, dj, dj_from", hm_slide_adjoint, g.analysis, &g.at, &g.at,
+    check_arguments("analysis, from, to", hm_slip, g.analysis, &g.at, &g.to);
+    check_arguments("analysis, from, dj, dj_from", hm_slip_adjoint, g.analysis, &g.at, &g.at,
                     &g.to);
-    check_arguments("basis, mesh, ?from, displacement, ?executor, a struct to be filled",
-                    hm_admissible_step, g.basis, &g.mesh, &g.at, &g.still, &g.executor, &step);
-    check_arguments("basis, mesh, ?at, ?reference, ?executor, a struct to be filled", hm_quality,
-                    g.basis, &g.mesh, &g.at, &g.at, &g.executor, &quality);
-    check_arguments(
-        "basis, mesh, ?from, displacement, ?executor, a struct to be filled, a struct to be filled",
-        hm_assess, g.basis, &g.mesh, &g.at, &g.still, &g.executor, &step, &quality);
+    check_arguments("basis, mesh, ?from, displacement, ?reference, ?executor, ?step, ?quality",
+                    hm_assess, g.basis, &g.mesh, &g.at, &g.still, &g.at, &g.executor, &step,
+                    &quality);
 
     check_arguments("basis, dj, scale, ?executor", hm_adjoint_scale, g.basis, &g.at, &g.n,
                     &g.executor);
@@ -322,7 +318,7 @@ TEST_CASE("a part of a mesh, and its equations") {
         Case its = given ? given_instead(tiny_case()) : tiny_case();
         std::vector<PartOfMesh> parts = cut(its.mesh, stripes(its.mesh, 1), false);
         PartOfMesh& whole = parts[0];
-        hm_options const options = laplace();
+        Options const options = laplace();
         hm_problem problem = its.problem();
         problem.mesh = nullptr;
         hm_mesh const mesh = whole.mesh.view();

@@ -1,5 +1,6 @@
 // Every kind of bad input is refused with a sentence that names the first offender;
 // the caller's arrays stay as they are.
+#include <harmorph_design.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>

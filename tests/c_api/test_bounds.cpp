@@ -1,5 +1,10 @@
 // Bounds of the fields of options and of small structs: the last value inside is accepted, the
 // first one outside is refused by the field's name.
+#include <harmorph_design.h>
+#include <harmorph_space.h>
+#include <harmorph_parts.h>
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/blocks.hpp>
@@ -164,7 +169,7 @@ TEST_CASE("safe morphs and better cells") {
 
 TEST_CASE("levels of a plan") {
     Case its = two_body_case(Cells::quads, 8, 6);
-    hm_options options = laplace();
+    Options options = laplace();
     options.engine = HM_MULTIGRID;
     Solved const solved(its, &options);
     std::vector<std::int32_t> cells(its.mesh.x.size());
@@ -208,9 +213,11 @@ TEST_CASE("what else a call finds wrong in its numbers") {
          "are not enough");
 
     // Reports and arrays that are not wanted.
-    REQUIRE(hm_elevate_size(&set.view(), 0, &bytes, nullptr) == HM_OK);
+    std::int32_t const degree = set.view().curve[0].degree + 1;
+    REQUIRE(hm_refine_size(&set.view(), 0, degree, 0, nullptr, &bytes, nullptr) == HM_OK);
     Guarded elevated(bytes);
-    CHECK(hm_elevate(&fitted, nullptr, elevated.data(), bytes, &set.view(), 0, &error) == HM_OK);
+    CHECK(hm_refine(&fitted, nullptr, elevated.data(), bytes, &set.view(), 0, degree, 0, nullptr,
+                    &error) == HM_OK);
     hm_variables naca = with_size<hm_variables>();
     naca.kind = HM_NACA4;
     std::int32_t n = 0;
@@ -220,10 +227,10 @@ TEST_CASE("what else a call finds wrong in its numbers") {
                            &error) == HM_OK);
     // A chord that ends at the origin is a chord.
     hm_section chord = with_size<hm_section>();
-    chord.edge_y = -1;
+    chord.trailing_y = -1;
     CHECK(hm_variables_map(&set.view(), &chord, &naca, work.data(), bytes, values.data(), nullptr,
                            &error) == HM_OK);
-    chord.edge_y = 0, chord.nose_y = -1;
+    chord.trailing_y = 0, chord.leading_y = -1;
     CHECK(hm_variables_map(&set.view(), &chord, &naca, work.data(), bytes, values.data(), nullptr,
                            &error) == HM_OK);
 
@@ -237,7 +244,8 @@ TEST_CASE("what else a call finds wrong in its numbers") {
     hm_mesh broken = its.mesh_view();
     broken.cell_points = nullptr;
     hm_quality_report quality = with_size<hm_quality_report>();
-    says(hm_quality(solved.basis, &broken, nullptr, nullptr, nullptr, &quality, &error),
+    says(hm_assess(solved.basis, &broken, nullptr, nullptr, nullptr, nullptr, nullptr, &quality,
+                   &error),
          HM_BAD_ARGUMENT, "cell_points");
 
     hm_improve_options improve = with_size<hm_improve_options>();
@@ -292,7 +300,7 @@ TEST_CASE("numbers in sentences: integers below 1e15 with all their digits, othe
                      {-1e15, "not -1.00000e15"},
                      {1.5, "not 1.50000"}};
     for (auto const& one : all) {
-        hm_options options = laplace();
+        Options options = laplace();
         options.tolerance = one.value;
         Attempt const attempt(its.problem(), &options);
         INFO(attempt.error.text);

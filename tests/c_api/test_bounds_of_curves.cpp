@@ -1,5 +1,6 @@
 // Bounds of the fields that belong to curves, sections and design variables: the last value inside
 // is accepted, the first one outside is refused by the field's name.
+#include <harmorph_design.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/changes.hpp>
@@ -84,10 +85,10 @@ TEST_CASE("sections") {
                       {"exceed the curves of the set", [](S& s) { s.first_curve = 1; }},
                       {"exceed the curves of the set", [](S& s) { s.n_curves = 2; }},
                       {"exceed the curves of the set", [](S& s) { s.n_curves = -1; }},
-                      {"an end of the chord line", [](S& s) { s.nose_x = beyond_range; }},
-                      {"an end of the chord line", [](S& s) { s.nose_y = not_a_number; }},
-                      {"an end of the chord line", [](S& s) { s.edge_x = not_a_number; }},
-                      {"an end of the chord line", [](S& s) { s.edge_y = -beyond_range; }}},
+                      {"an end of the chord line", [](S& s) { s.leading_x = beyond_range; }},
+                      {"an end of the chord line", [](S& s) { s.leading_y = not_a_number; }},
+                      {"an end of the chord line", [](S& s) { s.trailing_x = not_a_number; }},
+                      {"an end of the chord line", [](S& s) { s.trailing_y = -beyond_range; }}},
                      HM_BAD_ARGUMENT, measure);
     for (std::size_t const number : {2u, 5u}) {  // an x, a y
         CurveSet far = set;
@@ -135,8 +136,8 @@ TEST_CASE("design variables") {
          {"n_upper and n_lower", [](V& v) { v.n_upper = 1; }},
          {"n_upper and n_lower", [](V& v) { v.n_lower = 1; }},
          {"peaks", [](V& v) { v.peaks = peaks; }},
-         {"the exponents", [](V& v) { v.nose_exponent = 1; }},
-         {"the exponents", [](V& v) { v.edge_exponent = 1; }},
+         {"the exponents", [](V& v) { v.leading_exponent = 1; }},
+         {"the exponents", [](V& v) { v.trailing_exponent = 1; }},
          {"the width", [](V& v) { v.width = 2; }},
          {nullptr, [](V& v) { v.x_min = -1, v.x_max = 1, v.y_max = 1; }},
          {"the box is empty", [](V& v) { v.x_min = 1; }},
@@ -163,12 +164,12 @@ TEST_CASE("design variables") {
          {"degrees and box", [](V& v) { v.x_max = 1; }},
          {"degrees and box", [](V& v) { v.y_max = 1; }},
          {"peaks", [](V& v) { v.peaks = peaks; }},
-         {nullptr, [](V& v) { v.nose_exponent = 10, v.edge_exponent = 10; }},
-         {nullptr, [](V& v) { v.edge_exponent = 1; }},
-         {"nose_exponent is 11", [](V& v) { v.nose_exponent = 11; }},
-         {"nose_exponent is -1", [](V& v) { v.nose_exponent = -1; }},
-         {"edge_exponent is 11", [](V& v) { v.edge_exponent = 11; }},
-         {"edge_exponent is NaN", [](V& v) { v.edge_exponent = not_a_number; }}},
+         {nullptr, [](V& v) { v.leading_exponent = 10, v.trailing_exponent = 10; }},
+         {nullptr, [](V& v) { v.trailing_exponent = 1; }},
+         {"leading_exponent is 11", [](V& v) { v.leading_exponent = 11; }},
+         {"leading_exponent is -1", [](V& v) { v.leading_exponent = -1; }},
+         {"trailing_exponent is 11", [](V& v) { v.trailing_exponent = 11; }},
+         {"trailing_exponent is NaN", [](V& v) { v.trailing_exponent = not_a_number; }}},
         HM_BAD_ARGUMENT, size);
     check_changes<V>(bumps,
                      {{nullptr, [](V& v) { v.width = 1; }},
@@ -231,7 +232,7 @@ TEST_CASE("curves: each field of the set and of a curve") {
         CHECK(error.text == text);
         CHECK(hm_curve_point(&two, 1, 0.5, 0, at, &error) == HM_BAD_ARGUMENT);
         CHECK(error.text == text);
-        CHECK(hm_elevate_size(&two, 0, &bytes, &error) == HM_BAD_ARGUMENT);
+        CHECK(hm_refine_size(&two, 0, 0, 0, nullptr, &bytes, &error) == HM_BAD_ARGUMENT);
         CHECK(error.text == text);
         hm_quantity area = with_size<hm_quantity>();
         area.kind = HM_AREA;
@@ -260,7 +261,7 @@ TEST_CASE("fits and finer curves") {
     std::size_t bytes = 0;
     auto const refine = [&](std::int32_t curve, std::int32_t n, const double* knots) {
         hm_error error{};
-        CHECK(hm_refine_size(&set.view(), curve, n, knots, &bytes, &error) ==
+        CHECK(hm_refine_size(&set.view(), curve, 0, n, knots, &bytes, &error) ==
               (curve == 0 && n == 0 ? HM_OK : HM_BAD_ARGUMENT));
         return std::string(error.text);
     };
@@ -281,7 +282,7 @@ TEST_CASE("an edge angle where the curve stands still") {
     curves.n_curves = 1;
     curves.curve = &curve;
     hm_quantity angle = with_size<hm_quantity>();
-    angle.kind = HM_EDGE_ANGLE;
+    angle.kind = HM_TRAILING_EDGE_ANGLE;
     double value = 7;
     hm_error error{};
     CHECK(hm_measure(&curves, nullptr, 1, &angle, &value, nullptr, nullptr, &error) ==

@@ -1,5 +1,7 @@
 // Bounds in what a part of a mesh says of its cells, columns and unknowns: the last value inside is
 // accepted, the first one outside is refused by name.
+#include <harmorph_parts.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/changes.hpp>
@@ -30,7 +32,7 @@ TEST_CASE("two cells of a part on one side of an edge") {
 
 TEST_CASE("columns and unknowns of a part's equations") {
     Case its = tiny_case();
-    hm_options const options = laplace();
+    Options const options = laplace();
     Parted parted(cut(its.mesh, stripes(its.mesh, 1), false));
     REQUIRE(parted.match());
     REQUIRE(parted.equate(its.problem(), options));

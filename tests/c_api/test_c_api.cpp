@@ -1,4 +1,7 @@
 // The conventions of the C header: NULL, numbering, error texts, options.
+#include <harmorph_design.h>
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -123,20 +126,20 @@ TEST_CASE("NULL where it is not allowed is refused, everywhere; hm_error may alw
                           &error, nullptr, nullptr),
         hm_boundary_error(solved.basis, move.data(), points_in(x, y), points_in(x, y), nullptr,
                           nullptr, nullptr),
-        hm_admissible_step(nullptr, &mesh, nullptr, points_in(x, y), nullptr, &step, nullptr),
-        hm_admissible_step(solved.basis, nullptr, nullptr, points_in(x, y), nullptr, &step,
-                           nullptr),
-        hm_admissible_step(solved.basis, &mesh, nullptr, points_in(nullptr, y.data()), nullptr,
-                           &step, nullptr),
-        hm_admissible_step(solved.basis, &mesh, nullptr, points_in(x, y), nullptr, nullptr,
-                           nullptr),
-        hm_quality(nullptr, &mesh, points_in(x, y), nullptr, nullptr, &quality, nullptr),
-        hm_quality(solved.basis, nullptr, points_in(x, y), nullptr, nullptr, &quality, nullptr),
-        hm_quality(solved.basis, &mesh, points_in(x.data(), nullptr), nullptr, nullptr, &quality,
-                   nullptr),
-        hm_quality(solved.basis, &mesh, points_in(x, y), points_in(x.data(), nullptr), nullptr,
-                   &quality, nullptr),
-        hm_quality(solved.basis, &mesh, points_in(x, y), nullptr, nullptr, nullptr, nullptr),
+        hm_assess(nullptr, &mesh, nullptr, points_in(x, y), nullptr, nullptr, &step, nullptr,
+                  nullptr),
+        hm_assess(solved.basis, nullptr, nullptr, points_in(x, y), nullptr, nullptr, &step, nullptr,
+                  nullptr),
+        hm_assess(solved.basis, &mesh, nullptr, points_in(nullptr, y.data()), nullptr, nullptr,
+                  &step, nullptr, nullptr),
+        hm_assess(nullptr, &mesh, points_in(x, y), nullptr, nullptr, nullptr, nullptr, &quality,
+                  nullptr),
+        hm_assess(solved.basis, nullptr, points_in(x, y), nullptr, nullptr, nullptr, nullptr,
+                  &quality, nullptr),
+        hm_assess(solved.basis, &mesh, points_in(x.data(), nullptr), nullptr, nullptr, nullptr,
+                  nullptr, &quality, nullptr),
+        hm_assess(solved.basis, &mesh, points_in(x, y), nullptr, points_in(x.data(), nullptr),
+                  nullptr, nullptr, &quality, nullptr),
         hm_curves_check(nullptr, nullptr),
         hm_fit_size(10, nullptr, nullptr, nullptr),
     };
@@ -193,8 +196,8 @@ TEST_CASE("reports and sentences count as the caller does") {
         d[0] = 1;
         hm_step_report step{};
         step.struct_size = sizeof step;
-        REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, &step,
-                                   nullptr) == HM_OK);
+        REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, nullptr, &step,
+                          nullptr, nullptr) == HM_OK);
         CHECK(step.cell == base);
         CHECK(step.point == base);
         CHECK(step.admissible == doctest::Approx(0.5));
@@ -203,8 +206,8 @@ TEST_CASE("reports and sentences count as the caller does") {
         x[8] = -1;
         hm_quality_report quality{};
         quality.struct_size = sizeof quality;
-        REQUIRE(hm_quality(solved.basis, &mesh, points_in(x.data(), mesh.points.y), nullptr,
-                           nullptr, &quality, nullptr) == HM_OK);
+        REQUIRE(hm_assess(solved.basis, &mesh, points_in(x.data(), mesh.points.y), nullptr, nullptr,
+                          nullptr, nullptr, &quality, nullptr) == HM_OK);
         CHECK(quality.first_inverted == base);
         CHECK(quality.min_quality_cell == base);
         CHECK(quality.crossing_points[0] == -1);
@@ -246,33 +249,33 @@ TEST_CASE("options that do not exist are refused before anything else is done") 
     Case its = tiny_case();
     hm_problem const problem = its.problem();
     std::size_t bytes = 0;
-    hm_options good{};
-    good.struct_size = sizeof good;
-    for (std::int32_t hm_options::*option : {&hm_options::operator_kind, &hm_options::scheme,
-                                             &hm_options::engine, &hm_options::kernel}) {
-        hm_options bad = good;
+    Options good{};
+    std::int32_t Options::*const options[] = {&Options::operator_kind, &Options::scheme,
+                                              &Options::engine, &Options::kernel};
+    for (std::int32_t Options::*option : options) {
+        Options bad = good;
         bad.*option = 77;
         CHECK(hm_analysis_size(&problem, &bad, &bytes, nullptr) == HM_UNSUPPORTED);
     }
     for (double const tolerance : {-1e-10, 1.0, std::nan("")}) {
-        hm_options bad = good;
+        Options bad = good;
         bad.tolerance = tolerance;
         CHECK(hm_analysis_size(&problem, &bad, &bytes, nullptr) == HM_BAD_ARGUMENT);
     }
     for (std::int32_t const threads : {-1, 257}) {
         hm_executor const executor{sizeof executor, nullptr, nullptr, threads, 0};
-        hm_options bad = good;
+        Options bad = good;
         bad.executor = &executor;
         CHECK(hm_analysis_size(&problem, &bad, &bytes, nullptr) == HM_BAD_ARGUMENT);
     }
     for (std::int32_t const kernel : {-1, 5}) {
         hm_executor const executor{sizeof executor, nullptr, nullptr, 1, kernel};
-        hm_options bad = good;
+        Options bad = good;
         bad.executor = &executor;
         CHECK(hm_analysis_size(&problem, &bad, &bytes, nullptr) == HM_UNSUPPORTED);
     }
     hm_executor const unset{0, nullptr, nullptr, 1, 0};
-    hm_options bad = good;
+    Options bad = good;
     bad.executor = &unset;
     CHECK(hm_analysis_size(&problem, &bad, &bytes, nullptr) == HM_BAD_ARGUMENT);
     CHECK(bytes == 0);

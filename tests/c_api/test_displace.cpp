@@ -1,4 +1,6 @@
 // Bad input of hm_displace and hm_displace_adjoint: refused by name, and nothing is written.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/displaced.hpp>
@@ -152,7 +154,7 @@ TEST_CASE(
     CHECK(both.status == HM_BAD_CONDITION);
     CHECK(std::string(both.error.text).find("two conditions") != std::string::npos);
 
-    hm_options nodal = laplace();
+    Options nodal = laplace();
     nodal.scheme = HM_NODAL_GRADIENT;
     Attempt const not_there(unfactored.its.problem(), &nodal);
     CHECK(not_there.status == HM_UNSUPPORTED);

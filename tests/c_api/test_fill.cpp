@@ -1,6 +1,10 @@
 // What lay in a block before decides nothing: every call of the C interface gives the same bits,
 // whatever bytes its block and its outputs held; and no call that succeeds raises a floating-point
 // exception that a debugging build would trap.
+#include <harmorph_design.h>
+#include <harmorph_parts.h>
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
@@ -85,7 +89,7 @@ void check_fills(std::function<void(Record&)> const& calls) {
 
 struct Way {
     std::string name;
-    hm_options options;
+    Options options;
 };
 
 // Every row of the header's table of operators, schemes and engines, with what an option adds to
@@ -146,7 +150,7 @@ TEST_CASE(
                 Case its = ring_case(12, 60, 0.5, 2, Cells::hybrid);
                 Backwards order;
                 hm_executor const executor = order.executor(threads);
-                hm_options options = way.options;
+                Options options = way.options;
                 std::vector<double> history = filled<double>(8);
                 if (options.engine != HM_DIRECT) {
                     options.history = history.data();
@@ -194,19 +198,20 @@ TEST_CASE(
                                          &point, nullptr));
             record.add(error);
             hm_quality_report quality = filled_report<hm_quality_report>();
-            record.add(hm_quality(solved.basis, &mesh, points_in(x, y),
-                                  points_in(its.mesh.x, its.mesh.y), nullptr, &quality, nullptr));
+            record.add(hm_assess(solved.basis, &mesh, points_in(x, y), nullptr,
+                                 points_in(its.mesh.x, its.mesh.y), nullptr, nullptr, &quality,
+                                 nullptr));
             record.add(quality);
             record.add(
                 hm_morph(solved.basis, move.data(), nullptr, points_out(x, y), nullptr, nullptr));
             record.add(x);
             hm_step_report step = filled_report<hm_step_report>();
-            record.add(hm_admissible_step(solved.basis, &mesh, nullptr, points_in(x, y), nullptr,
-                                          &step, nullptr));
+            record.add(hm_assess(solved.basis, &mesh, nullptr, points_in(x, y), nullptr, nullptr,
+                                 &step, nullptr, nullptr));
             record.add(step);
             quality = filled_report<hm_quality_report>();
-            record.add(hm_assess(solved.basis, &mesh, nullptr, points_in(x, y), nullptr, &step,
-                                 &quality, nullptr));
+            record.add(hm_assess(solved.basis, &mesh, nullptr, points_in(x, y), nullptr, nullptr,
+                                 &step, &quality, nullptr));
             record.add(step);
             record.add(quality);
             std::vector<double> sums = filled<double>(2 * static_cast<std::size_t>(functions));

@@ -1,5 +1,6 @@
 // Improving the mesh of a plan: conditions hold, first layers stay, bad input is refused and
 // nothing has moved.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/cascade.hpp>
@@ -24,7 +25,7 @@ struct Morphed {
     std::size_t bytes = 0;
 
     Morphed(Case const& of, std::vector<double> const& move,
-            hm_options const& options = options_of(HM_CONFORMAL))
+            Options const& options = options_of(HM_CONFORMAL))
         : its(of),
           solved(its.problem(), &options),
           x(its.mesh.x.size()),
@@ -49,8 +50,9 @@ struct Morphed {
         hm_quality_report out{};
         out.struct_size = sizeof out;
         hm_mesh const& mesh = its.mesh_view();
-        REQUIRE(hm_quality(solved.basis, &mesh, points_in(at_x, at_y),
-                           points_in(its.mesh.x, its.mesh.y), nullptr, &out, nullptr) == HM_OK);
+        REQUIRE(hm_assess(solved.basis, &mesh, points_in(at_x, at_y), nullptr,
+                          points_in(its.mesh.x, its.mesh.y), nullptr, nullptr, &out,
+                          nullptr) == HM_OK);
         return out;
     }
     bool stays(std::int32_t point) const {
@@ -216,7 +218,7 @@ TEST_CASE("hm_improve: in place, and with threads, the same bits") {
     REQUIRE(out.improve() == HM_OK);
     Backwards order;
     hm_executor const executor = order.executor(3);
-    hm_options options = options_of(HM_CONFORMAL);
+    Options options = options_of(HM_CONFORMAL);
     options.executor = &executor;
     Morphed other(its, move, options);
     Guarded work(other.bytes);

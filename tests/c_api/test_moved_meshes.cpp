@@ -1,4 +1,5 @@
 // Calls that begin at the mesh's own coordinates, after the caller has moved the mesh in place.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -16,7 +17,7 @@ struct Moved {
     hm_points own{x.data(), y.data(), 1};
     hm_points_out in_place{x.data(), y.data(), 1};
     hm_mesh mesh = its.mesh_view();
-    hm_options options = options_of(HM_CONFORMAL);
+    Options options = options_of(HM_CONFORMAL);
     std::unique_ptr<Solved> solved;
     std::vector<double> move, work;
 
@@ -109,18 +110,20 @@ TEST_CASE("a mesh of other cells is refused, also with as many points and cells 
     const char* const text = "the basis belongs to another mesh: the cells differ";
     hm_basis* const basis = o.solved->basis;
     auto const measure = [&](hm_mesh const& mesh, hm_error* e) {
-        return hm_quality(basis, &mesh, nullptr, nullptr, nullptr, &quality, e);
+        return hm_assess(basis, &mesh, nullptr, nullptr, nullptr, nullptr, nullptr, &quality, e);
     };
     check_texts({
         {HM_BAD_BASIS, text, [&](hm_error* e) { return measure(renumbered, e); }},
         {HM_BAD_BASIS, text, [&](hm_error* e) { return measure(other_cell, e); }},
         {HM_BAD_BASIS, text,
          [&](hm_error* e) {
-             return hm_admissible_step(basis, &renumbered, nullptr, &none, nullptr, &step, e);
+             return hm_assess(basis, &renumbered, nullptr, &none, nullptr, nullptr, &step, nullptr,
+                              e);
          }},
         {HM_BAD_BASIS, text,
          [&](hm_error* e) {
-             return hm_assess(basis, &renumbered, nullptr, &none, nullptr, &step, &quality, e);
+             return hm_assess(basis, &renumbered, nullptr, &none, nullptr, nullptr, &step, &quality,
+                              e);
          }},
     });
     CHECK(measure(o.mesh, nullptr) == HM_OK);

@@ -1,5 +1,6 @@
 // Validity and quality of polygons as the header defines them, and the movements that keep cells
 // valid.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/polygon_cases.hpp>
@@ -39,7 +40,7 @@ TEST_CASE(
             its.index_base = base;
             Mesh const mesh = counter_clockwise(its.mesh);
             hm_mesh const view = in_polygons(its.mesh_view());
-            hm_options options = laplace();
+            Options options = laplace();
             options.operator_kind = HM_CONFORMAL;
             Solved const solved(its.problem(view), &options);
             CHECK(is_sound(mesh, mesh.x, mesh.y));
@@ -51,11 +52,11 @@ TEST_CASE(
                                  nullptr) == HM_OK);
                 hm_step_report step{}, also_step{};
                 step.struct_size = also_step.struct_size = sizeof step;
-                REQUIRE(hm_admissible_step(solved.basis, &view, nullptr, points_in(dx, dy), nullptr,
-                                           &step, nullptr) == HM_OK);
+                REQUIRE(hm_assess(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, nullptr,
+                                  &step, nullptr, nullptr) == HM_OK);
                 hm_quality_report assessed{};
                 assessed.struct_size = sizeof assessed;
-                REQUIRE(hm_assess(solved.basis, &view, nullptr, points_in(dx, dy), nullptr,
+                REQUIRE(hm_assess(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, nullptr,
                                   &also_step, &assessed, nullptr) == HM_OK);
                 CHECK(also_step.admissible == step.admissible);
                 CHECK(also_step.cell == step.cell);
@@ -155,8 +156,8 @@ TEST_CASE(
         dy[1] -= inwards_y;
         hm_step_report step{};
         step.struct_size = sizeof step;
-        REQUIRE(hm_admissible_step(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, &step,
-                                   nullptr) == HM_OK);
+        REQUIRE(hm_assess(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, nullptr, &step,
+                          nullptr, nullptr) == HM_OK);
         CHECK(step.cell == 0);
         return step.admissible;
     };
@@ -170,7 +171,7 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
         CAPTURE(named.name);
         Case& its = named.its;
         hm_mesh const view = in_polygons(its.mesh_view());
-        hm_options options = options_of(HM_CONFORMAL);
+        Options options = options_of(HM_CONFORMAL);
         Solved const solved(its.problem(view), &options);
         std::size_t bytes = 0;
         REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
@@ -238,7 +239,7 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
 TEST_CASE("polygons: the last strategy untangles cells that one step inverts") {
     Case its = honeycomb_case();
     hm_mesh const view = in_polygons(its.mesh_view());
-    hm_options options = laplace();
+    Options options = laplace();
     Solved const solved(its.problem(view), &options);
     std::vector<double> move, x(its.mesh.x.size()), y(x);
     hm_quality_report morphed{};

@@ -1,5 +1,8 @@
 // Meshes of polygons with hanging nodes through the whole interface: linear fields are exact, every
 // engine and derived basis takes these meshes, and meshes that are none are refused.
+#include <harmorph_design.h>
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/displaced.hpp>
@@ -55,7 +58,7 @@ TEST_CASE("polygons: linear fields are exact") {
             for (std::int32_t const marker : markers) {
                 if (marker != body) its.set_given(marker);
             }
-            hm_options options = laplace();
+            Options options = laplace();
             options.operator_kind = kind;
             if (kind == HM_WEIGHTED) options.exponent_quarters = HM_NO_WEIGHT;
             hm_mesh const view = in_polygons(its.mesh_view());
@@ -97,8 +100,8 @@ TEST_CASE(
     CHECK(one.mean_quality == doctest::Approx(other.mean_quality).epsilon(1e-14));
     hm_quality_report report{};
     report.struct_size = sizeof report;
-    CHECK(hm_quality(a.basis, &polygons, nullptr, nullptr, nullptr, &report, nullptr) ==
-          HM_BAD_BASIS);
+    CHECK(hm_assess(a.basis, &polygons, nullptr, nullptr, nullptr, nullptr, nullptr, &report,
+                    nullptr) == HM_BAD_BASIS);
 }
 
 TEST_CASE("polygons: every engine, scheme and kind of derived basis takes meshes of polygons") {
@@ -110,7 +113,7 @@ TEST_CASE("polygons: every engine, scheme and kind of derived basis takes meshes
     for (Way const way :
          {Way{HM_LAPLACE, HM_BOUNDED, HM_DIRECT}, Way{HM_LAPLACE, HM_NODAL_GRADIENT, HM_DIRECT},
           Way{HM_WEIGHTED, HM_COMPACT, HM_MULTIGRID}, Way{HM_LAPLACE, HM_COMPACT, HM_FAS}}) {
-        hm_options options = laplace();
+        Options options = laplace();
         options.operator_kind = way.operator_kind;
         options.scheme = way.scheme;
         options.engine = way.engine;
@@ -127,7 +130,7 @@ TEST_CASE("polygons: every engine, scheme and kind of derived basis takes meshes
         }
         CHECK(worst < 0.06);
     }
-    hm_options options = options_of(HM_CONFORMAL);
+    Options options = options_of(HM_CONFORMAL);
     Solved const solved(its.problem(view), &options);
     std::size_t bytes = 0;
     hm_error error{};
@@ -138,8 +141,10 @@ TEST_CASE("polygons: every engine, scheme and kind of derived basis takes meshes
     CHECK(single_block.guards_intact());
     hm_quality_report a{}, b{};
     a.struct_size = b.struct_size = sizeof a;
-    CHECK(hm_quality(single, &view, nullptr, nullptr, nullptr, &a, &error) == HM_OK);
-    CHECK(hm_quality(solved.basis, &view, nullptr, nullptr, nullptr, &b, &error) == HM_OK);
+    CHECK(hm_assess(single, &view, nullptr, nullptr, nullptr, nullptr, nullptr, &a, &error) ==
+          HM_OK);
+    CHECK(hm_assess(solved.basis, &view, nullptr, nullptr, nullptr, nullptr, nullptr, &b, &error) ==
+          HM_OK);
     CHECK(a.mean_quality == b.mean_quality);
     CHECK(a.mean_quality > 0.5);
 }
@@ -222,7 +227,7 @@ TEST_CASE(
 TEST_CASE("polygons: same bits on any number of threads") {
     Case its = hanging_case();
     hm_mesh const view = in_polygons(its.mesh_view());
-    hm_options options = options_of(HM_CONFORMAL);
+    Options options = options_of(HM_CONFORMAL);
     Solved const one(its.problem(view), &options);
     Backwards backwards;
     hm_executor const executor = backwards.executor(3);

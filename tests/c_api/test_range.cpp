@@ -1,5 +1,7 @@
 // The range of coordinates: what is outside is refused by name, and inside, at any scale and far
 // from the origin, a call that succeeds keeps what the header promises, by measures taken here.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/operators.hpp>
@@ -74,14 +76,14 @@ Attempt analysed(Case& its) {
 hm_quality_report quality_of(Attempt const& solved, Case& its, Mesh const& at) {
     hm_quality_report out{};
     out.struct_size = sizeof out;
-    REQUIRE(hm_quality(solved.basis, &its.mesh_view(), points_in(at.x, at.y),
-                       points_in(its.mesh.x, its.mesh.y), nullptr, &out, nullptr) == HM_OK);
+    REQUIRE(hm_assess(solved.basis, &its.mesh_view(), points_in(at.x, at.y), nullptr,
+                      points_in(its.mesh.x, its.mesh.y), nullptr, nullptr, &out, nullptr) == HM_OK);
     return out;
 }
 
 // What holds of any movement, whatever the mesh: the admissible step, the assessment, and a safe
 // morph.
-void check_promises(Case& its, hm_options const& options, std::vector<double> const& move,
+void check_promises(Case& its, Options const& options, std::vector<double> const& move,
                     bool& ended) {
     Solved const solved(its, &options);
     Mesh moved = its.mesh;
@@ -98,8 +100,8 @@ void check_promises(Case& its, hm_options const& options, std::vector<double> co
     step.struct_size = sizeof step;
     hm_quality_report assessed{};
     assessed.struct_size = sizeof assessed;
-    REQUIRE(hm_assess(solved.basis, &its.mesh_view(), nullptr, points_in(dx, dy), nullptr, &step,
-                      &assessed, nullptr) == HM_OK);
+    REQUIRE(hm_assess(solved.basis, &its.mesh_view(), nullptr, points_in(dx, dy), nullptr, nullptr,
+                      &step, &assessed, nullptr) == HM_OK);
     for (std::size_t k = 0; k < n; ++k) {
         moved.x[k] += dx[k];
         moved.y[k] += dy[k];
@@ -199,7 +201,7 @@ TEST_CASE(
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE, HM_WEIGHTED})
         for (double const degrees : {20.0, 100.0}) {
             Case its = block(Cells::hybrid);
-            hm_options const options = options_of(operator_kind);
+            Options const options = options_of(operator_kind);
             Complex const turn = std::polar(1.0, degrees * std::acos(-1.0) / 180);
             std::vector<double> const move = similarity_move(its.curves, turn, {0.5, 0.5}, 0.03);
             std::vector<double> expected_values, expected_x;
@@ -214,8 +216,8 @@ TEST_CASE(
                                  nullptr, nullptr) == HM_OK);
                 hm_step_report step{};
                 step.struct_size = sizeof step;
-                REQUIRE(hm_admissible_step(solved.basis, &scaled.mesh_view(), nullptr,
-                                           points_in(dx, dy), nullptr, &step, nullptr) == HM_OK);
+                REQUIRE(hm_assess(solved.basis, &scaled.mesh_view(), nullptr, points_in(dx, dy),
+                                  nullptr, nullptr, &step, nullptr, nullptr) == HM_OK);
                 std::size_t bytes = 0;
                 REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
                 Guarded work(bytes);
@@ -246,7 +248,7 @@ TEST_CASE("random problems of scales 1e-80 to 1e80, near the origin and far from
         Cells const kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
         Case its = block(kinds[problem % 3]);
         perturb(its.mesh, between(0, 0.3), static_cast<unsigned>(problem));
-        hm_options options = options_of(problem % 4 == 3 ? HM_LAPLACE : problem % 4);
+        Options options = options_of(problem % 4 == 3 ? HM_LAPLACE : problem % 4);
         if (problem % 4 == 3) options.scheme = HM_BOUNDED;
         double const scale = std::pow(10.0, between(-80, 80)),
                      far = std::pow(10.0, between(-2, 10));
@@ -280,7 +282,7 @@ TEST_CASE(
         its.set_rigid(body, 0.5 * scale, 0.5 * scale);
         for (std::int32_t const precision : {HM_DOUBLE, HM_SINGLE}) {
             INFO("scale " << scale << ", precision " << precision);
-            hm_options options = options_of(HM_LAPLACE);
+            Options options = options_of(HM_LAPLACE);
             options.precision = precision;
             Attempt attempt;
             bool const is_refused = precision == HM_SINGLE && (scale == 1e-40 || scale == 1e40);

@@ -1,5 +1,8 @@
 // What calls with a plan or a basis refuse, with the whole sentence that says so: room in arrays,
 // numbers out of range, objects that do not belong together, steps in the wrong order.
+#include <harmorph_design.h>
+#include <harmorph_parts.h>
+#include <harmorph_study.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>

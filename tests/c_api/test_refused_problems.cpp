@@ -1,5 +1,7 @@
 // What a problem may have wrong, with the whole sentence that says so: options, counts and arrays,
 // curves, conditions.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -14,7 +16,7 @@ namespace {
 struct Bad {
     hm_status status;
     const char* text;
-    std::function<void(hm_problem&, hm_options&, hm_mesh&)> spoil;
+    std::function<void(hm_problem&, Options&, hm_mesh&)> spoil;
 };
 
 // The analysis of the tiny case, spoiled, which the size query or the initialisation refuses.
@@ -23,7 +25,7 @@ void check(std::initializer_list<Bad> all) {
         Case its = tiny_case();
         hm_mesh mesh = its.mesh_view();
         hm_problem problem = its.problem(mesh);
-        hm_options options = laplace();
+        Options options = laplace();
         bad.spoil(problem, options, mesh);
         Attempt attempt;
         attempt.analyse(problem, &options);
@@ -58,9 +60,9 @@ TEST_CASE("options that are out of range or unknown") {
          [](auto&, auto& o, auto&) { o.operator_kind = 7; }},
         {HM_UNSUPPORTED, "options.operator_kind is -1, which is unknown",
          [](auto&, auto& o, auto&) { o.operator_kind = -1; }},
-        {HM_UNSUPPORTED, "options.scheme is 9, which is unknown",
+        {HM_UNSUPPORTED, "study options: scheme is 9, which is unknown",
          [](auto&, auto& o, auto&) { o.scheme = 9; }},
-        {HM_UNSUPPORTED, "options.scheme is -1, which is unknown",
+        {HM_UNSUPPORTED, "study options: scheme is -1, which is unknown",
          [](auto&, auto& o, auto&) { o.scheme = -1; }},
         {HM_UNSUPPORTED, "options.engine is 5, which is unknown",
          [](auto&, auto& o, auto&) { o.engine = 5; }},
@@ -76,46 +78,45 @@ TEST_CASE("options that are out of range or unknown") {
          [](auto&, auto& o, auto&) { o.offset_correction = 2; }},
         {HM_BAD_ARGUMENT, "options.offset_correction must be 0 or 1, not -1",
          [](auto&, auto& o, auto&) { o.offset_correction = -1; }},
-        {HM_BAD_ARGUMENT, "options.levels must be between 0 and 20, not 21",
+        {HM_BAD_ARGUMENT, "study options: levels must be between 0 and 20, not 21",
          [](auto&, auto& o, auto&) { o.levels = 21; }},
-        {HM_BAD_ARGUMENT, "options.levels must be between 0 and 20, not -1",
+        {HM_BAD_ARGUMENT, "study options: levels must be between 0 and 20, not -1",
          [](auto&, auto& o, auto&) { o.levels = -1; }},
-        {HM_BAD_ARGUMENT, "options.agglomeration is 9, which is unknown",
+        {HM_BAD_ARGUMENT, "study options: agglomeration is 9, which is unknown",
          [](auto&, auto& o, auto&) { o.agglomeration = 9; }},
-        {HM_BAD_ARGUMENT, "options.agglomeration is -1, which is unknown",
+        {HM_BAD_ARGUMENT, "study options: agglomeration is -1, which is unknown",
          [](auto&, auto& o, auto&) { o.agglomeration = -1; }},
-        {HM_BAD_ARGUMENT, "options.block_width must be 0, 4, 8 or 16, not 5",
+        {HM_BAD_ARGUMENT, "study options: block_width must be 0, 4, 8 or 16, not 5",
          [](auto&, auto& o, auto&) { o.block_width = 5; }},
         {HM_BAD_ARGUMENT,
-         "options: max_iterations or history_length is negative, or history is NULL",
+         "study options: max_iterations or history_length is negative, or history is NULL",
          [](auto&, auto& o, auto&) { o.max_iterations = -1; }},
         {HM_BAD_ARGUMENT,
-         "options: max_iterations or history_length is negative, or history is NULL",
+         "study options: max_iterations or history_length is negative, or history is NULL",
          [](auto&, auto& o, auto&) { o.history_length = -1; }},
         {HM_BAD_ARGUMENT,
-         "options: max_iterations or history_length is negative, or history is NULL",
+         "study options: max_iterations or history_length is negative, or history is NULL",
          [](auto&, auto& o, auto&) { o.history_length = 3; }},
-        {HM_BAD_ARGUMENT, "options.start is 7, which is unknown",
+        {HM_BAD_ARGUMENT, "study options: start is 7, which is unknown",
          [](auto&, auto& o, auto&) { o.start = 7; }},
-        {HM_BAD_ARGUMENT, "options.start is -1, which is unknown",
+        {HM_BAD_ARGUMENT, "study options: start is -1, which is unknown",
          [](auto&, auto& o, auto&) { o.start = -1; }},
         {HM_BAD_ARGUMENT, "options.struct_size is wrong",
-         [](auto&, auto& o, auto&) { o.struct_size = 0; }},
+         [](auto&, auto& o, auto&) { o.hm_options::struct_size = 0; }},
         {HM_BAD_ARGUMENT, "options.struct_size is wrong",
-         [](auto&, auto& o, auto&) { o.struct_size = 5000; }},
-        {HM_UNSUPPORTED, "options.block_width goes with the engines multigrid and fas only",
+         [](auto&, auto& o, auto&) { o.hm_options::struct_size = 5000; }},
+        {HM_UNSUPPORTED, "study options: block_width goes with the engines multigrid and fas only",
          [](auto&, auto& o, auto&) { o.block_width = 4; }},
-        {HM_UNSUPPORTED, "options.max_iterations goes with the engines multigrid and fas only",
+        {HM_UNSUPPORTED,
+         "study options: max_iterations goes with the engines multigrid and fas only",
          [](auto&, auto& o, auto&) { o.max_iterations = 1; }},
-        {HM_UNSUPPORTED, "options.history goes with the engines multigrid and fas only",
+        {HM_UNSUPPORTED, "study options: history goes with the engines multigrid and fas only",
          [](auto&, auto& o, auto&) {
              static double history[2];
              o.history = history, o.history_length = 2;
          }},
-        {HM_UNSUPPORTED, "options.start goes with the engine fas only",
+        {HM_UNSUPPORTED, "study options: start goes with the engine fas only",
          [](auto&, auto& o, auto&) { o.engine = HM_MULTIGRID, o.start = HM_START_ZERO; }},
-        {HM_BAD_ARGUMENT, "options.reserved must be 0",
-         [](auto&, auto& o, auto&) { o.reserved = 1; }},
         {HM_BAD_ARGUMENT, "options.tolerance must be at least 0 and below 1, not 1",
          [](auto&, auto& o, auto&) { o.tolerance = 1; }},
         {HM_BAD_ARGUMENT, "options.tolerance must be at least 0 and below 1, not -2",
@@ -283,7 +284,7 @@ TEST_CASE("polygons with more corners than cells can be counted") {
     mesh.cell_start = start.data();
     mesh.n_cells = 600000;
     hm_problem const problem = its.problem(mesh);
-    hm_options const options = laplace();
+    Options const options = laplace();
     std::size_t bytes = 0;
     check_texts({{HM_BAD_MESH, "the polygons have more than 2^29 corners together",
                   [&](hm_error* e) { return hm_analysis_size(&problem, &options, &bytes, e); }}});
@@ -294,7 +295,7 @@ TEST_CASE("a body that single precision cannot turn") {
     its.conditions.clear();
     its.curves = {};
     its.set_rigid(body, 1e25, 3);
-    hm_options options = laplace();
+    Options options = laplace();
     options.precision = HM_SINGLE;
     Attempt const attempt(its.problem(), &options);
     CHECK(attempt.status == HM_UNSUPPORTED);

@@ -1,5 +1,8 @@
 // Every block that is too small is refused, and nothing outside of it is touched; exactly the
 // stated size suffices.
+#include <harmorph_space.h>
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -179,7 +182,7 @@ TEST_CASE("blocks for several threads: exactly the stated size, and one byte les
     for (std::int32_t const threads : {2, 5, 64}) {
         Backwards order;
         hm_executor const executor = order.executor(threads);
-        hm_options options = laplace();
+        Options options = laplace();
         options.executor = &executor;
         hm_problem const problem = its.problem();
         for (std::size_t const shift : shifts) {

@@ -1,5 +1,7 @@
 // Callers that are older or younger than the library: structs that are shorter or longer than it
 // knows them.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -43,8 +45,8 @@ TEST_CASE("a struct of an older caller is shorter: what is missing has its defau
     hm_problem problem = its.problem(mesh);
     problem.struct_size = offsetof(hm_problem, n_given);
     problem.n_given = 1000;
-    hm_options options = laplace();
-    options.struct_size = offsetof(hm_options, tolerance);
+    Options options = laplace();
+    options.hm_options::struct_size = offsetof(hm_options, tolerance);
     options.tolerance = 5;
     Attempt const attempt(problem, &options);
     INFO(attempt.error.text);
@@ -140,11 +142,12 @@ TEST_CASE("reports are filled as far as the caller's struct goes, for each of th
         return hm_plan_solve(solved.plan, solved.basis, r, nullptr);
     });
     shortened(hm_step_report{}, [&](hm_step_report* r) {
-        return hm_admissible_step(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, r,
-                                  nullptr);
+        return hm_assess(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, nullptr, r,
+                         nullptr, nullptr);
     });
     shortened(hm_quality_report{}, [&](hm_quality_report* r) {
-        return hm_quality(solved.basis, &mesh, &mesh.points, nullptr, nullptr, r, nullptr);
+        return hm_assess(solved.basis, &mesh, &mesh.points, nullptr, nullptr, nullptr, nullptr, r,
+                         nullptr);
     });
 }
 
@@ -156,13 +159,13 @@ TEST_CASE(
     for (std::uint64_t const size :
          {std::uint64_t{0}, std::uint64_t{7}, std::uint64_t{75}, std::uint64_t{1} << 40}) {
         hm_problem problem = its.problem();
-        hm_options options{};
+        Options options{};
         hm_error error{};
         problem.struct_size = size;
         CHECK(hm_analysis_size(&problem, nullptr, &bytes, &error) == HM_BAD_ARGUMENT);
         CHECK(says(error, "problem.struct_size"));
         problem = its.problem();
-        options.struct_size = size;
+        options.hm_options::struct_size = size;
         CHECK(hm_analysis_size(&problem, &options, &bytes, &error) == HM_BAD_ARGUMENT);
         CHECK(says(error, "options.struct_size"));
         std::vector<hm_condition> conditions(2, its.conditions[0]);

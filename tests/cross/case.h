@@ -93,7 +93,7 @@ static hm_status use_basis(const void* block, size_t bytes, const hm_mesh* mesh,
     if ((status = hm_morph(basis, with->move, NULL, &to_displacement, NULL, error)) != HM_OK)
         return status;
     *sum = add_numbers(add_numbers(*sum, with->dx, POINTS), with->dy, POINTS);
-    status = hm_admissible_step(basis, mesh, NULL, &displacement, NULL, &step, error);
+    status = hm_assess(basis, mesh, NULL, &displacement, NULL, NULL, &step, NULL, error);
     if (status != HM_OK) return status;
     *sum = add_numbers(*sum, &step.admissible, 1);
     if ((status = hm_adjoint(basis, &displacement, with->gradient, NULL, error)) != HM_OK)

@@ -5,6 +5,8 @@
  *     morphs save FILE       writes a basis in single precision
  *     morphs attach FILE     attaches a basis that another machine wrote: the checksum of its use,
  * or the refusal */
+#include <harmorph_design.h>
+#include <harmorph_study.h>
 #include "case.h"
 
 #include <stdio.h>
@@ -110,7 +112,8 @@ static void print_safe_morph(const hm_mesh* mesh, const char* name, const char* 
     check(hm_morph_safe(plan, basis, memory.move, &to, NULL, work, bytes, NULL, NULL, &error),
           "hm_morph_safe");
     free(work);
-    check(hm_quality(basis, mesh, &to_read, &mesh->points, NULL, &quality, &error), "hm_quality");
+    check(hm_assess(basis, mesh, &to_read, NULL, &mesh->points, NULL, NULL, &quality, &error),
+          "hm_quality");
     sum = add_numbers(add_numbers(empty_sum, x_new, POINTS), y_new, POINTS);
     say(name, method, "safe morph", add_numbers(sum, &quality.mean_quality, 1));
 }

@@ -1,4 +1,5 @@
 // The direct engine against dense Cholesky, and its residual on meshes of every kind.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/frontal_system.hpp>
@@ -144,12 +145,9 @@ double largest_error(FrontalSystem const& system, std::vector<double> const& sid
 struct Threads {
     Backwards order;
     hm_executor executor;
-    hm_options options{};
+    Options options{};
 
-    explicit Threads(Index n) : executor(order.executor(n)) {
-        options.struct_size = sizeof options;
-        options.executor = &executor;
-    }
+    explicit Threads(Index n) : executor(order.executor(n)) { options.executor = &executor; }
 };
 
 }  // namespace

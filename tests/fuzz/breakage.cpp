@@ -1,3 +1,4 @@
+#include "fixtures/options.hpp"
 #include "problem.hpp"
 
 #include <algorithm>
@@ -12,6 +13,13 @@ Number& some(std::vector<Number>& from, Input& input) {
 template <class Struct>
 void shorten(Struct& its, Input& input) {
     its.struct_size = input.any_of<std::uint64_t>({0, 7, 8, sizeof its - 8, sizeof its - 1});
+}
+
+void shorten(Options& its, Input& input) {
+    hm_options& options = its;
+    hm_study_options& study = its;
+    if (input.one_in(2)) shorten(options, input);
+    else shorten(study, input);
 }
 
 void break_points(Problem& its, Input& input) {
@@ -104,7 +112,7 @@ void break_conditions(Problem& its, Input& input) {
     }
 }
 void break_options(Problem& its, Input& input) {
-    hm_options& o = its.options;
+    Options& o = its.options;
     std::int32_t* const numbers[] = {&o.operator_kind,
                                      &o.scheme,
                                      &o.engine,
@@ -115,9 +123,8 @@ void break_options(Problem& its, Input& input) {
                                      &o.agglomeration,
                                      &o.block_width,
                                      &o.precision,
-                                     &o.start,
-                                     &o.reserved};
-    *numbers[input.below(12)] = input.one_in(2) ? input.wild_index() : input.from(-2, 6);
+                                     &o.start};
+    *numbers[input.below(11)] = input.one_in(2) ? input.wild_index() : input.from(-2, 6);
     if (input.one_in(4)) o.tolerance = input.wild();
 }
 void break_given(Problem& its, Input& input) {

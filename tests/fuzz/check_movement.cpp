@@ -72,8 +72,8 @@ void SolutionCheck::pairs_move_alike(Numbers const& dx, Numbers const& dy, doubl
 void SolutionCheck::step(hm_points const& by, std::vector<Point> const& displacement) {
     hm_step_report report{};
     report.struct_size = sizeof report;
-    expect(hm_admissible_step(its_.basis, &problem_.mesh, nullptr, &by, nullptr, &report,
-                              &error_) == HM_OK,
+    expect(hm_assess(its_.basis, &problem_.mesh, nullptr, &by, nullptr, nullptr, &report, nullptr,
+                     &error_) == HM_OK,
            "no step");
     double const s = report.admissible;
     expect(s > 0, "no step is admissible from a valid mesh");
@@ -93,7 +93,8 @@ void SolutionCheck::step(hm_points const& by, std::vector<Point> const& displace
 void SolutionCheck::quality(hm_points const& to, std::vector<Point> const& at) {
     hm_quality_report report{};
     report.struct_size = sizeof report;
-    expect(hm_quality(its_.basis, &problem_.mesh, &to, nullptr, nullptr, &report, &error_) == HM_OK,
+    expect(hm_assess(its_.basis, &problem_.mesh, &to, nullptr, nullptr, nullptr, nullptr, &report,
+                     &error_) == HM_OK,
            "no quality");
     // Four differences, two products and their difference are rounded to 2^-53 each: 4.5e-16 of the
     // sides' lengths.

@@ -1,4 +1,6 @@
 // Improvements and safe morphs of a solution: valid meshes, and walls where the B-splines are.
+#include <harmorph_design.h>
+
 #include "solution_check.hpp"
 
 #include <cmath>
@@ -44,7 +46,7 @@ void SolutionCheck::slide(Numbers& x, Numbers& y) {
     Numbers const before_x = x, before_y = y;
     hm_points const from{x.data(), y.data(), 1};
     hm_points_out const to{x.data(), y.data(), 1};
-    hm_status const status = hm_slide(its_.analysis, &from, &to, &error_);
+    hm_status const status = hm_slip(its_.analysis, &from, &to, &error_);
     expect_told(status, error_);
     std::vector<std::int32_t> slides(n_, 1);
     for (Face const& face : problem_.domain.faces)
@@ -52,9 +54,9 @@ void SolutionCheck::slide(Numbers& x, Numbers& y) {
             slides[std::size_t(face.from)] = slides[std::size_t(face.to)] = 0;
     for (std::size_t k = 0; k < n_; ++k) {
         bool const is_same = x[k] == before_x[k] && y[k] == before_y[k];
-        if (status < 0) expect(is_same, "a refused call of hm_slide has written");
-        if (slides[k] == 0) expect(is_same, "hm_slide moves a point of another boundary");
-        expect(std::isfinite(x[k]) && std::isfinite(y[k]), "hm_slide leads to what is not finite");
+        if (status < 0) expect(is_same, "a refused call of hm_slip has written");
+        if (slides[k] == 0) expect(is_same, "hm_slip moves a point of another boundary");
+        expect(std::isfinite(x[k]) && std::isfinite(y[k]), "hm_slip leads to what is not finite");
     }
 }
 

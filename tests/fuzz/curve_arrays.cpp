@@ -1,3 +1,4 @@
+#include <harmorph_design.h>
 #include "curve_arrays.hpp"
 
 #include "problem.hpp"

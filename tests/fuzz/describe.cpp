@@ -1,3 +1,4 @@
+#include "fixtures/options.hpp"
 #include "describe.hpp"
 
 #include <cstdio>
@@ -11,7 +12,7 @@ std::string describe(Problem const& problem) {
         std::snprintf(line, sizeof line, numbers...);
         out += line;
     };
-    hm_options const& o = problem.options;
+    Options const& o = problem.options;
     add("    operator %d, scheme %d, engine %d, kernel %d, precision %d, exponent %d, offset %d\n",
         o.operator_kind, o.scheme, o.engine, o.kernel, o.precision, o.exponent_quarters,
         o.offset_correction);

@@ -1,6 +1,9 @@
 // The block of a solved basis, damaged anywhere, through every call that takes a basis. A damaged
 // block is refused by its checksum; half of them are sealed again by the library's own checksum, so
 // that what lies behind it is tested, too.
+#include <harmorph_design.h>
+#include <harmorph_parts.h>
+#include <harmorph_study.h>
 #include "solution.hpp"
 #include "target.hpp"
 
@@ -52,7 +55,7 @@ void use(const hm_basis* basis, Problem const& problem, Input& input) {
     step.struct_size = sizeof step;
     hm_quality_report quality{};
     quality.struct_size = sizeof quality;
-    hm_assess(basis, &problem.mesh, nullptr, &in, nullptr, &step, &quality, &error);
+    hm_assess(basis, &problem.mesh, nullptr, &in, nullptr, nullptr, &step, &quality, &error);
     std::size_t bytes = 0;
     if (hm_single_size(basis, &bytes, &error) >= 0 && bytes < 1 << 24) {
         Block const block(bytes, 0, 0xFF);

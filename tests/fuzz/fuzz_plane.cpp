@@ -2,6 +2,7 @@
 // coordinate, inclined, or turned about an axis. Of what the library takes, each point follows the
 // point of the plane that it was made from; spreading and gathering are transposes; and a mesh with
 // something wrong is refused, or a plane mesh all the same.
+#include <harmorph_space.h>
 #include "exceptions.hpp"
 #include "solution.hpp"
 #include "target.hpp"

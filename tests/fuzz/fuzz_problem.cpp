@@ -1,5 +1,6 @@
 // Any problem, valid or broken, through the calls of the C interface; what succeeds is compared
 // with what it has to be.
+#include <harmorph_study.h>
 #include "describe.hpp"
 #include "solution_check.hpp"
 #include "target.hpp"

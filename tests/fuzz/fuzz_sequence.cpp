@@ -1,5 +1,8 @@
 // Calls in any order, with objects of two problems that may or may not belong together. Each is
 // refused with a reason and writes nothing, or succeeds with finite numbers.
+#include <harmorph_design.h>
+#include <harmorph_parts.h>
+#include <harmorph_study.h>
 #include "solution.hpp"
 #include "target.hpp"
 
@@ -86,12 +89,14 @@ private:
             case 4: {
                 hm_quality_report report{};
                 report.struct_size = sizeof report;
-                return hm_quality(basis, &mesh, nullptr, nullptr, nullptr, &report, &error_);
+                return hm_assess(basis, &mesh, nullptr, nullptr, nullptr, nullptr, nullptr, &report,
+                                 &error_);
             }
             case 5: {
                 hm_step_report report{};
                 report.struct_size = sizeof report;
-                return hm_admissible_step(basis, &mesh, nullptr, &in, nullptr, &report, &error_);
+                return hm_assess(basis, &mesh, nullptr, &in, nullptr, nullptr, &report, nullptr,
+                                 &error_);
             }
             case 6: {
                 hm_status const status = hm_morph_safe_size(plan, basis, &bytes, &error_);

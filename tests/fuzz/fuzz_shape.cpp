@@ -1,6 +1,7 @@
 // Calls with curves alone: points and projections, refined and elevated curves, measures and design
 // variables. Each is refused with a reason, without an exception, and writes nothing, or succeeds
 // with finite numbers; changed curves are the same curves.
+#include <harmorph_design.h>
 #include "exceptions.hpp"
 #include "solution.hpp"
 #include "target.hpp"
@@ -97,19 +98,18 @@ private:
                 knot = input_.one_in(12) ? input_.wild()
                                          : begin + input_.between(0, 1) * (end - begin);
         }
-        std::int32_t const n = static_cast<std::int32_t>(u.size());
+        std::int32_t const n = elevated ? 0 : static_cast<std::int32_t>(u.size());
+        std::int32_t const degree = elevated ? set_.curve[number_].degree + 1 : 0;
         Exceptions::clear();
         const hm_curves* made = nullptr;
         const double* matrix = nullptr;
         hm_status const status = in_block(
             [&](std::size_t* bytes) {
-                return elevated ? hm_elevate_size(&set_, number_, bytes, &error_)
-                                : hm_refine_size(&set_, number_, n, u.data(), bytes, &error_);
+                return hm_refine_size(&set_, number_, degree, n, u.data(), bytes, &error_);
             },
             [&](void* memory, std::size_t bytes) {
-                return elevated ? hm_elevate(&made, &matrix, memory, bytes, &set_, number_, &error_)
-                                : hm_refine(&made, &matrix, memory, bytes, &set_, number_, n,
-                                            u.data(), &error_);
+                return hm_refine(&made, &matrix, memory, bytes, &set_, number_, degree, n, u.data(),
+                                 &error_);
             });
         if (judged(status) == Outcome::refused) return Outcome::refused;
         expect(hm_curves_check(made, &error_) == HM_OK,
@@ -134,8 +134,8 @@ private:
         out.struct_size = sizeof out;
         if (input_.one_in(2)) out.n_curves = 1, out.first_curve = number_;
         if (input_.one_in(3))
-            out.nose_x = size_ * number(), out.edge_x = size_ * number(),
-            out.edge_y = size_ * number();
+            out.leading_x = size_ * number(), out.trailing_x = size_ * number(),
+            out.trailing_y = size_ * number();
         return out;
     }
 
@@ -175,7 +175,7 @@ private:
         if (its.kind == HM_FFD && input_.one_in(3))
             its.x_min = -size_, its.x_max = size_ * number(), its.y_max = size_;
         if (its.kind == HM_CST && input_.one_in(2))
-            its.nose_exponent = number(), its.edge_exponent = number();
+            its.leading_exponent = number(), its.trailing_exponent = number();
         if (its.kind == HM_HICKS_HENNE && input_.one_in(2))
             its.width = 3 * number(), its.peaks = peaks.data();
         hm_section const outline = section();

@@ -2,6 +2,9 @@
 // side, and a quadrilateral another one inside. The new points of sides are half way between two
 // coarse points, so that the transferred functions have to be half way, too, up to the correction
 // of the wall; curve points have the basis functions.
+#include <harmorph_design.h>
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include "describe.hpp"
 #include "reference.hpp"
 #include "solution.hpp"
@@ -102,7 +105,7 @@ public:
     }
 
     Outcome run() {
-        hm_options const& options = coarse_.problem.options;
+        Options const& options = coarse_.problem.options;
         auto const block = [this](std::size_t bytes) -> Block& { return coarse_.block(bytes); };
         hm_analysis* analysis = nullptr;
         hm_status status = make_object(

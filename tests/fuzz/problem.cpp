@@ -1,3 +1,5 @@
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include "polygons.hpp"
 
 #include <algorithm>
@@ -188,7 +190,7 @@ void write_conditions(Problem& its, Input& input) {
 
 // Rows of the header's table of combinations, mostly.
 void choose_options(Problem& its, Input& input) {
-    hm_options& o = its.options = sized<hm_options>();
+    Options& o = its.options = Options();
     o.operator_kind = input.from(0, 2);
     if (o.operator_kind != HM_CONFORMAL && input.one_in(3)) o.scheme = input.any_of({2, 2, 1, 3});
     if (o.operator_kind != HM_CONFORMAL && o.scheme != HM_BOUNDED && input.one_in(3))

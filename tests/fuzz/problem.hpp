@@ -2,6 +2,7 @@
 // polygons; curves, conditions, options.
 #pragma once
 
+#include "fixtures/options.hpp"
 #include "block.hpp"
 #include "curve_arrays.hpp"
 #include "input.hpp"
@@ -57,7 +58,7 @@ struct Problem {
     std::vector<hm_condition> conditions;
     hm_mesh mesh;
     hm_problem problem;
-    hm_options options;
+    Options options;
     hm_executor executor;
 
     std::int32_t functions() const;  // of all control points and bodies

@@ -2,7 +2,8 @@
 // whole basis.
 #include "work_in_parts.hpp"
 
-#include <harmorph_distributed.h>
+#include <harmorph_parts.h>
+#include <harmorph_study.h>
 
 #include <cmath>
 

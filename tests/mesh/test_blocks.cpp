@@ -1,5 +1,8 @@
 // Meshes of several structured blocks: O-, C- and H-topologies against the same meshes with one
 // point for each place.
+#include <harmorph_space.h>
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/blocks.hpp>
@@ -68,7 +71,7 @@ TEST_CASE(
         CHECK(in_blocks.edges == in_one.edges);
         CHECK(in_blocks.inverted == 0);
         for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
-            hm_options options = laplace();
+            Options options = laplace();
             options.operator_kind = kind;
             Solved const one(joined, &options), several(joined.problem(blocks), &options);
             std::int32_t const numbers = several.info().numbers_per_value;
@@ -120,8 +123,8 @@ TEST_CASE(
         x[static_cast<std::size_t>(point)] += 10;
         hm_quality_report quality{};
         quality.struct_size = sizeof quality;
-        REQUIRE(hm_quality(solved.basis, &mesh, points_in(x, y), nullptr, nullptr, &quality,
-                           nullptr) == HM_OK);
+        REQUIRE(hm_assess(solved.basis, &mesh, points_in(x, y), nullptr, nullptr, nullptr, nullptr,
+                          &quality, nullptr) == HM_OK);
         CHECK(quality.inverted >= 2);
         CHECK(quality.first_inverted == 7 * 16 + base);
         const hm_basis* attached = nullptr;

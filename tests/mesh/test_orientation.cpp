@@ -1,4 +1,5 @@
 // Cells are turned as their neighbours ask for, and the larger area is right.
+#include <harmorph_study.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>

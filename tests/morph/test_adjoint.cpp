@@ -1,4 +1,5 @@
 // The adjoint is exact to rounding, and has the same bits however the points are shared out.
+#include <harmorph_parts.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>

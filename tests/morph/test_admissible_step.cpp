@@ -44,8 +44,9 @@ double mean_quality(Solved const& solved, hm_mesh const& mesh, Mesh const& at,
                     Mesh const& reference) {
     hm_quality_report report{};
     report.struct_size = sizeof report;
-    REQUIRE(hm_quality(solved.basis, &mesh, points_in(at.x, at.y),
-                       points_in(reference.x, reference.y), nullptr, &report, nullptr) == HM_OK);
+    REQUIRE(hm_assess(solved.basis, &mesh, points_in(at.x, at.y), nullptr,
+                      points_in(reference.x, reference.y), nullptr, nullptr, &report,
+                      nullptr) == HM_OK);
     return report.mean_quality;
 }
 
@@ -303,9 +304,8 @@ TEST_CASE("with a basis: half the admissible step of a movement is a valid mesh,
                          nullptr, nullptr) == HM_OK);
         hm_step_report report{};
         report.struct_size = sizeof report;
-        REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr,
-                                   points_in(displaced.dx, displaced.dy), nullptr, &report,
-                                   nullptr) == HM_OK);
+        REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(displaced.dx, displaced.dy),
+                          nullptr, nullptr, &report, nullptr, nullptr) == HM_OK);
         REQUIRE(report.admissible < HUGE_VAL);
         CHECK(displaced.valid_after(0.5 * report.admissible));
         CHECK(displaced.valid_after(0.999999 * report.admissible));
@@ -332,10 +332,10 @@ TEST_CASE(
     quality.struct_size = sizeof quality;
     auto const from = points_in(its.mesh.x, its.mesh.y),
                displacement = points_in(start.dx, start.dy);
-    REQUIRE(hm_admissible_step(solved.basis, &mesh, from, displacement, nullptr, &report,
-                               nullptr) == HM_OK);
-    REQUIRE(hm_assess(solved.basis, &mesh, from, displacement, nullptr, &assessed, &quality,
+    REQUIRE(hm_assess(solved.basis, &mesh, from, displacement, nullptr, nullptr, &report, nullptr,
                       nullptr) == HM_OK);
+    REQUIRE(hm_assess(solved.basis, &mesh, from, displacement, nullptr, nullptr, &assessed,
+                      &quality, nullptr) == HM_OK);
     CHECK(assessed.admissible == report.admissible);
     CHECK(quality.mean_quality == mean_quality(solved, mesh, start.after(1), its.mesh));
 
@@ -347,7 +347,7 @@ TEST_CASE(
     }
     CHECK(report.admissible == doctest::Approx(valid).epsilon(1e-10));
 
-    REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, displacement, nullptr, &report,
-                               nullptr) == HM_OK);
+    REQUIRE(hm_assess(solved.basis, &mesh, nullptr, displacement, nullptr, nullptr, &report,
+                      nullptr, nullptr) == HM_OK);
     CHECK(report.admissible == doctest::Approx(valid - 0.5 * limit).epsilon(1e-10));
 }

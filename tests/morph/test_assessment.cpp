@@ -1,4 +1,5 @@
 // One pass says what the admissible step and the quality say each for itself.
+#include <cmath>
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
@@ -54,11 +55,11 @@ TEST_CASE(
                 REQUIRE(hm_morph(solved.basis, move.data(), &mesh.points, points_out(x, y), nullptr,
                                  nullptr) == HM_OK);
                 Both apart, together;
-                REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, points_in(dx, dy), nullptr,
-                                           &apart.step, nullptr) == HM_OK);
-                REQUIRE(hm_quality(solved.basis, &mesh, points_in(x, y), &mesh.points, nullptr,
-                                   &apart.quality, nullptr) == HM_OK);
-                REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), nullptr,
+                REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), nullptr, nullptr,
+                                  &apart.step, nullptr, nullptr) == HM_OK);
+                REQUIRE(hm_assess(solved.basis, &mesh, points_in(x, y), nullptr, &mesh.points,
+                                  nullptr, nullptr, &apart.quality, nullptr) == HM_OK);
+                REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), nullptr, nullptr,
                                   &together.step, &together.quality, nullptr) == HM_OK);
                 CHECK(together.agrees_with(apart));
                 CHECK((together.quality.inverted > 0) == (size == 1.0));
@@ -66,8 +67,8 @@ TEST_CASE(
                 Backwards order;
                 hm_executor const executor = order.executor(4);
                 Both threaded;
-                REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), &executor,
-                                  &threaded.step, &threaded.quality, nullptr) == HM_OK);
+                REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), nullptr,
+                                  &executor, &threaded.step, &threaded.quality, nullptr) == HM_OK);
                 CHECK(threaded.same_as(together));
                 CHECK(order.tasks > 1);
             }
@@ -80,23 +81,53 @@ TEST_CASE("NULL and foreign meshes are refused") {
     std::vector<double> const d(its.mesh.x.size(), 0.0);
     Both both;
     hm_status const refused[] = {
-        hm_assess(nullptr, &mesh, nullptr, points_in(d, d), nullptr, &both.step, &both.quality,
-                  nullptr),
-        hm_assess(solved.basis, nullptr, nullptr, points_in(d, d), nullptr, &both.step,
+        hm_assess(nullptr, &mesh, nullptr, points_in(d, d), nullptr, nullptr, &both.step,
                   &both.quality, nullptr),
-        hm_assess(solved.basis, &mesh, nullptr, points_in(nullptr, d.data()), nullptr, &both.step,
+        hm_assess(solved.basis, nullptr, nullptr, points_in(d, d), nullptr, nullptr, &both.step,
                   &both.quality, nullptr),
-        hm_assess(solved.basis, &mesh, nullptr, points_in(d.data(), nullptr), nullptr, &both.step,
+        hm_assess(solved.basis, &mesh, nullptr, points_in(nullptr, d.data()), nullptr, nullptr,
+                  &both.step, &both.quality, nullptr),
+        hm_assess(solved.basis, &mesh, nullptr, points_in(d.data(), nullptr), nullptr, nullptr,
+                  &both.step, &both.quality, nullptr),
+        hm_assess(solved.basis, &mesh, nullptr, points_in(d, d, -1), nullptr, nullptr, &both.step,
                   &both.quality, nullptr),
-        hm_assess(solved.basis, &mesh, nullptr, points_in(d, d, -1), nullptr, &both.step,
+        hm_assess(solved.basis, &mesh, nullptr, nullptr, nullptr, nullptr, &both.step,
                   &both.quality, nullptr),
-        hm_assess(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, nullptr, &both.quality,
-                  nullptr),
-        hm_assess(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, &both.step, nullptr,
-                  nullptr),
     };
     for (hm_status const status : refused) CHECK(status == HM_BAD_ARGUMENT);
-    CHECK(hm_assess(solved.basis, &foreign, nullptr, points_in(d, d), nullptr, &both.step,
+    CHECK(hm_assess(solved.basis, &foreign, nullptr, points_in(d, d), nullptr, nullptr, &both.step,
                     &both.quality, nullptr) == HM_BAD_BASIS);
     CHECK(both.same_as(Both()));
+}
+
+TEST_CASE("each report alone, and a reference of its own: what both calls in turn say") {
+    Case its = two_body_case(Cells::quads, 8, 6);
+    Solved const solved(its);
+    hm_mesh const mesh = its.mesh.view();
+    std::size_t const n = its.mesh.x.size();
+    std::vector<double> dx(n), dy(n), x(its.mesh.x), y(its.mesh.y);
+    for (std::size_t k = 0; k < n; ++k) {
+        dx[k] = 1e-3 * std::sin(3 * x[k] + y[k]);
+        dy[k] = 1e-3 * std::cos(2 * y[k] - x[k]);
+        x[k] += dx[k];
+        y[k] += dy[k];
+    }
+    Both together, alone, referred, moved;
+    CHECK(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), nullptr, nullptr,
+                    &together.step, &together.quality, nullptr) == HM_OK);
+    CHECK(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), nullptr, nullptr, &alone.step,
+                    nullptr, nullptr) == HM_OK);
+    CHECK(alone.step.admissible == together.step.admissible);
+    CHECK(alone.quality.mean_quality == Both().quality.mean_quality);  // not written
+    // The reference is the mesh itself: the same quality, whether the mesh has moved or will move.
+    CHECK(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), &mesh.points, nullptr, nullptr,
+                    &referred.quality, nullptr) == HM_OK);
+    CHECK(hm_assess(solved.basis, &mesh, points_in(x, y), nullptr, &mesh.points, nullptr, nullptr,
+                    &moved.quality, nullptr) == HM_OK);
+    for (hm_quality_report const& quality : {referred.quality, moved.quality}) {
+        CHECK(quality.mean_quality ==
+              doctest::Approx(together.quality.mean_quality).epsilon(1e-14));
+        CHECK(quality.min_quality == doctest::Approx(together.quality.min_quality).epsilon(1e-14));
+        CHECK(quality.min_quality_cell == together.quality.min_quality_cell);
+    }
 }

@@ -352,14 +352,14 @@ TEST_CASE(
         hm_mesh const mesh = its.mesh.view();
         hm_quality_report report{};
         report.struct_size = sizeof report;
-        REQUIRE(hm_quality(solved.basis, &mesh, &mesh.points, nullptr, nullptr, &report, nullptr) ==
-                HM_OK);
+        REQUIRE(hm_assess(solved.basis, &mesh, &mesh.points, nullptr, nullptr, nullptr, nullptr,
+                          &report, nullptr) == HM_OK);
         CHECK(report.self_crossing == 0);
         for (std::int32_t const point : report.crossing_points) CHECK(point == -1);
         Mesh crossed = its.mesh;
         for (std::size_t k = 10; k < 20; ++k) crossed.y[k] -= 0.2;  // on the upper side
-        REQUIRE(hm_quality(solved.basis, &mesh, points_in(crossed.x, crossed.y), nullptr, nullptr,
-                           &report, nullptr) == HM_OK);
+        REQUIRE(hm_assess(solved.basis, &mesh, points_in(crossed.x, crossed.y), nullptr, nullptr,
+                          nullptr, nullptr, &report, nullptr) == HM_OK);
         CHECK(report.self_crossing == 1);
         for (std::int32_t const point : report.crossing_points) {
             CHECK(point >= 0);

@@ -1,5 +1,7 @@
 // Displacements given at wall points: what functions of curves give for the same wall, the
 // transpose, and all that lists allow.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/c_mesh.hpp>
@@ -14,10 +16,10 @@ namespace {
 
 struct Setting {
     const char* name;
-    hm_options options;
+    Options options;
 };
 
-hm_options with(hm_options options, void (*change)(hm_options&)) {
+Options with(Options options, void (*change)(Options&)) {
     change(options);
     return options;
 }
@@ -26,18 +28,17 @@ std::vector<Setting> const settings = {
     {"conformal", options_of(HM_CONFORMAL)},
     {"laplace", options_of(HM_LAPLACE)},
     {"weighted", options_of(HM_WEIGHTED)},
-    {"bounded", with(options_of(HM_WEIGHTED), [](hm_options& o) { o.scheme = HM_BOUNDED; })},
+    {"bounded", with(options_of(HM_WEIGHTED), [](Options& o) { o.scheme = HM_BOUNDED; })},
     {"conformal, single",
-     with(options_of(HM_CONFORMAL), [](hm_options& o) { o.precision = HM_SINGLE; })},
-    {"laplace, single",
-     with(options_of(HM_LAPLACE), [](hm_options& o) { o.precision = HM_SINGLE; })},
+     with(options_of(HM_CONFORMAL), [](Options& o) { o.precision = HM_SINGLE; })},
+    {"laplace, single", with(options_of(HM_LAPLACE), [](Options& o) { o.precision = HM_SINGLE; })},
     {"multigrid", with(options_of(HM_LAPLACE),
-                       [](hm_options& o) { o.engine = HM_MULTIGRID, o.tolerance = 1e-12; })},
+                       [](Options& o) { o.engine = HM_MULTIGRID, o.tolerance = 1e-12; })},
     {"fas",
-     with(options_of(HM_LAPLACE), [](hm_options& o) { o.engine = HM_FAS, o.tolerance = 1e-11; })},
+     with(options_of(HM_LAPLACE), [](Options& o) { o.engine = HM_FAS, o.tolerance = 1e-11; })},
 };
 
-bool iterates(hm_options const& options) { return options.engine != HM_DIRECT; }
+bool iterates(Options const& options) { return options.engine != HM_DIRECT; }
 
 Case cut_airfoil() {
     CMesh const c = c_mesh(naca4({}, 24), 12, 8, stretched(5e-3, 8, 12));
@@ -65,7 +66,7 @@ std::vector<Problem> problems() {
             {"slip", half_ring(8, 16, Cells::hybrid, 0.2, 4), true}};
 }
 
-bool goes_together(Problem const& problem, hm_options const& options) {
+bool goes_together(Problem const& problem, Options const& options) {
     return !problem.slips || (options.engine == HM_DIRECT && options.scheme == HM_COMPACT);
 }
 
@@ -181,7 +182,7 @@ TEST_CASE("many fields at once are those of single calls") {
 TEST_CASE("the same bits for any number of threads, in one block and in several") {
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
         Case its = given_instead(airfoil_case(40, 10));
-        hm_options options = options_of(operator_kind);
+        Options options = options_of(operator_kind);
         Displaced serial(its, &options);
         std::vector<Field> walls, gradients;
         for (unsigned k = 0; k < 15; ++k) {
@@ -278,7 +279,7 @@ TEST_CASE("a basis without functions: for quality, step and assessment") {
     quality.struct_size = sizeof quality;
     for (int solved = 0; solved < 2; ++solved) {
         REQUIRE(hm_assess(displaced.basis, &its.mesh_view(), nullptr, points_in(xy, xy + 1, 2),
-                          nullptr, &step, &quality, &displaced.error) == HM_OK);
+                          nullptr, nullptr, &step, &quality, &displaced.error) == HM_OK);
         CHECK(step.admissible > 1);
         CHECK(quality.inverted == 0);
         hm_solve_report report{};

@@ -1,4 +1,6 @@
 // Functions by table: solved as hm_displace solves, used as any function.
+#include <harmorph_design.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/derived.hpp>
@@ -14,7 +16,7 @@ using namespace fixtures;
 TEST_CASE("B-spline functions given as tables are the functions of the curve") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL}) {
         Case curve = ring_case(6, 30, 0.5, 1);
-        hm_options const options = options_of(kind);
+        Options const options = options_of(kind);
         Solved const solved(curve, &options);
         Case table = given_instead(curve);
         Displaced displaced(table, &options);
@@ -50,7 +52,7 @@ TEST_CASE(
     for (Case* its : {&curve, &rigid, &slipping})
         for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL})
             for (std::int32_t const numbers : {1, 2}) {
-                hm_options const options = options_of(kind);
+                Options const options = options_of(kind);
                 Attempt solved(its->problem(), &options);
                 INFO(solved.error.text);
                 REQUIRE(solved.status == HM_OK);
@@ -176,7 +178,7 @@ TEST_CASE("a cancelled solution leaves the table, and the next one uses it") {
             return phase == static_cast<Stop*>(user)->phase;
         }
     } stop{HM_PHASE_SOLVE};
-    hm_options options = laplace();
+    Options options = laplace();
     options.progress = Stop::at;
     options.progress_user = &stop;
     Attempt second;

@@ -1,4 +1,6 @@
 // A morph is linear, exact on the curve, and transposed by its adjoint.
+#include <harmorph_design.h>
+#include <harmorph_study.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>

@@ -1,4 +1,5 @@
 // Quality of cells whose quality is known.
+#include <harmorph_study.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
@@ -46,8 +47,8 @@ TEST_CASE("cells with a coordinate that is not finite count as inverted, and spo
         x[8] = bad;
         hm_quality_report report{};
         report.struct_size = sizeof report;
-        REQUIRE(hm_quality(solved.basis, &mesh, points_in(x.data(), mesh.points.y), nullptr,
-                           nullptr, &report, nullptr) == HM_OK);
+        REQUIRE(hm_assess(solved.basis, &mesh, points_in(x.data(), mesh.points.y), nullptr, nullptr,
+                          nullptr, nullptr, &report, nullptr) == HM_OK);
         CHECK(report.inverted == cells);
         CHECK(report.min_quality == 0);
         CHECK(report.mean_quality > 0);
@@ -230,8 +231,8 @@ TEST_CASE("the report on a mesh says the same, in the caller's numbering") {
     hm_quality_report quality{};
     quality.struct_size = sizeof quality;
     hm_mesh const mesh = its.mesh_view();
-    REQUIRE(hm_quality(solved.basis, &mesh, &mesh.points, &mesh.points, nullptr, &quality,
-                       nullptr) == HM_OK);
+    REQUIRE(hm_assess(solved.basis, &mesh, &mesh.points, nullptr, &mesh.points, nullptr, nullptr,
+                      &quality, nullptr) == HM_OK);
     CHECK(quality.mean_quality == doctest::Approx(expected.mean_quality()).epsilon(1e-15));
     CHECK(quality.min_quality_cell == expected.min_quality_cell + 1);
 }

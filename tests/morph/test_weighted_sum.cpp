@@ -1,5 +1,6 @@
 // Sums of bases whose functions are multiplied by complex numbers: the derivative of a morph in
 // several steps.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
@@ -45,7 +46,7 @@ TEST_CASE("the sum moves points as its parts do by the movements times their wei
                             Kind{HM_CONFORMAL, true, false}, Kind{HM_LAPLACE, true, false}}) {
         Case its = two_body_case(Cells::hybrid, 6, 4);
         if (kind.slip) its.set_slip(far_field);
-        hm_options const options = options_of(kind.operator_kind);
+        Options const options = options_of(kind.operator_kind);
         Solved const first(its, &options);
         Case elsewhere = its;
         perturb(elsewhere.mesh, 0.3, 4);
@@ -75,7 +76,7 @@ TEST_CASE("the sum moves points as its parts do by the movements times their wei
 
 TEST_CASE("weights 1 copy, weights 0 add nothing, and threads change no bit") {
     Case its = ring_case(30, 300, 0.5, 2, Cells::quads);  // 9300 points: several ranges
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Solved const solved(its, &options);
     std::vector<Vec2> const one(8, Vec2{1, 0}), nothing(8, Vec2{0, 0}), some(8, Vec2{0.3, -0.8});
     Sum copy(solved), serial(solved), threaded(solved);

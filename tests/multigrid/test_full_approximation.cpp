@@ -1,6 +1,8 @@
 // The paper's iteration: the order of its Runge-Kutta scheme, that it diffuses, that one level is
 // that scheme alone, and that coarser levels save most of the work without changing what it
 // converges to.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/agglomerated.hpp>
@@ -14,15 +16,14 @@ using harmorph::Index;
 
 namespace {
 
-hm_options fas() {
-    hm_options out{};
-    out.struct_size = sizeof out;
+Options fas() {
+    Options out{};
     out.operator_kind = HM_LAPLACE;
     out.engine = HM_FAS;
     return out;
 }
-hm_options direct() {
-    hm_options out = fas();
+Options direct() {
+    Options out = fas();
     out.engine = HM_DIRECT;
     return out;
 }
@@ -127,7 +128,7 @@ TEST_CASE("with one level an iteration is one Runge-Kutta step of the flux balan
             }
         }
     }
-    hm_options options = fas();
+    Options options = fas();
     options.levels = 1;
     options.max_iterations = steps;
     Attempt const attempt(its.problem(), &options);
@@ -177,7 +178,7 @@ TEST_CASE(
         if (which == 1) its.set_free(far_field);
         // Couplings differ by 1e12.
         if (which == 6) its.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-5, 60, 48)).mesh;
-        hm_options iterative = fas(), exact = direct();
+        Options iterative = fas(), exact = direct();
         iterative.agglomeration = which >= 5 ? HM_AGGLOMERATE_DIRECTIONAL : HM_AGGLOMERATE_AUTO;
         Solved const found(its, &iterative), expected(its, &exact);
         INFO("case " << which << ": " << found.report.iterations << " cycles, "
@@ -192,7 +193,7 @@ TEST_CASE(
 
 TEST_CASE("coarser levels save nine tenths of the steps on the finest") {
     Case its = two_body_case(Cells::hybrid, 16, 10);
-    hm_options options = fas();
+    Options options = fas();
     Solved const five(its, &options);
     options.levels = 1;
     Solved const one(its, &options);
@@ -203,7 +204,7 @@ TEST_CASE("coarser levels save nine tenths of the steps on the finest") {
 }
 
 TEST_CASE("the number of cycles does not grow with the mesh") {
-    hm_options const options = fas();
+    Options const options = fas();
     auto const cycles = [&](int n_side, double wall_spacing, double layers_to_those_of_squares) {
         double const along_wall = 1.02 / n_side,
                      squares = std::log1p(8 * 3.14 / 1.02) / 3.14 * n_side;
@@ -222,7 +223,7 @@ TEST_CASE("the number of cycles does not grow with the mesh") {
 TEST_CASE("the start from the coarsest level is worth a cycle at least") {
     Case its = two_body_case(Cells::hybrid, 16, 10);
     std::vector<double> history(400);
-    hm_options options = fas();
+    Options options = fas();
     options.history = history.data();
     options.history_length = static_cast<std::int32_t>(history.size());
     Solved const solved(its, &options);
@@ -241,7 +242,7 @@ TEST_CASE(
     "same") {
     Case its = two_body_case(Cells::hybrid, 16, 10);
     std::vector<double> history(400);
-    hm_options options = fas();
+    Options options = fas();
     Solved const level_by_level(its, &options);
     options.start = HM_START_ZERO;
     options.history = history.data();
@@ -257,7 +258,7 @@ TEST_CASE(
 
 TEST_CASE("threads change no bit; limits end with a status") {
     Case its = two_body_case(Cells::hybrid, 12, 8);
-    hm_options options = fas();
+    Options options = fas();
     options.block_width = 4;
     options.max_iterations = 5;
     auto const values = [&] {
@@ -280,7 +281,7 @@ TEST_CASE(
     "a small residual alone is no convergence: ended before the values are near, it says so") {
     Case its = airfoil_case(20, 12);
     its.mesh = c_mesh(naca4({}, 20), 10, 8, stretched(1e-3, 8, 20)).mesh;
-    hm_options options = fas(), exact = direct();
+    Options options = fas(), exact = direct();
     options.operator_kind = exact.operator_kind = HM_WEIGHTED;
     options.exponent_quarters = exact.exponent_quarters = 9;
     options.agglomeration = HM_AGGLOMERATE_ISOTROPIC;

@@ -1,5 +1,7 @@
 // The iterative engine: the direct engine's solutions, in a number of iterations that does not grow
 // with the mesh.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/agglomerated.hpp>
@@ -17,15 +19,14 @@ using harmorph::Index;
 
 namespace {
 
-hm_options options_for(std::int32_t engine) {
-    hm_options out{};
-    out.struct_size = sizeof out;
+Options options_for(std::int32_t engine) {
+    Options out{};
     out.operator_kind = HM_LAPLACE;
     out.engine = engine;
     return out;
 }
-hm_options multigrid() { return options_for(HM_MULTIGRID); }
-hm_options direct() { return options_for(HM_DIRECT); }
+Options multigrid() { return options_for(HM_MULTIGRID); }
+Options direct() { return options_for(HM_DIRECT); }
 
 Case o_mesh_case(int n_side, double first, int rings, Cells kind = Cells::quads) {
     Case out = airfoil_case(40, 12, Cells::quads);
@@ -98,7 +99,7 @@ TEST_CASE(
         if (which == 7) its.mesh = c_mesh(naca4({}, 30), 12, 4, stretched(1e-3, 4, 24)).mesh;
         // Couplings differ by 1e12.
         if (which == 8) its.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-5, 60, 48)).mesh;
-        hm_options iterative = multigrid(), exact = direct();
+        Options iterative = multigrid(), exact = direct();
         if (which == 2) iterative.operator_kind = exact.operator_kind = HM_WEIGHTED;
         Solved const found(its, &iterative), expected(its, &exact);
         INFO("case " << which << ": " << found.report.iterations << " iterations to "
@@ -123,7 +124,7 @@ TEST_CASE(
                                 : o_mesh_case(60, 1e-5, 40);
         its.set_slip(far_field);
         for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED}) {
-            hm_options iterative = multigrid(), exact = direct();
+            Options iterative = multigrid(), exact = direct();
             iterative.operator_kind = exact.operator_kind = operator_kind;
             Solved const found(its, &iterative), expected(its, &exact);
             INFO("case " << which << ": " << found.report.iterations << " iterations to "
@@ -146,7 +147,7 @@ TEST_CASE("it converges on C-meshes of few columns and thin cells, however the f
                 its.mesh = c_mesh(naca4({}, 30), n_wake, far * 2 / 3,
                                   stretched(first, far, n_wake == 40 ? 80 : 60))
                                .mesh;
-                hm_options iterative = multigrid(), exact = direct();
+                Options iterative = multigrid(), exact = direct();
                 Solved const found(its, &iterative), expected(its, &exact);
                 INFO("first cell " << first << ", far field " << far << ", wake " << n_wake << ": "
                                    << found.report.iterations);
@@ -158,7 +159,7 @@ TEST_CASE("it converges on C-meshes of few columns and thin cells, however the f
 TEST_CASE("a function's bits do not depend on which others are solved with it") {
     Case its = airfoil_case(20, 12, Cells::quads);
     its.mesh = c_mesh(naca4({}, 30), 10, 300, stretched(1e-5, 500, 48)).mesh;
-    hm_options options = multigrid();
+    Options options = multigrid();
     Solved const all(its, &options);
     for (std::int32_t const width : {4, 16}) {
         options.block_width = width;
@@ -171,7 +172,7 @@ TEST_CASE("a function's bits do not depend on which others are solved with it") 
 TEST_CASE(
     "the number of iterations hardly grows with the mesh: at most 30 on even cells, 45 on "
     "stretched ones") {
-    hm_options options = multigrid();
+    Options options = multigrid();
     std::int32_t smallest = 1000;
     for (int const n_side : {20, 40, 80, 120}) {
         Case its = even_case(n_side);
@@ -198,7 +199,7 @@ TEST_CASE(
         Case its = airfoil_case(40, 12, Cells::quads);
         its.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(first, 60, 60)).mesh;
         its.set_free(far_field);
-        hm_options options = multigrid();
+        Options options = multigrid();
         Solved const solved(its, &options);
         std::vector<double> const values = solved.all_values();
         std::size_t const n = its.mesh.x.size();
@@ -215,7 +216,7 @@ TEST_CASE(
 }
 
 TEST_CASE("without coarser levels it takes many times as many iterations") {
-    hm_options options = multigrid();
+    Options options = multigrid();
     options.max_iterations = 2000;
     Case its = even_case(80);
     Solved const all(its, &options);
@@ -229,7 +230,7 @@ TEST_CASE("without coarser levels it takes many times as many iterations") {
 
 TEST_CASE("a limit of iterations ends with a status that says so, and with what there is") {
     Case its = airfoil_case();
-    hm_options options = multigrid();
+    Options options = multigrid();
     double last = 1;
     for (std::int32_t const limit : {1, 3, 6, 10}) {
         options.max_iterations = limit;
@@ -246,7 +247,7 @@ TEST_CASE("the history begins at 1 and ends with the report's residual, at the t
     Case its = two_body_case(Cells::hybrid, 16, 10);
     for (double const tolerance : {1e-4, 1e-10}) {
         std::vector<double> history(60, -1.0);
-        hm_options options = multigrid();
+        Options options = multigrid();
         options.tolerance = tolerance;
         options.history = history.data();
         options.history_length = static_cast<std::int32_t>(history.size());
@@ -267,7 +268,7 @@ TEST_CASE("the history begins at 1 and ends with the report's residual, at the t
 
 TEST_CASE("blocks of any width give the same functions, and threads the same bits") {
     Case its = two_body_case(Cells::hybrid, 16, 10);  // 20 functions
-    hm_options options = multigrid();
+    Options options = multigrid();
     options.block_width = 4;
     Solved const four(its, &options);
     for (std::int32_t const width : {8, 16}) {
@@ -301,7 +302,7 @@ TEST_CASE("the preconditioner of two levels is symmetric and positive definite")
 TEST_CASE("memory: at most 400 bytes for each point with blocks of 4") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Case its = o_mesh_case(100, 1e-5, 60, kind);
-        hm_options options = multigrid();
+        Options options = multigrid();
         options.block_width = 4;
         Attempt attempt;
         std::size_t bytes = 0;
@@ -315,7 +316,7 @@ TEST_CASE("memory: at most 400 bytes for each point with blocks of 4") {
 TEST_CASE(
     "the levels can be seen: merged cells of points, the coarser ones unions of the finer ones") {
     Case its = two_body_case(Cells::hybrid, 16, 10);
-    hm_options options = multigrid();
+    Options options = multigrid();
     Solved const solved(its, &options);
     std::size_t const n = its.mesh.x.size();
     std::vector<std::int32_t> finer(n), cells(n);
@@ -344,7 +345,7 @@ TEST_CASE(
     CHECK(hm_plan_level(solved.plan, solved.report.levels, cells.data(), &n_cells, &error) ==
           HM_BAD_ARGUMENT);
     CHECK(hm_plan_level(solved.plan, -1, cells.data(), &n_cells, nullptr) == HM_BAD_ARGUMENT);
-    hm_options exact = direct();
+    Options exact = direct();
     Solved const by_factor(its, &exact);
     CHECK(hm_plan_level(by_factor.plan, 0, cells.data(), &n_cells, nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_plan_level(nullptr, 0, cells.data(), &n_cells, nullptr) == HM_BAD_ARGUMENT);
@@ -353,23 +354,23 @@ TEST_CASE(
 TEST_CASE("what does not go together, and numbers out of range, are refused") {
     Case its = tiny_case();
     auto const status = [&](auto change) {
-        hm_options options = multigrid();
+        Options options = multigrid();
         change(options);
         return Attempt(its.problem(), &options).status;
     };
-    CHECK(status([](hm_options&) {}) == HM_OK);
-    CHECK(status([](hm_options& o) { o.operator_kind = HM_CONFORMAL; }) == HM_UNSUPPORTED);
-    CHECK(status([](hm_options& o) { o.engine = 3; }) == HM_UNSUPPORTED);
-    CHECK(status([](hm_options& o) { o.levels = 21; }) == HM_BAD_ARGUMENT);
-    CHECK(status([](hm_options& o) { o.levels = -1; }) == HM_BAD_ARGUMENT);
-    CHECK(status([](hm_options& o) { o.agglomeration = 3; }) == HM_BAD_ARGUMENT);
-    CHECK(status([](hm_options& o) { o.block_width = 5; }) == HM_BAD_ARGUMENT);
-    CHECK(status([](hm_options& o) { o.max_iterations = -1; }) == HM_BAD_ARGUMENT);
-    CHECK(status([](hm_options& o) { o.history_length = 1; }) == HM_BAD_ARGUMENT);
+    CHECK(status([](Options&) {}) == HM_OK);
+    CHECK(status([](Options& o) { o.operator_kind = HM_CONFORMAL; }) == HM_UNSUPPORTED);
+    CHECK(status([](Options& o) { o.engine = 3; }) == HM_UNSUPPORTED);
+    CHECK(status([](Options& o) { o.levels = 21; }) == HM_BAD_ARGUMENT);
+    CHECK(status([](Options& o) { o.levels = -1; }) == HM_BAD_ARGUMENT);
+    CHECK(status([](Options& o) { o.agglomeration = 3; }) == HM_BAD_ARGUMENT);
+    CHECK(status([](Options& o) { o.block_width = 5; }) == HM_BAD_ARGUMENT);
+    CHECK(status([](Options& o) { o.max_iterations = -1; }) == HM_BAD_ARGUMENT);
+    CHECK(status([](Options& o) { o.history_length = 1; }) == HM_BAD_ARGUMENT);
     its.set_slip(top);
-    CHECK(status([](hm_options&) {}) == HM_OK);
-    CHECK(status([](hm_options& o) { o.operator_kind = HM_CONFORMAL; }) == HM_UNSUPPORTED);
-    CHECK(status([](hm_options& o) { o.engine = HM_FAS; }) == HM_UNSUPPORTED);
+    CHECK(status([](Options&) {}) == HM_OK);
+    CHECK(status([](Options& o) { o.operator_kind = HM_CONFORMAL; }) == HM_UNSUPPORTED);
+    CHECK(status([](Options& o) { o.engine = HM_FAS; }) == HM_UNSUPPORTED);
 }
 
 TEST_CASE("the callback can stop it; the plan then still solves") {
@@ -382,7 +383,7 @@ TEST_CASE("the callback can stop it; the plan then still solves") {
     } stopper;
     stopper.stop_at = 7;
     Case its = two_body_case(Cells::hybrid, 16, 10);
-    hm_options options = multigrid();
+    Options options = multigrid();
     Solved const expected(its, &options);
     options.progress = Stopper::call;
     options.progress_user = &stopper;

@@ -1,5 +1,7 @@
 // The bounded scheme: no conductance has the wrong sign, functions stay between 0 and 1, linear
 // fields are reproduced.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/matrices.hpp>
@@ -15,9 +17,8 @@ namespace {
 
 constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 
-hm_options bounded() {
-    hm_options out{};
-    out.struct_size = sizeof out;
+Options bounded() {
+    Options out{};
     out.operator_kind = HM_LAPLACE;
     out.scheme = HM_BOUNDED;
     return out;
@@ -29,7 +30,7 @@ struct Bounded : Attempt {
     std::vector<DelaunayEdge> edges;
 
     explicit Bounded(Case& its) {
-        hm_options const options = bounded();
+        Options const options = bounded();
         bool const done = analyse(its.problem(), &options);
         INFO(error.text);
         REQUIRE(done);
@@ -230,7 +231,7 @@ TEST_CASE("on Delaunay triangles it is the compact scheme") {
 }
 
 TEST_CASE("0 <= F <= 1 to the last bit where the compact scheme is below 0") {
-    hm_options const options = bounded();
+    Options const options = bounded();
     Case its = stretched_bodies(Cells::hybrid, 0.2);
     Solved const compact(its), scheme(its, &options);
     CHECK(compact.report.min_value < -0.1);
@@ -250,7 +251,7 @@ TEST_CASE("0 <= F <= 1 to the last bit where the compact scheme is below 0") {
 }
 
 TEST_CASE("the sum of all functions is the wall's harmonic measure, solved for by itself") {
-    hm_options const options = bounded();
+    Options const options = bounded();
     for (Cells const kind : kinds) {
         Case its = two_body_case(kind, 6, 5);
         perturb(its.mesh, 0.4, 7);
@@ -270,7 +271,7 @@ TEST_CASE("the sum of all functions is the wall's harmonic measure, solved for b
 
 TEST_CASE("second order on an annulus, whole and half with a free symmetry line, also perturbed") {
     double const pi = std::acos(-1.0), r0 = 0.5, r1 = 2;
-    hm_options const options = bounded();
+    Options const options = bounded();
     for (bool const half : {false, true})
         for (double const amplitude : {0.0, 0.3})
             for (Cells const kind : kinds) {
@@ -308,7 +309,7 @@ TEST_CASE("second order on an annulus, whole and half with a free symmetry line,
 }
 
 TEST_CASE("numbering, order and sense of cells do not matter") {
-    hm_options const options = bounded();
+    Options const options = bounded();
     Case its = stretched_bodies(Cells::hybrid, 0.2);
     Solved const first(its, &options);
     Case other = its;
@@ -326,7 +327,7 @@ TEST_CASE("numbering, order and sense of cells do not matter") {
 }
 
 TEST_CASE("the plan factors on the analysed coordinates alone") {
-    hm_options const options = bounded();
+    Options const options = bounded();
     Case its = two_body_case(Cells::hybrid, 6, 4);
     Attempt tried(its.problem(), &options);
     REQUIRE(tried.status == HM_OK);
@@ -369,9 +370,8 @@ TEST_CASE(
     "refused") {
     for (Cells const kind : kinds) {
         Case its = stretched_bodies(kind, 0.2);
-        hm_options options = bounded(), compact{};
+        Options options = bounded(), compact{};
         options.operator_kind = compact.operator_kind = HM_WEIGHTED;
-        compact.struct_size = sizeof compact;
         for (std::int32_t const quarters : {1, 6, 16}) {
             options.exponent_quarters = compact.exponent_quarters = quarters;
             Solved const solved(its, &options);

@@ -1,5 +1,7 @@
 // Nodal gradients as a choice of the plan: exact solutions, the two engines against each other,
 // the compact scheme nearby.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
@@ -14,13 +16,13 @@ namespace {
 constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 double const pi = std::acos(-1.0);
 
-hm_options nodal(std::int32_t engine, std::int32_t scheme = HM_NODAL_GRADIENT) {
-    hm_options out = laplace();
+Options nodal(std::int32_t engine, std::int32_t scheme = HM_NODAL_GRADIENT) {
+    Options out = laplace();
     out.scheme = scheme;
     out.engine = engine;
     return out;
 }
-hm_options plain() { return nodal(HM_FAS, HM_NODAL_GRADIENT_PLAIN); }
+Options plain() { return nodal(HM_FAS, HM_NODAL_GRADIENT_PLAIN); }
 
 Case viscous_case(Cells kind) {
     Case its = airfoil_case(40, 12, Cells::quads);
@@ -51,8 +53,7 @@ Case polygon_case(Mesh const& mesh, int n_points, bool closed) {
 
 // Root mean square of the error of cos(2 angle) on the inner circle; half of it with a free
 // symmetry line.
-double annulus_error(Cells kind, int refine, bool half, double amplitude,
-                     hm_options const& options) {
+double annulus_error(Cells kind, int refine, bool half, double amplitude, Options const& options) {
     double const r0 = 0.5, r1 = 2, q0 = r0 * r0, q1 = r1 * r1;
     int const n_r = 6 * refine, n_t = (half ? 16 : 32) * refine, n_points = half ? n_t + 1 : n_t;
     Mesh mesh = half ? half_annulus(n_r, n_t, r0, r1, kind) : annulus(n_r, n_t, r0, r1, kind, true);
@@ -100,7 +101,7 @@ TEST_CASE("nothing is left in any volume: the plan's functions solve the scheme'
             perturb(its.mesh, 0.3, 3);
             reverse_some(its.mesh, 4);
             if (free) its.set_free(far_field);
-            hm_options const direct = nodal(HM_DIRECT), fas = nodal(HM_FAS);
+            Options const direct = nodal(HM_DIRECT), fas = nodal(HM_FAS);
             std::int32_t const marker = free ? far_field : -1;
             CHECK(balance_of(its, Solved(its, &direct), true, marker) < 1e-12);
             CHECK(balance_of(its, Solved(its, &fas), true, marker) < 1e-9);
@@ -110,7 +111,7 @@ TEST_CASE("nothing is left in any volume: the plan's functions solve the scheme'
 
 TEST_CASE(
     "second order on an annulus, whole and half with a free symmetry line; perturbed as well") {
-    hm_options const options = nodal(HM_DIRECT);
+    Options const options = nodal(HM_DIRECT);
     for (bool const half : {false, true})
         for (double const amplitude : {0.0, 0.3})
             for (Cells const kind : kinds) {
@@ -126,7 +127,7 @@ TEST_CASE(
 TEST_CASE(
     "without correction: second order on smooth triangles, a free symmetry line included, with "
     "larger errors") {
-    hm_options options = plain(), corrected = nodal(HM_DIRECT);
+    Options options = plain(), corrected = nodal(HM_DIRECT);
     options.tolerance = 1e-6;  // far below the errors of the scheme
     for (bool const half : {false, true}) {
         double const coarse = annulus_error(Cells::triangles, 1, half, 0, options);
@@ -138,7 +139,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the difference from the compact scheme falls as the mesh is refined") {
-    hm_options const options = nodal(HM_DIRECT);
+    Options const options = nodal(HM_DIRECT);
     for (Cells const kind : {Cells::triangles, Cells::hybrid}) {
         double last = 0;
         for (int const refine : {1, 2, 4}) {
@@ -157,7 +158,7 @@ TEST_CASE(
         Case its = which < 3 ? two_body_case(kinds[which], 10, 7)
                              : viscous_case(which == 3 ? Cells::quads : Cells::triangles);
         if (which == 1) its.set_free(far_field);
-        hm_options const direct = nodal(HM_DIRECT), fas = nodal(HM_FAS);
+        Options const direct = nodal(HM_DIRECT), fas = nodal(HM_FAS);
         Solved const one(its, &direct), other(its, &fas);
         INFO("case " << which << ": " << one.report.iterations << " steps, "
                      << other.report.iterations << " cycles");
@@ -175,7 +176,7 @@ TEST_CASE(
     Case its = two_body_case(Cells::hybrid, 8, 6);
     its.conditions.erase(its.conditions.begin());
     its.set_rigid(body, 0, 0);
-    hm_options options = nodal(HM_DIRECT), fas = nodal(HM_FAS), single = options;
+    Options options = nodal(HM_DIRECT), fas = nodal(HM_FAS), single = options;
     single.precision = HM_SINGLE;
     Solved const one(its, &options), other(its, &fas), third(its, &single);
     CHECK(one.info().numbers_per_value == 2);
@@ -210,7 +211,7 @@ TEST_CASE(
     "exactly") {
     for (Cells const kind : kinds) {
         Case its = square_on_curve(9, kind, 0.3, 6);
-        for (hm_options const& options : {nodal(HM_DIRECT), nodal(HM_FAS), plain()}) {
+        for (Options const& options : {nodal(HM_DIRECT), nodal(HM_FAS), plain()}) {
             Solved const solved(its, &options);
             double const within = options.engine == HM_DIRECT ? 1e-12 : 1e-8;
             std::vector<double> x, y;
@@ -230,8 +231,8 @@ TEST_CASE("moved coordinates: the plan factors again, as a new one would") {
     Case its = two_body_case(Cells::hybrid, 8, 6);
     Case moved = its;
     perturb(moved.mesh, 0.3, 2);
-    for (std::int32_t const engine : {HM_DIRECT, HM_FAS}) {
-        hm_options const options = nodal(engine);
+    for (std::int32_t const engine : {int(HM_DIRECT), int(HM_FAS)}) {
+        Options const options = nodal(engine);
         Solved const fresh(moved, &options);
         Attempt again(its.problem(), &options);
         REQUIRE(hm_plan_factor(again.plan, points_in(moved.mesh.x, moved.mesh.y), nullptr) ==
@@ -247,7 +248,7 @@ TEST_CASE("moved coordinates: the plan factors again, as a new one would") {
 
 TEST_CASE("threads and blocks change no bit; a basis remembers its scheme") {
     Case its = two_body_case(Cells::hybrid, 12, 8);
-    for (hm_options options : {nodal(HM_DIRECT), nodal(HM_FAS), plain()}) {
+    for (Options options : {nodal(HM_DIRECT), nodal(HM_FAS), plain()}) {
         bool const iterates = options.engine != HM_DIRECT;
         options.block_width = iterates ? 4 : 0;
         options.max_iterations = iterates ? 40 : 0;
@@ -287,7 +288,7 @@ TEST_CASE("where short waves grow, the paper's text ends with a status before it
     perturb(its.mesh, 0.3, 3);
     for (double& y : its.mesh.y) y *= 0.1;
     for (std::size_t k = 1; k < its.curves.control.size(); k += 2) its.curves.control[k] *= 0.1;
-    hm_options const options = plain();
+    Options const options = plain();
     Attempt const attempt(its.problem(), &options);
     CHECK(attempt.status == HM_NOT_CONVERGED);
     CHECK(attempt.report.iterations < 2000);
@@ -295,7 +296,7 @@ TEST_CASE("where short waves grow, the paper's text ends with a status before it
 
 TEST_CASE("what does not go together is refused") {
     Case its = two_body_case(Cells::quads, 6, 4);
-    auto const refused = [&](hm_options const& options) {
+    auto const refused = [&](Options const& options) {
         Attempt const attempt(its.problem(), &options);
         return attempt.status == HM_UNSUPPORTED && attempt.reached == "analysis size";
     };
@@ -303,14 +304,14 @@ TEST_CASE("what does not go together is refused") {
     CHECK(refused(nodal(HM_DIRECT, HM_NODAL_GRADIENT_PLAIN)));
     CHECK(refused(nodal(HM_MULTIGRID, HM_NODAL_GRADIENT_PLAIN)));
     for (std::int32_t const other : {HM_CONFORMAL, HM_WEIGHTED}) {
-        hm_options options = nodal(HM_FAS);
+        Options options = nodal(HM_FAS);
         options.operator_kind = other;
         CHECK(refused(options));
     }
     its.set_slip(far_field);
     CHECK(refused(nodal(HM_DIRECT)));
     CHECK(refused(nodal(HM_FAS)));
-    hm_options const options = nodal(HM_DIRECT);
+    Options const options = nodal(HM_DIRECT);
     Attempt const attempt(its.problem(), &options);
     CHECK(std::string(attempt.error.text).find("nodal gradients") != std::string::npos);
 }

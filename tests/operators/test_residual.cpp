@@ -1,4 +1,6 @@
 // The residual sees what is wrong, and refinement takes it away.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/c_mesh.hpp>
@@ -99,7 +101,7 @@ TEST_CASE(
         its.conditions.clear();
         its.put_on_curves(body, 0);  // the other body is held
         its.set_slip(far_field);  // four lines: next to corners points of two of them share cells
-        hm_options const options = options_of(kind);
+        Options const options = options_of(kind);
         Solved const solved(its, &options);
         harmorph::Plan const& plan = inside(solved.plan);
         harmorph::Matrix const& matrix = plan.equations.matrix;
@@ -154,7 +156,7 @@ TEST_CASE(
     for (double const error : {0.0, 1e-9, 1e-6, 1e-1}) {
         Case its = ring_case(12, 48, 0.5, 2, Cells::hybrid, 3, 19);
         Progressed progressed;
-        hm_options options = laplace();
+        Options options = laplace();
         options.progress = Progressed::call;
         options.progress_user = &progressed;
         Solved const reference(its);
@@ -195,9 +197,8 @@ Case thin_case(double first, bool free) {
     return out;
 }
 
-hm_options with(std::int32_t operator_kind, std::int32_t engine) {
-    hm_options out{};
-    out.struct_size = sizeof out;
+Options with(std::int32_t operator_kind, std::int32_t engine) {
+    Options out{};
     out.operator_kind = operator_kind;
     out.engine = engine;
     return out;
@@ -223,8 +224,8 @@ TEST_CASE(
     for (double const first : {1e-7, 1e-9, 1e-11}) {
         for (bool const free : {true, false}) {
             Case its = thin_case(first, free);
-            hm_options const exact = with(HM_LAPLACE, HM_DIRECT),
-                             iterative = with(HM_LAPLACE, HM_MULTIGRID);
+            Options const exact = with(HM_LAPLACE, HM_DIRECT),
+                          iterative = with(HM_LAPLACE, HM_MULTIGRID);
             Solved const found(its, &exact), other(its, &iterative);
             INFO("first cell " << first << ", free " << free << ": "
                                << inside(found.plan).engine.direct.factor.least_left()
@@ -243,7 +244,7 @@ TEST_CASE("even cells are not refined") {
             if (free && kind == HM_CONFORMAL) continue;
             Case its = two_body_case(Cells::hybrid, 16, 10);
             if (free) its.set_free(far_field);
-            hm_options const options = with(kind, HM_DIRECT);
+            Options const options = with(kind, HM_DIRECT);
             Solved const solved(its, &options);
             CHECK(solved.report.refinements == 0);
             CHECK(inside(solved.plan).engine.trusted());
@@ -255,7 +256,7 @@ TEST_CASE(
     "constants leave nothing, to the bit, of complex equations too, but beside known values") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
         Case its = thin_case(1e-9, false);
-        hm_options const options = with(kind, HM_DIRECT);
+        Options const options = with(kind, HM_DIRECT);
         Solved const solved(its, &options);
         harmorph::Plan const& plan = inside(solved.plan);
         harmorph::Matrix const& matrix = plan.equations.matrix;
@@ -290,7 +291,7 @@ TEST_CASE(
     "rows in single precision are those in double, rounded last; norms are the same without rows") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
         Case its = thin_case(1e-3, false);
-        hm_options in_double = with(kind, HM_DIRECT), in_single = in_double;
+        Options in_double = with(kind, HM_DIRECT), in_single = in_double;
         in_single.precision = HM_SINGLE;
         Solved const solved(its, &in_double), other(its, &in_single);
         harmorph::Plan const& plan = inside(solved.plan);
@@ -327,7 +328,7 @@ TEST_CASE(
 TEST_CASE("kernels give the same bits, of whole blocks of columns and of parts of one") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
         Case its = thin_case(1e-3, false);  // 12 functions
-        hm_options const options = with(kind, HM_DIRECT);
+        Options const options = with(kind, HM_DIRECT);
         Solved const solved(its, &options);
         harmorph::Plan const& plan = inside(solved.plan);
         harmorph::Basis const basis = in_rows(solved);
@@ -353,7 +354,7 @@ TEST_CASE(
     "threads") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
         Case its = ring_case(60, 130, 0.5, 2, Cells::hybrid, 3, 8);
-        hm_options const options = with(kind, HM_DIRECT);
+        Options const options = with(kind, HM_DIRECT);
         Solved const solved(its, &options);
         harmorph::Plan const& plan = inside(solved.plan);
         harmorph::Basis const basis = in_rows(solved);

@@ -1,6 +1,9 @@
 // Parts of meshes, divided in any way, together have the equations of the whole mesh and its
 // functions.
 
+#include <harmorph_design.h>
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <fixtures/parted_agreement.hpp>
 
 using namespace fixtures;
@@ -8,7 +11,7 @@ using namespace fixtures;
 TEST_CASE("functions of parts are those of the whole mesh, for each operator and any partition") {
     Case its = two_airfoils();
     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL, HM_WEIGHTED}) {
-        hm_options const options = options_of(operator_kind);
+        Options const options = options_of(operator_kind);
         CAPTURE(operator_kind);
         check_agreement(its, options, stripes(its.mesh, 1), false);
         check_agreement(its, options, stripes(its.mesh, 3), false);
@@ -19,7 +22,7 @@ TEST_CASE("functions of parts are those of the whole mesh, for each operator and
 
 TEST_CASE("rigid bodies, sliding and free boundaries, offset correction in parts") {
     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) {
-        hm_options options = options_of(operator_kind);
+        Options options = options_of(operator_kind);
         CAPTURE(operator_kind);
         Case rigid = two_airfoils();
         rigid.conditions.clear();
@@ -96,7 +99,7 @@ TEST_CASE("given displacements in parts") {
         for (bool const slides : {false, true}) {
             Case its = given_instead(two_airfoils());
             if (slides) its.set_slip(far_field);
-            hm_options const options = options_of(operator_kind);
+            Options const options = options_of(operator_kind);
             Displaced whole(its, &options);
             Field wanted(its.mesh.x.size());
             for (std::int32_t const point : whole.points)
@@ -122,7 +125,7 @@ TEST_CASE("given displacements in parts") {
 
 TEST_CASE("rows of a part are combined like any basis") {
     Case its = two_airfoils();
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Solved const whole(its, &options);
     Parted parted(cut(its.mesh, stripes(its.mesh, 2), false));
     REQUIRE(parted.match());

@@ -1,5 +1,8 @@
 // Parts, conditions and calls that do not fit together are refused with the place.
 
+#include <harmorph_parts.h>
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <fixtures/parted_agreement.hpp>
 #include <fixtures/refused.hpp>
 
@@ -96,31 +99,31 @@ TEST_CASE("conditions that are refused for a whole mesh are refused for parts as
     CHECK(!parted.equate(its.problem(), options_of(HM_LAPLACE)));
     CHECK(parted.status == HM_BAD_CONDITION);
     its.conditions[0].marker = body;
-    auto const refusal = [&](std::function<void(hm_options&)> const& spoil) {
-        hm_options options = options_of(HM_LAPLACE);
+    auto const refusal = [&](std::function<void(Options&)> const& spoil) {
+        Options options = options_of(HM_LAPLACE);
         spoil(options);
         CHECK(!parted.equate(its.problem(), options));
         CHECK(parted.status == HM_UNSUPPORTED);
         return std::string(parted.error.text);
     };
-    CHECK(refusal([](hm_options& o) { o.scheme = HM_BOUNDED; }) ==
+    CHECK(refusal([](Options& o) { o.scheme = HM_BOUNDED; }) ==
           "meshes in parts go with the compact scheme only");
-    CHECK(refusal([](hm_options& o) { o.engine = HM_MULTIGRID; }) ==
+    CHECK(refusal([](Options& o) { o.engine = HM_MULTIGRID; }) ==
           "meshes in parts: options.engine must be HM_DIRECT");
-    CHECK(refusal([](hm_options& o) { o.precision = HM_SINGLE; }) ==
+    CHECK(refusal([](Options& o) { o.precision = HM_SINGLE; }) ==
           "meshes in parts: options.precision must be HM_DOUBLE");
     its.set_rotation(its.conditions[0].marker + 50, its.conditions[0].marker + 51);
-    CHECK(refusal([](hm_options&) {}) ==
+    CHECK(refusal([](Options&) {}) ==
           "meshes in parts do not go with HM_ROTATION_PAIR; HM_PERIODIC_PAIR does");
     its.conditions.pop_back();
     its.set_slip(far_field);
     its.conditions.back().along = &its.curves.view();
     its.conditions.back().n_curves = its.conditions.back().along->n_curves;
-    CHECK(refusal([](hm_options&) {}) ==
+    CHECK(refusal([](Options&) {}) ==
           "meshes in parts do not go with curves that are given for sliding (hm_condition.along)");
     its.conditions.pop_back();
     its.give(0, 0.5);
-    CHECK(refusal([](hm_options&) {}) == "meshes in parts: problem.n_given must be 0");
+    CHECK(refusal([](Options&) {}) == "meshes in parts: problem.n_given must be 0");
 }
 
 TEST_CASE("calls with parts, equations and rows that do not go together") {
@@ -144,7 +147,7 @@ TEST_CASE("calls with parts, equations and rows that do not go together") {
     std::vector<double> numbers(parted.size() * 4);
     std::int64_t entries = 0, negative = -1;
     hm_problem problem = its.problem();
-    hm_options const options = options_of(HM_LAPLACE);
+    Options const options = options_of(HM_LAPLACE);
     hm_mesh const view = its.mesh.view();
     hm_part_mesh no_size{};
     no_size.mesh = &view;

@@ -1,7 +1,7 @@
 // Edges where parts of a mesh end: what is matched, what is left over, and what is refused.
 #include <doctest/doctest.h>
 
-#include <harmorph_distributed.h>
+#include <harmorph_parts.h>
 
 #include <algorithm>
 #include <cstring>

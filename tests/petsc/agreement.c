@@ -1,4 +1,6 @@
 /* Functions by PETSc on parts of a mesh are those of the direct engine on the whole mesh. */
+#include <harmorph_design.h>
+#include <harmorph_study.h>
 #include "check.h"
 
 #include "../mpi_case.h"
@@ -99,8 +101,8 @@ static void expect(const reference* of, const double* move, expectation* made) {
     if (rank == 0) {
         double *const x = made->displacement, *const dj = made->dj;
         need(hm_morph(of->basis, move, NULL, &(hm_points_out){x, x + n, 1}, NULL, &error), &error);
-        need(hm_assess(of->basis, &of->view, NULL, &(hm_points){x, x + n, 1}, NULL, &made->step,
-                       &made->quality, &error),
+        need(hm_assess(of->basis, &of->view, NULL, &(hm_points){x, x + n, 1}, NULL, NULL,
+                       &made->step, &made->quality, &error),
              &error);
         need(hm_adjoint(of->basis, &(hm_points){dj, dj + n, 1}, made->gradient, NULL, &error),
              &error);

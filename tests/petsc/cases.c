@@ -1,3 +1,4 @@
+#include <harmorph_study.h>
 #include "cases.h"
 
 #include "../mpi_case.h"

@@ -1,4 +1,6 @@
 /* Given displacements, modes and combined functions on parts are those of the whole mesh. */
+#include <harmorph_design.h>
+#include <harmorph_study.h>
 #include "check.h"
 
 #include "../mpi_case.h"

@@ -1,3 +1,4 @@
+#include <harmorph_parts.h>
 #include "parts.h"
 
 #include "../mpi_case.h"

@@ -1,5 +1,7 @@
 // The functions of the conformal operator: values on the boundary, complex linearity, and what
 // follows from symmetries.
+#include <harmorph_design.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
@@ -16,13 +18,13 @@ constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 TEST_CASE("without a weight the functions are those of Laplace's equation, and real") {
     for (Cells const kind : kinds) {
         Case its = two_body_case(kind, 8, 6);
-        hm_options const conformal = options_of(HM_CONFORMAL, HM_NO_WEIGHT),
-                         paper = options_of(HM_LAPLACE);
+        Options const conformal = options_of(HM_CONFORMAL, HM_NO_WEIGHT),
+                      paper = options_of(HM_LAPLACE);
         Solved const a(its, &conformal), b(its, &paper);
         CHECK(a.info().exponent_quarters == 0);
         for (std::int32_t i = 0; i < 20; ++i)
             CHECK(largest_difference(complex_values(a, i), complex_values(b, i)) < 1e-13);
-        hm_options const weighted = options_of(HM_CONFORMAL);  // and with one they are not
+        Options const weighted = options_of(HM_CONFORMAL);  // and with one they are not
         Solved const c(its, &weighted);
         CHECK(c.info().exponent_quarters == 6);
         double imaginary = 0;
@@ -35,7 +37,7 @@ TEST_CASE("without a weight the functions are those of Laplace's equation, and r
 TEST_CASE("the functions are N_i(u) on the curves, without imaginary part, and 0 on fixed points") {
     for (Cells const kind : kinds) {
         Case its = two_body_case(kind, 8, 6);
-        hm_options const options = options_of(HM_CONFORMAL);
+        Options const options = options_of(HM_CONFORMAL);
         Solved const solved(its, &options);
         CHECK(solved.report.boundary_error == 0);
         CHECK(solved.report.partition_defect < 1e-15);
@@ -63,7 +65,7 @@ TEST_CASE("the functions are N_i(u) on the curves, without imaginary part, and 0
 TEST_CASE(
     "a morph is linear over the complex numbers: turning all movements turns all displacements") {
     Case its = airfoil_case();
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Solved const solved(its, &options);
     std::vector<double> const move = some_move(12, 1, 13), other = some_move(12, 1, 14);
     Field const moved = displacement(solved, move), also = displacement(solved, other);
@@ -81,7 +83,7 @@ TEST_CASE(
 
 TEST_CASE("control points that are moved by a similarity move the wall by the same similarity") {
     Case its = ring_case(8, 32, 0.5, 2, Cells::hybrid);
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Solved const solved(its, &options);
     // Points on the fitted curve: the mesh's own are beside it and keep their offset, unturned.
     for (Complex const centre : {Complex(0, 0), Complex(0.7, -3)})
@@ -104,7 +106,7 @@ TEST_CASE("control points that are moved by a similarity move the wall by the sa
 TEST_CASE(
     "numbering, orientation, markers, place and size of the mesh do not change the functions") {
     Case const origin = airfoil_case(30, 10);
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Case its = origin;
     Solved const reference(its, &options);
     auto const compare = [&](Case& changed, std::vector<std::int32_t> const& new_of,
@@ -147,7 +149,7 @@ TEST_CASE(
 
 TEST_CASE("the functions do not depend on the unit of length, from 1e-30 to 1e30") {
     Case const origin = airfoil_case(20, 8);
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Case its = origin;
     Solved const reference(its, &options);
     for (double const unit : {1e-3, 1024.0, 1e30, 1e-30}) {
@@ -165,7 +167,7 @@ TEST_CASE(
     Case its = ring_case(6, 24, 0.5, 2);
     its.set_free(far_field);
     for (std::int32_t const quarters : {0, 6, +HM_NO_WEIGHT}) {
-        hm_options const options = options_of(HM_CONFORMAL, quarters);
+        Options const options = options_of(HM_CONFORMAL, quarters);
         Attempt const attempt(its.problem(), &options);
         CHECK(attempt.status == HM_UNSUPPORTED);
         CHECK(attempt.reached == "analysis size");
@@ -175,10 +177,10 @@ TEST_CASE(
     CHECK(by_default.status == HM_OK);  // the fixture's default is Laplace's operator
     its.conditions.pop_back();
     for (std::int32_t const quarters : {-2, 17, 2147483647}) {
-        hm_options const options = options_of(HM_CONFORMAL, quarters);
+        Options const options = options_of(HM_CONFORMAL, quarters);
         CHECK(Attempt(its.problem(), &options).status == HM_BAD_ARGUMENT);
     }
-    hm_options options = options_of(HM_LAPLACE, 4);
+    Options options = options_of(HM_LAPLACE, 4);
     CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
     options = options_of(1000);
     CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
@@ -186,14 +188,14 @@ TEST_CASE(
 
 TEST_CASE("any number of threads gives the same bits, and kernels agree to rounding") {
     Case its = airfoil_case();
-    hm_options const plain = options_of(HM_CONFORMAL);
+    Options const plain = options_of(HM_CONFORMAL);
     Solved const reference(its, &plain);
     std::vector<double> const move = some_move(12, 1, 15);
     Field const expected = displacement(reference, move);
     for (std::int32_t const threads : {2, 3}) {
         Backwards backwards;
         hm_executor const executor = backwards.executor(threads);
-        hm_options options = plain;
+        Options options = plain;
         options.executor = &executor;
         Solved const solved(its, &options);
         CHECK(backwards.tasks > 0);
@@ -201,7 +203,7 @@ TEST_CASE("any number of threads gives the same bits, and kernels agree to round
     }
     for (std::int32_t const kernel :
          {HM_KERNEL_BASELINE, HM_KERNEL_AVX2, HM_KERNEL_AVX512, HM_KERNEL_NEON}) {
-        hm_options options = plain;
+        Options options = plain;
         options.kernel = kernel;
         Attempt const attempt(its.problem(), &options);
         if (attempt.status == HM_UNSUPPORTED) continue;

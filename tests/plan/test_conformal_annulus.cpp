@@ -1,4 +1,5 @@
 // The conformal operator on an annulus, where the exact solution is known.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/operators.hpp>
@@ -79,7 +80,7 @@ double rms_error(int refine, Cells kind, std::int32_t quarters) {
     int const n_r = 6 * refine, n_t = 32 * refine;
     double const r0 = 0.5, r1 = 2;
     Case its = ring_case(n_r, n_t, r0, r1, kind);
-    hm_options const options = options_of(HM_CONFORMAL, quarters);
+    Options const options = options_of(HM_CONFORMAL, quarters);
     Solved const solved(its, &options);
     Field const found = complex_values(solved, 2);
     ExactRing const exact(r0, r1, 0.25 * std::max(quarters, 0), 3, 8, 2);

@@ -1,5 +1,6 @@
 // The matrix of the conformal operator: the energy that its solutions minimise, its kernel, its
 // definiteness.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/matrices.hpp>
@@ -17,7 +18,7 @@ class Hermitian {
 public:
     Hermitian(Case& its, std::vector<double> const& conductivity)
         : n(static_cast<std::size_t>(its.mesh.n_points())) {
-        hm_options const options = options_of(HM_CONFORMAL);
+        Options const options = options_of(HM_CONFORMAL);
         Attempt seen;
         REQUIRE(seen.analyse(its.problem(), &options));
         harmorph::Analysis const& a = inside(seen.analysis);

@@ -1,4 +1,5 @@
 // Same input, same bits: again, in any order of calls, and whatever lay in the memory before.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -32,8 +33,7 @@ TEST_CASE("a basis solved twice is the same block, byte by byte, even between it
 
 TEST_CASE("what lay in the blocks before does not matter") {
     Case its = two_body_case();
-    hm_options usual{};
-    usual.struct_size = sizeof usual;
+    Options usual{};
     Solved const reference(its, &usual);
     hm_problem const problem = its.problem();
     for (int const garbage : {0x00, 0xFF, 0x7F, 0x3F}) {
@@ -99,7 +99,7 @@ TEST_CASE("kernels agree to rounding, each with itself to the bit") {
     int tried = 0;
     for (std::int32_t const kernel :
          {HM_KERNEL_BASELINE, HM_KERNEL_AVX2, HM_KERNEL_AVX512, HM_KERNEL_NEON}) {
-        hm_options options = laplace();
+        Options options = laplace();
         options.kernel = kernel;
         Attempt const first(its.problem(), &options);
         if (first.status == HM_UNSUPPORTED) continue;
@@ -125,7 +125,7 @@ TEST_CASE(
     for (std::int32_t const threads : {1, 2, 3, 8, 256}) {
         Backwards order;
         hm_executor const executor = order.executor(threads);
-        hm_options options = laplace();
+        Options options = laplace();
         options.executor = &executor;
         Solved const solved(its.problem(mesh), &options);
         CHECK((threads > 1) == (order.calls > 0));
@@ -141,10 +141,10 @@ TEST_CASE(
                          &executor, nullptr) == HM_OK);
         REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(),
                            &executor, nullptr) == HM_OK);
-        REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, points_in(&found[0], &found[n]),
-                                   &executor, &step, nullptr) == HM_OK);
-        REQUIRE(hm_quality(solved.basis, &mesh, &mesh.points, nullptr, &executor, &quality,
-                           nullptr) == HM_OK);
+        REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(&found[0], &found[n]), nullptr,
+                          &executor, &step, nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_assess(solved.basis, &mesh, &mesh.points, nullptr, nullptr, &executor, nullptr,
+                          &quality, nullptr) == HM_OK);
         found.insert(found.end(), gradient.begin(), gradient.end());
         found.insert(found.end(),
                      {step.admissible, 1.0 * step.cell, 1.0 * step.point, quality.min_quality,
@@ -159,7 +159,7 @@ TEST_CASE("real threads, which share out their work anew each time: the same bit
         Case its = ring_case(70, 300, 0.5, 2, Cells::hybrid, 3, 20);
         perturb(its.mesh, 0.2, 5);
         hm_mesh const mesh = its.mesh.view();
-        hm_options options = laplace();
+        Options options = laplace();
         options.operator_kind = kind;
         std::vector<unsigned char> const expected =
             bytes_of(Solved(its.problem(mesh), &options).basis);

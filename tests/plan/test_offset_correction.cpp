@@ -1,4 +1,7 @@
 // Offset correction: a wall that is not exactly on its curve turns with it.
+#include <harmorph_design.h>
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/operators.hpp>
@@ -9,8 +12,8 @@ using namespace fixtures;
 
 namespace {
 
-hm_options corrected(std::int32_t correction = 1) {
-    hm_options out = options_of(HM_CONFORMAL);
+Options corrected(std::int32_t correction = 1) {
+    Options out = options_of(HM_CONFORMAL);
     out.offset_correction = correction;
     return out;
 }
@@ -47,7 +50,7 @@ double worst_on_wall(Solved const& solved, Case const& its, Field const& moved, 
 TEST_CASE(
     "rigid motions and scalings of all control points move every wall point rigidly, to rounding") {
     Case its = beside_its_curve(0.02);
-    hm_options const with = corrected(), without = corrected(0);
+    Options const with = corrected(), without = corrected(0);
     Solved const a(its, &with), b(its, &without);
     CHECK(a.info().offset_correction == 1);
     CHECK(a.report.max_distance > 0.015);
@@ -69,7 +72,7 @@ TEST_CASE(
     "general motions add e dC' / C' to what the B-spline moves, and are linear over the complex "
     "numbers") {
     Case its = beside_its_curve(0.01);
-    hm_options const options = corrected();
+    Options const options = corrected();
     Solved const solved(its, &options);
     std::vector<double> const move = some_move(8, 0.1, 4);
     Field const moved = displacement(solved, move),
@@ -97,7 +100,7 @@ TEST_CASE(
     "zero movement keeps every bit; the boundary's error and the adjoint are those of the data in "
     "use") {
     Case its = beside_its_curve(0.01);
-    hm_options const options = corrected();
+    Options const options = corrected();
     Solved const solved(its, &options);
     std::vector<double> x = its.mesh.x, y = its.mesh.y, move(16, 0.0);
     REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
@@ -131,7 +134,7 @@ TEST_CASE("at corners nothing is known to turn: their points keep their offset")
     std::size_t const edge =
         static_cast<std::size_t>(points_on(its.mesh, body)[0]);  // the trailing edge comes first
     its.mesh.x[edge] += off;
-    hm_options const options = corrected();
+    Options const options = corrected();
     Solved const solved(its, &options);
     Complex const s = std::polar(1.0, 0.5), centre(0.25, 0);
     Field const moved = displacement(solved, similarity_move(its.curves, s, centre));
@@ -170,7 +173,7 @@ TEST_CASE(
         its.curves.control[2 * k] = 0.5;
         its.curves.control[2 * k + 1] = 0.001 * static_cast<double>(k);
     }
-    hm_options const options = corrected();
+    Options const options = corrected();
     Attempt const attempt(its.problem(), &options);
     REQUIRE(attempt.status == HM_OK);
     for (double const value : {attempt.report.min_value, attempt.report.max_value})
@@ -180,7 +183,7 @@ TEST_CASE(
 TEST_CASE("the correction is on or off: other numbers are refused") {
     Case its = tiny_case();
     for (std::int32_t const correction : {-1, 2, 1 << 30}) {
-        hm_options const options = corrected(correction);
+        Options const options = corrected(correction);
         Attempt const attempt(its.problem(), &options);
         CHECK(attempt.status == HM_BAD_ARGUMENT);
         CHECK(std::string(attempt.error.text).find("offset_correction") != std::string::npos);
@@ -190,7 +193,7 @@ TEST_CASE("the correction is on or off: other numbers are refused") {
 TEST_CASE("only the conformal operator can turn anything: others refuse the correction") {
     Case its = tiny_case();
     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED}) {
-        hm_options options = options_of(operator_kind);
+        Options options = options_of(operator_kind);
         options.offset_correction = 1;
         CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
     }

@@ -1,4 +1,6 @@
 // A factor in single precision, and functions refined to what double precision gives.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -10,9 +12,8 @@ using namespace fixtures;
 
 namespace {
 
-hm_options with(std::int32_t operator_kind, std::int32_t precision) {
-    hm_options out{};
-    out.struct_size = sizeof out;
+Options with(std::int32_t operator_kind, std::int32_t precision) {
+    Options out{};
     out.operator_kind = operator_kind;
     out.precision = precision;
     return out;
@@ -38,8 +39,8 @@ Difference difference_of_all(Solved const& a, Attempt const& b) {
 
 // The functions are those of double precision.
 void check_same(Case& its, std::int32_t operator_kind, double tolerance) {
-    hm_options const in_double = with(operator_kind, HM_DOUBLE),
-                     in_single = with(operator_kind, HM_SINGLE);
+    Options const in_double = with(operator_kind, HM_DOUBLE),
+                  in_single = with(operator_kind, HM_SINGLE);
     Solved const exact(its, &in_double), refined(its, &in_single);
     INFO("operator " << operator_kind << ": " << refined.report.refinements << " steps to "
                      << refined.report.residual);
@@ -78,8 +79,8 @@ TEST_CASE("the thinner cells are, the more steps; where they are too thin the fa
                 if (operator_kind == HM_LAPLACE && quarters > 0) continue;
                 Case its = airfoil_case(40, 12, Cells::quads);
                 its.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(first, 60, 40)).mesh;
-                hm_options in_double = with(operator_kind, HM_DOUBLE),
-                           in_single = with(operator_kind, HM_SINGLE);
+                Options in_double = with(operator_kind, HM_DOUBLE),
+                        in_single = with(operator_kind, HM_SINGLE);
                 in_double.exponent_quarters = in_single.exponent_quarters = quarters;
                 Solved const exact(its, &in_double);
                 Attempt const attempt(its.problem(), &in_single);
@@ -115,7 +116,7 @@ TEST_CASE("the plan takes less than two thirds of the memory") {
     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) {
         std::size_t bytes[2] = {};
         for (std::int32_t const precision : {HM_DOUBLE, HM_SINGLE}) {
-            hm_options const options = with(operator_kind, precision);
+            Options const options = with(operator_kind, precision);
             Solved const solved(its, &options);
             bytes[precision] = solved.plan_block->size();
         }
@@ -128,7 +129,7 @@ TEST_CASE("the plan takes less than two thirds of the memory") {
 TEST_CASE(
     "entries and right-hand sides beyond single precision are refused by name, without an "
     "exception") {
-    hm_options options = with(HM_CONFORMAL, HM_SINGLE);
+    Options options = with(HM_CONFORMAL, HM_SINGLE);
     options.exponent_quarters = 16;
     Case thin = airfoil_case(40, 12, Cells::quads);
     thin.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-9, 60, 40)).mesh;
@@ -153,15 +154,15 @@ TEST_CASE(
 
 TEST_CASE("an unknown precision is refused, and a single one where there is no factor") {
     Case its = tiny_case();
-    for (std::int32_t const engine : {HM_MULTIGRID, HM_FAS}) {
-        hm_options options = with(HM_LAPLACE, HM_SINGLE);
+    for (std::int32_t const engine : {int(HM_MULTIGRID), int(HM_FAS)}) {
+        Options options = with(HM_LAPLACE, HM_SINGLE);
         options.engine = engine;
         CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
         options.precision = HM_DOUBLE;
         CHECK(Attempt(its.problem(), &options).status == HM_OK);
     }
     for (std::int32_t const precision : {-1, 2}) {
-        hm_options const options = with(HM_LAPLACE, precision);
+        Options const options = with(HM_LAPLACE, precision);
         CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
     }
 }

@@ -1,5 +1,8 @@
 // Transfers that are refused: other domains, curves, operators and meshes, and blocks that are too
 // small.
+#include <harmorph_design.h>
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -11,7 +14,7 @@ TEST_CASE("transfers between other domains, curves, operators or meshes are refu
     Case coarse = ring_case(4, 32, 0.5, 2), fine = ring_case(9, 70, 0.5, 2);
     Solved const solved(coarse);
     auto const refused = [&](Case& its, hm_mesh const& coarse_mesh,
-                             hm_options const* options = nullptr) {
+                             Options const* options = nullptr) {
         TransferAttempt attempt;
         REQUIRE(attempt.open(its.problem(), options));
         REQUIRE(!attempt.fill_from(solved.basis, coarse_mesh));
@@ -47,7 +50,7 @@ TEST_CASE("transfers between other domains, curves, operators or meshes are refu
         CHECK(refused(other, coarse.mesh_view()).code == HM_BAD_BASIS);
     }
     SUBCASE("another operator") {
-        hm_options options = laplace();
+        Options options = laplace();
         options.operator_kind = HM_WEIGHTED;
         CHECK(refused(fine, coarse.mesh_view(), &options).code == HM_BAD_BASIS);
     }

@@ -1,4 +1,6 @@
 // Rigid bodies: four numbers instead of control points, and points that go exactly where they say.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/operators.hpp>
@@ -44,7 +46,7 @@ double worst_on(Case const& its, std::int32_t marker, Field const& moved, Comple
 }
 
 hm_status refused(Case& its, const char* words) {
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Attempt const attempt(its.problem(), &options);
     INFO(attempt.error.text);
     CHECK(std::string(attempt.error.text).find(words) != std::string::npos);
@@ -59,7 +61,7 @@ TEST_CASE(
     for (std::int32_t const operator_kind : operators)
         for (Cells const kind : {Cells::quads, Cells::triangles}) {
             Case its = flap(false, kind);
-            hm_options const options = options_of(operator_kind);
+            Options const options = options_of(operator_kind);
             Solved const solved(its, &options);
             hm_basis_info const info = solved.info();
             CHECK(info.bodies == 1);
@@ -95,7 +97,7 @@ TEST_CASE(
     "two rigid bodies and no curve: bodies are numbered by the caller, centres are their own") {
     for (std::int32_t const operator_kind : operators) {
         Case its = flap(true);
-        hm_options const options = options_of(operator_kind);
+        Options const options = options_of(operator_kind);
         Solved const solved(without_curves(its), &options);
         CHECK(solved.info().functions == 4);
         CHECK(solved.info().curves == 0);
@@ -113,7 +115,7 @@ TEST_CASE("a body over several markers is one body; its parts alone would be two
     split_marker(split.mesh, second_body, 3, 31);
     split.conditions.pop_back();
     for (std::int32_t const marker : {31, 32, 33}) split.set_rigid(marker, 1.5, 0.5, 0);
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Solved const a(its, &options), b(split, &options);
     std::vector<double> const move = some_move(13, 0.2, 3);
     CHECK(b.info().bodies == 1);
@@ -126,7 +128,7 @@ TEST_CASE(
     Case its = flap(), other = its;
     other.conditions.back().x = -3;
     other.conditions.back().y = 10;
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Solved const a(its, &options), b(other, &options);
     Complex const s = std::polar(1.2, 0.4),
                   shift = (s - 1.0) * (Complex(-3, 10) - Complex(1.5, 0.5));
@@ -152,7 +154,7 @@ TEST_CASE(
             rigid.mesh.x[k] = curved.mesh.x[k] = p.x;
             rigid.mesh.y[k] = curved.mesh.y[k] = p.y;
         }
-        hm_options const options = options_of(operator_kind);
+        Options const options = options_of(operator_kind);
         Solved const a(without_curves(rigid), &options), b(curved, &options);
         Complex const s = std::polar(1.1, 0.3);
         Field const by_body = displacement(a, {0.05, -0.02, s.real() - 1, s.imag()});
@@ -173,7 +175,7 @@ TEST_CASE("points shared with a curve's marker belong to the curve, whichever is
     its.set_rigid(40, 3, 3);
     its.put_on_curves(body);
     for (int order = 0; order < 2; ++order) {
-        hm_options const options = options_of(HM_LAPLACE);
+        Options const options = options_of(HM_LAPLACE);
         Solved const solved(its, &options);
         // The body alone, to the right.
         Field const moved = displacement(solved, {0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0});
@@ -205,7 +207,7 @@ TEST_CASE("bodies are checked: gaps, centres, numbers out of range, parameters o
     its.set_rigid(32, 1.5, 0.6);
     CHECK(refused(its, "two centres") == HM_BAD_CONDITION);
     its.conditions.back().body = 1;  // two bodies may
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     CHECK(Attempt(its.problem(), &options).status == HM_OK);
     its = good;
     its.set_rigid(second_body, 1.5, 0.5);

@@ -1,6 +1,8 @@
 // Thin cells far from the wall. Where they lean, some of their conductances are negative, and
 // cancel others as the factor is made; where they stand upright, flows through them dwarf those at
 // the wall, and so does the rounding of these flows.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/double_double.hpp>
@@ -157,7 +159,7 @@ TEST_CASE(
                     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED}) {
                         Case its = plate(steps, kind, lean);
                         its.set_free(far_field);
-                        hm_options const options = options_of(operator_kind);
+                        Options const options = options_of(operator_kind);
                         Attempt const solved(its.problem(), &options);
                         double const error = largest_error(solved);
                         INFO("cells " << h << " thin, lean " << lean << ", operator "
@@ -186,7 +188,7 @@ TEST_CASE(
             Case its = plate(lean > 0 ? std::vector<double>{h, h, h, .1, .1, .2}
                                       : std::vector<double>{.1, .1, h, h, .1, .2},
                              Cells::quads, lean);
-            hm_options const options = options_of(HM_LAPLACE);
+            Options const options = options_of(HM_LAPLACE);
             Attempt const solved(its.problem(), &options);
             CHECK(inside(solved.plan).engine.trusted());
             CHECK(largest_error(solved) < 1e-11);
@@ -200,7 +202,7 @@ TEST_CASE(
         for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
             for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED}) {
                 Case its = plate(far_and_thin(h), kind, 0);
-                hm_options options = options_of(operator_kind);
+                Options options = options_of(operator_kind);
                 Solved const solved(its, &options);
                 CHECK(largest_error(solved) < 1e-12);
                 CHECK((h > 1e-8 || solved.report.residual > options.tolerance));
@@ -220,7 +222,7 @@ TEST_CASE("a factor that is damaged is healed by refinement, or the functions ar
     for (double const h : {1e-1, 1e-6, 1e-9, 1e-12}) {
         Damage damage;
         Case its = plate(far_and_thin(h), Cells::hybrid, 0);
-        hm_options const options = options_of(HM_LAPLACE);
+        Options const options = options_of(HM_LAPLACE);
         Solved solved(its, &options);
         harmorph::Span<double> const factor =
             inside(solved.plan).engine.direct.factor.doubles.factor;
@@ -255,7 +257,7 @@ TEST_CASE("solutions that are spoilt before they are judged are refined, those i
         for (std::size_t const n_rows : {1u, 2u, 3u, 4u}) {
             Spoiler spoiler;
             Case its = plate(far_and_thin(h), Cells::quads, 0);
-            hm_options options = options_of(HM_LAPLACE);
+            Options options = options_of(HM_LAPLACE);
             options.progress = Spoiler::call;
             options.progress_user = &spoiler;
             Solved solved(its, &options);

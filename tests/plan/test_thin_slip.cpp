@@ -1,5 +1,6 @@
 // Slip lines beside thin cells: the couplings of those drown all others in a diagonal, so nothing
 // may depend on it.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/half_ring.hpp>
@@ -67,7 +68,7 @@ TEST_CASE("a shift along the line, the far field free: everything goes along, to
                 for (std::int32_t const kind : {HM_LAPLACE, HM_WEIGHTED}) {
                     Case its = similar(straight, turn, 0);
                     its.set_free(far_field);
-                    hm_options const options = options_of(kind);
+                    Options const options = options_of(kind);
                     Solved const solved(its, &options);
                     Field const moved =
                         displacement(solved, similarity_move(its.curves, 1, 0, turn));
@@ -83,7 +84,7 @@ TEST_CASE("the half with slip moves as the half of the whole does") {
     for (double const first : {1e-5, 1e-7, 1e-9})
         for (std::int32_t const kind : operators) {
             Case half = thin_half_ring(first), whole = mirrored(half);
-            hm_options const options = options_of(kind);
+            Options const options = options_of(kind);
             Solved const a(half, &options), b(whole, &options);
             std::vector<double> const move = symmetric_move(4);
             Field of_whole = displacement(b, move);
@@ -100,7 +101,7 @@ TEST_CASE(
         free.conditions.back().kind = HM_FREE;
         fixed.conditions.back().kind = HM_FIXED;
         for (std::int32_t const kind : operators) {
-            hm_options const options = options_of(kind);
+            Options const options = options_of(kind);
             Solved const solved(its, &options);
             CHECK(solved.report.refinements >= 1);
             Field const moved = displacement(solved, move);

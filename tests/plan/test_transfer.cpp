@@ -1,4 +1,5 @@
 // Functions of a coarse mesh on a fine one: exact where they are linear, of second order elsewhere.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -54,8 +55,8 @@ std::vector<double> combined(hm_basis const* basis, std::vector<double> const& a
 }  // namespace
 
 TEST_CASE("a transfer from a mesh to the same mesh keeps every number, for each kind of values") {
-    hm_options const options = options_of(HM_CONFORMAL);
-    for (hm_options const* its_options : {static_cast<hm_options const*>(nullptr), &options}) {
+    Options const options = options_of(HM_CONFORMAL);
+    for (Options const* its_options : {static_cast<Options const*>(nullptr), &options}) {
         for (int which = 0; which < 4; ++which) {
             Case its = which == 0   ? two_body_case()
                        : which == 1 ? airfoil_case(20)
@@ -88,8 +89,8 @@ TEST_CASE("linear fields are exact, between meshes that share no points") {
 
 TEST_CASE(
     "curved walls: second order against the functions solved on the fine mesh, real and complex") {
-    hm_options const other = options_of(HM_CONFORMAL);
-    for (hm_options const* options : {static_cast<hm_options const*>(nullptr), &other}) {
+    Options const other = options_of(HM_CONFORMAL);
+    for (Options const* options : {static_cast<Options const*>(nullptr), &other}) {
         for (Cells const kind : kinds) {
             for (bool const outer : {false, true}) {
                 Case fine = wall_case(26, 190, kind, outer);
@@ -122,7 +123,7 @@ TEST_CASE("transferred functions depend neither on the numbering nor on threads"
 
     Backwards threads;
     hm_executor const executor = threads.executor(4);
-    hm_options options = laplace();
+    Options options = laplace();
     options.executor = &executor;
     Transferred const threaded(fine, coarse, &options);
     CHECK(threads.calls > 0);

@@ -1,5 +1,7 @@
 // The boundary of transferred functions: walls, cuts, slip lines, periodic pairs, rigid bodies,
 // thin layers.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -37,9 +39,8 @@ double admissible(hm_basis const* basis, Case& its, std::vector<double> const& m
     std::vector<double> const by = moved(basis, move, n);
     hm_step_report step{};
     step.struct_size = sizeof step;
-    REQUIRE(hm_admissible_step(basis, &its.mesh_view(), nullptr,
-                               points_in(by.data(), by.data() + n), nullptr, &step,
-                               nullptr) == HM_OK);
+    REQUIRE(hm_assess(basis, &its.mesh_view(), nullptr, points_in(by.data(), by.data() + n),
+                      nullptr, nullptr, &step, nullptr, nullptr) == HM_OK);
     return step.admissible;
 }
 
@@ -202,8 +203,8 @@ TEST_CASE(
         return out;
     };
     Case coarse = viscous(30, 2e-5, 22), fine = viscous(70, 1e-5, 26);
-    hm_options const options = options_of(HM_CONFORMAL);
-    for (hm_options const* its : {static_cast<hm_options const*>(nullptr), &options}) {
+    Options const options = options_of(HM_CONFORMAL);
+    for (Options const* its : {static_cast<Options const*>(nullptr), &options}) {
         Solved const solved(fine, its);
         Transferred const transferred(fine, coarse, its);
         CHECK(transferred.transfer.wall_correction >

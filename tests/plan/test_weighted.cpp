@@ -1,4 +1,5 @@
 // The weighted Laplace operator: k = 1 / d^q, d the distance to what moves.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/matrices.hpp>
@@ -36,7 +37,7 @@ double radial(double r, double r0, double r1, double q) {
 double rms_error(int refine, Cells kind, std::int32_t quarters) {
     int const n_r = 8 * refine, n_t = 32 * refine;
     Case its = ring_case(n_r, n_t, 0.5, 2, kind);
-    hm_options const options = options_of(HM_WEIGHTED, quarters);
+    Options const options = options_of(HM_WEIGHTED, quarters);
     Solved const solved(its, &options);
     std::vector<double> const sum = solved.sum();
     double sum_of_squares = 0;
@@ -84,7 +85,7 @@ TEST_CASE("a constant factor of k is a factor of the matrix: it changes no funct
 TEST_CASE("nor does the unit of length, though k has one") {
     Case const origin = airfoil_case(30, 10);
     for (std::int32_t const quarters : {1, 4, 6, 16}) {
-        hm_options const options = options_of(HM_WEIGHTED, quarters);
+        Options const options = options_of(HM_WEIGHTED, quarters);
         Case its = origin;
         Solved const reference(its, &options);
         for (double const unit : {1 / 1024.0, 3.7, 1e20}) {
@@ -97,14 +98,14 @@ TEST_CASE("nor does the unit of length, though k has one") {
 
 TEST_CASE("without a weight: Laplace's functions, bit by bit; the larger q, the more moves along") {
     Case its = airfoil_case();
-    hm_options const none_at_all = options_of(HM_WEIGHTED, HM_NO_WEIGHT),
-                     usual = options_of(HM_WEIGHTED);
+    Options const none_at_all = options_of(HM_WEIGHTED, HM_NO_WEIGHT),
+                  usual = options_of(HM_WEIGHTED);
     Solved const plain(its), unweighted(its, &none_at_all), by_default(its, &usual);
     CHECK(same_bits(unweighted.all_values(), plain.all_values()));
     CHECK(by_default.info().exponent_quarters == 4);
     std::vector<double> last = plain.sum();
     for (std::int32_t const quarters : {2, 4, 6, 8}) {
-        hm_options const options = options_of(HM_WEIGHTED, quarters);
+        Options const options = options_of(HM_WEIGHTED, quarters);
         Solved const solved(its, &options);
         CHECK(solved.info().exponent_quarters == quarters);
         if (quarters == 4) CHECK(same_bits(solved.all_values(), by_default.all_values()));
@@ -121,8 +122,8 @@ TEST_CASE(
     "a plan without a weight stores no conductivities: it is smaller by one number for each cell") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Case its = ring_case(8, 32, 0.5, 2, kind);
-        hm_options const weighted = options_of(HM_WEIGHTED, 4),
-                         none_at_all = options_of(HM_WEIGHTED, HM_NO_WEIGHT);
+        Options const weighted = options_of(HM_WEIGHTED, 4),
+                      none_at_all = options_of(HM_WEIGHTED, HM_NO_WEIGHT);
         Solved const with(its, &weighted), without(its, &none_at_all), laplace(its);
         std::size_t const more = with.plan_block->size() - without.plan_block->size();
         CHECK(more == 8 * static_cast<std::size_t>(
@@ -141,7 +142,7 @@ TEST_CASE("rigid bodies count for the distance as curves do, fixed boundaries do
     hm_problem problem = rigid.problem();
     problem.curves = nullptr;
     problem.n_given = 0;
-    hm_options const options = options_of(HM_WEIGHTED, 6);
+    Options const options = options_of(HM_WEIGHTED, 6);
     Solved const a(curve, &options), b(problem, &options);
     // A translation of all: the same data on the wall, so the same displacements if the weights are
     // the same.

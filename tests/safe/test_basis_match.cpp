@@ -1,5 +1,6 @@
 // Which other bases a safe morph takes: those whose functions are the same at the wall, modes of a
 // table included.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/derived.hpp>
@@ -32,8 +33,8 @@ TEST_CASE(
     "refused") {
     for (bool const complex : {false, true}) {
         Case its = curve_and_table();
-        hm_options const options = options_of(complex ? HM_CONFORMAL : HM_LAPLACE);
-        hm_options others = options_of(complex ? HM_CONFORMAL : HM_WEIGHTED);
+        Options const options = options_of(complex ? HM_CONFORMAL : HM_LAPLACE);
+        Options others = options_of(complex ? HM_CONFORMAL : HM_WEIGHTED);
         others.exponent_quarters = 6;
         Attempt const own(its.problem(), &options);
         REQUIRE(own.status == HM_OK);

@@ -1,4 +1,5 @@
 // Wall points beside their curve: a body that turns takes them along, and the mesh near them.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
@@ -52,7 +53,7 @@ struct Carried {
         return number(curve_point(basis.curve(basis.wall_curve[slot]), basis.wall_u[slot]));
     }
 
-    hm_options options;
+    Options options;
     Solved solved;
     harmorph::Plan& plan;
     harmorph::Basis basis;

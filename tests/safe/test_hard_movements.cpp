@@ -33,8 +33,8 @@ double start_quality(Safe const& safe) {
     hm_mesh const view = safe.mesh.view();
     hm_quality_report quality{};
     quality.struct_size = sizeof quality;
-    REQUIRE(hm_quality(safe.solved().basis, &view, nullptr, nullptr, nullptr, &quality, nullptr) ==
-            HM_OK);
+    REQUIRE(hm_assess(safe.solved().basis, &view, nullptr, nullptr, nullptr, nullptr, nullptr,
+                      &quality, nullptr) == HM_OK);
     return quality.min_quality;
 }
 

@@ -1,5 +1,6 @@
 // Better cells in meshes whose outer boundary slides along a curve: the points there go along the
 // curve, too.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/circle.hpp>
@@ -46,7 +47,7 @@ struct Ring {
     }
     hm_status improve(hm_executor const* executor = nullptr,
                       std::int32_t operator_kind = HM_CONFORMAL) {
-        hm_options options = options_of(operator_kind);
+        Options options = options_of(operator_kind);
         if (executor != nullptr) options.executor = executor;
         Solved const solved(its, &options);
         std::size_t bytes = 0;

@@ -1,5 +1,6 @@
 // The way of the control points in several steps: similarities on the way, exact at its end, and
 // its derivative.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/channels.hpp>
@@ -54,7 +55,7 @@ private:
     std::unique_ptr<Guarded> block_;
 };
 
-hm_options const conformal = options_of(HM_CONFORMAL);
+Options const conformal = options_of(HM_CONFORMAL);
 
 }  // namespace
 

@@ -1,4 +1,5 @@
 // A mesh on the way of a large movement: one step ahead, and back to the start.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
@@ -29,7 +30,7 @@ struct Moving {
     }
     harmorph::AdmissibleStep look(double to) { return mesh.look_ahead(plan, basis, basis, to); }
 
-    hm_options options;
+    Options options;
     Solved solved;
     harmorph::Plan& plan;
     harmorph::Basis basis;
@@ -63,8 +64,8 @@ TEST_CASE(
     hm_step_report step{};
     step.struct_size = sizeof step;
     hm_mesh const view = its.mesh.view();
-    REQUIRE(hm_admissible_step(moving.solved.basis, &view, nullptr, points_in(dx, dy), nullptr,
-                               &step, nullptr) >= HM_OK);
+    REQUIRE(hm_assess(moving.solved.basis, &view, nullptr, points_in(dx, dy), nullptr, nullptr,
+                      &step, nullptr, nullptr) >= HM_OK);
     CHECK(admissible == doctest::Approx(step.admissible).epsilon(1e-12));
 }
 

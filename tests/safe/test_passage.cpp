@@ -1,5 +1,6 @@
 // Large movements and better cells in one passage of an annulus: what all passages do, and sides
 // that stay images.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/displaced.hpp>
@@ -63,7 +64,7 @@ TEST_CASE(
             std::vector<std::vector<std::int32_t>> number;
             Case all = annulus_of(one, n, number);
             std::vector<double> const move = turned_and_moved(one, degrees, {0.02, -0.03});
-            hm_options const options = options_of(operator_kind);
+            Options const options = options_of(operator_kind);
             Safe a(one, options), b(all, options);
             a.run(move);
             CHECK(a.status == HM_OK);
@@ -92,7 +93,7 @@ TEST_CASE("given displacements of a passage, safely") {
     Case curved = passage(Cells::hybrid, n);
     Case its = given_instead(curved);
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
-        hm_options const options = options_of(operator_kind);
+        Options const options = options_of(operator_kind);
         Displaced displaced(its, &options);
         Complex const middle = 1.5 * std::polar(1.0, std::acos(-1.0) / n + 0.2);
         Field wall;
@@ -145,7 +146,7 @@ TEST_CASE(
             one.conditions.pop_back();
             one.set_rotation(right, left);
         }
-        hm_options const options = options_of(HM_CONFORMAL);
+        Options const options = options_of(HM_CONFORMAL);
         Solved const a(one, &options), b(all, &options);
         std::vector<double> const move = turned_and_moved(one, 25, {0.02, -0.03});
         Field from = displacement(a, move), from_all = displacement(b, turned_copies(move, n));

@@ -1,4 +1,5 @@
 // Calls of the safe morph: cancelled, with exact working space, on threads, refused.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/block_in_square.hpp>
@@ -16,7 +17,7 @@ TEST_CASE("cancelled by the progress callback: nothing is written, and afterward
     };
     Case its = block_in_square(Cells::quads, 15);
     Listener listener;
-    hm_options options = options_of(HM_CONFORMAL);
+    Options options = options_of(HM_CONFORMAL);
     options.progress = Listener::call;
     options.progress_user = &listener;
     Safe safe(its, options);
@@ -77,7 +78,7 @@ TEST_CASE("the same bits for any number of threads, in place, and on another arr
         for (std::int32_t const threads : {2, 5}) {
             Backwards backwards;
             hm_executor const executor = backwards.executor(threads);
-            hm_options options = options_of(HM_CONFORMAL);
+            Options options = options_of(HM_CONFORMAL);
             options.executor = &executor;
             Safe safe(its, options);
             safe.safe_options.skipped_strategies = skipped;
@@ -87,7 +88,7 @@ TEST_CASE("the same bits for any number of threads, in place, and on another arr
             CHECK(safe.report.min_quality == serial.report.min_quality);
         }
     }
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Safe reference(its);
     REQUIRE(reference.run(move) == HM_OK);
     Case own = its;
@@ -121,8 +122,8 @@ TEST_CASE("what does not belong together is refused, and nothing is written") {
         CHECK(same_bits(y, its.mesh.y));
         return status;
     };
-    hm_options const conformal = options_of(HM_CONFORMAL), sharper = options_of(HM_CONFORMAL, 8);
-    hm_options const paper = options_of(HM_LAPLACE);
+    Options const conformal = options_of(HM_CONFORMAL), sharper = options_of(HM_CONFORMAL, 8);
+    Options const paper = options_of(HM_LAPLACE);
     Solved const other_exponent(its, &sharper), other_operator(its, &paper);
     Case elsewhere = its;
     elsewhere.give(17, 0.4);

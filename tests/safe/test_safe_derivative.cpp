@@ -1,4 +1,5 @@
 // The derivative of a safe morph: a basis that takes small movements from where the mesh is now.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/block_in_square.hpp>
@@ -19,7 +20,7 @@ TEST_CASE(
             Case its = block_in_square(Cells::quads, 15);
             if (slip)
                 for (std::int32_t const side : {bottom, right, top, left}) its.set_slip(side);
-            hm_options const options = options_of(HM_CONFORMAL);
+            Options const options = options_of(HM_CONFORMAL);
             Safe safe(its, options);
             Attempt of;
             REQUIRE(of.analyse(its.problem(), &options));
@@ -62,7 +63,7 @@ TEST_CASE(
 
 TEST_CASE("where untangling ends the way in a poor mesh, the derivative is that of the whole way") {
     Case its = block_in_square(Cells::quads, 15);
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Safe safe(its, options);
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_SUBSTEPS, HM_STRATEGY_IMPROVED});
     safe.safe_options.min_quality = 0.99;  // no mesh is as good as that
@@ -84,7 +85,7 @@ TEST_CASE(
     "the steps'") {
     Case its = block_in_square(Cells::quads, 15);
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
-        hm_options const options = options_of(operator_kind);
+        Options const options = options_of(operator_kind);
         Safe safe(its, options);
         Attempt of;
         REQUIRE(of.analyse(its.problem(), &options));
@@ -99,7 +100,7 @@ TEST_CASE(
     // is linear in dP, so that the derivative by dP, applied to dP itself, is all that the mesh has
     // moved.
     Safe safe(its, options_of(HM_LAPLACE));
-    hm_options const options = options_of(HM_LAPLACE);
+    Options const options = options_of(HM_LAPLACE);
     Attempt of;
     REQUIRE(of.analyse(its.problem(), &options));
     REQUIRE(of.prepare());
@@ -115,7 +116,7 @@ TEST_CASE(
     "the derivative is the sum of the steps' functions, each times what its movement changes by "
     "with the whole") {
     Case its = block_in_square(Cells::quads, 15);
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Safe safe(its, options);
     Attempt of;
     REQUIRE(of.analyse(its.problem(), &options));

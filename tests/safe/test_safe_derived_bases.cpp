@@ -1,4 +1,6 @@
 // Safe morphs by derived bases: combined functions and modes.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/derived.hpp>
@@ -9,7 +11,7 @@ using namespace fixtures;
 
 TEST_CASE("large safe morphs by combined functions and by modes are valid and reach the target") {
     Case its = two_body_case(Cells::hybrid, 12, 8);
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Safe reference(its, options);
     hm_basis_info const info = reference.solved().info();
     // Two variables: all control points along x, and along y times their own x.

@@ -1,5 +1,6 @@
 // Given displacements by the strategies of a safe morph: the whole displacement with the given
 // bits, or how far and why.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
@@ -40,9 +41,9 @@ TEST_CASE(
     "engine") {
     for (int const variant : {0, 1, 2, 3}) {
         Case its = given_block(variant == 1 ? Cells::triangles : Cells::quads);
-        hm_options options = options_of(variant == 1   ? HM_LAPLACE
-                                        : variant == 2 ? HM_WEIGHTED
-                                                       : HM_CONFORMAL);
+        Options options = options_of(variant == 1   ? HM_LAPLACE
+                                     : variant == 2 ? HM_WEIGHTED
+                                                    : HM_CONFORMAL);
         if (variant == 3) options = options_of(HM_LAPLACE), options.engine = HM_MULTIGRID;
         SafeDisplaced safe(its, options);
         Field wall = safe.similarity(std::polar(1.1, 150 * pi / 180), {0.5, 0.5}, {0.02, 0.05});
@@ -104,7 +105,7 @@ TEST_CASE("threads and the order of the list do not change a bit") {
     REQUIRE(one.run(wall) == HM_OK);
     Backwards backwards;
     hm_executor const executor = backwards.executor(3);
-    hm_options options = options_of(HM_CONFORMAL);
+    Options options = options_of(HM_CONFORMAL);
     options.executor = &executor;
     SafeDisplaced three(its, options);
     REQUIRE(three.run(wall) == HM_OK);

@@ -1,5 +1,7 @@
 // Safe given displacements beside other conditions: curves, design variables, and lines along which
 // points slide.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/derived.hpp>
@@ -20,7 +22,7 @@ TEST_CASE(
     Case its = two_body_case(Cells::hybrid, 12, 8);
     its.conditions.pop_back();
     its.set_given(second_body);
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     SafeDisplaced safe(its, options);
     REQUIRE(hm_plan_solve(safe.plan, safe.basis, nullptr, nullptr) == HM_OK);
     hm_basis_info const info = info_of(safe.basis);

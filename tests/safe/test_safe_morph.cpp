@@ -1,4 +1,5 @@
 // Safe morphs: no inverted cell and no crossing whatever happens, and the truth about the way.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/block_in_square.hpp>
@@ -136,7 +137,7 @@ TEST_CASE(
     move[0] = 0.3;  // the lower left corner behind the lower right one, and up
     move[1] = 0.06;
     Attempt derivative;
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     REQUIRE(derivative.run(its.problem(), &options));
     CHECK(safe.run(move, derivative.basis) == HM_CROSSING);
     CHECK(safe.untouched());
@@ -290,7 +291,7 @@ TEST_CASE("numbering from 1, cells of either sense, and units change nothing but
 TEST_CASE(
     "functions on the way that miss the tolerance are a warning: the mesh is there, and valid") {
     Case its = block_in_square(Cells::quads, 15);
-    hm_options options = options_of(HM_CONFORMAL);
+    Options options = options_of(HM_CONFORMAL);
     options.tolerance = 1e-18;
     Attempt const attempt(its.problem(), &options);
     REQUIRE(attempt.status == HM_NOT_CONVERGED);

@@ -1,4 +1,5 @@
 // The strategies of the safe morph: each where it helps, and what each of them promises.
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/block_in_square.hpp>
@@ -31,7 +32,7 @@ TEST_CASE("another basis is the one that helps") {
     Safe safe(its, options_of(HM_LAPLACE));
     std::vector<double> const move = turn_of(its, 60);
     CHECK(safe.admissible(move) < 1);
-    hm_options const weighted = options_of(HM_WEIGHTED, 1), conformal = options_of(HM_CONFORMAL);
+    Options const weighted = options_of(HM_WEIGHTED, 1), conformal = options_of(HM_CONFORMAL);
     Solved const useless(its, &weighted), useful(its, &conformal);
     const hm_basis* const others[] = {useless.basis, useful.basis};
     safe.safe_options.n_others = 2;
@@ -45,7 +46,7 @@ TEST_CASE("another basis is the one that helps") {
     CHECK(safe.is_valid());
     CHECK(safe.boundary_error(move) < 1e-15);
     Attempt real, of;  // a derivative with real values cannot take its complex ones
-    hm_options const paper = options_of(HM_LAPLACE), sharper = options_of(HM_CONFORMAL, 8);
+    Options const paper = options_of(HM_LAPLACE), sharper = options_of(HM_CONFORMAL, 8);
     REQUIRE(real.run(its.problem(), &paper));
     CHECK(safe.run(move, real.basis) == HM_SHORT);
     safe.safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED});
@@ -86,7 +87,7 @@ TEST_CASE("another basis is the one that helps") {
 
 TEST_CASE("the longest linear step is straight: no derivative of a path that turns is made of it") {
     Case its = block_in_square(Cells::quads, 15);
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Safe safe(its, options);
     Attempt of;
     REQUIRE(of.analyse(its.problem(), &options));

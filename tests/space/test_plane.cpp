@@ -1,5 +1,6 @@
 // The plane of meshes of three dimensions that are one cell thick: which point follows which, kinds
 // and axes.
+#include <harmorph_space.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/c_mesh.hpp>

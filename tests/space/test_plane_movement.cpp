@@ -1,5 +1,6 @@
 // Movements of the plane in space, and the adjoint: in coordinate planes, inclined planes and
 // wedges.
+#include <harmorph_space.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>

@@ -1,4 +1,5 @@
 // Meshes of three dimensions and arguments that are refused, each with a sentence and the place.
+#include <harmorph_space.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/plane.hpp>

@@ -1,3 +1,4 @@
+#include <harmorph_design.h>
 #include "basics/csv.hpp"
 
 #include "basics/library.hpp"

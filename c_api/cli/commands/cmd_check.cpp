@@ -1,4 +1,5 @@
 // harmorph check: is a mesh well formed, and how good is it?
+#include <harmorph_study.h>
 #include "commands/commands.hpp"
 #include "curves/curve_file.hpp"
 #include "basics/json.hpp"

@@ -1,4 +1,5 @@
 // harmorph curve: measures of a section, and the same curve with more control points.
+#include <harmorph_design.h>
 #include "commands/commands.hpp"
 #include "curves/curve_file.hpp"
 #include "basics/json.hpp"
@@ -15,26 +16,17 @@ namespace cli {
 
 namespace {
 
-// One call of hm_refine or hm_elevate, for all curves of the set in turn.
+// The same shape with more control points: inserted knots, or the degree that hm_refine is given.
 Curves refined(const std::string& path, const Curves& curves, std::int32_t curve,
-               const std::vector<double>& knots) {
+               std::int32_t degree, const std::vector<double>& knots) {
     const CurvesView view(curves);
     std::size_t bytes = 0;
     const auto n = static_cast<std::int32_t>(knots.size());
-    call(path, hm_refine_size, view.get(), curve, n, knots.data(), &bytes);
+    call(path, hm_refine_size, view.get(), curve, degree, n, knots.data(), &bytes);
     Block block(bytes);
     const hm_curves* finer = nullptr;
-    call(path, hm_refine, &finer, nullptr, block.data(), bytes, view.get(), curve, n, knots.data());
-    return copied(*finer);
-}
-
-Curves elevated(const std::string& path, const Curves& curves, std::int32_t curve) {
-    const CurvesView view(curves);
-    std::size_t bytes = 0;
-    call(path, hm_elevate_size, view.get(), curve, &bytes);
-    Block block(bytes);
-    const hm_curves* finer = nullptr;
-    call(path, hm_elevate, &finer, nullptr, block.data(), bytes, view.get(), curve);
+    call(path, hm_refine, &finer, nullptr, block.data(), bytes, view.get(), curve, degree, n,
+         knots.data());
     return copied(*finer);
 }
 
@@ -53,12 +45,15 @@ Curves changed(const Arguments& arguments, Curves curves) {
     const std::string path = arguments.operand(0);
     const std::int32_t number =
         arguments.whole("--curve", 1, 1, static_cast<std::int32_t>(curves.curves.size())) - 1;
-    if (arguments.has("--elevate")) curves = elevated(path, curves, number);
+    if (arguments.has("--elevate")) {
+        const Curve& curve = curves.curves[static_cast<std::size_t>(number)];
+        curves = refined(path, curves, number, curve.degree + 1, {});
+    }
     if (arguments.has("--halve"))
-        curves =
-            refined(path, curves, number, middles(curves.curves[static_cast<std::size_t>(number)]));
+        curves = refined(path, curves, number, 0,
+                         middles(curves.curves[static_cast<std::size_t>(number)]));
     if (arguments.has("--insert"))
-        curves = refined(path, curves, number, number_list(arguments, "--insert"));
+        curves = refined(path, curves, number, 0, number_list(arguments, "--insert"));
     return curves;
 }
 
@@ -85,9 +80,9 @@ std::vector<Wanted> wanted_of(const Arguments& arguments, const std::vector<doub
         {"chord", "chord", quantity_of(HM_CHORD)},
         {"max_thickness", "largest thickness", quantity_of(HM_MAX_THICKNESS)},
         {"max_camber", "largest camber", quantity_of(HM_MAX_CAMBER)},
-        {"nose_radius", "leading-edge radius", quantity_of(HM_NOSE_RADIUS)},
-        {"edge_angle", "trailing-edge angle", quantity_of(HM_EDGE_ANGLE)},
-        {"edge_gap", "trailing-edge gap", quantity_of(HM_EDGE_GAP)},
+        {"nose_radius", "leading-edge radius", quantity_of(HM_LEADING_EDGE_RADIUS)},
+        {"edge_angle", "trailing-edge angle", quantity_of(HM_TRAILING_EDGE_ANGLE)},
+        {"edge_gap", "trailing-edge gap", quantity_of(HM_TRAILING_EDGE_GAP)},
         {"min_radius", "smallest radius", quantity_of(HM_MIN_RADIUS)},
         {"curvature_variation", "curvature variation", quantity_of(HM_CURVATURE_VARIATION)}};
     if (arguments.has("--stations")) {

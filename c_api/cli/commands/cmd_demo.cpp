@@ -1,4 +1,5 @@
 // harmorph demo: the whole path on the shipped mesh, as a user would go it with the other commands.
+#include <harmorph_design.h>
 #include "mesh/basis_file.hpp"
 #include "commands/commands.hpp"
 #include "curves/curve_file.hpp"

@@ -131,9 +131,10 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solve
     round_as_file(mesh, found.moved.x, found.moved.y);  // what is judged is what can be written
     const hm_mesh view = mesh.view();
     const hm_points along = found.by.read(), at = found.moved.read(), start = mesh.coordinates();
-    call(mesh, hm_admissible_step, solver.basis(), &view, nullptr, &along, threads.executor(),
-         &found.step);
-    call(mesh, hm_quality, solver.basis(), &view, &at, &start, threads.executor(), &found.quality);
+    call(mesh, hm_assess, solver.basis(), &view, nullptr, &along, nullptr, threads.executor(),
+         &found.step, nullptr);
+    call(mesh, hm_assess, solver.basis(), &view, &at, nullptr, &start, threads.executor(), nullptr,
+         &found.quality);
     return found;
 }
 

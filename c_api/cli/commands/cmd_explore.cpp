@@ -17,7 +17,8 @@ namespace {
 void refuse_inverted_cells(const Mesh& mesh, const Basis& basis) {
     const hm_mesh view = mesh.view();
     auto quality = sized<hm_quality_report>();
-    call(mesh, hm_quality, basis.get(), &view, nullptr, nullptr, nullptr, &quality);
+    call(mesh, hm_assess, basis.get(), &view, nullptr, nullptr, nullptr, nullptr, nullptr,
+         &quality);
     if (quality.inverted == 0) return;
     const std::size_t line = mesh.cell_offset[static_cast<std::size_t>(quality.first_inverted)];
     throw Failure(exit_unusable, mesh.file.path() + " has " +

@@ -1,4 +1,5 @@
 // harmorph export: one function of a basis as a table, for ParaView, or as a picture.
+#include <harmorph_study.h>
 #include "mesh/basis_file.hpp"
 #include "commands/commands.hpp"
 #include "basics/csv.hpp"

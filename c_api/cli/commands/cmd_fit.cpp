@@ -1,4 +1,5 @@
 // harmorph fit: from a marker of the mesh to a B-spline in a file.
+#include <harmorph_design.h>
 #include "commands/commands.hpp"
 #include "curves/curve_file.hpp"
 #include "basics/json.hpp"

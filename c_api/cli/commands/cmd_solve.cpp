@@ -1,4 +1,5 @@
 // harmorph solve: from mesh and curves to the basis, the harmonic functions of all control points.
+#include <harmorph_design.h>
 #include "mesh/basis_file.hpp"
 #include "commands/commands.hpp"
 #include "commands/engine.hpp"

@@ -1,4 +1,5 @@
 // harmorph transfer: functions solved on one mesh, interpolated to a denser one of the same domain.
+#include <harmorph_design.h>
 #include "mesh/basis_file.hpp"
 #include "commands/commands.hpp"
 #include "basics/json.hpp"
@@ -82,7 +83,7 @@ private:
     const Mesh& fine_;
     const Basis& basis_;
     hm_mesh view_;
-    hm_options options_;
+    SolveOptions options_;
     hm_problem problem_ = sized<hm_problem>();
     Block analysis_block_, basis_block_, block_;
     hm_analysis* analysis_ = nullptr;

@@ -1,4 +1,5 @@
 // harmorph variables: design variables that are not control points, as a map to the control points.
+#include <harmorph_design.h>
 #include "commands/commands.hpp"
 #include "curves/curve_file.hpp"
 #include "basics/json.hpp"

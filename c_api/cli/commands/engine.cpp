@@ -29,14 +29,14 @@ std::vector<Option> engine_options() {
          "multigrid and fas: the largest residual of all functions, cycle by cycle"}};
 }
 
-void set_agglomeration(const Arguments& arguments, hm_options& options) {
+void set_agglomeration(const Arguments& arguments, SolveOptions& options) {
     options.agglomeration =
         arguments.choice("--agglomeration", {{"auto", HM_AGGLOMERATE_AUTO},
                                              {"isotropic", HM_AGGLOMERATE_ISOTROPIC},
                                              {"directional", HM_AGGLOMERATE_DIRECTIONAL}});
 }
 
-void set_engine(const Arguments& arguments, hm_options& options) {
+void set_engine(const Arguments& arguments, SolveOptions& options) {
     options.engine = arguments.choice(
         "--engine", {{"direct", HM_DIRECT}, {"multigrid", HM_MULTIGRID}, {"fas", HM_FAS}});
     options.precision =

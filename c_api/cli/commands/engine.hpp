@@ -2,7 +2,7 @@
 #pragma once
 
 #include "basics/arguments.hpp"
-#include "basics/library.hpp"
+#include "commands/solve_options.hpp"
 
 #include <iosfwd>
 #include <vector>
@@ -11,8 +11,8 @@ namespace cli {
 
 std::vector<Option> engine_options();
 extern const Option agglomeration_option;
-void set_engine(const Arguments& arguments, hm_options& options);
-void set_agglomeration(const Arguments& arguments, hm_options& options);
+void set_engine(const Arguments& arguments, SolveOptions& options);
+void set_agglomeration(const Arguments& arguments, SolveOptions& options);
 
 // Lines of cycle and residual, from cycle 0 to the last.
 void write_history(std::ostream& out, const std::vector<double>& residuals,

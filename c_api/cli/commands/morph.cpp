@@ -1,3 +1,4 @@
+#include <harmorph_study.h>
 #include "commands/morph.hpp"
 
 #include "formats/format.hpp"
@@ -49,8 +50,8 @@ hm_step_report admissible_step(const Basis& basis, const Mesh& mesh, const Field
     const hm_mesh view = mesh.view();
     const hm_points along = displacement.read();
     auto report = sized<hm_step_report>();
-    call(mesh, hm_admissible_step, basis.get(), &view, nullptr, &along, threads.executor(),
-         &report);
+    call(mesh, hm_assess, basis.get(), &view, nullptr, &along, nullptr, threads.executor(), &report,
+         nullptr);
     return report;
 }
 
@@ -158,7 +159,8 @@ void Morph::judge(const Basis& basis, const Mesh& mesh, const Threads& threads) 
     round_as_file(mesh, moved.x, moved.y);  // what is judged is what can be written
     const hm_mesh view = mesh.view();
     const hm_points along = displacement.read(), to = moved.read();
-    call(mesh, hm_assess, basis.get(), &view, nullptr, &along, threads.executor(), &step, &quality);
+    call(mesh, hm_assess, basis.get(), &view, nullptr, &along, nullptr, threads.executor(), &step,
+         &quality);
     std::int32_t worst_point = -1;  // of no interest
     call(mesh, hm_boundary_error, basis.get(), moves.data(), &view.points, &to, &boundary_error,
          &worst_point);

@@ -1,6 +1,7 @@
 // The section of a curve file and its chord: an option of commands that measure.
 #pragma once
 
+#include <harmorph_design.h>
 #include "basics/arguments.hpp"
 #include "basics/library.hpp"
 #include "basics/number_list.hpp"
@@ -17,10 +18,10 @@ inline hm_section section_of(const Arguments& arguments) {
     if (!arguments.has("--chord")) return section;
     const std::vector<double> chord = number_list(arguments, "--chord");
     if (chord.size() != 4) arguments.refuse("--chord expects four numbers X,Y,X,Y");
-    section.nose_x = chord[0];
-    section.nose_y = chord[1];
-    section.edge_x = chord[2];
-    section.edge_y = chord[3];
+    section.leading_x = chord[0];
+    section.leading_y = chord[1];
+    section.trailing_x = chord[2];
+    section.trailing_y = chord[3];
     return section;
 }
 

@@ -48,7 +48,7 @@ void Solver::slide(Field& moved, Field& displacement) {
     const Field before = moved;
     const hm_points from = before.read();
     const hm_points_out to = moved.write();
-    call(mesh_, hm_slide, analysis_, &from, &to);
+    call(mesh_, hm_slip, analysis_, &from, &to);
     for (std::size_t point = 0; point < moved.x.size(); ++point) {
         if (moved.x[point] != before.x[point])
             displacement.x[point] = moved.x[point] - mesh_.x[point];

@@ -48,7 +48,7 @@ private:
     hm_mesh mesh_view_;
     CurvesView curves_view_;
     hm_problem problem_;
-    hm_options options_;
+    SolveOptions options_;
     Progress progress_;
     Block analysis_block_, plan_block_, basis_block_;
     hm_analysis* analysis_ = nullptr;

@@ -1,3 +1,4 @@
+#include <harmorph_study.h>
 #include "commands/task.hpp"
 
 #include "curves/curve_file.hpp"
@@ -186,8 +187,6 @@ std::int32_t quarters_of(const Arguments& arguments) {
 }
 
 }  // namespace
-
-Task::Task() : options(sized<hm_options>()) {}
 
 std::vector<Option> task_options() {
     return {

@@ -4,6 +4,7 @@
 
 #include "basics/arguments.hpp"
 #include "mesh/basis_file.hpp"
+#include "commands/solve_options.hpp"
 #include "curves/curves.hpp"
 
 #include <memory>
@@ -18,8 +19,7 @@ struct Task {
     std::vector<std::string> passages;  // pairs of sides that are turned, in words
     std::vector<std::int32_t> given_points, given_curves;  // parameters that are known
     std::vector<double> given_u;
-    hm_options options;
-    Task();
+    SolveOptions options;
 };
 
 std::vector<Option> task_options();

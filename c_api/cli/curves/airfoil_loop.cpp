@@ -1,3 +1,4 @@
+#include <harmorph_design.h>
 #include "curves/airfoil_loop.hpp"
 
 #include "curves/curves.hpp"

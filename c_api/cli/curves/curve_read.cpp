@@ -1,3 +1,4 @@
+#include <harmorph_design.h>
 #include "curves/curve_file.hpp"
 
 #include "basics/library.hpp"

@@ -1,3 +1,4 @@
+#include <harmorph_design.h>
 #include "curves/section.hpp"
 
 #include "basics/library.hpp"

@@ -1,3 +1,4 @@
+#include <harmorph_design.h>
 #include "curves/to_airfoil.hpp"
 
 #include "curves/airfoil_loop.hpp"

@@ -5,6 +5,7 @@
 //     1 3 0 0.0125           # control point, variable, dx, dy; pairs that are not named do nothing
 #pragma once
 
+#include <harmorph_design.h>
 #include <cstdint>
 #include <iosfwd>
 #include <string>

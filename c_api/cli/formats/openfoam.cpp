@@ -3,6 +3,7 @@
 // the file `points`, in text or binary; faces, owner and boundary stand beside it. Two dimensions:
 // the patches of type empty are the planes, or two patches of type wedge. All other patches are
 // markers.
+#include <harmorph_space.h>
 #include "formats/format.hpp"
 
 #include "formats/foam_list.hpp"

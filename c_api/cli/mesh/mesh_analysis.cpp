@@ -1,3 +1,4 @@
+#include <harmorph_study.h>
 #include "mesh/mesh_analysis.hpp"
 
 #include "basics/failure.hpp"

@@ -1,6 +1,7 @@
 // What the library finds out about a mesh by itself, without curves.
 #pragma once
 
+#include <harmorph_study.h>
 #include "basics/geometry.hpp"
 #include "basics/library.hpp"
 

@@ -1,6 +1,7 @@
 #include "mesh/space_mesh.hpp"
 
 #include "harmorph.h"
+#include <harmorph_space.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 // the library finds who follows whom, between planes of any direction and in wedges.
 #pragma once
 
+#include <harmorph_space.h>
 #include "mesh/mesh_file.hpp"
 
 #include <array>

@@ -1,3 +1,4 @@
+#include <harmorph_design.h>
 #include "pictures/draw_curves.hpp"
 
 #include "basics/library.hpp"

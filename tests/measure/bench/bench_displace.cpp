@@ -1,6 +1,7 @@
 // One displacement of the wall, as a time step has it: against factor and solution of 20 functions,
 // and against linear elasticity by conjugate gradients, which is what mesh deformation in flow
 // solvers usually is.
+#include "fixtures/options.hpp"
 #include "clock.hpp"
 #include "elasticity.hpp"
 #include "ours.hpp"
@@ -39,8 +40,7 @@ public:
         problem.curves = curves;
         problem.n_conditions = 1;
         problem.conditions = &condition;
-        hm_options options{};
-        options.struct_size = sizeof options;
+        Options options{};
         options.operator_kind = operator_kind;
         options.executor = settings.executor;
         options.kernel = settings.kernel;

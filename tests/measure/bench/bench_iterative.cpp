@@ -1,5 +1,6 @@
 // The engines that iterate against the direct one: iterations, seconds, memory, and how far their
 // functions are apart.
+#include <harmorph_study.h>
 #include "ours.hpp"
 #include "settings.hpp"
 

@@ -1,5 +1,7 @@
 // The product and its transpose against OpenBLAS's dgemm and the machine's read bandwidth;
 // admissible step and quality.
+#include <harmorph_design.h>
+#include <harmorph_study.h>
 #include "clock.hpp"
 #include "ours.hpp"
 #include "peers.hpp"
@@ -254,21 +256,24 @@ void add_step(Case const& its_case, Settings const& settings, Table& table) {
     double const step = time_of([&] {
         hm_step_report report{};
         report.struct_size = sizeof report;
-        require(hm_admissible_step(basis, &mesh, nullptr, &displacement, executor, &report, &error),
+        require(hm_assess(basis, &mesh, nullptr, &displacement, nullptr, executor, &report, nullptr,
+                          &error),
                 error, "hm_admissible_step");
     });
     double const quality = time_of([&] {
         hm_quality_report report{};
         report.struct_size = sizeof report;
-        require(hm_quality(basis, &mesh, nullptr, &mesh.points, executor, &report, &error), error,
-                "hm_quality");
+        require(hm_assess(basis, &mesh, nullptr, nullptr, &mesh.points, executor, nullptr, &report,
+                          &error),
+                error, "hm_quality");
     });
     auto const assess = [&] {
         hm_step_report limit{};
         limit.struct_size = sizeof limit;
         hm_quality_report report{};
         report.struct_size = sizeof report;
-        require(hm_assess(basis, &mesh, nullptr, &displacement, executor, &limit, &report, &error),
+        require(hm_assess(basis, &mesh, nullptr, &displacement, nullptr, executor, &limit, &report,
+                          &error),
                 error, "hm_assess");
     };
     auto const in_turns = in_turn([&] { product.morph(); }, assess);

@@ -1,5 +1,6 @@
 // A safe morph on the way of which the functions are solved again four times, against one whole
 // solution: analysis, plan, factor and 20 conformal functions.
+#include "fixtures/options.hpp"
 #include "clock.hpp"
 #include "ours.hpp"
 #include "settings.hpp"
@@ -16,7 +17,6 @@ class SafeCase {
 public:
     SafeCase(Case const& its_case, Settings const& settings)
         : case_(its_case), fit_(its_case, functions), x_(its_case.mesh.x.size()), y_(x_.size()) {
-        options_.struct_size = sizeof options_;
         options_.executor = settings.executor;
         options_.kernel = settings.kernel;
         safe_.struct_size = sizeof safe_;
@@ -74,7 +74,7 @@ private:
     hm_analysis* analysis_ = nullptr;
     hm_plan* plan_ = nullptr;
     hm_basis* basis_ = nullptr;
-    hm_options options_{};
+    Options options_{};
     hm_safe_options safe_{};
     hm_safe_report report_{};
     hm_error error_{};

@@ -1,3 +1,5 @@
+#include <harmorph_design.h>
+#include <harmorph_study.h>
 #include "laplacian.hpp"
 
 #include <algorithm>

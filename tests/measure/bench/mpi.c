@@ -2,6 +2,7 @@
  * numbers, see mpi.sh: seconds of the processor that works longest, not of the clock, so that other
  * programs disturb less; and the largest number of bytes that a process has for harmorph at a time.
  */
+#include <harmorph_parts.h>
 #include "mpi_case.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+#include "fixtures/options.hpp"
 #include "ours.hpp"
 
 #include "clock.hpp"
@@ -47,8 +48,7 @@ Ours::Ours(Case const& its_case, Workspace& workspace, Index functions, hm_execu
 Phases Ours::run() {
     Problem const problem(case_, fit_);
     Clock clock;
-    hm_options options{};
-    options.struct_size = sizeof options;
+    Options options{};
     options.operator_kind = operator_kind_;
     options.executor = executor_;
     options.kernel = kernel_;

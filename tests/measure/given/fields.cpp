@@ -193,7 +193,8 @@ void run_safely(const cli::Mesh& mesh, cli::Solver& solver, const Wall& wall, cl
     const hm_mesh view = mesh.view();
     const hm_points at = to.read(), start = mesh.coordinates();
     auto quality = cli::sized<hm_quality_report>();
-    cli::call(mesh, hm_quality, solver.basis(), &view, &at, &start, threads.executor(), &quality);
+    cli::call(mesh, hm_assess, solver.basis(), &view, &at, nullptr, &start, threads.executor(),
+              nullptr, &quality);
     check(quality.inverted == 0, "no inverted cell");
     check(quality.self_crossing == 0, "no crossing");
     if (status == HM_SHORT) return;

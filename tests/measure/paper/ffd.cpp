@@ -163,8 +163,8 @@ void replace(Morph& morph, const cli::Mesh& mesh, const cli::Basis& basis,
     morph.step = cli::admissible_step(basis, mesh, displacement, threads);
     const hm_mesh view = mesh.view();
     const hm_points at = morph.moved.read(), before = mesh.coordinates();
-    cli::call(mesh, hm_quality, basis.get(), &view, &at, &before, threads.executor(),
-              &morph.quality);
+    cli::call(mesh, hm_assess, basis.get(), &view, &at, nullptr, &before, threads.executor(),
+              nullptr, &morph.quality);
 }
 
 void print(const char* method, const Row& row, const Morph& morph) {

@@ -27,8 +27,8 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_slide(const hm_analysis* analysis, const hm_points* from, const hm_points_out* to,
-                   hm_error* err) {
+hm_status hm_slip(const hm_analysis* analysis, const hm_points* from, const hm_points_out* to,
+                  hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* of = nullptr;
         Points before;
@@ -42,8 +42,8 @@ hm_status hm_slide(const hm_analysis* analysis, const hm_points* from, const hm_
     });
 }
 
-hm_status hm_slide_adjoint(const hm_analysis* analysis, const hm_points* from, const hm_points* dj,
-                           const hm_points_out* dj_from, hm_error* err) {
+hm_status hm_slip_adjoint(const hm_analysis* analysis, const hm_points* from, const hm_points* dj,
+                          const hm_points_out* dj_from, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* of = nullptr;
         Points before, derivative;

@@ -1,4 +1,6 @@
 // Sliding points back onto their curves, and the transpose.
+#include <harmorph_design.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
@@ -16,7 +18,7 @@ struct Slid {
 
     Slid() {
         its.set_slip(far_field);
-        hm_options const options = options_of(HM_CONFORMAL);
+        Options const options = options_of(HM_CONFORMAL);
         REQUIRE(attempt.analyse(its.problem(), &options));
         x = its.mesh.x;
         y = its.mesh.y;
@@ -34,11 +36,11 @@ struct Slid {
 }  // namespace
 
 TEST_CASE(
-    "hm_slide: sliding points are on the circle, inner ones follow, the wall keeps its bits, twice "
+    "hm_slip: sliding points are on the circle, inner ones follow, the wall keeps its bits, twice "
     "is once") {
     Slid of;
     std::vector<double> x(of.x.size()), y(of.x.size());
-    REQUIRE(hm_slide(of.attempt.analysis, points_in(of.x, of.y), points_out(x, y), nullptr) ==
+    REQUIRE(hm_slip(of.attempt.analysis, points_in(of.x, of.y), points_out(x, y), nullptr) ==
             HM_OK);
     double inner_moves = 0;
     for (std::size_t k = 0; k < x.size(); ++k) {
@@ -60,23 +62,23 @@ TEST_CASE(
     }
     CHECK(inner_moves > 0.02);
     std::vector<double> in_place_x = of.x, in_place_y = of.y;
-    REQUIRE(hm_slide(of.attempt.analysis, points_in(in_place_x, in_place_y),
-                     points_out(in_place_x, in_place_y), nullptr) == HM_OK);
+    REQUIRE(hm_slip(of.attempt.analysis, points_in(in_place_x, in_place_y),
+                    points_out(in_place_x, in_place_y), nullptr) == HM_OK);
     CHECK(same_bits(in_place_x, x));
     CHECK(same_bits(in_place_y, y));
-    REQUIRE(hm_slide(of.attempt.analysis, points_in(x, y), points_out(in_place_x, in_place_y),
-                     nullptr) == HM_OK);
+    REQUIRE(hm_slip(of.attempt.analysis, points_in(x, y), points_out(in_place_x, in_place_y),
+                    nullptr) == HM_OK);
     CHECK(largest_difference(in_place_x, x) < 1e-15);
     CHECK(largest_difference(in_place_y, y) < 1e-15);
     // The start is on the curve bit by bit.
     std::vector<double> start_x = of.its.mesh.x, start_y = of.its.mesh.y;
-    REQUIRE(hm_slide(of.attempt.analysis, points_in(start_x, start_y), points_out(start_x, start_y),
-                     nullptr) == HM_OK);
+    REQUIRE(hm_slip(of.attempt.analysis, points_in(start_x, start_y), points_out(start_x, start_y),
+                    nullptr) == HM_OK);
     CHECK(same_bits(start_x, of.its.mesh.x));
     CHECK(same_bits(start_y, of.its.mesh.y));
 }
 
-TEST_CASE("hm_slide_adjoint is the transpose of the derivative") {
+TEST_CASE("hm_slip_adjoint is the transpose of the derivative") {
     Slid of;
     std::size_t const n = of.x.size();
     std::vector<double> const weight = some_move(static_cast<std::int32_t>(n), 1, 7);
@@ -85,10 +87,10 @@ TEST_CASE("hm_slide_adjoint is the transpose of the derivative") {
         jx[k] = weight[2 * k];
         jy[k] = weight[2 * k + 1];
     }
-    REQUIRE(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), points_in(jx, jy),
-                             points_out(gx, gy), nullptr) == HM_OK);
+    REQUIRE(hm_slip_adjoint(of.attempt.analysis, points_in(of.x, of.y), points_in(jx, jy),
+                            points_out(gx, gy), nullptr) == HM_OK);
     auto const objective = [&](std::vector<double> x, std::vector<double> y) {
-        REQUIRE(hm_slide(of.attempt.analysis, points_in(x, y), points_out(x, y), nullptr) == HM_OK);
+        REQUIRE(hm_slip(of.attempt.analysis, points_in(x, y), points_out(x, y), nullptr) == HM_OK);
         double sum = 0;
         for (std::size_t k = 0; k < n; ++k) sum += jx[k] * x[k] + jy[k] * y[k];
         return sum;
@@ -104,31 +106,30 @@ TEST_CASE("hm_slide_adjoint is the transpose of the derivative") {
         less[k] -= h;
         CHECK(std::fabs((objective(of.x, more) - objective(of.x, less)) / (2 * h) - gy[k]) < 1e-5);
     }
-    REQUIRE(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), points_in(jx, jy),
-                             points_out(jx, jy), nullptr) == HM_OK);
+    REQUIRE(hm_slip_adjoint(of.attempt.analysis, points_in(of.x, of.y), points_in(jx, jy),
+                            points_out(jx, jy), nullptr) == HM_OK);
     CHECK(same_bits(jx, gx));
     CHECK(same_bits(jy, gy));
 }
 
-TEST_CASE("hm_slide: what is not finite is refused by its number, NULL is refused, outputs stay") {
+TEST_CASE("hm_slip: what is not finite is refused by its number, NULL is refused, outputs stay") {
     Slid of;
     std::vector<double> x(of.x.size(), 7), y(of.x.size(), 7);
     of.x.back() = std::numeric_limits<double>::quiet_NaN();
     hm_error error{};
-    CHECK(hm_slide(of.attempt.analysis, points_in(of.x, of.y), points_out(x, y), &error) ==
+    CHECK(hm_slip(of.attempt.analysis, points_in(of.x, of.y), points_out(x, y), &error) ==
           HM_BAD_MESH);
     CHECK(error.item == static_cast<std::int32_t>(of.x.size()) - 1);
     CHECK(std::string(error.text).find("sliding point") == 0);
     CHECK(x[0] == 7);
-    CHECK(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), points_in(x, y),
-                           points_out(x, y), &error) == HM_BAD_MESH);
-    CHECK(hm_slide(nullptr, points_in(of.x, of.y), points_out(x, y), nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_slide(of.attempt.analysis, nullptr, points_out(x, y), nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_slide(of.attempt.analysis, points_in(of.x, of.y), nullptr, nullptr) ==
-          HM_BAD_ARGUMENT);
-    CHECK(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), nullptr, points_out(x, y),
-                           nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_slip_adjoint(of.attempt.analysis, points_in(of.x, of.y), points_in(x, y),
+                          points_out(x, y), &error) == HM_BAD_MESH);
+    CHECK(hm_slip(nullptr, points_in(of.x, of.y), points_out(x, y), nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_slip(of.attempt.analysis, nullptr, points_out(x, y), nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_slip(of.attempt.analysis, points_in(of.x, of.y), nullptr, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_slip_adjoint(of.attempt.analysis, points_in(of.x, of.y), nullptr, points_out(x, y),
+                          nullptr) == HM_BAD_ARGUMENT);
     of.x.back() = 2;
     of.x.front() = std::numeric_limits<double>::quiet_NaN();  // a wall's: of no concern
-    CHECK(hm_slide(of.attempt.analysis, points_in(of.x, of.y), points_out(x, y), nullptr) == HM_OK);
+    CHECK(hm_slip(of.attempt.analysis, points_in(of.x, of.y), points_out(x, y), nullptr) == HM_OK);
 }

@@ -1,0 +1,227 @@
+// The C interface: the cells of a mesh that is given as edges.
+#include <limits>
+
+#include "call.hpp"
+#include "views.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Index most_sides = 1024;
+
+// Arrays [n_edges] of the caller, and the cells that are made of them.
+struct EdgeCells {
+    hm_edge_mesh given;
+    Span<Index> start;        // [n_cells + 1] where the points of a cell begin, from index_base
+    Span<Index> points;       // [sides of all cells] from index_base
+    Span<Index> edge;         // [sides of all cells] edges of a cell, from 0: working space
+    Span<Index> face_points;  // [2 * faces]
+    Span<Index> face_marker;  // [faces]
+    Index n_sides = 0, n_faces = 0;
+
+    Status read(const hm_edge_mesh* from, CallFault& fault) noexcept;
+    void lay_out(Arena& arena) noexcept {
+        arena.take(start, Offset{given.n_cells} + 1);
+        arena.take(points, n_sides);
+        arena.take(edge, n_sides);
+        arena.take(face_points, Offset{2} * n_faces);
+        arena.take(face_marker, n_faces);
+    }
+    Status run(Fault& fault) noexcept {
+        sort_edges();
+        for (Index cell = 0; cell < given.n_cells; ++cell) HARMORPH_TRY(order(cell, fault));
+        for (Index cell = 0; cell <= given.n_cells; ++cell) start[cell] += given.index_base;
+        list_faces();
+        return Status::ok;
+    }
+    hm_mesh present() const noexcept;
+
+private:
+    Index end_of(Index e, Index k) const noexcept {
+        return given.edge_points[2 * Offset{e} + k] - given.index_base;
+    }
+    Index cell_of(Index e, Index k) const noexcept {
+        return given.edge_cells[2 * Offset{e} + k] - given.index_base;
+    }
+    bool is_face(Index e) const noexcept {
+        return given.edge_markers != nullptr && given.edge_markers[e] != HM_NO_MARKER &&
+               (cell_of(e, 0) == none || cell_of(e, 1) == none);
+    }
+    Status check_sizes(Fault& fault) const noexcept;
+    Status check_edge(Index e, Fault& fault) const noexcept;
+    void sort_edges() const noexcept;
+    Status order(Index cell, Fault& fault) const noexcept;
+    void list_faces() const noexcept;
+};
+
+Status EdgeCells::check_sizes(Fault& fault) const noexcept {
+    constexpr Index most_points = Index{1} << 30, most_cells = Index{1} << 29;
+    if (given.index_base != 0 && given.index_base != 1) {
+        return fault.refuse(Status::bad_argument, "edges.index_base must be 0 or 1, not #",
+                            Counts::from_zero, given.index_base);
+    }
+    if (given.n_points < 3 || given.n_points > most_points) {
+        return fault.refuse(Status::bad_mesh, "edges.n_points must be between 3 and 2^30, not #",
+                            Counts::from_zero, given.n_points);
+    }
+    if (given.n_cells < 1 || given.n_cells > most_cells) {
+        return fault.refuse(Status::bad_mesh, "edges.n_cells must be between 1 and 2^29, not #",
+                            Counts::from_zero, given.n_cells);
+    }
+    if (given.n_edges < 3 || given.n_edges > most_points) {
+        return fault.refuse(Status::bad_mesh, "edges.n_edges must be between 3 and 2^30, not #",
+                            Counts::from_zero, given.n_edges);
+    }
+    return require({{"edges.edge_points", given.edge_points},
+                    {"edges.edge_cells", given.edge_cells},
+                    {"edges.points.x", given.points.x},
+                    {"edges.points.y", given.points.y}},
+                   fault);
+}
+
+Status EdgeCells::check_edge(Index e, Fault& fault) const noexcept {
+    for (Index k = 0; k < 2; ++k) {
+        Index const point = end_of(e, k), cell = cell_of(e, k);
+        if (point < 0 || point >= given.n_points) {
+            return fault.refuse(Status::bad_mesh, "edge # names point @, which does not exist",
+                                Counts::mesh, e, point);
+        }
+        if (cell < none || cell >= given.n_cells) {
+            return fault.refuse(Status::bad_mesh, "edge # names cell @, which does not exist",
+                                Counts::mesh, e, cell);
+        }
+    }
+    if (cell_of(e, 0) != cell_of(e, 1)) return Status::ok;
+    return fault.refuse(Status::bad_mesh, "edge # has the same cell on both sides, or no cell",
+                        Counts::mesh, e);
+}
+
+Status EdgeCells::read(const hm_edge_mesh* from, CallFault& fault) noexcept {
+    HARMORPH_TRY(require({{"edges", from}}, fault));
+    if (!read_struct(from, given)) {
+        return fault.refuse(Status::bad_argument, "edges.struct_size is wrong");
+    }
+    fault.bases.mesh = given.index_base;
+    HARMORPH_TRY(check_sizes(fault));
+    Offset sides = 0;
+    for (Index e = 0; e < given.n_edges; ++e) {
+        HARMORPH_TRY(check_edge(e, fault));
+        for (Index k = 0; k < 2; ++k) sides += cell_of(e, k) != none ? 1 : 0;
+        n_faces += is_face(e) ? 1 : 0;
+    }
+    if (sides > std::numeric_limits<Index>::max()) {
+        return fault.refuse(Status::bad_mesh, "the cells have more than 2^31 sides together");
+    }
+    n_sides = static_cast<Index>(sides);
+    return Status::ok;
+}
+
+// Count, sum up, fill: the edges of each cell in the order of their numbers.
+void EdgeCells::sort_edges() const noexcept {
+    for (Index cell = 0; cell <= given.n_cells; ++cell) start[cell] = 0;
+    for (Index e = 0; e < given.n_edges; ++e) {
+        for (Index k = 0; k < 2; ++k) {
+            if (cell_of(e, k) != none) ++start[cell_of(e, k) + 1];
+        }
+    }
+    for (Index cell = 0; cell < given.n_cells; ++cell) start[cell + 1] += start[cell];
+    for (Index e = 0; e < given.n_edges; ++e) {
+        for (Index k = 0; k < 2; ++k) {
+            if (cell_of(e, k) != none) edge[start[cell_of(e, k)]++] = e;
+        }
+    }
+    for (Index cell = given.n_cells; cell > 0; --cell) start[cell] = start[cell - 1];
+    start[0] = 0;
+}
+
+// Walks round a cell: each edge must lead to the next one, and the last one to the first.
+Status EdgeCells::order(Index cell, Fault& fault) const noexcept {
+    Index const begin = start[cell], n = start[cell + 1] - begin;
+    if (n < 3 || n > most_sides) {
+        return fault.refuse(Status::bad_mesh, "cell # has @ edges; 3 to 1024 are possible",
+                            Counts::mesh, cell, n - given.index_base);
+    }
+    Index at = end_of(edge[begin], 0);
+    for (Index k = 0; k < n; ++k) {
+        Index found = k;
+        while (found < n && end_of(edge[begin + found], 0) != at &&
+               end_of(edge[begin + found], 1) != at) {
+            ++found;
+        }
+        if (found == n) {
+            return fault.refuse(Status::bad_mesh,
+                                "the edges of cell # do not form one closed loop: see point @",
+                                Counts::mesh, cell, at);
+        }
+        Index const e = edge[begin + found];
+        edge[begin + found] = edge[begin + k];
+        edge[begin + k] = e;
+        points[begin + k] = at + given.index_base;
+        at = end_of(e, end_of(e, 0) == at ? 1 : 0);
+    }
+    if (at + given.index_base == points[begin]) return Status::ok;
+    return fault.refuse(Status::bad_mesh,
+                        "the edges of cell # do not form one closed loop: see point @",
+                        Counts::mesh, cell, at);
+}
+
+void EdgeCells::list_faces() const noexcept {
+    Index face = 0;
+    for (Index e = 0; e < given.n_edges; ++e) {
+        if (!is_face(e)) continue;
+        for (Index k = 0; k < 2; ++k) face_points[2 * face + k] = end_of(e, k) + given.index_base;
+        face_marker[face++] = given.edge_markers[e];
+    }
+}
+
+hm_mesh EdgeCells::present() const noexcept {
+    hm_mesh mesh = {};
+    Index longest = 0;
+    for (Index cell = 0; cell < given.n_cells; ++cell) {
+        longest = larger(longest, start[cell + 1] - start[cell]);
+    }
+    mesh.struct_size = sizeof mesh;
+    mesh.index_base = given.index_base;
+    mesh.n_points = given.n_points;
+    mesh.points = given.points;
+    mesh.cell_layout = longest > 4 ? HM_CELLS_POLYGONS : HM_CELLS_ROWS;
+    mesh.n_cells = given.n_cells;
+    mesh.cell_start = start.data();
+    mesh.cell_points = points.data();
+    mesh.n_faces = n_faces;
+    mesh.face_points = face_points.data();
+    mesh.face_markers = face_marker.data();
+    return mesh;
+}
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_mesh_from_edges_size(const hm_edge_mesh* edges, size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        EdgeCells cells;
+        HARMORPH_TRY(require({{"bytes", bytes}}, fault));
+        HARMORPH_TRY(cells.read(edges, fault));
+        return count_bytes(bytes, fault, [&](Arena& arena) { cells.lay_out(arena); });
+    });
+}
+
+hm_status hm_mesh_from_edges(hm_mesh* mesh, void* block, size_t bytes, const hm_edge_mesh* edges,
+                             hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        EdgeCells cells;
+        HARMORPH_TRY(require({{"block", block}}, fault));
+        HARMORPH_TRY(check_report(mesh, fault));
+        HARMORPH_TRY(cells.read(edges, fault));
+        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { cells.lay_out(arena); }));
+        HARMORPH_TRY(cells.run(fault));
+        write_struct(cells.present(), mesh);
+        return Status::ok;
+    });
+}
+
+}  // extern "C"

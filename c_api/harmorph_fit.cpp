@@ -1,0 +1,288 @@
+// The C interface: B-splines through points in order, and through the walls of a mesh.
+#include "bspline/fit.hpp"
+#include "request.hpp"
+
+namespace harmorph {
+namespace {
+
+// The structs of the caller for a set of fitted curves, index_base 0.
+struct FittedSet {
+    Span<hm_curves> set;
+    Span<hm_curve> curve;
+
+    void lay_out(Arena& arena, Index n_curves) noexcept {
+        arena.take(set, 1);
+        arena.take(curve, n_curves);
+    }
+    const hm_curves* present(Span<Real> control, Index n_curves) const noexcept {
+        set[0] = {sizeof(hm_curves), 0,        control.count() / 2, control.data(),
+                  nullptr,           n_curves, curve.data()};
+        return set.data();
+    }
+};
+
+struct FitBlock {
+    FittedSet made;
+    Fit fit;
+
+    void lay_out(Arena& arena, Index n, FitOptions const& options) noexcept {
+        made.lay_out(arena, 2);
+        fit.lay_out(arena, n, options);
+    }
+    const hm_curves* present() const noexcept {
+        for (Index i = 0; i < fit.n_curves; ++i) made.curve[i] = struct_of(fit.curve[i]);
+        return made.present(fit.control, fit.n_curves);
+    }
+};
+
+hm_fit_report report_of(FitReport const& fitted, Index n_pieces) noexcept {
+    hm_fit_report filled = {};
+    filled.max_error = fitted.max_error;
+    filled.rms_error = fitted.rms_error;
+    filled.max_error_point = fitted.max_error_point;
+    filled.closed = static_cast<std::int32_t>(fitted.closure);
+    filled.first_point = fitted.first_point;
+    filled.base_points = fitted.base_points;
+    filled.reason = static_cast<std::int32_t>(fitted.reason);
+    filled.corners = fitted.corners;
+    filled.backtrack_point = fitted.backtrack_point;
+    filled.pieces = n_pieces;
+    return filled;
+}
+
+// The result of hm_fit_marker: the curves of all pieces over common control points.
+struct PiecesBlock {
+    FittedSet made;
+    Span<Real> control;
+    Span<Index> indices;
+    Span<Real> knots;
+    Index n_curves = 0, n_control = 0;
+    Size n_indices = 0, n_knots = 0;
+
+    // A piece has more points than the degree, and each face has at most two points.
+    void lay_out(Arena& arena, Index max_faces, FitOptions const& options) noexcept {
+        Index const pieces = max_faces / options.degree;
+        Offset const points = Offset{2} * max_faces, wanted = Offset{pieces} * options.n_control;
+        Offset const controls = smaller(points, wanted);
+        made.lay_out(arena, 2 * pieces);
+        arena.take(control, 2 * controls);
+        arena.take(indices, controls + Offset{pieces} * (options.degree + 2));
+        arena.take(knots, controls + Offset{pieces} * (2 * options.degree + 5));
+    }
+    void add(Fit const& fit) noexcept {
+        for (Index i = 0; i < fit.n_curves; ++i) {
+            Curve curve = fit.curve[i];
+            Index* const own = indices.data() + n_indices;
+            Real* const own_knots = knots.data() + n_knots;
+            for (Index k = 0; k < curve.n_indices; ++k) own[k] = n_control + curve.control_point(k);
+            Index const knots_of_curve = curve.n_indices + curve.degree + 1;
+            for (Index k = 0; k < knots_of_curve; ++k) own_knots[k] = curve.knots[k];
+            n_indices += static_cast<Size>(curve.n_indices);
+            n_knots += static_cast<Size>(knots_of_curve);
+            curve.indices = own;
+            curve.knots = own_knots;
+            made.curve[n_curves++] = struct_of(curve);
+        }
+        for (Index k = 0; k < fit.control.count(); ++k) control[2 * n_control + k] = fit.control[k];
+        n_control += fit.control.count() / 2;
+    }
+    const hm_curves* present() const noexcept {
+        return made.present(control.first(2 * n_control), n_curves);
+    }
+};
+
+// Walls of a mesh that are to be fitted, read from the caller's arguments.
+struct WallRequest {
+    Request request;  // the mesh alone
+    Span<const Index> markers;
+    FitOptions options;
+
+    Status read(const hm_mesh* mesh, Index n_markers, const Index* given,
+                const hm_fit_options* fit_options, CallFault& fault) noexcept {
+        HARMORPH_TRY(require({{"markers", given}}, fault));
+        if (n_markers < 1) {
+            return fault.refuse(Status::bad_argument, "n_markers must be at least 1, not #",
+                                Counts::from_zero, n_markers);
+        }
+        markers = {given, static_cast<Size>(n_markers)};
+        HARMORPH_TRY(view_fit_options(fit_options, options, fault));
+        hm_problem problem = {};
+        problem.struct_size = sizeof problem;
+        problem.mesh = mesh;
+        HARMORPH_TRY(request.read(&problem, nullptr, fault));
+        return check_fit(options.n_control, options, fault);
+    }
+    Index max_faces() const noexcept {
+        return static_cast<Index>(Boundary::max_faces(request.problem.mesh));
+    }
+    bool is_on(Index marker) const noexcept {
+        for (Index const own : markers) {
+            if (own == marker) return true;
+        }
+        return false;
+    }
+};
+
+// Working memory of hm_fit_marker: the analysis of the mesh, the points of a piece, the fit.
+struct FitWork {
+    Analysis analysis;
+    Span<Index> point;  // of the piece
+    Span<Real> x, y;
+    Span<unsigned char> room;  // of the fit of any piece
+
+    void lay_out(Arena& arena, WallRequest const& wall) noexcept {
+        Index const most = larger(2 * wall.max_faces(), wall.options.n_control);
+        analysis.lay_out(arena, wall.request.problem, 0, 0);
+        arena.take(point, most);
+        arena.take(x, most);
+        arena.take(y, most);
+        Arena counting;
+        Fit().lay_out(counting, most, wall.options);
+        arena.take(room, counting.bytes());
+    }
+};
+
+class WallFit {
+public:
+    WallFit(WallRequest const& wall, FitWork& work, PiecesBlock& made) noexcept
+        : wall_(wall), work_(work), made_(made) {}
+
+    Status run(hm_fit_report& report, CallFault& fault) noexcept {
+        HARMORPH_TRY(work_.analysis.run(wall_.request.problem, fault));
+        Boundary const& boundary = work_.analysis.boundary;
+        auto const is_on = [&](Index face) { return wall_.is_on(boundary.marker[face]); };
+        auto const visit = [&](Index, Index point) { work_.point[n_points_++] = point; };
+        auto const close = [&](Index, bool is_loop) {
+            if (!failed(fault.status)) fit_piece(is_loop, fault);
+            n_points_ = 0;
+        };
+        n_pieces_ = boundary.for_each_piece(is_on, visit, close);
+        if (n_pieces_ == 0) {
+            return fault.refuse(Status::bad_condition,
+                                "no boundary face has these markers; the first one is #",
+                                Counts::from_zero, wall_.markers[0]);
+        }
+        report = report_of(worst_, n_pieces_);
+        return fault.status;
+    }
+
+private:
+    Index number_of(Index position) const noexcept {
+        if (position == none) return none;
+        return work_.point[position] + wall_.request.problem.mesh.index_base;
+    }
+    void fit_piece(bool is_loop, CallFault& fault) noexcept {
+        Points const points = wall_.request.problem.mesh.points;
+        for (Index k = 0; k < n_points_; ++k) {
+            work_.x[k] = points[work_.point[k]].x;
+            work_.y[k] = points[work_.point[k]].y;
+        }
+        Fit fit;
+        FitReport fitted;
+        if (failed(check_fit(n_points_, wall_.options, fault))) return;
+        Arena arena(work_.room.data(), work_.room.size());
+        fit.lay_out(arena, n_points_, wall_.options);
+        fit.run({work_.x.data(), work_.y.data(), 1}, n_points_, is_loop, wall_.options, fitted,
+                fault);
+        if (failed(fault.status)) return;
+        if (made_.n_curves == 0 || fitted.max_error > worst_.max_error) {
+            worst_ = fitted;
+            worst_.max_error_point = number_of(fitted.max_error_point);
+            worst_.first_point = number_of(fitted.first_point);
+            worst_.backtrack_point = number_of(fitted.backtrack_point);
+        }
+        made_.add(fit);
+    }
+
+    WallRequest const& wall_;
+    FitWork& work_;
+    PiecesBlock& made_;
+    Index n_points_ = 0, n_pieces_ = 0;
+    FitReport worst_;
+};
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_fit_size(int32_t n, const hm_fit_options* options, size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        FitOptions asked;
+        HARMORPH_TRY(require({{"bytes", bytes}}, fault));
+        HARMORPH_TRY(view_fit_options(options, asked, fault));
+        HARMORPH_TRY(check_fit(n, asked, fault));
+        FitBlock made;
+        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, n, asked); });
+    });
+}
+
+hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes, const hm_points* points,
+                 int32_t n, int32_t is_loop, const hm_fit_options* options, hm_fit_report* report,
+                 hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Points view;
+        FitOptions asked;
+        HARMORPH_TRY(require({{"curves", curves}, {"block", block}}, fault));
+        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(view_points(points, "points", view, fault));
+        HARMORPH_TRY(view_fit_options(options, asked, fault));
+        HARMORPH_TRY(check_fit(n, asked, fault));
+        FitBlock made;
+        FitReport fitted;
+        HARMORPH_TRY(
+            place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, n, asked); }));
+        HARMORPH_TRY(made.fit.run(view, n, is_loop != 0, asked, fitted, fault));
+        *curves = made.present();
+        if (report != nullptr) write_struct(report_of(fitted, 1), report);
+        return fault.status;
+    });
+}
+
+hm_status hm_fit_marker_size(const hm_mesh* mesh, int32_t n_markers, const int32_t* markers,
+                             const hm_fit_options* options, size_t* bytes, size_t* work_bytes,
+                             hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        WallRequest wall;
+        HARMORPH_TRY(require({{"bytes", bytes}, {"work_bytes", work_bytes}}, fault));
+        HARMORPH_TRY(wall.read(mesh, n_markers, markers, options, fault));
+        PiecesBlock made;
+        FitWork work;
+        size_t of_block = 0, of_work = 0;
+        HARMORPH_TRY(count_bytes(&of_block, fault, [&](Arena& arena) {
+            made.lay_out(arena, wall.max_faces(), wall.options);
+        }));
+        HARMORPH_TRY(
+            count_bytes(&of_work, fault, [&](Arena& arena) { work.lay_out(arena, wall); }));
+        *bytes = of_block;
+        *work_bytes = of_work;
+        return Status::ok;
+    });
+}
+
+hm_status hm_fit_marker(const hm_curves** curves, void* block, size_t bytes, const hm_mesh* mesh,
+                        int32_t n_markers, const int32_t* markers, const hm_fit_options* options,
+                        hm_fit_report* report, void* work, size_t work_bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        WallRequest wall;
+        HARMORPH_TRY(require({{"curves", curves}, {"block", block}, {"work", work}}, fault));
+        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(wall.read(mesh, n_markers, markers, options, fault));
+        PiecesBlock made;
+        FitWork arrays;
+        hm_fit_report fitted = {};
+        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) {
+            made.lay_out(arena, wall.max_faces(), wall.options);
+        }));
+        HARMORPH_TRY(
+            place(work, work_bytes, fault, [&](Arena& arena) { arrays.lay_out(arena, wall); }));
+        HARMORPH_TRY(WallFit(wall, arrays, made).run(fitted, fault));
+        *curves = made.present();
+        if (report != nullptr) write_struct(fitted, report);
+        return fault.status;
+    });
+}
+
+}  // extern "C"
