@@ -62,7 +62,8 @@ struct CellMeasure {
         : twice_smallest(corners.smallest()),
           skew(skew_fraction(n, corners)),
           area(corners.cell_area(n)) {}
-    // shape_of(i): the CellShape of a piece or a guard, counter-clockwise.
+    // One of the caller's cells. shape_of(i): the CellShape of a cell, which may be a piece, or of
+    // a guard, counter-clockwise.
     template <class ShapeOf>
     CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of) noexcept;
 
@@ -127,9 +128,9 @@ inline void Quality::note(Index cell, Real twice_smallest, Real value) noexcept 
 template <class ShapeOf>
 CellMeasure::CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of) noexcept
     : twice_smallest(infinity), skew{0, 1}, area(0) {
-    Index const begin = mesh.piece_start[number], end = mesh.piece_start[number + 1];
-    if (end - begin == 1) {
-        CellShape const shape = shape_of(begin);
+    IndexRange const pieces = mesh.pieces_of(number);
+    if (pieces.count() == 1) {
+        CellShape const shape = shape_of(pieces.first);
         *this = CellMeasure(shape.n, CellCorners(shape));
         return;
     }
@@ -137,14 +138,14 @@ CellMeasure::CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of
         bool const is_number = twice_smallest == twice_smallest;
         if (is_number && !(twice_area >= twice_smallest)) twice_smallest = twice_area;
     };
-    for (Index piece = begin; piece < end; ++piece) {
+    for (Index const piece : pieces) {
         Real const twice_area = CellCorners(shape_of(piece)).smallest();  // of a triangle
         least(twice_area);
         area += 0.5 * twice_area;
     }
     Real sum = 0;
     Index m = 0;
-    for (Index guard = mesh.guard_start[number]; guard < mesh.guard_start[number + 1]; ++guard) {
+    for (Index const guard : mesh.guards_of(number)) {
         CellCorners const corner(shape_of(guard));
         bool const is_convex = mesh.guard_kind[guard - mesh.n_cells] == CornerKind::convex;
         if (is_convex || !(corner.smallest() > 0)) least(corner.smallest());
