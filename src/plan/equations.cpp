@@ -93,10 +93,10 @@ Status Equations::assemble_cells(Points points, Executor const& executor, Fault&
 }
 
 bool Equations::change_operator(Operator operator_kind, Index quarters) noexcept {
-    bool const conformal = operator_kind == Operator::conformal;
+    bool const is_complex = operator_traits[static_cast<Index>(operator_kind)].is_complex;
     bool const known =
         method_.scheme == Scheme::compact && (quarters == 0 || !conductivity_.empty());
-    if (!known || (conformal && matrix_.kind() == MatrixKind::real)) return false;
+    if (!known || (is_complex && matrix_.kind() == MatrixKind::real)) return false;
     method_.operator_kind = operator_kind;
     method_.quarters = quarters;
     return true;
