@@ -63,8 +63,8 @@ private:
         BasisHeader const& header = *basis_.header;
         Method const& method = header.method;
         return is_within(header.index_base, 0, 2) &&
-               is_within(header.filled, 0, counts_.stored + 1) &&
-               method.is_known() && is_within(method.quarters, 0, 17) && is_within(method.offset_correction, 0, 2) &&
+               is_within(header.filled, 0, counts_.stored + 1) && method.is_known() &&
+               is_within(method.quarters, 0, 17) && is_within(method.offset_correction, 0, 2) &&
                is_within(static_cast<Index>(method.precision), 0, 2);
     }
 

@@ -18,7 +18,8 @@ enum class MatrixKind : std::int32_t { real, complex, coupled_xy };
 
 inline MatrixKind matrix_kind(Method const& method, Demands const& demands) noexcept {
     if (demands.slip) return MatrixKind::coupled_xy;
-    return method.operator_row().is_complex || demands.rotation ? MatrixKind::complex : MatrixKind::real;
+    return method.operator_row().is_complex || demands.rotation ? MatrixKind::complex
+                                                                : MatrixKind::real;
 }
 
 // Degrees of freedom (dofs): a point has one (a real or a complex number), or two where x and y are

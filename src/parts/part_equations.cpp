@@ -1,8 +1,8 @@
 #include "parts/part_equations.hpp"
 
+#include "operators/assembly.hpp"
 #include "operators/frames.hpp"
 #include "operators/right_hand_sides.hpp"
-#include "operators/stiffness.hpp"
 
 namespace harmorph {
 namespace {
@@ -37,7 +37,7 @@ void PartEquations::lay_out(Arena& arena, Part const& of, PartProblem const& ask
     arena.take(slot, n_points);
     arena.take(local, n_shared);
     faces.lay_out(arena, static_cast<Size>(n_edges));
-    arena.take(conductivity, asked.method.quarters > 0 ? own.n_cells : 0);
+    arena.take(conductivity, conductivities_of(asked.method, own.n_cells));
     arena.take(name, most_unknowns);
     arena.take(is_own, most_unknowns);
     arena.take(dof_of, most_unknowns);
@@ -135,17 +135,11 @@ void PartEquations::find_unknowns() noexcept {
 
 // Part has looked at the cells.
 void PartEquations::assemble() noexcept {
-    Executor const& executor = problem.executor;
-    Points const points = part.own().points;
-    if (!conductivity.empty()) {
-        faces.kernel = problem.method.kernel;
-        faces.translations = shared.periodicity.translations;
-        faces.choose(shared.boundary, [&](Index face) { return shared.is_wall_face(face); });
-        faces.build(shared.points());
-        weigh_cells(faces, part.own(), points, problem.method.quarters, conductivity, executor);
-    }
-    assemble_stiffness(topology, points, conductivity, problem.method.conformal(), matrix,
-                       executor);
+    faces.kernel = problem.method.kernel;
+    faces.translations = shared.periodicity.translations;
+    faces.choose(shared.boundary, [&](Index face) { return shared.is_wall_face(face); });
+    assemble_operator(problem.method, topology, part.own().points, faces, shared.points(),
+                      conductivity, matrix, problem.executor);
 }
 
 BasisSource PartEquations::basis_source() const noexcept {

@@ -1,7 +1,7 @@
 #include "plan/equations.hpp"
 
+#include "operators/assembly.hpp"
 #include "operators/bounded.hpp"
-#include "operators/stiffness.hpp"
 
 namespace harmorph {
 
@@ -11,7 +11,6 @@ void Equations::lay_out(Arena& arena, Analysis const& analysis) noexcept {
                 n_cells = problem.mesh.n_cells;
     Mesh const& mesh = problem.mesh;
     Index const n_delaunay = problem.method.bounded() ? analysis.triangulation().edges.count() : 0;
-    bool const weighted = problem.method.quarters > 0;
     arena.take(dof_of_, n);
     arena.take(cells_.reversed, mesh.n_checked());
     pieces_.lay_out_copy(arena, mesh);
@@ -20,7 +19,8 @@ void Equations::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     slip_curves_.lay_out_copy(arena, analysis.slip_curves());
     slip_followers_.lay_out_copy(arena, analysis.slip_curves().count > 0 ? n_points : 0);
     arena.take(delaunay_edges_, n_delaunay);
-    arena.take(conductivity_, !weighted ? 0 : n_delaunay > 0 ? n_delaunay : n_cells);
+    arena.take(conductivity_,
+               conductivities_of(problem.method, n_delaunay > 0 ? n_delaunay : n_cells));
     matrix_.lay_out(arena, n_points, n, analysis.wall().count, analysis.matrix_sizes());
     if (problem.method.nodal_gradients())
         nodal_.lay_out(arena, problem.mesh, analysis.topology().edges.count());
@@ -81,12 +81,8 @@ Status Equations::assemble(Points points, Executor const& executor, Fault& fault
 }
 
 Status Equations::assemble_cells(Points points, Executor const& executor, Fault& fault) noexcept {
-    if (!conductivity_.empty()) {
-        walls_.build(points);
-        weigh_cells(walls_, cells_.mesh, points, method_.quarters, conductivity_, executor);
-    }
-    Index const inverted =
-        assemble_stiffness(cells_, points, conductivity_, method_.conformal(), matrix_, executor);
+    Index const inverted = assemble_operator(method_, cells_, points, walls_, points, conductivity_,
+                                             matrix_, executor);
     if (inverted == none) return Status::ok;
     return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates",
                         Counts::mesh, cells_.mesh.number(inverted));

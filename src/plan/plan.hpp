@@ -103,6 +103,7 @@ public:
 
     Executor const& executor() const noexcept { return executor_; }
     Equations const& equations() const noexcept { return equations_; }
+    AnyEngine const& engine() const noexcept { return engine_; }
     Refinement const& refinement() const noexcept { return refinement_; }
 
 private:

@@ -106,8 +106,8 @@ TEST_CASE(
     its.set_free(right);
     its.set_free(top);
     Analysed const alone(its);
-    CHECK(alone->kinds[0] == PointKind::on_wall);  // bottom and left, which is fixed
-    CHECK(alone->kinds[6] == PointKind::on_wall);  // bottom and right, which is free
+    CHECK(alone->kinds()[0] == PointKind::on_wall);  // bottom and left, which is fixed
+    CHECK(alone->kinds()[6] == PointKind::on_wall);  // bottom and right, which is free
     CHECK(alone->wall().count == 7);
     CHECK(alone->count_wall_faces() == 6);
     CHECK(alone->basis_counts().functions() == 0);

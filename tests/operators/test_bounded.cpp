@@ -141,7 +141,7 @@ TEST_CASE("every edge is weighted by itself") {
     DenseMatrix const weighted = scheme.sparse->unknowns();
     std::vector<double> rows = scheme.sparse->couplings_times([](Index) { return 1.0; });
     for (std::size_t k = 0; k < scheme.edges.size(); ++k) {
-        harmorph::Span<Index> const place = scheme.sparse->matrix.rows_of_dofs();
+        harmorph::Span<const Index> const place = scheme.sparse->matrix.rows_of_dofs();
         Index const i = place[scheme.edges[k].begin], j = place[scheme.edges[k].end];
         if (i < 0 || j < 0) continue;
         std::size_t const row = static_cast<std::size_t>(i), column = static_cast<std::size_t>(j);

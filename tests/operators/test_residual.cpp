@@ -165,7 +165,7 @@ TEST_CASE(
         REQUIRE(attempt.analyse(its.problem(), &options));
         REQUIRE(attempt.prepare());
         REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr) == HM_OK);
-        for (double& entry : inside(attempt.plan).engine.direct.factor.doubles.factor)
+        for (double& entry : inside(attempt.plan).engine().direct.factor.doubles.factor)
             entry *= 1 + error;
         hm_status const status =
             hm_plan_solve(attempt.plan, attempt.basis, &attempt.report, nullptr);
@@ -230,9 +230,9 @@ TEST_CASE(
                              iterative = with(HM_LAPLACE, HM_MULTIGRID);
             Solved const found(its, &exact), other(its, &iterative);
             INFO("first cell " << first << ", free " << free << ": "
-                               << inside(found.plan).engine.direct.factor.least_left()
+                               << inside(found.plan).engine().direct.factor.least_left()
                                << " left of a pivot");
-            CHECK(inside(found.plan).engine.trusted());  // it has lost nothing
+            CHECK(inside(found.plan).engine().trusted());  // it has lost nothing
             CHECK(found.report.refinements == 0);
             CHECK(largest_difference(found.all_values(), other.all_values()) < 1e-8);
             if (free) CHECK(worst_defect(found, its.mesh.x.size()) < 1e-13);
@@ -249,7 +249,7 @@ TEST_CASE("even cells are not refined") {
             hm_options const options = with(kind, HM_DIRECT);
             Solved const solved(its, &options);
             CHECK(solved.report.refinements == 0);
-            CHECK(inside(solved.plan).engine.trusted());
+            CHECK(inside(solved.plan).engine().trusted());
         }
     }
 }

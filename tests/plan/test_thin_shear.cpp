@@ -166,7 +166,7 @@ TEST_CASE(
                                       << solved.error.text);
                         if (solved.status == HM_OK) {
                             CHECK(error < 1e-9);
-                            ++(inside(solved.plan).engine.trusted() ? trusted : refined);
+                            ++(inside(solved.plan).engine().trusted() ? trusted : refined);
                             continue;
                         }
                         CHECK(solved.status == HM_NOT_CONVERGED);
@@ -188,7 +188,7 @@ TEST_CASE(
                              Cells::quads, lean);
             hm_options const options = options_of(HM_LAPLACE);
             Attempt const solved(its.problem(), &options);
-            CHECK(inside(solved.plan).engine.trusted());
+            CHECK(inside(solved.plan).engine().trusted());
             CHECK(largest_error(solved) < 1e-11);
         }
 }
@@ -223,7 +223,7 @@ TEST_CASE("a factor that is damaged is healed by refinement, or the functions ar
         hm_options const options = options_of(HM_LAPLACE);
         Solved solved(its, &options);
         harmorph::Span<double> const factor =
-            inside(solved.plan).engine.direct.factor.doubles.factor;
+            inside(solved.plan).engine().direct.factor.doubles.factor;
         std::mt19937 random(3);
         for (int k = 0; k < 60; ++k) {
             double& entry = factor[random() % factor.size()];

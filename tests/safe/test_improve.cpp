@@ -68,11 +68,11 @@ struct Improved {
         improvement.tangle = {view,
                               view.points,
                               analysed->topology().reversed,
-                              analysed->topology.representative,
+                              analysed->topology().representative,
                               span(its.held),
                               span(its.line)};
         improvement.executor = executor;
-        improvement.targets.find(analysed->topology, walls, view.points, at(), executor);
+        improvement.targets.find(analysed->topology(), walls, view.points, at(), executor);
         before = quality();
         if (!runs) return;
         improvement.run(options, at(), {mesh.x.data(), mesh.y.data(), 1}, report);

@@ -39,7 +39,7 @@ struct Found {
         block.resize(query.bytes());
         harmorph::Arena arena(block.data(), block.size());
         lay_out(arena);
-        harmorph::Boundary const& boundary = analysed->boundary;
+        harmorph::Boundary const& boundary = analysed->boundary();
         walls.choose(boundary, [&](Index face) { return boundary.marker[face] == body; });
         walls.build(view.points);
         targets.find(analysed->topology(), walls, view.points, points(now), {});

@@ -78,7 +78,7 @@ struct Outcome {
         CHECK(!arena.overflown());
         CHECK(arena.bytes() == query.bytes());
         untangling.tangle = {view, view.points, analysed->topology().reversed,
-                             analysed->topology.representative, span(its.held)};
+                             analysed->topology().representative, span(its.held)};
         untangling.executor = executor;
         status = untangling.run(options, {mesh.x.data(), mesh.y.data(), 1}, report, fault);
         CHECK(block.guards_intact());
