@@ -208,18 +208,15 @@ Status VariableMap::factor_and_solve(Fault& fault) noexcept {
     return Status::ok;
 }
 
-Status VariableMap::run(Section const& section, Variables const& variables, Fault& fault) noexcept {
-    if (variables.needs_chord() && section.n_sides == 1 && is_periodic(section.curve[0])) {
-        Curve const& curve = section.curve[0];
-        edge_u_ = project(curve, section.edge).u;
-        Real const t = (edge_u_ - curve.begin()) / (curve.end() - curve.begin());
-        edge_position_ = section.backwards[0] ? 1 - t : t;
-    }
-    fill(mass, 0.0);
-    fill(wanted, 0.0);
-    fill(pins, 0.0);
-    fill(error, 0.0);
-    pin_ends(section, variables);
+void VariableMap::find_edge(Section const& section) noexcept {
+    Curve const& curve = section.curve[0];
+    edge_u_ = project(curve, section.edge).u;
+    Real const t = (edge_u_ - curve.begin()) / (curve.end() - curve.begin());
+    edge_position_ = section.backwards[0] ? 1 - t : t;
+}
+
+// The normal equations of the least squares.
+void VariableMap::add_samples(Section const& section, Variables const& variables) noexcept {
     for_each_sample(section, variables, [&](CurvePlace const& place, Real weight) {
         CurveBasis const basis = curve_basis_in(*place.curve, place.span, place.u, 0);
         Vec2 const unit = evaluate(section, variables, place.point(),
@@ -238,7 +235,10 @@ Status VariableMap::run(Section const& section, Variables const& variables, Faul
             }
         }
     });
-    // Known movements go to the right-hand sides; control points of other curves do not move.
+}
+
+// Known movements go to the right-hand sides; control points of other curves do not move.
+void VariableMap::eliminate_pins() noexcept {
     for (Index i = 0; i < n_control_; ++i) {
         Real* const row = mass.data() + Offset{i} * n_control_;
         bool const free = pins[i] == 0 && row[i] > 0;
@@ -257,16 +257,19 @@ Status VariableMap::run(Section const& section, Variables const& variables, Faul
         }
         if (pins[i] > 0 || !(row[i] > 0)) row[i] = 1;
     }
-    HARMORPH_TRY(factor_and_solve(fault));
+}
 
+Status VariableMap::check_independence(Fault& fault) noexcept {
     copy(trial, Span<const Real>(wanted));
     DependentColumn const dependent = find_dependent_column(trial, n_, 2);
-    if (dependent.column != none) {
-        const char* const text = dependent.is_zero
-                                     ? "variable # (from 0) moves no control point"
-                                     : "variable # (from 0) is a combination of those before";
-        return fault.refuse(Status::bad_condition, text, Counts::from_zero, dependent.column);
-    }
+    if (dependent.column == none) return Status::ok;
+    const char* const text = dependent.is_zero
+                                 ? "variable # (from 0) moves no control point"
+                                 : "variable # (from 0) is a combination of those before";
+    return fault.refuse(Status::bad_condition, text, Counts::from_zero, dependent.column);
+}
+
+void VariableMap::measure_errors(Section const& section, Variables const& variables) noexcept {
     Real total = 0;
     for_each_sample(section, variables, [&](CurvePlace const& place, Real weight) {
         CurveBasis const basis = curve_basis_in(*place.curve, place.span, place.u, 0);
@@ -284,6 +287,22 @@ Status VariableMap::run(Section const& section, Variables const& variables, Faul
         }
     });
     for (Index j = 0; j < n_; ++j) error[2 * j] = square_root(error[2 * j] / total);
+}
+
+Status VariableMap::run(Section const& section, Variables const& variables, Fault& fault) noexcept {
+    bool const has_edge_inside =
+        variables.needs_chord() && section.n_sides == 1 && is_periodic(section.curve[0]);
+    if (has_edge_inside) find_edge(section);
+    fill(mass, 0.0);
+    fill(wanted, 0.0);
+    fill(pins, 0.0);
+    fill(error, 0.0);
+    pin_ends(section, variables);
+    add_samples(section, variables);
+    eliminate_pins();
+    HARMORPH_TRY(factor_and_solve(fault));
+    HARMORPH_TRY(check_independence(fault));
+    measure_errors(section, variables);
     return Status::ok;
 }
 

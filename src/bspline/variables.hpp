@@ -55,7 +55,12 @@ private:
     bool is_upper(Section const& section, CurvePlace const& place) const noexcept;
     Vec2 evaluate(Section const& section, Variables const& variables, Vec2 point,
                   bool upper) const noexcept;
+    void find_edge(Section const& section) noexcept;
+    void add_samples(Section const& section, Variables const& variables) noexcept;
+    void eliminate_pins() noexcept;
     Status factor_and_solve(Fault& fault) noexcept;
+    Status check_independence(Fault& fault) noexcept;
+    void measure_errors(Section const& section, Variables const& variables) noexcept;
 
     Index n_control_ = 0, n_ = 0;
     Real edge_position_ = 0,
