@@ -4,6 +4,7 @@
 #include "base/elementary.hpp"
 #include "mesh/guard_shape.hpp"
 #include "morph/cell_batch.hpp"
+#include "morph/skew.hpp"
 #include "base/executor.hpp"
 
 namespace harmorph {
@@ -28,19 +29,18 @@ inline Fraction skew_fraction(Index n, CellCorners const& corners) noexcept {
                              : (square_of[0] + square_of[2]) + (square_of[1] + square_of[3]);
     bool const in_range =
         corners.smallest() > smallest_of_products && squares < largest_of_products;
+    Fraction skew;
     if (n == 3) {
-        Real const above = 2 * 1.7320508075688772 * area[0];
-        return in_range ? Fraction{above, squares} : Fraction{above / squares, 1};
+        skew_of_triangle(area[0], squares, skew.above, skew.under);
+        return in_range ? skew : Fraction{skew.above / skew.under, 1};
     }
-    // 4 / (l0 l1 / A1 + l1 l2 / A2 + l2 l3 / A3 + l3 l0 / A0): over the common denominator, with
-    // three roots for the four products of lengths.
     if (in_range) {
-        Real const opposite = square_of[1] * square_of[2], first = area[1] * area[2],
-                   last = area[3] * area[0];
-        Real const a = square_root(square_of[0] * square_of[1]), b = square_root(opposite);
-        Real const c = square_root(square_of[2] * square_of[3]);
-        return {4 * b * (first * last), (a * b * area[2] + opposite * area[1]) * last +
-                                            c * (b * area[0] + a * area[3]) * first};
+        Real const opposite = square_of[1] * square_of[2];
+        Real const root[3] = {square_root(square_of[0] * square_of[1]), square_root(opposite),
+                              square_root(square_of[2] * square_of[3])};
+        Real const corner[4] = {area[0], area[1], area[2], area[3]};
+        skew_of_quad(corner, root, opposite, skew.above, skew.under);
+        return skew;
     }
     Real length[4], sum = 0;
     for (Index k = 0; k < 4; ++k) length[k] = square_root(square_of[k]);
