@@ -7,7 +7,7 @@
 namespace harmorph {
 
 inline Status require_given_points(Plan const& plan, Fault& fault) noexcept {
-    if (!plan.given.point.empty()) return Status::ok;
+    if (!plan.given().point.empty()) return Status::ok;
     return fault.refuse(Status::bad_condition,
                         "no marker has the condition HM_GIVEN: no displacements can be given");
 }
@@ -16,14 +16,14 @@ inline Status require_given_points(Plan const& plan, Fault& fault) noexcept {
 inline Status view_given_list(Plan const& plan, Index n, const Index* points, PointList& list,
                               Fault& fault) noexcept {
     HARMORPH_TRY(PointList::check_length(n, fault));
-    Index const n_given = plan.given.point.count();
+    Index const n_given = plan.given().point.count();
     if (points == nullptr && n != n_given) {
         return fault.refuse(Status::bad_argument, "n is #, but @ points have given displacements",
                             Counts::from_zero, n, n_given);
     }
-    list = {0, plan.given.point};
-    if (points != nullptr) list = {plan.mesh.index_base, {points, static_cast<Size>(n)}};
-    return list.check(plan.mesh.n_points, fault);
+    list = {0, plan.given().point};
+    if (points != nullptr) list = {plan.mesh().index_base, {points, static_cast<Size>(n)}};
+    return list.check(plan.mesh().n_points, fault);
 }
 
 }  // namespace harmorph

@@ -12,7 +12,7 @@ inline Status open_analysis(const hm_analysis* handle, const Analysis*& analysis
                             CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"analysis", handle}}, fault));
     analysis = reinterpret_cast<const Analysis*>(handle);
-    fault.bases.mesh = analysis->problem.mesh.index_base;
+    fault.bases.mesh = analysis->problem().mesh.index_base;
     return Status::ok;
 }
 
@@ -30,7 +30,7 @@ template <class Handle, class Object>
 Status open_plan(Handle* handle, Object*& plan, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"plan", handle}}, fault));
     plan = reinterpret_cast<Object*>(handle);
-    fault.bases.mesh = plan->mesh.index_base;
+    fault.bases.mesh = plan->mesh().index_base;
     return Status::ok;
 }
 
@@ -66,7 +66,7 @@ inline Status make_basis(Analysis const& analysis, BasisCounts const& counts, vo
                          Size bytes, hm_basis** handle, Fault& fault) noexcept {
     Basis made;
     HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, counts); }));
-    init_basis(made, counts, analysis.basis_source(), analysis.problem.executor);
+    init_basis(made, counts, analysis.basis_source(), analysis.problem().executor);
     *handle = reinterpret_cast<hm_basis*>(made.header);
     return Status::ok;
 }

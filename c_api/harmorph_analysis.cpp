@@ -6,9 +6,9 @@ namespace harmorph {
 namespace {
 
 hm_mesh_report report_of(Analysis const& analysis) noexcept {
-    Mesh const& mesh = analysis.problem.mesh;
+    Mesh const& mesh = analysis.problem().mesh;
     Quality const quality =
-        measure_quality(analysis.topology, mesh.points, {}, analysis.problem.executor);
+        measure_quality(analysis.topology(), mesh.points, {}, analysis.problem().executor);
     hm_mesh_report filled = {};
     filled.points = mesh.n_points;
     filled.used_points = analysis.count_used_points();
@@ -18,9 +18,9 @@ hm_mesh_report report_of(Analysis const& analysis) noexcept {
     });
     filled.polygons = filled.cells - filled.triangles - filled.quads;
     filled.edges =
-        analysis.topology.edges.count() - (mesh.n_cells - filled.cells);  // without diagonals
-    filled.boundary_edges = analysis.boundary.count;
-    filled.boundary_loops = analysis.boundary.n_loops;
+        analysis.topology().edges.count() - (mesh.n_cells - filled.cells);  // without diagonals
+    filled.boundary_edges = analysis.boundary().count;
+    filled.boundary_loops = analysis.boundary().n_loops;
     filled.inverted = quality.inverted;
     filled.first_inverted = numbered(quality.first_inverted, mesh.index_base);
     filled.min_area = quality.min_area;
@@ -38,7 +38,7 @@ struct Piece {
     Index n_pieces = 0;  // of all
 
     void find(Analysis const& analysis, Span<const Index> markers) noexcept {
-        Boundary const& boundary = analysis.boundary;
+        Boundary const& boundary = analysis.boundary();
         auto const is_on = [&](Index face) {
             for (Index const marker : markers) {
                 if (boundary.marker[face] == marker) return true;
@@ -48,7 +48,7 @@ struct Piece {
         auto const visit = [&](Index piece, Index point) {
             if (piece != number) return;
             if (n_points < points.count())
-                points[n_points] = point + analysis.problem.mesh.index_base;
+                points[n_points] = point + analysis.problem().mesh.index_base;
             ++n_points;
         };
         auto const close = [&](Index piece, bool loop) {
@@ -87,8 +87,8 @@ hm_status hm_analysis_init(hm_analysis** analysis, void* block, size_t bytes,
         HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) {
             made.lay_out(arena, request.problem, request.n_curves, request.n_conditions);
         }));
-        HARMORPH_TRY(request.copy_to(made.object.curves, made.object.slip_along,
-                                     made.object.conditions, fault));
+        HARMORPH_TRY(request.copy_to(made.object.curves(), made.object.slip_along(),
+                                     made.object.conditions(), fault));
         HARMORPH_TRY(made.object.run(request.problem, fault));
         made.give(analysis);
         return fault.status;

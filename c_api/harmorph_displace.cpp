@@ -116,9 +116,9 @@ hm_status hm_given_points(const hm_plan* plan, int32_t* points, int32_t capacity
         HARMORPH_TRY(open_plan(plan, p, fault));
         HARMORPH_TRY(require({{"n", n}}, fault));
         if (capacity > 0) HARMORPH_TRY(require({{"points", points}}, fault));
-        Span<const Index> const given = p->given.point;
+        Span<const Index> const given = p->given().point;
         for (Index k = 0; k < smaller(capacity, given.count()); ++k)
-            points[k] = given[k] + p->mesh.index_base;
+            points[k] = given[k] + p->mesh().index_base;
         *n = given.count();
         if (capacity >= *n) return Status::ok;
         return fault.refuse(Status::bad_argument,
@@ -200,7 +200,7 @@ hm_status hm_tabulate_size(const hm_plan* plan, const hm_basis* basis, int32_t n
         ModeWork work;
         size_t counted = 0;
         HARMORPH_TRY(count_bytes(&counted, fault, [&](Arena& arena) {
-            work.lay_out(arena, *p, 2 * p->mesh.n_points, fields_of(call.basis, n_modes));
+            work.lay_out(arena, *p, 2 * p->mesh().n_points, fields_of(call.basis, n_modes));
         }));
         HARMORPH_TRY(count_bytes(bytes, fault, [&](Arena& arena) {
             made.lay_out(arena, tabulated_counts(call.basis, n_modes, numbers));
@@ -223,20 +223,20 @@ hm_status hm_tabulate(hm_basis** tabulated, void* block, size_t bytes, hm_plan* 
         HARMORPH_TRY(table.open(plan, call.plan, basis, n_modes, numbers, fault));
         HARMORPH_TRY(check_report_if(report, fault));
         HARMORPH_TRY(view_given_list(*call.plan, n, points, call.list, fault));
-        if (n > 2 * call.plan->mesh.n_points) {
+        if (n > 2 * call.plan->mesh().n_points) {
             return fault.refuse(Status::bad_argument,
                                 "the list is longer than twice the mesh: # points",
                                 Counts::from_zero, n);
         }
         Plan& its = *call.plan;
         bool const moved = table.basis.header->counts.functions() > 0 &&
-                           table.basis.header->coordinates != its.coordinates;
+                           table.basis.header->coordinates != its.coordinates();
         if (moved)
             return fault.refuse(
                 Status::bad_basis,
                 "the basis was solved on other coordinates than the plan was factored on");
         HARMORPH_TRY(place(work, work_bytes, fault, [&](Arena& arena) {
-            rows.lay_out(arena, its, 2 * its.mesh.n_points, fields_of(table.basis, n_modes));
+            rows.lay_out(arena, its, 2 * its.mesh().n_points, fields_of(table.basis, n_modes));
         }));
         HARMORPH_TRY(rows.displacement.find_places(its, call.list, fault));
         Modes const given{n_modes, numbers, modes};

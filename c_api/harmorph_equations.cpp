@@ -58,7 +58,7 @@ hm_equations_info info_of(PartEquations const& equations) noexcept {
     filled.columns = equations.matrix.is_complex() ? counts.functions()
                                                    : numbers_of(counts.kind) * counts.functions() /
                                                          equations.matrix.components();
-    filled.field_columns = equations.matrix.kind == MatrixKind::real ? 2 : 1;
+    filled.field_columns = equations.matrix.kind() == MatrixKind::real ? 2 : 1;
     filled.unknown = equations.name.data();
     filled.own = equations.is_own.data();
     equations.for_each_entry(0, equations.matrix.n,

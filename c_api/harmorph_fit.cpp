@@ -149,7 +149,7 @@ public:
 
     Status run(hm_fit_report& report, CallFault& fault) noexcept {
         HARMORPH_TRY(work_.analysis.run(wall_.request.problem, fault));
-        Boundary const& boundary = work_.analysis.boundary;
+        Boundary const& boundary = work_.analysis.boundary();
         auto const is_on = [&](Index face) { return wall_.is_on(boundary.marker[face]); };
         auto const visit = [&](Index, Index point) { work_.point[n_points_++] = point; };
         auto const close = [&](Index, bool is_loop) {

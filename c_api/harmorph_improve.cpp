@@ -9,8 +9,9 @@ namespace {
 // The mesh's own coordinates are a reference as long as they are those of the analysis: of a mesh
 // that was moved in place, they are the mesh that is to become better.
 Status check_own_reference(Plan const& plan, Fault& fault) noexcept {
-    Points const own = plan.mesh.points;
-    if (coordinates_fingerprint(own, plan.mesh.n_points) == plan.equations.analysed_coordinates)
+    Points const own = plan.mesh().points;
+    if (coordinates_fingerprint(own, plan.mesh().n_points) ==
+        plan.equations().analysed_coordinates())
         return Status::ok;
     return fault.refuse(
         Status::bad_mesh,
@@ -82,7 +83,7 @@ hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* 
         ImproveOptions asked;
         HARMORPH_TRY(open_plan(plan, p, fault));
         HARMORPH_TRY(check_report_if(report, fault));
-        reference = p->mesh.points;
+        reference = p->mesh().points;
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(to, "to", after, fault));
         HARMORPH_TRY(view_improve_options(options, asked, reference, fault));
@@ -92,14 +93,15 @@ hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* 
         HARMORPH_TRY(
             place(work, bytes, fault, [&](Arena& arena) { improvement.lay_out(arena, *p); }));
         auto const quality_of = [&](Points points) {
-            return measure_quality(p->equations.cells, points, reference, p->executor);
+            return measure_quality(p->cells(), points, reference, p->executor());
         };
         HARMORPH_TRY(MeshImprovement::check(*p, reference, before, fault));
         Quality const given = quality_of(before);
         ImproveReport improved;
         improvement.run(*p, asked, reference, before, after, improved);
         if (report != nullptr)
-            write_struct(report_of(improved, given, quality_of(after), p->mesh.index_base), report);
+            write_struct(report_of(improved, given, quality_of(after), p->mesh().index_base),
+                         report);
         return Status::ok;
     });
 }

@@ -8,8 +8,8 @@ namespace {
 
 hm_solve_report report_of(SolveReport const& solved, Basis const& basis,
                           Plan const& plan) noexcept {
-    Mesh const& mesh = plan.mesh;
-    BasisMeasures const measures = measure_basis(basis, mesh.points, plan.executor);
+    Mesh const& mesh = plan.mesh();
+    BasisMeasures const measures = measure_basis(basis, mesh.points, plan.executor());
     hm_solve_report filled = {};
     filled.unknowns = solved.unknowns;
     filled.functions = solved.functions;
@@ -85,7 +85,7 @@ hm_status hm_plan_factor(hm_plan* plan, const hm_points* at, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Plan* p = nullptr;
         HARMORPH_TRY(open_plan(plan, p, fault));
-        Points points = p->mesh.points;
+        Points points = p->mesh().points;
         HARMORPH_TRY(view_points_if(at, "at", points, fault));
         return p->factor(points, fault);
     });
@@ -111,8 +111,8 @@ hm_status hm_plan_points(const hm_plan* plan, int32_t* n_points, int32_t* index_
         const Plan* p = nullptr;
         HARMORPH_TRY(open_plan(plan, p, fault));
         HARMORPH_TRY(require({{"n_points", n_points}, {"index_base", index_base}}, fault));
-        *n_points = p->mesh.n_points;
-        *index_base = p->mesh.index_base;
+        *n_points = p->mesh().n_points;
+        *index_base = p->mesh().index_base;
         return Status::ok;
     });
 }
@@ -123,7 +123,8 @@ hm_status hm_plan_level(const hm_plan* plan, int32_t level, int32_t* cells, int3
         const Plan* p = nullptr;
         HARMORPH_TRY(open_plan(plan, p, fault));
         HARMORPH_TRY(require({{"cells", cells}, {"n_cells", n_cells}}, fault));
-        return p->level_cells(level, {cells, static_cast<Size>(p->mesh.n_points)}, *n_cells, fault);
+        return p->level_cells(level, {cells, static_cast<Size>(p->mesh().n_points)}, *n_cells,
+                              fault);
     });
 }
 

@@ -69,8 +69,8 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
 
 hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before,
                          Points after) noexcept {
-    Index const base = plan.mesh.index_base;
-    Quality const quality = measure_quality(plan.equations.cells, after, before, plan.executor);
+    Index const base = plan.mesh().index_base;
+    Quality const quality = measure_quality(plan.cells(), after, before, plan.executor());
     hm_safe_report filled = {};
     filled.strategy = static_cast<std::int32_t>(safe.outcome.strategy);
     filled.other = safe.outcome.other;
@@ -78,8 +78,8 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     filled.resolves = safe.resolves;
     filled.step_fraction = safe.outcome.fraction;
     filled.admissible = safe.limit.step;
-    filled.cell = numbered(plan.mesh.number(safe.limit.cell), base);
-    filled.point = numbered(limiting_point(plan.equations.cells, safe.limit), base);
+    filled.cell = numbered(plan.mesh().number(safe.limit.cell), base);
+    filled.point = numbered(limiting_point(plan.cells(), safe.limit), base);
     filled.untangled = safe.untangle.inverted_before;
     filled.iterations = safe.untangle.iterations;
     for (Index k = 0; k < 2; ++k) {
@@ -119,7 +119,8 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
 // coordinates.
 Status check_start(Plan const& plan, Basis const& basis, Fault& fault) noexcept {
     if (basis.header->counts.functions() == 0) return Status::ok;
-    if (basis.header->coordinates == coordinates_fingerprint(plan.mesh.points, plan.mesh.n_points))
+    if (basis.header->coordinates ==
+        coordinates_fingerprint(plan.mesh().points, plan.mesh().n_points))
         return Status::ok;
     return fault.refuse(
         Status::bad_mesh,
@@ -146,7 +147,7 @@ struct SafeCall {
                   Status status) const noexcept {
         if (failed(status) && status != Status::crossing) return status;
         if (report != nullptr)
-            write_struct(report_of(reached, plan, plan.mesh.points, safe.result()), report);
+            write_struct(report_of(reached, plan, plan.mesh().points, safe.result()), report);
         if (failed(status)) return status;
         safe.write(to);
         if (reached_movement != nullptr) {
@@ -187,7 +188,7 @@ hm_status hm_morph_safe_size(const hm_plan* plan, const hm_basis* basis, size_t*
         if (basis != nullptr) b = view_basis(basis, fault);
         HARMORPH_TRY(open_plan(plan, p, fault));
         if (basis != nullptr) HARMORPH_TRY(p->check_fit(b, fault));
-        BasisCounts const& counts = basis != nullptr ? b.header->counts : p->basis_counts;
+        BasisCounts const& counts = basis != nullptr ? b.header->counts : p->basis_counts();
         SafeMorph safe;
         return count_bytes(bytes, fault, [&](Arena& arena) { safe.lay_out(arena, *p, counts); });
     });

@@ -7,7 +7,7 @@ namespace harmorph {
 namespace {
 
 Sliding sliding_of(Analysis const& analysis) noexcept {
-    return {analysis.slip_curves, analysis.slip_followers, analysis.problem.mesh.n_points};
+    return {analysis.slip_curves(), analysis.slip_followers(), analysis.problem().mesh.n_points};
 }
 
 Status check_sliding(SlipCurves const& curves, Points points, Fault& fault) noexcept {
@@ -36,7 +36,7 @@ hm_status hm_slip(const hm_analysis* analysis, const hm_points* from, const hm_p
         HARMORPH_TRY(open_complete(analysis, of, fault));
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(to, "to", after, fault));
-        HARMORPH_TRY(check_sliding(of->slip_curves, before, fault));
+        HARMORPH_TRY(check_sliding(of->slip_curves(), before, fault));
         sliding_of(*of).slide(before, after);
         return Status::ok;
     });
@@ -52,7 +52,7 @@ hm_status hm_slip_adjoint(const hm_analysis* analysis, const hm_points* from, co
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(dj, "dj", derivative, fault));
         HARMORPH_TRY(view_points(dj_from, "dj_from", transposed, fault));
-        HARMORPH_TRY(check_sliding(of->slip_curves, before, fault));
+        HARMORPH_TRY(check_sliding(of->slip_curves(), before, fault));
         sliding_of(*of).transpose(before, derivative, transposed);
         return Status::ok;
     });

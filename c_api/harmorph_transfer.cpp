@@ -29,8 +29,8 @@ Status open_target(const hm_basis* handle, Analysis const& analysis, Basis& fine
     HARMORPH_TRY(fine.require_control_points(fault));
     BasisCounts const counts = analysis.basis_counts();
     bool const belongs = std::memcmp(&fine.header->counts, &counts, sizeof counts) == 0 &&
-                         fine.header->topology == analysis.mesh_fingerprint &&
-                         fine.header->conditions == analysis.conditions_fingerprint;
+                         fine.header->topology == analysis.mesh_fingerprint() &&
+                         fine.header->conditions == analysis.conditions_fingerprint();
     if (belongs) return Status::ok;
     return fault.refuse(Status::bad_basis, "basis and analysis do not belong together");
 }
@@ -88,7 +88,7 @@ hm_status hm_transfer(hm_basis* basis, void* block, size_t bytes, const hm_analy
         TransferReport done;
         HARMORPH_TRY(transfer.run(*fine_analysis, source_mesh, source, fine, done, fault));
         if (report != nullptr)
-            write_struct(report_of(done, fine, fine_analysis->problem.mesh), report);
+            write_struct(report_of(done, fine, fine_analysis->problem().mesh), report);
         return fault.status;
     });
 }

@@ -98,25 +98,24 @@ Status Request::read_conditions(hm_problem const& p, Fault& fault) noexcept {
     }
     condition = p.conditions;
     n_conditions = p.n_conditions;
-    if (problem.demands.slip && problem.method.bounded()) {
+    SchemeTraits const& scheme = problem.method.scheme_row();
+    if (problem.demands.slip && !scheme.takes_slip) {
         return fault.refuse(Status::unsupported,
-                            "the bounded scheme does not go with slipping boundaries");
+                            problem.method.bounded()
+                                ? "the bounded scheme does not go with slipping boundaries"
+                                : "schemes of nodal gradients do not go with slipping boundaries");
     }
-    if (problem.demands.slip && problem.method.nodal_gradients()) {
-        return fault.refuse(Status::unsupported,
-                            "schemes of nodal gradients do not go with slipping boundaries");
-    }
-    if (problem.demands.given && problem.method.nodal_gradients()) {
+    if (problem.demands.given && !scheme.takes_given) {
         return fault.refuse(Status::unsupported,
                             "schemes of nodal gradients do not go with given displacements");
     }
-    if (problem.demands.slip && problem.method.engine == Engine::fas) {
+    if (problem.demands.slip && !problem.method.traits().takes_slip) {
         return fault.refuse(
             Status::unsupported,
             "slipping boundaries go with the direct engine and with multigrid only");
     }
     if (problem.demands.rotation) HARMORPH_TRY(check_rotation(fault));
-    if (!problem.demands.free || !problem.method.conformal()) return Status::ok;
+    if (!problem.demands.free || problem.method.operator_row().takes_free) return Status::ok;
     return fault.refuse(
         Status::unsupported,
         "the conformal operator does not go with free boundaries; slipping ones do");

@@ -6,40 +6,28 @@
 namespace harmorph {
 namespace {
 
-// The header's table of what goes together; what does not is answered with what would.
+// The tables of basis/options.hpp say what goes together; the sentence says what would.
 Status check_combination(hm_options const& o, hm_study_options const& study,
                          Fault& fault) noexcept {
-    if (o.operator_kind < HM_CONFORMAL || o.operator_kind > HM_WEIGHTED) {
+    if (!has_row(operator_traits, o.operator_kind)) {
         return fault.refuse(Status::unsupported, "options.operator_kind is #, which is unknown",
                             Counts::from_zero, o.operator_kind);
     }
-    if (study.scheme < HM_COMPACT || study.scheme > HM_NODAL_GRADIENT_PLAIN) {
+    if (!has_row(scheme_traits, study.scheme)) {
         return fault.refuse(Status::unsupported, "study options: scheme is #, which is unknown",
                             Counts::from_zero, study.scheme);
     }
-    if (o.engine < HM_DIRECT || o.engine > HM_FAS) {
+    if (!has_row(engine_traits, o.engine)) {
         return fault.refuse(Status::unsupported, "options.engine is #, which is unknown",
                             Counts::from_zero, o.engine);
     }
-    bool const nodal = study.scheme == HM_NODAL_GRADIENT || study.scheme == HM_NODAL_GRADIENT_PLAIN;
-    const char* wrong = nullptr;
-    if (o.operator_kind == HM_CONFORMAL && study.scheme != HM_COMPACT) {
-        wrong =
-            "the conformal operator goes with the compact scheme only; laplace goes with all "
-            "schemes";
-    } else if (o.operator_kind == HM_CONFORMAL && o.engine != HM_DIRECT) {
-        wrong =
-            "the conformal operator goes with the direct engine only; laplace and weighted go with "
-            "all";
-    } else if (nodal && o.operator_kind != HM_LAPLACE) {
-        wrong = "nodal gradients go with the operator laplace only";
-    } else if (study.scheme == HM_BOUNDED && o.engine != HM_DIRECT) {
-        wrong = "the bounded scheme goes with the direct engine only";
-    } else if (nodal && o.engine == HM_MULTIGRID) {
-        wrong = "nodal gradients do not go with the engine multigrid; fas goes with them";
-    } else if (study.scheme == HM_NODAL_GRADIENT_PLAIN && o.engine != HM_FAS) {
-        wrong = "nodal gradients without correction (plain) go with the engine fas only";
-    }
+    OperatorTraits const& of_operator = operator_traits[o.operator_kind];
+    SchemeTraits const& of_scheme = scheme_traits[study.scheme];
+    const char* const wrong = !contains(of_operator.schemes, study.scheme)
+                                  ? of_operator.other_schemes
+                              : !contains(of_operator.engines, o.engine) ? of_operator.other_engines
+                              : !contains(of_scheme.engines, o.engine)   ? of_scheme.other_engines
+                                                                         : nullptr;
     return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
 }
 
@@ -55,7 +43,7 @@ Status view_operator(hm_options const& o, hm_study_options const& study, Method&
     method.operator_kind = static_cast<Operator>(o.operator_kind);
     method.scheme = static_cast<Scheme>(study.scheme);
     method.engine = static_cast<Engine>(o.engine);
-    if (method.operator_kind == Operator::laplace && o.exponent_quarters > 0) {
+    if (!method.operator_row().has_weight && o.exponent_quarters > 0) {
         return fault.refuse(Status::unsupported,
                             "the Laplace operator has no weight; HM_WEIGHTED has one");
     }
@@ -63,13 +51,12 @@ Status view_operator(hm_options const& o, hm_study_options const& study, Method&
         return fault.refuse(Status::bad_argument, "options.offset_correction must be 0 or 1, not #",
                             Counts::from_zero, o.offset_correction);
     }
-    if (o.offset_correction != 0 && !method.conformal()) {
+    if (o.offset_correction != 0 && !method.operator_row().takes_offset_correction) {
         return fault.refuse(Status::unsupported,
                             "the offset correction goes with the conformal operator only");
     }
-    constexpr std::int32_t usual[] = {6, 0, 4};
-    method.quarters =
-        o.exponent_quarters == 0 ? usual[o.operator_kind] : larger(o.exponent_quarters, Index{0});
+    method.quarters = o.exponent_quarters == 0 ? method.operator_row().usual_quarters
+                                               : larger(o.exponent_quarters, Index{0});
     method.offset_correction = o.offset_correction;
     return Status::ok;
 }
@@ -258,19 +245,21 @@ namespace {
 
 // Fields of another kind than the condition's would be left out silently.
 Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept {
-    bool const is_pair = c.kind == HM_PERIODIC_PAIR || c.kind == HM_ROTATION_PAIR;
+    unsigned const fields = condition_traits[c.kind].fields;
+    auto const has_not = [&](ConditionField field) { return !contains(fields, field); };
     const char* wrong = nullptr;
-    if (c.kind != HM_ON_CURVE && (c.first_curve != 0 || (c.n_curves != 0 && c.kind != HM_SLIP))) {
+    if ((c.first_curve != 0 && has_not(ConditionField::curves)) ||
+        (c.n_curves != 0 && has_not(ConditionField::curves) && has_not(ConditionField::along))) {
         wrong =
             "condition # (from 0) has first_curve or n_curves, which are of HM_ON_CURVE only, but "
             "its kind is @";
-    } else if (c.kind != HM_SLIP && c.along != nullptr) {
+    } else if (c.along != nullptr && has_not(ConditionField::along)) {
         wrong =
             "condition # (from 0) has curves along which to slide, which are of HM_SLIP only, but "
             "its kind is @";
-    } else if (c.kind != HM_RIGID && c.body != 0) {
+    } else if (c.body != 0 && has_not(ConditionField::body)) {
         wrong = "condition # (from 0) has body, which is of HM_RIGID only, but its kind is @";
-    } else if (c.kind != HM_RIGID && c.kind != HM_ROTATION_PAIR && !(c.x == 0 && c.y == 0)) {
+    } else if (!(c.x == 0 && c.y == 0) && has_not(ConditionField::centre)) {
         wrong =
             "condition # (from 0) has x or y, which are of HM_RIGID and HM_ROTATION_PAIR only, but "
             "its kind is @";
@@ -278,17 +267,17 @@ Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept 
         wrong =
             "condition # (from 0) has a piece that is neither 0 nor 1, or reserved is not 0; its "
             "kind is @";
-    } else if (is_pair && c.piece != 0) {
+    } else if (c.piece != 0 && has_not(ConditionField::piece)) {
         wrong = "condition # (from 0) chooses a piece, which a periodic pair cannot; its kind is @";
     } else if (c.piece == 0 && !(c.near_x == 0 && c.near_y == 0)) {
         wrong = "condition # (from 0) has near_x or near_y, but chooses no piece; its kind is @";
-    } else if (!is_pair && c.partner != 0) {
+    } else if (c.partner != 0 && has_not(ConditionField::partner)) {
         wrong =
             "condition # (from 0) has partner, which is of periodic pairs only, but its kind is @";
     }
     if (wrong != nullptr)
         return fault.refuse(Status::bad_condition, wrong, Counts::from_zero, number, c.kind);
-    if (c.kind != HM_SLIP) return Status::ok;
+    if (has_not(ConditionField::along)) return Status::ok;
     if (c.along == nullptr && c.n_curves != 0) {
         return fault.refuse(Status::bad_condition,
                             "condition # (from 0) slides along @ curves, but its `along` is NULL: "
@@ -314,7 +303,7 @@ Status view_condition(const hm_condition* array, Index number, Condition& out,
         return fault.refuse(Status::bad_argument, "struct_size of condition # (from 0) is wrong",
                             Counts::from_zero, number);
     }
-    if (c.kind < HM_ON_CURVE || c.kind > HM_ROTATION_PAIR) {
+    if (!has_row(condition_traits, c.kind)) {
         return fault.refuse(Status::bad_argument, "condition # (from 0) has the unknown kind @",
                             Counts::from_zero, number, c.kind);
     }

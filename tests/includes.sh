@@ -40,6 +40,23 @@ is_empty "circles" "$(tsort "$pairs" 2>&1 >/dev/null)"
 described=$(sed -n 's/^| `\([a-z]*\)` |.*/\1/p' src/README.md | head -n "$(echo "$rooms" | wc -w)" | tr '\n' ' ')
 is_empty src/README.md "$([ "$described" = "$rooms " ] || echo "has other rooms: $described")"
 
+# Files and names that the page names exist.
+exists() {   # a path from the top, from a folder of sources, or without what follows the dot
+    for from in "" src/ c_api/ c_api/cli/ tests/ fortran/; do
+        if [ -e "$from$1" ] || [ -e "$from$1.hpp" ] || [ -e "$from$1.cpp" ]; then return 0; fi
+    done
+    return 1
+}
+is_empty "src/README.md names what does not exist" "$(awk -f tests/named.awk src/README.md | sort -u |
+    while read -r kind name; do
+        case $kind in
+        file) exists "$name" || echo "$name" ;;
+        word) grep -rqw --include='*.[ch]pp' --include='*.[ch]' --include='*.in' --include='*.sh' -e "$name" \
+            src c_api include fortran tests || grep -qw -e "$name" Makefile || ls -d src/*/"$name" src/"$name" c_api/*/"$name" "$name" \
+            >/dev/null 2>&1 || echo "$name" ;;
+        esac
+    done)"
+
 # Tests lie in the rooms of what they test.
 for directory in tests/*/; do
     room=$(basename "$directory")

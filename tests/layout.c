@@ -338,90 +338,8 @@ int32_t layout_of(int32_t number, int64_t* numbers) {
             AT(worst[1]);
             break;
 #undef TYPE
-        case 19:
-            PUT(HM_ABI);
-            PUT(HM_OK);
-            PUT(HM_NOT_CONVERGED);
-            PUT(HM_MOVED);
-            PUT(HM_SHORT);
-            PUT(HM_BACKTRACKS);
-            PUT(HM_FAR_FROM_CURVE);
-            PUT(HM_POOR);
-            PUT(HM_CANCELLED);
-            PUT(HM_BAD_ARGUMENT);
-            PUT(HM_BAD_MESH);
-            PUT(HM_BAD_CURVE);
-            PUT(HM_BAD_CONDITION);
-            PUT(HM_BAD_BASIS);
-            PUT(HM_BLOCK_TOO_SMALL);
-            PUT(HM_NOT_POSITIVE);
-            PUT(HM_UNSUPPORTED);
-            PUT(HM_CROSSING);
-            break;
-        case 20:
-            PUT(HM_CELLS_ROWS);
-            PUT(HM_CELLS_TRIANGLES);
-            PUT(HM_CELLS_QUADS);
-            PUT(HM_CELLS_STRUCTURED);
-            PUT(HM_CELLS_MIXED);
-            PUT(HM_CELLS_BLOCKS);
-            PUT(HM_CELLS_POLYGONS);
-            PUT(HM_NO_MARKER);
-            PUT(HM_SPACE_AUTO);
-            PUT(HM_PLANES);
-            PUT(HM_WEDGE);
-            PUT(HM_CLOSED_AUTO);
-            PUT(HM_OPEN);
-            PUT(HM_TIED);
-            PUT(HM_PERIODIC);
-            PUT(HM_FIT_ASKED);
-            PUT(HM_FIT_NO_LOOP);
-            PUT(HM_FIT_NO_CORNER);
-            PUT(HM_FIT_CORNER);
-            PUT(HM_FIT_BASE);
-            PUT(HM_ON_CURVE);
-            PUT(HM_RIGID);
-            PUT(HM_FIXED);
-            PUT(HM_SLIP);
-            PUT(HM_FREE);
-            PUT(HM_PERIODIC_PAIR);
-            PUT(HM_GIVEN);
-            PUT(HM_ROTATION_PAIR);
-            PUT(HM_CONFORMAL);
-            PUT(HM_LAPLACE);
-            PUT(HM_WEIGHTED);
-            PUT(HM_NO_WEIGHT);
-            PUT(HM_COMPACT);
-            PUT(HM_NODAL_GRADIENT);
-            PUT(HM_BOUNDED);
-            PUT(HM_NODAL_GRADIENT_PLAIN);
-            PUT(HM_DIRECT);
-            PUT(HM_MULTIGRID);
-            PUT(HM_FAS);
-            PUT(HM_AGGLOMERATE_AUTO);
-            PUT(HM_AGGLOMERATE_ISOTROPIC);
-            PUT(HM_AGGLOMERATE_DIRECTIONAL);
-            PUT(HM_KERNEL_AUTO);
-            PUT(HM_KERNEL_BASELINE);
-            PUT(HM_KERNEL_AVX2);
-            PUT(HM_KERNEL_AVX512);
-            PUT(HM_KERNEL_NEON);
-            PUT(HM_DOUBLE);
-            PUT(HM_SINGLE);
-            PUT(HM_START_COARSEST);
-            PUT(HM_START_ZERO);
-            PUT(HM_PHASE_STRUCTURE);
-            PUT(HM_PHASE_ORDERING);
-            PUT(HM_PHASE_SYMBOLIC);
-            PUT(HM_PHASE_ASSEMBLY);
-            PUT(HM_PHASE_FACTOR);
-            PUT(HM_PHASE_SOLVE);
-            PUT(HM_PHASE_RESIDUAL);
-            PUT(HM_STRATEGY_LINEAR);
-            PUT(HM_STRATEGY_OTHER);
-            PUT(HM_STRATEGY_SUBSTEPS);
-            PUT(HM_STRATEGY_UNTANGLED);
-            PUT(HM_STRATEGY_IMPROVED);
+        case 20:  // all constants of harmorph.h: fortran.sh writes the list
+#include "constants_c.inc"
             break;
 #define TYPE hm_points
         case 21:
@@ -559,29 +477,6 @@ int32_t layout_of(int32_t number, int64_t* numbers) {
             AT(width);
             break;
 #undef TYPE
-        case 30:
-            PUT(HM_AREA);
-            PUT(HM_CENTROID_X);
-            PUT(HM_CENTROID_Y);
-            PUT(HM_MOMENT_XX);
-            PUT(HM_MOMENT_YY);
-            PUT(HM_MOMENT_XY);
-            PUT(HM_CHORD);
-            PUT(HM_THICKNESS);
-            PUT(HM_CAMBER);
-            PUT(HM_MAX_THICKNESS);
-            PUT(HM_MAX_CAMBER);
-            PUT(HM_LEADING_EDGE_RADIUS);
-            PUT(HM_TRAILING_EDGE_ANGLE);
-            PUT(HM_TRAILING_EDGE_GAP);
-            PUT(HM_MIN_RADIUS);
-            PUT(HM_CURVATURE_VARIATION);
-            PUT(HM_CLEARANCE);
-            PUT(HM_FFD);
-            PUT(HM_CST);
-            PUT(HM_HICKS_HENNE);
-            PUT(HM_NACA4);
-            break;
 #define TYPE hm_block_points
         case 31:
             PUT(sizeof(TYPE));

@@ -7,6 +7,21 @@
 
 namespace harmorph {
 
+// The numbers first .. after - 1, for loops over them.
+struct IndexRange {
+    Index first = 0, after = 0;
+
+    struct Iterator {
+        Index at;
+        constexpr Index operator*() const noexcept { return at; }
+        constexpr Iterator& operator++() noexcept { return ++at, *this; }
+        constexpr bool operator!=(Iterator other) const noexcept { return at != other.at; }
+    };
+    constexpr Iterator begin() const noexcept { return {first}; }
+    constexpr Iterator end() const noexcept { return {after}; }
+    constexpr Index count() const noexcept { return after - first; }
+};
+
 template <class T>
 class Span {
 public:

@@ -63,10 +63,7 @@ private:
         BasisHeader const& header = *basis_.header;
         Method const& method = header.method;
         return is_within(header.index_base, 0, 2) &&
-               is_within(header.filled, 0, counts_.stored + 1) &&
-               is_within(static_cast<Index>(method.operator_kind), 0, 3) &&
-               is_within(static_cast<Index>(method.scheme), 0, 4) &&
-               is_within(static_cast<Index>(method.engine), 0, 3) &&
+               is_within(header.filled, 0, counts_.stored + 1) && method.is_known() &&
                is_within(method.quarters, 0, 17) && is_within(method.offset_correction, 0, 2) &&
                is_within(static_cast<Index>(method.precision), 0, 2);
     }
@@ -91,9 +88,7 @@ private:
 
     bool conditions_fit() const noexcept {
         for (Condition const& condition : basis_.conditions) {
-            if (!is_within(static_cast<Index>(condition.kind), 0,
-                           static_cast<Index>(ConditionKind::rotation) + 1))
-                return false;
+            if (!condition.is_known()) return false;
             bool const on_curve = condition.kind == ConditionKind::on_curve;
             if (on_curve && !is_within(condition.first_curve, 0, counts_.curves)) return false;
             if (on_curve &&

@@ -11,10 +11,8 @@ BasisCounts BasisSource::counts() const noexcept {
     BasisCounts counts;
     counts.points = topology.mesh.n_points;
     counts.cells = topology.mesh.n_given_cells();
-    if (topology.mesh.is_of_pieces()) {
-        counts.pieces = topology.mesh.n_cells;
-        counts.guards = topology.mesh.n_guards;
-    }
+    counts.pieces = topology.mesh.n_pieces();
+    counts.guards = topology.mesh.n_guards;
     counts.control = curves.empty() ? 0 : curves[0].n_control;
     counts.bodies = demands.bodies;
     counts.kind = method.value_kind(demands);

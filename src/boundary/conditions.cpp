@@ -143,12 +143,12 @@ Status check_conditions(Span<const Condition> conditions, Index n_curves, Bounda
     for (Index i = 0; i < conditions.count(); ++i) {
         Condition const& condition = conditions[i];
         HARMORPH_TRY(check_marker(conditions, i, boundary, fault));
-        if (condition.kind == ConditionKind::rigid) HARMORPH_TRY(check_body(conditions, i, fault));
-        if (condition.kind == ConditionKind::rotation)
+        if (condition.has(ConditionField::body)) HARMORPH_TRY(check_body(conditions, i, fault));
+        else if (condition.has(ConditionField::centre))
             HARMORPH_TRY(check_centre(conditions, i, fault));
         if (condition.is_pair()) HARMORPH_TRY(check_partner(conditions, i, boundary, fault));
         any_wall = any_wall || condition.is_wall();
-        if (condition.kind != ConditionKind::on_curve) continue;
+        if (!condition.has(ConditionField::curves)) continue;
         Offset const end = Offset{condition.first_curve} + condition.n_curves;
         if (condition.n_curves == 0) {
             return fault.refuse(
@@ -198,16 +198,7 @@ void classify(Edges const& edges, Boundary const& boundary, Span<const Condition
         for (Condition const& other : conditions) {
             if (other.is_pair() && other.partner == boundary.marker[face]) return PointKind::inside;
         }
-        switch (condition == nullptr ? ConditionKind::fixed : condition->kind) {
-            case ConditionKind::on_curve:
-            case ConditionKind::rigid:
-            case ConditionKind::given: return PointKind::on_wall;
-            case ConditionKind::slip: return PointKind::slip;
-            case ConditionKind::free: return PointKind::free;
-            case ConditionKind::periodic:
-            case ConditionKind::rotation: return PointKind::inside;
-            default: return PointKind::fixed;
-        }
+        return condition == nullptr ? PointKind::fixed : condition->traits().points;
     };
     for (Index loop = 0; loop < boundary.n_loops; ++loop) {
         PointKind kind = PointKind::fixed;

@@ -2,10 +2,12 @@
 // fixed, slipping, free, inside, or used by no cell.
 #pragma once
 
+#include "base/table.hpp"
 #include "mesh/boundary.hpp"
 
 namespace harmorph {
 
+// The numbers are those of the C header and of the rows of condition_traits.
 enum class ConditionKind : std::int32_t {
     on_curve = 0,
     rigid = 1,
@@ -15,6 +17,42 @@ enum class ConditionKind : std::int32_t {
     periodic = 5,
     given = 6,
     rotation = 7
+};
+
+// In the order of precedence: of several conditions at a point the first one counts. Points of a
+// periodic pair are inside. Of several walls, curves come first, then rigid bodies, then given
+// displacements.
+enum class PointKind : std::uint8_t { on_wall, fixed, slip, free, inside, unused };
+constexpr bool is_unknown(PointKind kind) noexcept {
+    return kind == PointKind::slip || kind == PointKind::free || kind == PointKind::inside;
+}
+
+// Fields of a condition that are 0 in all kinds but some.
+enum class ConditionField : unsigned { curves, along, body, centre, partner, piece };
+
+// A row for each kind: what its points are, and which fields it has.
+struct ConditionTraits {
+    PointKind points;
+    unsigned fields;
+};
+inline constexpr ConditionTraits condition_traits[] = {
+    // on_curve
+    {PointKind::on_wall, set_of(ConditionField::curves, ConditionField::piece)},
+    // rigid
+    {PointKind::on_wall,
+     set_of(ConditionField::body, ConditionField::centre, ConditionField::piece)},
+    // fixed
+    {PointKind::fixed, set_of(ConditionField::piece)},
+    // slip
+    {PointKind::slip, set_of(ConditionField::along, ConditionField::piece)},
+    // free
+    {PointKind::free, set_of(ConditionField::piece)},
+    // periodic
+    {PointKind::inside, set_of(ConditionField::partner)},
+    // given
+    {PointKind::on_wall, set_of(ConditionField::piece)},
+    // rotation
+    {PointKind::inside, set_of(ConditionField::partner, ConditionField::centre)},
 };
 
 struct Condition {
@@ -29,27 +67,22 @@ struct Condition {
     Index piece = 0, reserved = 0;  // 1: only the piece of the marker nearest to `near`
     Vec2 near;
 
-    // Are the points of the marker on the wall, that is, do they move as they are told?
-    bool is_wall() const noexcept {
-        return kind == ConditionKind::on_curve || kind == ConditionKind::rigid ||
-               kind == ConditionKind::given;
+    // Does the kind stand in the table? Not so in damaged files.
+    bool is_known() const noexcept {
+        return has_row(condition_traits, static_cast<std::int32_t>(kind));
     }
+    ConditionTraits const& traits() const noexcept {
+        return condition_traits[static_cast<std::int32_t>(kind)];
+    }
+    bool has(ConditionField field) const noexcept { return contains(traits().fields, field); }
+    // Do the points of the marker move as prescribed?
+    bool is_wall() const noexcept { return traits().points == PointKind::on_wall; }
     // Is the marker one side of a pair whose other one moves alike, or alike but turned?
-    bool is_pair() const noexcept {
-        return kind == ConditionKind::periodic || kind == ConditionKind::rotation;
-    }
+    bool is_pair() const noexcept { return has(ConditionField::partner); }
     bool same_curves(Condition const& other) const noexcept {
         return first_curve == other.first_curve && n_curves == other.n_curves;
     }
 };
-
-// In the order of precedence: of several conditions at a point the first one counts. Points of a
-// periodic pair are inside. Of several walls, curves come first, then rigid bodies, then given
-// displacements.
-enum class PointKind : std::uint8_t { on_wall, fixed, slip, free, inside, unused };
-constexpr bool is_unknown(PointKind kind) noexcept {
-    return kind == PointKind::slip || kind == PointKind::free || kind == PointKind::inside;
-}
 
 // What the conditions together require; known before memory is laid out.
 struct Demands {

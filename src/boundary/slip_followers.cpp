@@ -5,6 +5,81 @@ namespace {
 
 constexpr Index least_followers = 4096;  // for a thread
 
+// The kinds of faces that followers distinguish.
+struct Faces {
+    Boundary const& boundary;
+    Span<const Condition> conditions;
+    Span<const Index> slot_at;
+
+    ConditionKind kind(Index face) const noexcept {
+        const Condition* const condition = condition_of(conditions, boundary, face);
+        return condition == nullptr ? ConditionKind::fixed : condition->kind;
+    }
+    bool is_on_curve(Index face) const noexcept {
+        return kind(face) == ConditionKind::slip && slot_at[boundary.point[face]] != none;
+    }
+    // Do its points follow, like those inside?
+    bool follows(Index face) const noexcept {
+        if (kind(face) == ConditionKind::free || kind(face) == ConditionKind::periodic) return true;
+        for (Condition const& condition : conditions) {
+            if (condition.kind == ConditionKind::periodic &&
+                condition.partner == boundary.marker[face])
+                return true;
+        }
+        return false;
+    }
+    bool is_other(Index face) const noexcept { return !follows(face) && !is_on_curve(face); }
+};
+
+// Where each point begins a face of a curve.
+void find_slots(SlipCurves const& curves, Span<Index> slot_at) noexcept {
+    fill(slot_at, none);
+    for (Index curve = 0; curve < curves.count; ++curve) {
+        for (Index k = curves.start[curve]; k + 1 < curves.start[curve + 1]; ++k)
+            slot_at[curves.point[k]] = k;
+    }
+}
+
+// body(point) for the points that follow.
+template <class Body>
+void for_followers(Span<const PointKind> kinds, Executor const& executor,
+                   Body const& body) noexcept {
+    executor.for_ranges(kinds.count(), least_followers, [&](Index begin, Index end) {
+        for (Index k = begin; k < end; ++k) {
+            if (kinds[k] == PointKind::inside || kinds[k] == PointKind::free) body(k);
+        }
+    });
+}
+
+// (o / (s + o))^(quarters / 4 + 1)
+Real share_of(Real from_curve, Real from_others, Index quarters) noexcept {
+    Real const nearness = from_others < infinity ? from_others / (from_curve + from_others) : 1;
+    Real const root = square_root(square_root(nearness));
+    Real share = nearness;
+    for (Index i = 0; i < quarters; ++i) share *= root;
+    return share;
+}
+
+// Points that are joined to another one follow as that one does, or follow it alone if it slides.
+void follow_representatives(Topology const& topology, Span<const PointKind> kinds,
+                            SlipCurves const& curves, SlipFollowers const& followers) noexcept {
+    Span<Index> const slot = followers.slot;
+    Span<Real> const weight = followers.weight;
+    for (Index k = 0; k < slot.count(); ++k) {
+        Index const same = topology.representative[k];
+        if (same == k) continue;
+        slot[k] = slot[same];
+        weight[2 * k] = weight[2 * same];
+        weight[2 * k + 1] = weight[2 * same + 1];
+        if (kinds[same] != PointKind::slip) continue;
+        curves.for_each([&](Index number, Index point) {
+            if (point == same) slot[k] = number;
+        });
+        weight[2 * k] = 1;
+        weight[2 * k + 1] = 0;
+    }
+}
+
 }  // namespace
 
 void SlipFollowers::lay_out(Arena& arena, Index n_points, Size max_faces) noexcept {
@@ -34,38 +109,12 @@ void SlipFollowers::find(Topology const& topology, Boundary const& boundary,
         return;
     }
     Points const points = topology.mesh.points;
-    Span<const Index> const representative = topology.representative;
+    Faces const by_kind{boundary, conditions, slot_at};
+    find_slots(curves, slot_at);
     fill(slot, none);
-    fill(slot_at, none);
-    for (Index curve = 0; curve < curves.count; ++curve) {
-        for (Index k = curves.start[curve]; k + 1 < curves.start[curve + 1]; ++k)
-            slot_at[curves.point[k]] = k;
-    }
-    auto const condition_kind = [&](Index face) {
-        const Condition* const condition = condition_of(conditions, boundary, face);
-        return condition == nullptr ? ConditionKind::fixed : condition->kind;
-    };
-    auto const is_on_curve = [&](Index face) {
-        return condition_kind(face) == ConditionKind::slip && slot_at[boundary.point[face]] != none;
-    };
-    auto const is_partner = [&](Index face) {
-        for (Condition const& condition : conditions) {
-            if (condition.kind == ConditionKind::periodic &&
-                condition.partner == boundary.marker[face])
-                return true;
-        }
-        return false;
-    };
-    auto const for_followers = [&](auto const& body) {
-        executor.for_ranges(slot.count(), least_followers, [&](Index begin, Index end) {
-            for (Index k = begin; k < end; ++k) {
-                if (kinds[k] == PointKind::inside || kinds[k] == PointKind::free) body(k);
-            }
-        });
-    };
-    faces.choose(boundary, is_on_curve);
+    faces.choose(boundary, [&](Index face) { return by_kind.is_on_curve(face); });
     faces.build(points);
-    for_followers([&](Index k) {
+    for_followers(kinds, executor, [&](Index k) {
         Index no_guess = 0;
         FaceDistance::Foot const foot = faces.foot(points[k], no_guess);
         if (foot.face == none) return;
@@ -73,37 +122,16 @@ void SlipFollowers::find(Topology const& topology, Boundary const& boundary,
         weight[2 * k] = foot.t;
         weight[2 * k + 1] = length(points[k] - faces.at(foot, points));
     });
-    faces.choose(boundary, [&](Index face) {
-        ConditionKind const kind = condition_kind(face);
-        bool const goes_along =
-            kind == ConditionKind::free || kind == ConditionKind::periodic || is_partner(face);
-        return !goes_along && !is_on_curve(face);
-    });
+    faces.choose(boundary, [&](Index face) { return by_kind.is_other(face); });
     faces.build(points);
-    for_followers([&](Index k) {
+    for_followers(kinds, executor, [&](Index k) {
         if (slot[k] == none) return;
-        Real const t = weight[2 * k], from_curve = weight[2 * k + 1],
-                   from_others = faces.distance(points[k]);
-        Real const nearness = from_others < infinity ? from_others / (from_curve + from_others) : 1;
-        Real const root = square_root(square_root(nearness));
-        Real part = nearness;
-        for (Index i = 0; i < quarters; ++i) part *= root;
-        weight[2 * k] = (1 - t) * part;
-        weight[2 * k + 1] = t * part;
+        Real const t = weight[2 * k];
+        Real const share = share_of(weight[2 * k + 1], faces.distance(points[k]), quarters);
+        weight[2 * k] = (1 - t) * share;
+        weight[2 * k + 1] = t * share;
     });
-    for (Index k = 0; k < slot.count(); ++k) {
-        Index const same = representative[k];
-        if (same == k) continue;
-        slot[k] = slot[same];
-        weight[2 * k] = weight[2 * same];
-        weight[2 * k + 1] = weight[2 * same + 1];
-        if (kinds[same] != PointKind::slip) continue;
-        curves.for_each([&](Index its, Index point) {
-            if (point == same) slot[k] = its;
-        });
-        weight[2 * k] = 1;
-        weight[2 * k + 1] = 0;
-    }
+    follow_representatives(topology, kinds, curves, *this);
 }
 
 }  // namespace harmorph

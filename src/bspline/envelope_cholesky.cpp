@@ -21,8 +21,9 @@ void EnvelopeMatrix::shape(Index n, Index bandwidth, bool closes) noexcept {
     fill(entries_.first(end), Real(0));
 }
 
-bool EnvelopeMatrix::factor() const noexcept {
+Index EnvelopeMatrix::factor(Real least) const noexcept {
     for (Index i = 0; i < n_; ++i) {
+        Real const diagonal = at(i, i);
         for (Index j = first_column(i); j <= i; ++j) {
             Real sum = at(i, j);
             for (Index k = larger(first_column(i), first_column(j)); k < j; ++k)
@@ -30,22 +31,30 @@ bool EnvelopeMatrix::factor() const noexcept {
             if (j < i) {
                 at(i, j) = sum / at(j, j);
             } else {
-                if (!(sum > 0)) return false;
+                if (!(sum > least * diagonal)) return i;
                 at(i, i) = square_root(sum);
             }
         }
     }
-    return true;
+    return none;
 }
 
-void EnvelopeMatrix::solve(Span<Real> x) const noexcept {
+void EnvelopeMatrix::solve(Span<Real> x, Index width) const noexcept {
+    auto const row = [&](Index i) { return x.data() + Offset{i} * width; };
+    auto const subtract = [&](Real factor, Index from, Index to) {
+        if (factor == 0) return;
+        for (Index c = 0; c < width; ++c) row(to)[c] -= factor * row(from)[c];
+    };
+    auto const divide = [&](Index i) {
+        for (Index c = 0; c < width; ++c) row(i)[c] /= at(i, i);
+    };
     for (Index i = 0; i < n_; ++i) {
-        for (Index j = first_column(i); j < i; ++j) x[i] -= at(i, j) * x[j];
-        x[i] /= at(i, i);
+        for (Index j = first_column(i); j < i; ++j) subtract(at(i, j), j, i);
+        divide(i);
     }
     for (Index i = n_ - 1; i >= 0; --i) {
-        x[i] /= at(i, i);
-        for (Index j = first_column(i); j < i; ++j) x[j] -= at(i, j) * x[i];
+        divide(i);
+        for (Index j = first_column(i); j < i; ++j) subtract(at(i, j), i, j);
     }
 }
 

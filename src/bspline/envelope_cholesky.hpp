@@ -30,8 +30,11 @@ public:
         (i < j ? at(j, i) : at(i, j)) += value;
     }
 
-    bool factor() const noexcept;             // in place; false: not positive definite
-    void solve(Span<Real> x) const noexcept;  // right-hand side in, solution out
+    // In place. Returns none, or the first row whose pivot is not above `least` of its diagonal:
+    // the matrix is not positive definite there, to rounding.
+    Index factor(Real least = 0) const noexcept;
+    // Right-hand sides in, solutions out: `width` numbers side by side for each row.
+    void solve(Span<Real> x, Index width = 1) const noexcept;
 
 private:
     Index n_ = 0, bandwidth_ = 0;

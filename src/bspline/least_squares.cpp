@@ -161,7 +161,7 @@ void LeastSquares::solve(Real along) noexcept {
         add_smoothing(*this, strength);
         pin(*this);
         strength *= 100;
-    } while (!matrix.factor() && strength < total);
+    } while (matrix.factor() != none && strength < total);
     matrix.solve(control);
 }
 

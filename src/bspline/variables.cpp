@@ -84,7 +84,7 @@ void Variables::node_weights(Vec2 point, Real* value) const noexcept {
 void VariableMap::lay_out(Arena& arena, Index n_control, Index n) noexcept {
     n_control_ = n_control;
     n_ = n;
-    arena.take(mass, Offset{n_control} * n_control);
+    mass.lay_out(arena, n_control, n_control - 1, false);
     arena.take(wanted, Offset{n_control} * 2 * n);
     arena.take(trial, Offset{n_control} * 2 * n);
     arena.take(value, n);
@@ -171,55 +171,15 @@ void VariableMap::pin_ends(Section const& section, Variables const& variables) n
     }
 }
 
-// Cholesky's factor in place; rows of `wanted` are solved for as it is made.
-Status VariableMap::factor_and_solve(Fault& fault) noexcept {
-    auto const row_of = [&](Index i) { return mass.data() + Offset{i} * n_control_; };
-    auto const wanted_of = [&](Index i) { return wanted.data() + Offset{i} * 2 * n_; };
-    auto const subtract = [&](Index from, Real factor, Index to) {
-        if (factor == 0) return;
-        for (Index j = 0; j < 2 * n_; ++j) wanted_of(to)[j] -= factor * wanted_of(from)[j];
-    };
-    auto const divide = [&](Index i) {
-        for (Index j = 0; j < 2 * n_; ++j) wanted_of(i)[j] /= row_of(i)[i];
-    };
-    for (Index i = 0; i < n_control_; ++i) {
-        Real const diagonal = row_of(i)[i];
-        for (Index k = 0; k <= i; ++k) {
-            Real sum = row_of(i)[k];
-            for (Index l = 0; l < k; ++l) sum -= row_of(i)[l] * row_of(k)[l];
-            if (k < i) {
-                row_of(i)[k] = sum / row_of(k)[k];
-                continue;
-            }
-            if (!(sum > 1e-14 * diagonal)) {
-                return fault.refuse(Status::bad_curve,
-                                    "control point # is not determined by the outline",
-                                    Counts::curves, i);
-            }
-            row_of(i)[i] = square_root(sum);
-        }
-        for (Index k = 0; k < i; ++k) subtract(k, row_of(i)[k], i);
-        divide(i);
-    }
-    for (Index i = n_control_; i-- > 0;) {
-        divide(i);
-        for (Index k = 0; k < i; ++k) subtract(i, row_of(i)[k], k);
-    }
-    return Status::ok;
+void VariableMap::find_edge(Section const& section) noexcept {
+    Curve const& curve = section.curve[0];
+    edge_u_ = project(curve, section.edge).u;
+    Real const t = (edge_u_ - curve.begin()) / (curve.end() - curve.begin());
+    edge_position_ = section.backwards[0] ? 1 - t : t;
 }
 
-Status VariableMap::run(Section const& section, Variables const& variables, Fault& fault) noexcept {
-    if (variables.needs_chord() && section.n_sides == 1 && is_periodic(section.curve[0])) {
-        Curve const& curve = section.curve[0];
-        edge_u_ = project(curve, section.edge).u;
-        Real const t = (edge_u_ - curve.begin()) / (curve.end() - curve.begin());
-        edge_position_ = section.backwards[0] ? 1 - t : t;
-    }
-    fill(mass, 0.0);
-    fill(wanted, 0.0);
-    fill(pins, 0.0);
-    fill(error, 0.0);
-    pin_ends(section, variables);
+// The normal equations of the least squares.
+void VariableMap::add_samples(Section const& section, Variables const& variables) noexcept {
     for_each_sample(section, variables, [&](CurvePlace const& place, Real weight) {
         CurveBasis const basis = curve_basis_in(*place.curve, place.span, place.u, 0);
         Vec2 const unit = evaluate(section, variables, place.point(),
@@ -227,9 +187,9 @@ Status VariableMap::run(Section const& section, Variables const& variables, Faul
         for (Index k = 0; k < basis.order; ++k) {
             Index const i = basis.control[k];
             Real const part = weight * basis.value[0][k];
-            Real* const mass_row = mass.data() + Offset{i} * n_control_;
-            for (Index l = 0; l < basis.order; ++l)
-                mass_row[basis.control[l]] += part * basis.value[0][l];
+            for (Index l = 0; l < basis.order; ++l) {
+                if (basis.control[l] <= i) mass.add(i, basis.control[l], part * basis.value[0][l]);
+            }
             if (pins[i] > 0) continue;
             Real* const row = wanted.data() + Offset{i} * 2 * n_;
             for (Index j = 0; j < n_; ++j) {
@@ -238,35 +198,41 @@ Status VariableMap::run(Section const& section, Variables const& variables, Faul
             }
         }
     });
-    // Known movements go to the right-hand sides; control points of other curves do not move.
+}
+
+// Known movements go to the right-hand sides; control points of other curves do not move.
+void VariableMap::eliminate_pins() noexcept {
+    auto const entry = [&](Index i, Index k) -> Real& {
+        return i < k ? mass.at(k, i) : mass.at(i, k);
+    };
     for (Index i = 0; i < n_control_; ++i) {
-        Real* const row = mass.data() + Offset{i} * n_control_;
-        bool const free = pins[i] == 0 && row[i] > 0;
-        for (Index k = 0; k < n_control_; ++k) {
-            if (pins[k] == 0 || k == i) continue;
-            for (Index j = 0; free && j < 2 * n_; ++j) {
-                wanted[Offset{i} * 2 * n_ + j] -= row[k] * wanted[Offset{k} * 2 * n_ + j];
+        bool const free = pins[i] == 0 && mass.at(i, i) > 0;
+        for (Index k = 0; free && k < n_control_; ++k) {
+            if (pins[k] == 0) continue;
+            for (Index j = 0; j < 2 * n_; ++j) {
+                wanted[Offset{i} * 2 * n_ + j] -= entry(i, k) * wanted[Offset{k} * 2 * n_ + j];
             }
         }
     }
     for (Index i = 0; i < n_control_; ++i) {
-        Real* const row = mass.data() + Offset{i} * n_control_;
-        for (Index k = 0; k < n_control_; ++k) {
-            bool const free = pins[i] == 0 && pins[k] == 0;
-            if (k != i && !free) row[k] = 0;
+        for (Index k = 0; k < i; ++k) {
+            if (pins[i] > 0 || pins[k] > 0) mass.at(i, k) = 0;
         }
-        if (pins[i] > 0 || !(row[i] > 0)) row[i] = 1;
+        if (pins[i] > 0 || !(mass.at(i, i) > 0)) mass.at(i, i) = 1;
     }
-    HARMORPH_TRY(factor_and_solve(fault));
+}
 
+Status VariableMap::check_independence(Fault& fault) noexcept {
     copy(trial, Span<const Real>(wanted));
     DependentColumn const dependent = find_dependent_column(trial, n_, 2);
-    if (dependent.column != none) {
-        const char* const text = dependent.is_zero
-                                     ? "variable # (from 0) moves no control point"
-                                     : "variable # (from 0) is a combination of those before";
-        return fault.refuse(Status::bad_condition, text, Counts::from_zero, dependent.column);
-    }
+    if (dependent.column == none) return Status::ok;
+    const char* const text = dependent.is_zero
+                                 ? "variable # (from 0) moves no control point"
+                                 : "variable # (from 0) is a combination of those before";
+    return fault.refuse(Status::bad_condition, text, Counts::from_zero, dependent.column);
+}
+
+void VariableMap::measure_errors(Section const& section, Variables const& variables) noexcept {
     Real total = 0;
     for_each_sample(section, variables, [&](CurvePlace const& place, Real weight) {
         CurveBasis const basis = curve_basis_in(*place.curve, place.span, place.u, 0);
@@ -284,6 +250,27 @@ Status VariableMap::run(Section const& section, Variables const& variables, Faul
         }
     });
     for (Index j = 0; j < n_; ++j) error[2 * j] = square_root(error[2 * j] / total);
+}
+
+Status VariableMap::run(Section const& section, Variables const& variables, Fault& fault) noexcept {
+    bool const has_edge_inside =
+        variables.needs_chord() && section.n_sides == 1 && is_periodic(section.curve[0]);
+    if (has_edge_inside) find_edge(section);
+    mass.shape(n_control_, n_control_ - 1, false);
+    fill(wanted, 0.0);
+    fill(pins, 0.0);
+    fill(error, 0.0);
+    pin_ends(section, variables);
+    add_samples(section, variables);
+    eliminate_pins();
+    Index const undetermined = mass.factor(1e-14);
+    if (undetermined != none) {
+        return fault.refuse(Status::bad_curve, "control point # is not determined by the outline",
+                            Counts::curves, undetermined);
+    }
+    mass.solve(wanted, 2 * n_);
+    HARMORPH_TRY(check_independence(fault));
+    measure_errors(section, variables);
     return Status::ok;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/arena.hpp"
+#include "bspline/envelope_cholesky.hpp"
 #include "bspline/section.hpp"
 
 namespace harmorph {
@@ -35,12 +36,12 @@ struct Variables {
 
 // Least squares for the map d(control) / d(variable).
 struct VariableMap {
-    Span<Real> mass;    // [n_control^2] of the curves' basis functions, then its Cholesky factor
-    Span<Real> wanted;  // [n_control * n * 2] right-hand sides, then the map
-    Span<Real> trial;   // [n_control * n * 2] the map again, orthogonalised
-    Span<Real> value;   // [n] of the variables at one point
-    Span<Real> error;   // [2 * n] out: root mean square and largest difference
-    Span<Real> pins;    // [n_control] how many ends of curves fix a control point
+    EnvelopeMatrix mass;  // of the curves' basis functions, then its Cholesky factor
+    Span<Real> wanted;    // [n_control * n * 2] right-hand sides, then the map
+    Span<Real> trial;     // [n_control * n * 2] the map again, orthogonalised
+    Span<Real> value;     // [n] of the variables at one point
+    Span<Real> error;     // [2 * n] out: root mean square and largest difference
+    Span<Real> pins;      // [n_control] how many ends of curves fix a control point
 
     void lay_out(Arena& arena, Index n_control, Index n) noexcept;
     // The section is joined, and has its chord where variables need it. Refuses variables without
@@ -55,7 +56,11 @@ private:
     bool is_upper(Section const& section, CurvePlace const& place) const noexcept;
     Vec2 evaluate(Section const& section, Variables const& variables, Vec2 point,
                   bool upper) const noexcept;
-    Status factor_and_solve(Fault& fault) noexcept;
+    void find_edge(Section const& section) noexcept;
+    void add_samples(Section const& section, Variables const& variables) noexcept;
+    void eliminate_pins() noexcept;
+    Status check_independence(Fault& fault) noexcept;
+    void measure_errors(Section const& section, Variables const& variables) noexcept;
 
     Index n_control_ = 0, n_ = 0;
     Real edge_position_ = 0,

@@ -131,8 +131,19 @@ struct Mesh {
     }
     Index n_triangles() const noexcept { return n_cells - n_quads; }  // mixed
     Index n_checked() const noexcept { return n_cells + n_guards; }
-    bool is_of_pieces() const noexcept { return piece_start != nullptr; }
-    Index n_given_cells() const noexcept { return is_of_pieces() ? n_given : n_cells; }
+    // Polygons are divided into pieces (pieces.hpp), which are the cells of this mesh then. Only
+    // what follows distinguishes such a mesh from others.
+    bool has_pieces() const noexcept { return piece_start != nullptr; }
+    Index n_given_cells() const noexcept { return has_pieces() ? n_given : n_cells; }
+    Index n_pieces() const noexcept { return has_pieces() ? n_cells : 0; }
+    // The cells that one of the caller's cells consists of, and its guards.
+    IndexRange pieces_of(Index given) const noexcept {
+        return has_pieces() ? IndexRange{piece_start[given], piece_start[given + 1]}
+                            : IndexRange{given, given + 1};
+    }
+    IndexRange guards_of(Index given) const noexcept {
+        return has_pieces() ? IndexRange{guard_start[given], guard_start[given + 1]} : IndexRange{};
+    }
     // The caller's cell that a cell or a guard is or belongs to; none of none.
     Index number(Index i) const noexcept;
     // One of several pieces of a cell, or a guard.
@@ -198,7 +209,7 @@ inline Cell Mesh::cell(Index i) const noexcept {
 }
 
 inline Index Mesh::number(Index i) const noexcept {
-    if (!is_of_pieces() || i == none) return i;
+    if (!has_pieces() || i == none) return i;
     const Index* const start = i < n_cells ? piece_start : guard_start;
     Index low = 0, high = n_given;  // start[low] <= i < start[high]
     while (high - low > 1) {
@@ -209,9 +220,9 @@ inline Index Mesh::number(Index i) const noexcept {
 }
 
 inline bool Mesh::is_part(Index i) const noexcept {
-    if (!is_of_pieces()) return false;
+    if (!has_pieces()) return false;
     Index const cell = number(i);
-    return i >= n_cells || piece_start[cell + 1] - piece_start[cell] > 1;
+    return i >= n_cells || pieces_of(cell).count() > 1;
 }
 
 template <class Visit>

@@ -17,6 +17,15 @@ void Pieces::copy_from(Pieces const& other) const noexcept {
     copy(kind, Span<const CornerKind>(other.kind));
 }
 
+void Pieces::copy_from(Pieces const& other, Mesh& mesh) const noexcept {
+    if (!given()) return;
+    copy_from(other);
+    mesh.cell_points = point.data();
+    mesh.piece_start = start.data();
+    mesh.guard_start = guard_start.data();
+    mesh.guard_kind = kind.data();
+}
+
 Mesh Pieces::mesh(Mesh const& polygons) const noexcept {
     Mesh mesh = polygons;
     mesh.layout = CellLayout::quads;

@@ -29,7 +29,13 @@ struct Pieces {
     Index n_guards() const noexcept { return guard_start[guard_start.size() - 1] - n_pieces(); }
 
     void lay_out(Arena& arena, Index n_cells, Index n_pieces, Index n_guards) noexcept;
+    // Room for the pieces of a mesh: none where the mesh does not consist of pieces.
+    void lay_out_copy(Arena& arena, Mesh const& mesh) noexcept {
+        if (mesh.has_pieces()) lay_out(arena, mesh.n_given, mesh.n_cells, mesh.n_guards);
+    }
     void copy_from(Pieces const& other) const noexcept;
+    // The copy is made, and the mesh refers to it from now on; nothing where there is no room.
+    void copy_from(Pieces const& other, Mesh& mesh) const noexcept;
     // The mesh that consists of the pieces, with the points and faces of the polygons' mesh.
     Mesh mesh(Mesh const& polygons) const noexcept;
     // Guards have the orientation of the pieces of their cell.

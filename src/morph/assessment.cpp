@@ -4,49 +4,62 @@
 
 namespace harmorph {
 
-Quality displaced_quality(OrientedMesh const& cells, Points points, Points displacement,
-                          Points reference, Executor const& executor) noexcept {
-    auto const moved = [&](Index piece) {
+namespace {
+
+// The cells of a mesh after a displacement.
+struct DisplacedCells {
+    OrientedMesh const& cells;
+    Points points, displacement;
+
+    CellShape operator()(Index piece) const noexcept {
         CellShape shape = shape_of(cells, piece, points);
         CellShape const change = shape_of(cells, piece, displacement);
         for (Index k = 0; k < 4; ++k) shape.at[k] = shape.at[k] + change.at[k];
         return shape;
-    };
-    auto const measure = [&](Index cell) {
-        if (cells.mesh.is_of_pieces()) return CellMeasure(cells.mesh, cell, moved);
-        CellShape const shape = moved(cell);
+    }
+    CellMeasure measure(Index cell) const noexcept {
+        if (cells.mesh.has_pieces()) return CellMeasure(cells.mesh, cell, *this);
+        CellShape const shape = (*this)(cell);
         return CellMeasure(shape.n, CellCorners(shape));
-    };
+    }
+};
+
+}  // namespace
+
+Quality displaced_quality(OrientedMesh const& cells, Points points, Points displacement,
+                          Points reference, Executor const& executor) noexcept {
+    DisplacedCells const displaced{cells, points, displacement};
     Index const n_cells = cells.mesh.n_given_cells();
     return reduce_cells<Quality>(n_cells, executor, [&](Index cell, Quality& quality) {
-        quality.add(cell, measure(cell), measure_cell(cells, cell, reference).area);
+        quality.add(cell, displaced.measure(cell), measure_cell(cells, cell, reference).area);
     });
 }
 
 Assessment assess(OrientedMesh const& cells, Points points, Points displacement,
                   Executor const& executor) noexcept {
-    if (cells.mesh.is_of_pieces()) {
-        return {admissible_step(cells, points, displacement, executor),
-                displaced_quality(cells, points, displacement, points, executor)};
-    }
-    CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
     CellPlaces const places{points, displacement, {}};
-    return reduce_ranges<Assessment>(
-        cells.mesh.n_cells, executor, [&](Index begin, Index end, Assessment& result) {
-            Assessment assessment;
-            for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
-                Quality& quality = assessment.quality;
-                CellBounds const bounds = {assessment.limit.step, 2 * quality.min_area,
-                                           quality.min_quality};
-                ListQuality in_triangles, in_quads;
-                std::uint64_t const triangles =
-                    kernels.triangles(batches.triangles, places, bounds, &in_triangles);
-                std::uint64_t const quads = kernels.quads(batches.quads, places, bounds, &in_quads);
-                assessment.limit.add(cells, places, batches, triangles, quads);
-                quality.add(cells, places, batches, in_triangles, in_quads);
-            });
-            result = assessment;
-        });
+    DisplacedCells const displaced{cells, points, displacement};
+    auto const add_cell = [&](Index i, Assessment& assessment) {
+        assessment.quality.add(i, displaced.measure(i), measure_cell(cells, i, points).area);
+    };
+    auto const add_batch = [&](CellKernels const& kernels, CellBatches const& batches,
+                               Assessment& assessment) {
+        Quality& quality = assessment.quality;
+        CellBounds const bounds = {assessment.limit.step, 2 * quality.min_area,
+                                   quality.min_quality};
+        ListQuality in_triangles, in_quads;
+        std::uint64_t const triangles =
+            kernels.triangles(batches.triangles, places, bounds, &in_triangles);
+        std::uint64_t const quads = kernels.quads(batches.quads, places, bounds, &in_quads);
+        assessment.limit.add(cells, places, batches, triangles, quads);
+        quality.add(cells, places, batches, in_triangles, in_quads);
+    };
+    Assessment assessment = reduce_batches<Assessment>(cells, cells.mesh.n_given_cells(), executor,
+                                                       add_cell, add_batch);
+    // Cells of polygons have not been looked at for the step, which depends on guards, too.
+    if (cells.mesh.has_pieces())
+        assessment.limit = admissible_step(cells, points, displacement, executor);
+    return assessment;
 }
 
 }  // namespace harmorph

@@ -1,5 +1,7 @@
 #include "morph/cell_batch.hpp"
 
+#include "morph/skew.hpp"
+
 #define HARMORPH_KERNELS "morph/cell_kernel.hpp"
 #include "simd/for_each_set.hpp"
 

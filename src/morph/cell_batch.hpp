@@ -3,6 +3,7 @@
 // no branches.
 #pragma once
 
+#include "base/parallel_reduce.hpp"
 #include "mesh/cell_shape.hpp"
 #include "mesh/topology.hpp"
 #include "simd/cpu.hpp"
@@ -111,6 +112,22 @@ void for_each_batch(OrientedMesh const& cells, Index begin, Index end, Visit vis
         (*static_cast<Visit*>(user))(batches);
     };
     for_each_batch(cells, begin, end, call, &visit);
+}
+
+// Of all cells: add_batch(kernels, batches, result) where cells are the caller's; add_cell(i,
+// result) for i < n where they are pieces of polygons, which kernels do not know.
+template <class Result, class AddCell, class AddBatch>
+Result reduce_batches(OrientedMesh const& cells, Index n, Executor const& executor,
+                      AddCell const& add_cell, AddBatch const& add_batch) noexcept {
+    if (cells.mesh.has_pieces()) return reduce_cells<Result>(n, executor, add_cell);
+    CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
+    return reduce_ranges<Result>(
+        cells.mesh.n_cells, executor, [&](Index begin, Index end, Result& result) {
+            Result found;
+            for_each_batch(cells, begin, end,
+                           [&](CellBatches const& batches) { add_batch(kernels, batches, found); });
+            result = found;
+        });
 }
 
 }  // namespace harmorph

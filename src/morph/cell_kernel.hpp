@@ -80,18 +80,9 @@ public:
         larger_ = is_compared ? most_of(cell_area, size) : one;
     }
     HARMORPH_INLINE Vector end() const noexcept {
-        constexpr Index c = Corners<n>::n_areas / 2, d = Corners<n>::n_areas - 1,
-                        b = c / 2;  // 1, 2, 3 of 4
         Vector above, under;
-        if (n == 3) {
-            above = 2 * 1.7320508075688772 * area_[0];
-            under = sum_;
-        } else {
-            Vector const first = area_[b] * area_[c], last = area_[d] * area_[0];
-            above = 4 * root_[1] * (first * last);
-            under = (root_[0] * root_[1] * area_[c] + sum_ * area_[b]) * last +
-                    root_[2] * (root_[1] * area_[0] + root_[0] * area_[d]) * first;
-        }
+        if constexpr (n == 3) skew_of_triangle(area_[0], sum_, above, under);
+        else skew_of_quad(area_, root_, sum_, above, under);
         Vector const quality = above * mean_ / (under * larger_), zero = {};
         if (regular_) return quality;
         return in_range_ > 0 ? quality : smallest > 0 ? zero + ListQuality::not_in_range : zero;

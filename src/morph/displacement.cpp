@@ -26,8 +26,8 @@ bool equal(Vec2 a, Vec2 b) noexcept { return a.x == b.x && a.y == b.y; }
 
 void Displacement::lay_out(Arena& arena, Plan const& plan, Index fields) noexcept {
     n_fields = fields;
-    Offset const row = 2 * Offset{plan.mesh.n_points};
-    arena.take(place, plan.given.point.count());
+    Offset const row = 2 * Offset{plan.mesh().n_points};
+    arena.take(place, plan.given().point.count());
     arena.take(value, row * n_fields);
     arena.take(source, row * smaller(n_fields, GivenWall::fields_at_once));
 }
@@ -35,32 +35,29 @@ void Displacement::lay_out(Arena& arena, Plan const& plan, Index fields) noexcep
 Displacement::Block Displacement::block_of(Plan const& plan, Index field) const noexcept {
     Index const first = field / GivenWall::fields_at_once * GivenWall::fields_at_once;
     Index const n = smaller(n_fields - first, GivenWall::fields_at_once);
-    Offset const row = 2 * Offset{plan.mesh.n_points};
+    Offset const row = 2 * Offset{plan.mesh().n_points};
     return {first, n, value.from(row * first, row * n)};
 }
 
 template <class Body>
 Status Displacement::for_each_block(Plan const& plan, Fault& fault,
                                     Body const& body) const noexcept {
-    if (!plan.factored)
+    if (!plan.is_factored())
         return fault.refuse(Status::bad_argument,
                             "the plan has no factor: hm_plan_factor comes first");
     for (Index first = 0; first < n_fields; first += GivenWall::fields_at_once) {
-        Block const block = block_of(plan, first);
-        HARMORPH_TRY(body(block, dofs(plan, block)));
+        HARMORPH_TRY(body(block_of(plan, first)));
     }
     return fault.status;
 }
 
 DofValues Displacement::dofs(Plan const& plan, Block const& block) noexcept {
-    Equations const& equations = plan.equations;
-    return {block.rows,       block.first,     block.n,
-            equations.dof_of, plan.wall_point, equations.matrix.components()};
+    return plan.fields(block.rows, block.first, block.n);
 }
 
 Status Displacement::find_places(Plan const& plan, PointList const& list, Fault& fault) noexcept {
     fill(place, none);
-    Span<const Index> const given = plan.given.point;
+    Span<const Index> const given = plan.given().point;
     for (Index k = 0; k < list.count(); ++k) {
         Index const number = plan.given_index(list[k]);
         if (number == none) {
@@ -81,7 +78,7 @@ Status Displacement::find_places(Plan const& plan, PointList const& list, Fault&
 }
 
 void Displacement::clear(Plan const& plan) const noexcept {
-    plan.executor.for_ranges(plan.mesh.n_points, points_of_a_task, [&](Index begin, Index end) {
+    plan.executor().for_ranges(plan.mesh().n_points, points_of_a_task, [&](Index begin, Index end) {
         for (Index field = 0; field < n_fields; field += GivenWall::fields_at_once) {
             Block const block = block_of(plan, field);
             fill(Span<Real>(block.row(begin),
@@ -109,55 +106,28 @@ Status Displacement::set(Plan const& plan, PointList const& list, Index field, P
                                 "point # has two displacements in field @ (from 0)",
                                 Counts::mesh_and_marker, list[k], field);
         }
-        to.set(plan.given.point[number], wall[k]);
+        to.set(plan.given().point[number], wall[k]);
     }
-    return Status::ok;
-}
-
-// In place: the right-hand sides of the unknowns become values. A trusted factor needs no
-// refinement, and where derivatives are rough, residuals relative to them are large although
-// nothing can be improved.
-Status Displacement::solve_inside(Plan& plan, DofValues const& values, bool measured,
-                                  SolveReport& report, Fault& fault) noexcept {
-    Progress const& progress = plan.progress;
-    Equations const& equations = plan.equations;
-    SolveReport of_block;
-    of_block.unknowns = equations.matrix.n;
-    of_block.factor_entries = plan.factor_entries;
-    HARMORPH_TRY(progress.report(Phase::solve, 0, fault));
-    HARMORPH_TRY(plan.engine.solve(equations, values, progress, of_block.iteration, fault));
-    HARMORPH_TRY(progress.report(Phase::solve, 1, fault));
-    HARMORPH_TRY(progress.report(Phase::residual, 0, fault));
-    bool const refined = !plan.engine.trusted() || !equations.method.traits().factors;
-    if (refined) {
-        HARMORPH_TRY(
-            plan.refinement.run(equations, plan.engine, values, progress, of_block, fault));
-        HARMORPH_TRY(judge(of_block, equations.method, fault));
-    } else if (measured) {
-        plan.refinement.measure(equations, values, of_block);
-    }
-    HARMORPH_TRY(progress.report(Phase::residual, 1, fault));
-    report.take(of_block);
     return Status::ok;
 }
 
 Status Displacement::solve(Plan& plan, bool measured, SolveReport& report,
                            Fault& fault) const noexcept {
-    Matrix const& matrix = plan.equations.matrix;
     report.functions = n_fields;
-    return for_each_block(plan, fault, [&](Block const&, DofValues const& values) {
-        subtract_couplings(matrix, values);
-        HARMORPH_TRY(solve_inside(plan, values, measured, report, fault));
-        plan.turn_slipping_points(values);
-        for (Index const point : plan.given.joined) values.copy_row(plan.same_point(point), point);
-        plan.turn_sides(values);
+    return for_each_block(plan, fault, [&](Block const& block) {
+        DofValues const values = dofs(plan, block);
+        subtract_couplings(plan.equations().matrix(), values);
+        SolveReport of_block;
+        HARMORPH_TRY(plan.solve_fields(values, measured, of_block, fault));
+        report.take(of_block);
+        plan.to_displacements(values);
         return Status::ok;
     });
 }
 
 Status Displacement::check_target(Plan const& plan, Index field, Points from,
                                   Fault& fault) const noexcept {
-    GivenWall const& given = plan.given;
+    GivenWall const& given = plan.given();
     Points const displacement = block_of(plan, field).field(field);
     for (Index const point : given.boundary_point) {
         if (is_coordinate(from[point] + displacement[point])) continue;
@@ -176,7 +146,7 @@ Status Displacement::check_target(Plan const& plan, Index field, Points from,
 void Displacement::write(Plan const& plan, Index first, Points from,
                          Span<const MutablePoints> to) const noexcept {
     Block const block = block_of(plan, first);
-    plan.executor.for_ranges(plan.mesh.n_points, points_of_a_task, [&](Index begin, Index end) {
+    plan.executor().for_ranges(plan.mesh().n_points, points_of_a_task, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
             const Real* const row = block.row(k) + (first - block.first);
             for (Index i = 0; i < to.count(); ++i) {
@@ -202,14 +172,14 @@ Status Displacement::set_derivatives(Plan const& plan, Index first, Span<const P
             }
         }
     };
-    NotFinite const bad = reduce_ranges<NotFinite>(plan.mesh.n_points, plan.executor, range);
+    NotFinite const bad = reduce_ranges<NotFinite>(plan.mesh().n_points, plan.executor(), range);
     if (bad.point != none) {
         return fault.refuse(Status::bad_argument,
                             "the derivative by point # in field @ (from 0) is not finite",
                             Counts::mesh_and_marker, bad.point, bad.field);
     }
     for (Index const point :
-         plan.given.joined) {  // it moves with the other point, or turned against that one
+         plan.given().joined) {  // it moves with the other point, or turned against that one
         Index const same = plan.same_point(point);
         if (same == none || same == point) continue;
         Vec2 const back = conjugate(plan.turn_of(point, same));
@@ -224,18 +194,20 @@ Status Displacement::set_derivatives(Plan const& plan, Index first, Span<const P
 Status Displacement::solve_transposed(Plan& plan, bool measured, SolveReport& report,
                                       Fault& fault) const noexcept {
     report.functions = n_fields;
-    return for_each_block(plan, fault, [&](Block const& block, DofValues values) {
-        plan.turn_slipping_points_back(values);
-        plan.turn_sides_back(values);
+    return for_each_block(plan, fault, [&](Block const& block) {
+        DofValues values = dofs(plan, block);
+        plan.to_displacements_transposed(values);
         copy(source, Span<const Real>(block.rows));
         values.source = source.data();
         auto const row = [&](Span<Real> rows, Index point) {
             return rows.from(Offset{point} * block.length(), block.length());
         };
-        for (Index const point : plan.wall_point) fill(row(block.rows, point), 0.0);
-        HARMORPH_TRY(solve_inside(plan, values, measured, report, fault));
-        subtract_transposed_couplings(plan.equations.matrix, values);
-        for (Index const point : plan.given.point) {
+        for (Index const point : plan.wall_points()) fill(row(block.rows, point), 0.0);
+        SolveReport of_block;
+        HARMORPH_TRY(plan.solve_fields(values, measured, of_block, fault));
+        report.take(of_block);
+        subtract_transposed_couplings(plan.equations().matrix(), values);
+        for (Index const point : plan.given().point) {
             for (Index k = 0; k < block.length(); ++k)
                 row(block.rows, point)[k] += row(source, point)[k];
         }
@@ -249,7 +221,7 @@ void Displacement::write_gradient(Plan const& plan, PointList const& list, Index
     for (Index k = 0; k < list.count(); ++k) {
         Index const number = plan.given_index(list[k]);
         bool const is_first = place[number] == k;
-        gradient.set(k, is_first ? found[plan.given.point[number]] : Vec2{});
+        gradient.set(k, is_first ? found[plan.given().point[number]] : Vec2{});
     }
 }
 

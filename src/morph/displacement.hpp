@@ -74,8 +74,6 @@ private:
     template <class Body>
     Status for_each_block(Plan const& plan, Fault& fault, Body const& body) const noexcept;
     static DofValues dofs(Plan const& plan, Block const& block) noexcept;
-    static Status solve_inside(Plan& plan, DofValues const& values, bool measured,
-                               SolveReport& report, Fault& fault) noexcept;
 };
 
 }  // namespace harmorph

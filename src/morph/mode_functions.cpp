@@ -78,7 +78,7 @@ Status tabulate(Plan& plan, Basis const& from, PointList const& list, Modes cons
             }
         }
     }
-    to.header->coordinates = plan.coordinates;
+    to.header->coordinates = plan.coordinates();
     to.seal();
     return fault.status;
 }

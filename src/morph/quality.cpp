@@ -1,7 +1,5 @@
 #include "morph/quality.hpp"
 
-#include "base/parallel_reduce.hpp"
-
 namespace harmorph {
 namespace {
 
@@ -47,34 +45,26 @@ void Quality::add(OrientedMesh const& mesh, CellPlaces const& places, CellBatche
 }
 
 CellMeasure measure_cell(OrientedMesh const& cells, Index number, Points points) noexcept {
-    auto const shape_at = [&](Index i) { return shape_of(cells, i, points); };
-    if (cells.mesh.is_of_pieces()) return {cells.mesh, number, shape_at};
-    CellShape const shape = shape_at(number);
-    return {shape.n, CellCorners(shape)};
+    return {cells.mesh, number, [&](Index i) { return shape_of(cells, i, points); }};
 }
 
 Quality measure_quality(OrientedMesh const& cells, Points points, Points reference,
                         Executor const& executor) noexcept {
-    if (cells.mesh.is_of_pieces()) {
-        return reduce_cells<Quality>(cells.mesh.n_given, executor, [&](Index i, Quality& quality) {
-            quality.add(i, measure_cell(cells, i, points),
-                        reference.given() ? measure_cell(cells, i, reference).area : 0);
-        });
-    }
-    CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
+    auto const add_cell = [&](Index i, Quality& quality) {
+        quality.add(i, measure_cell(cells, i, points),
+                    reference.given() ? measure_cell(cells, i, reference).area : 0);
+    };
     CellPlaces const places{points, {}, reference};
-    return reduce_ranges<Quality>(
-        cells.mesh.n_cells, executor, [&](Index begin, Index end, Quality& result) {
-            Quality quality;
-            for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
-                CellBounds const bounds = {infinity, 2 * quality.min_area, quality.min_quality};
-                ListQuality triangles, quads;
-                kernels.triangles(batches.triangles, places, bounds, &triangles);
-                kernels.quads(batches.quads, places, bounds, &quads);
-                quality.add(cells, places, batches, triangles, quads);
-            });
-            result = quality;
-        });
+    auto const add_batch = [&](CellKernels const& kernels, CellBatches const& batches,
+                               Quality& quality) {
+        CellBounds const bounds = {infinity, 2 * quality.min_area, quality.min_quality};
+        ListQuality triangles, quads;
+        kernels.triangles(batches.triangles, places, bounds, &triangles);
+        kernels.quads(batches.quads, places, bounds, &quads);
+        quality.add(cells, places, batches, triangles, quads);
+    };
+    return reduce_batches<Quality>(cells, cells.mesh.n_given_cells(), executor, add_cell,
+                                   add_batch);
 }
 
 // With skew quality q a corner's area is at least q / 8 of the sum of the two products that it is
@@ -86,32 +76,20 @@ Index count_inverted(OrientedMesh const& cells, Points points, Executor const& e
         CellShape const shape = shape_of(cells, cell, points);
         return is_inverted(shape) || is_inverted_exactly(shape);
     };
-    if (cells.mesh.is_of_pieces()) {
-        return reduce_cells<Count>(
-                   cells.mesh.n_checked(), executor,
-                   [&](Index cell, Count& count) { count.n += is_bad(cell) ? 1 : 0; })
-            .n;
-    }
-    CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
-    return reduce_ranges<Count>(
-               cells.mesh.n_cells, executor,
-               [&](Index begin, Index end, Count& result) {
-                   Count count;
-                   for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
-                       CellBounds const bounds = {infinity, 0, surely_positive};
-                       ListQuality triangles, quads;
-                       kernels.triangles(batches.triangles, {points, {}, {}}, bounds, &triangles);
-                       kernels.quads(batches.quads, {points, {}, {}}, bounds, &quads);
-                       if ((triangles.notable | quads.notable) == 0) return;
-                       batches.for_each([&](Index number, bool is_triangle, Index i) {
-                           bool const is_poor =
-                               ((is_triangle ? triangles : quads).notable >> i & 1) != 0;
-                           count.n += is_poor && is_bad(number) ? 1 : 0;
-                       });
-                   });
-                   result = count;
-               })
-        .n;
+    auto const add_cell = [&](Index cell, Count& count) { count.n += is_bad(cell) ? 1 : 0; };
+    auto const add_batch = [&](CellKernels const& kernels, CellBatches const& batches,
+                               Count& count) {
+        CellBounds const bounds = {infinity, 0, surely_positive};
+        ListQuality triangles, quads;
+        kernels.triangles(batches.triangles, {points, {}, {}}, bounds, &triangles);
+        kernels.quads(batches.quads, {points, {}, {}}, bounds, &quads);
+        if ((triangles.notable | quads.notable) == 0) return;
+        batches.for_each([&](Index number, bool is_triangle, Index i) {
+            bool const is_poor = ((is_triangle ? triangles : quads).notable >> i & 1) != 0;
+            if (is_poor) add_cell(number, count);
+        });
+    };
+    return reduce_batches<Count>(cells, cells.mesh.n_checked(), executor, add_cell, add_batch).n;
 }
 
 }  // namespace harmorph

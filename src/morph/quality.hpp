@@ -4,6 +4,7 @@
 #include "base/elementary.hpp"
 #include "mesh/guard_shape.hpp"
 #include "morph/cell_batch.hpp"
+#include "morph/skew.hpp"
 #include "base/executor.hpp"
 
 namespace harmorph {
@@ -28,19 +29,18 @@ inline Fraction skew_fraction(Index n, CellCorners const& corners) noexcept {
                              : (square_of[0] + square_of[2]) + (square_of[1] + square_of[3]);
     bool const in_range =
         corners.smallest() > smallest_of_products && squares < largest_of_products;
+    Fraction skew;
     if (n == 3) {
-        Real const above = 2 * 1.7320508075688772 * area[0];
-        return in_range ? Fraction{above, squares} : Fraction{above / squares, 1};
+        skew_of_triangle(area[0], squares, skew.above, skew.under);
+        return in_range ? skew : Fraction{skew.above / skew.under, 1};
     }
-    // 4 / (l0 l1 / A1 + l1 l2 / A2 + l2 l3 / A3 + l3 l0 / A0): over the common denominator, with
-    // three roots for the four products of lengths.
     if (in_range) {
-        Real const opposite = square_of[1] * square_of[2], first = area[1] * area[2],
-                   last = area[3] * area[0];
-        Real const a = square_root(square_of[0] * square_of[1]), b = square_root(opposite);
-        Real const c = square_root(square_of[2] * square_of[3]);
-        return {4 * b * (first * last), (a * b * area[2] + opposite * area[1]) * last +
-                                            c * (b * area[0] + a * area[3]) * first};
+        Real const opposite = square_of[1] * square_of[2];
+        Real const root[3] = {square_root(square_of[0] * square_of[1]), square_root(opposite),
+                              square_root(square_of[2] * square_of[3])};
+        Real const corner[4] = {area[0], area[1], area[2], area[3]};
+        skew_of_quad(corner, root, opposite, skew.above, skew.under);
+        return skew;
     }
     Real length[4], sum = 0;
     for (Index k = 0; k < 4; ++k) length[k] = square_root(square_of[k]);
@@ -62,7 +62,8 @@ struct CellMeasure {
         : twice_smallest(corners.smallest()),
           skew(skew_fraction(n, corners)),
           area(corners.cell_area(n)) {}
-    // shape_of(i): the CellShape of a piece or a guard, counter-clockwise.
+    // One of the caller's cells. shape_of(i): the CellShape of a cell, which may be a piece, or of
+    // a guard, counter-clockwise.
     template <class ShapeOf>
     CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of) noexcept;
 
@@ -127,9 +128,9 @@ inline void Quality::note(Index cell, Real twice_smallest, Real value) noexcept 
 template <class ShapeOf>
 CellMeasure::CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of) noexcept
     : twice_smallest(infinity), skew{0, 1}, area(0) {
-    Index const begin = mesh.piece_start[number], end = mesh.piece_start[number + 1];
-    if (end - begin == 1) {
-        CellShape const shape = shape_of(begin);
+    IndexRange const pieces = mesh.pieces_of(number);
+    if (pieces.count() == 1) {
+        CellShape const shape = shape_of(pieces.first);
         *this = CellMeasure(shape.n, CellCorners(shape));
         return;
     }
@@ -137,14 +138,14 @@ CellMeasure::CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of
         bool const is_number = twice_smallest == twice_smallest;
         if (is_number && !(twice_area >= twice_smallest)) twice_smallest = twice_area;
     };
-    for (Index piece = begin; piece < end; ++piece) {
+    for (Index const piece : pieces) {
         Real const twice_area = CellCorners(shape_of(piece)).smallest();  // of a triangle
         least(twice_area);
         area += 0.5 * twice_area;
     }
     Real sum = 0;
     Index m = 0;
-    for (Index guard = mesh.guard_start[number]; guard < mesh.guard_start[number + 1]; ++guard) {
+    for (Index const guard : mesh.guards_of(number)) {
         CellCorners const corner(shape_of(guard));
         bool const is_convex = mesh.guard_kind[guard - mesh.n_cells] == CornerKind::convex;
         if (is_convex || !(corner.smallest() > 0)) least(corner.smallest());

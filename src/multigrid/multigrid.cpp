@@ -26,7 +26,7 @@ Status Multigrid::set_up(SymmetricRows const& finest, Fault& fault) noexcept {
     bottom.shape(last.n, last.n - 1, false);
     for (Index i = 0; i < last.n; ++i) bottom.at(i, i) = last.diagonal[i];
     last.for_each([&](Index i, Index j, Offset e) { bottom.add(i, j, last.value[e]); });
-    return bottom.factor() ? Status::ok : refuse_row(0, fault);
+    return bottom.factor() == none ? Status::ok : refuse_row(0, fault);
 }
 
 Status Multigrid::solve(Rows const& values, Progress const& progress, IterationReport& report,

@@ -51,7 +51,7 @@ Matrix::Entry Matrix::entry(RowRange rows, Index i, Index j) const noexcept {
 
 void Matrix::add(Index point, Index other, Real conductance) const noexcept {
     RowRange const all{0, n};
-    Index const i = row_of[point], j = row_of[other];
+    Index const i = row_of(point), j = row_of(other);
     if (i == j) return;
     if (i >= 0) diagonal[i] += conductance;
     if (j >= 0) diagonal[j] += conductance;
@@ -93,10 +93,10 @@ void Matrix::add_turns(RowRange rows, Cell const& cell, CellConductances const& 
 // displacements, is another one: conjugate(frame) entry other frame. Adds the difference. Points
 // whose value is 0 are not turned.
 void Matrix::add_turn(RowRange rows, Index point, Index other, Vec2 entry_value) const noexcept {
-    Vec2 const own = frame[point], its = frame[other];
-    Index const i = row_of[point], j = row_of[other];
-    if ((own.x == its.x && own.y == its.y) || i == none || j == none) return;
-    Vec2 const change = product(product(conjugate(own), its) - Vec2{1, 0}, entry_value);
+    Vec2 const own = turn(point), theirs = turn(other);
+    Index const i = row_of(point), j = row_of(other);
+    if ((own.x == theirs.x && own.y == theirs.y) || i == none || j == none) return;
+    Vec2 const change = product(product(conjugate(own), theirs) - Vec2{1, 0}, entry_value);
     auto const add_to_sum = [&](Index row, Vec2 by) {
         if (!rows.contain(row)) return;
         Entry const rest = entry(rows, row, none);
@@ -128,23 +128,23 @@ void Matrix::add_turn(RowRange rows, Index point, Index other, Vec2 entry_value)
 // point has the first dof only.
 void Matrix::add_coupled(RowRange rows, Index point, Index other, Real conductance,
                          Real circulation) const noexcept {
-    if (row_of[2 * point] == row_of[2 * other]) return;
+    if (row_of(2 * point) == row_of(2 * other)) return;
     Vec2 const complex_entry =
-        product(conjugate(frame[point]), product({-conductance, circulation}, frame[other]));
+        product(conjugate(frame(point)), product({-conductance, circulation}, frame(other)));
     Real const block[2][2] = {{complex_entry.x, -complex_entry.y},
                               {complex_entry.y, complex_entry.x}};
     auto const add_to = [&](Span<Real> numbers, Index row, Real number) {
         if (rows.contain(row)) numbers[row] += number;
     };
     for (Index p = 0; p < 2; ++p) {
-        Index const i = row_of[2 * point + p], own_j = row_of[2 * other + p];
+        Index const i = row_of(2 * point + p), own_j = row_of(2 * other + p);
         Index const own[] = {i, own_j};
         for (Index const row : own) {
             add_to(diagonal, row, conductance);
             add_to(row_sum, row, conductance);
         }
         for (Index q = 0; q < 2; ++q) {
-            Index const j = row_of[2 * other + q];
+            Index const j = row_of(2 * other + q);
             if (i == none || j == none) continue;
             Entry const at = entry(rows, i, j);
             if (at.value != nullptr) *at.value += block[p][q];
@@ -159,7 +159,7 @@ void Matrix::add_coupled(RowRange rows, Index point, Index other, Real conductan
 
 void Matrix::couple_to_fixed(RowRange rows, Index point, Real conductance,
                              Real circulation) const noexcept {
-    Entry const at = entry(rows, row_of[2 * point], none);
+    Entry const at = entry(rows, row_of(2 * point), none);
     if (at.value == nullptr) return;
     *at.value -= conductance;
     *at.imaginary += circulation;
@@ -173,11 +173,11 @@ void Matrix::mark_faces(Edges const& edges, Span<std::uint8_t> faces) const noex
         faces[find_in_row(column, start[row], start[row + 1], larger(i, j))] = 1;
     };
     edges.for_each([&](Index, Index low, Index high) {
-        if (components() == 1) return mark(row_of[low], row_of[high]);
+        if (components() == 1) return mark(row_of(low), row_of(high));
         bool const one_slides = slips(low) || slips(high);
         for (Index p = 0; p < 2; ++p) {
             for (Index q = 0; q < 2; ++q) {
-                if (p == q || one_slides) mark(row_of[2 * low + p], row_of[2 * high + q]);
+                if (p == q || one_slides) mark(row_of(2 * low + p), row_of(2 * high + q));
             }
         }
     });

@@ -2,20 +2,11 @@
 // on the wall.
 #pragma once
 
-#include "ordering/symbolic.hpp"
+#include "base/executor.hpp"
 #include "operators/symmetric_matrix.hpp"
-#include "base/value_kind.hpp"
-#include "boundary/moving_boundary.hpp"
-#include "boundary/periodic.hpp"
+#include "operators/unknowns.hpp"
 
 namespace harmorph {
-
-// What the unknowns are, and so what an entry is.
-//   real       one real number for a point: operators that move x and y alike
-//   complex    one complex number for a point: the conformal operator
-//   coupled_xy  two real numbers for a point, one where it slips: any operator where slip lines
-//   couple x and y
-enum class MatrixKind : std::int32_t { real, complex, coupled_xy };
 
 // Between the corners of a cell: side[k] from corner k to the next, across[k] of a quad from corner
 // k to k + 2.
@@ -42,11 +33,6 @@ struct RowRange {
     }
 };
 
-// Degrees of freedom (dofs): a point has one (a real or a complex number), or two where x and y are
-// coupled: dof 2 p moves point p along frame[p], dof 2 p + 1 normal to it. A point that slips has
-// the first one only, along the tangent. Where sides of a passage are turned against each other,
-// frame[p] is what turns the complex number of a dof into the displacement of the point.
-//
 // Row i stores the entries of later columns, the upper triangle; the lower triangle is the
 // conjugate one and is not stored. A coupling is the entry of an unknown's row in the column of a
 // dof on the wall, whose value is known: it belongs to the right-hand side. Entries in columns of
@@ -56,7 +42,7 @@ struct RowRange {
 // slipping points are turned to the slip lines; one complex number of fixed_value then stands for
 // both dofs of a point. fixed_value also has what is left of the sum where a coupling is between
 // points that are turned differently.
-struct Matrix {
+struct Matrix : Unknowns {
     struct Sizes {
         Offset entries = 0;
         Index couplings = 0, fixed = 0;
@@ -65,11 +51,8 @@ struct Matrix {
     };
 
     Index n = 0;
-    MatrixKind kind = MatrixKind::real;
-    Span<Index> row_of;   // [components * n_points] row of an unknown; wall(dof on the wall); none
-                          // where F = 0
-    Span<Real> diagonal;  // [n]
-    Span<Real> row_sum;   // [n] sum of all entries of a row, the diagonal among them
+    Span<Real> diagonal;           // [n]
+    Span<Real> row_sum;            // [n] sum of all entries of a row, the diagonal among them
     Span<Real> row_sum_imaginary;  // complex only
     Span<Offset> start;            // [n + 1]
     Span<Index> column;
@@ -83,22 +66,8 @@ struct Matrix {
                             // repeated; first dofs only
     Span<Real> fixed_value;
     Span<Real> fixed_imaginary;
-    Span<Vec2>
-        frame;  // [n_points] of a point's first dof, where x and y are coupled or sides turned
-    bool frames_change = false;  // with the coordinates: points slip along curves
-
-    Index components() const noexcept { return kind == MatrixKind::coupled_xy ? 2 : 1; }
-    bool is_complex() const noexcept { return kind == MatrixKind::complex; }
-    Index planes() const noexcept { return is_complex() ? 2 : 1; }
-    // Has a passage sides that are turned against each other?
-    bool turns_sides() const noexcept { return is_complex() && !frame.empty(); }
-
     static constexpr Index short_row =
         8;  // so many columns may be read from the first one of any row on
-
-    // Dofs on the wall are numbered components * slot + component. wall(wall(dof)) = dof.
-    static constexpr Index wall(Index dof) noexcept { return -2 - dof; }
-    static constexpr bool is_wall(Index row) noexcept { return row <= -2; }
 
     static Sizes count(Graph const& graph, MatrixKind kind,
                        Periodicity const& periodicity) noexcept;
@@ -128,7 +97,6 @@ struct Matrix {
     template <bool with_circulation, Index corners>
     void add_corners(RowRange rows, CellGroup<corners> const& cells, Index begin, Index end,
                      Real half) const noexcept;
-    bool is_turned(Cell const& cell) const noexcept;
     // What add_corners() leaves out where corners of the cell are turned differently; complex
     // matrices only.
     void add_turns(RowRange rows, Cell const& cell, CellConductances const& conductance,
@@ -156,16 +124,6 @@ struct Matrix {
             body(range, RowRange{bound(range), bound(range + 1)});
         });
         return n_ranges;
-    }
-
-    bool slips(Index point) const noexcept {
-        return row_of[2 * point] >= 0 && row_of[2 * point + 1] == none;
-    }
-    // May two points slip along different directions? Neither moves normal to its own slip line, so
-    // for the equation of the other point it is partly fixed.
-    bool turns(Index point, Index other) const noexcept {
-        return frames_change || frame[point].x != frame[other].x ||
-               frame[point].y != frame[other].y;
     }
 
     // The rows and columns of the unknowns, of a real matrix; faces [entries] tells which entries

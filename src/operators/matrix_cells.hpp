@@ -50,20 +50,12 @@ inline __attribute__((always_inline)) bool Matrix::concerns(RowRange rows,
     bool any = false, any_row = false;
     for (Index k = 0; k < cell.n; ++k) {
         for (Index c = 0; c < n_components; ++c) {
-            Index const row = row_of[n_components * cell.point[k] + c];
+            Index const row = row_of(n_components * cell.point[k] + c);
             any |= rows.contain(row);
             any_row |= row >= 0;
         }
     }
     return any || (!any_row && rows.begin == 0);
-}
-
-// Does the cell lie on a side of a passage that is turned against the other side?
-inline __attribute__((always_inline)) bool Matrix::is_turned(Cell const& cell) const noexcept {
-    bool any = false;
-    for (Index k = 0; k < cell.n; ++k)
-        any = any || frame[cell.point[k]].y != 0 || frame[cell.point[k]].x != 1;
-    return any;
 }
 
 // The numbers added to a row do not depend on which other rows are in range: results are the same
@@ -78,7 +70,7 @@ void Matrix::add_corners(RowRange rows, CellGroup<corners> const& cells, Index b
                                   // the same
     for (Index c = begin; c < end; ++c) {
         Index at[corners];
-        for (Index k = 0; k < corners; ++k) row[c][k] = at[k] = row_of[cells.point[c][k]];
+        for (Index k = 0; k < corners; ++k) row[c][k] = at[k] = row_of(cells.point[c][k]);
         bool inside = true;
         for (Index k = 0; k < corners; ++k)
             inside = inside & rows.contain(at[k]) & (at[k] != at[(k + 1) % corners]);

@@ -70,8 +70,7 @@ Matrix::Sizes Matrix::count(Graph const& graph, MatrixKind kind,
 void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points,
                      Sizes const& sizes) noexcept {
     n = unknowns;
-    kind = sizes.kind;
-    arena.take(row_of, Offset{components()} * n_points);
+    lay_out_rows(arena, n_points, sizes.kind);
     arena.take(diagonal, n);
     arena.take(row_sum, n);
     arena.take(row_sum_imaginary, is_complex() ? n : 0);
@@ -86,8 +85,8 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     arena.take(coupling_imaginary, is_complex() ? sizes.couplings : 0);
     arena.take(fixed_row, sizes.fixed);
     arena.take(fixed_value, sizes.fixed);
-    arena.take(fixed_imaginary, kind != MatrixKind::real ? sizes.fixed : 0);
-    arena.take(frame, kind == MatrixKind::coupled_xy || sizes.turns ? n_points : 0);
+    arena.take(fixed_imaginary, kind() != MatrixKind::real ? sizes.fixed : 0);
+    lay_out_frames(arena, n_points, sizes.turns);
 }
 
 void Matrix::fit(Index unknowns, Index wall_points, Sizes const& sizes) noexcept {
@@ -114,19 +113,7 @@ void Matrix::fit(Index unknowns, Index wall_points, Sizes const& sizes) noexcept
 void Matrix::build(Span<const Index> representative, Graph const& graph, Span<const Index> order,
                    Span<const Index> position, Span<const Index> slot, Span<const Vec2> tangent,
                    Periodicity const& periodicity) noexcept {
-    for (Index point = 0; point < representative.count(); ++point) {
-        Index const same = representative[point];
-        for (Index c = 0; c < components(); ++c) {
-            Index const unknown = graph.unknown[components() * same + c];
-            row_of[components() * point + c] = unknown != none ? position[unknown]
-                                               : slot[same] != none
-                                                   ? wall(components() * slot[same] + c)
-                                                   : none;
-        }
-        if (kind == MatrixKind::coupled_xy) frame[point] = tangent[same];
-        else if (!frame.empty())
-            frame[point] = periodicity.rotation.power(periodicity.times[point]);
-    }
+    find(representative, graph, position, slot, tangent, periodicity);
     Offset filled = 0;
     Span<Index> const columns = column;
     for (Index row = 0; row < n; ++row) {
@@ -182,16 +169,16 @@ void Matrix::build(Span<const Index> representative, Graph const& graph, Span<co
 // fixed_row.
 bool Matrix::stands_for_fixed(Index dof, Index other_dof) const noexcept {
     Index const point = dof / 2, other = other_dof / 2;
-    bool const first_pair = dof % 2 == 0 && other_dof % 2 == (row_of[2 * other] == none ? 0 : 1);
+    bool const first_pair = dof % 2 == 0 && other_dof % 2 == (row_of(2 * other) == none ? 0 : 1);
     return first_pair && is_beside_fixed(point, other);
 }
 
 bool Matrix::is_beside_fixed(Index point, Index other) const noexcept {
-    if (row_of[components() * point] < 0 ||
-        row_of[components() * point] == row_of[components() * other])
+    if (row_of(components() * point) < 0 ||
+        row_of(components() * point) == row_of(components() * other))
         return false;
-    if (row_of[components() * other] == none) return true;
-    return kind == MatrixKind::coupled_xy && slips(point) && slips(other) && turns(point, other);
+    if (row_of(components() * other) == none) return true;
+    return couples_xy() && slips(point) && slips(other) && differ(point, other);
 }
 
 }  // namespace harmorph

@@ -31,7 +31,7 @@ void NodalEquations::init(Topology const& topology, Matrix const& matrix, bool c
     Span<Index> const row_of = scheme.row_of;
     Index rows = n + n_wall;
     for (Index point = 0; point < representative.count(); ++point) {
-        Index const row = matrix.row_of[point];
+        Index const row = matrix.row_of(point);
         if (row >= 0) row_of[point] = row;
         if (Matrix::is_wall(row)) row_of[point] = n + Matrix::wall(row);
         if (row == none && representative[point] == point) row_of[point] = rows++;

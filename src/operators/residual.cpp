@@ -156,7 +156,7 @@ void Residual::Norms::add(Norms const& of_other_rows, Index n) noexcept {
 
 Residual::Norms Residual::compute(Matrix const& matrix, DofValues const& dofs, Index first,
                                   Index n) const noexcept {
-    if (matrix.kind == MatrixKind::coupled_xy)
+    if (matrix.kind() == MatrixKind::coupled_xy)
         return find_turned_balances(matrix, dofs, first, n, width, value);
     Norms norms;
     if (single.empty()) {

@@ -7,6 +7,7 @@
 #include "basis/options.hpp"
 #include "simd/cpu.hpp"
 #include "base/row_view.hpp"
+#include "ordering/subtree_ranges.hpp"
 
 namespace harmorph {
 

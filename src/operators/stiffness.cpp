@@ -177,9 +177,9 @@ Index assemble_stiffness(OrientedMesh const& cells, Points points, Span<const Re
                          bool conformal, Matrix const& matrix, Executor const& executor) noexcept {
     matrix.clear_known();
     Real const half = conformal ? 0.5 : 0;
-    auto const add = matrix.kind == MatrixKind::real      ? add_cells<MatrixKind::real>
-                     : matrix.kind == MatrixKind::complex ? add_cells<MatrixKind::complex>
-                                                          : add_cells<MatrixKind::coupled_xy>;
+    auto const add = matrix.kind() == MatrixKind::real      ? add_cells<MatrixKind::real>
+                     : matrix.kind() == MatrixKind::complex ? add_cells<MatrixKind::complex>
+                                                            : add_cells<MatrixKind::coupled_xy>;
     Index bad_cell[Executor::most_threads];
     Index const n_ranges = matrix.for_row_ranges(executor, [&](Index range, RowRange rows) {
         matrix.clear_rows(rows);

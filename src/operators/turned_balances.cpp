@@ -61,7 +61,7 @@ private:
     Dof dof_at(Index position) const noexcept {
         return {dofs_.of[position] / 2, dofs_.of[position] % 2};
     }
-    bool slips(Index point) const noexcept { return matrix_.row_of[2 * point + 1] == none; }
+    bool slips(Index point) const noexcept { return matrix_.row_of(2 * point + 1) == none; }
     const Real* of_dof(Index point, Index component) const noexcept {
         return dofs_.of_dof(2 * point + component) + first_;
     }
@@ -75,7 +75,7 @@ private:
             for (Index c = matrix_.coupling_start[wall]; c < matrix_.coupling_start[wall + 1];
                  ++c) {
                 Index const i = matrix_.coupling_row[c], point = dof_at(i).point;
-                Real const along = slips(point) ? component(matrix_.frame[point], wall % 2) : 1;
+                Real const along = slips(point) ? component(matrix_.frame(point), wall % 2) : 1;
                 const Real* const own = of_dof(point, slips(point) ? 0 : wall % 2);
                 Real* const row = row_of(i);
                 for (Index k = 0; k < n_; ++k)
@@ -102,7 +102,7 @@ private:
         subtract(-re, x, row_of(i));
         if (slips(point)) return;
         const Real* const y = of_dof(point, 1);
-        Real* const second = row_of(matrix_.row_of[2 * point + 1]);
+        Real* const second = row_of(matrix_.row_of(2 * point + 1));
         subtract(im, y, row_of(i));
         subtract(-re, y, second);
         subtract(-im, x, second);
@@ -114,7 +114,7 @@ private:
             return slips(a.point) ? add_slipping(i, j, entry) : add_slipping(j, i, entry);
         }
         if (slips(a.point) &&
-            matrix_.turns(a.point, b.point)) {  // the rest of this coupling is in fixed_value
+            matrix_.differ(a.point, b.point)) {  // the rest of this coupling is in fixed_value
             subtract(entry, at(j), row_of(i));
             subtract(entry, at(i), row_of(j));
             return;
@@ -128,13 +128,13 @@ private:
     // of the free point.
     void add_slipping(Index slipping, Index free, Real entry) const noexcept {
         Dof const dof = dof_at(free);
-        Vec2 const along = matrix_.frame[dof_at(slipping).point];
+        Vec2 const along = matrix_.frame(dof_at(slipping).point);
         const Real* const slid = at(slipping);
         const Real* const x = of_dof(dof.point, 0);
         const Real* const y = of_dof(dof.point, 1);
         Real* const own = row_of(slipping);
         Real* const same = row_of(free);
-        Real* const other = row_of(matrix_.row_of[2 * dof.point + 1 - dof.component]);
+        Real* const other = row_of(matrix_.row_of(2 * dof.point + 1 - dof.component));
         Real const across = dof.component == 0 ? entry : -entry;
         for (Index k = 0; k < n_; ++k) {
             Vec2 const rise{along.x * slid[k] - x[k], along.y * slid[k] - y[k]};

@@ -1,17 +1,13 @@
 #include "parts/part_equations.hpp"
 
+#include "operators/assembly.hpp"
+#include "operators/frames.hpp"
 #include "operators/right_hand_sides.hpp"
-#include "operators/stiffness.hpp"
 
 namespace harmorph {
 namespace {
 
 constexpr Index residual_columns = 1;
-
-MatrixKind kind_of(PartProblem const& problem) noexcept {
-    if (problem.demands.slip) return MatrixKind::coupled_xy;
-    return problem.method.conformal() ? MatrixKind::complex : MatrixKind::real;
-}
 
 }  // namespace
 
@@ -27,7 +23,7 @@ void PartEquations::lay_out(Arena& arena, Part const& of, PartProblem const& ask
     Matrix::Sizes most;
     most.entries = of.pairs * squared;
     most.couplings = most.fixed = static_cast<Index>(of.border_pairs * squared);
-    most.kind = kind_of(asked);
+    most.kind = matrix_kind(asked.method, asked.demands);
 
     shared.lay_out(arena, n_edges, asked, n_curves, n_conditions);
     arena.take(topology.representative, n_points);
@@ -41,7 +37,7 @@ void PartEquations::lay_out(Arena& arena, Part const& of, PartProblem const& ask
     arena.take(slot, n_points);
     arena.take(local, n_shared);
     faces.lay_out(arena, static_cast<Size>(n_edges));
-    arena.take(conductivity, asked.method.quarters > 0 ? own.n_cells : 0);
+    arena.take(conductivity, conductivities_of(asked.method, own.n_cells));
     arena.take(name, most_unknowns);
     arena.take(is_own, most_unknowns);
     arena.take(dof_of, most_unknowns);
@@ -112,7 +108,9 @@ void PartEquations::find_unknowns() noexcept {
     graph.build(topology, kinds);
     Index const n = graph.n, components = graph.components;
     for (Index k = 0; k < n; ++k) order[k] = k;
-    matrix.fit(n, wall.count, Matrix::count(graph, kind_of(problem), shared.periodicity));
+    matrix.fit(
+        n, wall.count,
+        Matrix::count(graph, matrix_kind(problem.method, problem.demands), shared.periodicity));
     matrix.build(topology.representative, graph, order, order, slot, tangent, shared.periodicity);
     name = name.first(n);
     is_own = is_own.first(n);
@@ -129,7 +127,7 @@ void PartEquations::find_unknowns() noexcept {
     for (Index point = 0; point < part.own().n_points; ++point) {
         if (part.in_cell[point] != 2) continue;
         for (Index c = 0; c < components; ++c) {
-            Index const row = matrix.row_of[components * point + c];
+            Index const row = matrix.row_of(components * point + c);
             if (row >= 0) is_own[row] = 1;
         }
     }
@@ -137,17 +135,11 @@ void PartEquations::find_unknowns() noexcept {
 
 // Part has looked at the cells.
 void PartEquations::assemble() noexcept {
-    Executor const& executor = problem.executor;
-    Points const points = part.own().points;
-    if (!conductivity.empty()) {
-        faces.kernel = problem.method.kernel;
-        faces.translations = shared.periodicity.translations;
-        faces.choose(shared.boundary, [&](Index face) { return shared.is_wall_face(face); });
-        faces.build(shared.points());
-        weigh_cells(faces, part.own(), points, problem.method.quarters, conductivity, executor);
-    }
-    assemble_stiffness(topology, points, conductivity, problem.method.conformal(), matrix,
-                       executor);
+    faces.kernel = problem.method.kernel;
+    faces.translations = shared.periodicity.translations;
+    faces.choose(shared.boundary, [&](Index face) { return shared.is_wall_face(face); });
+    assemble_operator(problem.method, topology, part.own().points, faces, shared.points(),
+                      conductivity, matrix, problem.executor);
 }
 
 BasisSource PartEquations::basis_source() const noexcept {
@@ -187,18 +179,7 @@ void PartEquations::find_residual(DofValues const& values, Index column,
 }
 
 void PartEquations::finish(DofValues const& values) const noexcept {
-    Index const components = matrix.components();
-    for (Index point = 0; components == 2 && point < part.own().n_points; ++point) {
-        bool const slips = matrix.row_of[2 * point] >= 0 && matrix.row_of[2 * point + 1] == none;
-        if (!slips || topology.representative[point] != point) continue;
-        Vec2 const along = matrix.frame[point];
-        Real* const x = values.of_dof(2 * point);
-        Real* const y = values.of_dof(2 * point + 1);
-        for (Index k = 0; k < values.length(); ++k) {
-            y[k] = along.y * x[k];
-            x[k] = along.x * x[k];
-        }
-    }
+    Frames(matrix).turn_slipping(values, part.own().n_points);
     for (Index point = 0; point < part.own().n_points; ++point)
         values.copy_row(topology.representative[point], point);
 }

@@ -48,7 +48,7 @@ Status refuse_single(const char* sentence, Index point, Real size, Fault& fault)
 }
 
 Status check_entries(Equations const& equations, Fault& fault) noexcept {
-    Span<Real> const diagonal = equations.matrix.diagonal;
+    Span<Real> const diagonal = equations.matrix().diagonal;
     for (Index i = 0; i < diagonal.count(); ++i) {
         if (absolute(diagonal[i]) <= most_in_single) continue;
         return refuse_single("the diagonal at point # is ~: single precision takes 1e36",
@@ -59,7 +59,7 @@ Status check_entries(Equations const& equations, Fault& fault) noexcept {
 
 Status check_right_hand_sides(Equations const& equations, DofValues const& dofs,
                               Fault& fault) noexcept {
-    for (Index i = 0; i < equations.matrix.n; ++i) {
+    for (Index i = 0; i < equations.matrix().n; ++i) {
         for (Real const number : Span<const Real>(dofs.at(i), static_cast<Size>(dofs.length()))) {
             if (absolute(number) <= most_in_single) continue;
             return refuse_single("a right-hand side at point # is ~: single precision takes 1e36",
@@ -72,33 +72,33 @@ Status check_right_hand_sides(Equations const& equations, DofValues const& dofs,
 }  // namespace
 
 void DirectEngine::lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
-    Method const& method = analysis.problem.method;
-    factor.lay_out(arena, analysis.tree.count, analysis.fronts, analysis.subtrees, columns,
-                   analysis.matrix.kind == MatrixKind::complex, method.precision);
+    Method const& method = analysis.problem().method;
+    factor.lay_out(arena, analysis.tree().count, analysis.fronts(), analysis.subtrees(), columns,
+                   analysis.matrix_sizes().kind == MatrixKind::complex, method.precision);
     Size const shared = arena.mark();
     factor.lay_out_stack(arena);
     arena.release(shared);
 }
 
 void DirectEngine::init(Analysis const& analysis) noexcept {
-    factor.executor = analysis.problem.executor;
-    factor.tree.count = analysis.tree.count;
+    factor.executor = analysis.problem().executor;
+    factor.tree.count = analysis.tree().count;
     copy(factor.subtrees.all,
-         Span<const Subtree>(analysis.subtrees.all.first(analysis.subtrees.count)));
+         Span<const Subtree>(analysis.subtrees().all.first(analysis.subtrees().count)));
     copy(factor.tree.nodes,
-         Span<const AssemblyTree::Node>(analysis.tree.nodes.first(analysis.tree.count)));
+         Span<const AssemblyTree::Node>(analysis.tree().nodes.first(analysis.tree().count)));
     copy(factor.border_start,
-         Span<const Offset>(analysis.border_start.first(analysis.tree.count + 1)));
-    fill_borders(analysis.graph, analysis.order, analysis.tree, analysis.border, factor.executor,
-                 factor.border_start, factor.border);
+         Span<const Offset>(analysis.border_start().first(analysis.tree().count + 1)));
+    fill_borders(analysis.graph(), analysis.order(), analysis.tree(), analysis.border(),
+                 factor.executor, factor.border_start, factor.border);
     factor.complete();
 }
 
 Status DirectEngine::set_up(Equations const& equations, Points, Progress const& progress,
                             Fault& fault) noexcept {
-    factor.kernel = equations.method.kernel;
+    factor.kernel = equations.method().kernel;
     if (factor.precision == Precision::in_single) HARMORPH_TRY(check_entries(equations, fault));
-    return factor.factorise(equations.matrix, progress, fault);
+    return factor.factorise(equations.matrix(), progress, fault);
 }
 
 // Thin cells have by far the largest entries, so beside them a small residual may hide a large
@@ -106,13 +106,13 @@ Status DirectEngine::set_up(Equations const& equations, Points, Progress const& 
 // factor is that of the compact scheme, so never trusted.
 Status DirectEngine::examine(Equations const& equations, Span<Real> work, Fault& fault) noexcept {
     trusted = false;
-    Method const& method = equations.method;
+    Method const& method = equations.method();
     if (method.nodal_gradients() || method.precision == Precision::in_single) return Status::ok;
-    Matrix const& matrix = equations.matrix;
-    Real const even = even_above(matrix.kind), left = factor.least_left(),
+    Matrix const& matrix = equations.matrix();
+    Real const even = even_above(matrix.kind()), left = factor.least_left(),
                pivot = factor.least_pivot();
     trusted = pivot > even;
-    if (matrix.kind != MatrixKind::real) return Status::ok;
+    if (matrix.kind() != MatrixKind::real) return Status::ok;
     trusted = left > uncancelled_above && pivot > even * (1 - left);
     if (trusted || !(left > uncancelled_above)) return Status::ok;
     Real rise = 0;
@@ -126,7 +126,7 @@ Status DirectEngine::solve(Equations const& equations, DofValues const& dofs,
                            Progress const& progress, IterationReport&, Fault& fault) noexcept {
     if (factor.precision == Precision::in_single)
         HARMORPH_TRY(check_right_hand_sides(equations, dofs, fault));
-    Rows const rows = dofs.rows(equations.matrix);
+    Rows const rows = dofs.rows(equations.matrix());
     if (rows.width <= factor.padded_width) return factor.solve(rows, progress, fault);
     for (Index first = 0; first < rows.width;
          first += factor.padded_width) {  // combined functions and modes

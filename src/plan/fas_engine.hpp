@@ -8,25 +8,25 @@ namespace harmorph {
 
 struct FasEngine : LevelEngine<FullApproximation> {
     void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
-        Method const& method = analysis.problem.method;
+        Method const& method = analysis.problem().method;
         if (method.nodal_gradients()) {
-            iteration.take_scheme(analysis.problem.mesh.n_points,
+            iteration.take_scheme(analysis.problem().mesh.n_points,
                                   method.scheme == Scheme::nodal_gradient);
         }
         LevelEngine::lay_out(arena, analysis, columns);
     }
     Status set_up(Equations const& equations, Points points, Progress const&,
                   Fault& fault) noexcept {
-        iteration.volumes.measure(equations.cells, points, equations.matrix.row_of);
-        return iteration.set_up(equations.matrix.rows(faces), fault);
+        iteration.volumes.measure(equations.cells(), points, equations.matrix().rows_of_dofs());
+        return iteration.set_up(equations.matrix().rows(faces), fault);
     }
     Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress,
                  IterationReport& report, Fault& fault) noexcept {
-        bool const nodal_gradients = equations.method.nodal_gradients();
+        bool const nodal_gradients = equations.method().nodal_gradients();
         if (nodal_gradients)
-            equations.nodal.set_right_hand_sides(dofs, dofs.columns(equations.matrix));
-        NodalGradient const* const scheme = nodal_gradients ? &equations.nodal.scheme : nullptr;
-        return iteration.solve(dofs.rows(equations.matrix), scheme, progress, report, fault);
+            equations.nodal().set_right_hand_sides(dofs, dofs.columns(equations.matrix()));
+        NodalGradient const* const scheme = nodal_gradients ? &equations.nodal().scheme : nullptr;
+        return iteration.solve(dofs.rows(equations.matrix()), scheme, progress, report, fault);
     }
 };
 

@@ -15,10 +15,11 @@ struct LevelEngine {
     Span<std::uint8_t> faces;  // [entries] which of the matrix's entries are mesh edges
 
     void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
-        Index const n = analysis.graph.n;
-        Offset const entries = analysis.matrix.entries;
+        Index const n = analysis.graph().n;
+        Offset const entries = analysis.matrix_sizes().entries;
         arena.take(faces, entries);
-        iteration.lay_out(arena, n, columns, analysis.problem.iteration, analysis.problem.executor);
+        iteration.lay_out(arena, n, columns, analysis.problem().iteration,
+                          analysis.problem().executor);
         Size const shared = arena.mark();
         iteration.lay_out_work(arena, n, entries);
         arena.release(shared);
@@ -27,7 +28,7 @@ struct LevelEngine {
     }
     void init(Analysis const&) const noexcept {}
     void take_pattern(Analysis const& analysis, Matrix const& matrix) noexcept {
-        matrix.mark_faces(analysis.topology.edges, faces);
+        matrix.mark_faces(analysis.topology().edges, faces);
     }
     Status examine(Equations const&, Span<Real>, Fault&) const noexcept { return Status::ok; }
     template <class Number>

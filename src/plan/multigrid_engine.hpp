@@ -8,11 +8,11 @@ namespace harmorph {
 
 struct MultigridEngine : LevelEngine<Multigrid> {
     Status set_up(Equations const& equations, Points, Progress const&, Fault& fault) noexcept {
-        return iteration.set_up(equations.matrix.rows(faces), fault);
+        return iteration.set_up(equations.matrix().rows(faces), fault);
     }
     Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress,
                  IterationReport& report, Fault& fault) noexcept {
-        return iteration.solve(dofs.rows(equations.matrix), progress, report, fault);
+        return iteration.solve(dofs.rows(equations.matrix()), progress, report, fault);
     }
 };
 

@@ -39,7 +39,7 @@ Precision residual_precision(Method const& method, MatrixKind kind) noexcept {
 Index residual_width(Method const& method, Matrix const& matrix, AnyEngine const& engine,
                      Index columns) noexcept {
     if (method.nodal_gradients()) return smaller(columns, BiconjugateGradients::widest);
-    bool const in_single = residual_precision(method, matrix.kind) == Precision::in_single;
+    bool const in_single = residual_precision(method, matrix.kind()) == Precision::in_single;
     Offset const n = larger(matrix.n, Index{1}),
                  bytes = static_cast<Offset>(in_single ? sizeof(float) : sizeof(double));
     Offset const lists = 3 * n * static_cast<Offset>(sizeof(Index));
@@ -57,8 +57,8 @@ public:
     RefinementRun(Refinement& with, Equations const& equations, AnyEngine& engine,
                   DofValues const& dofs, Progress const& progress) noexcept
         : equations_(equations),
-          matrix_(equations.matrix),
-          method_(equations.method),
+          matrix_(equations.matrix()),
+          method_(equations.method()),
           engine_(engine),
           dofs_(dofs),
           progress_(progress),
@@ -111,7 +111,8 @@ private:
     }
 
     Residual::Norms measure(Index first, Index n) const noexcept {
-        if (method_.nodal_gradients()) return equations_.nodal.compute(residual_, dofs_, first, n);
+        if (method_.nodal_gradients())
+            return equations_.nodal().compute(residual_, dofs_, first, n);
         return residual_.compute(matrix_, dofs_, first, n);
     }
 
@@ -119,7 +120,7 @@ private:
     // columns at once.
     bool is_accurate(Index first, Index n, Refined& refined) const noexcept {
         if (!engine_.trusted() || method_.nodal_gradients() ||
-            matrix_.kind == MatrixKind::coupled_xy)
+            matrix_.kind() == MatrixKind::coupled_xy)
             return false;
         refined.norms = residual_.measure(matrix_, dofs_, first, n);
         bool any = false;
@@ -183,7 +184,7 @@ private:
         };
         if (!residual_.single.empty()) return solve(residual_.single.data());
         if (!method_.nodal_gradients()) return solve(residual_.value.data());
-        auto const apply = [&](const Real* from, Real* to) { equations_.nodal.apply(from, to); };
+        auto const apply = [&](const Real* from, Real* to) { equations_.nodal().apply(from, to); };
         Index taken = 0;
         HARMORPH_TRY(biconjugate_.run(residual_.value, n, iterated_to, most_iterations, taken,
                                       apply, solve));
@@ -229,13 +230,13 @@ void SolveReport::take(SolveReport const& others) noexcept {
 
 void Refinement::lay_out(Arena& arena, Analysis const& analysis, AnyEngine const& engine,
                          Equations& equations, Index columns) noexcept {
-    Method const& method = analysis.problem.method;
-    Matrix const& matrix = equations.matrix;
-    residual.lay_out(arena, matrix.n, analysis.matrix.couplings, matrix.kind,
+    Method const& method = analysis.problem().method;
+    Matrix const& matrix = equations.matrix();
+    residual.lay_out(arena, matrix.n, analysis.matrix_sizes().couplings, matrix.kind(),
                      residual_width(method, matrix, engine, columns),
-                     residual_precision(method, matrix.kind));
+                     residual_precision(method, matrix.kind()));
     if (!method.nodal_gradients()) return;
-    equations.nodal.lay_out_work(arena, analysis.problem.mesh.n_points, residual.width);
+    equations.lay_out_nodal_work(arena, analysis.problem().mesh.n_points, residual.width);
     if (method.traits().factors) biconjugate.lay_out(arena, matrix.n, residual.width);
 }
 
@@ -246,12 +247,13 @@ Status Refinement::run(Equations const& equations, AnyEngine& engine, DofValues 
 
 void Refinement::measure(Equations const& equations, DofValues const& dofs,
                          SolveReport& report) const noexcept {
-    Index const n_columns = dofs.columns(equations.matrix);
-    bool const in_rows = equations.matrix.kind == MatrixKind::coupled_xy;
+    Index const n_columns = dofs.columns(equations.matrix());
+    bool const in_rows = equations.matrix().kind() == MatrixKind::coupled_xy;
     for (Index first = 0, n = 0; first < n_columns; first += n) {
         n = smaller(in_rows ? residual.width : Residual::widest, n_columns - first);
-        Residual::Norms const norms = in_rows ? residual.compute(equations.matrix, dofs, first, n)
-                                              : residual.measure(equations.matrix, dofs, first, n);
+        Residual::Norms const norms = in_rows
+                                          ? residual.compute(equations.matrix(), dofs, first, n)
+                                          : residual.measure(equations.matrix(), dofs, first, n);
         for (Index k = 0; k < n; ++k) {
             if (!exceeds(norms.relative(k), report.residual)) continue;
             report.residual = norms.relative(k);

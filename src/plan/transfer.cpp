@@ -64,7 +64,7 @@ public:
                 Basis const& fine) noexcept
         : transfer_(transfer),
           analysis_(analysis),
-          points_(analysis.problem.mesh.points),
+          points_(analysis.problem().mesh.points),
           coarse_(coarse),
           fine_(fine),
           row_length_(fine.row_length()) {}
@@ -82,15 +82,15 @@ public:
 
     void copy_joined_points() const noexcept {
         for (Index point = 0; point < fine_.n_points(); ++point) {
-            Index const same = analysis_.topology.representative[point];
+            Index const same = analysis_.topology().representative[point];
             if (same == point) continue;
             copy_row(fine_.row(point), fine_.row(same), row_length_);
-            if (analysis_.problem.demands.rotation) turn(point, same);
+            if (analysis_.problem().demands.rotation) turn(point, same);
         }
     }
 
 private:
-    Executor const& executor() const noexcept { return analysis_.problem.executor; }
+    Executor const& executor() const noexcept { return analysis_.problem().executor; }
     Real* correction(Index slot) const noexcept {
         return transfer_.correction.data() + Offset{slot} * row_length_;
     }
@@ -118,7 +118,7 @@ private:
     }
 
     void set_point(Index point, Tally& met) const noexcept {
-        PointKind const kind = analysis_.kinds[point];
+        PointKind const kind = analysis_.kinds()[point];
         if (!is_unknown(kind)) return;
         auto const row = fine_.row(point);
         Location const location = transfer_.locator.locate(points_[point], met.cell);
@@ -126,7 +126,7 @@ private:
         met.add(point, location);
         interpolate(location.weights, row);
         move_along_with_wall(point, row);
-        if (kind == PointKind::slip) keep_on_line(analysis_.tangent[point], row);
+        if (kind == PointKind::slip) keep_on_line(analysis_.tangent()[point], row);
     }
 
     template <class Row>
@@ -155,12 +155,12 @@ private:
     }
 
     Index slot_of(Index point) const noexcept {
-        return analysis_.wall_work.slot[analysis_.topology.representative[point]];
+        return analysis_.wall_slot()[analysis_.topology().representative[point]];
     }
 
     // The point is on a side of a passage that is turned against the side of the other point.
     void turn(Index point, Index same) const noexcept {
-        Periodicity const& periodicity = analysis_.periodicity;
+        Periodicity const& periodicity = analysis_.periodicity();
         Vec2 const by =
             periodicity.rotation.power(periodicity.times[point] - periodicity.times[same]);
         auto const row = fine_.row(point);
@@ -208,10 +208,10 @@ Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis co
     HARMORPH_TRY(check_alike(coarse, fine, fault));
     fine.unseal();
     fill(fine.value, 0.0);
-    Points const points = analysis.problem.mesh.points;
+    Points const points = analysis.problem().mesh.points;
     locator.build(coarse.cells(coarse_mesh));
-    wall.kernel = resolved(analysis.problem.method.kernel, analysis.problem.executor.kernel);
-    wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
+    wall.kernel = resolved(analysis.problem().method.kernel, analysis.problem().executor.kernel);
+    wall.choose(analysis.boundary(), [&](Index face) { return analysis.is_wall_face(face); });
     wall.build(points);
     TransferRun run(*this, analysis, coarse, fine);
     Tally met = run.set_wall();

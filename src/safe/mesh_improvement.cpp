@@ -8,23 +8,25 @@ namespace {
 
 Status check_points(Plan const& plan, Points points, const char* inverted_cell,
                     Fault& fault) noexcept {
-    HARMORPH_TRY(check_range(points, plan.mesh.n_points, fault));
-    OrientedMesh const& cells = plan.equations.cells;
-    Index const inverted = plan.mesh.find_cell(0, plan.mesh.n_checked(), [&](Index i, Cell const&) {
-        CellShape const shape = shape_of(cells, i, points);
-        return is_inverted(shape) || is_inverted_exactly(shape);
-    });
+    HARMORPH_TRY(check_range(points, plan.mesh().n_points, fault));
+    OrientedMesh const& cells = plan.cells();
+    Index const inverted =
+        plan.mesh().find_cell(0, plan.mesh().n_checked(), [&](Index i, Cell const&) {
+            CellShape const shape = shape_of(cells, i, points);
+            return is_inverted(shape) || is_inverted_exactly(shape);
+        });
     if (inverted == none) return Status::ok;
-    return fault.refuse(Status::bad_mesh, inverted_cell, Counts::mesh, plan.mesh.number(inverted));
+    return fault.refuse(Status::bad_mesh, inverted_cell, Counts::mesh,
+                        plan.mesh().number(inverted));
 }
 
 }  // namespace
 
 void MeshImprovement::lay_out(Arena& arena, Plan const& plan) noexcept {
     mobility.lay_out(arena, plan);
-    first_layer.lay_out(arena, plan.mesh, static_cast<Size>(plan.equations.wall.count));
-    improvement.lay_out(arena, plan.region_counts);
-    arena.take(start, plan.mesh.n_points);
+    first_layer.lay_out(arena, plan.mesh(), static_cast<Size>(plan.walls().count));
+    improvement.lay_out(arena, plan.region_counts());
+    arena.take(start, plan.mesh().n_points);
 }
 
 Status MeshImprovement::check(Plan const& plan, Points reference, Points from,
@@ -35,16 +37,15 @@ Status MeshImprovement::check(Plan const& plan, Points reference, Points from,
 
 void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points reference, Points from,
                           MutablePoints to, ImproveReport& report) noexcept {
-    FaceDistance& walls = plan.equations.wall;
-    walls.build(reference);
+    FaceDistance const& walls = plan.walls_at(reference);
     mobility.find(plan, from);
-    first_layer.find(plan.mesh, reference, mobility.representative, walls);
-    improvement.executor = plan.executor;
+    first_layer.find(plan.mesh(), reference, mobility.representative, walls);
+    improvement.executor = plan.executor();
     improvement.tangle = mobility.tangle(plan, reference);
     improvement.sliding = mobility.sliding;
-    improvement.targets.find(plan.equations.cells, walls, reference, from, plan.executor);
+    improvement.targets.find(plan.cells(), walls, reference, from, plan.executor());
     auto const smallest = [&](Points points) {
-        return measure_quality(plan.equations.cells, points, reference, plan.executor).min_quality;
+        return measure_quality(plan.cells(), points, reference, plan.executor()).min_quality;
     };
     MutablePoints const result{&start.data()->x, &start.data()->y, 2};
     auto const stay = [&] {
@@ -69,7 +70,7 @@ void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points refe
 
 // The smallest quality of all cells without a movable point.
 Real MeshImprovement::smallest_held(Plan const& plan, Points reference) const noexcept {
-    OrientedMesh const& cells = plan.equations.cells;
+    OrientedMesh const& cells = plan.cells();
     Mesh const& mesh = cells.mesh;
     auto const can_move = [&](Index i) {
         Cell const cell = mesh.cell(i);
@@ -80,10 +81,8 @@ Real MeshImprovement::smallest_held(Plan const& plan, Points reference) const no
     };
     Real smallest = infinity;
     for (Index number = 0; number < mesh.n_given_cells(); ++number) {
-        Index const begin = mesh.is_of_pieces() ? mesh.piece_start[number] : number;
-        Index const end = mesh.is_of_pieces() ? mesh.piece_start[number + 1] : number + 1;
         bool any = false;
-        for (Index i = begin; i < end; ++i) any = any || can_move(i);
+        for (Index const i : mesh.pieces_of(number)) any = any || can_move(i);
         if (any) continue;
         Real const before = measure_cell(cells, number, reference).area;
         smallest = smaller(smallest, measure_cell(cells, number, as_points(start)).quality(before));
@@ -145,10 +144,10 @@ void MeshImprovement::hold_first_layer(Plan const& plan, Points reference) noexc
     for (Index const above : first_layer.above.first(first_layer.wall.count)) {
         if (above != none) held[above] |= top;
     }
-    for (Index i = 0; i < plan.mesh.n_checked(); ++i) {
-        Cell const cell = plan.equations.cells.cell(i);
-        CellShape const before = shape_of(plan.equations.cells, i, reference);
-        CellShape const now = shape_of(plan.equations.cells, i, as_points(start));
+    for (Index i = 0; i < plan.mesh().n_checked(); ++i) {
+        Cell const cell = plan.cells().cell(i);
+        CellShape const before = shape_of(plan.cells(), i, reference);
+        CellShape const now = shape_of(plan.cells(), i, as_points(start));
         Real const quality = improvement.targets.quality(i, before);
         if (improvement.targets.quality(i, now) >= Targets::part_of_own * quality) continue;
         for (Index k = 0; k < cell.n; ++k) held[mobility.representative[cell.point[k]]] |= poor;

@@ -22,8 +22,7 @@ struct Mobility {
     // now: where the points are.
     void find(Plan const& plan, Points now) noexcept;
     Tangle tangle(Plan const& plan, Points reference) const noexcept {
-        return {plan.mesh, reference, plan.equations.cells.reversed, representative, held,
-                line,      turn};
+        return {plan.mesh(), reference, plan.cells().reversed, representative, held, line, turn};
     }
 };
 

@@ -18,20 +18,17 @@ void MovingMesh::lay_out(Arena& arena, Plan const& plan, BasisCounts const& coun
     arena.take(ends, counts.points);
     arena.take(representative, counts.points);
     arena.take(held, counts.points);
-    arena.take(slid, plan.equations.slip_curves.n_slots());
+    arena.take(slid, plan.slip_curves().n_slots());
 }
 
 void MovingMesh::init(Plan const& plan, Basis const& basis, const Real* move) noexcept {
     path.init(basis, move);
-    carried.init(basis, path, plan.mesh.points);
-    Matrix const& matrix = plan.equations.matrix;
-    for (Index k = 0; k < plan.mesh.n_points; ++k) {
-        Index const row = matrix.row_of[matrix.components() * k];
-        bool const slides =
-            row >= 0 && matrix.components() == 2 && matrix.row_of[2 * k + 1] == none;
-        ends[k] = row < 0 ? EndOf::prescribed : slides ? EndOf::on_line : EndOf::unknown;
-        held[k] = static_cast<std::uint8_t>(row < 0 ? 1 : 0);
-        representative[k] = row < 0 ? k : plan.equations.point_of(row);
+    carried.init(basis, path, plan.mesh().points);
+    for (Index k = 0; k < plan.mesh().n_points; ++k) {
+        bool const is_unknown = plan.is_unknown(k);
+        ends[k] = !is_unknown ? EndOf::prescribed : plan.slips(k) ? EndOf::on_line : EndOf::unknown;
+        held[k] = is_unknown ? 0 : 1;
+        representative[k] = plan.representative(k);
     }
     for (Index const point : basis.boundary_point) {
         held[point] = 1;
@@ -41,9 +38,9 @@ void MovingMesh::init(Plan const& plan, Basis const& basis, const Real* move) no
 }
 
 void MovingMesh::begin(Plan const& plan) noexcept {
-    for (Index k = 0; k < plan.mesh.n_points; ++k) {
-        x[k] = plan.mesh.points[k].x;
-        y[k] = plan.mesh.points[k].y;
+    for (Index k = 0; k < plan.mesh().n_points; ++k) {
+        x[k] = plan.mesh().points[k].x;
+        y[k] = plan.mesh().points[k].y;
     }
     fill(reached, 0.0);
     time = 0;
@@ -52,12 +49,12 @@ void MovingMesh::begin(Plan const& plan) noexcept {
 
 AdmissibleStep MovingMesh::look_ahead(Plan& plan, Basis const& basis, Basis const& by,
                                       Real to) noexcept {
-    Executor const& executor = plan.executor;
+    Executor const& executor = plan.executor();
     aimed_time = to;
     path.at(to, aimed);
     for (Index i = 0; i < difference.count(); ++i) difference[i] = aimed[i] - reached[i];
     morph(by, difference.data(), {}, to_ahead(), executor);
-    carried.find_groups(basis, path, plan.mesh.points, plan.equations.wall, representative, held,
+    carried.find_groups(basis, path, plan.mesh().points, plan.walls(), representative, held,
                         executor);
     carried.find(by, reached, now(), representative, executor);
     carried.add(path, time, to, to_ahead(), executor);
@@ -66,7 +63,7 @@ AdmissibleStep MovingMesh::look_ahead(Plan& plan, Basis const& basis, Basis cons
             to_ahead().set(k, start + moved - now()[k]);
         });
     put_on_slip_curves(plan);
-    AdmissibleStep const limit = admissible_step(plan.equations.cells, now(), ahead(), executor);
+    AdmissibleStep const limit = admissible_step(plan.cells(), now(), ahead(), executor);
     for (Index k = 0; k < x.count(); ++k) {
         ahead_x[k] = ahead_x[k] == 0 ? x[k] : x[k] + ahead_x[k];
         ahead_y[k] = ahead_y[k] == 0 ? y[k] : y[k] + ahead_y[k];
@@ -81,13 +78,12 @@ AdmissibleStep MovingMesh::look_ahead(Plan& plan, Basis const& basis, Basis cons
 // Displacements along tangents become those to the nearest places of the curves, and the mesh
 // follows.
 void MovingMesh::put_on_slip_curves(Plan const& plan) noexcept {
-    SlipCurves const& curves = plan.equations.slip_curves;
-    Matrix const& matrix = plan.equations.matrix;
+    SlipCurves const& curves = plan.slip_curves();
     if (curves.count == 0) return;
     curves.for_each([&](Index slot, Index point) {
         slid[slot] = curves.nearest(slot, now()[point] + ahead()[point]);
     });
-    plan.equations.slip_followers.for_each(curves, [&](Index k, Index slot, Real part) {
+    plan.slip_followers().for_each(curves, [&](Index k, Index slot, Real part) {
         Index const point = curves.point[slot];
         Vec2 const back = slid[slot].at - (now()[point] + ahead()[point]);
         if (back.x != 0 || back.y != 0) to_ahead().set(k, ahead()[k] + part * back);
@@ -97,8 +93,7 @@ void MovingMesh::put_on_slip_curves(Plan const& plan) noexcept {
         if (by.x != 0 || by.y != 0) to_ahead().set(point, slid[slot].at - now()[point]);
     });
     for (Index k = 0; k < x.count(); ++k) {  // bit by bit
-        if (matrix.slips(k))
-            to_ahead().set(k, ahead()[plan.equations.point_of(matrix.row_of[2 * k])]);
+        if (plan.slips(k)) to_ahead().set(k, ahead()[plan.representative(k)]);
     }
 }
 
@@ -113,19 +108,17 @@ void MovingMesh::advance() noexcept {
 Vec2 MovingMesh::wall_move(Plan const& plan, Basis const& basis, Index slot,
                            TurnAt& turn) const noexcept {
     if (basis.is_given(slot) && !given.empty() && aimed_time >= 1)
-        return given[slot - plan.given.first_slot];
+        return given[slot - plan.given().first_slot];
     return basis.wall_move(slot, aimed.data()) + carried.of_wall(basis, path, slot, turn);
 }
 
 template <class Visit>
 void MovingMesh::for_wall(Plan const& plan, Basis const& basis, Visit const& visit) const noexcept {
-    Matrix const& matrix = plan.equations.matrix;
     TurnAt turn(path, aimed_time);
-    for (Index k = 0; k < plan.mesh.n_points; ++k) {
-        Index const row = matrix.row_of[matrix.components() * k];
-        if (!Matrix::is_wall(row)) continue;
-        Index const slot = Matrix::wall(row) / matrix.components();
-        visit(k, plan.mesh.points[k], wall_move(plan, basis, slot, turn));
+    for (Index k = 0; k < plan.mesh().n_points; ++k) {
+        Index const slot = plan.wall_slot(k);
+        if (slot == none) continue;
+        visit(k, plan.mesh().points[k], wall_move(plan, basis, slot, turn));
     }
 }
 

@@ -10,7 +10,7 @@ constexpr Index modes_of_body = 3;
 // visit(points of the loop) for each loop of the boundary all of whose points are given.
 template <class Visit>
 void for_each_body(Plan const& plan, Visit const& visit) noexcept {
-    GivenWall const& wall = plan.given;
+    GivenWall const& wall = plan.given();
     for (Index loop = 0; loop + 1 < wall.loop_start.count(); ++loop) {
         Span<const Index> const points = wall.boundary_point.from(
             wall.loop_start[loop], wall.loop_start[loop + 1] - wall.loop_start[loop]);
@@ -26,7 +26,7 @@ Real or_one(Real size) noexcept { return size > 0 ? size : 1; }
 }  // namespace
 
 void SafeDisplacement::lay_out(Arena& arena, Plan const& plan, Basis const& basis) noexcept {
-    Index const n = plan.given.point.count();
+    Index const n = plan.given().point.count();
     n_bodies = 0;
     for_each_body(plan, [&](Span<const Index>) { ++n_bodies; });
     Index const n_modes = modes_of_body * n_bodies + 1;
@@ -48,9 +48,9 @@ Status SafeDisplacement::run(Plan& plan, Basis const& basis, const Real* movemen
                              SafeReport& report, Fault& fault) noexcept {
     HARMORPH_TRY(plan.check_fit(basis, fault));
     HARMORPH_TRY(read(plan, list, wall, fault));
-    if (!plan.factored ||
-        plan.coordinates != coordinates_fingerprint(plan.mesh.points, plan.mesh.n_points)) {
-        HARMORPH_TRY(plan.factor(plan.mesh.points, fault));
+    if (!plan.is_factored() ||
+        plan.coordinates() != coordinates_fingerprint(plan.mesh().points, plan.mesh().n_points)) {
+        HARMORPH_TRY(plan.factor(plan.mesh().points, fault));
     }
     Index const n_functions = basis.header->counts.functions(), n_modes = ways.count();
     fill(move, 0.0);
@@ -60,7 +60,7 @@ Status SafeDisplacement::run(Plan& plan, Basis const& basis, const Real* movemen
     find_bodies(plan);
     make_modes(plan, n_functions);
 
-    PointList const all{0, plan.given.point};
+    PointList const all{0, plan.given().point};
     HARMORPH_TRY(work.displacement.find_places(plan, all, fault));
     Basis tabulated;
     Arena arena = Arena::at_origin(block.data(), block.size());
@@ -78,7 +78,7 @@ Status SafeDisplacement::read(Plan const& plan, PointList const& list, Points wa
     Displacement const& field = work.displacement;
     HARMORPH_TRY(work.displacement.find_places(plan, list, fault));
     HARMORPH_TRY(field.set(plan, list, 0, wall, fault));
-    for (Index i = 0; i < given.count(); ++i) given[i] = field.at(plan, 0, plan.given.point[i]);
+    for (Index i = 0; i < given.count(); ++i) given[i] = field.at(plan, 0, plan.given().point[i]);
     return Status::ok;
 }
 
@@ -98,7 +98,7 @@ void SafeDisplacement::find_bodies(Plan const& plan) noexcept {
 // All modes are at most 1 in size; lengths are in the amplitudes.
 void SafeDisplacement::make_modes(Plan const& plan, Index first_mode) noexcept {
     Index const n = given.count();
-    Points const points = plan.mesh.points;
+    Points const points = plan.mesh().points;
     fill(modes, Vec2{});
     auto const mode = [&](Index number) { return modes.from(Offset{number} * n, n); };
     auto const set_amplitude = [&](Index number, Vec2 target, MovementPath::ModeWay way) {
@@ -109,7 +109,7 @@ void SafeDisplacement::make_modes(Plan const& plan, Index first_mode) noexcept {
     for (Index number = 0; number < n_bodies; ++number) {
         Similarity const similarity = fit_similarity([&](auto const& visit) {
             for (Index i = 0; i < n; ++i) {
-                if (body[i] == number) visit(points[plan.given.point[i]], given[i]);
+                if (body[i] == number) visit(points[plan.given().point[i]], given[i]);
             }
         });
         Vec2 const r = similarity.ratio;
@@ -120,7 +120,7 @@ void SafeDisplacement::make_modes(Plan const& plan, Index first_mode) noexcept {
         for (Index i = 0; i < n; ++i) {
             if (body[i] != number) continue;
             translation[i] = {1, 0};
-            position[i] = points[plan.given.point[i]] - similarity.centre;
+            position[i] = points[plan.given().point[i]] - similarity.centre;
             drift[i] = quotient(position[i] + (given[i] - similarity.shift), r) - position[i];
             extent = larger(extent, length(position[i]));
             largest_drift = larger(largest_drift, length(drift[i]));

@@ -9,18 +9,18 @@
 namespace harmorph {
 
 void SafeMorph::lay_out(Arena& arena, Plan const& plan, BasisCounts const& counts) noexcept {
-    Index const n = plan.mesh.n_points, n_functions = counts.functions();
+    Index const n = plan.mesh().n_points, n_functions = counts.functions();
     mesh.lay_out(arena, plan, counts);
     arena.take(best_x, n);
     arena.take(best_y, n);
     arena.take(reached, 2 * Offset{n_functions});
     arena.take(weight, n_functions);
     arena.take(block, Basis::bytes(counts));
-    first_layer.lay_out(arena, plan.mesh, static_cast<Size>(plan.equations.wall.count));
-    wall_heights.lay_out(arena, plan.mesh, static_cast<Size>(plan.equations.wall.count));
+    first_layer.lay_out(arena, plan.mesh(), static_cast<Size>(plan.walls().count));
+    wall_heights.lay_out(arena, plan.mesh(), static_cast<Size>(plan.walls().count));
     arena.take(kinds, n);
     Size const shared = arena.mark();
-    untangling.lay_out(arena, plan.region_counts);
+    untangling.lay_out(arena, plan.region_counts());
     arena.release(shared);
     improvement.lay_out(arena, plan);
 }
@@ -43,21 +43,21 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     fill(reached, 0.0);
     report.limit = look_ahead(work, basis, 1);
     Target const target{work.cells(), basis.boundary_point, basis.loop_start,
-                        mesh.ends,    plan.mesh.points,     mesh.ahead()};
+                        mesh.ends,    plan.mesh().points,   mesh.ahead()};
     for (Index k = 0; k < mesh.ends.count(); ++k) {
-        if (mesh.ends[k] == EndOf::on_line) mesh.to_ahead().set(k, plan.mesh.points[k]);
+        if (mesh.ends[k] == EndOf::on_line) mesh.to_ahead().set(k, plan.mesh().points[k]);
     }
     HARMORPH_TRY(check_target(target, report.crossing, fault));
 
     report.start_quality =
         measure_quality(work.cells(), mesh.now(), {}, work.executor()).min_quality;
     report.outcome.min_quality = report.start_quality;
-    plan.equations.wall.build(plan.mesh.points);
-    first_layer.find(plan.mesh, plan.mesh.points, mesh.representative, plan.equations.wall);
-    Method const method = plan.equations.method;
+    first_layer.find(plan.mesh(), plan.mesh().points, mesh.representative,
+                     plan.walls_at(plan.mesh().points));
+    Method const method = plan.equations().method();
     Status const status = climb(work);
-    plan.equations.method = method;
-    if (work.factored_again) plan.factored = false;  // of another mesh or operator
+    plan.change_operator(method.operator_kind, method.quarters);
+    if (work.factored_again) plan.forget_factor();  // of another mesh or operator
     HARMORPH_TRY(status);
     return finish(work);
 }
@@ -158,8 +158,7 @@ void SafeMorph::take_step(Work& work, Basis const& by) noexcept {
 // The derivative of the step that was looked at last, where points slide along curves: put back
 // onto them.
 void SafeMorph::turn_sliding(Work const& work) const noexcept {
-    SlipCurves const& curves = work.plan.equations.slip_curves;
-    Matrix const& matrix = work.plan.equations.matrix;
+    SlipCurves const& curves = work.plan.slip_curves();
     if (curves.count == 0) return;
     Index const half = work.derivative->row_length() / 2;  // numbers of x, then of y
     curves.for_each([&](Index slot, Index point) {
@@ -173,9 +172,9 @@ void SafeMorph::turn_sliding(Work const& work) const noexcept {
         }
     });
     for (Index k = 0; k < work.mesh().n_points; ++k) {
-        if (!matrix.slips(k)) continue;
-        Index const same = work.plan.equations.point_of(matrix.row_of[2 * k]);
-        if (same != k) copy_row(work.derivative->row(k), work.derivative->row(same), 2 * half);
+        Index const same = work.plan.representative(k);
+        if (work.plan.slips(k) && same != k)
+            copy_row(work.derivative->row(k), work.derivative->row(same), 2 * half);
     }
 }
 

@@ -10,11 +10,9 @@ namespace {
 // Mean of the corners of one of the caller's cells: a polygon has them in its triangles, those at
 // diagonals repeatedly.
 Vec2 centre_of(Mesh const& mesh, Index number, Points points) noexcept {
-    Index const begin = mesh.is_of_pieces() ? mesh.piece_start[number] : number;
-    Index const end = mesh.is_of_pieces() ? mesh.piece_start[number + 1] : number + 1;
     Vec2 sum;
     Index n = 0;
-    for (Index piece = begin; piece < end; ++piece) {
+    for (Index const piece : mesh.pieces_of(number)) {
         Cell const cell = mesh.cell(piece);
         for (Index k = 0; k < cell.n; ++k, ++n) sum = sum + points[cell.point[k]];
     }
@@ -36,15 +34,15 @@ void SafeMorph::restore_heights(Work& work) noexcept {
     Points const before = work.mesh().points;
     for (Index k = 0; k < kinds.count(); ++k)
         kinds[k] = mesh.held[k] != 0 ? PointKind::fixed : PointKind::inside;
-    work.plan.equations.wall.build(before);
-    wall_heights.find(work.mesh(), before, kinds, mesh.representative, work.plan.equations.wall,
+    work.plan.walls_at(before);
+    wall_heights.find(work.mesh(), before, kinds, mesh.representative, work.plan.walls(),
                       work.executor());
     bool const is_asked_for = work.options.heights > 0;
     Real amount = is_asked_for ? work.options.heights : 1;
     for (Index halving = 0; halving <= most_halvings; ++halving, amount *= 0.5) {
         copy(mesh.ahead_x, Span<const Real>(best_x));
         copy(mesh.ahead_y, Span<const Real>(best_y));
-        wall_heights.restore(work.plan.equations.wall, before, mesh.to_ahead(), mesh.representative,
+        wall_heights.restore(work.plan.walls(), before, mesh.to_ahead(), mesh.representative,
                              amount, work.executor());
         if (!is_valid(work, mesh.ahead())) continue;
         Outcome outcome = work.best();

@@ -18,9 +18,9 @@ struct SafeMorph::Work {
         true;  // the derivative is that of the best mesh, not of a later attempt
     bool factored_again = false;
 
-    Mesh const& mesh() const noexcept { return plan.mesh; }
-    OrientedMesh const& cells() const noexcept { return plan.equations.cells; }
-    Executor const& executor() const noexcept { return plan.executor; }
+    Mesh const& mesh() const noexcept { return plan.mesh(); }
+    OrientedMesh const& cells() const noexcept { return plan.cells(); }
+    Executor const& executor() const noexcept { return plan.executor(); }
     Outcome& best() const noexcept { return report.outcome; }
 
     Real goal() const noexcept { return options.min_quality * report.start_quality; }

@@ -164,7 +164,7 @@ Status SafeMorph::change_operator(Work& work, Basis const& here, Operators& oper
 Status SafeMorph::solve_by(Work& work, Basis const& here, OperatorChoice const& choice) noexcept {
     Method& method = here.header->method;
     bool const is_new = method.operator_kind != choice.kind || method.quarters != choice.quarters;
-    if (!work.plan.equations.change_operator(choice.kind, choice.quarters) && is_new)
+    if (!work.plan.change_operator(choice.kind, choice.quarters) && is_new)
         return Status::unsupported;
     method.operator_kind = choice.kind;
     method.quarters = choice.quarters;

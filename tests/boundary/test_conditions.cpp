@@ -11,7 +11,7 @@ using harmorph::PointKind;
 namespace {
 
 int count(Analysed const& seen, PointKind kind) {
-    return static_cast<int>(std::count(seen->kinds.begin(), seen->kinds.end(), kind));
+    return static_cast<int>(std::count(seen->kinds().begin(), seen->kinds().end(), kind));
 }
 
 }  // namespace
@@ -24,8 +24,8 @@ TEST_CASE("markers without a condition are fixed; everything else is inside") {
     CHECK(count(seen, PointKind::fixed) == 24);
     CHECK(count(seen, PointKind::inside) == 16);
     CHECK(count(seen, PointKind::free) == 0);
-    CHECK(seen->kinds[48] == PointKind::unused);
-    CHECK(seen->graph.n == 16);
+    CHECK(seen->kinds()[48] == PointKind::unused);
+    CHECK(seen->graph().n == 16);
 }
 
 TEST_CASE("a point on several markers: on a curve before fixed before free") {
@@ -37,16 +37,16 @@ TEST_CASE("a point on several markers: on a curve before fixed before free") {
     its.set_free(top);
     for (int order = 0; order < 2; ++order) {  // whichever is named first
         Analysed const seen(its);
-        CHECK(seen->kinds[0] == PointKind::on_wall);  // bottom and left, which is fixed
-        CHECK(seen->kinds[6] == PointKind::on_wall);  // bottom and right, which is free
-        CHECK(seen->kinds[42] == PointKind::fixed);   // left and top
-        CHECK(seen->kinds[48] == PointKind::free);    // right and top
-        CHECK(seen->kinds[7] == PointKind::fixed);
-        CHECK(seen->kinds[13] == PointKind::free);
+        CHECK(seen->kinds()[0] == PointKind::on_wall);  // bottom and left, which is fixed
+        CHECK(seen->kinds()[6] == PointKind::on_wall);  // bottom and right, which is free
+        CHECK(seen->kinds()[42] == PointKind::fixed);   // left and top
+        CHECK(seen->kinds()[48] == PointKind::free);    // right and top
+        CHECK(seen->kinds()[7] == PointKind::fixed);
+        CHECK(seen->kinds()[13] == PointKind::free);
         CHECK(count(seen, PointKind::on_wall) == 7);
         CHECK(count(seen, PointKind::fixed) == 6);
         CHECK(count(seen, PointKind::free) == 11);
-        CHECK(seen->graph.n == 25 + 11);
+        CHECK(seen->graph().n == 25 + 11);
         std::reverse(its.conditions.begin(), its.conditions.end());
     }
 }
@@ -58,9 +58,9 @@ TEST_CASE("joined points are one: the other names count as unused") {
     Analysed const seen(its);
     CHECK(count(seen, PointKind::unused) == c.n_wake + 1);
     CHECK(count(seen, PointKind::on_wall) == 48);
-    CHECK(seen->kinds[c.n_wake] == PointKind::on_wall);  // the trailing edge
-    CHECK(seen->kinds[1] == PointKind::inside);          // on the wake
-    CHECK(seen->kinds[0] == PointKind::fixed);           // where the wake meets the far field
+    CHECK(seen->kinds()[c.n_wake] == PointKind::on_wall);  // the trailing edge
+    CHECK(seen->kinds()[1] == PointKind::inside);          // on the wake
+    CHECK(seen->kinds()[0] == PointKind::fixed);           // where the wake meets the far field
 }
 
 TEST_CASE("the graph couples every pair of unknowns that share a cell, and no others") {
@@ -69,7 +69,7 @@ TEST_CASE("the graph couples every pair of unknowns that share a cell, and no ot
         its.set_free(far_field);
         renumber_points(its.mesh, 3);
         Analysed const seen(its);
-        harmorph::Graph const& graph = seen->graph;
+        harmorph::Graph const& graph = seen->graph();
         std::vector<std::pair<int, int>> expected, found;
         std::vector<char> near_wall(static_cast<std::size_t>(graph.n), 0);
         harmorph::Mesh const mesh = core_mesh(its.mesh);
@@ -81,7 +81,7 @@ TEST_CASE("the graph couples every pair of unknowns that share a cell, and no ot
                                           v = graph.unknown[cell.point[b]];
                     if (u != harmorph::none && v != harmorph::none && u != v)
                         expected.push_back({u, v});
-                    if (u != harmorph::none && seen->kinds[cell.point[b]] == PointKind::on_wall)
+                    if (u != harmorph::none && seen->kinds()[cell.point[b]] == PointKind::on_wall)
                         near_wall[static_cast<std::size_t>(u)] = 1;
                 }
         }
@@ -106,15 +106,16 @@ TEST_CASE(
     its.set_free(right);
     its.set_free(top);
     Analysed const alone(its);
-    CHECK(alone->kinds[0] == PointKind::on_wall);  // bottom and left, which is fixed
-    CHECK(alone->kinds[6] == PointKind::on_wall);  // bottom and right, which is free
-    CHECK(alone->wall.count == 7);
+    CHECK(alone->kinds()[0] == PointKind::on_wall);  // bottom and left, which is fixed
+    CHECK(alone->kinds()[6] == PointKind::on_wall);  // bottom and right, which is free
+    CHECK(alone->wall().count == 7);
     CHECK(alone->count_wall_faces() == 6);
     CHECK(alone->basis_counts().functions() == 0);
 
     its.set_rigid(left, 0, 0.5);
     Analysed const beside_body(its);
-    REQUIRE(beside_body->wall.count == 13);
+    REQUIRE(beside_body->wall().count == 13);
     for (Index slot = 0; slot < 13; ++slot)
-        CHECK(beside_body->wall.curve[slot] == (beside_body->wall.point[slot] % 7 == 0 ? 0 : 1));
+        CHECK(beside_body->wall().curve[slot] ==
+              (beside_body->wall().point[slot] % 7 == 0 ? 0 : 1));
 }

@@ -86,7 +86,7 @@ TEST_CASE(
         INFO(seen.error.text);
         REQUIRE(done);
         std::vector<PointKind> out;
-        for (PointKind const kind : inside(seen.analysis).kinds) out.push_back(kind);
+        for (PointKind const kind : inside(seen.analysis).kinds()) out.push_back(kind);
         return out;
     };
     Case its = tiny_case();  // point (i, j) below the hole is i + 7 j
@@ -210,7 +210,7 @@ TEST_CASE(
         REQUIRE(seen.analyse(its.problem(), &options));
         std::vector<PointKind> out;
         for (std::size_t k = 1; k < 6; ++k)
-            out.push_back(inside(seen.analysis).kinds[static_cast<harmorph::Index>(k)]);
+            out.push_back(inside(seen.analysis).kinds()[static_cast<harmorph::Index>(k)]);
         return out;
     };
     std::vector<PointKind> const flat(5, PointKind::slip);
@@ -229,7 +229,7 @@ TEST_CASE(
         REQUIRE(seen.analyse(ring.problem(), &options));
         PointKind const expected = faces == 8 ? PointKind::fixed : PointKind::slip;
         for (std::int32_t const point : points_on(ring.mesh, far_field)) {
-            CHECK(inside(seen.analysis).kinds[point] == expected);
+            CHECK(inside(seen.analysis).kinds()[point] == expected);
         }
     }
 }

@@ -152,7 +152,7 @@ TEST_CASE("joined points move together") {
     Mesh const before = walls.deformed;
     walls.restore();
     for (int ring = 0; ring <= n_r; ++ring) {
-        CHECK(walls.analysed->topology.representative[first_copy + ring] == ring * n_t);
+        CHECK(walls.analysed->topology().representative[first_copy + ring] == ring * n_t);
         CHECK(distance(walls.deformed.point(first_copy + ring), walls.deformed.point(ring * n_t)) ==
               0);
     }

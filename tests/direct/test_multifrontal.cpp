@@ -24,7 +24,7 @@ void check_against_dense(Case& its, double tolerance) {
     for (Index i = 0; i < solved.report.functions; ++i) {
         std::vector<double> const found = solved.values(i);
         auto const on_wall = [&](Index slot) {
-            return found[static_cast<std::size_t>(analysis.wall.point[slot])];
+            return found[static_cast<std::size_t>(analysis.wall().point[slot])];
         };
         std::vector<double> b = laplace.couplings_times(on_wall);
         for (double& value : b) value = -value;

@@ -72,10 +72,10 @@ TEST_CASE(
             if (change == 2) reverse_some(mesh, 3);
             if (change == 3) reverse_some_faces(mesh, 4);  // faces need no sense
             Analysed const seen(mesh);
-            CHECK(seen->boundary.n_loops == 3);
-            CHECK(seen->boundary.count == mesh.n_faces());
-            CHECK(faces_of(seen->boundary) == given);
-            CHECK(enclosed(seen->boundary, mesh) == doctest::Approx(area).epsilon(1e-12));
+            CHECK(seen->boundary().n_loops == 3);
+            CHECK(seen->boundary().count == mesh.n_faces());
+            CHECK(faces_of(seen->boundary()) == given);
+            CHECK(enclosed(seen->boundary(), mesh) == doctest::Approx(area).epsilon(1e-12));
         }
     }
 }
@@ -87,7 +87,7 @@ TEST_CASE("markers stay with their faces") {
     std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> marker_of;
     for (std::size_t k = 0; k < mesh.face_markers.size(); ++k)
         marker_of[{mesh.faces[2 * k], mesh.faces[2 * k + 1]}] = mesh.face_markers[k];
-    harmorph::Boundary const& b = seen->boundary;
+    harmorph::Boundary const& b = seen->boundary();
     for (std::int32_t loop = 0; loop < b.n_loops; ++loop)
         for (std::int32_t k = b.loop_start[loop]; k < b.loop_start[loop + 1]; ++k)
             CHECK(marker_of.at({b.point[k], b.point[b.after(k, loop)]}) == b.marker[k]);
@@ -96,12 +96,12 @@ TEST_CASE("markers stay with their faces") {
 TEST_CASE("ordered lists of points say the same as faces; both together too") {
     Mesh const mesh = tiny_case().mesh;
     Analysed const with_faces(mesh);
-    Lists const lists(with_faces->boundary);
+    Lists const lists(with_faces->boundary());
     hm_mesh view = mesh.view();
     lists.put_into(view);
     Analysed const with_lists(view);
-    CHECK(faces_of(with_lists->boundary) == faces_of(with_faces->boundary));
-    CHECK(with_lists->boundary.n_loops == 2);
+    CHECK(faces_of(with_lists->boundary()) == faces_of(with_faces->boundary()));
+    CHECK(with_lists->boundary().n_loops == 2);
 
     hm_mesh both = mesh.view();
     both.n_lists = view.n_lists;
@@ -109,7 +109,7 @@ TEST_CASE("ordered lists of points say the same as faces; both together too") {
     both.list_points = lists.points.data();
     both.list_markers = lists.markers.data();
     Analysed const with_both(both);  // a face given twice with one marker is one face
-    CHECK(faces_of(with_both->boundary) == faces_of(with_faces->boundary));
+    CHECK(faces_of(with_both->boundary()) == faces_of(with_faces->boundary()));
 
     Case its = tiny_case();
     Solved const a(its), b(its.problem(view));
@@ -128,9 +128,9 @@ TEST_CASE("a bow-tie: two parts of the mesh that share one point only") {
     Analysed const seen(mesh);
     Faces expected;
     for (auto const& edge : edges) expected.insert({edge[0], edge[1]});
-    CHECK(faces_of(seen->boundary) == expected);
-    CHECK(enclosed(seen->boundary, mesh) == 2);
-    CHECK((seen->boundary.n_loops == 1 || seen->boundary.n_loops == 2));
+    CHECK(faces_of(seen->boundary()) == expected);
+    CHECK(enclosed(seen->boundary(), mesh) == 2);
+    CHECK((seen->boundary().n_loops == 1 || seen->boundary().n_loops == 2));
 }
 
 TEST_CASE("pieces: runs of faces that are on, across the place where a loop is cut open") {
@@ -142,10 +142,10 @@ TEST_CASE("pieces: runs of faces that are on, across the place where a loop is c
         std::vector<std::vector<std::int32_t>> pieces;
         std::vector<bool> closed;
         auto const is_on = [&](std::int32_t face) {
-            std::int32_t const marker = seen->boundary.marker[face];
+            std::int32_t const marker = seen->boundary().marker[face];
             return marker == first || marker == second;
         };
-        std::int32_t const n = seen->boundary.for_each_piece(
+        std::int32_t const n = seen->boundary().for_each_piece(
             is_on,
             [&](std::int32_t piece, std::int32_t point) {
                 pieces.resize(static_cast<std::size_t>(piece) + 1);
@@ -166,14 +166,14 @@ TEST_CASE("pieces: runs of faces that are on, across the place where a loop is c
 TEST_CASE("the cut of a C-mesh is joined: both sides of the wake are one") {
     CMesh c = c_mesh(naca4({}, 24), 12, 8, stretched(5e-3, 8, 20));
     Analysed const seen(c.structured_view());
-    CHECK(seen->boundary.n_loops == 2);
-    CHECK(seen->boundary.count == c.mesh.n_faces());
+    CHECK(seen->boundary().n_loops == 2);
+    CHECK(seen->boundary().count == c.mesh.n_faces());
     std::int32_t joined = 0;
     for (std::int32_t k = 0; k < c.mesh.n_points(); ++k)
-        joined += seen->topology.representative[k] != k;
+        joined += seen->topology().representative[k] != k;
     CHECK(joined == c.n_wake + 1);
     for (std::int32_t k = 0; k <= c.n_wake; ++k)
-        CHECK(seen->topology.representative[c.ni - 1 - k] == k);
+        CHECK(seen->topology().representative[c.ni - 1 - k] == k);
 
     Case its = airfoil_case(24, 12);
     its.mesh = c.mesh;

@@ -21,9 +21,9 @@ struct Measured {
         std::iota(place.begin(), place.end(), 0);
         area.resize(n);
         shortest.resize(n);
-        harmorph::Mesh const& mesh = seen->problem.mesh;
+        harmorph::Mesh const& mesh = seen->problem().mesh;
         harmorph::ControlVolumes volumes{span(area), span(shortest)};
-        volumes.measure(seen->topology, mesh.points, span(place));
+        volumes.measure(seen->topology(), mesh.points, span(place));
     }
 };
 
@@ -68,8 +68,8 @@ TEST_CASE("a point without an unknown is left out") {
     FrontMatrix const front(*seen.operator->());
     std::vector<double> area(static_cast<std::size_t>(front.rows.n)), shortest(area.size());
     harmorph::ControlVolumes volumes{span(area), span(shortest)};
-    harmorph::Mesh const& mesh = seen->problem.mesh;
-    volumes.measure(seen->topology, mesh.points, front.matrix.row_of);
+    harmorph::Mesh const& mesh = seen->problem().mesh;
+    volumes.measure(seen->topology(), mesh.points, front.matrix.rows_of_dofs());
     // Hexagons of six halves of squares.
     for (double const its_area : area) CHECK(its_area == doctest::Approx(1.0 / 16));
     CHECK(area.size() == 9);

@@ -34,7 +34,7 @@ struct Flipped {
         harmorph::Arena placing(block_->data(), block_->size());
         triangulation.lay_out(placing, view);
         REQUIRE(!placing.overflown());
-        status = triangulation.build(seen->topology, fault);
+        status = triangulation.build(seen->topology(), fault);
         CHECK(block_->guards_intact());
     }
     explicit Flipped(Mesh const& mesh) : Flipped(mesh.view()) {}
@@ -219,7 +219,7 @@ TEST_CASE("the cut of a C-mesh is no boundary: its points are one, and its edges
         [&](DelaunayEdge const& edge) { boundary += edge.right == none; });
     CHECK(boundary == c.mesh.n_faces());
     for (std::int32_t const point : rows.triangles())
-        CHECK(rows.seen->topology.representative[point] == point);
+        CHECK(rows.seen->topology().representative[point] == point);
 }
 
 TEST_CASE("a cell without area is refused, and named") {

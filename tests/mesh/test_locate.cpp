@@ -22,7 +22,7 @@ public:
         block_ = std::make_unique<Guarded>(counting.bytes());
         harmorph::Arena arena(block_->data(), block_->size());
         locator_.lay_out(arena, mesh_.n_cells());
-        locator_.build(analysed_->topology);
+        locator_.build(analysed_->topology());
         REQUIRE(block_->guards_intact());
     }
     Location locate(Vec2 point, Index hint = harmorph::none) const {

@@ -14,7 +14,7 @@ constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 double open_by(Scheme const& scheme, Mesh const& mesh) {
     std::vector<Point> sum(mesh.x.size(), Point{0, 0});
     auto const add = [&](Index point, double x, double y) {
-        Point& its = sum[static_cast<std::size_t>(scheme.seen->topology.representative[point])];
+        Point& its = sum[static_cast<std::size_t>(scheme.seen->topology().representative[point])];
         its = {its.x + x, its.y + y};
     };
     for (harmorph::MedianDual::Face const& face : scheme.operation.dual.faces) {
@@ -87,7 +87,7 @@ TEST_CASE("the points of a cut have one volume") {
     double area = 0;
     int joined = 0;
     for (Index point = 0; point < c.mesh.n_points(); ++point) {
-        bool const is_joined = scheme.seen->topology.representative[point] != point;
+        bool const is_joined = scheme.seen->topology().representative[point] != point;
         CHECK((scheme.area[static_cast<std::size_t>(point)] == 0) == is_joined);
         joined += is_joined;
         area += scheme.area[static_cast<std::size_t>(point)];

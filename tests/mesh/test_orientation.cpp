@@ -14,7 +14,7 @@ using harmorph::Index;
 namespace {
 
 std::vector<std::uint8_t> reversed_of(Analysed const& seen) {
-    return {seen->topology.reversed.begin(), seen->topology.reversed.end()};
+    return {seen->topology().reversed.begin(), seen->topology().reversed.end()};
 }
 std::vector<std::uint8_t> all(Mesh const& mesh, int value) {
     return std::vector<std::uint8_t>(static_cast<std::size_t>(mesh.n_cells()),
@@ -126,13 +126,13 @@ TEST_CASE("parts that are not joined settle their sense each for itself") {
     std::vector<std::uint8_t> const found = reversed_of(seen);
     for (std::size_t k = 0; k < found.size(); ++k)
         CHECK(found[k] == (k < static_cast<std::size_t>(n_cells) ? 0 : 1));
-    CHECK(seen->boundary.n_loops == 2);
+    CHECK(seen->boundary().n_loops == 2);
 }
 
 TEST_CASE("a Moebius strip is refused; the same strip without the twist is not") {
     for (int const n : {5, 8, 40}) {
         Analysed const plain(strip(n, false));
-        CHECK(plain->boundary.n_loops == 2);
+        CHECK(plain->boundary().n_loops == 2);
         Mesh const moebius = strip(n, true);
         hm_mesh const view = moebius.view();
         hm_problem problem{};

@@ -174,8 +174,8 @@ TEST_CASE(
 TEST_CASE("numbers of pieces and guards are those of the cells, also of cells that have none") {
     Mesh const mesh = refined(square(4), [](Point p) { return p.x < 0.3; });
     Analysed const its(in_polygons(mesh.view()));
-    harmorph::Mesh const& pieces = its->topology.mesh;
-    REQUIRE(pieces.is_of_pieces());
+    harmorph::Mesh const& pieces = its->topology().mesh;
+    REQUIRE(pieces.has_pieces());
     CHECK(pieces.n_given_cells() == mesh.n_cells());
     std::vector<std::int32_t> found(static_cast<std::size_t>(mesh.n_cells()), 0);
     for (std::int32_t i = 0; i < pieces.n_checked(); ++i) {

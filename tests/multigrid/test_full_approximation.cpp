@@ -68,8 +68,8 @@ struct Explicit {
         block = std::make_unique<Guarded>(counting.bytes());
         harmorph::Arena placing(block->data(), block->size());
         lay_out(placing);
-        harmorph::Mesh const& mesh = seen->problem.mesh;
-        engine.volumes.measure(seen->topology, mesh.points, front.matrix.row_of);
+        harmorph::Mesh const& mesh = seen->problem().mesh;
+        engine.volumes.measure(seen->topology(), mesh.points, front.matrix.rows_of_dofs());
         harmorph::Fault fault;
         REQUIRE(engine.set_up(front.rows, fault) == harmorph::Status::ok);
     }
@@ -107,9 +107,9 @@ TEST_CASE("with one level an iteration is one Runge-Kutta step of the flux balan
     std::vector<double> b(n, 0.0), f(n, 0.0);
     harmorph::Analysis const& analysis = *parts.seen.operator->();
     harmorph::Matrix const& matrix = parts.front.matrix;
-    for (Index slot = 0; slot < analysis.wall.count; ++slot) {
+    for (Index slot = 0; slot < analysis.wall().count; ++slot) {
         harmorph::CurveBasis const its_basis =
-            curve_basis(analysis.curves[analysis.wall.curve[slot]], analysis.wall.u[slot], 0);
+            curve_basis(analysis.curves()[analysis.wall().curve[slot]], analysis.wall().u[slot], 0);
         for (Index k = 0; k < its_basis.order; ++k)
             for (Index c = matrix.coupling_start[slot];
                  its_basis.control[k] == function && c < matrix.coupling_start[slot + 1]; ++c)
@@ -140,7 +140,7 @@ TEST_CASE("with one level an iteration is one Runge-Kutta step of the flux balan
     REQUIRE(hm_basis_values(attempt.basis, function, 0, values.data(), nullptr) == HM_OK);
     double worst = 0, largest = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        Index const point = analysis.graph.point(parts.front.order[i]);
+        Index const point = analysis.graph().point(parts.front.order[i]);
         worst = std::max(worst, std::fabs(values[static_cast<std::size_t>(point)] - f[i]));
         largest = std::max(largest, std::fabs(f[i]));
     }

@@ -35,12 +35,12 @@ struct Bounded : Attempt {
         INFO(error.text);
         REQUIRE(done);
         sparse = std::make_unique<AssembledMatrix>(core());
-        core().triangulation.for_each_edge(
+        core().triangulation().for_each_edge(
             [&](DelaunayEdge const& edge) { edges.push_back(edge); });
     }
     harmorph::Analysis const& core() const { return inside(analysis); }
     void assemble(std::vector<double> const& conductivity = {}) const {
-        harmorph::Points const points = core().problem.mesh.points;
+        harmorph::Points const points = core().problem().mesh.points;
         REQUIRE(assemble_bounded(span(edges), points, span(conductivity), sparse->matrix) ==
                 harmorph::none);
     }
@@ -142,7 +142,7 @@ TEST_CASE("every edge is weighted by itself") {
     DenseMatrix const weighted = scheme.sparse->unknowns();
     std::vector<double> rows = scheme.sparse->couplings_times([](Index) { return 1.0; });
     for (std::size_t k = 0; k < scheme.edges.size(); ++k) {
-        harmorph::Span<Index> const place = scheme.sparse->matrix.row_of;
+        harmorph::Span<const Index> const place = scheme.sparse->matrix.rows_of_dofs();
         Index const i = place[scheme.edges[k].begin], j = place[scheme.edges[k].end];
         if (i < 0 || j < 0) continue;
         std::size_t const row = static_cast<std::size_t>(i), column = static_cast<std::size_t>(j);
@@ -167,7 +167,7 @@ TEST_CASE("linear fields are reproduced, at an aspect ratio of 10^4 as well") {
             auto const defect = [&](auto field) {
                 auto const at = [&](Index point) { return field(its.mesh.point(point)); };
                 std::vector<double> const found =
-                    scheme.solve([&](Index slot) { return at(scheme.core().wall.point[slot]); });
+                    scheme.solve([&](Index slot) { return at(scheme.core().wall().point[slot]); });
                 double worst = 0;
                 for (std::size_t row = 0; row < found.size(); ++row) {
                     Index const point = scheme.sparse->point_at(static_cast<Index>(row));
@@ -185,7 +185,7 @@ TEST_CASE("linear fields are reproduced, at an aspect ratio of 10^4 as well") {
 TEST_CASE("the first edge with a triangle of no area is returned") {
     Case its = ring_case(6, 20, 0.5, 2);
     Bounded const its_operator(its);
-    harmorph::Mesh const& mesh = its_operator.core().problem.mesh;
+    harmorph::Mesh const& mesh = its_operator.core().problem().mesh;
     std::vector<double> x, y;
     for (Index k = 0; k < mesh.n_points; ++k) {
         x.push_back(mesh.points[k].x);
@@ -222,7 +222,7 @@ TEST_CASE("on Delaunay triangles it is the compact scheme") {
     Case its = two_body_case(Cells::triangles, 8, 6);
     improve(its.mesh, 30);
     Bounded const scheme(its);
-    REQUIRE(scheme.core().triangulation.flips == 0);
+    REQUIRE(scheme.core().triangulation().flips == 0);
     scheme.assemble();
     DenseMatrix const bounded_entries = scheme.sparse->unknowns();
     scheme.sparse->assemble();
@@ -351,10 +351,10 @@ TEST_CASE("weights of edges are powers of their midpoints' distances from what m
     Guarded block(counting.bytes());
     harmorph::Arena placing(block.data(), block.size());
     faces.lay_out(placing, static_cast<std::size_t>(a.count_wall_faces()));
-    faces.choose(a.boundary, [&](Index face) { return a.is_wall_face(face); });
-    faces.build(a.problem.mesh.points);
+    faces.choose(a.boundary(), [&](Index face) { return a.is_wall_face(face); });
+    faces.build(a.problem().mesh.points);
     std::vector<double> k(scheme.edges.size());
-    weigh_edges(faces, span(scheme.edges), a.problem.mesh.points, 6, span(k), {});
+    weigh_edges(faces, span(scheme.edges), a.problem().mesh.points, 6, span(k), {});
     for (std::size_t edge = 0; edge < k.size(); ++edge) {
         Point const begin = its.mesh.point(scheme.edges[edge].begin),
                     end = its.mesh.point(scheme.edges[edge].end);

@@ -44,7 +44,7 @@ TEST_CASE("conductances between the points of any cell arrive where a dense matr
                 worst = std::fmax(worst, std::fabs(found.at(i, j) - dense.at(p, q)));
             }
         CHECK(worst < 1e-14);
-        for (Index slot = 0; slot < a.wall.count; ++slot) {
+        for (Index slot = 0; slot < a.wall().count; ++slot) {
             std::vector<double> const column =
                 sparse.couplings_times([&](Index s) { return s == slot ? 1.0 : 0.0; });
             for (std::size_t i = 0; i < column.size(); ++i) {
@@ -52,7 +52,7 @@ TEST_CASE("conductances between the points of any cell arrive where a dense matr
                     static_cast<std::size_t>(sparse.point_at(static_cast<Index>(i)));
                 worst = std::fmax(
                     worst, std::fabs(column[i] -
-                                     dense.at(p, static_cast<std::size_t>(a.wall.point[slot]))));
+                                     dense.at(p, static_cast<std::size_t>(a.wall().point[slot]))));
             }
         }
         CHECK(worst < 1e-14);
@@ -65,14 +65,14 @@ TEST_CASE(
     Analysed const seen(its);
     AssembledMatrix const sparse(*seen.operator->());
     harmorph::Matrix const& m = sparse.matrix;
-    CHECK(m.start[m.n] == seen->matrix.entries);
+    CHECK(m.start[m.n] == seen->matrix_sizes().entries);
     for (Index row = 0; row < m.n; ++row)
         for (harmorph::Offset k = m.start[row]; k < m.start[row + 1]; ++k) {
             CHECK(m.column[k] > row);
             CHECK(m.column[k] < m.n);
             if (k > m.start[row]) CHECK(m.column[k] > m.column[k - 1]);
         }
-    CHECK(m.coupling_start[seen->wall.count] == seen->matrix.couplings);
+    CHECK(m.coupling_start[seen->wall().count] == seen->matrix_sizes().couplings);
 }
 
 TEST_CASE(
@@ -87,7 +87,7 @@ TEST_CASE(
         CHECK(components == (slides ? 2 : 1));
         std::vector<std::uint8_t> marked(static_cast<std::size_t>(m.start[m.n]), 2),
             expected(marked.size(), 0);
-        m.mark_faces(seen->topology.edges, span(marked));
+        m.mark_faces(seen->topology().edges, span(marked));
         harmorph::Mesh const mesh = core_mesh(its.mesh);
         for (Index c = 0; c < mesh.n_cells; ++c) {
             harmorph::Cell const cell = mesh.cell(c);
@@ -96,8 +96,8 @@ TEST_CASE(
                     for (Index q = 0; q < components; ++q) {
                         Index const a = cell.point[side], b = cell.point[(side + 1) % cell.n];
                         if (p != q && !m.slips(a) && !m.slips(b)) continue;
-                        Index const i = m.row_of[components * a + p],
-                                    j = m.row_of[components * b + q];
+                        Index const i = m.row_of(components * a + p),
+                                    j = m.row_of(components * b + q);
                         if (i < 0 || j < 0) continue;
                         for (harmorph::Offset k = m.start[std::min(i, j)];
                              k < m.start[std::min(i, j) + 1]; ++k)
@@ -116,19 +116,19 @@ TEST_CASE("rows tell unknowns, wall points, and points whose value is 0") {
     AssembledMatrix const sparse(*seen.operator->());
     Index unknowns = 0, on_wall = 0, zero = 0;
     for (Index point = 0; point < its.mesh.n_points(); ++point) {
-        Index const place = sparse.matrix.row_of[point];
+        Index const place = sparse.matrix.row_of(point);
         if (place >= 0) {
             CHECK(sparse.point_at(place) == point);
             ++unknowns;
         } else if (harmorph::Matrix::is_wall(place)) {
-            CHECK(seen->wall.point[harmorph::Matrix::wall(place)] == point);
+            CHECK(seen->wall().point[harmorph::Matrix::wall(place)] == point);
             ++on_wall;
         } else {
             CHECK(place == harmorph::none);
             ++zero;
         }
     }
-    CHECK(unknowns == seen->graph.n);
+    CHECK(unknowns == seen->graph().n);
     CHECK(on_wall == 48);
     CHECK(zero == 24 + 12 + 1);  // 36 points of the rectangle's sides
 }
@@ -150,12 +150,12 @@ TEST_CASE(
             Index const p = cell.point[k], q = cell.point[(k + 1) % cell.n];
             double const conductance = uniform(random), circulation = uniform(random);
             harmorph::Matrix const& m = sparse.matrix;
-            for (Index const place : {m.row_of[p], m.row_of[q]})
+            for (Index const place : {m.row_of(p), m.row_of(q)})
                 if (place >= 0) m.diagonal[place] += conductance;
             Index const part = m.n / 3;  // what two threads would add
             for (harmorph::RowRange const rows :
                  {harmorph::RowRange{0, part}, harmorph::RowRange{part, m.n}})
-                m.add_off_diagonal<true>(rows, m.row_of[p], m.row_of[q], conductance, circulation);
+                m.add_off_diagonal<true>(rows, m.row_of(p), m.row_of(q), conductance, circulation);
             std::size_t const i = static_cast<std::size_t>(p), j = static_cast<std::size_t>(q);
             by_points.at(i, i) += conductance;
             by_points.at(j, j) += conductance;
@@ -172,13 +172,13 @@ TEST_CASE(
     for (std::size_t i = 0; i < sparse.size(); ++i)
         for (std::size_t j = 0; j < sparse.size(); ++j)
             worst = std::fmax(worst, std::abs(found.at(i, j) - by_points.at(point(i), point(j))));
-    for (Index slot = 0; slot < a.wall.count; ++slot)
+    for (Index slot = 0; slot < a.wall().count; ++slot)
         for (Index c = m.coupling_start[slot]; c < m.coupling_start[slot + 1]; ++c) {
             std::complex<double> const coupling(m.coupling_value[c], m.coupling_imaginary[c]);
             std::size_t const i = point(static_cast<std::size_t>(m.coupling_row[c]));
             worst = std::fmax(
-                worst,
-                std::abs(coupling - by_points.at(i, static_cast<std::size_t>(a.wall.point[slot]))));
+                worst, std::abs(coupling -
+                                by_points.at(i, static_cast<std::size_t>(a.wall().point[slot]))));
             size = std::fmax(size, std::fabs(coupling.imag()));
         }
     CHECK(worst < 1e-14);

@@ -57,20 +57,22 @@ TEST_CASE("one wrong value leaves its column of the matrix") {
     harmorph::Basis const basis = in_rows(solved);
     harmorph::Arena counting;
     harmorph::Residual residual;
-    Index const couplings = plan.equations.matrix.coupling_row.count();
-    residual.lay_out(counting, plan.equations.matrix.n, couplings, plan.equations.matrix.kind);
+    Index const couplings = plan.equations().matrix().coupling_row.count();
+    residual.lay_out(counting, plan.equations().matrix().n, couplings,
+                     plan.equations().matrix().kind());
     Guarded block(counting.bytes());
     harmorph::Arena placing(block.data(), block.size());
-    residual.lay_out(placing, plan.equations.matrix.n, couplings, plan.equations.matrix.kind);
+    residual.lay_out(placing, plan.equations().matrix().n, couplings,
+                     plan.equations().matrix().kind());
 
     Index const width = residual.width;
     Index const function = width + 1,
-                wrong = plan.equations.matrix.n / 2;  // of the second group of functions
+                wrong = plan.equations().matrix().n / 2;  // of the second group of functions
     double const by = 1e-3;
-    harmorph::DofValues const dofs(basis, plan.equations.dof_of, 1);
+    harmorph::DofValues const dofs(basis, plan.equations().dof_of(), 1);
     dofs.at(wrong)[function] += by;
     harmorph::Residual::Norms const norms =
-        residual.compute(plan.equations.matrix, dofs, width, width);
+        residual.compute(plan.equations().matrix(), dofs, width, width);
     double squares = 0, b = 0, worst = 0;
     std::vector<double> const known =
         laplace.couplings_times([&](Index slot) { return dofs.wall(slot)[function]; });
@@ -104,9 +106,9 @@ TEST_CASE(
         Options const options = options_of(kind);
         Solved const solved(its, &options);
         harmorph::Plan const& plan = inside(solved.plan);
-        harmorph::Matrix const& matrix = plan.equations.matrix;
+        harmorph::Matrix const& matrix = plan.equations().matrix();
         harmorph::Basis const basis = in_rows(solved);
-        harmorph::DofValues dofs{basis, plan.equations.dof_of, 2};
+        harmorph::DofValues dofs{basis, plan.equations().dof_of(), 2};
         std::mt19937 random(5);
         fill(basis.value, 0.0);
         std::vector<double> source(static_cast<std::size_t>(basis.value.count()));
@@ -136,11 +138,12 @@ TEST_CASE(
             }
         }
         harmorph::Residual::Norms const norms =
-            plan.refinement.residual.compute(matrix, dofs, 0, 1);
+            plan.refinement().residual.compute(matrix, dofs, 0, 1);
         double worst = 0, squares = 0;
         for (Index i = 0; i < matrix.n; ++i) {
-            double const found = plan.refinement.residual
-                                     .value[harmorph::Offset{i} * plan.refinement.residual.width];
+            double const found =
+                plan.refinement()
+                    .residual.value[harmorph::Offset{i} * plan.refinement().residual.width];
             worst = std::fmax(worst, std::fabs(found - expected[static_cast<std::size_t>(i)]));
             squares += found * found;
         }
@@ -164,7 +167,7 @@ TEST_CASE(
         REQUIRE(attempt.analyse(its.problem(), &options));
         REQUIRE(attempt.prepare());
         REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr) == HM_OK);
-        for (double& entry : inside(attempt.plan).engine.direct.factor.doubles.factor)
+        for (double& entry : inside(attempt.plan).engine().direct.factor.doubles.factor)
             entry *= 1 + error;
         hm_status const status =
             hm_plan_solve(attempt.plan, attempt.basis, &attempt.report, nullptr);
@@ -228,9 +231,9 @@ TEST_CASE(
                           iterative = with(HM_LAPLACE, HM_MULTIGRID);
             Solved const found(its, &exact), other(its, &iterative);
             INFO("first cell " << first << ", free " << free << ": "
-                               << inside(found.plan).engine.direct.factor.least_left()
+                               << inside(found.plan).engine().direct.factor.least_left()
                                << " left of a pivot");
-            CHECK(inside(found.plan).engine.trusted());  // it has lost nothing
+            CHECK(inside(found.plan).engine().trusted());  // it has lost nothing
             CHECK(found.report.refinements == 0);
             CHECK(largest_difference(found.all_values(), other.all_values()) < 1e-8);
             if (free) CHECK(worst_defect(found, its.mesh.x.size()) < 1e-13);
@@ -247,7 +250,7 @@ TEST_CASE("even cells are not refined") {
             Options const options = with(kind, HM_DIRECT);
             Solved const solved(its, &options);
             CHECK(solved.report.refinements == 0);
-            CHECK(inside(solved.plan).engine.trusted());
+            CHECK(inside(solved.plan).engine().trusted());
         }
     }
 }
@@ -259,9 +262,9 @@ TEST_CASE(
         Options const options = with(kind, HM_DIRECT);
         Solved const solved(its, &options);
         harmorph::Plan const& plan = inside(solved.plan);
-        harmorph::Matrix const& matrix = plan.equations.matrix;
+        harmorph::Matrix const& matrix = plan.equations().matrix();
         harmorph::Basis const basis = in_rows(solved);
-        harmorph::DofValues const dofs{basis, plan.equations.dof_of, 1};
+        harmorph::DofValues const dofs{basis, plan.equations().dof_of(), 1};
         std::vector<bool> beside_known(static_cast<std::size_t>(matrix.n));
         for (Index const row : matrix.fixed_row) beside_known[static_cast<std::size_t>(row)] = true;
         for (Index const row : matrix.coupling_row)
@@ -269,13 +272,13 @@ TEST_CASE(
         for (Index i = 0; i < matrix.n; ++i) {
             for (Index k = 0; k < dofs.length(); ++k) dofs.at(i)[k] = 1;
         }
-        Index const n = plan.refinement.residual.width, planes = matrix.is_complex() ? 2 : 1;
-        plan.refinement.residual.compute(matrix, dofs, 0, n);
+        Index const n = plan.refinement().residual.width, planes = matrix.is_complex() ? 2 : 1;
+        plan.refinement().residual.compute(matrix, dofs, 0, n);
         Wrong inside_rows;
         double largest = 0;
         for (Index i = 0; i < matrix.n; ++i) {
-            const double* const row =
-                plan.refinement.residual.value.data() + static_cast<std::ptrdiff_t>(i) * planes * n;
+            const double* const row = plan.refinement().residual.value.data() +
+                                      static_cast<std::ptrdiff_t>(i) * planes * n;
             for (Index k = 0; k < planes * n; ++k) {
                 if (beside_known[static_cast<std::size_t>(i)])
                     largest = std::max(largest, std::fabs(row[k]));
@@ -295,17 +298,19 @@ TEST_CASE(
         in_single.precision = HM_SINGLE;
         Solved const solved(its, &in_double), other(its, &in_single);
         harmorph::Plan const& plan = inside(solved.plan);
-        harmorph::Residual wide = plan.refinement.residual,
-                           narrow = inside(other.plan).refinement.residual;
+        harmorph::Residual wide = plan.refinement().residual,
+                           narrow = inside(other.plan).refinement().residual;
         harmorph::Basis const basis = in_rows(solved);
-        harmorph::DofValues const dofs{basis, plan.equations.dof_of, 1};
+        harmorph::DofValues const dofs{basis, plan.equations().dof_of(), 1};
         REQUIRE(wide.single.empty());
         REQUIRE(!narrow.single.empty());
         Index const n = std::min(wide.width, narrow.width) - 1,
                     planes = kind == HM_CONFORMAL ? 2 : 1;
-        harmorph::Residual::Norms const norms = wide.compute(plan.equations.matrix, dofs, 1, n);
-        harmorph::Residual::Norms const rounded = narrow.compute(plan.equations.matrix, dofs, 1, n);
-        harmorph::Residual::Norms const alone = narrow.measure(plan.equations.matrix, dofs, 1, n);
+        harmorph::Residual::Norms const norms = wide.compute(plan.equations().matrix(), dofs, 1, n);
+        harmorph::Residual::Norms const rounded =
+            narrow.compute(plan.equations().matrix(), dofs, 1, n);
+        harmorph::Residual::Norms const alone =
+            narrow.measure(plan.equations().matrix(), dofs, 1, n);
         for (Index k = 0; k < n; ++k) {
             CHECK(norms.rest[k] == rounded.rest[k]);
             CHECK(norms.rest[k] == alone.rest[k]);
@@ -314,7 +319,7 @@ TEST_CASE(
             CHECK(norms.right_hand_side[k] == alone.right_hand_side[k]);
         }
         Wrong different;
-        for (Index row = 0; row < planes * plan.equations.matrix.n; ++row)
+        for (Index row = 0; row < planes * plan.equations().matrix().n; ++row)
             for (Index k = 0; k < n; ++k) {
                 double const value = wide.value[harmorph::Offset{row} * wide.width + k];
                 double const rounded_value =
@@ -332,16 +337,16 @@ TEST_CASE("kernels give the same bits, of whole blocks of columns and of parts o
         Solved const solved(its, &options);
         harmorph::Plan const& plan = inside(solved.plan);
         harmorph::Basis const basis = in_rows(solved);
-        harmorph::Residual residual = plan.refinement.residual;
+        harmorph::Residual residual = plan.refinement().residual;
         for (Index n = 1; n <= residual.width; ++n) {
             residual.kernel = harmorph::Kernel::baseline;
             harmorph::Residual::Norms const plain = residual.compute(
-                plan.equations.matrix, {basis, plan.equations.dof_of, 1}, 12 - n, n);
+                plan.equations().matrix(), {basis, plan.equations().dof_of(), 1}, 12 - n, n);
             std::vector<double> const expected(residual.value.begin(), residual.value.end());
             for (harmorph::Kernel const kernel : usable_kernels()) {
                 residual.kernel = kernel;
                 harmorph::Residual::Norms const fast = residual.compute(
-                    plan.equations.matrix, {basis, plan.equations.dof_of, 1}, 12 - n, n);
+                    plan.equations().matrix(), {basis, plan.equations().dof_of(), 1}, 12 - n, n);
                 CHECK(same_bits(expected, {residual.value.begin(), residual.value.end()}));
                 for (Index k = 0; k < n; ++k) CHECK(plain.relative(k) == fast.relative(k));
             }
@@ -358,9 +363,9 @@ TEST_CASE(
         Solved const solved(its, &options);
         harmorph::Plan const& plan = inside(solved.plan);
         harmorph::Basis const basis = in_rows(solved);
-        harmorph::DofValues const dofs(basis, plan.equations.dof_of, 1);
-        harmorph::Matrix const& matrix = plan.equations.matrix;
-        harmorph::Residual residual = plan.refinement.residual;
+        harmorph::DofValues const dofs(basis, plan.equations().dof_of(), 1);
+        harmorph::Matrix const& matrix = plan.equations().matrix();
+        harmorph::Residual residual = plan.refinement().residual;
         REQUIRE(residual.subtrees.count > 4);
         REQUIRE(matrix.fixed_row.count() > 0);
         Index const n = residual.width, wrong = matrix.n / 3;
@@ -372,7 +377,7 @@ TEST_CASE(
         for (Index const threads : {1, 2, 3, 8}) {
             Backwards order;
             hm_executor const executor = order.executor(threads);
-            residual.subtrees = plan.refinement.residual.subtrees;
+            residual.subtrees = plan.refinement().residual.subtrees;
             residual.executor = {executor.run, executor.user, threads};
             harmorph::Residual::Norms const shared = residual.compute(matrix, dofs, 0, n);
             CHECK((order.calls > 0) == (threads > 1));

@@ -57,7 +57,7 @@ TEST_CASE(
             std::vector<double> k(static_cast<std::size_t>(mesh.n_cells));
             for (double& one : k) one = std::exp(uniform(random));
             AssembledMatrix its_matrix(*seen.operator->());
-            Index const bad = assemble_stiffness(seen->topology, mesh.points, span(k), false,
+            Index const bad = assemble_stiffness(seen->topology(), mesh.points, span(k), false,
                                                  its_matrix.matrix, {});
             REQUIRE(bad == harmorph::none);
             DenseMatrix const expected = of_finite_elements(mesh, k), found = its_matrix.unknowns();
@@ -68,7 +68,7 @@ TEST_CASE(
                 double const scale = expected.at(p, p);
                 double known = 0;  // the row sum is what the columns of known values take
                 for (std::size_t q = 0; q < static_cast<std::size_t>(mesh.n_points); ++q)
-                    known -= seen->graph.unknown[q] == harmorph::none ? expected.at(p, q) : 0;
+                    known -= seen->graph().unknown[q] == harmorph::none ? expected.at(p, q) : 0;
                 double const sum = its_matrix.matrix.row_sum[i];
                 sums.add(std::fabs(sum - known) > 1e-13 * scale, static_cast<Index>(i), sum);
                 for (std::size_t j = 0; j < its_matrix.size(); ++j) {
@@ -99,8 +99,8 @@ TEST_CASE("the first cell without positive area is returned, wherever it lies am
                     return is_inverted(harmorph::CellShape(cell, mesh.points, false));
                 });
                 n_inverted += first != harmorph::none ? 1 : 0;
-                CHECK(assemble_stiffness(seen->topology, mesh.points, {}, false, its_matrix.matrix,
-                                         {}) == first);
+                CHECK(assemble_stiffness(seen->topology(), mesh.points, {}, false,
+                                         its_matrix.matrix, {}) == first);
             }
             its.mesh.x[point] = before;
         }

@@ -109,11 +109,11 @@ TEST_CASE("the rows of a matrix are its unknowns' part, and its faces are the me
     Case its = two_body_case(Cells::hybrid, 8, 5);
     Analysed const seen(its);
     FrontMatrix const front(*seen.operator->());
-    harmorph::Edges const& edges = seen->topology.edges;
+    harmorph::Edges const& edges = seen->topology().edges;
     int faces = 0, diagonals = 0;
     front.rows.for_each([&](Index i, Index j, Offset e) {
-        Index const p = seen->graph.point(front.order[static_cast<std::size_t>(i)]);
-        Index const q = seen->graph.point(front.order[static_cast<std::size_t>(j)]);
+        Index const p = seen->graph().point(front.order[static_cast<std::size_t>(i)]);
+        Index const q = seen->graph().point(front.order[static_cast<std::size_t>(j)]);
         bool const is_edge = edges.find(p, q) != harmorph::none;
         CHECK(front.rows.faces[e] == (is_edge ? 1 : 0));
         ++(is_edge ? faces : diagonals);

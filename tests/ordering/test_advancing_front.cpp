@@ -12,32 +12,32 @@ namespace {
 
 // Cells from each unknown to the nearest point that is not unknown, or to a free boundary.
 std::vector<int> depth_of(harmorph::Analysis const& a) {
-    std::vector<int> depth(static_cast<std::size_t>(a.graph.n), -1);
+    std::vector<int> depth(static_cast<std::size_t>(a.graph().n), -1);
     int reached = 0;
     auto const set = [&](Index u, int to) {
         if (u == harmorph::none || depth[static_cast<std::size_t>(u)] >= 0) return;
         depth[static_cast<std::size_t>(u)] = to;
         ++reached;
     };
-    harmorph::for_each_pair(a.topology, [&](Index p, Index q) {
-        if (!is_unknown(a.kinds[p])) set(a.graph.unknown[q], 0);
-        if (!is_unknown(a.kinds[q])) set(a.graph.unknown[p], 0);
+    harmorph::for_each_pair(a.topology(), [&](Index p, Index q) {
+        if (!is_unknown(a.kinds()[p])) set(a.graph().unknown[q], 0);
+        if (!is_unknown(a.kinds()[q])) set(a.graph().unknown[p], 0);
     });
-    for (Index u = 0; u < a.graph.n; ++u)
-        if (a.kinds[a.graph.point(u)] == harmorph::PointKind::free) set(u, 0);
-    for (int layer = 0; reached < a.graph.n; ++layer)
-        for (Index u = 0; u < a.graph.n; ++u)
+    for (Index u = 0; u < a.graph().n; ++u)
+        if (a.kinds()[a.graph().point(u)] == harmorph::PointKind::free) set(u, 0);
+    for (int layer = 0; reached < a.graph().n; ++layer)
+        for (Index u = 0; u < a.graph().n; ++u)
             if (depth[static_cast<std::size_t>(u)] == layer)
-                for (Index const v : a.graph.of(u)) set(v, layer + 1);
+                for (Index const v : a.graph().of(u)) set(v, layer + 1);
     return depth;
 }
 
 std::vector<char> quad_corners(harmorph::Analysis const& a) {
-    std::vector<char> out(static_cast<std::size_t>(a.graph.n), 0);
-    for (Index c = 0; c < a.problem.mesh.n_cells; ++c) {
-        harmorph::Cell const cell = a.problem.mesh.cell(c);
+    std::vector<char> out(static_cast<std::size_t>(a.graph().n), 0);
+    for (Index c = 0; c < a.problem().mesh.n_cells; ++c) {
+        harmorph::Cell const cell = a.problem().mesh.cell(c);
         for (Index k = 0; cell.n == 4 && k < 4; ++k) {
-            Index const u = a.graph.unknown[a.topology.representative[cell.point[k]]];
+            Index const u = a.graph().unknown[a.topology().representative[cell.point[k]]];
             if (u != harmorph::none) out[static_cast<std::size_t>(u)] = 1;
         }
     }

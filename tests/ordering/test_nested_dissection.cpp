@@ -78,7 +78,7 @@ TEST_CASE("graphs of meshes") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Case its = two_body_case(kind, 20, 14);
         Analysed const seen(its);
-        harmorph::Graph const& graph = seen->graph;
+        harmorph::Graph const& graph = seen->graph();
         HandMadeGraph copy;
         for (Index u = 0; u < graph.n; ++u) {
             Point const p = its.mesh.point(graph.point(u));

@@ -24,12 +24,12 @@ public:
         harmorph::Analysis const& a = inside(seen.analysis);
         AssembledMatrix assembled(a);
         harmorph::Matrix const& m = assembled.matrix;
-        REQUIRE(assemble_stiffness(a.topology, a.problem.mesh.points, span(conductivity), true, m,
-                                   {}) == harmorph::none);
+        REQUIRE(assemble_stiffness(a.topology(), a.problem().mesh.points, span(conductivity), true,
+                                   m, {}) == harmorph::none);
         Index const components = m.components();
         entries_.assign(n * n, 0);
         is_unknown.assign(n, 0);
-        auto const line = [&](Index position) { return a.graph.line[a.order[position]]; };
+        auto const line = [&](Index position) { return a.graph().line[a.order()[position]]; };
         for (Index i = 0; i < m.n; ++i) {
             is_unknown[static_cast<std::size_t>(line(i) / components)] = 1;
             add(line(i), line(i), components, {m.diagonal[i], 0});
@@ -42,7 +42,7 @@ public:
         for (Index wall = 0; wall + 1 < m.coupling_start.count(); ++wall)
             for (Index c = m.coupling_start[wall]; c < m.coupling_start[wall + 1]; ++c) {
                 Index const its_line =
-                    components * a.wall.point[wall / components] + wall % components;
+                    components * a.wall().point[wall / components] + wall % components;
                 Complex const value{m.coupling_value[c],
                                     m.is_complex() ? m.coupling_imaginary[c] : 0};
                 add(line(m.coupling_row[c]), its_line, components, value);

@@ -20,7 +20,7 @@ double residual_of(Case& its, Field field) {
     auto const at = [&](Index point) { return field(its.mesh.point(point)); };
     DenseMatrix const a = laplace.unknowns();
     std::vector<double> sum =
-        laplace.couplings_times([&](Index slot) { return at(seen->wall.point[slot]); });
+        laplace.couplings_times([&](Index slot) { return at(seen->wall().point[slot]); });
     double worst = 0, size = 0;
     for (std::size_t i = 0; i < laplace.size(); ++i) {
         for (std::size_t j = 0; j < laplace.size(); ++j) {

@@ -64,7 +64,7 @@ Case plate(std::vector<double> const& steps, Cells kind, double lean) {
 // elimination with twice a double's digits.
 double largest_error(Attempt const& solved) {
     harmorph::Plan const& plan = inside(solved.plan);
-    harmorph::Matrix const& matrix = plan.equations.matrix;
+    harmorph::Matrix const& matrix = plan.equations().matrix();
     std::size_t const n = static_cast<std::size_t>(matrix.n);
     std::vector<DoubleDouble> a(n * n, 0);
     auto const at = [&](Index i, Index j) -> DoubleDouble& {
@@ -81,13 +81,13 @@ double largest_error(Attempt const& solved) {
         at(matrix.fixed_row[h], matrix.fixed_row[h]) -= matrix.fixed_value[h];
     std::vector<std::vector<double>> values;
     for (std::int32_t f = 0; f < solved.report.functions; ++f) {
-        values.emplace_back(plan.equations.matrix.row_of.size());
+        values.emplace_back(plan.equations().matrix().rows_of_dofs().size());
         REQUIRE(hm_basis_values(solved.basis, f, 0, values.back().data(), nullptr) == HM_OK);
     }
     std::vector<std::vector<DoubleDouble>> sides(values.size(), std::vector<DoubleDouble>(n, 0));
-    for (Index point = 0; point < matrix.row_of.count(); ++point) {
-        if (!harmorph::Matrix::is_wall(matrix.row_of[point])) continue;
-        Index const wall = harmorph::Matrix::wall(matrix.row_of[point]);
+    for (Index point = 0; point < matrix.rows_of_dofs().count(); ++point) {
+        if (!harmorph::Matrix::is_wall(matrix.row_of(point))) continue;
+        Index const wall = harmorph::Matrix::wall(matrix.row_of(point));
         for (Index c = matrix.coupling_start[wall]; c < matrix.coupling_start[wall + 1]; ++c) {
             Index const i = matrix.coupling_row[c];
             DoubleDouble const entry = matrix.coupling_value[c];
@@ -113,7 +113,7 @@ double largest_error(Attempt const& solved) {
                 x -= at(k, c) * sides[f][static_cast<std::size_t>(c)];
             x /= at(k, k);
             double const error = std::fabs(
-                (x - values[f][static_cast<std::size_t>(plan.equations.point_of(k))]).high);
+                (x - values[f][static_cast<std::size_t>(plan.equations().point_of(k))]).high);
             if (!(error <= worst)) worst = error;
         }
     return worst;
@@ -168,7 +168,7 @@ TEST_CASE(
                                       << solved.error.text);
                         if (solved.status == HM_OK) {
                             CHECK(error < 1e-9);
-                            ++(inside(solved.plan).engine.trusted() ? trusted : refined);
+                            ++(inside(solved.plan).engine().trusted() ? trusted : refined);
                             continue;
                         }
                         CHECK(solved.status == HM_NOT_CONVERGED);
@@ -190,7 +190,7 @@ TEST_CASE(
                              Cells::quads, lean);
             Options const options = options_of(HM_LAPLACE);
             Attempt const solved(its.problem(), &options);
-            CHECK(inside(solved.plan).engine.trusted());
+            CHECK(inside(solved.plan).engine().trusted());
             CHECK(largest_error(solved) < 1e-11);
         }
 }
@@ -225,7 +225,7 @@ TEST_CASE("a factor that is damaged is healed by refinement, or the functions ar
         Options const options = options_of(HM_LAPLACE);
         Solved solved(its, &options);
         harmorph::Span<double> const factor =
-            inside(solved.plan).engine.direct.factor.doubles.factor;
+            inside(solved.plan).engine().direct.factor.doubles.factor;
         std::mt19937 random(3);
         for (int k = 0; k < 60; ++k) {
             double& entry = factor[random() % factor.size()];

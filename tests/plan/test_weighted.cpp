@@ -13,7 +13,7 @@ namespace {
 DenseMatrix assembled(Case& its, std::vector<double> const& k) {
     Analysed const seen(its);
     AssembledMatrix matrix(*seen.operator->());
-    REQUIRE(assemble_stiffness(seen->topology, seen->problem.mesh.points, span(k), false,
+    REQUIRE(assemble_stiffness(seen->topology(), seen->problem().mesh.points, span(k), false,
                                matrix.matrix, {}) == harmorph::none);
     return matrix.unknowns();
 }

@@ -45,10 +45,10 @@ struct Carried {
         harmorph::Arena placing(block->data(), block->size());
         lay_out(placing);
         path.init(basis, move.data());
-        carried.init(basis, path, plan.mesh.points);
+        carried.init(basis, path, plan.mesh().points);
         CHECK(block->guards_intact());
     }
-    Complex start(Index slot) const { return number(plan.mesh.points[basis.wall_point[slot]]); }
+    Complex start(Index slot) const { return number(plan.mesh().points[basis.wall_point[slot]]); }
     Complex on_curve(Index slot) const {
         return number(curve_point(basis.curve(basis.wall_curve[slot]), basis.wall_u[slot]));
     }
@@ -115,8 +115,8 @@ TEST_CASE("inside, the similarity is carried near the wall and fades with the di
     for (std::int32_t const marker : {std::int32_t{body}, std::int32_t{far_field}})
         for (std::int32_t const k : points_on(its.mesh, marker))
             held[static_cast<std::size_t>(k)] = 1;
-    harmorph::Points const start = of.plan.mesh.points;
-    of.carried.find_groups(of.basis, of.path, start, of.plan.equations.wall, span(representative),
+    harmorph::Points const start = of.plan.mesh().points;
+    of.carried.find_groups(of.basis, of.path, start, of.plan.walls(), span(representative),
                            span(held), {});
     of.carried.find(of.basis, span(reached), start, span(representative), {});
     of.carried.add(of.path, 0, 1, {dx.data(), dy.data(), 1}, {});

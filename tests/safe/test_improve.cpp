@@ -51,7 +51,7 @@ struct Improved {
     explicit Improved(Task const& its, harmorph::Executor const& executor = {}, bool runs = true,
                       ImproveOptions const& options = {})
         : mesh(its.now), analysed(its.reference), view(core_mesh(its.reference)) {
-        auto const counts = harmorph::RegionCounts::of(analysed->topology);
+        auto const counts = harmorph::RegionCounts::of(analysed->topology());
         auto const lay_out = [&](harmorph::Arena& arena) {
             walls.lay_out(arena, its.reference.face_markers.size());
             improvement.lay_out(arena, counts);
@@ -62,17 +62,17 @@ struct Improved {
         harmorph::Arena arena(block->data(), query.bytes());
         lay_out(arena);
         REQUIRE(!arena.overflown());
-        walls.choose(analysed->boundary,
-                     [&](Index face) { return analysed->boundary.marker[face] == body; });
+        walls.choose(analysed->boundary(),
+                     [&](Index face) { return analysed->boundary().marker[face] == body; });
         walls.build(view.points);
         improvement.tangle = {view,
                               view.points,
-                              analysed->topology.reversed,
-                              analysed->topology.representative,
+                              analysed->topology().reversed,
+                              analysed->topology().representative,
                               span(its.held),
                               span(its.line)};
         improvement.executor = executor;
-        improvement.targets.find(analysed->topology, walls, view.points, at(), executor);
+        improvement.targets.find(analysed->topology(), walls, view.points, at(), executor);
         before = quality();
         if (!runs) return;
         improvement.run(options, at(), {mesh.x.data(), mesh.y.data(), 1}, report);
@@ -87,7 +87,7 @@ struct Improved {
     }
     harmorph::Points at() const { return {mesh.x.data(), mesh.y.data(), 1}; }
     Quality quality() const {
-        return harmorph::measure_quality(analysed->topology, at(), view.points, {});
+        return harmorph::measure_quality(analysed->topology(), at(), view.points, {});
     }
     bool same_bits(Mesh const& other) const { return mesh.x == other.x && mesh.y == other.y; }
 };
@@ -191,7 +191,7 @@ TEST_CASE("every step lowers the energy of its power and leaves no cell inverted
             steps += after < before;
             before = after;
             harmorph::Points const now = harmorph::as_points(out.improvement.now);
-            CHECK(harmorph::measure_quality(out.analysed->topology, now, {}, {}).inverted == 0);
+            CHECK(harmorph::measure_quality(out.analysed->topology(), now, {}, {}).inverted == 0);
         }
     }
     CHECK(steps > 12);

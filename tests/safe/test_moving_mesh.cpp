@@ -24,7 +24,7 @@ struct Moving {
         block = std::make_unique<Guarded>(counting.bytes());
         harmorph::Arena placing(block->data(), block->size());
         mesh.lay_out(placing, plan, basis.header->counts);
-        plan.equations.wall.build(plan.mesh.points);
+        plan.walls_at(plan.mesh().points);
         mesh.init(plan, basis, move.data());
         CHECK(block->guards_intact());
     }

@@ -41,7 +41,7 @@ struct System {
                          amount = held[k] != 0 ? 0 : reach;
             at[k] = {mesh.x[k] + amount * dx, mesh.y[k] + amount * dy};
         }
-        auto const counts = harmorph::RegionCounts::of(analysed->topology);
+        auto const counts = harmorph::RegionCounts::of(analysed->topology());
         auto const lay_out = [&](harmorph::Arena& arena) {
             region.lay_out(arena, counts);
             newton.lay_out(arena, counts);
@@ -51,8 +51,8 @@ struct System {
         block.resize(query.bytes());
         harmorph::Arena arena(block.data(), block.size());
         lay_out(arena);
-        tangle = {view, view.points, analysed->topology.reversed, analysed->topology.representative,
-                  span(held)};
+        tangle = {view, view.points, analysed->topology().reversed,
+                  analysed->topology().representative, span(held)};
         region.link(tangle);
         region.grow(tangle, harmorph::Region::whole);
     }

@@ -28,14 +28,14 @@ struct Grown {
     explicit Grown(Mesh const& its_mesh)
         : mesh(its_mesh), view(core_mesh(mesh)), held(mesh.x.size(), 0), analysed(mesh) {
         for (std::int32_t const point : mesh.faces) held[static_cast<std::size_t>(point)] = 1;
-        auto const counts = harmorph::RegionCounts::of(analysed->topology);
+        auto const counts = harmorph::RegionCounts::of(analysed->topology());
         harmorph::Arena query;
         region.lay_out(query, counts);
         block.resize(query.bytes());
         harmorph::Arena arena(block.data(), block.size());
         region.lay_out(arena, counts);
-        tangle = {view, view.points, analysed->topology.reversed, analysed->topology.representative,
-                  span(held)};
+        tangle = {view, view.points, analysed->topology().reversed,
+                  analysed->topology().representative, span(held)};
         region.link(tangle);
     }
     std::set<Index> corners(Index cell) const {

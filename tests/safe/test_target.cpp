@@ -22,7 +22,7 @@ struct Aim {
         REQUIRE(attempt.status == HM_OK);
         harmorph::Analysis const& analysis = inside(attempt.analysis);
         for (Index k = 0; k < static_cast<Index>(x.size()); ++k) {
-            bool const is_inner = analysis.kinds[k] == harmorph::PointKind::inside;
+            bool const is_inner = analysis.kinds()[k] == harmorph::PointKind::inside;
             ends.push_back(is_inner ? EndOf::unknown : EndOf::prescribed);
         }
     }
@@ -36,13 +36,13 @@ struct Aim {
     }
     Status check() {
         harmorph::Analysis const& analysis = inside(attempt.analysis);
-        harmorph::Boundary const& boundary = analysis.boundary;
+        harmorph::Boundary const& boundary = analysis.boundary();
         harmorph::Points const start{its.mesh.x.data(), its.mesh.y.data(), 1},
             at_target{x.data(), y.data(), 1};
         fault = {};
         crossing = {};
         return harmorph::check_target(
-            {analysis.topology, boundary.point.first(boundary.count),
+            {analysis.topology(), boundary.point.first(boundary.count),
              boundary.loop_start.first(boundary.n_loops + 1), span(ends), start, at_target},
             crossing, fault);
     }

@@ -39,10 +39,10 @@ struct Found {
         block.resize(query.bytes());
         harmorph::Arena arena(block.data(), block.size());
         lay_out(arena);
-        harmorph::Boundary const& boundary = analysed->boundary;
+        harmorph::Boundary const& boundary = analysed->boundary();
         walls.choose(boundary, [&](Index face) { return boundary.marker[face] == body; });
         walls.build(view.points);
-        targets.find(analysed->topology, walls, view.points, points(now), {});
+        targets.find(analysed->topology(), walls, view.points, points(now), {});
     }
     static harmorph::Points points(Mesh const& of) { return {of.x.data(), of.y.data(), 1}; }
     // visit(cell, three points) of all corners.
@@ -143,9 +143,9 @@ TEST_CASE(
     Found const its(mesh, moved);
     harmorph::Points const at = Found::points(moved), before = Found::points(mesh);
     harmorph::Quality const whole =
-        harmorph::measure_quality(its.analysed->topology, at, before, {});
+        harmorph::measure_quality(its.analysed->topology(), at, before, {});
     harmorph::Quality const start =
-        harmorph::measure_quality(its.analysed->topology, before, {}, {});
+        harmorph::measure_quality(its.analysed->topology(), before, {}, {});
     double sum = 0, least = 1;
     for (Index i = 0; i < its.view.n_cells; ++i) {
         harmorph::CellShape const shape(its.view.cell(i), at, false),

@@ -68,7 +68,7 @@ struct Outcome {
                      harmorph::Executor const& executor = {})
         : mesh(its.now), analysed(its.reference) {
         harmorph::Mesh const view = core_mesh(its.reference);
-        auto const counts = harmorph::RegionCounts::of(analysed->topology);
+        auto const counts = harmorph::RegionCounts::of(analysed->topology());
         Untangling untangling;
         harmorph::Arena query;
         untangling.lay_out(query, counts);
@@ -77,8 +77,8 @@ struct Outcome {
         untangling.lay_out(arena, counts);
         CHECK(!arena.overflown());
         CHECK(arena.bytes() == query.bytes());
-        untangling.tangle = {view, view.points, analysed->topology.reversed,
-                             analysed->topology.representative, span(its.held)};
+        untangling.tangle = {view, view.points, analysed->topology().reversed,
+                             analysed->topology().representative, span(its.held)};
         untangling.executor = executor;
         status = untangling.run(options, {mesh.x.data(), mesh.y.data(), 1}, report, fault);
         CHECK(block.guards_intact());

@@ -4,6 +4,7 @@
 #include "curves/curve_file.hpp"
 #include "commands/engine.hpp"
 #include "basics/numbers.hpp"
+#include "basics/operators.hpp"
 #include "mesh/side_pair.hpp"
 
 #include <algorithm>
@@ -152,27 +153,6 @@ void make_periodic(const Arguments& arguments, const Mesh& mesh, Task& task,
                      in_quotes(binding));
 }
 
-std::int32_t operator_of(const Arguments& arguments) {
-    if (!arguments.has("--operator")) return HM_CONFORMAL;
-    const std::string name = arguments.text("--operator");
-    if (name == "conformal") return HM_CONFORMAL;
-    if (name == "laplace") return HM_LAPLACE;
-    if (name == "weighted") return HM_WEIGHTED;
-    arguments.refuse("--operator is laplace, weighted or conformal, found " + in_quotes(name));
-}
-
-std::int32_t scheme_of(const Arguments& arguments) {
-    if (!arguments.has("--scheme")) return HM_COMPACT;
-    const std::string name = arguments.text("--scheme");
-    if (name == "compact") return HM_COMPACT;
-    if (name == "nodal-gradient") return HM_NODAL_GRADIENT;
-    if (name == "nodal-gradient-plain") return HM_NODAL_GRADIENT_PLAIN;
-    if (name == "bounded") return HM_BOUNDED;
-    arguments.refuse(
-        "--scheme is compact, nodal-gradient, nodal-gradient-plain or bounded, found " +
-        in_quotes(name));
-}
-
 std::int32_t quarters_of(const Arguments& arguments) {
     if (!arguments.has("--exponent")) return 0;
     double exponent = 0;
@@ -186,10 +166,24 @@ std::int32_t quarters_of(const Arguments& arguments) {
     return quarters == 0 ? HM_NO_WEIGHT : quarters;
 }
 
+// Conditions that need nothing but markers.
+struct PlainCondition {
+    Option option;
+    std::int32_t kind;
+    bool is_common;  // an option of all commands that solve; otherwise of some, which describe it
+};
+const PlainCondition plain_conditions[] = {
+    {{"--given", nullptr, nullptr}, HM_GIVEN, false},
+    {{"--free", "G[,H..]",
+      "markers whose points may move off their line (may be repeated; not with conformal)"},
+     HM_FREE,
+     true},
+};
+
 }  // namespace
 
 std::vector<Option> task_options() {
-    return {
+    std::vector<Option> of_conditions = {
         {"--curve", "A[,B..]=CURVE",
          "markers, and the file with the curves they lie on (may be repeated). A@X:Y is the piece\n"
          "of marker A nearest to (X, Y): one of several bodies or sides, here and below"},
@@ -203,15 +197,11 @@ std::vector<Option> task_options() {
         {"--periodic", "E:F",
          "a pair of markers, one the other moved: their points move alike; or one the other "
          "turned, as\n"
-         "the sides of a passage of an annulus: then their points move turned (may be repeated)"},
-        {"--free", "G[,H..]",
-         "markers whose points may move off their line (may be repeated; not with conformal)"},
-        {"--operator", "OPERATOR",
-         "conformal (default): keeps angles near the wall, takes large movements; laplace: the\n"
-         "harmonic functions of the paper; weighted: harmonic with a conductivity 1/d^Q"},
-        {"--exponent", "Q",
-         "of the distance d to what moves, 0 to 4 in steps of 1/4\n(default 1.5 for conformal, 1 "
-         "for weighted)"},
+         "the sides of a passage of an annulus: then their points move turned (may be repeated)"}};
+    for (const PlainCondition& plain : plain_conditions) {
+        if (plain.is_common) of_conditions.push_back(plain.option);
+    }
+    const std::vector<Option> of_scheme = {
         {"--scheme", "SCHEME",
          "compact (default): on the mesh's cells; bounded: on Delaunay triangles of its points, so "
          "that\n"
@@ -221,6 +211,7 @@ std::vector<Option> task_options() {
         {"--offset-correction", nullptr,
          "conformal: what the mesh is off its curve turns with the curve"},
         {"--tol", "T", "largest relative residual that counts as converged (default 1e-10)"}};
+    return of_conditions + operator_options() + of_scheme;
 }
 
 Task task_of(const Arguments& arguments, const Mesh& mesh) {
@@ -228,7 +219,11 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
     task.options.tolerance = arguments.positive("--tol", 1e-10);
     task.options.operator_kind = operator_of(arguments);
     task.options.exponent_quarters = quarters_of(arguments);
-    task.options.scheme = scheme_of(arguments);
+    task.options.scheme =
+        arguments.choice("--scheme", {{"compact", HM_COMPACT},
+                                      {"nodal-gradient", HM_NODAL_GRADIENT},
+                                      {"nodal-gradient-plain", HM_NODAL_GRADIENT_PLAIN},
+                                      {"bounded", HM_BOUNDED}});
     task.options.offset_correction = arguments.has("--offset-correction") ? 1 : 0;
     set_engine(arguments, task.options);
     for (const std::string& binding : arguments.all("--curve"))
@@ -238,17 +233,15 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
         make_rigid(arguments, mesh, task, binding, body++);
     for (const std::string& binding : arguments.all("--periodic"))
         make_periodic(arguments, mesh, task, binding);
-    const auto add = [&](const char* option, std::int32_t kind) {
-        for (const std::string& tags : arguments.all(option)) {
+    for (const PlainCondition& plain : plain_conditions) {
+        for (const std::string& tags : arguments.all(plain.option.name)) {
             for (const MarkerPiece& piece : mesh.find_pieces(tags)) {
-                add_condition(arguments, mesh, task, condition_on(piece, kind));
+                add_condition(arguments, mesh, task, condition_on(piece, plain.kind));
             }
         }
-    };
-    add("--given", HM_GIVEN);
+    }
     for (const std::string& binding : arguments.all("--slip"))
         let_slide(arguments, mesh, task, binding);
-    add("--free", HM_FREE);
     return task;
 }
 

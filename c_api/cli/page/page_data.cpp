@@ -1,6 +1,7 @@
 #include "page/page_data.hpp"
 
 #include "basics/json.hpp"
+#include "basics/operators.hpp"
 
 #include <cstring>
 #include <filesystem>
@@ -73,7 +74,7 @@ public:
         object_.add("points", static_cast<std::int64_t>(selection_.points.size()))
             .add("in_cells", selection_.in_cells);
         object_.add("cells", static_cast<std::int64_t>(selection_.cells.size()));
-        object_.add("operator", std::string(operator_name()))
+        object_.add("operator", std::string(operator_named(basis_.info().operator_kind).functions))
             .add("numbers", basis_.info().numbers_per_value);
         add_points();
         add_cells();
@@ -109,11 +110,6 @@ public:
     }
 
 private:
-    const char* operator_name() const {
-        static const char* const names[] = {"conformal", "harmonic", "weighted harmonic"};
-        return names[basis_.info().operator_kind];
-    }
-
     template <class Number>
     void add_array(const char* key, const std::vector<Number>& numbers) {
         object_.add(key, base64(numbers));

@@ -5,6 +5,7 @@
 #include "pictures/function_bands.hpp"
 #include "pictures/mesh_lines.hpp"
 #include "basics/numbers.hpp"
+#include "basics/operators.hpp"
 #include "pictures/triangles.hpp"
 
 #include <algorithm>
@@ -54,18 +55,15 @@ Range range_of(const FunctionPanel& panel) {
     return {*ends.first, *ends.second};
 }
 
-std::string operator_name(const FunctionPanel& panel) {
-    switch (panel.basis->info().operator_kind) {
-        case HM_LAPLACE: return "harmonic";
-        case HM_WEIGHTED: return "weighted harmonic";
-        default: return "conformal";
-    }
+const OperatorName& operator_of(const FunctionPanel& panel) {
+    return operator_named(panel.basis->info().operator_kind);
 }
 
+std::string functions_of(const FunctionPanel& panel) { return operator_of(panel).functions; }
+
 std::string exponent(const FunctionPanel& panel) {
-    const hm_basis_info& info = panel.basis->info();
-    return info.operator_kind == HM_LAPLACE ? ""
-                                            : "exponent " + brief(info.exponent_quarters / 4.0);
+    if (operator_of(panel).usual_weight == nullptr) return "";
+    return "exponent " + brief(panel.basis->info().exponent_quarters / 4.0);
 }
 
 // Which of a value's numbers a panel shows.
@@ -126,7 +124,7 @@ struct Words {
 // What all panels have in common stands in the title, the rest over each of them.
 Words words_of(const std::vector<FunctionPanel>& panels) {
     const auto kind = [](const FunctionPanel& panel) {
-        return joined(operator_name(panel), exponent(panel));
+        return joined(functions_of(panel), exponent(panel));
     };
     const bool one_subject = common(panels, subject), one_kind = common(panels, kind),
                one_number = common(panels, number_name);
@@ -152,8 +150,8 @@ Words words_of(const std::vector<FunctionPanel>& panels) {
     for (const FunctionPanel& panel : panels) {
         std::string head = one_subject ? "" : subject(panel);
         if (!one_kind)
-            head = joined(head,
-                          common(panels, operator_name) ? exponent(panel) : operator_name(panel));
+            head =
+                joined(head, common(panels, functions_of) ? exponent(panel) : functions_of(panel));
         if (!one_number) head = joined(head, number_name(panel));
         const Range range = range_of(panel);
         words.heads.push_back(capitalised(head) + ": " + rounded(range.low) + " to " +

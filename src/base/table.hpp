@@ -1,0 +1,22 @@
+// Tables with a row for each value of an enumeration, and sets of such values.
+#pragma once
+
+#include "base/types.hpp"
+
+namespace harmorph {
+
+template <class... Values>
+constexpr unsigned set_of(Values... values) noexcept {
+    return ((1u << static_cast<unsigned>(values)) | ... | 0u);
+}
+template <class Value>
+constexpr bool contains(unsigned set, Value value) noexcept {
+    return (set >> static_cast<unsigned>(value) & 1u) != 0;
+}
+// Is the number that of a row of a table?
+template <class Row, Size n>
+constexpr bool has_row(Row const (&)[n], std::int32_t number) noexcept {
+    return number >= 0 && static_cast<Size>(number) < n;
+}
+
+}  // namespace harmorph
