@@ -15,8 +15,8 @@ struct FinerTask {
     Status open(const hm_curves* curves, CallFault& fault) noexcept {
         HARMORPH_TRY(view_curves(curves, view, fault));
         if (refinement.curve < 0 || refinement.curve >= view.count()) {
-            return fault.refuse(Status::bad_argument, "there is no curve # (from 0); the set has @",
-                                Counts::from_zero, refinement.curve, view.count());
+            return fault.refuse(Status::bad_argument, "there is no curve #; the set has @",
+                                curve_item(refinement.curve), plain(view.count()));
         }
         for (Index i = 0; i < view.count(); ++i) {
             Curve curve;
@@ -32,8 +32,7 @@ struct FinerTask {
 Status view_knots(Index n, const double* u, CurveRefinement& refinement, Fault& fault) noexcept {
     constexpr Index most = Index{1} << 24;
     if (n < 0 || n > most) {
-        return fault.refuse(Status::bad_argument, "n must be between 0 and 2^24, not #",
-                            Counts::from_zero, n);
+        return fault.refuse(Status::bad_argument, "n must be between 0 and 2^24, not #", plain(n));
     }
     if (n > 0) HARMORPH_TRY(require({{"u", u}}, fault));
     refinement.knots = {u, static_cast<Size>(n)};

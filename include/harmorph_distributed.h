@@ -66,7 +66,7 @@ typedef struct hm_edge {           /* 56 bytes for ever: no pointers, to be sent
 HM_API hm_status hm_part_edges(const hm_part *part, hm_edge *edges, int32_t capacity, int32_t *n, hm_error *err);
 /* Edges [*n] of several parts, all that have the same two ends among them, in any order: two that run in opposite
  * directions are one edge inside the mesh, and are dropped. On return *n edges are left, in the order of their numbers:
- * boundary faces and open edges. Refused (HM_BAD_MESH; item: global number of a point, -1 above 2^31 - 1): a point with
+ * boundary faces and open edges. Refused (HM_BAD_MESH; item: HM_ITEM_GLOBAL_POINT; HM_ITEM_NONE above 2^31 - 1): a point with
  * two positions, an edge of more than two cells, cells that overlap, a marker on an edge that has cells on both sides.
  * Some edges may be in another order then. */
 HM_API hm_status hm_match_edges(hm_edge *edges, int64_t *n, hm_error *err);

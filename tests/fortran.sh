@@ -98,14 +98,6 @@ check "a copy in parentheses is refused" is_refused_by_compiler "double precisio
 stat_and_err_last() { ! tr '\n' '~' <"$build/harmorph.f90" | sed 's/&~ *//g' | tr '~' '\n' |
     grep -E '^ *subroutine .*\bstat\b' | grep -v 'stat, err)$'; }
 check "stat and err are the last arguments of every call" stat_and_err_last
-# "(from 0)" behind each number of this kind is what the module looks for, to make it count from 1.
-unmarked_numbers() {
-    grep -ohE '"[^"]*[#@][^"]*"' c_api/*.cpp src/*/*.cpp | sed 's/[#@] (from 0)//g' |
-        grep -E '(curve|condition|function|knot|index|entry|level|part|parameter|body|piece|basis) [#@]'
-}
-all_marked() { ! unmarked_numbers; }
-check "texts say which numbers count from 0" all_marked
-
 check "layout.c" $CC -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude $CFLAGS -c tests/layout.c -o "$dir/layout_c.o"
 check "layout.f90" quietly $FC $strict $FFLAGS $checks -I"$dir/checked" -J"$dir" -c tests/layout.f90 -o "$dir/layout.o"
 check "link of layout" $FC $FFLAGS "$dir/layout.o" "$dir/layout_c.o" "$dir/checked/harmorph.o" "$build/libharmorph.a" \

@@ -14,8 +14,16 @@ int32_t layout_of(int32_t number, int64_t* numbers) {
         case 1:
             PUT(sizeof(TYPE));
             AT(code);
+            AT(item_kind);
             AT(item);
+            AT(item_base);
+            AT(other_kind);
+            AT(other);
+            AT(other_base);
+            AT(reserved);
             AT(value);
+            AT(x);
+            AT(y);
             AT(text);
             break;
 #undef TYPE
@@ -86,7 +94,7 @@ int32_t layout_of(int32_t number, int64_t* numbers) {
             AT(degree);
             AT(n_control);
             AT(closed);
-            AT(reserved);
+            AT(index_base);
             break;
 #undef TYPE
 #define TYPE hm_fit_report
@@ -348,6 +356,24 @@ int32_t layout_of(int32_t number, int64_t* numbers) {
             PUT(HM_NOT_POSITIVE);
             PUT(HM_UNSUPPORTED);
             PUT(HM_CROSSING);
+            PUT(HM_ITEM_NONE);
+            PUT(HM_ITEM_POINT);
+            PUT(HM_ITEM_CELL);
+            PUT(HM_ITEM_SIDE);
+            PUT(HM_ITEM_MARKER);
+            PUT(HM_ITEM_CURVE);
+            PUT(HM_ITEM_CONTROL_POINT);
+            PUT(HM_ITEM_CONDITION);
+            PUT(HM_ITEM_FUNCTION);
+            PUT(HM_ITEM_BODY);
+            PUT(HM_ITEM_LIST);
+            PUT(HM_ITEM_BLOCK);
+            PUT(HM_ITEM_KNOT);
+            PUT(HM_ITEM_VARIABLE);
+            PUT(HM_ITEM_QUANTITY);
+            PUT(HM_ITEM_FIELD);
+            PUT(HM_ITEM_ENTRY);
+            PUT(HM_ITEM_GLOBAL_POINT);
             break;
         case 20:
             PUT(HM_CELLS_ROWS);

@@ -45,8 +45,10 @@ program layout
     type(hm_c_improve_options), target :: improve_options
     type(hm_improve_report), target :: improve_report
 
-    call compare("hm_error", 1, c_sizeof(error), c_loc(error), [c_loc(error%code), c_loc(error%item), &
-        c_loc(error%value), c_loc(error%text)])
+    call compare("hm_error", 1, c_sizeof(error), c_loc(error), [c_loc(error%code), &
+        c_loc(error%item_kind), c_loc(error%item), c_loc(error%item_base), c_loc(error%other_kind), &
+        c_loc(error%other), c_loc(error%other_base), c_loc(error%reserved), c_loc(error%value), c_loc(error%x), &
+        c_loc(error%y), c_loc(error%text)])
     call compare("hm_executor", 2, c_sizeof(executor), c_loc(executor), [c_loc(executor%struct_size), &
         c_loc(executor%run), c_loc(executor%user), c_loc(executor%n_threads), c_loc(executor%kernel)])
     call compare("hm_mesh", 3, c_sizeof(mesh), c_loc(mesh), [c_loc(mesh%struct_size), c_loc(mesh%index_base), &
@@ -63,7 +65,7 @@ program layout
         c_loc(curves%n_curves), c_loc(curves%curve)])
     call compare("hm_fit_options", 6, c_sizeof(fit_options), c_loc(fit_options), [c_loc(fit_options%struct_size), &
         c_loc(fit_options%degree), c_loc(fit_options%n_control), c_loc(fit_options%closed), &
-        c_loc(fit_options%reserved)])
+        c_loc(fit_options%index_base)])
     call compare("hm_fit_report", 7, c_sizeof(fit_report), c_loc(fit_report), [c_loc(fit_report%struct_size), &
         c_loc(fit_report%max_error), c_loc(fit_report%rms_error), c_loc(fit_report%max_error_point), &
         c_loc(fit_report%closed), c_loc(fit_report%first_point), c_loc(fit_report%base_points), &
@@ -147,7 +149,10 @@ program layout
     call compare_numbers("constants", 19, int([hm_abi, hm_ok, hm_not_converged, hm_moved, hm_short, &
         hm_backtracks, hm_far_from_curve, hm_poor, hm_cancelled, &
         hm_bad_argument, hm_bad_mesh, hm_bad_curve, hm_bad_condition, hm_bad_basis, hm_block_too_small, &
-        hm_not_positive, hm_unsupported, hm_crossing], c_int64_t))
+        hm_not_positive, hm_unsupported, hm_crossing, hm_item_none, hm_item_point, hm_item_cell, hm_item_side, &
+        hm_item_marker, hm_item_curve, hm_item_control_point, hm_item_condition, hm_item_function, hm_item_body, &
+        hm_item_list, hm_item_block, hm_item_knot, hm_item_variable, hm_item_quantity, hm_item_field, hm_item_entry, &
+        hm_item_global_point], c_int64_t))
     call compare_numbers("constants", 20, int([hm_cells_rows, hm_cells_triangles, hm_cells_quads, hm_cells_structured, &
         hm_cells_mixed, hm_cells_blocks, hm_cells_polygons, hm_no_marker, hm_space_auto, hm_planes, hm_wedge, &
         hm_closed_auto, hm_open, hm_tied, hm_periodic, &

@@ -194,7 +194,7 @@ Status VariableMap::factor_and_solve(Fault& fault) noexcept {
             if (!(sum > 1e-14 * diagonal)) {
                 return fault.refuse(Status::bad_curve,
                                     "control point # is not determined by the outline",
-                                    Counts::curves, i);
+                                    control_point_item(i));
             }
             row_of(i)[i] = square_root(sum);
         }
@@ -262,10 +262,9 @@ Status VariableMap::run(Section const& section, Variables const& variables, Faul
     copy(trial, Span<const Real>(wanted));
     DependentColumn const dependent = find_dependent_column(trial, n_, 2);
     if (dependent.column != none) {
-        const char* const text = dependent.is_zero
-                                     ? "variable # (from 0) moves no control point"
-                                     : "variable # (from 0) is a combination of those before";
-        return fault.refuse(Status::bad_condition, text, Counts::from_zero, dependent.column);
+        const char* const text = dependent.is_zero ? "variable # moves no control point"
+                                                   : "variable # is a combination of those before";
+        return fault.refuse(Status::bad_condition, text, variable_item(dependent.column));
     }
     Real total = 0;
     for_each_sample(section, variables, [&](CurvePlace const& place, Real weight) {

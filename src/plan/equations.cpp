@@ -94,7 +94,7 @@ Status Equations::assemble_cells(Points points, Executor const& executor, Fault&
         assemble_stiffness(cells, points, conductivity, method.conformal(), matrix, executor);
     if (inverted == none) return Status::ok;
     return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates",
-                        Counts::mesh, cells.mesh.number(inverted));
+                        cell_item(cells.mesh.number(inverted)));
 }
 
 bool Equations::change_operator(Operator operator_kind, Index quarters) noexcept {
@@ -120,7 +120,8 @@ Status Equations::assemble_edges(Points points, Executor const& executor, Fault&
     if (thin == none) return Status::ok;
     return fault.refuse(Status::bad_mesh,
                         "a triangle at the points # and @ is too thin for its area to be computed",
-                        Counts::mesh, delaunay_edges[thin].begin, delaunay_edges[thin].end);
+                        point_item(delaunay_edges[thin].begin),
+                        point_item(delaunay_edges[thin].end));
 }
 
 }  // namespace harmorph

@@ -57,8 +57,8 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
     HARMORPH_TRY(progress.report(Phase::assembly, 1, fault));
     HARMORPH_TRY(progress.report(Phase::factor, 0, fault));
     Status const status = engine.set_up(equations, points, progress, fault);
-    if (status == Status::not_positive && fault.item != none)
-        fault.item = equations.point_of(fault.item);
+    if (status == Status::not_positive && fault.item.kind == ItemKind::point)
+        fault.item = point_item(equations.point_of(static_cast<Index>(fault.item.number)));
     HARMORPH_TRY(status);
     HARMORPH_TRY(
         engine.examine(equations, refinement.residual.value.first(equations.matrix.n), fault));
@@ -77,8 +77,8 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault,
     if (block_points * Offset{basis.row_length()} > static_cast<Offset>(rows_in_work.size())) {
         return fault.refuse(Status::unsupported,
                             "a point has # numbers, this plan solves bases with @ at most",
-                            Counts::from_zero, basis.row_length(),
-                            static_cast<Index>(rows_in_work.size() / block_points));
+                            plain(basis.row_length()),
+                            plain(static_cast<Index>(rows_in_work.size() / block_points)));
     }
     basis.unseal();
     HARMORPH_TRY(progress.report(Phase::solve, 0, fault));
@@ -140,8 +140,8 @@ Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells,
             "the plan has no levels: they are made by hm_plan_factor of other engines");
     }
     if (level < 0 || level >= levels->count) {
-        return fault.refuse(Status::bad_argument, "there is no level # (from 0): the plan has @",
-                            Counts::from_zero, level, levels->count);
+        return fault.refuse(Status::bad_argument, "there is no level #: the plan has @",
+                            entry_item(level), plain(levels->count));
     }
     Matrix const& matrix = equations.matrix;
     for (Index point = 0; point < mesh.n_points; ++point) {
