@@ -60,23 +60,47 @@ private:
     Size room_;
 };
 
-}  // namespace
+// The number that the first thing of this kind has for the caller.
+Index base_of(ItemKind kind, Bases bases) noexcept {
+    Index const known = bases.mesh != none ? bases.mesh : bases.curves;
+    switch (kind) {
+        case ItemKind::nothing:
+        case ItemKind::marker:
+        case ItemKind::global_point: return 0;
+        case ItemKind::curve:
+        case ItemKind::control_point:
+        case ItemKind::knot:
+            if (bases.curves != none) return bases.curves;
+            break;
+        default: break;
+    }
+    return known != none ? known : 0;
+}
 
-hm_status tell(hm_error* err, Fault const& fault, Bases bases) noexcept {
-    hm_status const status = static_cast<hm_status>(fault.status);
-    if (err == nullptr) return status;
-    bool const of_mesh = fault.counts == Counts::mesh || fault.counts == Counts::mesh_and_marker;
-    Index const base = of_mesh ? bases.mesh : fault.counts == Counts::curves ? bases.curves : 0;
-    bool const both = fault.counts == Counts::mesh;  // count from the base
-    auto const numbered = [&](Index item) { return Offset{item} + base; };
-    err->code = status;
-    err->item = fault.item == none ? none : static_cast<Index>(numbered(fault.item));
-    err->value = fault.value;
-    Sentence sentence(err->text, sizeof err->text);
+// An item as the caller counts it.
+struct NumberedItem {
+    ItemKind kind;
+    Index base;
+    Offset number;
+
+    NumberedItem(Item item, Bases bases) noexcept
+        : kind(item.kind), base(base_of(kind, bases)), number(item.number + base) {}
+
+    void tell(int32_t& to_kind, int32_t& to_number, int32_t& to_base) const noexcept {
+        if (kind == ItemKind::nothing || number > INT32_MAX)
+            return;  // too large a number is in the text alone
+        to_kind = static_cast<int32_t>(kind);
+        to_number = static_cast<int32_t>(number);
+        to_base = base;
+    }
+};
+
+void put_sentence(Fault const& fault, NumberedItem const& item, NumberedItem const& other,
+                  Sentence& sentence) noexcept {
     for (const char* c = fault.sentence; *c != '\0'; ++c) {
         switch (*c) {
-            case '#': sentence.put_integer(numbered(fault.item)); break;
-            case '@': sentence.put_integer(both ? numbered(fault.other) : fault.other); break;
+            case '#': sentence.put_integer(item.number); break;
+            case '@': sentence.put_integer(other.number); break;
             case '~': sentence.put_real(fault.value); break;
             case '$':
                 sentence.put('(');
@@ -89,6 +113,28 @@ hm_status tell(hm_error* err, Fault const& fault, Bases bases) noexcept {
             default: sentence.put(*c);
         }
     }
+}
+
+}  // namespace
+
+hm_status tell(hm_error* err, Fault const& fault, Bases bases) noexcept {
+    hm_status const status = static_cast<hm_status>(fault.status);
+    if (err == nullptr) return status;
+    NumberedItem const item(fault.item, bases), other(fault.other, bases);
+    bool const has_first = item.kind != ItemKind::nothing;
+    *err = {};
+    err->code = status;
+    err->item = err->other = -1;
+    (has_first ? item : other).tell(err->item_kind, err->item, err->item_base);
+    if (has_first) other.tell(err->other_kind, err->other, err->other_base);
+    bool const found = !has_first && fault.value == 0;  // a count or an option
+    err->value = found ? static_cast<Real>(fault.item.number) : fault.value;
+    if (is_finite(fault.place[0]) && is_finite(fault.place[1])) {
+        err->x = fault.place[0];
+        err->y = fault.place[1];
+    }
+    Sentence sentence(err->text, sizeof err->text);
+    if (fault.sentence != nullptr) put_sentence(fault, item, other, sentence);
     return status;
 }
 

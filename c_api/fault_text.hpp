@@ -6,10 +6,11 @@
 
 namespace harmorph {
 
-// What the caller counts from.
+// What the caller counts from: `mesh` holds for everything but curves, control points and knots,
+// for which `curves` does. Where only one of them is known, it holds for both.
 struct Bases {
-    Index mesh = 0;
-    Index curves = 0;
+    Index mesh = none;
+    Index curves = none;
 };
 
 // Fills *err (may be null) and returns the status. A fault without status clears the error.

@@ -19,7 +19,7 @@ inline Status view_given_list(Plan const& plan, Index n, const Index* points, Po
     Index const n_given = plan.given().point.count();
     if (points == nullptr && n != n_given) {
         return fault.refuse(Status::bad_argument, "n is #, but @ points have given displacements",
-                            Counts::from_zero, n, n_given);
+                            plain(n), plain(n_given));
     }
     list = {0, plan.given().point};
     if (points != nullptr) list = {plan.mesh().index_base, {points, static_cast<Size>(n)}};

@@ -58,7 +58,7 @@ inline Status open_complete(const hm_basis* handle, Basis& basis, CallFault& fau
     BasisCounts const& counts = basis.header->counts;
     if (counts.complete()) return Status::ok;
     return fault.refuse(Status::bad_basis, "the basis is a share: it has only # of the @ functions",
-                        Counts::from_zero, counts.stored, counts.functions());
+                        plain(counts.stored), plain(counts.functions()));
 }
 
 // A new basis, with these functions of the analysis, not solved.
@@ -76,9 +76,8 @@ inline Status check_move(Basis const& basis, const double* move, Fault& fault) n
     HARMORPH_TRY(require({{"move", move}}, fault));
     for (Index k = 0; k < 2 * basis.header->counts.functions(); ++k) {
         if (is_finite(move[k])) continue;
-        return fault.refuse(Status::bad_argument,
-                            "the movement of function # (from 0) is not finite", Counts::from_zero,
-                            k / 2);
+        return fault.refuse(Status::bad_argument, "the movement of function # is not finite",
+                            function_item(k / 2));
     }
     return Status::ok;
 }

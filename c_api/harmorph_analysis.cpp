@@ -114,8 +114,8 @@ hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_markers,
         HARMORPH_TRY(require({{"markers", markers}, {"n", n}, {"is_loop", is_loop}}, fault));
         if (n_markers < 1 || capacity < 0) {
             return fault.refuse(Status::bad_argument,
-                                "n_markers is #, capacity is @: one is too small",
-                                Counts::from_zero, n_markers, capacity);
+                                "n_markers is #, capacity is @: one is too small", plain(n_markers),
+                                plain(capacity));
         }
         if (capacity > 0) HARMORPH_TRY(require({{"points", points}}, fault));
         Piece found{piece, {points, static_cast<Size>(capacity)}};
@@ -123,19 +123,18 @@ hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_markers,
         if (found.n_pieces == 0) {
             return fault.refuse(Status::bad_condition,
                                 "no boundary face has these markers; the first one is #",
-                                Counts::from_zero, markers[0]);
+                                marker_item(markers[0]));
         }
         if (piece < 0 || piece >= found.n_pieces) {
-            return fault.refuse(
-                Status::bad_condition,
-                "these markers have # pieces of boundary, there is no piece @ (from 0)",
-                Counts::from_zero, found.n_pieces, piece);
+            return fault.refuse(Status::bad_condition,
+                                "these markers have # pieces of boundary, there is no piece @",
+                                plain(found.n_pieces), entry_item(piece));
         }
         *n = found.n_points;
         *is_loop = found.is_loop ? 1 : 0;
         if (found.n_points <= capacity) return Status::ok;
         return fault.refuse(Status::bad_argument, "points has room for #, the boundary has @",
-                            Counts::from_zero, capacity, found.n_points);
+                            plain(capacity), plain(found.n_points));
     });
 }
 

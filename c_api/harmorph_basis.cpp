@@ -41,7 +41,7 @@ Status open_curves(const hm_basis* handle, hm_curves* out, const hm_curve* curve
     Index const n = basis.header->counts.curves;
     if (capacity >= n) return Status::ok;
     return fault.refuse(Status::bad_argument, "curve has room for #, the basis has @",
-                        Counts::from_zero, capacity, n);
+                        plain(capacity), plain(n));
 }
 
 hm_curves curves_of(Basis const& basis, const double* control, hm_curve* curve) noexcept {
@@ -111,8 +111,8 @@ hm_status hm_basis_conditions(const hm_basis* basis, hm_condition* out, int32_t 
         *n = b.conditions.count();
         if (*n > capacity) {
             return fault.refuse(Status::bad_argument,
-                                "out has room for #, the basis has @ conditions", Counts::from_zero,
-                                capacity, *n);
+                                "out has room for #, the basis has @ conditions", plain(capacity),
+                                plain(*n));
         }
         for (Index i = *n; i-- > 0;) {  // the first one tells the size of all
             hm_condition* const to = element(out, i);
@@ -131,14 +131,12 @@ hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t numbe
         HARMORPH_TRY(open_solved(basis, b, fault));
         Index const stored = function - b.header->counts.first_stored;
         if (function < 0 || stored < 0 || stored >= b.n_functions()) {
-            return fault.refuse(Status::bad_argument,
-                                "there is no function # (from 0); the basis has @",
-                                Counts::from_zero, function, b.n_functions());
+            return fault.refuse(Status::bad_argument, "there is no function #; the basis has @",
+                                function_item(function), plain(b.n_functions()));
         }
         if (number < 0 || number >= numbers_of(b.kind())) {
-            return fault.refuse(Status::bad_argument,
-                                "values have no number # (from 0); they have @", Counts::from_zero,
-                                number, numbers_of(b.kind()));
+            return fault.refuse(Status::bad_argument, "values have no number #; they have @",
+                                entry_item(number), plain(numbers_of(b.kind())));
         }
         b.column(number * b.n_functions() + stored, values);
         return Status::ok;

@@ -22,7 +22,7 @@ struct BlocksOfMesh {
         if (first >= 0 && n >= 1 && n <= mesh.n_blocks && first <= mesh.n_blocks - n)
             return Status::ok;
         return fault.refuse(Status::bad_argument, "first # and n @ are not blocks of the mesh",
-                            Counts::from_zero, first, n);
+                            block_item(first), plain(n));
     }
 
     // visit(number among those of the call, block), until it returns true.
@@ -43,8 +43,8 @@ struct BlocksOfMesh {
         each([&](Index k, GridBlock const& block) {
             Given const& of = blocks[k];
             if (of.x == nullptr || of.y == nullptr) {
-                fault.refuse(Status::bad_argument, "x or y of block # (from 0) is NULL",
-                             Counts::from_zero, first + k);
+                fault.refuse(Status::bad_argument, "x or y of block # is NULL",
+                             block_item(first + k));
                 return true;
             }
             std::int64_t const i = stride_of(of.stride), j = of.row == 0 ? i * block.ni : of.row;
@@ -52,8 +52,8 @@ struct BlocksOfMesh {
             bool const apart = j > (block.ni - 1) * i || i > (block.nj - 1) * j;
             if (i < 1 || j < 1 || i > largest || j > largest || (written && !apart)) {
                 fault.refuse(Status::bad_argument,
-                             "stride or row of block # (from 0) is not that of an array of points",
-                             Counts::from_zero, first + k);
+                             "stride or row of block # is not that of an array of points",
+                             block_item(first + k));
                 return true;
             }
             return false;

@@ -10,15 +10,14 @@ Status open_source(const hm_basis* handle, Index n, Index numbers, Basis& basis,
     HARMORPH_TRY(open_complete(handle, basis, fault));
     HARMORPH_TRY(basis.require_double(fault));
     if (numbers != 1 && numbers != 2) {
-        return fault.refuse(Status::bad_argument, "numbers must be 1 or 2, not #",
-                            Counts::from_zero, numbers);
+        return fault.refuse(Status::bad_argument, "numbers must be 1 or 2, not #", plain(numbers));
     }
     Index const shapes = basis.header->counts.shapes();
     if (n >= 1 && n <= shapes) return Status::ok;
     return fault.refuse(n < 1 ? Status::bad_argument : Status::bad_condition,
                         n < 1 ? "n is #: at least one function is made"
                               : "# variables of @ control points: some are combinations of others",
-                        Counts::from_zero, n, shapes);
+                        plain(n), plain(shapes));
 }
 
 Status check_matrix(Basis const& basis, Index n, Index numbers, const double* matrix,
@@ -29,9 +28,8 @@ Status check_matrix(Basis const& basis, Index n, Index numbers, const double* ma
         if (is_finite(matrix[k])) continue;
         Index const row = static_cast<Index>(k / (Offset{n} * numbers)),
                     column = static_cast<Index>(k / numbers % n);
-        return fault.refuse(Status::bad_argument,
-                            "the matrix is not finite in row # and column @ (from 0)",
-                            Counts::from_zero, row, column);
+        return fault.refuse(Status::bad_argument, "the matrix is not finite in row # and column @",
+                            entry_item(row), variable_item(column));
     }
     return Status::ok;
 }

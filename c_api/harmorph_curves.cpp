@@ -12,8 +12,8 @@ Status open_curve(const hm_curves* curves, Index number, Curve& curve, CallFault
     CurvesView view;
     HARMORPH_TRY(view_curves(curves, view, fault));
     if (number < 0 || number >= view.count()) {
-        return fault.refuse(Status::bad_argument, "there is no curve # (from 0); the set has @",
-                            Counts::from_zero, number, view.count());
+        return fault.refuse(Status::bad_argument, "there is no curve #; the set has @",
+                            curve_item(number), plain(view.count()));
     }
     HARMORPH_TRY(view.curve(number, curve, fault));
     return check_curve(curve, number, fault);
@@ -22,11 +22,10 @@ Status open_curve(const hm_curves* curves, Index number, Curve& curve, CallFault
 Status check_parameter(Curve const& curve, Real u, Index n_derivatives, Fault& fault) noexcept {
     if (n_derivatives < 0 || n_derivatives > max_degree) {
         return fault.refuse(Status::bad_argument, "n_derivatives must be between 0 and 5, not #",
-                            Counts::from_zero, n_derivatives);
+                            plain(n_derivatives));
     }
     if (is_between(curve.begin(), u, curve.end())) return Status::ok;
-    return fault.refuse(Status::bad_argument, "the parameter ~ is outside the curve",
-                        Counts::from_zero, none, none, u);
+    return fault.refuse(Status::bad_argument, "the parameter ~ is outside the curve", {}, {}, u);
 }
 
 }  // namespace

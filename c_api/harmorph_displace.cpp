@@ -13,7 +13,7 @@ Status check_fields(Plan const& plan, Index n_fields, Fault& fault) noexcept {
     HARMORPH_TRY(require_given_points(plan, fault));
     if (n_fields >= 1 && n_fields <= most_fields) return Status::ok;
     return fault.refuse(Status::bad_argument, "n_fields must be between 1 and 2^20, not #",
-                        Counts::from_zero, n_fields);
+                        plain(n_fields));
 }
 
 // What both calls have in common: the plan, the list of wall points, and working memory.
@@ -93,8 +93,7 @@ struct TableCall {
         HARMORPH_TRY(check_fields(*plan, n_modes, fault));
         HARMORPH_TRY(plan->check_fit(basis, fault));
         if (numbers == 1 || numbers == 2) return Status::ok;
-        return fault.refuse(Status::bad_argument, "numbers must be 1 or 2, not #",
-                            Counts::from_zero, numbers);
+        return fault.refuse(Status::bad_argument, "numbers must be 1 or 2, not #", plain(numbers));
     }
 };
 
@@ -123,7 +122,7 @@ hm_status hm_given_points(const hm_plan* plan, int32_t* points, int32_t capacity
         if (capacity >= *n) return Status::ok;
         return fault.refuse(Status::bad_argument,
                             "points has room for #, the displacements of @ points are given",
-                            Counts::from_zero, capacity, *n);
+                            plain(capacity), plain(*n));
     });
 }
 
@@ -225,8 +224,7 @@ hm_status hm_tabulate(hm_basis** tabulated, void* block, size_t bytes, hm_plan* 
         HARMORPH_TRY(view_given_list(*call.plan, n, points, call.list, fault));
         if (n > 2 * call.plan->mesh().n_points) {
             return fault.refuse(Status::bad_argument,
-                                "the list is longer than twice the mesh: # points",
-                                Counts::from_zero, n);
+                                "the list is longer than twice the mesh: # points", plain(n));
         }
         Plan& its = *call.plan;
         bool const moved = table.basis.header->counts.functions() > 0 &&

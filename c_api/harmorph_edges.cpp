@@ -58,19 +58,19 @@ Status EdgeCells::check_sizes(Fault& fault) const noexcept {
     constexpr Index most_points = Index{1} << 30, most_cells = Index{1} << 29;
     if (given.index_base != 0 && given.index_base != 1) {
         return fault.refuse(Status::bad_argument, "edges.index_base must be 0 or 1, not #",
-                            Counts::from_zero, given.index_base);
+                            plain(given.index_base));
     }
     if (given.n_points < 3 || given.n_points > most_points) {
         return fault.refuse(Status::bad_mesh, "edges.n_points must be between 3 and 2^30, not #",
-                            Counts::from_zero, given.n_points);
+                            plain(given.n_points));
     }
     if (given.n_cells < 1 || given.n_cells > most_cells) {
         return fault.refuse(Status::bad_mesh, "edges.n_cells must be between 1 and 2^29, not #",
-                            Counts::from_zero, given.n_cells);
+                            plain(given.n_cells));
     }
     if (given.n_edges < 3 || given.n_edges > most_points) {
         return fault.refuse(Status::bad_mesh, "edges.n_edges must be between 3 and 2^30, not #",
-                            Counts::from_zero, given.n_edges);
+                            plain(given.n_edges));
     }
     return require({{"edges.edge_points", given.edge_points},
                     {"edges.edge_cells", given.edge_cells},
@@ -84,16 +84,16 @@ Status EdgeCells::check_edge(Index e, Fault& fault) const noexcept {
         Index const point = end_of(e, k), cell = cell_of(e, k);
         if (point < 0 || point >= given.n_points) {
             return fault.refuse(Status::bad_mesh, "edge # names point @, which does not exist",
-                                Counts::mesh, e, point);
+                                side_item(e), point_item(point));
         }
         if (cell < none || cell >= given.n_cells) {
             return fault.refuse(Status::bad_mesh, "edge # names cell @, which does not exist",
-                                Counts::mesh, e, cell);
+                                side_item(e), cell_item(cell));
         }
     }
     if (cell_of(e, 0) != cell_of(e, 1)) return Status::ok;
     return fault.refuse(Status::bad_mesh, "edge # has the same cell on both sides, or no cell",
-                        Counts::mesh, e);
+                        side_item(e));
 }
 
 Status EdgeCells::read(const hm_edge_mesh* from, CallFault& fault) noexcept {
@@ -139,7 +139,7 @@ Status EdgeCells::order(Index cell, Fault& fault) const noexcept {
     Index const begin = start[cell], n = start[cell + 1] - begin;
     if (n < 3 || n > most_sides) {
         return fault.refuse(Status::bad_mesh, "cell # has @ edges; 3 to 1024 are possible",
-                            Counts::mesh, cell, n - given.index_base);
+                            cell_item(cell), plain(n));
     }
     Index at = end_of(edge[begin], 0);
     for (Index k = 0; k < n; ++k) {
@@ -151,7 +151,7 @@ Status EdgeCells::order(Index cell, Fault& fault) const noexcept {
         if (found == n) {
             return fault.refuse(Status::bad_mesh,
                                 "the edges of cell # do not form one closed loop: see point @",
-                                Counts::mesh, cell, at);
+                                cell_item(cell), point_item(at));
         }
         Index const e = edge[begin + found];
         edge[begin + found] = edge[begin + k];
@@ -162,7 +162,7 @@ Status EdgeCells::order(Index cell, Fault& fault) const noexcept {
     if (at + given.index_base == points[begin]) return Status::ok;
     return fault.refuse(Status::bad_mesh,
                         "the edges of cell # do not form one closed loop: see point @",
-                        Counts::mesh, cell, at);
+                        cell_item(cell), point_item(at));
 }
 
 void EdgeCells::list_faces() const noexcept {

@@ -16,7 +16,7 @@ struct EquationsRequest : Request {
         n_edges = edges;
         if (edges < 0 || edges > Mesh::max_points / 2) {
             return fault.refuse(Status::bad_argument, "n_edges must be between 0 and 2^29, not #",
-                                Counts::from_zero, edges);
+                                plain(edges));
         }
         HARMORPH_TRY(read_without_mesh(given, options, fault));
         Method const& method = problem.method;
@@ -123,9 +123,8 @@ hm_status hm_equations_entries(const hm_equations* equations, int32_t first, int
         HARMORPH_TRY(open(equations, "equations", of, fault));
         HARMORPH_TRY(require({{"n_entries", n_entries}}, fault));
         if (first < 0 || n < 0 || n > of->matrix.n - first) {
-            return fault.refuse(Status::bad_argument,
-                                "from unknown # (from 0) on there are no @ unknowns",
-                                Counts::from_zero, first, n);
+            return fault.refuse(Status::bad_argument, "from unknown # on there are no @ unknowns",
+                                entry_item(first), plain(n));
         }
         *n_entries = 0;
         of->for_each_entry(first, n, [&](Index, Index, Real, Real) { ++*n_entries; });

@@ -60,7 +60,7 @@ hm_status hm_field_init(hm_equations* equations, const hm_points* displacement, 
             if (!is_coordinate(given[point])) {
                 return fault.refuse(Status::bad_argument,
                                     "the displacement of point # is not finite, or beyond 1e100",
-                                    Counts::mesh, point);
+                                    point_item(point));
             }
             call.rows[2 * Offset{point}] = given[point].x;
             call.rows[2 * Offset{point} + 1] = given[point].y;

@@ -16,8 +16,8 @@ struct FinerTask {
     Status open(const hm_curves* curves, CallFault& fault) noexcept {
         HARMORPH_TRY(view_curves(curves, view, fault));
         if (refinement.curve < 0 || refinement.curve >= view.count()) {
-            return fault.refuse(Status::bad_argument, "there is no curve # (from 0); the set has @",
-                                Counts::from_zero, refinement.curve, view.count());
+            return fault.refuse(Status::bad_argument, "there is no curve #; the set has @",
+                                curve_item(refinement.curve), plain(view.count()));
         }
         for (Index i = 0; i < view.count(); ++i) {
             Curve curve;
@@ -34,7 +34,7 @@ private:
         if (degree != 0 && degree != curve.degree + 1) {
             return fault.refuse(Status::bad_argument,
                                 "a curve of degree # can be raised to the degree above, not to @",
-                                Counts::from_zero, curve.degree, degree);
+                                plain(curve.degree), plain(degree));
         }
         return refinement.check(curve, fault);
     }
@@ -45,13 +45,12 @@ Status view_refinement(Index curve, Index degree, Index n, const double* u, Fine
                        Fault& fault) noexcept {
     constexpr Index most = Index{1} << 24;
     if (n < 0 || n > most) {
-        return fault.refuse(Status::bad_argument, "n must be between 0 and 2^24, not #",
-                            Counts::from_zero, n);
+        return fault.refuse(Status::bad_argument, "n must be between 0 and 2^24, not #", plain(n));
     }
     if (degree != 0 && n != 0) {
         return fault.refuse(Status::bad_argument,
                             "either the degree is raised or knots are inserted: n must be 0, not #",
-                            Counts::from_zero, n);
+                            plain(n));
     }
     if (n > 0) HARMORPH_TRY(require({{"u", u}}, fault));
     task.refinement.curve = curve;

@@ -102,7 +102,7 @@ struct WallRequest {
         HARMORPH_TRY(require({{"markers", given}}, fault));
         if (n_markers < 1) {
             return fault.refuse(Status::bad_argument, "n_markers must be at least 1, not #",
-                                Counts::from_zero, n_markers);
+                                plain(n_markers));
         }
         markers = {given, static_cast<Size>(n_markers)};
         HARMORPH_TRY(view_fit_options(fit_options, options, fault));
@@ -160,7 +160,7 @@ public:
         if (n_pieces_ == 0) {
             return fault.refuse(Status::bad_condition,
                                 "no boundary face has these markers; the first one is #",
-                                Counts::from_zero, wall_.markers[0]);
+                                marker_item(wall_.markers[0]));
         }
         report = report_of(worst_, n_pieces_);
         return fault.status;
@@ -170,6 +170,10 @@ private:
     Index number_of(Index position) const noexcept {
         if (position == none) return none;
         return work_.point[position] + wall_.request.problem.mesh.index_base;
+    }
+    // A fit counts the points of a piece; the caller counts those of the mesh.
+    void name_point(Item& item) const noexcept {
+        if (item.kind == ItemKind::point) item = point_item(work_.point[item.number]);
     }
     void fit_piece(bool is_loop, CallFault& fault) noexcept {
         Points const points = wall_.request.problem.mesh.points;
@@ -184,6 +188,8 @@ private:
         fit.lay_out(arena, n_points_, wall_.options);
         fit.run({work_.x.data(), work_.y.data(), 1}, n_points_, is_loop, wall_.options, fitted,
                 fault);
+        name_point(fault.item);
+        name_point(fault.other);
         if (failed(fault.status)) return;
         if (made_.n_curves == 0 || fitted.max_error > worst_.max_error) {
             worst_ = fitted;

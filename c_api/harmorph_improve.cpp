@@ -35,7 +35,7 @@ Status view_improve_options(const hm_improve_options* given, ImproveOptions& opt
         return fault.refuse(
             Status::bad_argument,
             "improve options: max_iterations is #, not 0 .. @, or reserved is not 0",
-            Counts::from_zero, o.max_iterations, most_iterations);
+            plain(o.max_iterations), plain(most_iterations));
     }
     if (o.reference != nullptr)
         HARMORPH_TRY(view_points(o.reference, "reference", reference, fault));

@@ -9,41 +9,39 @@ namespace {
 Status view_quantity(const hm_quantity* array, Index number, Quantity& out, Fault& fault) noexcept {
     hm_quantity q;
     if (!read_struct(array, q) || !read_struct(element(array, number), q)) {
-        return fault.refuse(Status::bad_argument, "struct_size of quantity # (from 0) is wrong",
-                            Counts::from_zero, number);
+        return fault.refuse(Status::bad_argument, "struct_size of quantity # is wrong",
+                            quantity_item(number));
     }
     if (q.kind < HM_AREA || q.kind > HM_CLEARANCE) {
-        return fault.refuse(Status::bad_argument, "quantity # (from 0) has the unknown kind @",
-                            Counts::from_zero, number, q.kind);
+        return fault.refuse(Status::bad_argument, "quantity # has the unknown kind @",
+                            quantity_item(number), plain(q.kind));
     }
     out.kind = static_cast<QuantityKind>(q.kind);
     bool const has_station =
         out.kind == QuantityKind::thickness || out.kind == QuantityKind::camber;
     if (has_station ? !(is_finite(q.station) && q.station > 0 && q.station < 1) : q.station != 0) {
         const char* const text =
-            has_station
-                ? "quantity # (from 0): the station is ~, not between 0 and 1"
-                : "quantity # (from 0) has a station, which is of thickness and camber only";
-        return fault.refuse(Status::bad_argument, text, Counts::from_zero, number, none, q.station);
+            has_station ? "quantity #: the station is ~, not between 0 and 1"
+                        : "quantity # has a station, which is of thickness and camber only";
+        return fault.refuse(Status::bad_argument, text, quantity_item(number), {}, q.station);
     }
     out.station = q.station;
     bool const has_polygon = out.kind == QuantityKind::clearance;
     constexpr Index most = Index{1} << 20;
     if (has_polygon ? q.n_polygon < 1 || q.n_polygon > most || q.polygon == nullptr
                     : q.n_polygon != 0) {
-        const char* const text =
-            has_polygon ? "quantity # (from 0): the polygon is NULL, empty or longer than 2^20"
-                        : "quantity # (from 0) has a polygon, which is of clearance only";
-        return fault.refuse(Status::bad_argument, text, Counts::from_zero, number);
+        const char* const text = has_polygon
+                                     ? "quantity #: the polygon is NULL, empty or longer than 2^20"
+                                     : "quantity # has a polygon, which is of clearance only";
+        return fault.refuse(Status::bad_argument, text, quantity_item(number));
     }
     out.polygon = {q.polygon, has_polygon ? q.polygon + 1 : nullptr, 2};
     out.n_polygon = q.n_polygon;
     for (Index k = 0; k < out.n_polygon; ++k) {
         if (is_coordinate(out.polygon[k])) continue;
-        return fault.refuse(
-            Status::bad_argument,
-            "quantity # (from 0): point @ (from 0) of the polygon is not finite or beyond 1e100",
-            Counts::from_zero, number, k);
+        return fault.refuse(Status::bad_argument,
+                            "quantity #: point @ of the polygon is not finite or beyond 1e100",
+                            quantity_item(number), entry_item(k));
     }
     return Status::ok;
 }
@@ -64,13 +62,14 @@ hm_status hm_measure(const hm_curves* curves, const hm_section* section, int32_t
         HARMORPH_TRY(require({{"quantities", quantities}, {"values", values}}, fault));
         if (n < 1)
             return fault.refuse(Status::bad_argument, "n is #: at least one quantity is measured",
-                                Counts::from_zero, n);
+                                plain(n));
         HARMORPH_TRY(open_section(curves, section, view, outline, fault));
         Measured measured;
         auto const find = [&](Index k, ControlGradient const& gradient) {
             Quantity quantity;
             HARMORPH_TRY(view_quantity(quantities, k, quantity, fault));
-            if (failed(measure(outline, quantity, gradient, measured, fault))) fault.item = k;
+            if (failed(measure(outline, quantity, gradient, measured, fault)))
+                fault.item = quantity_item(k);
             return fault.status;
         };
         for (Index k = 0; k < n; ++k) HARMORPH_TRY(find(k, {}));  // before anything is written

@@ -94,7 +94,7 @@ hm_status hm_part_edges(const hm_part* part, hm_edge* edges, int32_t capacity, i
         *n = of->n_open;
         if (capacity < of->n_open) {
             return fault.refuse(Status::bad_argument, "edges has room for #, the part has @",
-                                Counts::from_zero, capacity, of->n_open);
+                                plain(capacity), plain(of->n_open));
         }
         of->for_each_open([&](OpenEdge const& edge) {
             std::memcpy(static_cast<void*>(edges++), &edge, sizeof edge);

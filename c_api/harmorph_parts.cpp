@@ -20,9 +20,8 @@ Status count_share(Analysis const& analysis, Index first, Index n, BasisCounts& 
                    Fault& fault) noexcept {
     BasisCounts const all = analysis.basis_counts();
     if (first < 0 || n < 0 || n > all.functions() - first) {
-        return fault.refuse(Status::bad_argument,
-                            "from function # (from 0) on there are no @ functions",
-                            Counts::from_zero, first, n);
+        return fault.refuse(Status::bad_argument, "from function # on there are no @ functions",
+                            function_item(first), plain(n));
     }
     counts = all.share(first, n);
     return Status::ok;
@@ -31,7 +30,7 @@ Status count_share(Analysis const& analysis, Index first, Index n, BasisCounts& 
 Status check_scale(Index scale, Fault& fault) noexcept {
     if (BinaryScale{scale}.valid()) return Status::ok;
     return fault.refuse(Status::bad_argument, "scale is #, which hm_adjoint_scale never says",
-                        Counts::from_zero, scale);
+                        plain(scale));
 }
 
 // All that calls with a gradient by mesh points have in common.
@@ -89,8 +88,8 @@ hm_status hm_share_of(const hm_analysis* analysis, int32_t part, int32_t n_parts
         const Analysis* of = nullptr;
         HARMORPH_TRY(require({{"first", first}, {"n", n}}, fault));
         if (part < 0 || part >= n_parts) {
-            return fault.refuse(Status::bad_argument, "there is no part # (from 0) of @",
-                                Counts::from_zero, part, n_parts);
+            return fault.refuse(Status::bad_argument, "there is no part # of @", entry_item(part),
+                                plain(n_parts));
         }
         HARMORPH_TRY(open_complete(analysis, of, fault));
         Offset const functions = of->basis_counts().functions();
@@ -181,7 +180,7 @@ hm_status hm_adjoint_sums(const hm_basis* basis, const hm_points* dj, int32_t sc
         Index const least = adjoint_scale(call.basis, call.points, call.threads).exponent;
         if (scale < least) {
             return fault.refuse(Status::bad_argument, "scale is #, these points alone need @",
-                                Counts::from_zero, scale, least);
+                                plain(scale), plain(least));
         }
         adjoint_sums(call.basis, call.points, {scale}, sums, call.threads);
         return Status::ok;

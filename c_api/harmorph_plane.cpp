@@ -17,8 +17,7 @@ Status view_space(const hm_space_mesh* given, SpaceMesh& mesh, CallFault& fault)
                             "space: fields are set that this version of the library does not know");
     }
     if (m.kind < HM_SPACE_AUTO || m.kind > HM_WEDGE) {
-        return fault.refuse(Status::bad_argument, "space.kind # is unknown", Counts::from_zero,
-                            m.kind);
+        return fault.refuse(Status::bad_argument, "space.kind # is unknown", plain(m.kind));
     }
     mesh.index_base = fault.bases.mesh = m.index_base;
     mesh.n_points = m.n_points;
@@ -72,7 +71,7 @@ Status open_basis_of(Plane const& plane, const hm_basis* handle, Basis& basis,
     HARMORPH_TRY(open_complete(handle, basis, fault));
     if (basis.n_points() == plane.n_points) return Status::ok;
     return fault.refuse(Status::bad_basis, "the basis has # points, but the plane @",
-                        Counts::from_zero, basis.n_points(), plane.n_points);
+                        plain(basis.n_points()), plain(plane.n_points));
 }
 
 void put(Vec3 from, double (&to)[3]) noexcept {

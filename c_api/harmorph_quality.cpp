@@ -27,7 +27,7 @@ Status open_pair(const hm_basis* handle, const hm_mesh* given, Basis& basis, Mes
     if (mesh.n_points != basis.n_points() || mesh.n_cells != basis.header->counts.cells) {
         return fault.refuse(Status::bad_basis,
                             "the basis belongs to another mesh: it has # points and @ cells",
-                            Counts::from_zero, basis.n_points(), basis.header->counts.cells);
+                            plain(basis.n_points()), plain(basis.header->counts.cells));
     }
     if (sample_of(mesh) == basis.header->topology.sample) return Status::ok;
     return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: the cells differ");

@@ -26,8 +26,8 @@ struct RowsCall {
     Status check_column(Index column, Argument const& numbers, Fault& fault) const noexcept {
         HARMORPH_TRY(require({numbers}, fault));
         if (column >= 0 && column < equations->columns(basis)) return Status::ok;
-        return fault.refuse(Status::bad_argument, "there is no column # (from 0) of @",
-                            Counts::from_zero, column, equations->columns(basis));
+        return fault.refuse(Status::bad_argument, "there is no column # of @", entry_item(column),
+                            plain(equations->columns(basis)));
     }
 };
 
@@ -104,8 +104,7 @@ hm_status hm_rows_finish(hm_equations* equations, hm_basis* rows, double largest
         HARMORPH_TRY(call.open_both(equations, rows, fault));
         if (!is_finite(largest) || largest < 0) {
             return fault.refuse(Status::bad_argument,
-                                "largest must be finite and not negative, not ~", Counts::from_zero,
-                                none, none, largest);
+                                "largest must be finite and not negative, not ~", {}, {}, largest);
         }
         call.equations->finish(call.basis, largest);
         return Status::ok;

@@ -27,39 +27,38 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
             Status::bad_argument,
             "safe options: skipped_strategies is #, which names strategies there are not, or "
             "reserved is not 0",
-            Counts::from_zero, o.skipped_strategies);
+            plain(o.skipped_strategies));
     }
     if (o.n_others < 0 || o.n_others > others.count() || (o.n_others > 0 && o.others == nullptr)) {
         return fault.refuse(Status::bad_argument,
                             "safe options: others is NULL, or n_others is #, not 0 .. @",
-                            Counts::from_zero, o.n_others, others.count());
+                            plain(o.n_others), plain(others.count()));
     }
     if (o.max_resolves != 0) options.most_resolves = larger(o.max_resolves, Index{0});
     if (!is_between(0, o.heights, 1)) {
         return fault.refuse(Status::bad_argument,
-                            "safe options: heights must be between 0 and 1, not ~",
-                            Counts::from_zero, none, none, o.heights);
+                            "safe options: heights must be between 0 and 1, not ~", {}, {},
+                            o.heights);
     }
     options.heights = o.heights;
     if (o.min_quality != o.min_quality || o.min_quality > 1) {
         return fault.refuse(Status::bad_argument,
-                            "safe options: min_quality must be at most 1, not ~", Counts::from_zero,
-                            none, none, o.min_quality);
+                            "safe options: min_quality must be at most 1, not ~", {}, {},
+                            o.min_quality);
     }
     if (o.min_quality != 0) options.min_quality = larger(o.min_quality, 0.0);
     if (o.max_height_change != o.max_height_change ||
         (o.max_height_change != 0 && o.max_height_change <= 1)) {
         return fault.refuse(Status::bad_argument,
-                            "safe options: max_height_change must be 0 or above 1, not ~",
-                            Counts::from_zero, none, none, o.max_height_change);
+                            "safe options: max_height_change must be 0 or above 1, not ~", {}, {},
+                            o.max_height_change);
     }
     if (o.max_height_change != 0) options.most_height_change = o.max_height_change;
     reached = o.reached;
     options.skipped = static_cast<std::uint32_t>(o.skipped_strategies);
     for (Index i = 0; i < o.n_others; ++i) {
         if (o.others[i] == nullptr) {
-            return fault.refuse(Status::bad_argument, "basis # (from 0) of others is NULL",
-                                Counts::from_zero, i);
+            return fault.refuse(Status::bad_argument, "basis # of others is NULL", entry_item(i));
         }
         others[i] = Basis::view(static_cast<const void*>(o.others[i]));
     }

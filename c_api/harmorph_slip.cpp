@@ -15,7 +15,7 @@ Status check_sliding(SlipCurves const& curves, Points points, Fault& fault) noex
         if (failed(fault.status) || is_coordinate(points[point])) return;
         fault.refuse(Status::bad_mesh,
                      "sliding point # has a coordinate that is not finite, or larger than 1e100",
-                     Counts::mesh, point);
+                     point_item(point));
     });
     return fault.status;
 }

@@ -30,7 +30,7 @@ Status check_fields(hm_variables const& v, Fault& fault) noexcept {
 
 Status check_numbers(hm_variables const& v, Fault& fault) noexcept {
     auto const refuse = [&](const char* why, Real value = 0) {
-        return fault.refuse(Status::bad_argument, why, Counts::from_zero, none, none, value);
+        return fault.refuse(Status::bad_argument, why, {}, {}, value);
     };
     Index const least = v.kind == HM_FFD || v.kind == HM_NACA4 ? 0 : 1;
     if (v.n_upper < 0 || v.n_upper > Variables::most || v.n_lower < 0 ||
@@ -38,13 +38,13 @@ Status check_numbers(hm_variables const& v, Fault& fault) noexcept {
         return fault.refuse(
             Status::bad_argument,
             "variables: n_upper and n_lower are # and @; together 1 to 64 on each side",
-            Counts::from_zero, v.n_upper, v.n_lower);
+            plain(v.n_upper), plain(v.n_lower));
     }
     if (v.degree_x < 0 || v.degree_x >= Variables::most || v.degree_y < 0 ||
         v.degree_y >= Variables::most) {
         return fault.refuse(Status::bad_argument,
                             "variables: degree_x and degree_y are # and @, not 0 to 63",
-                            Counts::from_zero, v.degree_x, v.degree_y);
+                            plain(v.degree_x), plain(v.degree_y));
     }
     if (!is_between(0, v.leading_exponent, 10)) {
         return refuse("variables: leading_exponent is ~, not 0 to 10", v.leading_exponent);
@@ -56,9 +56,8 @@ Status check_numbers(hm_variables const& v, Fault& fault) noexcept {
         return refuse("variables: the width is ~, not 1 to 100", v.width);
     for (Index k = 0; v.peaks != nullptr && k < v.n_upper + v.n_lower; ++k) {
         if (is_finite(v.peaks[k]) && v.peaks[k] > 1e-6 && v.peaks[k] < 1 - 1e-6) continue;
-        return fault.refuse(Status::bad_argument,
-                            "variables: peak # (from 0) is ~, not between 0 and 1",
-                            Counts::from_zero, k, none, v.peaks[k]);
+        return fault.refuse(Status::bad_argument, "variables: peak # is ~, not between 0 and 1",
+                            entry_item(k), {}, v.peaks[k]);
     }
     return Status::ok;
 }
@@ -86,7 +85,7 @@ Status open_variables(const hm_variables* given, CurvesView const& view, Variabl
         return fault.refuse(Status::bad_argument, "variables.struct_size is wrong");
     if (v.kind < HM_FFD || v.kind > HM_NACA4) {
         return fault.refuse(Status::bad_argument, "variables.kind is #, which is unknown",
-                            Counts::from_zero, v.kind);
+                            plain(v.kind));
     }
     HARMORPH_TRY(check_fields(v, fault));
     HARMORPH_TRY(check_numbers(v, fault));

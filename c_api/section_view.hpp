@@ -15,8 +15,8 @@ inline Status check_moments(Curve const& curve, Fault& fault) noexcept {
         Vec2 const place{curve.control[2 * point], curve.control[2 * point + 1]};
         if (is_at_most(place.x, largest) && is_at_most(place.y, largest)) continue;
         return fault.refuse(Status::bad_curve,
-                            "section: control point # has a coordinate beyond 1e50", Counts::curves,
-                            point);
+                            "section: control point # has a coordinate beyond 1e50",
+                            control_point_item(point));
     }
     return Status::ok;
 }
@@ -35,12 +35,12 @@ inline Status open_section(const hm_curves* curves, const hm_section* given, Cur
         return fault.refuse(
             Status::bad_argument,
             "section.first_curve and n_curves, # and @, exceed the curves of the set",
-            Counts::from_zero, asked.first_curve, asked.n_curves);
+            curve_item(asked.first_curve), plain(asked.n_curves));
     }
     if (asked.n_curves > Section::most_curves) {
         return fault.refuse(Status::bad_argument,
                             "section.n_curves is #: at most 8 curves form a section",
-                            Counts::from_zero, asked.n_curves);
+                            plain(asked.n_curves));
     }
     section.nose = {asked.leading_x, asked.leading_y};
     section.edge = {asked.trailing_x, asked.trailing_y};
@@ -51,6 +51,7 @@ inline Status open_section(const hm_curves* curves, const hm_section* given, Cur
     section.has_fixed_chord = !(asked.leading_x == 0 && asked.leading_y == 0 &&
                                 asked.trailing_x == 0 && asked.trailing_y == 0);
     section.n_curves = asked.n_curves;
+    section.first_curve = asked.first_curve;
     for (Index k = 0; k < asked.n_curves; ++k) {
         HARMORPH_TRY(view.curve(asked.first_curve + k, section.curve[k], fault));
         HARMORPH_TRY(check_curve(section.curve[k], asked.first_curve + k, fault));

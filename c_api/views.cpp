@@ -25,7 +25,7 @@ Status view_mesh(const hm_mesh* given, Mesh& mesh, CallFault& fault) noexcept {
         return fault.refuse(Status::bad_argument, "mesh.struct_size is wrong");
     if (m.cell_layout < HM_CELLS_ROWS || m.cell_layout > HM_CELLS_POLYGONS) {
         return fault.refuse(Status::bad_argument, "mesh.cell_layout # is unknown",
-                            Counts::from_zero, m.cell_layout);
+                            plain(m.cell_layout));
     }
     mesh = Mesh{};
     mesh.index_base = fault.bases.mesh = m.index_base;
@@ -69,11 +69,11 @@ Status view_executor(const hm_executor* given, Executor& executor, Fault& fault)
     if (e.n_threads < 1 || e.n_threads > Executor::most_threads) {
         return fault.refuse(Status::bad_argument,
                             "executor.n_threads must be between 1 and 256, not #",
-                            Counts::from_zero, e.n_threads);
+                            plain(e.n_threads));
     }
     if (e.kernel < HM_KERNEL_AUTO || e.kernel > HM_KERNEL_NEON) {
         return fault.refuse(Status::unsupported, "executor.kernel is #, which is unknown",
-                            Counts::from_zero, e.kernel);
+                            plain(e.kernel));
     }
     executor = {e.run, e.user, e.n_threads, static_cast<Kernel>(e.kernel)};
     return Status::ok;

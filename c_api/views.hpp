@@ -147,6 +147,7 @@ Status view_condition(const hm_condition* array, Index number, Condition& out,
 // executor NULL: one thread.
 Status view_executor(const hm_executor* given, Executor& executor, Fault& fault) noexcept;
 Status view_options(const hm_options* given, Problem& problem, Fault& fault) noexcept;
-Status view_fit_options(const hm_fit_options* given, FitOptions& options, Fault& fault) noexcept;
+Status view_fit_options(const hm_fit_options* given, FitOptions& options,
+                        CallFault& fault) noexcept;
 
 }  // namespace harmorph

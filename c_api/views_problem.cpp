@@ -11,15 +11,15 @@ Status check_combination(hm_options const& o, hm_study_options const& study,
                          Fault& fault) noexcept {
     if (!has_row(operator_traits, o.operator_kind)) {
         return fault.refuse(Status::unsupported, "options.operator_kind is #, which is unknown",
-                            Counts::from_zero, o.operator_kind);
+                            plain(o.operator_kind));
     }
     if (!has_row(scheme_traits, study.scheme)) {
         return fault.refuse(Status::unsupported, "study options: scheme is #, which is unknown",
-                            Counts::from_zero, study.scheme);
+                            plain(study.scheme));
     }
     if (!has_row(engine_traits, o.engine)) {
         return fault.refuse(Status::unsupported, "options.engine is #, which is unknown",
-                            Counts::from_zero, o.engine);
+                            plain(o.engine));
     }
     OperatorTraits const& of_operator = operator_traits[o.operator_kind];
     SchemeTraits const& of_scheme = scheme_traits[study.scheme];
@@ -38,7 +38,7 @@ Status view_operator(hm_options const& o, hm_study_options const& study, Method&
     if (o.exponent_quarters < HM_NO_WEIGHT || o.exponent_quarters > 16) {
         return fault.refuse(Status::bad_argument,
                             "options.exponent_quarters must be between -1 and 16, not #",
-                            Counts::from_zero, o.exponent_quarters);
+                            plain(o.exponent_quarters));
     }
     method.operator_kind = static_cast<Operator>(o.operator_kind);
     method.scheme = static_cast<Scheme>(study.scheme);
@@ -49,7 +49,7 @@ Status view_operator(hm_options const& o, hm_study_options const& study, Method&
     }
     if (o.offset_correction < 0 || o.offset_correction > 1) {
         return fault.refuse(Status::bad_argument, "options.offset_correction must be 0 or 1, not #",
-                            Counts::from_zero, o.offset_correction);
+                            plain(o.offset_correction));
     }
     if (o.offset_correction != 0 && !method.operator_row().takes_offset_correction) {
         return fault.refuse(Status::unsupported,
@@ -94,18 +94,18 @@ Status view_iteration(hm_study_options const& study, Iteration& iteration, Fault
     if (study.levels < 0 || study.levels > Agglomeration::most_levels) {
         return fault.refuse(Status::bad_argument,
                             "study options: levels must be between 0 and 20, not #",
-                            Counts::from_zero, study.levels);
+                            plain(study.levels));
     }
     if (study.agglomeration < HM_AGGLOMERATE_AUTO ||
         study.agglomeration > HM_AGGLOMERATE_DIRECTIONAL) {
         return fault.refuse(Status::bad_argument,
                             "study options: agglomeration is #, which is unknown",
-                            Counts::from_zero, study.agglomeration);
+                            plain(study.agglomeration));
     }
     if (study.block_width != 0 && !Iteration::has_width(study.block_width)) {
         return fault.refuse(Status::bad_argument,
                             "study options: block_width must be 0, 4, 8 or 16, not #",
-                            Counts::from_zero, study.block_width);
+                            plain(study.block_width));
     }
     if (study.max_iterations < 0 || study.history_length < 0 ||
         (study.history_length > 0 && study.history == nullptr)) {
@@ -115,7 +115,7 @@ Status view_iteration(hm_study_options const& study, Iteration& iteration, Fault
     }
     if (study.start < HM_START_COARSEST || study.start > HM_START_ZERO) {
         return fault.refuse(Status::bad_argument, "study options: start is #, which is unknown",
-                            Counts::from_zero, study.start);
+                            plain(study.start));
     }
     iteration.starts_from_zero = study.start == HM_START_ZERO;
     iteration.merging = {static_cast<Merging>(study.agglomeration), study.levels};
@@ -155,19 +155,19 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
     HARMORPH_TRY(view_iteration(study, problem.iteration, fault));
     if (!is_finite(o.tolerance) || o.tolerance < 0 || o.tolerance >= 1) {
         return fault.refuse(Status::bad_argument,
-                            "options.tolerance must be at least 0 and below 1, not ~",
-                            Counts::from_zero, none, none, o.tolerance);
+                            "options.tolerance must be at least 0 and below 1, not ~", {}, {},
+                            o.tolerance);
     }
     if (o.kernel < HM_KERNEL_AUTO || o.kernel > HM_KERNEL_NEON ||
         !has_kernel(static_cast<Kernel>(o.kernel))) {
         return fault.refuse(Status::unsupported,
                             "options.kernel is #, which this processor does not have",
-                            Counts::from_zero, o.kernel);
+                            plain(o.kernel));
     }
     method.kernel = static_cast<Kernel>(o.kernel);
     if (o.precision < HM_DOUBLE || o.precision > HM_SINGLE) {
         return fault.refuse(Status::unsupported, "options.precision # is unknown",
-                            Counts::from_zero, o.precision);
+                            plain(o.precision));
     }
     method.precision = static_cast<Precision>(o.precision);
     HARMORPH_TRY(check_engine(o, study, fault));
@@ -177,7 +177,8 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
     return view_executor(o.executor, problem.executor, fault);
 }
 
-Status view_fit_options(const hm_fit_options* given, FitOptions& options, Fault& fault) noexcept {
+Status view_fit_options(const hm_fit_options* given, FitOptions& options,
+                        CallFault& fault) noexcept {
     options = FitOptions{};
     if (given == nullptr) return Status::ok;
     hm_fit_options o;
@@ -185,10 +186,13 @@ Status view_fit_options(const hm_fit_options* given, FitOptions& options, Fault&
         return fault.refuse(Status::bad_argument, "fit options: struct_size is wrong");
     if (o.closed < HM_CLOSED_AUTO || o.closed > HM_PERIODIC) {
         return fault.refuse(Status::bad_argument, "fit options: closed is #, which is unknown",
-                            Counts::from_zero, o.closed);
+                            plain(o.closed));
     }
-    if (o.reserved != 0)
-        return fault.refuse(Status::bad_argument, "fit options: reserved must be 0");
+    if (o.index_base != 0 && o.index_base != 1) {
+        return fault.refuse(Status::bad_argument, "fit options: index_base must be 0 or 1, not #",
+                            plain(o.index_base));
+    }
+    fault.bases.curves = o.index_base;
     if (o.degree != 0) options.degree = o.degree;
     if (o.n_control != 0) options.n_control = o.n_control;
     options.closure = static_cast<Closure>(o.closed);
@@ -210,11 +214,11 @@ Status view_curves(const hm_curves* given, CurvesView& view, CallFault& fault) n
     constexpr Index most = Index{1} << 24;
     if (set.n_control < 2 || set.n_control > most) {
         return fault.refuse(Status::bad_curve, "curves.n_control must be between 2 and 2^24, not #",
-                            Counts::from_zero, set.n_control);
+                            plain(set.n_control));
     }
     if (set.n_curves < 1 || set.n_curves > most) {
         return fault.refuse(Status::bad_curve, "curves.n_curves must be between 1 and 2^24, not #",
-                            Counts::from_zero, set.n_curves);
+                            plain(set.n_curves));
     }
     return Status::ok;
 }
@@ -222,12 +226,11 @@ Status view_curves(const hm_curves* given, CurvesView& view, CallFault& fault) n
 Status CurvesView::curve(Index number, Curve& out, Fault& fault) const noexcept {
     hm_curve c;
     if (!read_struct(set.curve, c) || !read_struct(element(set.curve, number), c)) {
-        return fault.refuse(Status::bad_argument, "struct_size of curve # (from 0) is wrong",
-                            Counts::from_zero, number);
+        return fault.refuse(Status::bad_argument, "struct_size of curve # is wrong",
+                            curve_item(number));
     }
     if (c.knots == nullptr) {
-        return fault.refuse(Status::bad_argument, "knots of curve # (from 0) is NULL",
-                            Counts::from_zero, number);
+        return fault.refuse(Status::bad_argument, "knots of curve # is NULL", curve_item(number));
     }
     out = Curve{};
     out.degree = c.degree;
@@ -251,38 +254,37 @@ Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept 
     if ((c.first_curve != 0 && has_not(ConditionField::curves)) ||
         (c.n_curves != 0 && has_not(ConditionField::curves) && has_not(ConditionField::along))) {
         wrong =
-            "condition # (from 0) has first_curve or n_curves, which are of HM_ON_CURVE only, but "
+            "condition # has first_curve or n_curves, which are of HM_ON_CURVE only, but "
             "its kind is @";
     } else if (c.along != nullptr && has_not(ConditionField::along)) {
         wrong =
-            "condition # (from 0) has curves along which to slide, which are of HM_SLIP only, but "
+            "condition # has curves along which to slide, which are of HM_SLIP only, but "
             "its kind is @";
     } else if (c.body != 0 && has_not(ConditionField::body)) {
-        wrong = "condition # (from 0) has body, which is of HM_RIGID only, but its kind is @";
+        wrong = "condition # has body, which is of HM_RIGID only, but its kind is @";
     } else if (!(c.x == 0 && c.y == 0) && has_not(ConditionField::centre)) {
         wrong =
-            "condition # (from 0) has x or y, which are of HM_RIGID and HM_ROTATION_PAIR only, but "
+            "condition # has x or y, which are of HM_RIGID and HM_ROTATION_PAIR only, but "
             "its kind is @";
     } else if (c.piece < 0 || c.piece > 1 || c.reserved != 0) {
         wrong =
-            "condition # (from 0) has a piece that is neither 0 nor 1, or reserved is not 0; its "
+            "condition # has a piece that is neither 0 nor 1, or reserved is not 0; its "
             "kind is @";
     } else if (c.piece != 0 && has_not(ConditionField::piece)) {
-        wrong = "condition # (from 0) chooses a piece, which a periodic pair cannot; its kind is @";
+        wrong = "condition # chooses a piece, which a periodic pair cannot; its kind is @";
     } else if (c.piece == 0 && !(c.near_x == 0 && c.near_y == 0)) {
-        wrong = "condition # (from 0) has near_x or near_y, but chooses no piece; its kind is @";
+        wrong = "condition # has near_x or near_y, but chooses no piece; its kind is @";
     } else if (c.partner != 0 && has_not(ConditionField::partner)) {
-        wrong =
-            "condition # (from 0) has partner, which is of periodic pairs only, but its kind is @";
+        wrong = "condition # has partner, which is of periodic pairs only, but its kind is @";
     }
     if (wrong != nullptr)
-        return fault.refuse(Status::bad_condition, wrong, Counts::from_zero, number, c.kind);
+        return fault.refuse(Status::bad_condition, wrong, condition_item(number), plain(c.kind));
     if (has_not(ConditionField::along)) return Status::ok;
     if (c.along == nullptr && c.n_curves != 0) {
         return fault.refuse(Status::bad_condition,
-                            "condition # (from 0) slides along @ curves, but its `along` is NULL: "
+                            "condition # slides along @ curves, but its `along` is NULL: "
                             "a basis does not keep them",
-                            Counts::from_zero, number, c.n_curves);
+                            condition_item(number), plain(c.n_curves));
     }
     hm_curves set;
     bool const fits = c.along == nullptr || (read_struct(c.along, set) &&
@@ -290,8 +292,8 @@ Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept 
     if (fits) return Status::ok;
     return fault.refuse(
         Status::bad_condition,
-        "condition # (from 0) has n_curves @, but that is not the number of curves in its `along`",
-        Counts::from_zero, number, c.n_curves);
+        "condition # has n_curves @, but that is not the number of curves in its `along`",
+        condition_item(number), plain(c.n_curves));
 }
 
 }  // namespace
@@ -300,26 +302,24 @@ Status view_condition(const hm_condition* array, Index number, Condition& out,
                       Fault& fault) noexcept {
     hm_condition c;
     if (!read_struct(array, c) || !read_struct(element(array, number), c)) {
-        return fault.refuse(Status::bad_argument, "struct_size of condition # (from 0) is wrong",
-                            Counts::from_zero, number);
+        return fault.refuse(Status::bad_argument, "struct_size of condition # is wrong",
+                            condition_item(number));
     }
     if (!has_row(condition_traits, c.kind)) {
-        return fault.refuse(Status::bad_argument, "condition # (from 0) has the unknown kind @",
-                            Counts::from_zero, number, c.kind);
+        return fault.refuse(Status::bad_argument, "condition # has the unknown kind @",
+                            condition_item(number), plain(c.kind));
     }
     constexpr Index most_bodies = Index{1} << 20;
     if (c.kind == HM_RIGID && (c.body < 0 || c.body >= most_bodies)) {
-        return fault.refuse(
-            Status::bad_condition,
-            "condition # (from 0) names rigid body @ (from 0), which there cannot be",
-            Counts::from_zero, number, c.body);
+        return fault.refuse(Status::bad_condition,
+                            "condition # names rigid body @, which there cannot be",
+                            condition_item(number), body_item(c.body));
     }
     HARMORPH_TRY(check_fields(c, number, fault));
     if (!is_coordinate({c.near_x, c.near_y})) {
-        return fault.refuse(
-            Status::bad_condition,
-            "near_x or near_y of condition # (from 0) is not finite, or larger than 1e100",
-            Counts::from_zero, number);
+        return fault.refuse(Status::bad_condition,
+                            "near_x or near_y of condition # is not finite, or larger than 1e100",
+                            condition_item(number));
     }
     out = {c.marker,
            static_cast<ConditionKind>(c.kind),

@@ -43,9 +43,9 @@
  *                  of at least 2^-46 (1.4e-14) of the largest coordinate of the cell. Otherwise
  *                  hm_analysis_init refuses the mesh: move the origin to the body.
  * Numbering        Points and cells are counted from mesh.index_base (also in reports, unless
- *                  stated otherwise), control points from curves.index_base. Curves, conditions and
- *                  functions are counted from 0. Function i belongs to control point
- *                  i + curves.index_base. For errors see hm_error.
+ *                  stated otherwise), control points from curves.index_base. Arguments and fields
+ *                  that name a curve, a condition or a function are counted from 0. Function i
+ *                  belongs to control point i + curves.index_base. Errors: see hm_error.
  * Orientation      Cells may be numbered clockwise, counter-clockwise or mixed. Neighbours of equal
  *                  orientation traverse their common edge in opposite directions; the orientation
  *                  with the larger total area is taken as positive.
@@ -80,7 +80,7 @@
 #define HM_VERSION_PATCH 0
 /* hm_abi_version() returns this value if header and library belong together. The name of the
  * shared library contains this number: libharmorph.so.HM_ABI. */
-#define HM_ABI 3
+#define HM_ABI 4
 
 #ifdef __cplusplus
 extern "C" {
@@ -132,13 +132,43 @@ enum {
     HM_CROSSING = -10
 };
 
-/* 128 bytes for ever */
+/* hm_error.item_kind, hm_error.other_kind: what the number counts. */
+enum {
+    HM_ITEM_NONE = 0,
+    HM_ITEM_POINT = 1, /* a point of the mesh, or one of the points of hm_fit */
+    HM_ITEM_CELL = 2,  /* a cell of the mesh, or a face of an hm_space_mesh */
+    HM_ITEM_SIDE = 3, /* a face of the boundary, an edge of hm_edge_mesh, a side of hm_space_mesh */
+    HM_ITEM_MARKER = 4, /* the caller's own number; item_base is 0 */
+    HM_ITEM_CURVE = 5,
+    HM_ITEM_CONTROL_POINT = 6,
+    HM_ITEM_CONDITION = 7,
+    HM_ITEM_FUNCTION = 8,
+    HM_ITEM_BODY = 9,      /* hm_condition.body */
+    HM_ITEM_LIST = 10,     /* of mesh.list_start */
+    HM_ITEM_BLOCK = 11,    /* of mesh.block_sizes */
+    HM_ITEM_KNOT = 12,     /* of the curve that is the other item, or of those to be inserted */
+    HM_ITEM_VARIABLE = 13, /* a design variable: a column of a matrix */
+    HM_ITEM_QUANTITY = 14, /* of hm_measure */
+    HM_ITEM_FIELD = 15,    /* of hm_displace, or a mode of hm_tabulate */
+    HM_ITEM_ENTRY = 16,    /* an entry of the array that the text names, a level, a part, a piece */
+    HM_ITEM_GLOBAL_POINT = 17 /* the caller's own number (hm_part_mesh.numbers); item_base is 0 */
+};
+
+/* The items of an error, and all numbers in its text, are counted from one base: the index_base of
+ * the mesh, also of the mesh that an analysis, a plan, a basis or a plane was made from; in calls
+ * with curves alone, the index_base of the curves; in other calls 0. Where a call has a mesh and
+ * curves, curves, control points and knots keep the index_base of the curves. */
 typedef struct hm_error {
     hm_status code;
-    int32_t item; /* first offending point, cell, ... in the caller's numbering; -1: none */
-    /* the value found: area [length^2], residual [-], missing [bytes]; 0 if there is none */
-    double value;
-    char text[112]; /* one sentence, NUL-terminated */
+    int32_t item_kind; /* HM_ITEM_...: what the error is about */
+    int32_t item;      /* the first offending one; -1 if item_kind is HM_ITEM_NONE */
+    int32_t item_base; /* what item is counted from; item - item_base is the index of a C array */
+    /* What else the error is about: the second of two points, the curve of a knot. */
+    int32_t other_kind, other, other_base;
+    int32_t reserved; /* 0 */
+    double value;     /* the value found: area [length^2], residual [-], missing [bytes]; or 0 */
+    double x, y;      /* the place that the text names [length], never NaN; 0, 0 if there is none */
+    char text[200];   /* one sentence, NUL-terminated */
 } hm_error;
 
 HM_API int32_t hm_abi_version(void);
@@ -299,10 +329,10 @@ enum {
 };
 typedef struct hm_fit_options {
     uint64_t struct_size;
-    int32_t degree;    /* 1..5; 0 means 3 */
-    int32_t n_control; /* distinct control points > degree; at most the points; 0 means 20 */
-    int32_t closed;    /* HM_CLOSED_AUTO, ... */
-    int32_t reserved;  /* 0 */
+    int32_t degree;     /* 1..5; 0 means 3 */
+    int32_t n_control;  /* distinct control points > degree; at most the points; 0 means 20 */
+    int32_t closed;     /* HM_CLOSED_AUTO, ... */
+    int32_t index_base; /* 0 or 1: what errors of hm_fit count points from */
 } hm_fit_options;
 
 typedef struct hm_fit_report {

@@ -48,11 +48,13 @@ int main(void) {
     hm_basis* basis = NULL;
 
     SIZE(hm_status, 4);
-    SIZE(hm_error, 128);
-    PLACE(hm_error, item, 4);
-    PLACE(hm_error, value, 8);
-    PLACE(hm_error, text, 16);
-    check(sizeof error.text == 112, "size of hm_error.text");
+    SIZE(hm_error, 256);
+    PLACE(hm_error, item_kind, 4);
+    PLACE(hm_error, other_kind, 16);
+    PLACE(hm_error, value, 32);
+    PLACE(hm_error, x, 40);
+    PLACE(hm_error, text, 56);
+    check(sizeof error.text == 200, "size of hm_error.text");
 
     HAS_SIZE_FIRST(hm_mesh);
     HAS_SIZE_FIRST(hm_curve);

@@ -21,6 +21,8 @@ objdump -t "$merged" >"$build/symbols"
 is_empty "writable data" \
     "$(grep -E '[ 	](\.t?(data|bss)|\*COM\*)[. 	]' "$build/symbols" | grep -vE '\.data\.rel\.ro| d[ 	]' |
         awk '{ print $NF }')"
+# Whatever fills .data, also what no symbol names, such as the image of a struct that a function copies.
+is_empty "bytes in .data" "$(size -A "$merged" | awk '$1 == ".data" && $2 > 0 { print $2 }')"
 is_empty "sections that run code before main" \
     "$(size -A "$merged" | awk '$1 ~ /^\.(init_array|ctors)/ && $2 > 0 { print $1 }')"
 is_empty "visible names without hm_" \

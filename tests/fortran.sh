@@ -98,16 +98,10 @@ check "a copy in parentheses is refused" is_refused_by_compiler "double precisio
 stat_and_err_last() { ! tr '\n' '~' <"$build/harmorph.f90" | sed 's/&~ *//g' | tr '~' '\n' |
     grep -E '^ *subroutine .*\bstat\b' | grep -v 'stat, err)$'; }
 check "stat and err are the last arguments of every call" stat_and_err_last
-# "(from 0)" behind each number of this kind is what the module looks for, to make it count from 1.
-unmarked_numbers() {
-    grep -ohE '"[^"]*[#@][^"]*"' c_api/*.cpp src/*/*.cpp | sed 's/[#@] (from 0)//g' |
-        grep -E '(curve|condition|function|knot|index|entry|level|part|parameter|body|piece|basis) [#@]'
-}
-all_marked() { ! unmarked_numbers; }
-check "texts say which numbers count from 0" all_marked
-
-# The constants of the header, for a comparison of their values in C and in the module.
-constants=$(echo HM_ABI; sed -n '/^enum/,/};/p' include/harmorph.h | grep -o 'HM_[A-Z0-9_]* =' | cut -d ' ' -f 1)
+# The constants of the headers, for a comparison of their values in C and in the module.
+headers='include/harmorph.h include/harmorph_design.h include/harmorph_space.h include/harmorph_parts.h
+    include/harmorph_study.h'
+constants=$(echo HM_ABI; cat $headers | sed -n '/^enum/,/};/p' | grep -o 'HM_[A-Z0-9_]* =' | cut -d ' ' -f 1)
 for name in $constants; do echo "PUT($name);"; done >"$dir/constants_c.inc"
 {
     echo 'call compare_numbers("constants", 20, int([ &'
@@ -122,7 +116,7 @@ check "link of layout" $FC $FFLAGS "$dir/layout.o" "$dir/layout_c.o" "$dir/check
 
 # What the header has and the module has not: functions. A constant that is missing stops the compilation of layout.f90.
 missing() {
-    for name in $(sed -n 's/^HM_API .*[ *]\(hm_[a-z_]*\)(.*/\1/p' include/harmorph.h); do
+    for name in $(sed -n 's/^HM_API .*[ *]\(hm_[a-z_]*\)(.*/\1/p' $headers); do
         grep -q "name=\"$name\"" "$build/harmorph.f90" || echo "$name"
     done
 }

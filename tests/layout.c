@@ -17,8 +17,16 @@ int32_t layout_of(int32_t number, int64_t* numbers) {
         case 1:
             PUT(sizeof(TYPE));
             AT(code);
+            AT(item_kind);
             AT(item);
+            AT(item_base);
+            AT(other_kind);
+            AT(other);
+            AT(other_base);
+            AT(reserved);
             AT(value);
+            AT(x);
+            AT(y);
             AT(text);
             break;
 #undef TYPE
@@ -89,7 +97,7 @@ int32_t layout_of(int32_t number, int64_t* numbers) {
             AT(degree);
             AT(n_control);
             AT(closed);
-            AT(reserved);
+            AT(index_base);
             break;
 #undef TYPE
 #define TYPE hm_fit_report

@@ -46,8 +46,10 @@ program layout
     type(hm_c_improve_options), target :: improve_options
     type(hm_improve_report), target :: improve_report
 
-    call compare("hm_error", 1, c_sizeof(error), c_loc(error), [c_loc(error%code), c_loc(error%item), &
-        c_loc(error%value), c_loc(error%text)])
+    call compare("hm_error", 1, c_sizeof(error), c_loc(error), [c_loc(error%code), &
+        c_loc(error%item_kind), c_loc(error%item), c_loc(error%item_base), c_loc(error%other_kind), &
+        c_loc(error%other), c_loc(error%other_base), c_loc(error%reserved), c_loc(error%value), c_loc(error%x), &
+        c_loc(error%y), c_loc(error%text)])
     call compare("hm_executor", 2, c_sizeof(executor), c_loc(executor), [c_loc(executor%struct_size), &
         c_loc(executor%run), c_loc(executor%user), c_loc(executor%n_threads), c_loc(executor%kernel)])
     call compare("hm_mesh", 3, c_sizeof(mesh), c_loc(mesh), [c_loc(mesh%struct_size), c_loc(mesh%index_base), &
@@ -64,7 +66,7 @@ program layout
         c_loc(curves%n_curves), c_loc(curves%curve)])
     call compare("hm_fit_options", 6, c_sizeof(fit_options), c_loc(fit_options), [c_loc(fit_options%struct_size), &
         c_loc(fit_options%degree), c_loc(fit_options%n_control), c_loc(fit_options%closed), &
-        c_loc(fit_options%reserved)])
+        c_loc(fit_options%index_base)])
     call compare("hm_fit_report", 7, c_sizeof(fit_report), c_loc(fit_report), [c_loc(fit_report%struct_size), &
         c_loc(fit_report%max_error), c_loc(fit_report%rms_error), c_loc(fit_report%max_error_point), &
         c_loc(fit_report%closed), c_loc(fit_report%first_point), c_loc(fit_report%base_points), &

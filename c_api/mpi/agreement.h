@@ -13,18 +13,22 @@ static hm_status refuse(hm_error* err, hm_status code, const char* sentence) {
     if (err != NULL) {
         memset(err, 0, sizeof *err);
         err->code = code;
-        err->item = -1;
+        err->item = err->other = -1;
         snprintf(err->text, sizeof err->text, "%s", sentence);
     }
     return code;
 }
 
-static hm_status refuse_point(hm_error* err, const char* before, int32_t point,
+static hm_status refuse_point(hm_error* err, const char* before, int32_t point, int32_t base,
                               const char* behind) {
     char text[sizeof err->text];
     snprintf(text, sizeof text, "%s%d%s", before, (int)point, behind);
     refuse(err, HM_BAD_ARGUMENT, text);
-    if (err != NULL) err->item = point;
+    if (err != NULL) {
+        err->item_kind = HM_ITEM_POINT;
+        err->item = point;
+        err->item_base = base;
+    }
     return HM_BAD_ARGUMENT;
 }
 

@@ -52,9 +52,9 @@ static hm_status make_room(whole_fields* whole, const hm_plan* plan, int needs_a
     free(seen);
     if (wrong >= 0)
         return refuse_point(err, "a process has point ", whole->mesh.points[wrong],
-                            ", which the mesh has not");
+                            whole->index_base, ", which the mesh has not");
     if (!needs_all || missing < 0) return HM_OK;
-    return refuse_point(err, "point ", (int32_t)missing + whole->index_base,
+    return refuse_point(err, "point ", (int32_t)missing + whole->index_base, whole->index_base,
                         " is in the list of no process");
 }
 

@@ -17,11 +17,16 @@
         if (e != 0) return e;          \
     } while (0)
 
-static hm_status refuse(hm_error* err, hm_status code, int64_t item, const char* sentence) {
+/* point: a global number, or -1. */
+static hm_status refuse(hm_error* err, hm_status code, int64_t point, const char* sentence) {
     if (err != NULL) {
         memset(err, 0, sizeof *err);
         err->code = code;
-        err->item = item >= 0 && item <= INT32_MAX ? (int32_t)item : -1;
+        err->item = err->other = -1;
+        if (point >= 0 && point <= INT32_MAX) {
+            err->item_kind = HM_ITEM_GLOBAL_POINT;
+            err->item = (int32_t)point;
+        }
         snprintf(err->text, sizeof err->text, "%s", sentence);
     }
     return code;
@@ -48,7 +53,7 @@ static hm_status agree(hm_status own, MPI_Comm comm, hm_error* err) {
 /* A failed call of PETSc: what PETSc says. */
 static hm_status petsc_status(PetscErrorCode code, hm_error* err) {
     const char* text = NULL;
-    char sentence[112];
+    char sentence[sizeof err->text];
     if (code == 0) return HM_OK;
     PetscErrorMessage(code, &text, NULL);
     snprintf(sentence, sizeof sentence, "PETSc: %s", text != NULL ? text : "unknown error");

@@ -30,6 +30,25 @@ subroutine hmclos(w)
     w(1) = 0
 end subroutine
 
+! What the last call with this W, but HMERR, was refused for. All numbers count from 1.
+subroutine hmerr(w, kind, item, kind2, item2, value, xy)
+    use harmorph77
+    implicit none
+    real(c_double), intent(inout), target :: w(*)
+    integer, intent(out) :: kind, item, kind2, item2
+    real(c_double), intent(out) :: value, xy(2)
+    type(legacy_call) :: this
+    type(hm_c_error) :: last
+    call this%open(w)
+    if (this%ok()) last = this%kept%last
+    kind = int(last%item_kind)
+    item = int(last%item)
+    kind2 = int(last%other_kind)
+    item2 = int(last%other)
+    value = last%value
+    xy = [last%x, last%y]
+end subroutine
+
 ! Whether values go together, HMSOLV tells.
 subroutine hmopt(w, name, ival, ierr, msg)
     use harmorph77

@@ -72,8 +72,7 @@ public:
         }
         Real const missing = static_cast<Real>(bytes() - given);
         return fault.refuse(Status::block_too_small,
-                            "the block is too small: ~ more bytes are needed", Counts::from_zero,
-                            none, none, missing);
+                            "the block is too small: ~ more bytes are needed", {}, {}, missing);
     }
 
 private:

@@ -54,32 +54,77 @@ enum class Status : std::int32_t {
 
 constexpr bool failed(Status status) noexcept { return static_cast<std::int32_t>(status) < 0; }
 
-// What the numbers in a fault count: `mesh`, points and cells, which the caller counts from an
-// index base of the mesh; `curves`, a control point as `item`, likewise, and a curve as `other`,
-// which counts from 0 like everything else; `mesh_and_marker`, a point as `item` and a marker as
-// `other`, whose number is the caller's own.
-enum class Counts : std::int32_t { from_zero, mesh, curves, mesh_and_marker };
+// What a number in a fault counts. The numbers are those of the C header, which explains them.
+enum class ItemKind : std::int32_t {
+    nothing,
+    point,
+    cell,
+    side,
+    marker,
+    curve,
+    control_point,
+    condition,
+    function,
+    body,
+    list,
+    block,
+    knot,
+    variable,
+    quantity,
+    field,
+    entry,
+    global_point
+};
+
+// One thing that a fault is about, counted from 0; markers and global points have the caller's own
+// numbers. A number without a kind, such as a count or an option, stands in the sentence alone.
+struct Item {
+    ItemKind kind = ItemKind::nothing;
+    Offset number = 0;
+};
+
+constexpr Item plain(Index number) noexcept { return {ItemKind::nothing, number}; }
+constexpr Item point_item(Index number) noexcept { return {ItemKind::point, number}; }
+constexpr Item cell_item(Index number) noexcept { return {ItemKind::cell, number}; }
+constexpr Item side_item(Index number) noexcept { return {ItemKind::side, number}; }
+constexpr Item marker_item(Index number) noexcept { return {ItemKind::marker, number}; }
+constexpr Item curve_item(Index number) noexcept { return {ItemKind::curve, number}; }
+constexpr Item control_point_item(Index number) noexcept {
+    return {ItemKind::control_point, number};
+}
+constexpr Item condition_item(Index number) noexcept { return {ItemKind::condition, number}; }
+constexpr Item function_item(Index number) noexcept { return {ItemKind::function, number}; }
+constexpr Item body_item(Index number) noexcept { return {ItemKind::body, number}; }
+constexpr Item list_item(Index number) noexcept { return {ItemKind::list, number}; }
+constexpr Item block_item(Index number) noexcept { return {ItemKind::block, number}; }
+constexpr Item knot_item(Index number) noexcept { return {ItemKind::knot, number}; }
+constexpr Item variable_item(Index number) noexcept { return {ItemKind::variable, number}; }
+constexpr Item quantity_item(Index number) noexcept { return {ItemKind::quantity, number}; }
+constexpr Item field_item(Index number) noexcept { return {ItemKind::field, number}; }
+constexpr Item entry_item(Index number) noexcept { return {ItemKind::entry, number}; }
+constexpr Item global_point_item(Offset number) noexcept {
+    return {ItemKind::global_point, number};
+}
 
 // Why a call was refused. In the sentence # stands for item, @ for other, ~ for value, $ for the
-// place and % for argument.
+// place and % for argument. A fault without a reason is all zeros, so that no image of it has to be
+// kept in the library's data.
 struct Fault {
     Status status = Status::ok;
-    Counts counts = Counts::from_zero;
-    Index item = none;
-    Index other = none;
+    Item item, other;
     Real value = 0;
-    const char* sentence = "";
-    const char* argument = "";
+    const char* sentence = nullptr;
+    const char* argument = nullptr;
     Real place[2] = {0, 0};  // coordinates
 
-    Status refuse(Status why, const char* text, Counts base = Counts::from_zero, Index first = none,
-                  Index second = none, Real found = 0) noexcept {
-        *this = {why, base, first, second, found, text, "", {0, 0}};
+    Status refuse(Status why, const char* text, Item first = {}, Item second = {},
+                  Real found = 0) noexcept {
+        *this = {why, first, second, found, text, nullptr, {0, 0}};
         return why;
     }
-    Status refuse_at(Real x, Real y, Status why, const char* text, Counts base = Counts::from_zero,
-                     Index first = none, Index second = none, Real found = 0) noexcept {
-        refuse(why, text, base, first, second, found);
+    Status refuse_at(Real x, Real y, Status why, const char* text, Item first = {},
+                     Item second = {}, Real found = 0) noexcept {
+        refuse(why, text, first, second, found);
         place[0] = x;
         place[1] = y;
         return why;

@@ -165,7 +165,7 @@ private:
 
 Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault) noexcept {
     auto const refuse = [&](const char* why, Real found = 0) {
-        return fault.refuse(Status::bad_basis, why, Counts::from_zero, none, none, found);
+        return fault.refuse(Status::bad_basis, why, {}, {}, found);
     };
     if (bytes == 0 || std::memcmp(block, BasisHeader::expected_magic,
                                   smaller(bytes, sizeof BasisHeader::expected_magic)) != 0)
@@ -181,8 +181,8 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
     if (header.format != BasisHeader::current_format) {
         return fault.refuse(Status::bad_basis,
                             "the basis has format version #, this library reads @: solve it again",
-                            Counts::from_zero, static_cast<Index>(header.format),
-                            Index{BasisHeader::current_format});
+                            plain(static_cast<Index>(header.format)),
+                            plain(Index{BasisHeader::current_format}));
     }
     if (header.bytes > bytes) {
         return refuse("the basis is truncated: ~ bytes are missing",
@@ -203,7 +203,7 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
     if (header.counts.points != mesh->n_points || header.counts.cells != mesh->n_cells) {
         return fault.refuse(Status::bad_basis,
                             "the basis belongs to another mesh: it has # points and @ cells",
-                            Counts::from_zero, header.counts.points, header.counts.cells);
+                            plain(header.counts.points), plain(header.counts.cells));
     }
     MeshFingerprint const found = fingerprint_of(*mesh);
     if (header.topology.cells != found.cells)

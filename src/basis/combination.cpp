@@ -64,10 +64,10 @@ Status combine(Basis const& from, Index n, Index numbers, const Real* matrix, Ba
     copy(trial, Span<const Real>(matrix, trial.size()));
     DependentColumn const dependent = find_dependent_column(trial, n, numbers);
     if (dependent.column != none) {
-        const char* const text =
-            dependent.is_zero ? "column # (from 0) of the matrix is zero"
-                              : "column # (from 0) of the matrix is a combination of those before";
-        return fault.refuse(Status::bad_condition, text, Counts::from_zero, dependent.column);
+        const char* const text = dependent.is_zero
+                                     ? "column # of the matrix is zero"
+                                     : "column # of the matrix is a combination of those before";
+        return fault.refuse(Status::bad_condition, text, variable_item(dependent.column));
     }
     set_combination(from, n, numbers, matrix, to);
 

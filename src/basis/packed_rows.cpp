@@ -22,17 +22,16 @@ Status check_label(ParcelLabel const& label, Basis const& rows, Fault& fault) no
     if (label.points != rows.n_points()) {
         return fault.refuse(Status::bad_basis,
                             "the parcel has the rows of # points, the basis has @",
-                            Counts::from_zero, label.points, rows.n_points());
+                            plain(label.points), plain(rows.n_points()));
     }
     if (!header.counts.complete()) {
         return fault.refuse(Status::bad_basis,
                             "parcels are for rows of all functions, this is a share of them");
     }
     if (label.first != header.filled || label.n < 0 || label.n > rows.n_functions() - label.first) {
-        return fault.refuse(
-            Status::bad_basis,
-            "the parcel begins with function # (from 0), the next one to come is @ (from 0)",
-            Counts::from_zero, label.first, header.filled);
+        return fault.refuse(Status::bad_basis,
+                            "the parcel begins with function #, the next one to come is @",
+                            function_item(label.first), function_item(header.filled));
     }
     return Status::ok;
 }

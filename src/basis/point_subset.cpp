@@ -20,17 +20,16 @@ Status PointList::check(Index n_points, Fault& fault) const noexcept {
     for (Index k = 0; k < count(); ++k) {
         Offset const number = Offset{point[k]} - index_base;
         if (number >= 0 && number < n_points) continue;
-        return fault.refuse(Status::bad_argument,
-                            "entry # (from 0) of the list is no point of the mesh: @",
-                            Counts::from_zero, k, point[k]);
+        return fault.refuse(Status::bad_argument, "entry # of the list is no point of the mesh: @",
+                            entry_item(k), {ItemKind::point, number});
     }
     return Status::ok;
 }
 
 Status PointList::check_length(Index n, Fault& fault) noexcept {
     if (n >= 0 && n <= most) return Status::ok;
-    return fault.refuse(Status::bad_argument, "a list may have 0 to @ points, not #",
-                        Counts::from_zero, n, most);
+    return fault.refuse(Status::bad_argument, "a list may have 0 to @ points, not #", plain(n),
+                        plain(most));
 }
 
 void Extract::take_work(Arena& arena, Basis const& whole) noexcept {

@@ -27,8 +27,8 @@ Status store_single(Basis const& from, Basis const& to, Fault& fault) noexcept {
         from.header->largest;  // of the whole, also where this is a part of it: so it stays
     if (!(largest <= largest_float)) {
         return fault.refuse(Status::unsupported,
-                            "a value of the functions is too large for single precision: ~",
-                            Counts::from_zero, none, none, largest);
+                            "a value of the functions is too large for single precision: ~", {}, {},
+                            largest);
     }
     BasisCounts const counts = single_counts(from);
     std::memset(static_cast<void*>(to.header), 0, Basis::bytes(counts));

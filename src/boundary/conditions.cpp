@@ -52,33 +52,31 @@ Status check_marker(Span<const Condition> conditions, Index i, Boundary const& b
         if (earlier.marker == marker &&
             (earlier.piece == conditions[i].piece ? earlier.piece == 0 : is_pair)) {
             return fault.refuse(Status::bad_condition, "marker # has two conditions",
-                                Counts::from_zero, marker);
+                                marker_item(marker));
         }
     }
     if (!has_faces(boundary, marker)) {
-        return fault.refuse(Status::bad_condition,
-                            "marker # of condition @ (from 0) is on no boundary face",
-                            Counts::from_zero, marker, i);
+        return fault.refuse(Status::bad_condition, "marker # of condition @ is on no boundary face",
+                            marker_item(marker), condition_item(i));
     }
     for (Index face = 0; face < boundary.count; ++face) {
         if (boundary.condition[face] == i) return Status::ok;
     }
     return fault.refuse(Status::bad_condition,
-                        "other conditions choose all of marker # that condition @ (from 0) is for",
-                        Counts::from_zero, marker, i);
+                        "other conditions choose all of marker # that condition @ is for",
+                        marker_item(marker), condition_item(i));
 }
 
 Status check_centre(Span<const Condition> conditions, Index i, Fault& fault) noexcept {
     Condition const& condition = conditions[i];
     if (!is_finite(condition.centre.x) || !is_finite(condition.centre.y)) {
-        return fault.refuse(Status::bad_condition,
-                            "the centre in condition # (from 0) is not finite", Counts::from_zero,
-                            i);
+        return fault.refuse(Status::bad_condition, "the centre in condition # is not finite",
+                            condition_item(i));
     }
     if (!is_in_range(condition.centre)) {
         return fault.refuse(Status::bad_condition,
-                            "the centre in condition # (from 0) has a coordinate beyond 1e100",
-                            Counts::from_zero, i);
+                            "the centre in condition # has a coordinate beyond 1e100",
+                            condition_item(i));
     }
     return Status::ok;
 }
@@ -96,14 +94,13 @@ Status check_body(Span<const Condition> conditions, Index i, Fault& fault) noexc
             (other.centre.x != condition.centre.x || other.centre.y != condition.centre.y)) {
             return fault.refuse(Status::bad_condition,
                                 "markers # and @ are one rigid body, but turn about two centres",
-                                Counts::from_zero, condition.marker, other.marker);
+                                marker_item(condition.marker), marker_item(other.marker));
         }
     }
     if (condition.body >= 0 && previous != none) return Status::ok;
-    return fault.refuse(
-        Status::bad_condition,
-        "condition # (from 0) names rigid body @ (from 0), but not all before it are there",
-        Counts::from_zero, i, condition.body);
+    return fault.refuse(Status::bad_condition,
+                        "condition # names rigid body @, but not all before it are there",
+                        condition_item(i), body_item(condition.body));
 }
 
 Status check_partner(Span<const Condition> conditions, Index i, Boundary const& boundary,
@@ -111,18 +108,19 @@ Status check_partner(Span<const Condition> conditions, Index i, Boundary const& 
     Condition const& condition = conditions[i];
     if (condition.partner == condition.marker) {
         return fault.refuse(Status::bad_condition, "marker # is its own periodic partner",
-                            Counts::from_zero, condition.marker);
+                            marker_item(condition.marker));
     }
     for (Condition const& other : conditions) {
         if (other.marker != condition.partner) continue;
         return fault.refuse(Status::bad_condition,
                             "marker #, the periodic partner of @, has a condition of its own",
-                            Counts::from_zero, condition.partner, condition.marker);
+                            marker_item(condition.partner), marker_item(condition.marker));
     }
     if (has_faces(boundary, condition.partner)) return Status::ok;
-    return fault.refuse(Status::bad_condition,
-                        "marker @ is to be the periodic partner of #, but no boundary face has it",
-                        Counts::from_zero, condition.marker, condition.partner);
+    return fault.refuse(
+        Status::bad_condition,
+        "marker # is to be the periodic partner of marker @, but no boundary face has it",
+        marker_item(condition.partner), marker_item(condition.marker));
 }
 
 }  // namespace
@@ -153,13 +151,13 @@ Status check_conditions(Span<const Condition> conditions, Index n_curves, Bounda
         if (condition.n_curves == 0) {
             return fault.refuse(
                 Status::bad_condition,
-                "condition # (from 0) is on a curve, but its n_curves is 0: there are @ curves",
-                Counts::from_zero, i, n_curves);
+                "condition # is on a curve, but its n_curves is 0: there are @ curves",
+                condition_item(i), plain(n_curves));
         }
         if (condition.first_curve < 0 || condition.n_curves < 1 || end > n_curves) {
             return fault.refuse(Status::bad_condition,
-                                "condition # (from 0) names curves that do not exist; there are @",
-                                Counts::from_zero, i, n_curves);
+                                "condition # names curves that do not exist; there are @",
+                                condition_item(i), plain(n_curves));
         }
     }
     if (any_wall) return Status::ok;

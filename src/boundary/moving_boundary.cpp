@@ -137,31 +137,30 @@ Status apply_given(GivenParameters const& given, Span<const Curve> curves,
         if (point < 0 || point >= representative.count()) {
             return fault.refuse(Status::bad_condition,
                                 "a parameter is given for point #, which does not exist",
-                                Counts::mesh, point);
+                                point_item(point));
         }
         Index const slot = work.slot[representative[point]];
         if (slot == none) {
             return fault.refuse(Status::bad_condition,
                                 "a parameter is given for point #, which is on no curve's marker",
-                                Counts::mesh, point);
+                                point_item(point));
         }
         Index const curve = given.curve[i];
         if (wall.curve[slot] >= curves.count()) {
             return fault.refuse(Status::bad_condition,
                                 "a parameter is given for point #, which is on no curve",
-                                Counts::mesh, point);
+                                point_item(point));
         }
         if (curve < 0 || curve >= curves.count()) {
-            return fault.refuse(
-                Status::bad_condition,
-                "given parameter # (from 0) is on curve @ (from 0), which does not exist",
-                Counts::from_zero, i, curve);
+            return fault.refuse(Status::bad_condition,
+                                "given parameter # is on curve @, which does not exist",
+                                entry_item(i), curve_item(curve));
         }
         if (!is_finite(given.u[i]) || given.u[i] < curves[curve].begin() ||
             given.u[i] > curves[curve].end()) {
             return fault.refuse(Status::bad_condition,
                                 "the parameter ~ given for point # is outside its curve",
-                                Counts::mesh, point, none, given.u[i]);
+                                point_item(point), {}, given.u[i]);
         }
         wall.curve[slot] = curve;
         wall.u[slot] = given.u[i];

@@ -33,13 +33,13 @@ public:
         if (n_ == 0 || n_partner == 0) {
             return fault.refuse(Status::bad_condition,
                                 "periodic marker # is not one open piece of the boundary",
-                                Counts::from_zero, n_ == 0 ? condition.marker : condition.partner);
+                                marker_item(n_ == 0 ? condition.marker : condition.partner));
         }
         if (n_ != n_partner) {
             return fault.refuse(
                 Status::bad_condition,
                 "the periodic markers # and @ do not have the same number of points",
-                Counts::from_zero, condition.marker, condition.partner);
+                marker_item(condition.marker), marker_item(condition.partner));
         }
         Index times = 0;
         if (condition.kind == ConditionKind::rotation) {
@@ -93,7 +93,7 @@ private:
         if (periodicity_.translations.add(chain_[0], image_of(0), mesh_.points)) return Status::ok;
         return fault.refuse(Status::bad_condition,
                             "periodic marker #: there are already @ other translations",
-                            Counts::from_zero, condition.marker, Translations::most);
+                            marker_item(condition.marker), plain(Translations::most));
     }
 
     // The angle of least squares.
@@ -119,7 +119,7 @@ private:
             return fault.refuse(Status::bad_condition,
                                 "the sides of marker #, a rotation pair, are not turned: "
                                 "HM_PERIODIC_PAIR takes them",
-                                Counts::from_zero, condition.marker);
+                                marker_item(condition.marker));
         }
         Rotation& rotation = periodicity_.rotation;
         if (!rotation.any) rotation = {true, map.centre, map.turn};
@@ -128,7 +128,7 @@ private:
         return fault.refuse(Status::bad_condition,
                             "rotation pair of marker #: another pair turns about another centre or "
                             "by another angle",
-                            Counts::from_zero, condition.marker);
+                            marker_item(condition.marker));
     }
 
     Status check_images(SideMap const& map, const char* sentence, Fault& fault) const noexcept {
@@ -147,8 +147,8 @@ private:
             }
         }
         if (worst <= mapped_within * (length(high - low) + distance)) return Status::ok;
-        return fault.refuse(Status::bad_condition, sentence, Counts::mesh, chain_[worst_at],
-                            image_of(worst_at), worst);
+        return fault.refuse(Status::bad_condition, sentence, point_item(chain_[worst_at]),
+                            point_item(image_of(worst_at)), worst);
     }
 
     // The marker's points in order from place `begin` of the chain on; 0 unless they are one open
@@ -188,7 +188,7 @@ private:
         if (kind == PointKind::on_wall) {
             return fault.refuse(Status::bad_condition,
                                 "point # is on a periodic boundary and on a wall that moves",
-                                Counts::mesh, kinds_[a.point] == kind ? a.point : b.point);
+                                point_item(kinds_[a.point] == kind ? a.point : b.point));
         }
         if (is_same) {  // the centre: only 0 is what it becomes by the rotation
             kinds_[a.point] = PointKind::fixed;

@@ -118,7 +118,7 @@ Status SlipAlong::give(Condition const& condition, Index n, bool closed, SlipCur
         return fault.refuse(
             Status::bad_condition,
             "point # is ~ from the curve that it should slide along: is the marker another one?",
-            Counts::mesh, to.point[first + where], none, farthest);
+            point_item(to.point[first + where]), {}, farthest);
     }
     bool const smooth = to.give([&](Index j, Vec2& tangent) {
         if (closed && j == n * SlipCurves::parts) j = 0;  // bit by bit
@@ -132,7 +132,7 @@ Status SlipAlong::give(Condition const& condition, Index n, bool closed, SlipCur
     return fault.refuse(
         Status::bad_condition,
         "the curve along which point # and those after it should slide has a corner between them",
-        Counts::mesh, to.point[first]);
+        point_item(to.point[first]));
 }
 
 }  // namespace harmorph

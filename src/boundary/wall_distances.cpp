@@ -41,7 +41,7 @@ public:
         return fault.refuse(Status::far_from_curve,
                             "point # is ~ beyond the end of its curve: points there move as one; "
                             "is a curve missing?",
-                            Counts::mesh, wall_.point[beyond_], none, beyond_distance_);
+                            point_item(wall_.point[beyond_]), {}, beyond_distance_);
     }
 
 private:
@@ -72,10 +72,10 @@ private:
             if (named_together(its_curve, other)) continue;
             if (!(project(curves_[other], point).distance < much_nearer * distance)) continue;
             return fault.refuse(Status::bad_condition,
-                                "point # is ~ from its curve, but on curve @ (from 0), which its "
+                                "point # is ~ from its curve, but on curve @, which its "
                                 "condition does not "
                                 "name",
-                                Counts::mesh_and_marker, wall_.point[slot], other, distance);
+                                point_item(wall_.point[slot]), curve_item(other), distance);
         }
         return Status::ok;
     }
@@ -111,7 +111,7 @@ private:
                                        : "point # is ~ from its curve, above .05 of the extent of "
                                          "curve or wall: is the curve "
                                          "its own?",
-                            Counts::mesh, wall_.point[farthest_], none, largest_distance_);
+                            point_item(wall_.point[farthest_]), {}, largest_distance_);
     }
 
     static constexpr Real far = 0.05;            // of the extent

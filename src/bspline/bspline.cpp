@@ -9,23 +9,21 @@ namespace {
 
 Status check_knots(Curve const& curve, Index number, Fault& fault) noexcept {
     auto const refuse = [&](const char* sentence, Index knot) {
-        return fault.refuse(Status::bad_curve, sentence, Counts::from_zero, knot, number,
+        return fault.refuse(Status::bad_curve, sentence, knot_item(knot), curve_item(number),
                             curve.knots[knot]);
     };
     Index const n_knots = curve.n_indices + curve.degree + 1;
     for (Index k = 0; k < n_knots; ++k) {
-        if (!is_finite(curve.knots[k]))
-            return refuse("knot # (from 0) of curve @ (from 0) is not finite", k);
+        if (!is_finite(curve.knots[k])) return refuse("knot # of curve @ is not finite", k);
         if (k > 0 && curve.knots[k] < curve.knots[k - 1])
-            return refuse("knot # (from 0) of curve @ (from 0) is smaller than the one before it",
-                          k);
+            return refuse("knot # of curve @ is smaller than the one before it", k);
     }
     // Within these limits no quotient of basis functions or of their derivatives overflows.
     constexpr Real longest = 1e100, shortest = 1e-100, least_part = 1e-18;
     if (!is_at_most(curve.knots[0], longest) || !is_at_most(curve.knots[n_knots - 1], longest) ||
         !(curve.end() - curve.begin() >= shortest))
         return refuse(
-            "from knot # (from 0) on, where it begins, curve @ (from 0) has no length, or knots "
+            "from knot # on, where it begins, curve @ has no length, or knots "
             "beyond 1e100",
             curve.degree);
     Real const least = least_part * (curve.knots[n_knots - 1] - curve.knots[0]);
@@ -33,7 +31,7 @@ Status check_knots(Curve const& curve, Index number, Fault& fault) noexcept {
         Real const interval = curve.knots[k] - curve.knots[k - 1];
         if (interval > 0 && interval < least)
             return refuse(
-                "knot # (from 0) of curve @ (from 0) differs from the one before it by less than "
+                "knot # of curve @ differs from the one before it by less than "
                 "1e-18 of all",
                 k);
     }
@@ -43,9 +41,7 @@ Status check_knots(Curve const& curve, Index number, Fault& fault) noexcept {
         fold = k > 0 && curve.knots[k] == curve.knots[k - 1] ? fold + 1 : 1;
         bool const at_end = curve.knots[k] == curve.begin() || curve.knots[k] == curve.end();
         if (fold > curve.degree + (at_end ? 1 : 0))
-            return refuse(
-                "knot # (from 0) of curve @ (from 0) is repeated more often than the degree allows",
-                k);
+            return refuse("knot # of curve @ is repeated more often than the degree allows", k);
     }
     return Status::ok;
 }
@@ -53,8 +49,8 @@ Status check_knots(Curve const& curve, Index number, Fault& fault) noexcept {
 Status check_control(Curve const& curve, Index number, Fault& fault) noexcept {
     if (curve.indices == nullptr && curve.n_indices > curve.n_control)
         return fault.refuse(Status::bad_curve,
-                            "curve # (from 0) uses @ control points in order, but there are fewer",
-                            Counts::from_zero, number, curve.n_indices);
+                            "curve # uses @ control points in order, but there are fewer",
+                            curve_item(number), plain(curve.n_indices));
     for (Index k = 0; k < curve.n_indices; ++k) {
         // Not by control_point(): the subtraction may overflow before anything is known about the
         // index.
@@ -62,26 +58,24 @@ Status check_control(Curve const& curve, Index number, Fault& fault) noexcept {
             curve.indices != nullptr ? static_cast<Offset>(curve.indices[k]) - curve.index_base : k;
         if (c < 0 || c >= curve.n_control)
             return fault.refuse(
-                Status::bad_curve,
-                "index # (from 0) of curve @ (from 0) is ~: there is no such control point",
-                Counts::from_zero, k, number, static_cast<Real>(curve.indices[k]));
+                Status::bad_curve, "index # of curve @ is ~: there is no such control point",
+                entry_item(k), curve_item(number), static_cast<Real>(curve.indices[k]));
         Index const point = static_cast<Index>(c);
         Vec2 const place{curve.control[2 * point], curve.control[2 * point + 1]};
         if (!is_finite(place.x) || !is_finite(place.y))
-            return fault.refuse(Status::bad_curve,
-                                "control point # of curve @ (from 0) is not finite", Counts::curves,
-                                point, number);
+            return fault.refuse(Status::bad_curve, "control point # of curve @ is not finite",
+                                control_point_item(point), curve_item(number));
         if (!is_coordinate(place))
-            return fault.refuse(
-                Status::bad_curve,
-                "control point # of curve @ (from 0) has a coordinate beyond 1e100: ~",
-                Counts::curves, point, number,
-                absolute(place.x) > absolute(place.y) ? place.x : place.y);
+            return fault.refuse(Status::bad_curve,
+                                "control point # of curve @ has a coordinate beyond 1e100: ~",
+                                control_point_item(point), curve_item(number),
+                                absolute(place.x) > absolute(place.y) ? place.x : place.y);
         if (curve.weights != nullptr && !is_between(1e-10, curve.weights[point], 1e10))
             return fault.refuse(Status::bad_curve,
-                                "the weight of control point # of curve @ (from 0) is ~, not "
+                                "the weight of control point # of curve @ is ~, not "
                                 "between 1e-10 and 1e10",
-                                Counts::curves, point, number, curve.weights[point]);
+                                control_point_item(point), curve_item(number),
+                                curve.weights[point]);
     }
     return Status::ok;
 }
@@ -139,14 +133,13 @@ void raise_degree(Curve const& curve, Index span, Real u, Index j, Index n_deriv
 
 Status check_curve(Curve const& curve, Index number, Fault& fault) noexcept {
     if (curve.degree < 1 || curve.degree > max_degree)
-        return fault.refuse(Status::bad_curve, "curve # (from 0) has degree @; 1 to 5 are possible",
-                            Counts::from_zero, number, curve.degree);
+        return fault.refuse(Status::bad_curve, "curve # has degree @; 1 to 5 are possible",
+                            curve_item(number), plain(curve.degree));
     if (curve.n_indices <= curve.degree ||
         curve.n_indices > std::numeric_limits<Index>::max() - max_order)
-        return fault.refuse(
-            Status::bad_curve,
-            "curve # (from 0) has @ control points: more than the degree are needed",
-            Counts::from_zero, number, curve.n_indices);
+        return fault.refuse(Status::bad_curve,
+                            "curve # has @ control points: more than the degree are needed",
+                            curve_item(number), plain(curve.n_indices));
     HARMORPH_TRY(check_knots(curve, number, fault));
     return check_control(curve, number, fault);
 }

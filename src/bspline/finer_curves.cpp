@@ -43,8 +43,8 @@ bool has_periodic_points(Curve const& curve) noexcept {
 Status CurveRefinement::check(Curve const& old, Fault& fault) const noexcept {
     if (elevates) {
         if (old.degree < max_degree) return Status::ok;
-        return fault.refuse(Status::bad_curve, "curve # (from 0) has degree @, the largest",
-                            Counts::from_zero, curve, old.degree);
+        return fault.refuse(Status::bad_curve, "curve # has degree @, the largest",
+                            curve_item(curve), plain(old.degree));
     }
     bool const periodic = has_periodic_points(old);
     for (Index k = 0; k < knots.count(); ++k) {
@@ -53,8 +53,8 @@ Status CurveRefinement::check(Curve const& old, Fault& fault) const noexcept {
             is_finite(u) && (u > old.begin() || (periodic && u == old.begin())) && u < old.end();
         if (!inside) {
             return fault.refuse(Status::bad_argument,
-                                "knot # (from 0) to be inserted, ~, is not inside curve @ (from 0)",
-                                Counts::from_zero, k, curve, u);
+                                "knot # to be inserted, ~, is not inside curve @", knot_item(k),
+                                curve_item(curve), u);
         }
         Index fold = 0;
         for (Real const other : knots) fold += other == u ? 1 : 0;
@@ -63,8 +63,8 @@ Status CurveRefinement::check(Curve const& old, Fault& fault) const noexcept {
         if (fold > old.degree) {
             return fault.refuse(
                 Status::bad_curve,
-                "knot # (from 0), ~, would be repeated @ times, more often than the degree allows",
-                Counts::from_zero, k, fold, u);
+                "knot #, ~, would be repeated @ times, more often than the degree allows",
+                knot_item(k), plain(fold), u);
         }
     }
     return Status::ok;

@@ -15,17 +15,16 @@ constexpr Real exact = 1e-14;          // an error, in units of the extent, that
 Status check_fit(Index n_points, FitOptions const& options, Fault& fault) noexcept {
     if (options.degree < 1 || options.degree > max_degree)
         return fault.refuse(Status::bad_curve, "the degree of a fit is 1 to 5, not #",
-                            Counts::from_zero, options.degree);
+                            plain(options.degree));
     if (options.n_control <= options.degree)
         return fault.refuse(Status::bad_curve,
                             "# control points are not enough: more than the degree, @, are needed",
-                            Counts::from_zero, options.n_control, options.degree);
+                            plain(options.n_control), plain(options.degree));
     if (n_points < options.n_control)
         return fault.refuse(Status::bad_curve, "# points do not determine @ control points",
-                            Counts::from_zero, n_points, options.n_control);
+                            plain(n_points), plain(options.n_control));
     if (n_points > std::numeric_limits<Index>::max() - 2 * max_order)
-        return fault.refuse(Status::bad_curve, "# points are too many", Counts::from_zero,
-                            n_points);
+        return fault.refuse(Status::bad_curve, "# points are too many", plain(n_points));
     return Status::ok;
 }
 
@@ -70,7 +69,7 @@ Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options,
     if (course_.n_positions < options.n_control)
         return fault.refuse(Status::bad_curve,
                             "# points without those on the base do not determine @ control points",
-                            Counts::from_zero, course_.n_positions, options.n_control);
+                            plain(course_.n_positions), plain(options.n_control));
     shape_curve(options);
     Index const most = corners_possible(options.degree, squares_.curve.n_indices);
     n_corners = corners_on(course_, outline_, corner_.first(n_corners), most);
@@ -92,10 +91,9 @@ Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options,
     report.backtrack_point = find_backtrack();
     if (report.backtrack_point == none) return Status::ok;
     Index const next = report.backtrack_point + 1 == n ? 0 : report.backtrack_point + 1;
-    return fault.refuse(
-        Status::backtracks,
-        "between points # and @ (from 0) the curve runs back: fewer control points help",
-        Counts::from_zero, report.backtrack_point, next);
+    return fault.refuse(Status::backtracks,
+                        "between points # and @ the curve runs back: fewer control points help",
+                        point_item(report.backtrack_point), point_item(next));
 }
 
 // Checks them, and turns them into scaled_ points about their centroid.
@@ -103,11 +101,10 @@ Status Fit::take_points(Points points, Index n, bool is_loop, Fault& fault) noex
     Vec2 sum;
     for (Index k = 0; k < n; ++k) {
         if (!is_finite(points[k].x) || !is_finite(points[k].y))
-            return fault.refuse(Status::bad_curve, "point # (from 0) is not finite",
-                                Counts::from_zero, k);
+            return fault.refuse(Status::bad_curve, "point # is not finite", point_item(k));
         if (!is_in_range(points[k]))
-            return fault.refuse(Status::bad_curve, "point # (from 0) has a coordinate beyond 1e100",
-                                Counts::from_zero, k);
+            return fault.refuse(Status::bad_curve, "point # has a coordinate beyond 1e100",
+                                point_item(k));
         sum = sum + (points[k] - points[0]);
     }
     centre_ = points[0] + (1 / static_cast<Real>(n)) * sum;
@@ -125,16 +122,15 @@ Status Fit::take_points(Points points, Index n, bool is_loop, Fault& fault) noex
     for (Index k = 0; k + (is_loop ? 0 : 1) < n; ++k) {
         Index const next = k + 1 == n ? 0 : k + 1;
         if (square(scaled_[next] - scaled_[k]) == 0)
-            return fault.refuse(Status::bad_curve,
-                                "points # (from 0) and @ (from 0) follow each other and coincide",
-                                Counts::from_zero, k, next);
+            return fault.refuse(Status::bad_curve, "points # and @ follow each other and coincide",
+                                point_item(k), point_item(next));
     }
     Vec2 const first = points[0], last = points[n - 1];
     if (!is_loop && first.x == last.x && first.y == last.y)
         return fault.refuse(
             Status::bad_curve,
             "the first point and the last one, #, are equal: fit a loop without the last one",
-            Counts::from_zero, n - 1);
+            point_item(n - 1));
     outline_.points = scaled_;
     outline_.is_loop = is_loop;
     return Status::ok;
@@ -184,10 +180,9 @@ void Fit::gather(Index n_corners) noexcept {
 Status Fit::check_growth(Fault& fault) const noexcept {
     for (Index k = 0; k + 1 < course_.n_positions; ++k) {
         if (start_[k] < start_[k + 1]) continue;
-        return fault.refuse(
-            Status::bad_curve,
-            "points # (from 0) and @ (from 0) follow each other and coincide but for rounding",
-            Counts::from_zero, point_at(k), point_at(k + 1));
+        return fault.refuse(Status::bad_curve,
+                            "points # and @ follow each other and coincide but for rounding",
+                            point_item(point_at(k)), point_item(point_at(k + 1)));
     }
     return Status::ok;
 }

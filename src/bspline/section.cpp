@@ -42,8 +42,8 @@ Status Section::connect(Fault& fault) noexcept {
         }
         return fault.refuse(
             Status::bad_curve,
-            "curve @ (from 0) of the section does not begin or end where the one before ends",
-            Counts::from_zero, none, c);
+            "curve @ of the section does not begin or end where the one before ends", {},
+            curve_item(first_curve + c));
     }
     Curve const& last = curve[n_curves - 1];
     n_sides = n_curves > 1 && last.degree == 1 && last.n_indices == 2 ? n_curves - 1 : n_curves;

@@ -16,6 +16,7 @@ struct Section {
 
     // To be set: curves that have been checked; the chord line, if it does not move.
     Index n_curves = 0;
+    Index first_curve = 0;  // the number that curve[0] has in the caller's set
     Curve curve[most_curves];
     bool has_fixed_chord = false;
     Vec2 nose, edge;  // ends of the chord line

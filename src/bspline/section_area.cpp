@@ -95,8 +95,8 @@ Status area_moments(Section& section, AreaMoments& moments, Fault& fault) noexce
     Integrals sum = integrals_of(section);
     Real const extent = section.extent();
     if (!(absolute(sum.value[0]) > 64 * epsilon * extent * extent)) {
-        return fault.refuse(Status::bad_curve, "the section encloses no area: ~", Counts::from_zero,
-                            none, none, sum.value[0]);
+        return fault.refuse(Status::bad_curve, "the section encloses no area: ~", {}, {},
+                            sum.value[0]);
     }
     section.sign = sum.value[0] < 0 ? -1 : 1;
     for (Real& value : sum.value) value *= section.sign;

@@ -55,10 +55,9 @@ Curvature curvature_at(CurvePlace const& place) noexcept {
 }
 
 Status refuse_still(Section const& section, CurvePlace const& place, Fault& fault) noexcept {
-    return fault.refuse(Status::bad_curve,
-                        "curve @ (from 0) stands still at parameter ~: it has no curvature there",
-                        Counts::from_zero, none, static_cast<Index>(place.curve - section.curve),
-                        place.u);
+    return fault.refuse(
+        Status::bad_curve, "curve @ stands still at parameter ~: it has no curvature there", {},
+        curve_item(section.first_curve + static_cast<Index>(place.curve - section.curve)), place.u);
 }
 
 Status check_speed(Section const& section, Fault& fault) noexcept {
@@ -146,8 +145,8 @@ Status curvature_variation(Section const& section, Real& variation, ControlGradi
     for (Index c = 0; c < section.n_sides; ++c) {
         if (section.curve[c].degree > 1) continue;
         return fault.refuse(Status::bad_curve,
-                            "curve @ (from 0) of the section has degree 1 and no curvature",
-                            Counts::from_zero, none, c);
+                            "curve @ of the section has degree 1 and no curvature", {},
+                            curve_item(section.first_curve + c));
     }
     HARMORPH_TRY(check_speed(section, fault));
     variation = 0;

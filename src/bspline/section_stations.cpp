@@ -109,8 +109,8 @@ Status measure_station(Section const& section, StationValue which, Real at, Stat
     if (value_at(section, which, at, station) > -infinity) return Status::ok;
     return fault.refuse(
         Status::bad_curve,
-        "the normal to the chord at station ~ meets the outline at less than two points",
-        Counts::from_zero, none, none, at);
+        "the normal to the chord at station ~ meets the outline at less than two points", {}, {},
+        at);
 }
 
 // Stations in the distance t^2 (3 - 2 t) are dense at the ends, where slopes are steep.
@@ -153,8 +153,8 @@ Status pull_station(Section const& section, StationValue which, Station const& s
     StationDerivative const by = differentiate(section, which, station);
     if (!by.finite) {
         return fault.refuse(Status::bad_curve,
-                            "at station ~ the outline is parallel to the normal of the chord",
-                            Counts::from_zero, none, none, station.at);
+                            "at station ~ the outline is parallel to the normal of the chord", {},
+                            {}, station.at);
     }
     gradient.add(station.top, 0, by.top);
     gradient.add(station.bottom, 0, by.bottom);

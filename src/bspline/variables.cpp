@@ -226,10 +226,9 @@ Status VariableMap::check_independence(Fault& fault) noexcept {
     copy(trial, Span<const Real>(wanted));
     DependentColumn const dependent = find_dependent_column(trial, n_, 2);
     if (dependent.column == none) return Status::ok;
-    const char* const text = dependent.is_zero
-                                 ? "variable # (from 0) moves no control point"
-                                 : "variable # (from 0) is a combination of those before";
-    return fault.refuse(Status::bad_condition, text, Counts::from_zero, dependent.column);
+    const char* const text = dependent.is_zero ? "variable # moves no control point"
+                                               : "variable # is a combination of those before";
+    return fault.refuse(Status::bad_condition, text, variable_item(dependent.column));
 }
 
 void VariableMap::measure_errors(Section const& section, Variables const& variables) noexcept {
@@ -266,7 +265,7 @@ Status VariableMap::run(Section const& section, Variables const& variables, Faul
     Index const undetermined = mass.factor(1e-14);
     if (undetermined != none) {
         return fault.refuse(Status::bad_curve, "control point # is not determined by the outline",
-                            Counts::curves, undetermined);
+                            control_point_item(undetermined));
     }
     mass.solve(wanted, 2 * n_);
     HARMORPH_TRY(check_independence(fault));

@@ -42,8 +42,8 @@ public:
         Index const bad = dense::factor(engine_.kernel, panel, pivot_floor<Number>, workers);
         if (bad != none) {
             return fault.refuse(Status::not_positive,
-                                "the matrix is not positive definite at point #", Counts::mesh,
-                                front.begin + bad);
+                                "the matrix is not positive definite at point #",
+                                point_item(front.begin + bad));
         }
         dense::update_border(engine_.kernel, panel, left, workers);
         note_pivots(panel, matrix_.diagonal.from(front.begin, panel.pivots), *worker.least_pivot);
@@ -127,8 +127,8 @@ Status Multifrontal::factorise_in(Matrix const& matrix, Progress const& progress
     Fault fault_of[Executor::most_threads];
     // The one with the first position: it does not depend on the number of threads.
     auto const take_first = [](Fault const& other, Fault& first) {
-        if (failed(other.status) && (!failed(first.status) || other.item < first.item))
-            first = other;
+        bool const is_first = !failed(first.status) || other.item.number < first.item.number;
+        if (failed(other.status) && is_first) first = other;
     };
     for_each_subtree<Number>([&](Index subtree, Index number, Worker<Number> const& worker) {
         Fault its;

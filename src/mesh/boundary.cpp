@@ -14,7 +14,7 @@ Status refuse_unmarked(Edges const& edges, Fault& fault) noexcept {
         fault.refuse(Status::bad_mesh,
                      "the edge between points # and @ has one cell and no marker: a marker or a "
                      "cell is missing",
-                     Counts::mesh, low, high);
+                     point_item(low), point_item(high));
     });
     return fault.status;
 }
@@ -30,9 +30,9 @@ Status check_face(BoundaryFace face, Edges const& edges, Index edge, Fault& faul
     } else if (!edges.is_boundary(edge)) {
         wrong = "the boundary edge between points # and @ has cells on both sides";
     }
-    return wrong == nullptr
-               ? Status::ok
-               : fault.refuse(Status::bad_mesh, wrong, Counts::mesh, face.begin, face.end);
+    return wrong == nullptr ? Status::ok
+                            : fault.refuse(Status::bad_mesh, wrong, point_item(face.begin),
+                                           point_item(face.end));
 }
 
 }  // namespace
@@ -78,8 +78,8 @@ Status Boundary::mark(Topology& topology, Fault& fault) noexcept {
             edges.second[edge] = marked_with(count++);
         } else if (given_marker[face_of_edge(edges.second[edge])] != face.marker) {
             fault.refuse(Status::bad_mesh,
-                         "the boundary edge between points # and @ is on two markers", Counts::mesh,
-                         face.begin, face.end);
+                         "the boundary edge between points # and @ is on two markers",
+                         point_item(face.begin), point_item(face.end));
             return false;
         }
         return true;

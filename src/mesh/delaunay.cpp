@@ -32,7 +32,7 @@ Status Triangulation::build(Topology const& of, Fault& fault) noexcept {
     if (max_triangles(of.mesh) > static_cast<Size>(Mesh::max_cells)) {
         return fault.refuse(Status::unsupported,
                             "the bounded scheme can split no more than 2^28 cells, the mesh has #",
-                            Counts::from_zero, of.mesh.n_cells);
+                            plain(of.mesh.n_cells));
     }
     mesh.points = of.mesh.points;
     representative = of.representative;
@@ -63,8 +63,8 @@ Status Triangulation::split(Topology const& of, Fault& fault) noexcept {
         }
         for (Index k = 0; k < (cell.n == 3 ? 1 : 4); ++k) {
             if (orientation_sign(at[k], at[(k + 1) % cell.n], at[(k + 2) % cell.n]) > 0) continue;
-            return fault.refuse(Status::bad_mesh, "cell # is inverted or empty", Counts::mesh,
-                                of.mesh.number(i));
+            return fault.refuse(Status::bad_mesh, "cell # is inverted or empty",
+                                cell_item(of.mesh.number(i)));
         }
         Index const* const p = cell.point;
         if (cell.n == 3) {

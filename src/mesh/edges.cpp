@@ -83,7 +83,7 @@ Status Edges::build(Mesh const& mesh, Span<const Index> representative, Fault& f
         for_each_side(mesh, representative, [&](Index point, Side) { ++start[point]; });
     if (bad_cell != none) {
         return fault.refuse(Status::bad_mesh, "cell # has two corners that a cut makes one point",
-                            Counts::mesh, mesh.number(bad_cell));
+                            cell_item(mesh.number(bad_cell)));
     }
     counts_to_starts(start);
     for_each_side(mesh, representative,
@@ -110,8 +110,8 @@ Status Edges::build(Mesh const& mesh, Span<const Index> representative, Fault& f
             if (k < sides.size() && sides[k].end == side.end) {
                 return fault.refuse(
                     Status::bad_mesh,
-                    "the edge between points # and @ belongs to more than two cells", Counts::mesh,
-                    point, side.end);
+                    "the edge between points # and @ belongs to more than two cells",
+                    point_item(point), point_item(side.end));
             }
             first[n_edges] = side;
             second[n_edges++] = other;

@@ -13,12 +13,12 @@ Status check_cell(Mesh const& mesh, Index i, Index n, PointOf point_of, Fault& f
         Index const point = point_of(k);
         if (point < 0 || point >= mesh.n_points) {
             return fault.refuse(Status::bad_mesh, "cell # names point @, which does not exist",
-                                Counts::mesh, i, point);
+                                cell_item(i), point_item(point));
         }
         for (Index earlier = 0; earlier < k; ++earlier) {
             if (point_of(earlier) != point) continue;
-            return fault.refuse(Status::bad_mesh, "cell # has point @ twice", Counts::mesh, i,
-                                point);
+            return fault.refuse(Status::bad_mesh, "cell # has point @ twice", cell_item(i),
+                                point_item(point));
         }
     }
     return Status::ok;
@@ -57,8 +57,8 @@ Status check_blocks(Mesh const& mesh, Fault& fault) noexcept {
         Offset const ni = mesh.block_sizes[2 * b], nj = mesh.block_sizes[2 * b + 1];
         if (ni < 2 || nj < 2 || ni * nj > Mesh::max_points) {
             return fault.refuse(Status::bad_mesh,
-                                "block # (from 0) has ni or nj below 2, or more than 2^30 points",
-                                Counts::from_zero, b);
+                                "block # has ni or nj below 2, or more than 2^30 points",
+                                block_item(b));
         }
         points += ni * nj;
         cells += (ni - 1) * (nj - 1);
@@ -66,12 +66,12 @@ Status check_blocks(Mesh const& mesh, Fault& fault) noexcept {
     if (points != mesh.n_points) {
         return fault.refuse(Status::bad_mesh,
                             "the blocks have ~ points together, but mesh.n_points is #",
-                            Counts::from_zero, mesh.n_points, none, static_cast<Real>(points));
+                            plain(mesh.n_points), {}, static_cast<Real>(points));
     }
     if (cells != mesh.n_cells) {
         return fault.refuse(Status::bad_mesh,
                             "the blocks have ~ cells together, but mesh.n_cells is #",
-                            Counts::from_zero, mesh.n_cells, none, static_cast<Real>(cells));
+                            plain(mesh.n_cells), {}, static_cast<Real>(cells));
     }
     return Status::ok;
 }
@@ -90,8 +90,8 @@ Status check_boundary(Mesh const& mesh, Fault& fault) noexcept {
             mesh.list_start[list + 1] < mesh.list_start[list]) {
             return fault.refuse(Status::bad_mesh,
                                 "mesh.list_start must begin with index_base and never decrease; "
-                                "see list # (from 0)",
-                                Counts::from_zero, list);
+                                "see list #",
+                                list_item(list));
         }
     }
     auto const points_exist = [&](BoundaryFace face, Index list, Index number) {
@@ -102,7 +102,7 @@ Status check_boundary(Mesh const& mesh, Fault& fault) noexcept {
                          list == none
                              ? "boundary face # names point @, which does not exist"
                              : "number # of mesh.list_points is point @, which does not exist",
-                         Counts::mesh, number, point);
+                         list == none ? side_item(number) : entry_item(number), point_item(point));
             return false;
         }
         return true;
@@ -132,35 +132,35 @@ Status check_range(Points points, Index n_points, Fault& fault, Executor const& 
     Vec2 const p = points[k];
     if (!is_finite(p.x) || !is_finite(p.y)) {
         return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite",
-                            Counts::mesh, k);
+                            point_item(k));
     }
     return fault.refuse(Status::bad_mesh,
-                        "point # has the coordinate ~; they may be as large as 1e100", Counts::mesh,
-                        k, none, absolute(p.x) > absolute(p.y) ? p.x : p.y);
+                        "point # has the coordinate ~; they may be as large as 1e100",
+                        point_item(k), {}, absolute(p.x) > absolute(p.y) ? p.x : p.y);
 }
 
 Status check_counts(Mesh const& mesh, Fault& fault) noexcept {
     if (mesh.index_base != 0 && mesh.index_base != 1) {
         return fault.refuse(Status::bad_argument, "mesh.index_base must be 0 or 1, not #",
-                            Counts::from_zero, mesh.index_base);
+                            plain(mesh.index_base));
     }
     if (mesh.n_points < 3 || mesh.n_points > Mesh::max_points) {
         return fault.refuse(Status::bad_mesh, "mesh.n_points must be between 3 and 2^30, not #",
-                            Counts::from_zero, mesh.n_points);
+                            plain(mesh.n_points));
     }
     bool const blocks = mesh.layout == CellLayout::blocks;
     if (mesh.n_blocks < (blocks ? 1 : 0) || mesh.n_blocks > (blocks ? Mesh::max_blocks : 0)) {
         return fault.refuse(Status::bad_argument,
                             blocks ? "mesh.n_blocks must be between 1 and 65536, not #"
                                    : "mesh.n_blocks is #, but only HM_CELLS_BLOCKS has blocks",
-                            Counts::from_zero, mesh.n_blocks);
+                            plain(mesh.n_blocks));
     }
     if (blocks && mesh.block_sizes == nullptr) {
         return fault.refuse(Status::bad_argument, "mesh.block_sizes is NULL");
     }
     if (mesh.n_cells < 1 || mesh.n_cells > Mesh::max_cells) {
         return fault.refuse(Status::bad_mesh, "mesh.n_cells must be between 1 and 2^29, not #",
-                            Counts::from_zero, mesh.n_cells);
+                            plain(mesh.n_cells));
     }
     bool const mixed = mesh.layout == CellLayout::mixed;
     if (mesh.n_quads < 0 || mesh.n_quads > (mixed ? mesh.n_cells : 0)) {
@@ -168,7 +168,7 @@ Status check_counts(Mesh const& mesh, Fault& fault) noexcept {
             Status::bad_argument,
             mixed ? "mesh.n_quads must be between 0 and n_cells, not #"
                   : "mesh.n_quads is #, but only HM_CELLS_MIXED has quads in an array of their own",
-            Counts::from_zero, mesh.n_quads);
+            plain(mesh.n_quads));
     }
     if (mesh.n_faces < 0 || mesh.n_lists < 0) {
         return fault.refuse(Status::bad_argument,
@@ -185,12 +185,12 @@ Status check_rows(Mesh const& mesh, Index most_corners, const char* refusal,
         return fault.refuse(Status::bad_argument, "mesh.cell_start is NULL");
     if (mesh.cell_start[0] != mesh.index_base) {
         return fault.refuse(Status::bad_mesh, "mesh.cell_start must begin with index_base, not #",
-                            Counts::from_zero, mesh.cell_start[0]);
+                            plain(mesh.cell_start[0]));
     }
     for (Index i = 0; i < mesh.n_cells; ++i) {
         Offset const n = Offset{mesh.cell_start[i + 1]} - mesh.cell_start[i];
         if (n >= 3 && n <= most_corners) continue;
-        return fault.refuse(Status::bad_mesh, refusal, Counts::mesh, i, none, static_cast<Real>(n));
+        return fault.refuse(Status::bad_mesh, refusal, cell_item(i), {}, static_cast<Real>(n));
     }
     return Status::ok;
 }
@@ -210,12 +210,12 @@ Status check_layout(Mesh const& mesh, Fault& fault) noexcept {
             return fault.refuse(
                 Status::bad_mesh,
                 "a structured block needs ni, nj >= 2 and ni*nj = n_points; ni is #, nj is @",
-                Counts::from_zero, mesh.ni, mesh.nj);
+                plain(mesh.ni), plain(mesh.nj));
         }
         if (Offset{mesh.ni - 1} * (mesh.nj - 1) != mesh.n_cells) {
             return fault.refuse(Status::bad_mesh,
                                 "a structured block has (ni-1)*(nj-1) cells, mesh.n_cells says #",
-                                Counts::from_zero, mesh.n_cells);
+                                plain(mesh.n_cells));
         }
         return Status::ok;
     }

@@ -80,7 +80,8 @@ Status orient(Topology& topology, Sense sense, OrientationWork const& work, Inde
             return fault.refuse(
                 Status::bad_mesh,
                 "cells # and @ cannot be oriented alike: the mesh has a one-sided strip",
-                Counts::mesh, mesh.number(cell_of_side(code)), mesh.number(cell_of_side(other)));
+                cell_item(mesh.number(cell_of_side(code))),
+                cell_item(mesh.number(cell_of_side(other))));
         }
     }
     fill(work.balance, 0.0);

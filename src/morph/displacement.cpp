@@ -63,7 +63,7 @@ Status Displacement::find_places(Plan const& plan, PointList const& list, Fault&
         if (number == none) {
             return fault.refuse(Status::bad_condition,
                                 "point # is on no marker whose displacements are given",
-                                Counts::mesh, list[k]);
+                                point_item(list[k]));
         }
         Index& first = place[number];
         if (first == none) first = k;
@@ -72,7 +72,7 @@ Status Displacement::find_places(Plan const& plan, PointList const& list, Fault&
         if (place[i] != none) continue;
         return fault.refuse(Status::bad_condition,
                             "point # is on a marker of given displacements, but is not in the list",
-                            Counts::mesh, given[i]);
+                            point_item(given[i]));
     }
     return Status::ok;
 }
@@ -95,16 +95,14 @@ Status Displacement::set(Plan const& plan, PointList const& list, Index field, P
         Index const number = plan.given_index(list[k]), first = place[number];
         if (!is_coordinate(wall[k])) {
             bool const finite = is_finite(wall[k].x) && is_finite(wall[k].y);
-            return fault.refuse(
-                Status::bad_argument,
-                finite ? "the displacement of point # in field @ (from 0) is beyond 1e100"
-                       : "the displacement of point # in field @ (from 0) is not finite",
-                Counts::mesh_and_marker, list[k], field);
+            return fault.refuse(Status::bad_argument,
+                                finite ? "the displacement of point # in field @ is beyond 1e100"
+                                       : "the displacement of point # in field @ is not finite",
+                                point_item(list[k]), field_item(field));
         }
         if (!equal(wall[k], wall[first])) {
-            return fault.refuse(Status::bad_argument,
-                                "point # has two displacements in field @ (from 0)",
-                                Counts::mesh_and_marker, list[k], field);
+            return fault.refuse(Status::bad_argument, "point # has two displacements in field @",
+                                point_item(list[k]), field_item(field));
         }
         to.set(plan.given().point[number], wall[k]);
     }
@@ -132,15 +130,15 @@ Status Displacement::check_target(Plan const& plan, Index field, Points from,
     for (Index const point : given.boundary_point) {
         if (is_coordinate(from[point] + displacement[point])) continue;
         return fault.refuse(Status::bad_argument,
-                            "the target of point # in field @ (from 0) is beyond 1e100",
-                            Counts::mesh_and_marker, point, field);
+                            "the target of point # in field @ is beyond 1e100", point_item(point),
+                            field_item(field));
     }
     Crossing const crossing =
         find_crossing(given.boundary_point, given.loop_start, from, displacement);
     if (!crossing.found) return Status::ok;
     return fault.refuse(Status::crossing,
                         "the moved boundary crosses itself: the faces that begin at points # and @",
-                        Counts::mesh, crossing.first[0], crossing.second[0]);
+                        point_item(crossing.first[0]), point_item(crossing.second[0]));
 }
 
 void Displacement::write(Plan const& plan, Index first, Points from,
@@ -175,8 +173,8 @@ Status Displacement::set_derivatives(Plan const& plan, Index first, Span<const P
     NotFinite const bad = reduce_ranges<NotFinite>(plan.mesh().n_points, plan.executor(), range);
     if (bad.point != none) {
         return fault.refuse(Status::bad_argument,
-                            "the derivative by point # in field @ (from 0) is not finite",
-                            Counts::mesh_and_marker, bad.point, bad.field);
+                            "the derivative by point # in field @ is not finite",
+                            point_item(bad.point), field_item(bad.field));
     }
     for (Index const point :
          plan.given().joined) {  // it moves with the other point, or turned against that one

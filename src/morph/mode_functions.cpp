@@ -16,14 +16,12 @@ Status Modes::check(Index n_points, Fault& fault) const noexcept {
             Vec2 const here = at(mode, k, n_points);
             if (!is_finite(here.x) || !is_finite(here.y)) {
                 return fault.refuse(Status::bad_argument,
-                                    "mode # (from 0) is not finite at point @ (from 0) of the list",
-                                    Counts::from_zero, mode, k);
+                                    "mode # is not finite at point @ of the list", field_item(mode),
+                                    entry_item(k));
             }
             is_zero = is_zero && here.x == 0 && here.y == 0;
         }
-        if (is_zero)
-            return fault.refuse(Status::bad_condition, "mode # (from 0) is zero", Counts::from_zero,
-                                mode);
+        if (is_zero) return fault.refuse(Status::bad_condition, "mode # is zero", field_item(mode));
     }
     return Status::ok;
 }

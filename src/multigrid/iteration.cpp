@@ -23,7 +23,7 @@ Status BlockIteration::check_diagonals(SymmetricRows const& rows, Fault& fault) 
 
 Status BlockIteration::refuse_row(Index position, Fault& fault) noexcept {
     return fault.refuse(Status::not_positive, "the matrix is not positive definite at point #",
-                        Counts::mesh, position);
+                        point_item(position));
 }
 
 void BlockIteration::note(Index worker, Index number, Real residual) const noexcept {

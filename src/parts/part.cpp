@@ -83,7 +83,7 @@ Status Part::sort_numbers(Fault& fault) noexcept {
         if (number(k) < 0 || number(k) > largest_number) {
             return fault.refuse(Status::bad_mesh,
                                 "the global number of point # is ~, not between 0 and 2^61",
-                                Counts::mesh, k, none, static_cast<Real>(number(k)));
+                                point_item(k), {}, static_cast<Real>(number(k)));
         }
         by_number[k] = k;
         in_order = in_order && (k == 0 || number(k - 1) < number(k));
@@ -92,7 +92,7 @@ Status Part::sort_numbers(Fault& fault) noexcept {
     for (Index k = 1; k < n; ++k) {
         if (number(by_number[k - 1]) != number(by_number[k])) continue;
         return fault.refuse(Status::bad_mesh, "the points # and @ have the same global number ~",
-                            Counts::mesh, by_number[k - 1], by_number[k],
+                            point_item(by_number[k - 1]), point_item(by_number[k]),
                             static_cast<Real>(number(by_number[k])));
     }
     return Status::ok;
@@ -193,7 +193,7 @@ Status Part::refuse_shape(Index cell, Fault& fault) const noexcept {
         Status::bad_mesh,
         inverted_ ? "cell # is inverted or empty: its smallest corner area is ~"
                   : "cell # has a height of ~, too small for the digits of its coordinates",
-        Counts::mesh, cell, none, height_);
+        cell_item(cell), {}, height_);
 }
 
 // Cells that are all counter-clockwise run along a common edge in opposite directions, unless they
@@ -207,7 +207,7 @@ Status Part::check_overlap(Fault& fault) const noexcept {
             return;
         fault.refuse(Status::bad_mesh,
                      "the cells on both sides of the edge between points # and @ overlap",
-                     Counts::mesh, low, high);
+                     point_item(low), point_item(high));
     });
     return fault.status;
 }

@@ -5,10 +5,6 @@
 namespace harmorph {
 namespace {
 
-constexpr Index shown(Offset number) noexcept {
-    return number <= INT32_MAX ? static_cast<Index>(number) : none;
-}
-
 bool edge_comes_before(OpenEdge const& a, OpenEdge const& b) noexcept {
     if (a.low() != b.low()) return a.low() < b.low();
     if (a.high() != b.high()) return a.high() < b.high();
@@ -21,7 +17,7 @@ bool same_place(Vec2 a, Vec2 b) noexcept { return a.x == b.x && a.y == b.y; }
 Status refuse_position(Offset number, Fault& fault) noexcept {
     return fault.refuse(Status::bad_mesh,
                         "point # (global number) has different coordinates in two parts",
-                        Counts::from_zero, shown(number));
+                        global_point_item(number));
 }
 
 // Two edges with the same ends.
@@ -39,7 +35,8 @@ Status check_pair(OpenEdge const& a, OpenEdge const& b, Fault& fault) noexcept {
             "there";
     }
     if (wrong == nullptr) return Status::ok;
-    return fault.refuse(Status::bad_mesh, wrong, Counts::from_zero, shown(a.begin), shown(a.end));
+    return fault.refuse(Status::bad_mesh, wrong, global_point_item(a.begin),
+                        global_point_item(a.end));
 }
 
 }  // namespace
@@ -64,7 +61,7 @@ Status match_edges(Span<OpenEdge> edges, Offset& n, Fault& fault) noexcept {
         return fault.refuse(
             Status::bad_mesh,
             "the edge between points # and @ (global numbers) belongs to more than two cells",
-            Counts::from_zero, shown(edge.begin), shown(edge.end));
+            global_point_item(edge.begin), global_point_item(edge.end));
     }
     return Status::ok;
 }
@@ -107,12 +104,10 @@ Status SharedBoundary::run(Span<const OpenEdge> given, PartProblem const& proble
     sort(edges, edge_comes_before);
     HARMORPH_TRY(find_points(fault));
     analyse(problem, fault);
-    bool const of_mesh = fault.counts == Counts::mesh,
-               of_both = fault.counts == Counts::mesh_and_marker;
-    if (!of_mesh && !of_both) return fault.status;
-    if (fault.item != none) fault.item = shown(number[fault.item]);
-    if (of_mesh && fault.other != none) fault.other = shown(number[fault.other]);
-    fault.counts = Counts::from_zero;
+    Item* const items[] = {&fault.item, &fault.other};
+    for (Item* const named : items) {
+        if (named->kind == ItemKind::point) *named = global_point_item(number[named->number]);
+    }
     return fault.status;
 }
 
@@ -192,7 +187,7 @@ void SharedBoundary::take_edges(Fault& fault) noexcept {
         if (at.begin == at.end) {
             fault.refuse(Status::bad_mesh,
                          "the edge between points # and @ has two ends that a cut makes one",
-                         Counts::mesh, find(edge.begin), find(edge.end));
+                         point_item(find(edge.begin)), point_item(find(edge.end)));
             return;
         }
         sides.first[n] = {at.high(), at.begin < at.end ? 0 : 1};

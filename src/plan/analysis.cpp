@@ -108,7 +108,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
         CellCorners const corners(shape_of(topology_, inverted_, mesh.points));
         return fault.refuse(Status::bad_mesh,
                             "cell # is inverted or empty: its smallest corner area is ~",
-                            Counts::mesh, mesh.number(inverted_), none, 0.5 * corners.smallest());
+                            cell_item(mesh.number(inverted_)), {}, 0.5 * corners.smallest());
     }
     HARMORPH_TRY(check_heights(fault));
     if (problem_.method.bounded()) HARMORPH_TRY(triangulation_.build(topology_, fault));
@@ -167,7 +167,7 @@ Status Analysis::check_heights(Fault& fault) const noexcept {
     if (cell == none) return Status::ok;
     return fault.refuse(Status::bad_mesh,
                         "cell # has a height of ~, too small for the digits of its coordinates",
-                        Counts::mesh, problem_.mesh.number(cell), none, height);
+                        cell_item(problem_.mesh.number(cell)), {}, height);
 }
 
 // The functions of a body are offsets from its centre; in single precision they must neither
@@ -189,7 +189,7 @@ Status Analysis::check_offsets(Fault& fault) const noexcept {
     return fault.refuse(
         Status::unsupported,
         "point # is ~ from the centre of its body: single precision takes 1e-12 .. 1e24",
-        Counts::mesh, farthest, none, size);
+        point_item(farthest), {}, size);
 }
 
 // Every part of the mesh must hang on a known value.
@@ -199,8 +199,8 @@ Status Analysis::check_parts(Fault& fault) noexcept {
     Index const floating = graph_.first_floating(stencil(), kinds_, order_, layer_work_.reached);
     if (floating == none) return Status::ok;
     return fault.refuse(Status::bad_condition,
-                        "point # is in a part of the mesh that nothing holds", Counts::mesh,
-                        floating);
+                        "point # is in a part of the mesh that nothing holds",
+                        point_item(floating));
 }
 
 Status Analysis::analyse_order(Fault& fault) noexcept {

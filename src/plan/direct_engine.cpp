@@ -44,7 +44,7 @@ Status raise_by_negative(Multifrontal& factor, Matrix const& matrix, Span<Real> 
 constexpr Real most_in_single = 1e36;
 
 Status refuse_single(const char* sentence, Index point, Real size, Fault& fault) noexcept {
-    return fault.refuse(Status::unsupported, sentence, Counts::mesh, point, none, size);
+    return fault.refuse(Status::unsupported, sentence, point_item(point), {}, size);
 }
 
 Status check_entries(Equations const& equations, Fault& fault) noexcept {

@@ -85,7 +85,7 @@ Status Equations::assemble_cells(Points points, Executor const& executor, Fault&
                                              matrix_, executor);
     if (inverted == none) return Status::ok;
     return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates",
-                        Counts::mesh, cells_.mesh.number(inverted));
+                        cell_item(cells_.mesh.number(inverted)));
 }
 
 bool Equations::change_operator(Operator operator_kind, Index quarters) noexcept {
@@ -112,7 +112,8 @@ Status Equations::assemble_edges(Points points, Executor const& executor, Fault&
     if (thin == none) return Status::ok;
     return fault.refuse(Status::bad_mesh,
                         "a triangle at the points # and @ is too thin for its area to be computed",
-                        Counts::mesh, delaunay_edges_[thin].begin, delaunay_edges_[thin].end);
+                        point_item(delaunay_edges_[thin].begin),
+                        point_item(delaunay_edges_[thin].end));
 }
 
 }  // namespace harmorph

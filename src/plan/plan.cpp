@@ -59,8 +59,8 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
     HARMORPH_TRY(progress_.report(Phase::assembly, 1, fault));
     HARMORPH_TRY(progress_.report(Phase::factor, 0, fault));
     Status const status = engine_.set_up(equations_, points, progress_, fault);
-    if (status == Status::not_positive && fault.item != none)
-        fault.item = equations_.point_of(fault.item);
+    if (status == Status::not_positive && fault.item.kind == ItemKind::point)
+        fault.item = point_item(equations_.point_of(static_cast<Index>(fault.item.number)));
     HARMORPH_TRY(status);
     HARMORPH_TRY(engine_.examine(equations_,
                                  refinement_.residual.value.first(equations_.matrix().n), fault));
@@ -79,8 +79,8 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault,
     if (block_points * Offset{basis.row_length()} > static_cast<Offset>(rows_in_work_.size())) {
         return fault.refuse(Status::unsupported,
                             "a point has # numbers, this plan solves bases with @ at most",
-                            Counts::from_zero, basis.row_length(),
-                            static_cast<Index>(rows_in_work_.size() / block_points));
+                            plain(basis.row_length()),
+                            plain(static_cast<Index>(rows_in_work_.size() / block_points)));
     }
     basis.unseal();
     HARMORPH_TRY(progress_.report(Phase::solve, 0, fault));
@@ -143,8 +143,8 @@ Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells,
             "the plan has no levels: they are made by hm_plan_factor of other engines");
     }
     if (level < 0 || level >= levels->count) {
-        return fault.refuse(Status::bad_argument, "there is no level # (from 0): the plan has @",
-                            Counts::from_zero, level, levels->count);
+        return fault.refuse(Status::bad_argument, "there is no level #: the plan has @",
+                            entry_item(level), plain(levels->count));
     }
     for (Index point = 0; point < mesh_.n_points; ++point) {
         Index cell = is_unknown(point) ? unknowns().first_row(point) : none;

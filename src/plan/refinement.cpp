@@ -265,8 +265,8 @@ void Refinement::measure(Equations const& equations, DofValues const& dofs,
 Status judge(SolveReport const& report, Method const& method, Fault& fault) noexcept {
     if (!(report.missed <= method.tolerance)) {
         return fault.refuse(Status::not_converged,
-                            "function # (from 0) has the relative residual ~, above the tolerance",
-                            Counts::from_zero, report.missed_function, none, report.missed);
+                            "function # has the relative residual ~, above the tolerance",
+                            function_item(report.missed_function), {}, report.missed);
     }
     if (!report.iteration.settled) {
         return fault.refuse(
@@ -276,11 +276,11 @@ Status judge(SolveReport const& report, Method const& method, Fault& fault) noex
     if (report.error <= larger(method.tolerance, certain_within)) return Status::ok;
     bool const in_single = method.precision == Precision::in_single;
     return fault.refuse(Status::not_converged,
-                        in_single ? "function # (from 0) may be off by ~: cells are too thin for a "
+                        in_single ? "function # may be off by ~: cells are too thin for a "
                                     "factor in single precision"
-                                  : "function # (from 0) may be off by ~: cells are too thin for "
+                                  : "function # may be off by ~: cells are too thin for "
                                     "refinement to bring it down",
-                        Counts::from_zero, report.error_function, none, report.error);
+                        function_item(report.error_function), {}, report.error);
 }
 
 }  // namespace harmorph

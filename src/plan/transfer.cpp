@@ -219,8 +219,8 @@ Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis co
     if (met.lost != none) {
         return fault.refuse(
             Status::bad_mesh,
-            "point # is ~ outside the coarse mesh: the meshes are not of one domain", Counts::mesh,
-            met.lost, none, met.lost_by);
+            "point # is ~ outside the coarse mesh: the meshes are not of one domain",
+            point_item(met.lost), {}, met.lost_by);
     }
     run.copy_joined_points();
     report = {met.points, met.outside, met.max_distance, met.max_distance_point, 0};

@@ -16,8 +16,7 @@ Status check_points(Plan const& plan, Points points, const char* inverted_cell,
             return is_inverted(shape) || is_inverted_exactly(shape);
         });
     if (inverted == none) return Status::ok;
-    return fault.refuse(Status::bad_mesh, inverted_cell, Counts::mesh,
-                        plan.mesh().number(inverted));
+    return fault.refuse(Status::bad_mesh, inverted_cell, cell_item(plan.mesh().number(inverted)));
 }
 
 }  // namespace

@@ -105,15 +105,15 @@ Status SafeMorph::finish(Work& work) noexcept {
             cell != none
                 ? "the mesh could follow ~ of the movement; then cell # at $ stands in the way"
                 : "the mesh could follow ~ of the movement";
-        return work.fault.refuse_at(at.x, at.y, Status::short_of_target, text, Counts::mesh, cell,
-                                    none, best.fraction);
+        return work.fault.refuse_at(at.x, at.y, Status::short_of_target, text,
+                                    cell != none ? cell_item(cell) : Item{}, {}, best.fraction);
     }
     if (work.is_good(best)) return work.fault.status;
     if (best.min_quality < work.goal()) {
         return work.fault.refuse_at(
             worst.centre.x, worst.centre.y, Status::poor,
-            "the smallest quality is ~, less than was asked for: cell # at $", Counts::mesh,
-            worst.cell, none, worst.quality);
+            "the smallest quality is ~, less than was asked for: cell # at $",
+            cell_item(worst.cell), {}, worst.quality);
     }
     bool const shrunk = report.first_layer.min_ratio * report.first_layer.max_ratio < 1;
     Index const point =
@@ -122,7 +122,7 @@ Status SafeMorph::finish(Work& work) noexcept {
     return work.fault.refuse_at(
         at.x, at.y, Status::poor,
         "the height of the first layer at point # $ is ~ of what it was, beyond what was asked for",
-        Counts::mesh, point, none,
+        point_item(point), {},
         shrunk ? report.first_layer.min_ratio : report.first_layer.max_ratio);
 }
 

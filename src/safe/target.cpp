@@ -77,8 +77,8 @@ Status check_loops(Target const& target, Fault& fault) noexcept {
         Vec2 const place = target.at_target[loop.point[0]];
         if (moves && loop.sense(target.start) * loop.sense(target.at_target) < 0) {
             return fault.refuse_at(place.x, place.y, Status::crossing,
-                                   "the boundary through point # at $ is inside out", Counts::mesh,
-                                   loop.point[0]);
+                                   "the boundary through point # at $ is inside out",
+                                   point_item(loop.point[0]));
         }
         for (Index other_number = 0; other_number < n_loops; ++other_number) {
             Loop const other = loop_of(target, other_number);
@@ -94,7 +94,7 @@ Status check_loops(Target const& target, Fault& fault) noexcept {
                 after == Loop::Side::inside
                     ? "the body through point # at $ is inside the one through point @"
                     : "the body through point # at $ is outside the boundary through point @",
-                Counts::mesh, other.point[0], loop.point[0]);
+                point_item(other.point[0]), point_item(loop.point[0]));
         }
     }
     return Status::ok;
@@ -126,7 +126,7 @@ Status check_corners(Target const& target, Fault& fault) noexcept {
     return fault.refuse_at(
         at.x, at.y, Status::crossing,
         "cell # is inverted by its points on the boundary, at point @ $: a wall turns too far",
-        Counts::mesh, mesh.number(cell), bad_corner);
+        cell_item(mesh.number(cell)), point_item(bad_corner));
 }
 
 }  // namespace
@@ -139,7 +139,7 @@ Status check_target(Target const& target, Crossing& crossing, Fault& fault) noex
         return fault.refuse_at(
             at.x, at.y, Status::crossing,
             "the moved boundary crosses itself: the faces that begin at points # $ and @",
-            Counts::mesh, crossing.first[0], crossing.second[0]);
+            point_item(crossing.first[0]), point_item(crossing.second[0]));
     }
     HARMORPH_TRY(check_loops(target, fault));
     return check_corners(target, fault);

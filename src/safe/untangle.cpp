@@ -61,7 +61,7 @@ Status Untangling::check_reference(Fault& fault) const noexcept {
     for (Index const i : region.cell.first(region.n_cells)) {
         if (!is_inverted(tangle.shape(i, tangle.reference))) continue;
         return fault.refuse(Status::bad_mesh, "cell # of the reference mesh is inverted",
-                            Counts::mesh, tangle.mesh.number(i));
+                            cell_item(tangle.mesh.number(i)));
     }
     return Status::ok;
 }

@@ -153,7 +153,7 @@ Status directions_of_wedge(Group const& faces, Flat const& flat, Line const& axi
     if (beyond == none) return Status::ok;
     return fault.refuse(Status::bad_mesh,
                         "the axis of the wedge crosses the mesh: point # is on its other side",
-                        Counts::mesh, beyond);
+                        point_item(beyond));
 }
 
 // The axis that the caller gives.
@@ -204,7 +204,7 @@ Status find_frame(SpaceMesh const& mesh, Span<const std::uint8_t> in_faces, Fram
         Real const distance = absolute(dot(mesh.points[outside] - flat.point, flat.normal));
         return fault.refuse(Status::bad_mesh,
                             "point # of the faces is ~ outside the plane of the others",
-                            Counts::mesh, outside, none, distance);
+                            point_item(outside), {}, distance);
     }
     Flat second = plane_through(others);
     bool const flat_too = second.exists && first_outside(others, second, frame.tolerance) == none;

@@ -124,7 +124,7 @@ Status PlaneSearch::follow(SpaceMesh const& mesh, Plane& plane, Fault& fault) no
             constexpr const char* text =
                 "point # is ~ away from being opposite to a point of the faces: "
                 "the mesh is not a plane one, extruded";
-            return fault.refuse(Status::bad_mesh, text, Counts::mesh, k, none,
+            return fault.refuse(Status::bad_mesh, text, point_item(k), {},
                                 square_root(near.squared));
         }
         Real const distance = square_root(near.squared);
@@ -180,7 +180,7 @@ Status PlaneSearch::list_followers(Plane& plane, Fault& fault) noexcept {
         if (start[p] > 1 || plane.layers == 1 || on_axis) continue;
         return fault.refuse(Status::bad_mesh,
                             "point # of the faces has no point opposite in another layer",
-                            Counts::mesh, plane.space_point[p] - plane.index_base);
+                            point_item(plane.space_point[p] - plane.index_base));
     }
     counts_to_starts(start);
     for (Index k = 0; k < plane.n_space_points; ++k)
@@ -204,7 +204,7 @@ Status PlaneSearch::copy_sides(SpaceMesh const& mesh, Plane& plane, Fault& fault
             return fault.refuse(
                 Status::bad_mesh,
                 "side # has points of ~ different points of the plane; 2 are possible",
-                Counts::mesh, i, none, static_cast<Real>(n));
+                side_item(i), {}, static_cast<Real>(n));
         }
         plane.side_points[2 * i] = ends[0];
         plane.side_points[2 * i + 1] = ends[1];

@@ -9,13 +9,13 @@ Status check_rows(SpaceMesh const& mesh, Fault& fault) noexcept {
     if (mesh.face_start == nullptr) return Status::ok;
     if (mesh.face_start[0] != mesh.index_base) {
         return fault.refuse(Status::bad_mesh, "space.face_start must begin with index_base, not #",
-                            Counts::from_zero, mesh.face_start[0]);
+                            plain(mesh.face_start[0]));
     }
     for (Index i = 0; i < mesh.n_faces; ++i) {
         Offset const n = Offset{mesh.face_start[i + 1]} - mesh.face_start[i];
         if (n >= 3 && n <= SpaceMesh::most_corners) continue;
         return fault.refuse(Status::bad_mesh, "face # has ~ points; 3 to 1024 are possible",
-                            Counts::mesh, i, none, static_cast<Real>(n));
+                            cell_item(i), {}, static_cast<Real>(n));
     }
     return Status::ok;
 }
@@ -26,7 +26,7 @@ Status check_faces(SpaceMesh const& mesh, Fault& fault) noexcept {
         for (Index k = 0; k < face.n; ++k) {
             if (face.point(k) >= 0 && face.point(k) < mesh.n_points) continue;
             return fault.refuse(Status::bad_mesh, "face # names point @, which does not exist",
-                                Counts::mesh, i, face.point(k));
+                                cell_item(i), point_item(face.point(k)));
         }
     }
     for (Index i = 0; i < mesh.n_sides; ++i) {
@@ -34,7 +34,7 @@ Status check_faces(SpaceMesh const& mesh, Fault& fault) noexcept {
             Index const point = from_zero(mesh.side_points[Offset{4} * i + k], mesh.index_base);
             if (point >= 0 && point < mesh.n_points) continue;
             return fault.refuse(Status::bad_mesh, "side # names point @, which does not exist",
-                                Counts::mesh, i, point);
+                                side_item(i), point_item(point));
         }
     }
     return Status::ok;
@@ -45,13 +45,13 @@ Status check_coordinates(SpaceMesh const& mesh, Fault& fault) noexcept {
         Vec3 const p = mesh.points[k];
         if (!is_finite(p.x) || !is_finite(p.y) || !is_finite(p.z)) {
             return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite",
-                                Counts::mesh, k);
+                                point_item(k));
         }
         Real const size = larger(larger(absolute(p.x), absolute(p.y)), absolute(p.z));
         if (size <= largest_coordinate) continue;
         return fault.refuse(Status::bad_mesh,
                             "point # has the coordinate ~; they may be as large as 1e100",
-                            Counts::mesh, k, none, size);
+                            point_item(k), {}, size);
     }
     return Status::ok;
 }
@@ -71,23 +71,23 @@ SpaceFace SpaceMesh::face(Index i) const noexcept {
 Status check_counts(SpaceMesh const& mesh, Fault& fault) noexcept {
     if (mesh.index_base != 0 && mesh.index_base != 1) {
         return fault.refuse(Status::bad_argument, "space.index_base must be 0 or 1, not #",
-                            Counts::from_zero, mesh.index_base);
+                            plain(mesh.index_base));
     }
     if (mesh.n_points < 3 || mesh.n_points > SpaceMesh::max_points) {
         return fault.refuse(Status::bad_mesh, "space.n_points must be between 3 and 2^30, not #",
-                            Counts::from_zero, mesh.n_points);
+                            plain(mesh.n_points));
     }
     if (mesh.n_faces < 1 || mesh.n_faces > SpaceMesh::max_faces) {
         return fault.refuse(Status::bad_mesh, "space.n_faces must be between 1 and 2^29, not #",
-                            Counts::from_zero, mesh.n_faces);
+                            plain(mesh.n_faces));
     }
     if (mesh.n_sides < 0 || mesh.n_sides > SpaceMesh::max_faces) {
         return fault.refuse(Status::bad_argument, "space.n_sides must be between 0 and 2^29, not #",
-                            Counts::from_zero, mesh.n_sides);
+                            plain(mesh.n_sides));
     }
     if (mesh.n_corners() < 3 || mesh.n_corners() > Offset{INT32_MAX} - 1) {
         return fault.refuse(Status::bad_mesh, "space.face_start says there are ~ corners of faces",
-                            Counts::from_zero, none, none, static_cast<Real>(mesh.n_corners()));
+                            {}, {}, static_cast<Real>(mesh.n_corners()));
     }
     return Status::ok;
 }
@@ -106,8 +106,8 @@ Status check_space_mesh(SpaceMesh const& mesh, Fault& fault) noexcept {
                             "space.side_points or space.side_markers is NULL");
     }
     if (!is_finite(mesh.tolerance) || mesh.tolerance < 0) {
-        return fault.refuse(Status::bad_argument, "space.tolerance must be a length, not ~",
-                            Counts::from_zero, none, none, mesh.tolerance);
+        return fault.refuse(Status::bad_argument, "space.tolerance must be a length, not ~", {}, {},
+                            mesh.tolerance);
     }
     bool const finite = are_finite(mesh.axis) && are_finite(mesh.axis_point);
     bool const has_axis = finite && (length(mesh.axis) > 0 || length(mesh.axis_point) > 0);

@@ -1,6 +1,7 @@
 #include <harmorph_study.h>
 #include <doctest/doctest.h>
 
+#include <fixtures/found.hpp>
 #include <fixtures/derived.hpp>
 
 #include <complex>
@@ -168,7 +169,7 @@ TEST_CASE(
     auto const refusal = [&](Combination const& by, std::string const& word, int item) {
         Combined const combined(solved.basis, by);
         CHECK(combined.basis == nullptr);
-        CHECK(combined.error.item == item);
+        CHECK(fixtures::found(combined.error) == item);
         CHECK_MESSAGE(std::string(combined.error.text).find(word) != std::string::npos,
                       combined.error.text);
         return combined.status;

@@ -290,7 +290,7 @@ TEST_CASE("what is no pair is refused, with the place") {
     CHECK(refused(its, "condition of its own", right) == HM_BAD_CONDITION);
     its = good;
     its.conditions.back().partner = 99;
-    CHECK(refused(its, "no boundary face has it", left) == HM_BAD_CONDITION);
+    CHECK(refused(its, "no boundary face has it", 99) == HM_BAD_CONDITION);
 
     its = good;  // a wall that ends on the pair
     its.curves.add([] {

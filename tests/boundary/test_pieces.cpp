@@ -126,8 +126,7 @@ TEST_CASE("pieces that contradict each other are refused by name") {
     choose_piece(twice, 0.5, 0.5);
     twice.put_on_curves(body, 1);
     choose_piece(twice, 0.4, 0.5);
-    CHECK(refusal(twice) ==
-          "other conditions choose all of marker 1 that condition 1 (from 0) is for");
+    CHECK(refusal(twice) == "other conditions choose all of marker 1 that condition 1 is for");
 
     Case none_left = one_marker();
     none_left.put_on_curves(body, 0);
@@ -135,8 +134,7 @@ TEST_CASE("pieces that contradict each other are refused by name") {
     none_left.put_on_curves(body, 1);
     choose_piece(none_left, 1.5, 0.5);
     none_left.add_condition(body, HM_FIXED);
-    CHECK(refusal(none_left) ==
-          "other conditions choose all of marker 1 that condition 2 (from 0) is for");
+    CHECK(refusal(none_left) == "other conditions choose all of marker 1 that condition 2 is for");
 
     Case wholes = one_marker();
     wholes.put_on_curves(body, 0);

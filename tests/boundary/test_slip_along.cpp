@@ -140,7 +140,7 @@ TEST_CASE(
     hm_error const error = refusal(of);
     CHECK(error.code == HM_BAD_CONDITION);
     CHECK(std::string(error.text) ==
-          "condition 1 (from 0) slides along 1 curves, but its `along` is NULL: a basis does not "
+          "condition 1 slides along 1 curves, but its `along` is NULL: a basis does not "
           "keep them");
     of.condition();
     CHECK(of.off_circle() < 1e-11);
@@ -192,13 +192,12 @@ TEST_CASE("curves that do not fit are refused, with the point") {
 
     Along of(circle(2, 0));
     of.condition().n_curves = 2;
-    CHECK(
-        std::string(refusal(of).text) ==
-        "condition 1 (from 0) has n_curves 2, but that is not the number of curves in its `along`");
+    CHECK(std::string(refusal(of).text) ==
+          "condition 1 has n_curves 2, but that is not the number of curves in its `along`");
     of.condition().kind = HM_FIXED;
     of.its.conditions.back().n_curves = 0;
     CHECK(std::string(refusal(of).text) ==
-          "condition 1 (from 0) has curves along which to slide, which are of HM_SLIP only, but "
+          "condition 1 has curves along which to slide, which are of HM_SLIP only, but "
           "its kind is 2");
     of.condition().kind = HM_SLIP;
     of.curves.shapes[0].knots[1] = 9;  // not in order

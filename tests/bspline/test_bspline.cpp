@@ -39,7 +39,7 @@ Status refusal(Spline const& spline, std::string const& word, Fault* out = nullp
     CHECK_MESSAGE(std::string(fault.sentence).find(word) != std::string::npos, fault.sentence);
     // The first number of a sentence is its item.
     bool const begins_with_curve = std::string(fault.sentence).rfind("curve #", 0) == 0;
-    CHECK((begins_with_curve ? fault.item : fault.other) == 7);
+    CHECK((begins_with_curve ? fault.item.number : fault.other.number) == 7);
     if (out != nullptr) *out = fault;
     return status;
 }
@@ -181,18 +181,18 @@ TEST_CASE("what is wrong with a curve is said, and where") {
     Spline bad = good;
     bad.degree = 6;
     CHECK(refusal(bad, "degree @", &fault) == Status::bad_curve);
-    CHECK(fault.other == 6);
+    CHECK(fault.other.number == 6);
     bad = good;
     bad.knots.resize(7);
     CHECK(refusal(bad, "more than the degree") == Status::bad_curve);
     bad = good;
     bad.knots[5] = nan;
     CHECK(refusal(bad, "not finite", &fault) == Status::bad_curve);
-    CHECK(fault.item == 5);
+    CHECK(fault.item.number == 5);
     bad = good;
     bad.knots[6] = bad.knots[5] - 0.1;
     CHECK(refusal(bad, "smaller", &fault) == Status::bad_curve);
-    CHECK(fault.item == 6);
+    CHECK(fault.item.number == 6);
     bad = good;
     bad.knots.assign(12, 2);
     CHECK(refusal(bad, "no length") == Status::bad_curve);
@@ -205,17 +205,17 @@ TEST_CASE("what is wrong with a curve is said, and where") {
     for (double& knot : bad.knots) knot -= good.knots[6];
     bad.knots[7] = 1e-19;
     CHECK(refusal(bad, "less than 1e-18", &fault) == Status::bad_curve);
-    CHECK(fault.item == 7);
+    CHECK(fault.item.number == 7);
     bad.knots[7] = 1e-16;
     CHECK(check_curve(bad.curve(), 7, fault) == Status::ok);
     bad = good;
     for (std::size_t k = 4; k < 8; ++k) bad.knots[k] = 2;
     CHECK(refusal(bad, "repeated", &fault) == Status::bad_curve);
-    CHECK(fault.item == 7);
+    CHECK(fault.item.number == 7);
     bad = good;
     bad.indices = {0, 1, 2, 3, 4, 5, 8, 7};
     CHECK(refusal(bad, "index #", &fault) == Status::bad_curve);
-    CHECK(fault.item == 6);
+    CHECK(fault.item.number == 6);
     CHECK(fault.value == 8);
     bad.indices[6] = std::numeric_limits<std::int32_t>::min();
     CHECK(refusal(bad, "index #") == Status::bad_curve);
@@ -225,13 +225,13 @@ TEST_CASE("what is wrong with a curve is said, and where") {
     bad = good;
     bad.control[9] = nan;
     CHECK(refusal(bad, "control point #", &fault) == Status::bad_curve);
-    CHECK(fault.item == 4);
-    CHECK(fault.counts == Counts::curves);
+    CHECK(fault.item.number == 4);
+    CHECK(fault.item.kind == ItemKind::control_point);
     for (double const weight : {0.0, -1.0, 1e-11, 1e11, nan, HUGE_VAL}) {
         bad = with_weights(good);
         bad.weights[3] = weight;
         CHECK(refusal(bad, "weight", &fault) == Status::bad_curve);
-        CHECK(fault.item == 3);
-        CHECK(fault.counts == Counts::curves);
+        CHECK(fault.item.number == 3);
+        CHECK(fault.item.kind == ItemKind::control_point);
     }
 }

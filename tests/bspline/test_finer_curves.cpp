@@ -240,7 +240,7 @@ TEST_CASE("knots that cannot be inserted are refused by name, with nothing writt
         return finer.status;
     };
     double const nan = std::nan("");
-    CHECK(refusal({1.5, nan}, "knot 1 (from 0)") == HM_BAD_ARGUMENT);
+    CHECK(refusal({1.5, nan}, "knot 1") == HM_BAD_ARGUMENT);
     CHECK(refusal({0}, "not inside") == HM_BAD_ARGUMENT);
     CHECK(refusal({6}, "not inside") == HM_BAD_ARGUMENT);
     CHECK(refusal({7}, "not inside") == HM_BAD_ARGUMENT);

@@ -59,18 +59,15 @@ TEST_CASE("points of curves, and knots that are to be inserted") {
          [&](hm_error* e) { return hm_curve_point(&its.set, 0, 1, 6, xy, e); }},
         {HM_BAD_ARGUMENT, "n_derivatives must be between 0 and 5, not -1",
          [&](hm_error* e) { return hm_curve_point(&its.set, 0, 1, -1, xy, e); }},
-        {HM_BAD_ARGUMENT, "there is no curve 1 (from 0); the set has 1",
+        {HM_BAD_ARGUMENT, "there is no curve 1; the set has 1",
          [&](hm_error* e) { return hm_curve_point(&its.set, 1, 1, 0, xy, e); }},
-        {HM_BAD_ARGUMENT, "there is no curve -1 (from 0); the set has 1",
+        {HM_BAD_ARGUMENT, "there is no curve -1; the set has 1",
          [&](hm_error* e) { return hm_curve_point(&its.set, -1, 1, 0, xy, e); }},
-        {HM_BAD_ARGUMENT, "knot 0 (from 0) to be inserted, 4, is not inside curve 0 (from 0)",
-         refine(4)},
-        {HM_BAD_ARGUMENT, "knot 0 (from 0) to be inserted, 0, is not inside curve 0 (from 0)",
-         refine(0)},
-        {HM_BAD_ARGUMENT, "knot 0 (from 0) to be inserted, NaN, is not inside curve 0 (from 0)",
+        {HM_BAD_ARGUMENT, "knot 0 to be inserted, 4, is not inside curve 0", refine(4)},
+        {HM_BAD_ARGUMENT, "knot 0 to be inserted, 0, is not inside curve 0", refine(0)},
+        {HM_BAD_ARGUMENT, "knot 0 to be inserted, NaN, is not inside curve 0",
          refine(not_a_number)},
-        {HM_BAD_CURVE,
-         "knot 0 (from 0), 2, would be repeated 2 times, more often than the degree allows",
+        {HM_BAD_CURVE, "knot 0, 2, would be repeated 2 times, more often than the degree allows",
          refine(2)},
     });
 }
@@ -119,7 +116,7 @@ TEST_CASE("sections: which curves, and an outline round nothing") {
              quantity.kind = HM_MAX_THICKNESS;
              return hm_measure(&its.set, &section, 1, &quantity, &value, nullptr, nullptr, e);
          }},
-        {HM_BAD_ARGUMENT, "quantity 0 (from 0): the polygon is NULL, empty or longer than 2^20",
+        {HM_BAD_ARGUMENT, "quantity 0: the polygon is NULL, empty or longer than 2^20",
          [&](hm_error* e) {
              quantity.kind = HM_CLEARANCE;
              section = {sizeof section, 0, 1, 0, 0, 1, 0};
@@ -151,7 +148,7 @@ TEST_CASE("a curve that stands still has no curvature there") {
           HM_BAD_CURVE);
     std::string const text = error.text;
     INFO(text);
-    CHECK(text.find("curve 0 (from 0) stands still at parameter ") == 0);
+    CHECK(text.find("curve 0 stands still at parameter ") == 0);
     CHECK(text.find(": it has no curvature there") != std::string::npos);
     CHECK(value == 7);
 }
@@ -226,7 +223,7 @@ TEST_CASE("design variables: fields of another kind, and numbers out of range") 
          with(HM_HICKS_HENNE, [](auto& o) { o.width = 101; })},
         {HM_BAD_ARGUMENT, "variables: the width is -1, not 1 to 100",
          with(HM_HICKS_HENNE, [](auto& o) { o.width = -1; })},
-        {HM_BAD_ARGUMENT, "variables: peak 1 (from 0) is 1.50000, not between 0 and 1",
+        {HM_BAD_ARGUMENT, "variables: peak 1 is 1.50000, not between 0 and 1",
          with(HM_HICKS_HENNE, [](auto& o) { o.n_upper = 2, o.peaks = &some; })},
         {HM_BAD_ARGUMENT, "variables: the box is empty or not finite",
          with(HM_FFD, [](auto& o) { o.x_min = 1; })},

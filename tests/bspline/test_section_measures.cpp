@@ -337,7 +337,7 @@ TEST_CASE("what cannot be measured is refused with the reason, outputs untouched
     CHECK(refusal(set, quantity(HM_AREA, 0.5), "station") == HM_BAD_ARGUMENT);
     CHECK(refusal(set, quantity(99), "kind 99") == HM_BAD_ARGUMENT);
     CHECK(refusal(set, quantity(HM_CLEARANCE), "polygon") == HM_BAD_ARGUMENT);
-    CHECK(refusal(set, clearance({0, std::nan("")}), "point 0 (from 0)") == HM_BAD_ARGUMENT);
+    CHECK(refusal(set, clearance({0, std::nan("")}), "point 0") == HM_BAD_ARGUMENT);
     hm_section outside{};
     outside.struct_size = sizeof outside;
     outside.leading_x = 10;
@@ -347,5 +347,5 @@ TEST_CASE("what cannot be measured is refused with the reason, outputs untouched
     CHECK(refusal(set, quantity(HM_AREA), "exceed", &outside) == HM_BAD_ARGUMENT);
     CurveSet apart = section(true, false);
     apart.add(fixtures::clamped(2, 4, 3));
-    CHECK(refusal(apart, quantity(HM_AREA), "curve 1 (from 0)") == HM_BAD_CURVE);
+    CHECK(refusal(apart, quantity(HM_AREA), "curve 1") == HM_BAD_CURVE);
 }

@@ -3,6 +3,7 @@
 #include <harmorph_design.h>
 #include <doctest/doctest.h>
 
+#include <fixtures/found.hpp>
 #include <fixtures/bodies.hpp>
 #include <fixtures/mixed.hpp>
 
@@ -19,8 +20,7 @@ double const not_a_number = std::numeric_limits<double>::quiet_NaN();
 struct Spoiled {
     hm_status status;
     const char* word;   // in the sentence
-    std::int32_t item;  // from 0; numbered by the mesh if `in_mesh`
-    bool in_mesh;
+    std::int32_t item;  // from 0, or the number found
     std::function<void(Case&)> change;
     std::function<void(hm_mesh&)> change_view = {};
 };
@@ -43,8 +43,13 @@ void check_refused(Spoiled const& bad) {
         CHECK(attempt.error.code == attempt.status);
         CHECK(std::string(attempt.error.text).find(bad.word) != std::string::npos);
         CHECK(std::string(attempt.error.text).find_first_of("#@~") == std::string::npos);
-        CHECK(attempt.error.item ==
-              (bad.item == nobody ? nobody : bad.item + (bad.in_mesh ? base : 0)));
+        std::int32_t const kind = attempt.error.item_kind;
+        CHECK(attempt.error.item_base ==
+              (kind == HM_ITEM_NONE || kind == HM_ITEM_MARKER ? 0 : base));
+        std::int32_t const item = attempt.error.item - attempt.error.item_base;
+        if (kind != HM_ITEM_NONE) CHECK(item == bad.item);
+        else CHECK(attempt.error.item == nobody);
+        if (kind == HM_ITEM_NONE && bad.item != nobody) CHECK(attempt.error.value == bad.item);
         CHECK(attempt.guards_intact());
         CHECK(attempt.basis == nullptr);
         CHECK(same_bits(mesh.x, its.mesh.x));
@@ -80,52 +85,22 @@ TEST_CASE("what the others spoil is sound") {
 
 TEST_CASE("bad counts and missing arrays of a mesh") {
     Spoiled const all[] = {
-        {HM_BAD_ARGUMENT, "index_base", 2, false, {}, [](hm_mesh& m) { m.index_base = 2; }},
-        {HM_BAD_MESH, "n_points", 2, false, {}, [](hm_mesh& m) { m.n_points = 2; }},
-        {HM_BAD_MESH, "n_points", -5, false, {}, [](hm_mesh& m) { m.n_points = -5; }},
-        {HM_BAD_MESH, "n_cells", 0, false, {}, [](hm_mesh& m) { m.n_cells = 0; }},
-        {HM_BAD_ARGUMENT, "negative", nobody, false, {}, [](hm_mesh& m) { m.n_faces = -1; }},
-        {HM_BAD_ARGUMENT, "negative", nobody, false, {}, [](hm_mesh& m) { m.n_lists = -1; }},
-        {HM_BAD_ARGUMENT, "cell_layout", 9, false, {}, [](hm_mesh& m) { m.cell_layout = 9; }},
-        {HM_BAD_ARGUMENT, "struct_size", nobody, false, {}, [](hm_mesh& m) { m.struct_size = 0; }},
-        {HM_BAD_ARGUMENT,
-         "cell_points",
-         nobody,
-         false,
-         {},
-         [](hm_mesh& m) { m.cell_points = nullptr; }},
-        {HM_BAD_ARGUMENT,
-         "cell_start",
-         nobody,
-         false,
-         {},
-         [](hm_mesh& m) { m.cell_start = nullptr; }},
-        {HM_BAD_ARGUMENT,
-         "mesh.points.x",
-         nobody,
-         false,
-         {},
-         [](hm_mesh& m) { m.points.x = nullptr; }},
-        {HM_BAD_ARGUMENT,
-         "mesh.points.y",
-         nobody,
-         false,
-         {},
-         [](hm_mesh& m) { m.points.y = nullptr; }},
-        {HM_BAD_ARGUMENT, "stride", nobody, false, {}, [](hm_mesh& m) { m.points.stride = -1; }},
-        {HM_BAD_ARGUMENT,
-         "face_points",
-         nobody,
-         false,
-         {},
-         [](hm_mesh& m) { m.face_points = nullptr; }},
-        {HM_BAD_ARGUMENT,
-         "face_markers",
-         nobody,
-         false,
-         {},
-         [](hm_mesh& m) { m.face_markers = nullptr; }},
-        {HM_BAD_ARGUMENT, "list_start", nobody, false, {}, [](hm_mesh& m) { m.n_lists = 1; }},
+        {HM_BAD_ARGUMENT, "index_base", 2, {}, [](hm_mesh& m) { m.index_base = 2; }},
+        {HM_BAD_MESH, "n_points", 2, {}, [](hm_mesh& m) { m.n_points = 2; }},
+        {HM_BAD_MESH, "n_points", -5, {}, [](hm_mesh& m) { m.n_points = -5; }},
+        {HM_BAD_MESH, "n_cells", 0, {}, [](hm_mesh& m) { m.n_cells = 0; }},
+        {HM_BAD_ARGUMENT, "negative", nobody, {}, [](hm_mesh& m) { m.n_faces = -1; }},
+        {HM_BAD_ARGUMENT, "negative", nobody, {}, [](hm_mesh& m) { m.n_lists = -1; }},
+        {HM_BAD_ARGUMENT, "cell_layout", 9, {}, [](hm_mesh& m) { m.cell_layout = 9; }},
+        {HM_BAD_ARGUMENT, "struct_size", nobody, {}, [](hm_mesh& m) { m.struct_size = 0; }},
+        {HM_BAD_ARGUMENT, "cell_points", nobody, {}, [](hm_mesh& m) { m.cell_points = nullptr; }},
+        {HM_BAD_ARGUMENT, "cell_start", nobody, {}, [](hm_mesh& m) { m.cell_start = nullptr; }},
+        {HM_BAD_ARGUMENT, "mesh.points.x", nobody, {}, [](hm_mesh& m) { m.points.x = nullptr; }},
+        {HM_BAD_ARGUMENT, "mesh.points.y", nobody, {}, [](hm_mesh& m) { m.points.y = nullptr; }},
+        {HM_BAD_ARGUMENT, "stride", nobody, {}, [](hm_mesh& m) { m.points.stride = -1; }},
+        {HM_BAD_ARGUMENT, "face_points", nobody, {}, [](hm_mesh& m) { m.face_points = nullptr; }},
+        {HM_BAD_ARGUMENT, "face_markers", nobody, {}, [](hm_mesh& m) { m.face_markers = nullptr; }},
+        {HM_BAD_ARGUMENT, "list_start", nobody, {}, [](hm_mesh& m) { m.n_lists = 1; }},
     };
     for (Spoiled const& bad : all) check_refused(bad);
 }
@@ -135,54 +110,53 @@ TEST_CASE("bad cells") {
         {HM_BAD_MESH,
          "begin with",
          5,
-         false,
          {},
          [](hm_mesh& m) {
              static std::int32_t const five = 5;
              m.cell_start = &five;
          }},
-        {HM_BAD_MESH, "3 or 4", 9, true,
+        {HM_BAD_MESH, "3 or 4", 9,
          [](Case& c) {
              replace_cell(c.mesh, 9, {10, 11, 18, 17, 3});
          }},
-        {HM_BAD_MESH, "3 or 4", 5, true,
+        {HM_BAD_MESH, "3 or 4", 5,
          [](Case& c) {
              replace_cell(c.mesh, 5, {5, 6});
          }},
-        {HM_BAD_MESH, "does not exist", 7, true,
+        {HM_BAD_MESH, "does not exist", 7,
          [](Case& c) {
              replace_cell(c.mesh, 7, {8, 9, 48, 15});
          }},
-        {HM_BAD_MESH, "does not exist", 7, true,
+        {HM_BAD_MESH, "does not exist", 7,
          [](Case& c) {
              replace_cell(c.mesh, 7, {8, -1, 16, 15});
          }},
-        {HM_BAD_MESH, "does not exist", 20, true,
+        {HM_BAD_MESH, "does not exist", 20,
          [](Case& c) {
              replace_cell(c.mesh, 20, {24, 25, 2000000000});
          }},
-        {HM_BAD_MESH, "twice", 18, true,
+        {HM_BAD_MESH, "twice", 18,
          [](Case& c) {
              replace_cell(c.mesh, 18, {22, 23, 22});
          }},
-        {HM_BAD_MESH, "twice", 3, true,
+        {HM_BAD_MESH, "twice", 3,
          [](Case& c) {
              replace_cell(c.mesh, 3, {3, 4, 3, 10});
          }},
-        {HM_BAD_MESH, "twice", 3, true,
+        {HM_BAD_MESH, "twice", 3,
          [](Case& c) {
              replace_cell(c.mesh, 3, {3, 3, 11, 10});
          }},
-        {HM_BAD_MESH, "more than two cells", 8, true,
+        {HM_BAD_MESH, "more than two cells", 8,
          [](Case& c) {
              c.mesh.add_cell({8, 9, 5});
          }},
-        {HM_BAD_MESH, "inverted or empty", 0, true, [](Case& c) { c.mesh.x[8] = -1; }},
-        {HM_BAD_MESH, "inverted or empty", 24, true, [](Case& c) { c.mesh.y[35] = 4; }},  // flat
-        {HM_BAD_MESH, "inverted or empty", 0, true,
+        {HM_BAD_MESH, "inverted or empty", 0, [](Case& c) { c.mesh.x[8] = -1; }},
+        {HM_BAD_MESH, "inverted or empty", 24, [](Case& c) { c.mesh.y[35] = 4; }},  // flat
+        {HM_BAD_MESH, "inverted or empty", 0,
          [](Case& c) { c.mesh.x[8] = c.mesh.y[8] = 0.4; }},  // not convex
-        {HM_BAD_MESH, "not finite", 12, true, [](Case& c) { c.mesh.x[12] = not_a_number; }},
-        {HM_BAD_MESH, "not finite", 47, true, [](Case& c) { c.mesh.y[47] = -HUGE_VAL; }},
+        {HM_BAD_MESH, "not finite", 12, [](Case& c) { c.mesh.x[12] = not_a_number; }},
+        {HM_BAD_MESH, "not finite", 47, [](Case& c) { c.mesh.y[47] = -HUGE_VAL; }},
     };
     for (Spoiled const& bad : all) check_refused(bad);
 }
@@ -222,12 +196,12 @@ TEST_CASE("bad structured blocks") {
             m.nj = nj;
         };
     };
-    check_refused({HM_BAD_MESH, "ni*nj", 7, false, {}, block(7, 8)});
-    check_refused({HM_BAD_MESH, "n_cells", 0, false, {}, block(1, 48)});
-    check_refused({HM_BAD_MESH, "n_cells", 0, false, {}, block(48, 1)});
-    check_refused({HM_BAD_MESH, "n_cells", 0, false, {}, block(-6, -8)});
-    check_refused({HM_BAD_MESH, "n_cells", 0, false, {}, block(2000000000, 2000000000)});
-    check_refused({HM_BAD_MESH, "(ni-1)*(nj-1)", 34, false, {}, [](hm_mesh& m) {
+    check_refused({HM_BAD_MESH, "ni*nj", 7, {}, block(7, 8)});
+    check_refused({HM_BAD_MESH, "n_cells", 0, {}, block(1, 48)});
+    check_refused({HM_BAD_MESH, "n_cells", 0, {}, block(48, 1)});
+    check_refused({HM_BAD_MESH, "n_cells", 0, {}, block(-6, -8)});
+    check_refused({HM_BAD_MESH, "n_cells", 0, {}, block(2000000000, 2000000000)});
+    check_refused({HM_BAD_MESH, "(ni-1)*(nj-1)", 34, {}, [](hm_mesh& m) {
                        m.cell_layout = HM_CELLS_STRUCTURED;
                        m.n_cells = 34;
                        m.ni = 6;
@@ -241,18 +215,17 @@ TEST_CASE("bad boundaries") {
         c.mesh.face_markers.pop_back();
     };
     Spoiled const all[] = {
-        {HM_BAD_MESH, "does not exist", 3, true, [](Case& c) { c.mesh.faces[6] = 48; }},
-        {HM_BAD_MESH, "does not exist", 3, true, [](Case& c) { c.mesh.faces[7] = -1; }},
-        {HM_BAD_MESH, "on both sides", 8, true,
+        {HM_BAD_MESH, "does not exist", 3, [](Case& c) { c.mesh.faces[6] = 48; }},
+        {HM_BAD_MESH, "does not exist", 3, [](Case& c) { c.mesh.faces[7] = -1; }},
+        {HM_BAD_MESH, "on both sides", 8,
          [](Case& c) { c.mesh.faces[8] = 8, c.mesh.faces[9] = 9; }},
-        {HM_BAD_MESH, "an edge of no cell", 1, true,
+        {HM_BAD_MESH, "an edge of no cell", 1,
          [](Case& c) { c.mesh.faces[8] = 1, c.mesh.faces[9] = 12; }},
-        {HM_BAD_MESH, "the same point", 7, true,
-         [](Case& c) { c.mesh.faces[8] = c.mesh.faces[9] = 7; }},
-        {HM_BAD_MESH, "no marker", 24, true, drop_last_face},
-        {HM_BAD_MESH, "no marker", 0, true,
+        {HM_BAD_MESH, "the same point", 7, [](Case& c) { c.mesh.faces[8] = c.mesh.faces[9] = 7; }},
+        {HM_BAD_MESH, "no marker", 24, drop_last_face},
+        {HM_BAD_MESH, "no marker", 0,
          [](Case& c) { c.mesh.faces.clear(), c.mesh.face_markers.clear(); }},
-        {HM_BAD_MESH, "two markers", 1, true, [](Case& c) { c.mesh.add_face(1, 0, right); }},
+        {HM_BAD_MESH, "two markers", 1, [](Case& c) { c.mesh.add_face(1, 0, right); }},
     };
     for (Spoiled const& bad : all) check_refused(bad);
 
@@ -272,13 +245,13 @@ TEST_CASE("bad boundaries") {
             m.list_markers = markers;
         };
     };
-    check_refused({HM_BAD_MESH, "never decrease", 1, false, {}, lists({0, 3, 2}, {0, 1, 2})});
-    check_refused({HM_BAD_MESH, "begin with", 0, false, {}, lists({1, 3}, {0, 1, 2})});
-    check_refused({HM_BAD_MESH, "on both sides", 1, true, {}, lists({0, 3}, {0, 1, 8})});
+    check_refused({HM_BAD_MESH, "never decrease", 1, {}, lists({0, 3, 2}, {0, 1, 2})});
+    check_refused({HM_BAD_MESH, "begin with", 0, {}, lists({1, 3}, {0, 1, 2})});
+    check_refused({HM_BAD_MESH, "on both sides", 1, {}, lists({0, 3}, {0, 1, 8})});
     check_refused(
-        {HM_BAD_MESH, "an edge of no cell", 13, true, {}, lists({0, 3, 6}, {0, 1, 2, 6, 13, 26})});
-    check_refused({HM_BAD_MESH, "does not exist", 1, true, {}, lists({0, 3}, {0, 1, 48})});
-    check_refused({HM_BAD_MESH, "two markers", 0, true, {}, lists({0, 0, 2}, {0, 1})});
+        {HM_BAD_MESH, "an edge of no cell", 13, {}, lists({0, 3, 6}, {0, 1, 2, 6, 13, 26})});
+    check_refused({HM_BAD_MESH, "does not exist", 1, {}, lists({0, 3}, {0, 1, 48})});
+    check_refused({HM_BAD_MESH, "two markers", 0, {}, lists({0, 0, 2}, {0, 1})});
 }
 
 TEST_CASE(
@@ -331,7 +304,7 @@ TEST_CASE("bad cells in two arrays") {
             INFO(std::string(word) << ": " << attempt.error.text);
             CHECK(attempt.status == status);
             CHECK(std::string(attempt.error.text).find(word) != std::string::npos);
-            CHECK(attempt.error.item == item);
+            CHECK(fixtures::found(attempt.error) == item);
         };
         refused(HM_BAD_ARGUMENT, "n_quads", -1, [](hm_mesh& m) { m.n_quads = -1; });
         refused(HM_BAD_ARGUMENT, "n_quads", mixed.rows.n_cells() + 1,
@@ -399,30 +372,26 @@ TEST_CASE("bad curves") {
 
 TEST_CASE("bad conditions and parameters") {
     Spoiled const all[] = {
-        {HM_BAD_CONDITION, "no condition", nobody, false, [](Case& c) { c.conditions.clear(); }},
-        {HM_BAD_CONDITION, "on no boundary face", 77, false, [](Case& c) { c.set_free(77); }},
-        {HM_BAD_CONDITION, "two conditions", body, false, [](Case& c) { c.set_free(body); }},
-        {HM_BAD_ARGUMENT, "kind", 0, false,
-         [](Case& c) { c.conditions[0].kind = HM_ROTATION_PAIR + 1; }},
-        {HM_BAD_ARGUMENT, "struct_size", 0, false,
-         [](Case& c) { c.conditions[0].struct_size = 0; }},
-        {HM_BAD_CONDITION, "curves that do not exist", 0, false,
+        {HM_BAD_CONDITION, "no condition", nobody, [](Case& c) { c.conditions.clear(); }},
+        {HM_BAD_CONDITION, "on no boundary face", 77, [](Case& c) { c.set_free(77); }},
+        {HM_BAD_CONDITION, "two conditions", body, [](Case& c) { c.set_free(body); }},
+        {HM_BAD_ARGUMENT, "kind", 0, [](Case& c) { c.conditions[0].kind = HM_ROTATION_PAIR + 1; }},
+        {HM_BAD_ARGUMENT, "struct_size", 0, [](Case& c) { c.conditions[0].struct_size = 0; }},
+        {HM_BAD_CONDITION, "curves that do not exist", 0,
          [](Case& c) { c.conditions[0].n_curves = 2; }},
-        {HM_BAD_CONDITION, "its n_curves is 0: there are 1", 0, false,
+        {HM_BAD_CONDITION, "its n_curves is 0: there are 1", 0,
          [](Case& c) { c.conditions[0].n_curves = 0; }},
-        {HM_BAD_CONDITION, "curves that do not exist", 0, false,
+        {HM_BAD_CONDITION, "curves that do not exist", 0,
          [](Case& c) { c.conditions[0].first_curve = -1; }},
-        {HM_BAD_CONDITION, "nothing moves", nobody, false,
+        {HM_BAD_CONDITION, "nothing moves", nobody,
          [](Case& c) { c.conditions.clear(), c.set_free(body); }},
-        {HM_BAD_CONDITION, "does not exist", 48, true, [](Case& c) { c.give(48, 0); }},
-        {HM_BAD_CONDITION, "on no curve", 8, true, [](Case& c) { c.give(8, 0); }},
-        {HM_BAD_CONDITION, "on no curve", 0, true,
-         [](Case& c) { c.give(0, 0); }},  // on a fixed marker
-        {HM_BAD_CONDITION, "which does not exist", 0, false, [](Case& c) { c.give(16, 0, 1); }},
-        {HM_BAD_CONDITION, "outside its curve", 17, true,
+        {HM_BAD_CONDITION, "does not exist", 48, [](Case& c) { c.give(48, 0); }},
+        {HM_BAD_CONDITION, "on no curve", 8, [](Case& c) { c.give(8, 0); }},
+        {HM_BAD_CONDITION, "on no curve", 0, [](Case& c) { c.give(0, 0); }},  // on a fixed marker
+        {HM_BAD_CONDITION, "which does not exist", 0, [](Case& c) { c.give(16, 0, 1); }},
+        {HM_BAD_CONDITION, "outside its curve", 17,
          [](Case& c) { c.give(16, 4), c.give(17, 4.001); }},
-        {HM_BAD_CONDITION, "outside its curve", 17, true,
-         [](Case& c) { c.give(17, not_a_number); }},
+        {HM_BAD_CONDITION, "outside its curve", 17, [](Case& c) { c.give(17, not_a_number); }},
     };
     for (Spoiled const& bad : all) check_refused(bad);
 }

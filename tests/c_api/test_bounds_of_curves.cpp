@@ -47,15 +47,15 @@ TEST_CASE("quantities of a section") {
                       {"the station is 1", [](Q& q) { q.station = 1; }},
                       {"the station is NaN", [](Q& q) { q.station = not_a_number; }}},
                      HM_BAD_ARGUMENT, measure);
-    check_changes<Q>(clearance,
-                     {{nullptr, [](Q&) {}},
-                      {"longer than 2^20", [](Q& q) { q.n_polygon = 0; }},
-                      {"longer than 2^20", [](Q& q) { q.n_polygon = (1 << 20) + 1; }},
-                      {"the polygon is NULL", [](Q& q) { q.polygon = nullptr; }},
-                      {"point 1 (from 0) of the polygon", [](Q& q) { q.polygon = bad_polygon; }},
-                      {"point 1 (from 0) of the polygon",
-                       [](Q& q) { q.polygon = far_polygon, q.n_polygon = 2; }}},
-                     HM_BAD_ARGUMENT, measure);
+    check_changes<Q>(
+        clearance,
+        {{nullptr, [](Q&) {}},
+         {"longer than 2^20", [](Q& q) { q.n_polygon = 0; }},
+         {"longer than 2^20", [](Q& q) { q.n_polygon = (1 << 20) + 1; }},
+         {"the polygon is NULL", [](Q& q) { q.polygon = nullptr; }},
+         {"point 1 of the polygon", [](Q& q) { q.polygon = bad_polygon; }},
+         {"point 1 of the polygon", [](Q& q) { q.polygon = far_polygon, q.n_polygon = 2; }}},
+        HM_BAD_ARGUMENT, measure);
     hm_quantity two[] = {area, area};
     two[1].struct_size = 0;
     double values[2];
@@ -65,7 +65,7 @@ TEST_CASE("quantities of a section") {
     CHECK(std::string(error.text) == "n is 0: at least one quantity is measured");
     CHECK(hm_measure(&set.view(), nullptr, 2, two, values, nullptr, nullptr, &error) ==
           HM_BAD_ARGUMENT);
-    CHECK(std::string(error.text) == "struct_size of quantity 1 (from 0) is wrong");
+    CHECK(std::string(error.text) == "struct_size of quantity 1 is wrong");
 }
 
 TEST_CASE("sections") {
@@ -177,9 +177,9 @@ TEST_CASE("design variables") {
                       {"the width is 101", [](V& v) { v.width = 101; }},
                       {"the width is 5.00000e-1", [](V& v) { v.width = 0.5; }},
                       {nullptr, [](V& v) { v.peaks = peaks; }},
-                      {"peak 1 (from 0) is 0", [](V& v) { v.peaks = low; }},
-                      {"peak 0 (from 0) is 1", [](V& v) { v.peaks = high; }},
-                      {"peak 0 (from 0) is NaN", [](V& v) { v.peaks = none_at_all; }}},
+                      {"peak 1 is 0", [](V& v) { v.peaks = low; }},
+                      {"peak 0 is 1", [](V& v) { v.peaks = high; }},
+                      {"peak 0 is NaN", [](V& v) { v.peaks = none_at_all; }}},
                      HM_BAD_ARGUMENT, size);
     check_changes<V>(naca,
                      {{nullptr, [](V&) {}},
@@ -217,8 +217,8 @@ TEST_CASE("curves: each field of the set and of a curve") {
     for (bool const has_size : {false, true}) {
         if (has_size) its_curves[1].struct_size = sizeof(hm_curve), its_curves[1].knots = nullptr;
         else its_curves[1].struct_size = 0;
-        std::string const text = has_size ? "knots of curve 1 (from 0) is NULL"
-                                          : "struct_size of curve 1 (from 0) is wrong";
+        std::string const text =
+            has_size ? "knots of curve 1 is NULL" : "struct_size of curve 1 is wrong";
         std::size_t bytes = 0;
         double at[2];
         REQUIRE(hm_analysis_size(&problem, nullptr, &bytes, nullptr) == HM_OK);
@@ -254,7 +254,9 @@ TEST_CASE("fits and finer curves") {
                       {nullptr, [](F& f) { f.closed = HM_PERIODIC; }},
                       {"closed is -1", [](F& f) { f.closed = -1; }},
                       {"closed is", [](F& f) { f.closed = HM_PERIODIC + 1; }},
-                      {"reserved must be 0", [](F& f) { f.reserved = 1; }}},
+                      {nullptr, [](F& f) { f.index_base = 1; }},
+                      {"index_base must be 0 or 1, not -1", [](F& f) { f.index_base = -1; }},
+                      {"index_base must be 0 or 1, not 2", [](F& f) { f.index_base = 2; }}},
                      HM_BAD_ARGUMENT, size);
     CurveSet set = ring(3, 8, 1, 1);
     double const u = 0.3;
@@ -268,8 +270,8 @@ TEST_CASE("fits and finer curves") {
     CHECK(refine(0, 0, nullptr) == "");
     CHECK(refine(0, -1, &u) == "n must be between 0 and 2^24, not -1");
     CHECK(refine(0, (1 << 24) + 1, &u) == "n must be between 0 and 2^24, not 16777217");
-    CHECK(refine(-1, 1, &u) == "there is no curve -1 (from 0); the set has 1");
-    CHECK(refine(1, 1, &u) == "there is no curve 1 (from 0); the set has 1");
+    CHECK(refine(-1, 1, &u) == "there is no curve -1; the set has 1");
+    CHECK(refine(1, 1, &u) == "there is no curve 1; the set has 1");
 }
 
 TEST_CASE("an edge angle where the curve stands still") {

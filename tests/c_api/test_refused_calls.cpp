@@ -85,7 +85,7 @@ TEST_CASE("room for fewer than there are, and numbers that there are not") {
     check_texts({
         {HM_BAD_ARGUMENT, "points has room for 0, the boundary has 8",
          [&](hm_error* e) { return boundary(1, 0, e); }},
-        {HM_BAD_CONDITION, "these markers have 1 pieces of boundary, there is no piece 1 (from 0)",
+        {HM_BAD_CONDITION, "these markers have 1 pieces of boundary, there is no piece 1",
          [&](hm_error* e) { return boundary(1, 1, e); }},
         {HM_BAD_CONDITION, "no boundary face has these markers; the first one is 77",
          [&](hm_error* e) {
@@ -100,11 +100,11 @@ TEST_CASE("room for fewer than there are, and numbers that there are not") {
          [&](hm_error* e) { return hm_basis_conditions(o.basis, &condition, -1, &n, e); }},
         {HM_BAD_ARGUMENT, "out has room for 0, the basis has 1 conditions",
          [&](hm_error* e) { return hm_basis_conditions(o.basis, &condition, 0, &n, e); }},
-        {HM_BAD_ARGUMENT, "values have no number 1 (from 0); they have 1",
+        {HM_BAD_ARGUMENT, "values have no number 1; they have 1",
          [&](hm_error* e) { return hm_basis_values(o.basis, 0, 1, o.x.data(), e); }},
-        {HM_BAD_ARGUMENT, "values have no number -1 (from 0); they have 1",
+        {HM_BAD_ARGUMENT, "values have no number -1; they have 1",
          [&](hm_error* e) { return hm_basis_values(o.basis, 0, -1, o.x.data(), e); }},
-        {HM_BAD_ARGUMENT, "there is no function 4 (from 0); the basis has 4",
+        {HM_BAD_ARGUMENT, "there is no function 4; the basis has 4",
          [&](hm_error* e) { return hm_basis_values(o.basis, 4, 0, o.x.data(), e); }},
     });
 }
@@ -287,7 +287,7 @@ TEST_CASE("modes: numbers, lists, and what they do not go with") {
          [&](hm_error* e) {
              return hm_tabulate_size(displaced.plan, displaced.basis, 1, 0, &bytes, &work_bytes, e);
          }},
-        {HM_BAD_ARGUMENT, "point 17 has two displacements in field 0 (from 0)",
+        {HM_BAD_ARGUMENT, "point 17 has two displacements in field 0",
          [&](hm_error* e) {
              return hm_displace(displaced.plan, n + 1, twice.data(), 1, &wall, nullptr, &to,
                                 room.data(), room.size(), nullptr, e);
@@ -403,7 +403,7 @@ TEST_CASE("options of the safe morph and of better cells") {
          morph([&] { safe.max_height_change = 1; })},
         {HM_BAD_ARGUMENT, "safe options: max_height_change must be 0 or above 1, not NaN",
          morph([&] { safe.max_height_change = std::numeric_limits<double>::quiet_NaN(); })},
-        {HM_BAD_ARGUMENT, "basis 0 (from 0) of others is NULL",
+        {HM_BAD_ARGUMENT, "basis 0 of others is NULL",
          morph([&] { safe.others = &nobody, safe.n_others = 1; })},
         {HM_BAD_ARGUMENT, "improve options: struct_size is wrong",
          improve([&] { better.struct_size = 0; })},

@@ -234,7 +234,7 @@ TEST_CASE("arrays of curves, and the kinds of conditions") {
          [&](auto& p, auto&, auto&) { set(p), curves.n_control = 1; }},
         {HM_BAD_CURVE, "curves.n_curves must be between 1 and 2^24, not 0",
          [&](auto& p, auto&, auto&) { set(p), curves.n_curves = 0; }},
-        {HM_BAD_CURVE, "curve 0 (from 0) uses 5 control points in order, but there are fewer",
+        {HM_BAD_CURVE, "curve 0 uses 5 control points in order, but there are fewer",
          [&](auto& p, auto&, auto&) {
              static hm_curve curve;
              set(p);
@@ -242,12 +242,11 @@ TEST_CASE("arrays of curves, and the kinds of conditions") {
              curve.indices = nullptr;
              curves.curve = &curve;
          }},
-        {HM_BAD_ARGUMENT, "condition 0 (from 0) has the unknown kind 9",
+        {HM_BAD_ARGUMENT, "condition 0 has the unknown kind 9",
          [&](auto& p, auto&, auto&) { change(p).kind = 9; }},
-        {HM_BAD_ARGUMENT, "struct_size of condition 0 (from 0) is wrong",
+        {HM_BAD_ARGUMENT, "struct_size of condition 0 is wrong",
          [&](auto& p, auto&, auto&) { change(p).struct_size = 0; }},
-        {HM_BAD_CONDITION,
-         "condition 0 (from 0) names rigid body -1 (from 0), which there cannot be",
+        {HM_BAD_CONDITION, "condition 0 names rigid body -1, which there cannot be",
          [&](auto& p, auto&, auto&) { change(p).kind = HM_RIGID, condition.body = -1; }},
     });
 }
@@ -347,8 +346,7 @@ TEST_CASE("a fit: options, and counts of points") {
         };
     };
     check_texts({
-        {HM_BAD_CURVE, "points 1 (from 0) and 2 (from 0) follow each other and coincide",
-         fit(twice, HM_OPEN)},
+        {HM_BAD_CURVE, "points 1 and 2 follow each other and coincide", fit(twice, HM_OPEN)},
         {HM_BAD_CURVE, "only a loop of points can have a tied or periodic curve",
          fit(apart, HM_PERIODIC)},
         {HM_BAD_ARGUMENT, "fit options: struct_size is wrong",

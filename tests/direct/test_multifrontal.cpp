@@ -347,7 +347,7 @@ TEST_CASE("a Hermitian matrix that is not positive definite is refused, by posit
                 harmorph::Fault fault;
                 CHECK(system.engine.factorise(matrix, harmorph::Progress{}, fault) ==
                       harmorph::Status::not_positive);
-                CHECK(fault.item == bad);
+                CHECK(fault.item.number == bad);
             }
     }
 }

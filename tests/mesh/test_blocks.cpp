@@ -181,7 +181,7 @@ TEST_CASE("blocks: what is wrong is refused") {
     refused(HM_BAD_ARGUMENT, "n_blocks must be", [](Blocks&, hm_mesh& m) { m.n_blocks = -1; });
     refused(HM_BAD_ARGUMENT, "only HM_CELLS_BLOCKS",
             [](Blocks&, hm_mesh& m) { m.cell_layout = HM_CELLS_QUADS; });
-    refused(HM_BAD_MESH, "block 1 (from 0) has ni or nj below 2", [](Blocks& b, hm_mesh& m) {
+    refused(HM_BAD_MESH, "block 1 has ni or nj below 2", [](Blocks& b, hm_mesh& m) {
         b.sizes[2] = 1;
         m.n_cells = 80;
     });
@@ -276,7 +276,7 @@ TEST_CASE(
     hm_block_points bad = in[0];
     bad.y = nullptr;
     CHECK(hm_blocks_gather(&mesh, 0, 1, &bad, points_out(x, y), &error) == HM_BAD_ARGUMENT);
-    CHECK(std::string(error.text) == "x or y of block 0 (from 0) is NULL");
+    CHECK(std::string(error.text) == "x or y of block 0 is NULL");
     bad = in[0];
     bad.stride = -1;
     CHECK(hm_blocks_gather(&mesh, 0, 1, &bad, points_out(x, y), &error) == HM_BAD_ARGUMENT);

@@ -228,7 +228,7 @@ TEST_CASE("a cell without area is refused, and named") {
     mesh.y[12] = mesh.y[7];
     Flipped const found(mesh);
     CHECK(found.status == harmorph::Status::bad_mesh);
-    CHECK(found.fault.item == 5);
+    CHECK(found.fault.item.number == 5);
 }
 
 TEST_CASE("more cells than can be split are refused before anything is read") {
@@ -241,5 +241,5 @@ TEST_CASE("more cells than can be split are refused before anything is read") {
     CHECK(triangulation.build(of, fault) == harmorph::Status::unsupported);
     CHECK(std::string(fault.sentence) ==
           "the bounded scheme can split no more than 2^28 cells, the mesh has #");
-    CHECK(fault.item == of.mesh.n_cells);
+    CHECK(fault.item.number == of.mesh.n_cells);
 }

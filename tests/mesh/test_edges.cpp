@@ -101,7 +101,7 @@ TEST_CASE("a cell of which two corners are one point") {
     std::int32_t const one = mesh.cells[0], other = mesh.cells[1];
     Edges const found(mesh, true, {std::min(one, other), std::max(one, other)});
     CHECK(found.status == harmorph::Status::bad_mesh);
-    CHECK(found.fault.item == 0);
+    CHECK(found.fault.item.number == 0);
     CHECK(std::string(found.fault.sentence) == "cell # has two corners that a cut makes one point");
 }
 
@@ -138,8 +138,8 @@ TEST_CASE("an edge of three cells is refused, and named") {
     mesh.add_cell({5, 6, 16});
     Edges const found(mesh);
     CHECK(found.status == harmorph::Status::bad_mesh);
-    CHECK(found.fault.item == 5);
-    CHECK(found.fault.other == 6);
+    CHECK(found.fault.item.number == 5);
+    CHECK(found.fault.other.number == 6);
     Mesh twice = square(3);
     twice.add_cell({0, 1, 5, 4});  // a cell given twice
     twice.add_cell({0, 1, 5, 4});

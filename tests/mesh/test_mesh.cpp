@@ -162,33 +162,33 @@ TEST_CASE("the first of several offenders is named") {
     mesh.cells[11] = -3;
     harmorph::Fault fault = refusal(core_mesh(mesh));
     CHECK(fault.status == Status::bad_mesh);
-    CHECK(fault.item == 1);
-    CHECK(fault.other == 99);
-    CHECK(fault.counts == harmorph::Counts::mesh);
+    CHECK(fault.item.number == 1);
+    CHECK(fault.other.number == 99);
+    CHECK(fault.item.kind == harmorph::ItemKind::cell);
     mesh = good;
     mesh.cells[13] = mesh.cells[12];
     mesh.cells[30] = mesh.cells[28];
     fault = refusal(core_mesh(mesh));
-    CHECK(fault.item == 3);
-    CHECK(fault.other == mesh.cells[12]);
+    CHECK(fault.item.number == 3);
+    CHECK(fault.other.number == mesh.cells[12]);
     mesh = good;
     mesh.y[40] = mesh.x[22] = std::numeric_limits<double>::infinity();
     fault = refusal(core_mesh(mesh));
-    CHECK(fault.item == 22);
+    CHECK(fault.item.number == 22);
     mesh = good;
     mesh.faces[9] = 48;
     mesh.faces[20] = 48;
     fault = refusal(core_mesh(mesh));
-    CHECK(fault.item == 4);
-    CHECK(fault.other == 48);
+    CHECK(fault.item.number == 4);
+    CHECK(fault.other.number == 48);
     mesh = good;
     mesh.cell_start[4] = 18;  // cell 3 has 6 points
     fault = refusal(core_mesh(mesh));
-    CHECK(fault.item == 3);
+    CHECK(fault.item.number == 3);
     CHECK(fault.value == 6);
     mesh.cell_start[4] = mesh.cell_start[3];
     fault = refusal(core_mesh(mesh));
-    CHECK(fault.item == 3);
+    CHECK(fault.item.number == 3);
     CHECK(fault.value == 0);
 }
 

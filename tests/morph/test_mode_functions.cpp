@@ -275,11 +275,11 @@ TEST_CASE("tables that cannot be used are refused by name, with nothing written"
         CHECK(made.error.item == item);
         return made.status;
     };
-    CHECK(refusal({solved.plan, solved.basis, {good, zero}, 2}, "mode 1 (from 0) is zero", 1) ==
+    CHECK(refusal({solved.plan, solved.basis, {good, zero}, 2}, "mode 1 is zero", 1) ==
           HM_BAD_CONDITION);
     Field bad = good;
     bad[3] = std::nan("");
-    CHECK(refusal({solved.plan, solved.basis, {bad}, 1}, "point 3 (from 0)", 0) == HM_BAD_ARGUMENT);
+    CHECK(refusal({solved.plan, solved.basis, {bad}, 1}, "point 3", 0) == HM_BAD_ARGUMENT);
     CHECK(Tabulated(solved.plan, solved.basis, {good}, 3).status == HM_BAD_ARGUMENT);
     CHECK(Tabulated(solved.plan, solved.basis, {Field(good.begin(), good.end() - 1)}, 1).status ==
           HM_BAD_ARGUMENT);

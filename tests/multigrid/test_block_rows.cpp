@@ -137,7 +137,7 @@ TEST_CASE("a diagonal that is not positive is refused with its row") {
         CHECK(harmorph::BlockIteration::check_diagonals(rows, fault) ==
               harmorph::Status::not_positive);
         CHECK(std::string(fault.sentence) == "the matrix is not positive definite at point #");
-        CHECK(fault.item == 2);
+        CHECK(fault.item.number == 2);
         rows.n = 2;
         harmorph::Fault no_fault;
         CHECK(harmorph::BlockIteration::check_diagonals(rows, no_fault) == harmorph::Status::ok);

@@ -174,7 +174,7 @@ TEST_CASE("calls with parts, equations and rows that do not go together") {
          [&](hm_error* e) {
              return hm_equations_size(one.part, -1, &problem, &options, &bytes, e);
          }},
-        {HM_BAD_ARGUMENT, "from unknown -1 (from 0) on there are no 1 unknowns",
+        {HM_BAD_ARGUMENT, "from unknown -1 on there are no 1 unknowns",
          [&](hm_error* e) { return entries_from(-1, e); }},
         {HM_BAD_ARGUMENT, "there is room for fewer entries than there are",
          [&](hm_error* e) { return entries_from(0, e); }},

@@ -2,6 +2,7 @@
 // of the output.
 #include <doctest/doctest.h>
 
+#include <fixtures/found.hpp>
 #include <fixtures/safe_displaced.hpp>
 #include <fixtures/traps.hpp>
 
@@ -17,7 +18,7 @@ TEST_CASE(
         CHECK(safe.run(wall) == expected);
         CHECK_MESSAGE(std::string(safe.error.text).find(word) != std::string::npos,
                       safe.error.text);
-        CHECK(safe.error.item == item);
+        CHECK(fixtures::found(safe.error) == item);
         CHECK(safe.untouched());
     };
     Field crossing = good;

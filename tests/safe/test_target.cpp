@@ -78,10 +78,10 @@ TEST_CASE("faces that cross are named, with the place") {
     CHECK(aim.check() == Status::crossing);
     CHECK(aim.says("crosses itself"));
     CHECK(aim.crossing.found);
-    CHECK(aim.fault.item == aim.crossing.first[0]);
-    CHECK(aim.fault.other == aim.crossing.second[0]);
-    CHECK(aim.fault.place[0] == aim.x[static_cast<std::size_t>(aim.fault.item)]);
-    CHECK(aim.fault.place[1] == aim.y[static_cast<std::size_t>(aim.fault.item)]);
+    CHECK(aim.fault.item.number == aim.crossing.first[0]);
+    CHECK(aim.fault.other.number == aim.crossing.second[0]);
+    CHECK(aim.fault.place[0] == aim.x[static_cast<std::size_t>(aim.fault.item.number)]);
+    CHECK(aim.fault.place[1] == aim.y[static_cast<std::size_t>(aim.fault.item.number)]);
 }
 
 TEST_CASE(
@@ -119,7 +119,7 @@ TEST_CASE("a corner whose three points are prescribed is inverted, and no face c
         0.9;  // the corner of the domain, beyond the line through its neighbours (1, 0) and (0, 1)
     CHECK(aim.check() == Status::crossing);
     CHECK(aim.says("is inverted by its points on the boundary"));
-    CHECK(aim.fault.other == 0);
+    CHECK(aim.fault.other.number == 0);
     CHECK(!aim.crossing.found);
 }
 

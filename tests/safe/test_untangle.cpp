@@ -327,7 +327,7 @@ TEST_CASE("an inverted reference is refused, numbers that are none are not repai
     its.scatter(0.3, 1);
     Outcome const out(its);
     CHECK(out.status == Status::bad_mesh);
-    CHECK(out.fault.item >= 0);
+    CHECK(out.fault.item.number >= 0);
     CHECK(out.same_bits(its.now));
 
     Tangled undefined(square(6, Cells::hybrid));

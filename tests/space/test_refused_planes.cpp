@@ -2,6 +2,7 @@
 #include <harmorph_space.h>
 #include <doctest/doctest.h>
 
+#include <fixtures/found.hpp>
 #include <fixtures/plane.hpp>
 #include <fixtures/refused.hpp>
 #include <fixtures/traps.hpp>
@@ -19,7 +20,7 @@ TEST_CASE(
         INFO(plane.error.text);
         CHECK(plane.status == HM_BAD_MESH);
         CHECK(says(plane.error, words));
-        CHECK(plane.error.item == item);
+        CHECK(fixtures::found(plane.error) == item);
         CHECK(plane.plane == nullptr);
     };
     REQUIRE(Plane(good.view()).status == HM_OK);

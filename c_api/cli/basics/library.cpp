@@ -1,11 +1,8 @@
 #include "basics/library.hpp"
 
 #include "basics/failure.hpp"
-#include "basics/marker_names.hpp"
-#include "basics/numbers.hpp"
 
 #include <new>
-#include <sstream>
 
 namespace cli {
 
@@ -23,26 +20,38 @@ ExitCode exit_code(hm_status status) {
     }
 }
 
-// The line of the first cell, face or point that the sentence names; the library counts as the file
-// does.
-std::string place_named_in(const std::string& sentence, const Mesh& mesh) {
-    std::istringstream words(sentence);
-    std::string kind, word;
-    while (words >> word) {
-        if (word.find_last_not_of(",.:;") != std::string::npos)
-            word.resize(word.find_last_not_of(",.:;") + 1);
-        const std::vector<std::size_t>* offsets = nullptr;
-        if (kind == "cell" || kind == "cells") offsets = &mesh.cell_offset;
-        if (kind == "face" || kind == "faces") offsets = &mesh.face_offset;
-        if (kind == "point" || kind == "points") offsets = &mesh.point_offset;
-        std::int32_t number = -1;
-        if (offsets != nullptr && parse(word, number) && number >= 0 &&
-            static_cast<std::size_t>(number) < offsets->size()) {
-            return mesh.file.place((*offsets)[static_cast<std::size_t>(number)]);
-        }
-        kind = word;
-    }
-    return mesh.file.path();
+// Where an item stands in the file of the mesh; nullptr: nowhere.
+const std::size_t* offset_of(std::int32_t kind, std::int32_t item, const Mesh& mesh) {
+    const std::vector<std::size_t>* offsets = nullptr;
+    if (kind == HM_ITEM_CELL) offsets = &mesh.cell_offset;
+    if (kind == HM_ITEM_SIDE) offsets = &mesh.face_offset;
+    if (kind == HM_ITEM_POINT) offsets = &mesh.point_offset;
+    if (offsets == nullptr || item < 0) return nullptr;
+    const auto number = static_cast<std::size_t>(item);
+    return number < offsets->size() ? &(*offsets)[number] : nullptr;
+}
+
+// The line of the first item that stands in the file.
+std::string place_of(const hm_error& error, const Mesh& mesh) {
+    const std::size_t* offset = offset_of(error.item_kind, error.item - error.item_base, mesh);
+    if (offset == nullptr)
+        offset = offset_of(error.other_kind, error.other - error.other_base, mesh);
+    return offset != nullptr ? mesh.file.place(*offset) : mesh.file.path();
+}
+
+// The library knows markers by number only: " (marker 4 is 'axis')".
+std::string names_of_markers(const hm_error& error, const Mesh& mesh) {
+    std::string text;
+    const auto add = [&](std::int32_t kind, std::int32_t number) {
+        if (kind != HM_ITEM_MARKER || number < 0) return;
+        const auto marker = static_cast<std::size_t>(number);
+        if (marker >= mesh.markers.size()) return;
+        text += (text.empty() ? " (marker " : ", marker ") + std::to_string(number) + " is " +
+                in_quotes(mesh.markers[marker]);
+    };
+    add(error.item_kind, error.item);
+    add(error.other_kind, error.other);
+    return text.empty() ? text : text + ")";
 }
 
 }  // namespace
@@ -67,8 +76,8 @@ void refuse(const hm_error& error, const std::string& path) {
 void refuse(const hm_error& error, const Mesh& mesh) {
     const bool of_the_mesh = error.code == HM_BAD_MESH || error.code == HM_NOT_POSITIVE ||
                              error.code == HM_BAD_CONDITION;
-    const std::string place = of_the_mesh ? place_named_in(error.text, mesh) + ": " : std::string();
-    throw Failure(exit_code(error.code), place + name_markers(error.text, mesh.markers));
+    const std::string place = of_the_mesh ? place_of(error, mesh) + ": " : std::string();
+    throw Failure(exit_code(error.code), place + error.text + names_of_markers(error, mesh));
 }
 
 }  // namespace cli

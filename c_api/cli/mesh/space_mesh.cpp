@@ -46,16 +46,16 @@ private:
 
 // What the point of a refusal says, and where it stands.
 [[noreturn]] void refuse_space(const Mesh& mesh, const SpaceMesh& space, const hm_error& error) {
-    const std::string text = error.text;
-    const auto item = static_cast<std::size_t>(error.item);
-    const bool is_point =
-        text.compare(0, 5, "point") == 0 && error.item >= 0 && item < space.points.x[0].size();
-    const bool is_side =
-        text.compare(0, 4, "side") == 0 && error.item >= 0 && item < space.side_offset.size();
-    std::size_t offset = space.face_offset.empty() ? 0 : space.face_offset[0];
-    if (is_point) offset = space.points.offset[0][item];
-    if (is_side) offset = space.side_offset[item];
-    mesh.file.fail(offset, "the mesh has three dimensions and is not one cell thick: " + text);
+    const std::vector<std::size_t>* offsets = &space.face_offset;
+    if (error.item_kind == HM_ITEM_POINT) offsets = &space.points.offset[0];
+    if (error.item_kind == HM_ITEM_SIDE) offsets = &space.side_offset;
+    const bool is_known = error.item_kind == HM_ITEM_POINT || error.item_kind == HM_ITEM_SIDE ||
+                          error.item_kind == HM_ITEM_CELL;
+    const std::size_t item =
+        is_known ? static_cast<std::size_t>(error.item - error.item_base) : std::size_t{0};
+    const std::size_t offset = item < offsets->size() ? (*offsets)[item] : std::size_t{0};
+    mesh.file.fail(offset, "the mesh has three dimensions and is not one cell thick: " +
+                               std::string(error.text));
 }
 
 // In a wedge that reaches to the axis, its edges there are a boundary of the plane, but no face of
