@@ -108,8 +108,10 @@ enum {
     /* Solved, but a residual is above options.tolerance, or refinement ended before the values were
      * as accurate. error.value: the estimated error of the values. */
     HM_NOT_CONVERGED = 1,
-    HM_MOVED = 2,      /* attached to a mesh with other coordinates than the basis was solved on */
-    HM_SHORT = 3,      /* a valid mesh, but only a part of the movement was possible */
+    HM_MOVED = 2, /* attached to a mesh with other coordinates than the basis was solved on */
+    /* A valid mesh, but only a part of the movement was possible. error.item: the cell in the way,
+     * or the end of a wall that leaves the straight boundary beside the wall. */
+    HM_SHORT = 3,
     HM_BACKTRACKS = 4, /* hm_fit: the curve runs backwards behind the point error.item */
     /* hm_analysis_init: the point error.item is farther from the curve of its marker (error.value)
      * than 5 % of the extent of the curve or of all points on curves, or beyond its end. */
@@ -321,7 +323,7 @@ enum {
     /* Points that are no loop: open. A loop without a corner: periodic. With a blunt base: open,
      * plus a straight curve of degree 1 along the base that shares both end points; a base is
      * straight, between two corners at the end farthest from the leading edge, at most 0.15 of the
-     * extent long. Otherwise tied at the sharpest corner. */
+     * extent long, and no tip of a horn (of ice). Otherwise tied at the sharpest corner. */
     HM_CLOSED_AUTO = 0,
     HM_OPEN = 1,    /* clamped at the first and the last point */
     HM_TIED = 2,    /* clamped, both ends are one control point: a sharp trailing edge */
@@ -653,7 +655,8 @@ HM_API hm_status hm_basis_curves(const hm_basis* basis, hm_curves* out, hm_curve
                                  int32_t capacity, hm_error* err);
 /* The same curves after one movement from the curves of the basis: control [2*n_control] receives
  * the control points plus `move` (see hm_morph; rigid bodies have no curve), to which out->control
- * points. After several morphs in place, `move` is the sum of their movements. */
+ * points. After several morphs in place, `move` is the sum of their movements, which
+ * hm_recover_movement of harmorph_design.h finds from the mesh. */
 HM_API hm_status hm_moved_curves(const hm_basis* basis, const double* move, double* control,
                                  hm_curves* out, hm_curve* curve, int32_t capacity, hm_error* err);
 
@@ -806,8 +809,9 @@ typedef struct hm_safe_options {
     const hm_basis* const* others;
     /* [0..1] 0: off. Restores the initial distances between moving walls and the points near them,
      * which angle-preserving functions scale with the stretch of the wall: a closed formula,
-     * applied at the end along the wall normals, reduced until no cell is inverted. Not part of the
-     * derivative. */
+     * applied at the end along the wall normals. Only a part is restored (report.heights) where all
+     * of it would invert a cell, halve the smallest quality, or lower it below min_quality. Not
+     * part of the derivative. */
     double heights;
     /* [2*functions] receives the movement that `to` has; NULL: not wanted. If this is not the whole
      * movement, it differs from `move` times step_fraction, because bodies rotate on the way */

@@ -219,6 +219,30 @@ HM_API hm_status hm_slip(const hm_analysis* analysis, const hm_points* from,
 HM_API hm_status hm_slip_adjoint(const hm_analysis* analysis, const hm_points* from,
                                  const hm_points* dj, const hm_points_out* dj_from, hm_error* err);
 
+/* ---- The movement of a mesh that was morphed before ---- */
+
+/* Working memory of hm_recover_movement. */
+HM_API hm_status hm_recover_movement_size(const hm_basis* basis, size_t* bytes, hm_error* err);
+/* The movement that a mesh has made since the basis was made: move [2*functions], with which
+ * hm_morph moves the points on curves and rigid bodies from where they were at hm_basis_init to
+ * where they are in `at` [n_points]. It is the solution of a least-squares problem for all
+ * functions together, with the parameters that the points had: exact to rounding where the mesh was
+ * moved by hm_morph or hm_morph_safe, in any number of steps. One rotation and scale for each
+ * curve, with which hm_morph_safe turns the offsets of points from their curve, is found along with
+ * it, unless hm_options.offset_correction is 1. A control point on which no point of the wall
+ * depends moves with its neighbours on the curve, where possible by the same rotation, scale and
+ * translation. Points of markers with HM_GIVEN count only if the basis has modes. Functions of real
+ * variables (hm_combine) may receive a second component that is not 0. *residual [length]: the
+ * largest distance of a point of the wall from where `move` leads it; *point: that point, -1: there
+ * are no points; both may be NULL. Refused with HM_BAD_MESH if this distance is more than
+ * `tolerance` [length], because the wall is then on no curve of this basis (error.item: the point,
+ * error.value: the distance), and if a coordinate of the wall is beyond the range. tolerance 0
+ * means 1e-4 of the width or height of the wall in `at`, the larger one; infinity: any. The basis
+ * must be solved, and have all functions. After a refused call the outputs are unchanged. */
+HM_API hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double tolerance,
+                                     double* move, double* residual, int32_t* point, void* work,
+                                     size_t bytes, hm_error* err);
+
 /* ---- Functions in single precision ---- */
 
 /* A second basis with the same functions in single precision, in half the memory. hm_morph and

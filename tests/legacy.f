@@ -123,6 +123,13 @@ C     THE AREA, AND ITS DERIVATIVES: GROWN BY 1 PER CENT, BY 2.01.
       CALL CHECK (IERR .EQ. 0 .AND. S .GT. 1D0 .AND. ICELL .GE. 1,
      &            'STEP: ', MSG)
       CALL HMMORF (W, DP, XN, YN, 1, IERR, MSG)
+      CALL HMRECO (W, XN, YN, 1, G, S, IERR, MSG)
+      BIG = S
+      DO 35 K = 1, NCP
+         BIG = MAX(BIG, ABS(G(1,K) - DP(1,K)), ABS(G(2,K) - DP(2,K)))
+   35 CONTINUE
+      CALL CHECK (IERR .EQ. 0 .AND. BIG .LT. 1D-12,
+     &            'THE MOVEMENT IS RECOVERED: ', MSG)
       BIG = 0D0
       HERE = 0D0
       DO 40 K = 1, NP

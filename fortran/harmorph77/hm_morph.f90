@@ -17,6 +17,26 @@ subroutine hmmorf(w, dp, x, y, inc, ierr, msg)
     call this%finish(ierr, msg)
 end subroutine
 
+subroutine hmreco(w, x, y, inc, dp, res, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*), x(*), y(*)
+    real(c_double), intent(inout) :: dp(2, *), res
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(c_ptr) :: work
+    integer(c_size_t) :: bytes
+    integer(c_int32_t) :: point
+    call this%open_solved(w)
+    if (this%ok()) call this%told(hm_c_recover_movement_size(this%kept%basis, bytes, this%e))
+    call this%room(bytes, work)
+    if (this%ok()) call this%told(hm_c_recover_movement(this%kept%basis, points_of(x, y, inc), 0._c_double, dp, res, &
+        point, work, bytes, this%e))
+    call this%finish(ierr, msg)
+end subroutine
+
 subroutine hmdisp(w, dp, dx, dy, inc, ierr, msg)
     use harmorph77
     implicit none

@@ -29,6 +29,7 @@ void Basis::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(wall_curve, counts.wall);
     arena.take(wall_u, counts.wall);
     arena.take(wall_offset, counts.wall);
+    arena.take(wall_start, counts.wall);
     arena.take(joined_point, counts.joined);
     arena.take(joined_slot, counts.joined);
     arena.take(boundary_point, counts.boundary);

@@ -63,7 +63,7 @@ constexpr bool operator==(MeshFingerprint const& a, MeshFingerprint const& b) no
 // The first bytes of the block. Everything else follows in the order of Basis::lay_out, which the
 // counts determine.
 struct BasisHeader {
-    static constexpr std::uint32_t current_format = 9, native_order = 0x01020304;
+    static constexpr std::uint32_t current_format = 10, native_order = 0x01020304;
     static constexpr char expected_magic[8] = {'h', 'a', 'r', 'm', 'o', 'r', 'p', 'h'};
 
     char magic[8];
@@ -101,6 +101,7 @@ struct Basis {
     Span<Index> wall_point, wall_curve;  // [wall]
     Span<Real> wall_u;
     Span<Vec2> wall_offset;
+    Span<Vec2> wall_start;  // [wall] where these points were when the basis was made
     // [joined] points joined to that of a slot of the wall: the other side of a cut
     Span<Index> joined_point, joined_slot;
     Span<Index> boundary_point;   // [boundary] see Boundary

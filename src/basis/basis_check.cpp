@@ -3,6 +3,7 @@
 
 #include "basis/basis.hpp"
 #include "base/fixed_sum.hpp"
+#include "base/range.hpp"
 
 namespace harmorph {
 namespace {
@@ -106,7 +107,8 @@ private:
             if (!is_within(basis_.wall_point[slot], 0, counts_.points)) return false;
             if (!is_within(basis_.wall_curve[slot], 0, counts_.curves + counts_.bodies + 1))
                 return false;
-            if (!is_finite(basis_.wall_u[slot])) return false;
+            if (!is_finite(basis_.wall_u[slot]) || !is_coordinate(basis_.wall_start[slot]))
+                return false;
         }
         for (Index k = 0; k < counts_.joined; ++k) {
             if (!is_within(basis_.joined_point[k], 0, counts_.points)) return false;

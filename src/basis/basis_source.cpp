@@ -73,6 +73,9 @@ void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const
     copy(basis.wall_curve, Span<const Index>(source.wall.curve.first(counts.wall)));
     copy(basis.wall_u, Span<const Real>(source.wall.u.first(counts.wall)));
     copy(basis.wall_offset, Span<const Vec2>(source.wall.offset.first(counts.wall)));
+    Points const start = source.topology.mesh.points;
+    for (Index slot = 0; slot < counts.wall; ++slot)
+        basis.wall_start[slot] = start[basis.wall_point[slot]];
     Index joined = 0;
     source.for_each_joined([&](Index point, Index slot) {
         basis.joined_point[joined] = point;

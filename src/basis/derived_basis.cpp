@@ -21,6 +21,7 @@ void begin_derived(Basis const& from, BasisCounts const& counts, Basis const& to
     copy(to.wall_curve, Span<const Index>(from.wall_curve));
     copy(to.wall_u, Span<const Real>(from.wall_u));
     copy(to.wall_offset, Span<const Vec2>(from.wall_offset));
+    copy(to.wall_start, Span<const Vec2>(from.wall_start));
     copy(to.joined_point, Span<const Index>(from.joined_point));
     copy(to.joined_slot, Span<const Index>(from.joined_slot));
     copy(to.boundary_point, Span<const Index>(from.boundary_point));

@@ -120,6 +120,7 @@ void Extract::init(Basis const& whole, PointList const& list) const noexcept {
         basis.wall_curve[slot[whole_slot]] = whole.wall_curve[whole_slot];
         basis.wall_u[slot[whole_slot]] = whole.wall_u[whole_slot];
         basis.wall_offset[slot[whole_slot]] = whole.wall_offset[whole_slot];
+        basis.wall_start[slot[whole_slot]] = whole.wall_start[whole_slot];
     }
     Index n = 0;
     for_each_joined(list, [&](Index k, Index whole_slot) {

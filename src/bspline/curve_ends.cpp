@@ -8,6 +8,9 @@ namespace {
 constexpr Real cosine_of_return = -0.7;
 constexpr Real at_the_end = 0.95;  // of the chord: how far from the nose a base is at least
 constexpr Real blunt_turn = 1;     // 2 sin(angle / 2) of 60 degrees
+// Along a side, away from a base: a body that widens by more than 45 degrees within so much of the
+// extent begins there, and what ends in the straight piece is a horn or a lip on it.
+constexpr Real cosine_of_widening = 0.7, longest_horn = 0.25, direction_reach = 0.01;
 
 // Of the points that turn within `tie` of the most, those farthest from the centroid (the origin),
 // of these the one nearest to either end of the list: rounding, turning and reversing the outline
@@ -65,8 +68,32 @@ bool comes_back(Outline const& outline, Index from, Index to) noexcept {
     return dot(in, out) < cosine_of_return * length(in) * length(out);
 }
 
+// Does the side that leaves a base at `end`, where the base comes from `start`, turn away from the
+// body?
+bool widens(Outline const& outline, Index start, Index end, bool forward) noexcept {
+    auto const next = [&](Index point, Real reach) {
+        return forward ? outline.ahead(point, reach) : outline.behind(point, reach);
+    };
+    Vec2 const base = outline.points[end] - outline.points[start];
+    Vec2 const away = outline.points[next(end, length(base))] - outline.points[end];
+    Real const inwards = cross(base, away);
+    Real walked = 0;
+    for (Index k = end; walked < longest_horn;) {
+        Index const after = next(k, direction_reach);
+        Vec2 const direction = outline.points[after] - outline.points[k];
+        Real const turn = dot(away, direction);
+        if (cross(away, direction) * inwards < 0 &&
+            turn < cosine_of_widening * length(away) * length(direction))
+            return true;
+        walked += larger(length(direction), direction_reach);
+        k = after;
+    }
+    return false;
+}
+
 bool is_base(Outline const& outline, Index from, Index to) noexcept {
     if (!is_short_side(outline, from, to) || !comes_back(outline, from, to)) return false;
+    if (widens(outline, from, to, true) || widens(outline, to, from, false)) return false;
     Vec2 const begin = outline.points[from], end = outline.points[to];
     Vec2 const nose = outline.points[farthest_from(outline, 0.5 * (begin + end))];
     Real const chord = length(outline.points[farthest_from(outline, nose)] - nose);

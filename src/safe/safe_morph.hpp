@@ -134,6 +134,7 @@ private:
     void restore_heights(Work& work) noexcept;
     void measure_worst(Work& work) const noexcept;
     void finish_derivative(Work& work) noexcept;
+    Index end_that_leaves(Work const& work) const noexcept;
     Status finish(Work& work) noexcept;
 };
 

@@ -7,6 +7,10 @@
 namespace harmorph {
 namespace {
 
+// Heights that are asked for may cost this part of the smallest quality, where that remains as good
+// as was asked for.
+constexpr Real least_kept_quality = 0.5;
+
 // Mean of the corners of one of the caller's cells: a polygon has them in its triangles, those at
 // diagonals repeatedly.
 Vec2 centre_of(Mesh const& mesh, Index number, Points points) noexcept {
@@ -28,9 +32,11 @@ Real quality_of(OrientedMesh const& cells, Index cell, Points points, Points ref
 
 }  // namespace
 
-// As much as no cell inverts for: all that is asked for, or a half, or a quarter, ...
+// Heights that are asked for: as much as leaves a valid mesh and the smallest quality that is
+// permitted, found by bisection. To limit the change of heights: all, or a half, or a quarter, ...,
+// the first that makes the mesh better.
 void SafeMorph::restore_heights(Work& work) noexcept {
-    constexpr Index most_halvings = 4;
+    constexpr Index most_trials = 6, most_halvings = 4;
     Points const before = work.mesh().points;
     for (Index k = 0; k < kinds.count(); ++k)
         kinds[k] = mesh.held[k] != 0 ? PointKind::fixed : PointKind::inside;
@@ -38,20 +44,37 @@ void SafeMorph::restore_heights(Work& work) noexcept {
     wall_heights.find(work.mesh(), before, kinds, mesh.representative, work.plan.walls(),
                       work.executor());
     bool const is_asked_for = work.options.heights > 0;
-    Real amount = is_asked_for ? work.options.heights : 1;
-    for (Index halving = 0; halving <= most_halvings; ++halving, amount *= 0.5) {
+    Real const quality = work.best().min_quality;
+    Real const permitted = smaller(quality, larger(work.goal(), least_kept_quality * quality));
+    // Restores an amount in the mesh ahead.
+    Outcome outcome;
+    auto const accepts = [&](Real amount) {
         copy(mesh.ahead_x, Span<const Real>(best_x));
         copy(mesh.ahead_y, Span<const Real>(best_y));
         wall_heights.restore(work.plan.walls(), before, mesh.to_ahead(), mesh.representative,
                              amount, work.executor());
-        if (!is_valid(work, mesh.ahead())) continue;
-        Outcome outcome = work.best();
+        if (!is_valid(work, mesh.ahead())) return false;
+        outcome = work.best();
         measure(work, mesh.ahead(), outcome);
-        if (!is_asked_for && !work.is_better(outcome, work.best())) continue;
-        replace_inner_points(work, outcome);
-        work.report.heights = amount;
-        return;
+        return is_asked_for ? outcome.min_quality >= permitted
+                            : work.is_better(outcome, work.best());
+    };
+    Real const all = is_asked_for ? work.options.heights : 1;
+    Real accepted = accepts(all) ? all : 0;
+    Real amount = all;
+    for (Index halving = 0; !is_asked_for && accepted == 0 && halving < most_halvings; ++halving) {
+        amount *= 0.5;
+        if (accepts(amount)) accepted = amount;
     }
+    Real refused = all;
+    for (Index trial = 0; is_asked_for && accepted < all && trial < most_trials; ++trial) {
+        amount = 0.5 * (accepted + refused);
+        (accepts(amount) ? accepted : refused) = amount;
+    }
+    if (accepted == 0) return;
+    if (amount != accepted) accepts(accepted);
+    replace_inner_points(work, outcome);
+    work.report.heights = accepted;
 }
 
 // By insertion into the short list.
@@ -89,6 +112,35 @@ void SafeMorph::finish_derivative(Work& work) noexcept {
     derivative.seal();
 }
 
+// The end of a wall in the limiting cell that leaves the straight line of the face beside it, on
+// which neighbours stay or slide; none if there is no such end.
+Index SafeMorph::end_that_leaves(Work const& work) const noexcept {
+    constexpr Real least = 1e-6;  // of its movement
+    Basis const& basis = work.basis;
+    Index const number = work.report.limit.cell;
+    if (number == none) return none;
+    Cell const cell = work.mesh().cell(number);
+    auto const leaves = [&](Index end, Index beside) {
+        if (mesh.path.slot_of[end] == none || mesh.path.slot_of[beside] != none) return false;
+        bool is_near = false;
+        for (Index k = 0; k < cell.n; ++k)
+            is_near = is_near || cell.point[k] == end || cell.point[k] == beside;
+        Vec2 const along = work.mesh().points[beside] - work.mesh().points[end];
+        Vec2 const by = basis.wall_move(mesh.path.slot_of[end], mesh.path.target.data());
+        return is_near && absolute(cross(along, by)) > least * length(along) * length(by);
+    };
+    for (Index loop = 0; loop < basis.loop_start.count() - 1; ++loop) {
+        Index const first = basis.loop_start[loop], last = basis.loop_start[loop + 1];
+        for (Index k = first; k < last; ++k) {
+            Index const a = basis.boundary_point[k],
+                        b = basis.boundary_point[k + 1 < last ? k + 1 : first];
+            if (leaves(a, b)) return a;
+            if (leaves(b, a)) return b;
+        }
+    }
+    return none;
+}
+
 Status SafeMorph::finish(Work& work) noexcept {
     SafeReport& report = work.report;
     Outcome const& best = report.outcome;
@@ -99,6 +151,14 @@ Status SafeMorph::finish(Work& work) noexcept {
     measure_worst(work);
     WorstCell const& worst = report.worst[0];
     if (best.fraction < 1) {
+        Index const end = end_that_leaves(work);
+        if (end != none) {
+            Vec2 const at = work.mesh().points[end];
+            return work.fault.refuse_at(at.x, at.y, Status::short_of_target,
+                                        "the mesh could follow ~; the wall's end, point # at $, "
+                                        "leaves the line beside it",
+                                        point_item(end), {}, best.fraction);
+        }
         Index const cell = work.mesh().number(report.limit.cell);
         Vec2 const at = cell != none ? centre_of(work.mesh(), cell, result()) : Vec2{};
         const char* const text =

@@ -2,6 +2,7 @@
 
 #include "bspline/curve_ends.hpp"
 
+#include <fixtures/airfoil.hpp>
 #include <fixtures/spline.hpp>
 
 #include <algorithm>
@@ -280,4 +281,40 @@ TEST_CASE("straight pieces elsewhere are no base: ends of a plate, a step on the
     CHECK(choose(plate, Closure::tied).course.reason == ClosureReason::wish);
     CHECK(choose(plate, Closure::open).course.reason == ClosureReason::wish);
     CHECK(choose(plate, Closure::automatic, false).course.reason == ClosureReason::no_loop);
+}
+
+// An airfoil with a horn of ice on its upper side: straight, two points across its tip.
+static std::vector<Vec2> with_horn(double degrees, double reach, int base) {
+    fixtures::Naca4 naca;
+    naca.blunt = base > 1;
+    fixtures::Outline const clean = fixtures::naca4(naca, 80, 0.8, base);
+    std::vector<Vec2> out;
+    double const angle = degrees * std::acos(-1.0) / 180, half_width = 0.003;
+    Vec2 const along{std::cos(angle), std::sin(angle)}, across{along.y, -along.x};
+    bool done = false;
+    for (fixtures::Point const p : clean.points) {
+        bool const is_root = p.y > 0 && p.x > 0.005 && p.x < 0.03;
+        if (!is_root) out.push_back({p.x, p.y});
+        if (!is_root || done) continue;
+        done = true;
+        Vec2 const tip = Vec2{0.015, 0.02} + reach * along, left = tip + half_width * across;
+        Vec2 const right = tip - half_width * across, begin = out.back(), end{0.004, 0.0105};
+        for (int k = 1; k <= 12; ++k) out.push_back(begin + (k / 12.0) * (left - begin));
+        for (int k = 0; k <= 11; ++k) out.push_back(right + (k / 12.0) * (end - right));
+    }
+    return out;
+}
+
+TEST_CASE("the tip of a horn of ice is no base: the trailing edge is where the curve begins") {
+    for (double const degrees : {110.0, 130.0, 150.0, 170.0})
+        for (double const reach : {0.04, 0.08}) {
+            INFO(degrees << " degrees, " << reach);
+            Chosen const sharp = choose_always(with_horn(degrees, reach, 1));
+            CHECK(sharp.course.closure == Closure::tied);
+            CHECK(sharp.course.first == 0);
+            Chosen const blunt = choose_always(with_horn(degrees, reach, 4));
+            CHECK(blunt.course.closure == Closure::open);
+            CHECK(blunt.course.reason == ClosureReason::base);
+            CHECK(blunt.course.base_points == 5);
+        }
 }

@@ -54,7 +54,7 @@ refuses "displace: a wall that crosses itself" 1 'the moved boundary crosses its
 runs "displace --safe" 0 displace "$ring" --given body --wall "$tmp/turn.txt" --operator laplace --safe \
     -o "$tmp/safe.su2" --json
 has_keys "displace --safe: keys" inverted self_crossing min_quality mean_quality factor_seconds displace_seconds \
-    step_fraction steps resolves strategy last_step_admissible $safe_keys
+    step_fraction steps resolves strategy last_step_admissible heights $safe_keys
 check "displace --safe: all of the way" says '"step_fraction": 1,'
 check "displace --safe: no inverted cell" says '"inverted": 0,'
 wall_field "$ring" "$tmp/safe.su2" >"$tmp/reached.txt"

@@ -62,6 +62,14 @@ bad_mesh "triangle in a marker" 1256 'element type 3' '1256s/.*/5 0 1 2/'
 bad_mesh "two points in one cell" 4 '' '4s/.*/9 0 0 49 1/'
 broken bad '/MARKER_TAG= far/,/MARKER_ELEMS/d; s/MARKER_ELEMS= 48/MARKER_ELEMS= 47/; s/NMARK= 2/NMARK= 1/; 1255d'
 refuses "boundary edge on no marker" 3 "$tmp/bad.su2" check "$tmp/bad.su2"
+# Far from the origin, cells are too thin for their coordinates: solve and check say the same.
+awk 'NF == 3 && index($0, ".") { $1 = sprintf("%.6f", $1 + 1e13); $2 = sprintf("%.6f", $2 + 1e13) }
+    { print }' "$ring" >"$tmp/afar.su2"
+refuses "cells too thin for their coordinates: solve" 3 "$tmp/afar.su2:" solve "$tmp/afar.su2" --rigid body -o "$tmp/x"
+sed 's/.*afar.su2/afar.su2/' "$tmp/err" >"$tmp/wanted"
+refuses "cells too thin for their coordinates: check" 3 "$tmp/afar.su2:" check "$tmp/afar.su2"
+sed 's/.*afar.su2/afar.su2/' "$tmp/err" >"$tmp/found"
+check "cells too thin for their coordinates: the same sentence" cmp "$tmp/wanted" "$tmp/found"
 head -c 3000 "$harmorph" >"$tmp/bad.su2"
 refuses "a program for a mesh" 3 "$tmp/bad.su2:1: " check "$tmp/bad.su2"
 

@@ -2,6 +2,13 @@
 
 runs "--rigid" 0 solve "$box" --rigid block -o "$tmp/rigid.basis" --json
 check "--rigid: functions" says '"functions": 2'
+runs "--rigid: for people" 0 solve "$box" --rigid block -o "$tmp/rigid.basis"
+check "--rigid: for people: nothing about control points" sh -c "! grep -E 'values|mesh from curve|point -1' '$tmp/out'"
+check "--rigid: for people: how exact" says 'boundary error'
+runs "--curve: for people" 0 solve "$box" $on_block -o "$tmp/x.people"
+check "--curve: for people: values" says 'values  '
+check "--curve: for people: distance" says 'mesh from curve'
+rm -f "$tmp/x.people"
 printf '# a body\nrigid block .5 -.25 90 1.25\n' >"$tmp/rigid.txt"
 runs "--rigid: morph" 0 morph "$box" "$tmp/rigid.basis" --move "$tmp/rigid.txt" -o "$tmp/rigid.su2" --safe \
     --svg "$tmp/rigid.svg" --boundary-svg "$tmp/rigid-boundary.svg"

@@ -15,8 +15,8 @@ topic=program log=$tmp/log
 . "$here/common.sh"
 . "$here/ring.sh"
 . "$here/box.sh"
-parts="exit_codes path mesh_files bad_files displace transfer operators slip periodic rigid safe markers curves demo
-    design"
+parts="exit_codes path again mesh_files bad_files displace transfer operators slip periodic rigid safe
+    markers curves demo design"
 if [ $# -gt 0 ]; then parts=$*; fi
 for part in $parts; do
     . "$here/$part.sh"

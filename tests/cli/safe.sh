@@ -5,7 +5,7 @@ refuses "a large turn" 1 'admissible' morph "$box" "$tmp/conformal.basis" --move
 runs "--safe: a large turn" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe \
     -o "$tmp/turned.su2" --json
 has_keys "--safe: keys" inverted self_crossing boundary_error min_quality mean_quality morph_seconds step_fraction \
-    steps resolves strategy last_step_admissible reached_moves $safe_keys moved_curve
+    steps resolves strategy last_step_admissible heights reached_moves $safe_keys moved_curve
 check "--safe: the whole way" says '"step_fraction": 1,'
 check "--safe: nothing inverted" says '"inverted": 0'
 check "--safe: not by the linear morph" sh -c "! grep -q '\"strategy\": \"linear\"' '$tmp/out'"
@@ -35,6 +35,20 @@ check "--min-quality: the warning names a cell and its place" grep -E 'smallest 
 refuses "--strict" 1 'smallest quality' morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe \
     --min-quality 0.99 --strict -o "$tmp/strict.su2"
 leaves_nothing "--strict: nothing written" "$tmp/strict.su2"
+# What is judged is the mesh that is written.
+for asked in .1 .3 .5 .6 .7 .8 .9; do
+    "$harmorph" morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe --improve --json --strict \
+        --min-quality $asked >"$tmp/out" 2>"$tmp/err"
+    code=$?
+    check "--improve --strict --min-quality $asked: exit code $code and the final quality agree" awk \
+        -v found="$(number min_quality)" -v start="$(number start_quality | head -n 1)" -v asked=$asked -v code=$code \
+        'BEGIN { exit (found < asked * start) != code }'
+done
+makes morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe --improve --json
+alone=$(number min_quality)
+runs "--heights --improve" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe \
+    --improve --heights --json
+check "--heights --improve: not below --improve alone" awk "BEGIN { exit !($(number min_quality) >= $alone) }"
 for bad in 1.5 -0.1 nan good; do
     refuses "--min-quality $bad" 2 '--min-quality' morph "$box" "$tmp/conformal.basis" --move "$no_moves" --safe \
         --min-quality=$bad
@@ -73,7 +87,8 @@ refuses "--safe: short of the target" 1 'stands in the way' morph "$box" "$tmp/c
     --move "$tmp/outside.txt" --safe -o "$tmp/outside.su2" --json
 has_keys "--safe: short of the target: JSON all the same" inverted self_crossing boundary_error min_quality \
     mean_quality \
-    morph_seconds step_fraction steps resolves strategy last_step_admissible reached_moves $safe_keys moved_curve
+    morph_seconds step_fraction steps resolves strategy last_step_admissible heights reached_moves \
+    $safe_keys moved_curve
 leaves_nothing "--safe: short of the target: nothing written" "$tmp/outside.su2"
 runs "--safe: short of the target, --force" 1 morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" --safe \
     --force -o "$tmp/outside.su2" --json

@@ -74,6 +74,9 @@ refuses "openfoam: planes without some faces" 'has 140 faces, but the mesh has 1
 broken boundary 's/nFaces          24;/nFaces          2400;/'
 refuses "openfoam: a patch that is too long" "boundary:15: the patch 'body' ends behind face" "$harmorph" \
     check "$tmp/foam-bad"
+broken boundary '/body/,/}/s/type .*;/type processor;/'
+refuses "openfoam: a part of a decomposed case" "boundary:15: the patch 'body' has the type processor" "$harmorph" \
+    check "$tmp/foam-bad"
 broken faces 's/^4(0 /4(999 /'
 refuses "openfoam: a face of points that do not exist" 'has point 999, but there are 336 points' "$harmorph" \
     check "$tmp/foam-bad"

@@ -8,8 +8,24 @@ refuses "several zones: out of order" 'expected IZONE= 3' "$harmorph" check "$tm
 sed '/^IZONE= 3/,$d' "$tmp/zones.su2" >"$tmp/bad.su2"
 refuses "several zones: one is missing" 'bad.su2:1: NZONE= announces 3 zones' "$harmorph" check "$tmp/bad.su2" --zone 2
 sed 's/MARKER_TAG= far/MARKERTAG= far/' "$tmp/ring.su2" >"$tmp/bad.su2"
-line=$(grep -n MARKERTAG "$tmp/bad.su2" | cut -d: -f1)
-refuses "MARKERTAG" "bad.su2:$line: expected MARKER_TAG=" "$harmorph" check "$tmp/bad.su2"
+"$harmorph" check "$tmp/ring.su2" >"$tmp/wanted" 2>&1
+"$harmorph" check "$tmp/bad.su2" >"$tmp/found" 2>&1
+check "MARKERTAG" cmp "$tmp/found" "$tmp/wanted"
+{ echo 'NDIME= 2'; cat "$tmp/zones.su2"; } >"$tmp/dimension.su2"
+for zone in 1 2 3; do
+    "$harmorph" check "$tmp/zones.su2" --zone $zone >"$tmp/wanted" 2>&1
+    "$harmorph" check "$tmp/dimension.su2" --zone $zone >"$tmp/found" 2>&1
+    check "NDIME= before NZONE=, and in zone $zone" cmp "$tmp/found" "$tmp/wanted"
+done
+sed '2,$ { /NDIME/d; }' "$tmp/dimension.su2" >"$tmp/dimension-once.su2"
+check "NDIME= before NZONE= alone" "$harmorph" check "$tmp/dimension-once.su2" --zone 2
+sed '/IZONE= 2/,$ s/NDIME= 2/NDIME= 2\nNDIME= 2/' "$tmp/dimension.su2" >"$tmp/bad.su2"
+refuses "NDIME= twice in a zone" 'NDIME= stands here a second time' "$harmorph" check "$tmp/bad.su2" --zone 2
+# Without the markers of the outer edges, as files with halo layers are.
+awk '/MARKER_TAG= far/ { print "MARKER_TAG= SEND_RECEIVE\nMARKER_ELEMS= 1\nSEND_RECV= 1\n1 0 1"; exit } { print }' \
+    "$tmp/ring.su2" >"$tmp/halo.su2"
+refuses "halo layers" 'the file has SEND_RECEIVE blocks' "$harmorph" solve "$tmp/halo.su2" --curve "body=$tmp/curve" \
+    -o "$tmp/x"
 "$harmorph" check "$tmp/odd.su2" >"$tmp/out" 2>&1
 says "faces between cells are ignored, and said" "24 faces of marker 'inside line' between two cells"
 echo 'hello world' >"$tmp/bad.mesh"

@@ -9,8 +9,8 @@ module morph_tests
 contains
 
     subroutine morphs()
-        real(dp) :: move(2, n_control), gradient(2, n_control), error, here, there
-        real(dp), dimension(n_points) :: x_new, y_new, dx, dy, gx, gy
+        real(dp) :: move(2, n_control), gradient(2, n_control), found(2, n_control), error, here, there
+        real(dp), dimension(n_points) :: x_new, y_new, again, dx, dy, gx, gy
         type(hm_step_report) :: step
         type(hm_quality_report) :: quality
         type(hm_curves) :: curves, moved
@@ -33,6 +33,14 @@ contains
         call check(all(moved%curve(1)%indices == curves%curve(1)%indices), "the rest of them as before")
         call basis%moved_curves(move(:, 2:), moved, stat, err)
         call check(stat == hm_bad_argument, "a movement of one control point too few")
+        call basis%recover(x_new, y_new, found, residual=error, point=point)
+        call check(maxval(abs(found - move)) < 1e-12_dp .and. error < 1e-14_dp .and. point >= 1, &
+            "the movement is recovered")
+        again = y_new
+        again(point) = again(point) + 0.1_dp
+        found = 7
+        call basis%recover(x_new, again, found, stat=stat, err=err)
+        call check(stat == hm_bad_mesh .and. err%item == point .and. all(found == 7), "a wall that is on no curve")
         call basis%boundary_error(move, x, y, x_new, y_new, error, point)
         call check(error < 1e-12_dp .and. point >= 1 .and. point <= n_points, "the wall moves as the B-spline does")
         call basis%quality(mesh, x_new, y_new, quality, x, y)

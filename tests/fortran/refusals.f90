@@ -77,8 +77,9 @@ contains
         b = y
         call basis%morph(move, a, b, stat=stat, err=err)
         call check(stat == hm_bad_argument .and. same(a, x), "a movement that is not finite: " // err%text)
-        call basis%adjoint(a, b(2:), gradient, stat=stat)
-        call check(stat == hm_bad_argument, "a gradient of different lengths")
+        call basis%adjoint(a, b(2:), gradient, stat=stat, err=err)
+        call check(stat == hm_bad_argument .and. &
+            err%text == "x and y have different lengths, or one of them is not allocated", "a gradient: " // err%text)
         call basis%boundary_error(some_move(), x, y, a(2:), b(2:), error, stat=stat)
         call check(stat == hm_bad_argument, "another length")
         call basis%quality(mesh, x, y, quality, x(2:), y(2:), stat=stat)

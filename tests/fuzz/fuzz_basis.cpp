@@ -33,6 +33,13 @@ void use(const hm_basis* basis, Problem const& problem, Input& input) {
     hm_adjoint(basis, &in, gradient.data(), nullptr, &error);
     double worst = 0;
     hm_boundary_error(basis, move.data(), &in, &in, &worst, nullptr, &error);
+    std::size_t work_bytes = 0;
+    if (hm_recover_movement_size(basis, &work_bytes, &error) >= 0 && work_bytes < 1 << 24) {
+        Block const work(work_bytes, 0, 0x3F);
+        hm_recover_movement(basis, &in, 0, gradient.data(), &worst, nullptr, work.data(),
+                            work_bytes, &error);
+        work.expect_intact();
+    }
     std::vector<hm_curve> curves(static_cast<std::size_t>(info.curves) + 1);
     hm_curves set{};
     set.struct_size = sizeof set;

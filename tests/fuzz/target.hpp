@@ -18,15 +18,16 @@ Outcome run_given(Input& input);
 Outcome run_parts(Input& input);
 Outcome run_plane(Input& input);
 Outcome run_transfer(Input& input);
+Outcome run_commands(Input& input);
 
 struct Target {
     const char* name;
     Outcome (*run)(Input& input);
 };
-inline constexpr Target targets[] = {{"problem", run_problem},   {"polygons", run_polygons},
-                                     {"basis", run_basis},       {"given", run_given},
-                                     {"parts", run_parts},       {"plane", run_plane},
-                                     {"transfer", run_transfer}, {"sequence", run_sequence},
-                                     {"files", run_files},       {"shape", run_shape}};
+inline constexpr Target targets[] = {
+    {"problem", run_problem},   {"polygons", run_polygons}, {"basis", run_basis},
+    {"given", run_given},       {"parts", run_parts},       {"plane", run_plane},
+    {"transfer", run_transfer}, {"sequence", run_sequence}, {"files", run_files},
+    {"shape", run_shape},       {"commands", run_commands}};
 
 }  // namespace fuzz

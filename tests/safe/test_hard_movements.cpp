@@ -190,6 +190,80 @@ TEST_CASE(
     CHECK(safe.boundary_error(shift) < 1e-15);
 }
 
+TEST_CASE(
+    "heights are restored as far as the smallest quality permits, and the report says how far that "
+    "is") {
+    Case floor = channel(14, 16, 0.004, 20), airfoil;
+    airfoil.mesh = o_mesh(naca4({}, 40), stretched(1e-4, 8, 40));
+    airfoil.curves = fitted_loop(naca4({}, 40).points, 20);
+    airfoil.put_on_curves(body);
+    int given_up = 0, restored = 0;
+    for (bool const is_airfoil : {false, true}) {
+        Safe safe(is_airfoil ? airfoil : floor);
+        for (int seed = 7; seed <= 14; ++seed) {
+            std::vector<double> move =
+                deform::random_bump(20, static_cast<std::uint64_t>(seed), 0.5);
+            for (std::size_t k = 0; is_airfoil && k < move.size(); k += 2) {  // camber and a wave
+                double const x = airfoil.curves.control[k];
+                move[k] = 0;
+                move[k + 1] = seed * (0.2 * x * (1 - x) + 0.01 * std::sin(15 * x));
+            }
+            safe.safe_options.min_quality = -1;
+            safe.safe_options.heights = 0;
+            if (safe.run(move) != HM_OK) continue;
+            double const without = safe.report.min_quality;
+            CHECK(safe.report.heights == 0);
+            safe.safe_options.heights = 1;
+            REQUIRE(safe.run(move) == HM_OK);
+            INFO((is_airfoil ? "airfoil" : "channel")
+                 << ", seed " << seed << ", restored " << safe.report.heights);
+            CHECK(safe.is_valid());
+            CHECK(safe.report.min_quality >= 0.5 * without);
+            // What was asked for, and had without the heights, is not given up for them.
+            safe.safe_options.min_quality =
+                std::min(1.0, 0.95 * without / safe.report.start_quality);
+            CHECK(safe.run(move) == HM_OK);
+            CHECK(safe.report.min_quality >=
+                  safe.safe_options.min_quality * safe.report.start_quality);
+            given_up += safe.report.heights < 1;
+            restored += safe.report.heights > 0;
+        }
+    }
+    CHECK(given_up > 0);
+    CHECK(restored > 0);
+}
+
+TEST_CASE(
+    "a wall whose end leaves the line beside it: where the mesh stops there, the end is named") {
+    int named = 0;
+    for (bool const slips : {false, true}) {
+        Case its = channel(14, 16, 0.004, 12);
+        if (slips) its.set_slip(bottom);
+        std::vector<std::int32_t> const wall = points_on(its.mesh, body);
+        Safe safe(its);
+        safe.safe_options.max_resolves = -1;
+        for (Complex const by :
+             {Complex(0, 0.3), Complex(0, -0.3), Complex(0.2, 0.5), Complex(-0.2, 0.1)}) {
+            std::vector<double> move(its.curves.control.size());
+            for (std::size_t k = 0; k < 12; ++k) {  // the left end moves most
+                double const part = 1 - static_cast<double>(k) / 11;
+                move[2 * k] = part * by.real();
+                move[2 * k + 1] = part * by.imag();
+            }
+            hm_status const status = safe.run(move);
+            if (status != HM_SHORT) continue;
+            std::string const text = safe.error.text;
+            named += text.find("the wall's end, point") != std::string::npos;
+            CHECK(text.find("leaves the line beside it") != std::string::npos);
+            CHECK(std::find(wall.begin(), wall.end(), safe.error.item) != wall.end());
+            auto const end = static_cast<std::size_t>(safe.error.item);
+            CHECK(its.mesh.x[end] == 1);
+            CHECK(its.mesh.y[end] == 0);
+        }
+    }
+    CHECK(named > 0);
+}
+
 TEST_CASE("impossible targets are refused at once, with the place, and nothing is written") {
     auto const refused = [](Safe& safe, std::vector<double> const& move, const char* why) {
         CHECK(safe.run(move) == HM_CROSSING);

@@ -77,7 +77,10 @@ void refuse(const hm_error& error, const Mesh& mesh) {
     const bool of_the_mesh = error.code == HM_BAD_MESH || error.code == HM_NOT_POSITIVE ||
                              error.code == HM_BAD_CONDITION;
     const std::string place = of_the_mesh ? place_of(error, mesh) + ": " : std::string();
-    throw Failure(exit_code(error.code), place + error.text + names_of_markers(error, mesh));
+    const bool is_likely = error.code == HM_BAD_MESH && !mesh.likely_fault.empty();
+    const std::string fault = is_likely ? "; " + mesh.likely_fault : std::string();
+    throw Failure(exit_code(error.code),
+                  place + error.text + names_of_markers(error, mesh) + fault);
 }
 
 }  // namespace cli

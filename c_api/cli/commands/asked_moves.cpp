@@ -15,11 +15,10 @@ std::vector<double> moves_of_file(const Arguments& arguments, const Basis& basis
     if (!arguments.has("--variables")) return read_moves(path, basis, mesh);
     const std::string map_path = arguments.text("--variables");
     const VariableMap map = read_variables(map_path);
-    if (map.points != basis.curves().n_control) {
-        throw Failure(exit_file, map_path + ": its variables are of " +
-                                     plural(map.points, "control point") +
-                                     ", the curves of the basis have " +
-                                     std::to_string(basis.curves().n_control));
+    if (map.points != basis.n_control()) {
+        throw Failure(exit_file,
+                      map_path + ": its variables are of " + plural(map.points, "control point") +
+                          ", the curves of the basis have " + std::to_string(basis.n_control()));
     }
     std::vector<double> moves = map.control_moves(read_values(path, map));
     moves.resize(2 * static_cast<std::size_t>(basis.functions()));

@@ -74,6 +74,27 @@ void write_picture(const Arguments& arguments, const Mesh& mesh) {
     files.commit();
 }
 
+// What `harmorph solve` checks beside: as if the points of all markers were given.
+void check_as_solve_does(const Mesh& mesh) {
+    std::vector<hm_condition> conditions(mesh.markers.size(), sized<hm_condition>());
+    for (std::size_t marker = 0; marker < conditions.size(); ++marker) {
+        conditions[marker].marker = static_cast<std::int32_t>(marker);
+        conditions[marker].kind = HM_GIVEN;
+    }
+    const hm_mesh view = mesh.view();
+    auto problem = sized<hm_problem>();
+    problem.mesh = &view;
+    problem.n_conditions = static_cast<std::int32_t>(conditions.size());
+    problem.conditions = conditions.data();
+    std::size_t bytes = 0;
+    hm_error error = {};
+    if (conditions.empty() || hm_analysis_size(&problem, nullptr, &bytes, &error) < 0) return;
+    Block block(bytes);
+    hm_analysis* analysis = nullptr;
+    if (hm_analysis_init(&analysis, block.data(), bytes, &problem, nullptr, &error) == HM_BAD_MESH)
+        refuse(error, mesh);
+}
+
 void run_check(const Arguments& arguments) {
     const Mesh mesh = read_mesh(arguments, 0);
     const hm_mesh_report report = MeshAnalysis(mesh).report();
@@ -83,7 +104,7 @@ void run_check(const Arguments& arguments) {
         print_for_people(report, mesh);
     }
     if (arguments.has("--svg")) write_picture(arguments, mesh);
-    if (report.inverted == 0) return;
+    if (report.inverted == 0) return check_as_solve_does(mesh);
     const std::size_t first = mesh.cell_offset[static_cast<std::size_t>(report.first_inverted)];
     throw Failure(exit_unusable,
                   mesh.file.place(first) + ": cell " + std::to_string(report.first_inverted) +
@@ -99,7 +120,8 @@ const Command check_command = {
     "Refused with the line of the first offender: wrong indices, "
     "points repeated in a cell, edges of more than two cells,\n"
     "faces that are not boundary edges, boundary edges on no marker. Inverted cells are counted "
-    "(exit code 1).\n",
+    "(exit code 1).\n"
+    "Then what solve refuses beside: cells too thin for the size of their coordinates.\n",
     {format_option,
      zone_option,
      {"--svg", "FILE", "picture of the mesh, its markers in colours"},

@@ -6,6 +6,7 @@
 #include "formats/format.hpp"
 #include "commands/morph.hpp"
 #include "commands/morph_report.hpp"
+#include "basics/numbers.hpp"
 #include "curves/moves_file.hpp"
 #include "basics/output_file.hpp"
 #include "page/page_data.hpp"
@@ -38,7 +39,8 @@ Companions companions_of(const Arguments& arguments, const Basis& basis, const M
     const bool is_short = !morph.refusal.empty();
     Companions names = {path("--curve-out", ".curve", true),
                         path("--reached", ".reached", is_short)};
-    if (basis.info().curves == 0) names.curve.clear();  // bodies alone
+    if (basis.info().curves == 0 || !basis.why_on_no_curve().empty())
+        names.curve.clear();  // bodies alone; unknown
     return names;
 }
 
@@ -89,7 +91,7 @@ void write_report_file(const Arguments& arguments, const Mesh& mesh, const Basis
 }
 
 Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
-                 const std::vector<double>& moves, const Threads& threads) {
+                 const std::vector<double>& moves, const Threads& threads, bool heights) {
     std::vector<std::unique_ptr<Basis>> others;
     std::vector<const hm_basis*> views;
     for (const std::string& path : arguments.all("--other")) {
@@ -97,17 +99,52 @@ Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basi
         views.push_back(others.back()->get());
     }
     hm_safe_options options = safe_options_of(arguments);
+    options.heights = heights ? 1 : 0;
     options.n_others = static_cast<std::int32_t>(views.size());
     options.others = views.data();
     return Morph(basis, mesh, moves, options, threads);
+}
+
+// With --heights and --improve, also without the heights, as improvement from there may end with
+// better cells.
+Morph improved_safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
+                          const std::vector<double>& moves, const Threads& threads) {
+    const bool heights = arguments.has("--heights"), improves = arguments.has("--improve");
+    Morph morph = safe_morph(arguments, mesh, basis, moves, threads, heights);
+    if (improves && morph.valid()) morph.improve(basis, mesh, threads);
+    if (!heights) return morph;
+    if (improves && morph.safe.heights > 0) {
+        Morph without = safe_morph(arguments, mesh, basis, moves, threads, false);
+        if (without.valid()) without.improve(basis, mesh, threads);
+        if (without.valid() && without.quality.min_quality > morph.quality.min_quality)
+            morph = std::move(without);
+    }
+    if (morph.safe.heights < 1 && morph.valid()) {
+        warn(brief(100 * morph.safe.heights) +
+             " % of the distances from the wall came back by --heights: the rest "
+             "would have cost too much of the smallest quality");
+    }
+    return morph;
+}
+
+// What is drawn or written about the curves needs to know where they are.
+void tell_of_earlier_movement(const Arguments& arguments, const Basis& basis) {
+    const bool needs_curves = arguments.has("--curve-out") || arguments.has("--svg") ||
+                              arguments.has("--boundary-svg") || arguments.has("--csv") ||
+                              arguments.has("--report") || arguments.has("--to-airfoil") ||
+                              arguments.has("--variables");
+    if (needs_curves) basis.curves();
+    if (basis.info().curves > 0 && !basis.why_on_no_curve().empty())
+        return warn(basis.why_on_no_curve() + ": the morphed mesh is written without a curve");
+    warn("the mesh is not where it was when the basis was solved: its wall is " +
+         brief(basis.distance_from_curves()) + " at most from where a movement of the basis leads");
 }
 
 void run_morph(const Arguments& arguments) {
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
-    if (basis.mesh_has_moved())
-        warn("the mesh is not where it was when the basis was solved: fine if a morph moved it");
+    if (basis.mesh_has_moved()) tell_of_earlier_movement(arguments, basis);
     std::optional<ToAirfoil> airfoil;
     const std::vector<double> moves = asked_moves(arguments, mesh, basis, airfoil);
     const Threads threads(threads_of(arguments));
@@ -117,9 +154,9 @@ void run_morph(const Arguments& arguments) {
         if (!safe && arguments.has(option))
             arguments.refuse(std::string(option) + " goes with --safe");
     }
-    Morph morph = safe ? safe_morph(arguments, mesh, basis, moves, threads)
+    Morph morph = safe ? improved_safe_morph(arguments, mesh, basis, moves, threads)
                        : Morph(basis, mesh, moves, repeats, threads);
-    if (arguments.has("--improve") && morph.valid()) morph.improve(basis, mesh, threads);
+    if (!safe && arguments.has("--improve") && morph.valid()) morph.improve(basis, mesh, threads);
     const bool strict = arguments.has("--strict") && !morph.warning.empty();
     const bool reached = morph.valid() && morph.refusal.empty() && !strict;
     Companions written;
@@ -222,8 +259,9 @@ const Command morph_command = {
              "step_fraction\n"
              "(1: all of the movement), steps, resolves, strategy (linear, other, substeps, "
              "untangled, improved),\n"
-             "last_step_admissible (of the last step that was tried, in parts of it), "
-             "reached_moves (the file),\n"
+             "last_step_admissible (of the last step that was tried, in parts of it), heights (the "
+             "part of the\n"
+             "distances from the wall that came back), reached_moves (the file),\n"
              "turned_offset (of wall points from the curve, turned with the body beside the "
              "B-spline's movement),\n"
              "start_quality, warning, worst_cells (cell, quality, start_quality, x, y); with "

@@ -74,8 +74,13 @@ void print_for_people(const Solver& solver, const Stored& stored, const Mesh& me
                     plural(report.fine_sweeps, "sweep").c_str());
     }
     if (report.curve_points > 0) {
-        std::printf("boundary error   %s; sum of the functions there: 1 to %s\n",
-                    brief(report.boundary_error).c_str(), brief(report.partition_defect).c_str());
+        std::printf("boundary error   %s", brief(report.boundary_error).c_str());
+        if (!task.curves.curves.empty())
+            std::printf("; sum of the functions there: 1 to %s",
+                        brief(report.partition_defect).c_str());
+        std::printf("\n");
+    }
+    if (!task.curves.curves.empty()) {  // of control points
         std::printf("values           %s to %s\n", brief(report.min_value).c_str(),
                     brief(report.max_value).c_str());
         std::printf("mesh from curve  %s at most (point %d), kept by every morph\n",
@@ -189,13 +194,18 @@ void run_solve(const Arguments& arguments) {
 const Command solve_command = {
     "solve",
     {"MESH"},
-    "Solves the harmonic functions of all control points",
+    "Solves the functions that carry control points' movements to the mesh",
     "Each control point's function has the values of its B-spline basis function "
-    "on the curve and 0 on fixed boundaries,\n"
-    "and is harmonic in between. Together they are the basis, "
-    "from which `harmorph morph` moves the mesh. Markers that are\n"
-    "not named are fixed. Control points of a second --curve are numbered on after those of the "
-    "first.\n"
+    "on the curve and 0 on fixed boundaries.\n"
+    "In between, --operator tells what the function is: conformal (the default), "
+    "the complex function that changes angles\n"
+    "least, near the wall above all; laplace, the harmonic function of the paper; "
+    "weighted, harmonic with a conductivity that\n"
+    "is large near the wall. Together the functions are the basis, "
+    "with which `harmorph morph` moves the mesh. A rigid body\n"
+    "has two functions, a table one. Markers that are not named are fixed. "
+    "Control points are counted from 1, those of a\n"
+    "second --curve on after those of the first; points and cells of the mesh are counted from 0.\n"
     "\n"
     "CURVE is a text file: `degree P`, `closed periodic|tied|open`, "
     "`points N` and N lines `x y`, `knots K` and K numbers\n"

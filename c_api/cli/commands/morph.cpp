@@ -2,6 +2,7 @@
 #include "commands/morph.hpp"
 
 #include "formats/format.hpp"
+#include "basics/numbers.hpp"
 #include "commands/solver.hpp"
 #include "basics/stopwatch.hpp"
 
@@ -98,6 +99,7 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
     } else if (status != HM_OK) {
         refusal = error.text;
     }
+    least_quality = std::max(options.min_quality, 0.0) * safe.start_quality;
     seconds = watch.seconds();
     for (std::size_t point = 0; point < mesh.x.size(); ++point) {
         displacement.x[point] = moved.x[point] - mesh.x[point];
@@ -134,17 +136,18 @@ void Morph::improve(const Basis& basis, const Mesh& mesh, const Threads& threads
     const hm_step_report step_of_morph = step;
     judge(basis, mesh, threads);
     step = step_of_morph;
+    safe.n_worst = 0;                               // those of before
+    if (safe.min_quality >= least_quality) return;  // a warning has another reason
+    warning.clear();
+    if (quality.min_quality >= least_quality) return;
+    warning = "the smallest quality is " + brief(quality.min_quality) +
+              ", less than was asked for: cell " + std::to_string(quality.min_quality_cell);
 }
 
 Curves Morph::moved_curves(const Basis& basis) const {
-    const auto n = static_cast<std::size_t>(basis.info().curves);
-    if (n == 0) return {};
-    std::vector<hm_curve> curve(n, sized<hm_curve>());
-    auto view = sized<hm_curves>();
-    std::vector<double> control(2 * static_cast<std::size_t>(basis.curves().n_control));
-    call(basis.path(), hm_moved_curves, basis.get(), moves.data(), control.data(), &view,
-         curve.data(), basis.info().curves);
-    return copied(view);
+    Curves curves = copied(basis.curves());
+    curves.control = moved_control(basis);
+    return curves;
 }
 
 // Points that slide along curves are put onto them.
@@ -166,6 +169,7 @@ void Morph::judge(const Basis& basis, const Mesh& mesh, const Threads& threads) 
          &worst_point);
     boundary_error = std::fabs(boundary_error -
                                safe.turned_offset);  // what is left beside the offsets that turned
+    boundary_error += basis.distance_from_curves();  // before this movement
 }
 
 }  // namespace cli

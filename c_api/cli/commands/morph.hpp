@@ -24,12 +24,15 @@ struct Morph {
     Field displacement, moved;
     hm_step_report step;
     hm_quality_report quality;  // relative to the mesh as it was
-    double boundary_error = 0;  // against the B-spline moved by `moves`
-    double seconds = 0;         // of one hm_morph: the median; of hm_morph_safe
-    hm_safe_report safe;        // where it went the safe way
-    std::string refusal;        // of the safe way: why it did not reach the target
-    bool impossible = false;    // of the safe way: no mesh can have the target's boundary
-    std::string warning;        // of the safe way: it did, but not as well as was asked for
+    double boundary_error =
+        0;  // at most, against the B-spline that `moves` moved from where it was on the mesh
+    double seconds = 0;       // of one hm_morph: the median; of hm_morph_safe
+    hm_safe_report safe;      // where it went the safe way
+    std::string refusal;      // of the safe way: why it did not reach the target
+    bool impossible = false;  // of the safe way: no mesh can have the target's boundary
+    std::string warning;  // of the safe way: it did, but the mesh is not as good as was asked for
+    double least_quality =
+        0;  // of the safe way: what was asked for, of cells relative to the start
 
     Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& its_moves,
           std::int32_t repeats, const Threads& threads);

@@ -19,7 +19,7 @@ void add_safe(JsonObject& object, const hm_safe_report& safe, const std::string&
     object.add("step_fraction", safe.step_fraction).add("steps", safe.steps);
     object.add("resolves", safe.resolves)
         .add("strategy", std::string(strategy_name(safe.strategy)));
-    object.add("last_step_admissible", safe.admissible);
+    object.add("last_step_admissible", safe.admissible).add("heights", safe.heights);
     if (reached_moves != nullptr) object.add("reached_moves", *reached_moves);
     object.add("turned_offset", safe.turned_offset).add("start_quality", safe.start_quality);
     object.add("warning", warning);
@@ -66,7 +66,10 @@ std::vector<Option> safe_options() {
             {"--strict", nullptr,
              "for --safe: a mesh poorer than asked for is not written, exit code 1"},
             {"--heights", nullptr,
-             "for --safe: bring distances from the wall back to what they were, near it"}};
+             "for --safe: bring distances from the wall back to what they were, near it, as far as "
+             "the smallest\n"
+             "quality is neither halved nor less than is asked for; a warning says if only a part "
+             "comes back"}};
 }
 
 hm_safe_options safe_options_of(const Arguments& arguments) {

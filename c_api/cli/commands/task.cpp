@@ -256,7 +256,8 @@ Task task_of(const Basis& basis) {
     task.options.offset_correction = info.offset_correction;
     task.conditions = basis.conditions();
     task.slip_curves = basis.slip_curves();
-    task.curves = copied(basis.curves());
+    task.curves =
+        copied(basis.why_on_no_curve().empty() ? basis.curves() : basis.curves_at_start());
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
         if (info.point_curve[k] >= info.curves) continue;  // on no curve
         task.given_points.push_back(info.curve_point[k]);

@@ -122,14 +122,14 @@ std::vector<double> read_moves(const std::string& path, const Movable& movable, 
 }
 
 std::vector<double> read_moves(const std::string& path, const Basis& basis, const Mesh& mesh) {
-    const Movable movable = {basis.curves().n_control, basis.info().bodies, basis.info().modes,
+    const Movable movable = {basis.n_control(), basis.info().bodies, basis.info().modes,
                              basis.conditions()};
     return read_moves(path, movable, mesh);
 }
 
 void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis,
                  const Mesh& mesh) {
-    const auto n_control = static_cast<std::size_t>(basis.curves().n_control);
+    const auto n_control = static_cast<std::size_t>(basis.n_control());
     if (n_control > 0) out << "# control point, dx, dy\n";
     for (std::size_t point = 0; point < n_control; ++point) {
         out << point + 1 << ' ' << exact(moves[2 * point]) << ' ' << exact(moves[2 * point + 1])

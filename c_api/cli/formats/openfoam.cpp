@@ -77,6 +77,12 @@ public:
         patches_ = read_boundary(boundary);
         n_cells_ = owner_.empty() ? 0 : 1 + *std::max_element(owner_.begin(), owner_.end());
         for (const Patch& patch : patches_) {
+            if (patch.type.compare(0, 9, "processor") == 0) {
+                boundary.fail(patch.offset,
+                              "the patch " + in_quotes(patch.name) + " has the type " + patch.type +
+                                  ": this is one part of a decomposed case; take the whole mesh, "
+                                  "which reconstructParMesh puts together");
+            }
             if (patch.start_face + patch.n_faces > n_faces()) {
                 const std::string name = in_quotes(patch.name),
                                   last = std::to_string(n_faces() - 1);

@@ -21,9 +21,8 @@ struct Heading {  // a line KEY= value
     std::string_view value;
 };
 
-// MARKERTAG, MARKER TAG: what else it could be would be passed over, with all of the marker's
-// faces.
-bool nearly_marker_tag(const std::string& key) {
+// MARKER_TAG, and MARKERTAG, MARKER TAG, which SU2 reads as the same.
+bool is_marker_tag(const std::string& key) {
     std::string letters;
     for (const char c : key) letters += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
     letters.erase(
@@ -70,6 +69,7 @@ private:
     const ReadOptions& options_;
     std::int32_t zones_ = 1, chosen_zone_ = 1, zones_begun_ = 0;
     std::size_t zones_line_ = 0;
+    bool dimension_before_zones_ = false;
     std::vector<std::int32_t> points_;  // of one element
     std::set<std::string> seen_;        // sections that may stand only once
     std::int32_t markers_announced_ = 0, markers_found_ = 0;
@@ -102,10 +102,8 @@ bool Su2Reader::read_section(const Heading& heading) {
     } else if (heading.key == "NMARK") {
         only_once(heading);
         markers_announced_ = count(heading);
-    } else if (heading.key == "MARKER_TAG") {
+    } else if (is_marker_tag(heading.key)) {
         read_marker(heading);
-    } else if (nearly_marker_tag(heading.key)) {
-        lines_.expected("MARKER_TAG= (with an underscore)");
     } else {
         pass_over_section(heading.key);
         return false;
@@ -113,7 +111,10 @@ bool Su2Reader::read_section(const Heading& heading) {
     return true;
 }
 
+// NDIME= may stand before NZONE=, and again in each zone.
 void Su2Reader::read_dimension(const Heading& heading) {
+    if (zones_begun_ > 0 && dimension_before_zones_) seen_.erase(heading.key);
+    dimension_before_zones_ = zones_begun_ == 0;
     only_once(heading);
     if (count(heading) != 2) lines_.expected("NDIME= 2 (meshes of two dimensions)");
 }
@@ -200,6 +201,9 @@ void Su2Reader::read_face(const Words& words, std::int32_t marker) {
 // RECEIVE_FROM= 1, ...; then n lines such as "1 point transformation".
 void Su2Reader::pass_over_halo(std::int32_t n) {
     mesh_.remark("SEND_RECEIVE blocks are ignored (and kept)");
+    mesh_.likely_fault =
+        "the file has SEND_RECEIVE blocks: halo layers of a periodic or divided mesh, "
+        "whose outer edges are on no marker; make the mesh without halo layers";
     for (std::int32_t i = 0; i < n; ++i) {
         bool there = lines_.next();
         while (there && i == 0 && at_heading() && is_transfer(heading().key)) there = lines_.next();

@@ -139,13 +139,49 @@ void refuse_other_markers(const std::vector<std::string>& names, const std::stri
                                  listed(mesh.markers));
 }
 
+// The library compares which points are on which marker, and leaves the numbers of markers in
+// conditions to the caller. Everything in the program that asks for the marker of a condition
+// relies on this check.
+void refuse_unknown_markers(const std::vector<hm_condition>& conditions, const std::string& path,
+                            const Mesh& mesh) {
+    const auto n = static_cast<std::int32_t>(mesh.markers.size());
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
+        const hm_condition& condition = conditions[i];
+        const bool is_pair =
+            condition.kind == HM_PERIODIC_PAIR || condition.kind == HM_ROTATION_PAIR;
+        for (const std::int32_t marker : {condition.marker, is_pair ? condition.partner : 0}) {
+            if (0 <= marker && marker < n) continue;
+            throw Failure(exit_file, path + ": the basis is damaged: its condition " +
+                                         std::to_string(i) + " (from 0) names marker " +
+                                         std::to_string(marker) + " (from 0); " + mesh.file.path() +
+                                         " has " + plural(n, "marker"));
+        }
+    }
+}
+
+// The program moves control points, bodies and modes, and its arrays of movements are as long as
+// these need.
+void refuse_other_functions(const hm_basis_info& info, const std::string& path) {
+    if (info.combined > 0) {
+        throw Failure(
+            exit_file,
+            path + ": its functions are those of design variables, which only the library takes");
+    }
+    // All of the functions take more bytes than this, so that no array becomes much larger than the
+    // file.
+    if (static_cast<std::uint64_t>(info.functions) <= info.bytes / sizeof(float)) return;
+    throw Failure(exit_file, path + ": the basis is a share: it does not hold all of its " +
+                                 plural(info.functions, "function"));
+}
+
 }  // namespace
 
 Basis::Basis(const std::string& path, const Mesh& mesh)
     : path_(path),
       block_(read_block(path)),
       info_(sized<hm_basis_info>()),
-      curves_(sized<hm_curves>()) {
+      curves_(sized<hm_curves>()),
+      moved_curves_(sized<hm_curves>()) {
     attach(&basis_, block_, nullptr, path_);
     info_ = info_of(basis_, path_);
     BehindBlock text(block_, info_.bytes, path_);
@@ -154,6 +190,7 @@ Basis::Basis(const std::string& path, const Mesh& mesh)
     mesh_has_moved_ = attach(&basis_, block_, &view, path_);
     if (info_.solved == 0)
         throw Failure(exit_file, path_ + ": holds no functions: it has not been solved");
+    refuse_other_functions(info_, path_);
     curve_.assign(static_cast<std::size_t>(info_.curves) + 1, sized<hm_curve>());  // never none
     call(path_, hm_basis_curves, basis_, &curves_, curve_.data(), info_.curves);
     std::int32_t n = 0;
@@ -162,7 +199,35 @@ Basis::Basis(const std::string& path, const Mesh& mesh)
     conditions_.assign(static_cast<std::size_t>(n) + 1, sized<hm_condition>());
     call(path_, hm_basis_conditions, basis_, conditions_.data(), n + 1, &n);
     conditions_.resize(static_cast<std::size_t>(n));
+    refuse_unknown_markers(conditions_, path_, mesh);
     slip_curves_ = text.slip_curves(conditions_);
+    moved_curves_ = curves_;
+    if (mesh_has_moved_) find_curves(mesh);
+}
+
+// By the movement that the mesh has made since the basis was solved.
+void Basis::find_curves(const Mesh& mesh) {
+    std::size_t bytes = 0;
+    call(path_, hm_recover_movement_size, basis_, &bytes);
+    Block work(bytes);
+    std::vector<double> moves(2 * static_cast<std::size_t>(info_.functions) + 1);  // never none
+    const hm_points at = mesh.coordinates();
+    hm_error error = {};
+    const hm_status status = hm_recover_movement(basis_, &at, 0, moves.data(), &distance_, nullptr,
+                                                 work.data(), bytes, &error);
+    if (status == HM_BAD_MESH) {
+        why_on_no_curve_ = mesh.file.path() + ": " + error.text;
+        return;
+    }
+    if (status < 0) refuse(error, path_);
+    moved_control_.resize(2 * static_cast<std::size_t>(n_control()) + 1);
+    call(path_, hm_moved_curves, basis_, moves.data(), moved_control_.data(), &moved_curves_,
+         curve_.data(), info_.curves);
+}
+
+const hm_curves& Basis::curves() const {
+    if (why_on_no_curve_.empty() || info_.curves == 0) return moved_curves_;
+    throw Failure(exit_unusable, why_on_no_curve_ + "; solve again on this mesh");
 }
 
 std::vector<double> Basis::values(std::int32_t function, std::int32_t number,

@@ -21,7 +21,8 @@
 namespace cli {
 
 // A basis read from a file and attached to its mesh. Refused by name: a file without names, a mesh
-// with other markers.
+// with other markers, conditions on markers that the mesh does not have, functions of design
+// variables.
 class Basis {
 public:
     Basis(const std::string& path, const Mesh& mesh);
@@ -29,8 +30,18 @@ public:
 
     const std::string& path() const { return path_; }
     const hm_basis* get() const { return basis_; }
-    const hm_curves& curves() const { return curves_; }  // those it was solved with
+    // Where they are on the mesh, which may have moved since the basis was solved; a Failure where
+    // its wall is on none.
+    const hm_curves& curves() const;
+    const hm_curves& curves_at_start() const { return curves_; }  // those it was solved with
+    std::int32_t n_control() const { return curves_.n_control; }
     bool mesh_has_moved() const { return mesh_has_moved_; }
+    const std::string& why_on_no_curve() const {
+        return why_on_no_curve_;
+    }  // empty: the wall is on the curves
+    double distance_from_curves() const {
+        return distance_;
+    }  // of a mesh that has moved: see hm_recover_movement
     const hm_basis_info& info() const { return info_; }
     const std::vector<hm_condition>& conditions() const {
         return conditions_;
@@ -43,13 +54,18 @@ public:
     std::vector<double> values(std::int32_t function, std::int32_t number, const Mesh& mesh) const;
 
 private:
+    void find_curves(const Mesh& mesh);
+
     std::string path_;
     Block block_;
     const hm_basis* basis_ = nullptr;
     bool mesh_has_moved_ = false;
+    std::string why_on_no_curve_;
+    double distance_ = 0;
     hm_basis_info info_;
     std::vector<hm_curve> curve_;
-    hm_curves curves_;
+    hm_curves curves_, moved_curves_;
+    std::vector<double> moved_control_;
     std::vector<hm_condition> conditions_;
     std::vector<std::shared_ptr<const CurveSet>> slip_curves_;
 };

@@ -29,6 +29,8 @@ struct Mesh {
     std::vector<std::size_t> point_offset, cell_offset,
         face_offset;                   // where each stands in file.text(); may be empty
     std::vector<std::string> remarks;  // what was passed over, for the user
+    std::string likely_fault;  // what in the file is probably the reason if the mesh is refused;
+                               // empty: nothing
     FileCoordinates in_file;
 
     explicit Mesh(const std::string& path) : file(path) {}

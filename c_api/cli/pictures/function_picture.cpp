@@ -128,7 +128,7 @@ Words words_of(const std::vector<FunctionPanel>& panels) {
     };
     const bool one_subject = common(panels, subject), one_kind = common(panels, kind),
                one_number = common(panels, number_name);
-    const bool of_bodies = panels[0].function >= panels[0].basis->curves().n_control;
+    const bool of_bodies = panels[0].function >= panels[0].basis->n_control();
     Words words;
     words.title = one_subject ? "Function of " + subject(panels[0])
                               : "Functions of " + std::to_string(panels.size()) + " control points";

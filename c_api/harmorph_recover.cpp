@@ -1,0 +1,75 @@
+// The C interface: the movement that a mesh has made since its basis was made.
+#include "handles.hpp"
+#include "base/range.hpp"
+#include "basis/wall_movement.hpp"
+
+namespace harmorph {
+namespace {
+
+Status check_wall(Basis const& basis, Points at, Fault& fault) noexcept {
+    for (Index const point : basis.wall_point) {
+        if (is_coordinate(at[point])) continue;
+        return fault.refuse(
+            Status::bad_mesh,
+            "point # of the wall has a coordinate that is not finite or beyond 1e100",
+            point_item(point));
+    }
+    return Status::ok;
+}
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_recover_movement_size(const hm_basis* basis, size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Basis b;
+        WallMovement found;
+        HARMORPH_TRY(open_basis(basis, b, fault));
+        return count_bytes(bytes, fault,
+                           [&](Arena& arena) { found.lay_out(arena, b.header->counts); });
+    });
+}
+
+hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double tolerance,
+                              double* move, double* residual, int32_t* point, void* work,
+                              size_t bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Basis b;
+        Points now;
+        WallMovement found;
+        HARMORPH_TRY(require({{"move", move}}, fault));
+        HARMORPH_TRY(open_complete(basis, b, fault));
+        HARMORPH_TRY(view_points(at, "at", now, fault, b.n_points()));
+        if (!(tolerance >= 0)) {
+            return fault.refuse(Status::bad_argument, "tolerance must be 0 or positive, not ~", {},
+                                {}, tolerance);
+        }
+        HARMORPH_TRY(check_wall(b, now, fault));
+        HARMORPH_TRY(place(work, bytes, fault,
+                           [&](Arena& arena) { found.lay_out(arena, b.header->counts); }));
+        BoundaryError const worst = found.find(b, now);
+        Real const most = tolerance > 0
+                              ? tolerance
+                              : WallMovement::default_tolerance * WallMovement::extent(b, now);
+        if (!(worst.error <= most)) {
+            Vec2 const place = now[worst.point];
+            return fault.refuse_at(place.x, place.y, Status::bad_mesh,
+                                   "the wall is on no curve of this basis: point # at $ is ~ away "
+                                   "from the nearest one",
+                                   point_item(worst.point), {}, worst.error);
+        }
+        for (Index i = 0; i < b.n_functions(); ++i) {
+            move[2 * i] = found.unknown[i].x;
+            move[2 * i + 1] = found.unknown[i].y;
+        }
+        if (residual != nullptr) *residual = worst.error;
+        if (point != nullptr) *point = numbered(worst.point, b.header->index_base);
+        return Status::ok;
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,219 @@
+// hm_recover_movement: the movement is found again from where the points of the wall are.
+#include <doctest/doctest.h>
+
+#include <fixtures/derived.hpp>
+#include <fixtures/fitted.hpp>
+#include <fixtures/refused.hpp>
+#include <fixtures/safe.hpp>
+
+#include <complex>
+#include <limits>
+
+using namespace fixtures;
+
+namespace {
+
+// What the call returns for a mesh whose points are at x and y.
+struct Recovered {
+    std::vector<double> move;
+    double residual = -1;
+    std::int32_t point = -7;
+    hm_error error{};
+    hm_status status = HM_OK;
+
+    Recovered(const hm_basis* basis, std::vector<double> const& x, std::vector<double> const& y,
+              double tolerance = 0) {
+        hm_basis_info info{};
+        info.struct_size = sizeof info;
+        REQUIRE(hm_basis_info_get(basis, &info, nullptr) == HM_OK);
+        std::size_t bytes = 0;
+        REQUIRE(hm_recover_movement_size(basis, &bytes, nullptr) == HM_OK);
+        Guarded work(bytes);
+        move.assign(2 * static_cast<std::size_t>(info.functions), 7.5);
+        status = hm_recover_movement(basis, points_in(x, y), tolerance, move.data(), &residual,
+                                     &point, work.data(), bytes, &error);
+        CHECK(work.guards_intact());
+    }
+};
+
+double difference(std::vector<double> const& a, std::vector<double> const& b) {
+    REQUIRE(a.size() == b.size());
+    double worst = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) worst = std::max(worst, std::abs(a[k] - b[k]));
+    return worst;
+}
+
+// Two movements, one after the other, are recovered as their sum, but for functions first ..
+// last-1, on which no point of the wall depends.
+void check_sum(const hm_basis* basis, Mesh const& mesh, std::int32_t functions,
+               double exactness = 1e-12, std::size_t first = 0, std::size_t last = 0) {
+    std::vector<double> x = mesh.x, y = mesh.y, sum(2 * static_cast<std::size_t>(functions));
+    for (unsigned const seed : {1u, 2u}) {
+        std::vector<double> const move = some_move(functions, 0.01, seed);
+        REQUIRE(hm_morph(basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) ==
+                HM_OK);
+        for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += move[k];
+    }
+    Recovered const found(basis, x, y);
+    INFO(found.error.text);
+    REQUIRE(found.status == HM_OK);
+    CHECK(found.residual < 1e-14);
+    for (std::size_t k = 2 * first; k < 2 * last; ++k) CHECK(found.move[k] == 0);
+    for (std::size_t k = 2 * first; k < 2 * last; ++k) sum[k] = 0;
+    CHECK(difference(found.move, sum) < exactness);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "movement so far: the sum of all morphs, for each kind of curves, conditions and values") {
+    struct Row {
+        const char* name;
+        Case its;
+        std::int32_t operator_kind, offset_correction;
+        std::size_t first = 0, last = 0;  // control points of a curve without points
+    };
+    std::vector<Row> rows = {{"a tied trailing edge", airfoil_case(), HM_CONFORMAL, 0},
+                             {"offsets in the functions", airfoil_case(), HM_CONFORMAL, 1},
+                             {"real values", airfoil_case(), HM_LAPLACE, 0},
+                             {"a periodic curve", ring_case(6, 32, 1, 4), HM_CONFORMAL, 0},
+                             {"two bodies", two_body_case(), HM_CONFORMAL, 0},
+                             {"numbers from 1", two_body_case(), HM_LAPLACE, 0}};
+    rows.back().its.index_base = 1;
+    Case rigid = two_body_case();
+    rigid.conditions.pop_back();
+    rigid.set_rigid(second_body, 1.5, 0.5);
+    rows.push_back({"a curve and a rigid body", rigid, HM_CONFORMAL, 0, 11, 20});
+    Case slips = two_body_case();
+    slips.set_slip(far_field);
+    rows.push_back({"values that are matrices", slips, HM_CONFORMAL, 0});
+    for (Row& row : rows) {
+        INFO(std::string(row.name));
+        hm_options options = options_of(row.operator_kind);
+        options.offset_correction = row.offset_correction;
+        Solved solved(row.its.problem(), &options);
+        REQUIRE(solved.status >= 0);
+        hm_basis_info info{};
+        info.struct_size = sizeof info;
+        REQUIRE(hm_basis_info_get(solved.basis, &info, nullptr) == HM_OK);
+        check_sum(solved.basis, row.its.mesh, info.functions, 1e-12, row.first, row.last);
+        Recovered const start(solved.basis, row.its.mesh.x, row.its.mesh.y);
+        CHECK(start.status == HM_OK);
+        CHECK(difference(start.move, std::vector<double>(start.move.size())) == 0);
+        Single const single(solved.basis);
+        check_sum(single.basis, row.its.mesh, info.functions, 1e-12, row.first, row.last);
+    }
+}
+
+TEST_CASE("movement so far: of design variables, and of modes at given points") {
+    Case its = curve_and_table();
+    hm_options const options = options_of(HM_CONFORMAL);
+    Solved solved(its.problem(), &options);
+    REQUIRE(solved.status >= 0);
+    Combination const by(20, 4, 2, 3);  // the second curve has no points
+    Combined const combined(solved.basis, by);
+    REQUIRE(combined.status == HM_OK);
+    check_sum(combined.basis, its.mesh, 4, 1e-11);
+    auto const n = given_points(solved.plan).size();
+    std::vector<Field> modes(2, Field(n));
+    for (std::size_t k = 0; k < n; ++k) {
+        modes[0][k] = {0.3, 0.1 * std::cos(0.2 * static_cast<double>(k))};
+        modes[1][k] = {std::sin(0.3 * static_cast<double>(k)), 0};
+    }
+    Tabulated const tabulated(solved.plan, solved.basis, modes, 2);
+    REQUIRE(tabulated.status >= 0);
+    check_sum(tabulated.basis, its.mesh, 22, 1e-12, 11, 20);
+    // Without modes, given points may be anywhere.
+    std::vector<double> x = its.mesh.x;
+    for (std::int32_t const point : given_points(solved.plan))
+        x[static_cast<std::size_t>(point)] += 0.05;
+    Recovered const without(solved.basis, x, its.mesh.y);
+    CHECK(without.status == HM_OK);
+    CHECK(without.residual == 0);
+}
+
+TEST_CASE(
+    "movement so far: safe morphs turn the offsets of the wall, and the curve is found all the "
+    "same") {
+    Case its;
+    Outline const outline = naca4({}, 40);
+    its.mesh = o_mesh(outline, stretched(1e-6, 8, 40));
+    its.curves = fitted_loop(outline.points, 12);
+    its.put_on_curves(body);
+    Safe safe(its);
+    safe.safe_options.min_quality = 0;
+    REQUIRE(safe.solved().report.max_distance > 1e-4);
+    std::vector<double> const move = similarity_move(its.curves, std::polar(1.0, 1.0), 0.25);
+    REQUIRE(safe.run(move) == HM_OK);
+    REQUIRE(safe.report.turned_offset > 1e-4);
+    Recovered const found(safe.solved().basis, safe.x, safe.y);
+    REQUIRE(found.status == HM_OK);
+    CHECK(found.residual < 1e-13);
+    CHECK(difference(found.move, move) < 1e-10);
+}
+
+TEST_CASE(
+    "movement so far: control points on which no point of the wall depends follow their "
+    "neighbours") {
+    Case its = ring_case(6, 12, 1, 4);  // 12 points for 40 control points
+    double const pi = std::acos(-1.0);
+    its.curves = ring(3, 40, 1, 1);
+    its.conditions.clear();
+    its.put_on_curves(body);
+    its.given_points.clear();
+    its.given_curves.clear();
+    its.given_u.clear();
+    for (int k = 0; k < 12; ++k) its.give(k, ring_parameter(3, 40, 2 * pi * k / 12));
+    hm_options const options = options_of(HM_CONFORMAL);
+    Solved solved(its.problem(), &options);
+    REQUIRE(solved.status >= 0);
+    std::vector<double> const turn =
+        similarity_move(its.curves, std::polar(1.2, 0.4), {0.1, 0}, {0.3, 0.2});
+    std::vector<double> x = its.mesh.x, y = its.mesh.y;
+    REQUIRE(hm_morph(solved.basis, turn.data(), points_in(x, y), points_out(x, y), nullptr,
+                     nullptr) == HM_OK);
+    Recovered const found(solved.basis, x, y);
+    REQUIRE(found.status == HM_OK);
+    CHECK(found.residual < 1e-13);
+    CHECK(difference(found.move, turn) < 1e-4);  // the similarity is weakly known
+    // Any movement of the wall is followed, though the control points are more than the points.
+    std::vector<double> const move = some_move(40, 0.02, 5);
+    REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
+                     nullptr) == HM_OK);
+    Recovered const any(solved.basis, x, y);
+    CHECK(any.status == HM_OK);
+    CHECK(any.residual < 1e-13);
+}
+
+TEST_CASE(
+    "movement so far: a wall that is on no curve of the basis is refused, with the point and the "
+    "distance") {
+    Case its = airfoil_case();
+    hm_options const options = options_of(HM_CONFORMAL);
+    Solved solved(its.problem(), &options);
+    std::vector<double> x = its.mesh.x, y = its.mesh.y;
+    std::int32_t const wall = points_on(its.mesh, body)[10];
+    y[static_cast<std::size_t>(wall)] += 0.01;
+    Recovered const found(solved.basis, x, y);
+    CHECK(found.status == HM_BAD_MESH);
+    CHECK(std::string(found.error.text).find("the wall is on no curve of this basis") == 0);
+    CHECK(found.error.item == wall);
+    CHECK(found.error.value > 0.005);
+    CHECK(found.error.value < 0.01);
+    CHECK(found.move == std::vector<double>(found.move.size(), 7.5));
+    CHECK(found.residual == -1);
+    CHECK(found.point == -7);
+    Recovered const any(solved.basis, x, y, std::numeric_limits<double>::infinity());
+    CHECK(any.status == HM_OK);
+    CHECK(any.residual == found.error.value);
+    CHECK(any.point == wall);
+    double const nan = std::numeric_limits<double>::quiet_NaN();
+    y[static_cast<std::size_t>(wall)] = nan;
+    Recovered const broken(solved.basis, x, y);
+    CHECK(broken.status == HM_BAD_MESH);
+    CHECK(std::string(broken.error.text).find("of the wall has a coordinate that is not finite") !=
+          std::string::npos);
+    Recovered const negative(solved.basis, its.mesh.x, its.mesh.y, -1);
+    CHECK(negative.status == HM_BAD_ARGUMENT);
+    CHECK(std::string(negative.error.text).find("tolerance must be 0 or positive") == 0);
+}
