@@ -32,12 +32,13 @@ hm_mesh_report report_of(Analysis const& analysis) noexcept {
 // One of the pieces of boundary that have one of the markers.
 struct Piece {
     Index number;
-    Span<Index> points;  // as many as there is room for
     Index n_points = 0;
     bool is_loop = false;
     Index n_pieces = 0;  // of all
 
-    void find(Analysis const& analysis, Span<const Index> markers) noexcept {
+    // points: NULL, or room for all points of the piece.
+    void find(Analysis const& analysis, Span<const Index> markers, Index* points) noexcept {
+        n_points = 0;
         Boundary const& boundary = analysis.boundary();
         auto const is_on = [&](Index face) {
             for (Index const marker : markers) {
@@ -47,8 +48,7 @@ struct Piece {
         };
         auto const visit = [&](Index piece, Index point) {
             if (piece != number) return;
-            if (n_points < points.count())
-                points[n_points] = point + analysis.problem().mesh.index_base;
+            if (points != nullptr) points[n_points] = point + analysis.problem().mesh.index_base;
             ++n_points;
         };
         auto const close = [&](Index piece, bool loop) {
@@ -118,8 +118,9 @@ hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_markers,
                                 plain(capacity));
         }
         if (capacity > 0) HARMORPH_TRY(require({{"points", points}}, fault));
-        Piece found{piece, {points, static_cast<Size>(capacity)}};
-        found.find(*of, {markers, static_cast<Size>(n_markers)});
+        Span<const Index> const asked(markers, static_cast<Size>(n_markers));
+        Piece found{piece};
+        found.find(*of, asked, nullptr);
         if (found.n_pieces == 0) {
             return fault.refuse(Status::bad_condition,
                                 "no boundary face has these markers; the first one is #",
@@ -131,10 +132,13 @@ hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_markers,
                                 plain(found.n_pieces), entry_item(piece));
         }
         *n = found.n_points;
+        if (found.n_points > capacity) {
+            return fault.refuse(Status::bad_argument, "points has room for #, the boundary has @",
+                                plain(capacity), plain(found.n_points));
+        }
+        found.find(*of, asked, points);
         *is_loop = found.is_loop ? 1 : 0;
-        if (found.n_points <= capacity) return Status::ok;
-        return fault.refuse(Status::bad_argument, "points has room for #, the boundary has @",
-                            plain(capacity), plain(found.n_points));
+        return Status::ok;
     });
 }
 

@@ -129,8 +129,8 @@ hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t numbe
         Basis b;
         HARMORPH_TRY(require({{"values", values}}, fault));
         HARMORPH_TRY(open_solved(basis, b, fault));
-        Index const stored = function - b.header->counts.first_stored;
-        if (function < 0 || stored < 0 || stored >= b.n_functions()) {
+        Index const first = b.header->counts.first_stored;
+        if (function < first || function - first >= b.n_functions()) {
             return fault.refuse(Status::bad_argument, "there is no function #; the basis has @",
                                 function_item(function), plain(b.n_functions()));
         }
@@ -138,7 +138,7 @@ hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t numbe
             return fault.refuse(Status::bad_argument, "values have no number #; they have @",
                                 entry_item(number), plain(numbers_of(b.kind())));
         }
-        b.column(number * b.n_functions() + stored, values);
+        b.column(number * b.n_functions() + function - first, values);
         return Status::ok;
     });
 }

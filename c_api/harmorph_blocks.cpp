@@ -4,6 +4,23 @@
 namespace harmorph {
 namespace {
 
+// Distances [doubles] from one point of a block to the next along i, and along j; row 0: see the
+// header.
+struct Distances {
+    std::int64_t step, row;
+};
+
+// Can an array have these distances? No product overflows here, nor later when points are visited.
+// Distances that make two points one are not those of an array that is written.
+bool is_of_points(Distances d, GridBlock const& block, bool written) noexcept {
+    constexpr std::int64_t largest = std::int64_t{1} << 40, longest = std::int64_t{1} << 60;
+    if (d.step < 1 || d.step > largest || d.row < 0 || d.row > largest) return false;
+    if (d.row == 0 && d.step > largest / block.ni) return false;
+    std::int64_t const row = d.row == 0 ? d.step * block.ni : d.row, ni = block.ni, nj = block.nj;
+    if (d.step > longest / ni || row > longest / nj) return false;
+    return !written || row > (ni - 1) * d.step || d.step > (nj - 1) * row;
+}
+
 // The blocks of one call, and where their points lie among those of the mesh.
 struct BlocksOfMesh {
     Mesh mesh;
@@ -35,8 +52,7 @@ struct BlocksOfMesh {
         });
     }
 
-    // Numbers of one block, const or not. Distances that make two points one are refused where they
-    // are written.
+    // Numbers of one block, const or not.
     template <class Given>
     Status check(const Given* blocks, bool written, Fault& fault) const noexcept {
         HARMORPH_TRY(require({{"blocks", blocks}}, fault));
@@ -47,10 +63,7 @@ struct BlocksOfMesh {
                              block_item(first + k));
                 return true;
             }
-            std::int64_t const i = stride_of(of.stride), j = of.row == 0 ? i * block.ni : of.row;
-            constexpr std::int64_t largest = std::int64_t{1} << 40;
-            bool const apart = j > (block.ni - 1) * i || i > (block.nj - 1) * j;
-            if (i < 1 || j < 1 || i > largest || j > largest || (written && !apart)) {
+            if (!is_of_points({stride_of(of.stride), of.row}, block, written)) {
                 fault.refuse(Status::bad_argument,
                              "stride or row of block # is not that of an array of points",
                              block_item(first + k));

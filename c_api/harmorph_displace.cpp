@@ -116,13 +116,14 @@ hm_status hm_given_points(const hm_plan* plan, int32_t* points, int32_t capacity
         HARMORPH_TRY(require({{"n", n}}, fault));
         if (capacity > 0) HARMORPH_TRY(require({{"points", points}}, fault));
         Span<const Index> const given = p->given().point;
-        for (Index k = 0; k < smaller(capacity, given.count()); ++k)
-            points[k] = given[k] + p->mesh().index_base;
         *n = given.count();
-        if (capacity >= *n) return Status::ok;
-        return fault.refuse(Status::bad_argument,
-                            "points has room for #, the displacements of @ points are given",
-                            plain(capacity), plain(*n));
+        if (capacity < *n) {
+            return fault.refuse(Status::bad_argument,
+                                "points has room for #, the displacements of @ points are given",
+                                plain(capacity), plain(*n));
+        }
+        for (Index k = 0; k < *n; ++k) points[k] = given[k] + p->mesh().index_base;
+        return Status::ok;
     });
 }
 

@@ -65,13 +65,19 @@ Status view_space_points(const Given* given, const char* name, View& points,
     return Status::ok;
 }
 
-// All functions, of the plane's mesh.
+// A basis with all functions, of the plane's mesh, or of a list with as many points.
 Status open_basis_of(Plane const& plane, const hm_basis* handle, Basis& basis,
                      CallFault& fault) noexcept {
     HARMORPH_TRY(open_complete(handle, basis, fault));
-    if (basis.n_points() == plane.n_points) return Status::ok;
-    return fault.refuse(Status::bad_basis, "the basis has # points, but the plane @",
-                        plain(basis.n_points()), plain(plane.n_points));
+    BasisHeader const& header = *basis.header;
+    if (basis.n_points() != plane.n_points) {
+        return fault.refuse(Status::bad_basis, "the basis has # points, but the plane @",
+                            plain(basis.n_points()), plain(plane.n_points));
+    }
+    if (header.counts.cells == 0) return Status::ok;
+    if (header.counts.cells == plane.n_faces && header.topology.sample == sample_of(plane.mesh()))
+        return Status::ok;
+    return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: the cells differ");
 }
 
 void put(Vec3 from, double (&to)[3]) noexcept {

@@ -15,10 +15,8 @@ struct RowsCall {
     Status open_both(const hm_equations* handle, const hm_basis* rows, CallFault& fault) noexcept {
         HARMORPH_TRY(open(handle, "equations", equations, fault));
         HARMORPH_TRY(open_basis(rows, basis, fault));
-        BasisCounts const counts = equations->basis_source().counts();
-        bool const same = basis.n_points() == counts.points && !basis.in_single() &&
-                          basis.kind() == counts.kind && basis.n_functions() == counts.functions();
-        if (!same) return fault.refuse(Status::bad_basis, "the rows were made of other equations");
+        if (!equations->made(basis))
+            return fault.refuse(Status::bad_basis, "the rows were made of other equations");
         if (basis.header->solved == 0) return Status::ok;
         return fault.refuse(Status::bad_basis,
                             "the rows are finished: make new ones by hm_rows_init");
@@ -59,6 +57,8 @@ hm_status hm_rows_init(hm_basis** rows, void* block, size_t bytes, const hm_equa
         HARMORPH_TRY(
             place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, counts); }));
         init_basis(made, counts, of->basis_source());
+        made.header->coordinates =
+            of->coordinates;  // tells rows from other bases that are not solved
         set_right_hand_sides(of->matrix, made, of->dofs(made));
         *rows = reinterpret_cast<hm_basis*>(made.header);
         return Status::ok;

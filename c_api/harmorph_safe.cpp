@@ -126,6 +126,17 @@ Status check_start(Plan const& plan, Basis const& basis, Fault& fault) noexcept 
         "the mesh has moved since the basis was solved: solve again, or put the points back");
 }
 
+// The derivative is cleared before the other bases are read.
+Status check_derivative_is_apart(Basis const& derivative, Span<const Basis> others,
+                                 Fault& fault) noexcept {
+    for (Index i = 0; i < others.count(); ++i) {
+        if (derivative.header == nullptr || derivative.header != others[i].header) continue;
+        return fault.refuse(Status::bad_argument, "derivative is basis # of others",
+                            entry_item(i));
+    }
+    return Status::ok;
+}
+
 // What both calls have in common.
 struct SafeCall {
     MutablePoints to;
@@ -207,6 +218,7 @@ hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move
         HARMORPH_TRY(open_plan(plan, p, fault));
         HARMORPH_TRY(call.open(to, options, report, {others, most_others}, fault));
         HARMORPH_TRY(check_move(b, move, fault));
+        HARMORPH_TRY(check_derivative_is_apart(sum, call.options.others, fault));
         HARMORPH_TRY(p->check_fit(b, fault));
         HARMORPH_TRY(check_start(*p, b, fault));
         SafeMorph safe;

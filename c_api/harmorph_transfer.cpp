@@ -6,13 +6,13 @@
 namespace harmorph {
 namespace {
 
-// The coarse functions, whole and of this mesh.
+// The coarse basis has all functions, and was solved on this mesh.
 Status open_coarse(const hm_basis* handle, const hm_mesh* given, Basis& coarse, Mesh& mesh,
                    CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"coarse", handle}}, fault));
     HARMORPH_TRY(view_mesh(given, mesh, fault));
     HARMORPH_TRY(check_mesh(mesh, fault));
-    coarse = Basis::view(static_cast<const void*>(handle));
+    HARMORPH_TRY(open_complete(handle, coarse, fault));
     HARMORPH_TRY(coarse.require_double(fault));
     HARMORPH_TRY(coarse.require_control_points(fault));
     Status const status =
@@ -30,7 +30,8 @@ Status open_target(const hm_basis* handle, Analysis const& analysis, Basis& fine
     BasisCounts const counts = analysis.basis_counts();
     bool const belongs = std::memcmp(&fine.header->counts, &counts, sizeof counts) == 0 &&
                          fine.header->topology == analysis.mesh_fingerprint() &&
-                         fine.header->conditions == analysis.conditions_fingerprint();
+                         fine.header->conditions == analysis.conditions_fingerprint() &&
+                         fine.header->method.agrees_with(analysis.problem().method);
     if (belongs) return Status::ok;
     return fault.refuse(Status::bad_basis, "basis and analysis do not belong together");
 }
@@ -77,6 +78,10 @@ hm_status hm_transfer(hm_basis* basis, void* block, size_t bytes, const hm_analy
         Basis fine, source;
         Mesh source_mesh;
         HARMORPH_TRY(check_report_if(report, fault));
+        if (basis != nullptr && basis == coarse) {
+            return fault.refuse(Status::bad_argument,
+                                "the coarse basis is also the basis to be filled");
+        }
         HARMORPH_TRY(open_complete(analysis, fine_analysis, fault));
         HARMORPH_TRY(open_coarse(coarse, coarse_mesh, source, source_mesh, fault));
         HARMORPH_TRY(open_target(basis, *fine_analysis, fine,

@@ -563,7 +563,8 @@ HM_API hm_status hm_analysis_init(hm_analysis** analysis, void* block, size_t by
 /* The points of the given markers in order along the boundary, with the mesh on the left (around a
  * body: clockwise). If the markers form several pieces, `piece` (from 0) selects one. points
  * [capacity]; *n: number of points, also if the capacity is too small (HM_BAD_ARGUMENT); *is_loop:
- * 1 if the piece is closed; the first point is not repeated. */
+ * 1 if the piece is closed; the first point is not repeated. A refused call leaves points and
+ * *is_loop as they were. */
 HM_API hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_markers,
                                       const int32_t* markers, int32_t piece, int32_t* points,
                                       int32_t capacity, int32_t* n, int32_t* is_loop,
@@ -805,7 +806,8 @@ typedef struct hm_safe_options {
     int32_t n_others;           /* 0 .. 64 */
     int32_t reserved;           /* 0 */
     /* [n_others] solved bases of the same mesh, curves, conditions and offset correction. If a
-     * derivative is wanted, only those are tried that have the numbers_per_value of the basis */
+     * derivative is wanted, only those are tried that have the numbers_per_value of the basis; the
+     * derivative itself must not be among them. */
     const hm_basis* const* others;
     /* [0..1] 0: off. Restores the initial distances between moving walls and the points near them,
      * which angle-preserving functions scale with the stretch of the wall: a closed formula,

@@ -105,8 +105,8 @@ enum {
     /* [length] radius of curvature at the leading edge: the point of the outline farthest from the
      * trailing edge of the chord; > 0 where the outline is convex */
     HM_LEADING_EDGE_RADIUS = 11,
-    /* [degrees] interior angle between the two ends of the outline at the trailing edge; negative:
-     * they have crossed */
+    /* [degrees, -90 .. 270] interior angle between the two ends of the outline at the trailing
+     * edge; 180: the outline is smooth there; negative: the ends have crossed */
     HM_TRAILING_EDGE_ANGLE = 12,
     /* [length] between the two ends, normal to the chord; negative: they have crossed */
     HM_TRAILING_EDGE_GAP = 13,
@@ -135,9 +135,11 @@ typedef struct hm_quantity {
  * 2*n_control], or NULL: row k contains the derivatives of value k by x and y of each control
  * point, weights constant. section NULL: all curves, with their own chord. Integrals are evaluated
  * by Gauss rules that are exact for polynomial curves; for rational curves, and for the curvature
- * variation, intervals are halved until nothing changes but rounding. Derivatives are exact; those
- * of extremes hold while the extreme stays where it is, and are those of one side where two places
- * have the same value. Refused with HM_BAD_CURVE: curves not joined, beyond 1e50, no area, no
+ * variation, intervals are halved until nothing changes but rounding. Derivatives are exact.
+ * HM_MAX_THICKNESS and HM_MAX_CAMBER follow an extreme at a corner of the outline. Where two places
+ * have the same value, the derivative is that of one place; where both sides of the outline have a
+ * corner at the station of the extreme, the derivative lies between the derivatives of the two
+ * directions. Refused with HM_BAD_CURVE: curves not joined, beyond 1e50, no area, no
  * chord, a station where the outline is parallel to the normal of the chord or that the normal
  * meets at less than two points, a leading edge or an outline without curvature, a trailing edge
  * without directions. item: the quantity, from 0. Outputs are then unchanged. */
@@ -312,8 +314,10 @@ HM_API hm_status hm_transfer_size(const hm_analysis* analysis, const hm_mesh* co
  * of that cell, the call is refused (HM_BAD_MESH, error.item: the point, error.value: the
  * distance). Curve points receive N_i(u), and points nearer to them than one coarse cell are
  * corrected with them; fixed points receive 0; points with slip remain on their lines. Second order
- * in the coarse spacing, exact for linear functions. Uses the threads of the analysis. After a
- * refused call the basis is not solved. report may be NULL. */
+ * in the coarse spacing, exact for linear functions. Uses the threads of the analysis. `coarse`
+ * must have all functions, not a share of them (HM_BAD_BASIS), and must not be `basis`
+ * (HM_BAD_ARGUMENT). Objects that do not go together are refused before anything is written; after
+ * any other refusal the basis is not solved. report may be NULL. */
 HM_API hm_status hm_transfer(hm_basis* basis, void* block, size_t bytes,
                              const hm_analysis* analysis, const hm_basis* coarse,
                              const hm_mesh* coarse_mesh, hm_transfer_report* report, hm_error* err);

@@ -57,7 +57,8 @@ HM_API hm_status hm_share_init(hm_basis** share, void* block, size_t bytes,
 /* A parcel carries the values of a share to the rows (hm_extract_init) of another process: doubles
  * [*doubles] for a list of n points. Unpack the parcels of all shares in the order of their
  * functions, each packed for the list that the rows were made with. After the last parcel the rows
- * are solved. */
+ * are solved. Refused with HM_BAD_BASIS: a parcel of other functions, of another list (also of the
+ * same points in another order), or out of turn; the rows stay as they were. */
 HM_API hm_status hm_parcel_size(const hm_basis* share, int32_t n, int64_t* doubles, hm_error* err);
 HM_API hm_status hm_parcel_pack(const hm_basis* share, int32_t n, const int32_t* points,
                                 double* parcel, hm_error* err);

@@ -75,6 +75,8 @@ struct BasisHeader {
     std::uint64_t coordinates;
     std::uint64_t conditions;  // fingerprint of what is asked on the boundary: kinds of points,
                                // places on curves, curves that are given for sliding
+    std::uint64_t
+        list;  // fingerprint of the list of an extract, see PointList; 0: all points of the mesh
     std::int32_t solved;
     Index index_base;  // of the mesh: what points and cells count from in reports
     BasisCounts counts;

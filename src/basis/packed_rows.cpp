@@ -1,14 +1,37 @@
 #include "basis/packed_rows.hpp"
 
+#include "base/hash.hpp"
+
 namespace harmorph {
 namespace {
 
-ParcelLabel label_of(Basis const& share, Index n_points) noexcept {
+// Two bases of one mesh and the same conditions have the same functions if this is equal, too.
+std::uint64_t functions_of(Basis const& basis) noexcept {
+    BasisCounts const& counts = basis.header->counts;
+    Method const& method = basis.header->method;
+    std::int32_t const numbers[] = {static_cast<std::int32_t>(method.operator_kind),
+                                    static_cast<std::int32_t>(method.scheme),
+                                    method.quarters,
+                                    method.offset_correction,
+                                    counts.bodies,
+                                    counts.combined,
+                                    counts.combination,
+                                    counts.modes};
+    Hash hash;
+    for (std::int32_t const number : numbers) hash.add(static_cast<std::uint32_t>(number));
+    // Curves, combination and conditions, in this order.
+    auto const begin = reinterpret_cast<const unsigned char*>(basis.shape.data());
+    auto const end = reinterpret_cast<const unsigned char*>(basis.wall_point.data());
+    hash.add(hash_of_words(begin, static_cast<Size>(end - begin) / 8));
+    return hash.value();
+}
+
+ParcelLabel label_of(Basis const& share, PointList const& list) noexcept {
     BasisHeader const& header = *share.header;
     BasisCounts const& counts = header.counts;
-    return {ParcelLabel::mark,   header.topology, header.coordinates,
-            header.conditions,   header.largest,  n_points,
-            counts.first_stored, counts.stored,   numbers_of(counts.kind)};
+    return {ParcelLabel::mark,       header.topology,     header.coordinates,     header.conditions,
+            list.fingerprint(share), functions_of(share), header.largest,         list.count(),
+            counts.first_stored,     counts.stored,       numbers_of(counts.kind)};
 }
 
 // Does the parcel have what the rows wait for?
@@ -16,7 +39,7 @@ Status check_label(ParcelLabel const& label, Basis const& rows, Fault& fault) no
     BasisHeader const& header = *rows.header;
     if (!(header.topology == label.topology) || header.conditions != label.conditions ||
         header.coordinates != label.coordinates ||
-        label.numbers != numbers_of(header.counts.kind)) {
+        label.numbers != numbers_of(header.counts.kind) || label.functions != functions_of(rows)) {
         return fault.refuse(Status::bad_basis, "the parcel comes from a basis of another problem");
     }
     if (label.points != rows.n_points()) {
@@ -24,10 +47,17 @@ Status check_label(ParcelLabel const& label, Basis const& rows, Fault& fault) no
                             "the parcel has the rows of # points, the basis has @",
                             plain(label.points), plain(rows.n_points()));
     }
+    if (label.list != header.list) {
+        return fault.refuse(
+            Status::bad_basis,
+            "the parcel was packed for another list of points than that of the rows");
+    }
     if (!header.counts.complete()) {
         return fault.refuse(Status::bad_basis,
                             "parcels are for rows of all functions, this is a share of them");
     }
+    if (header.solved == 1)
+        return fault.refuse(Status::bad_basis, "the rows have all of their functions already");
     if (label.first != header.filled || label.n < 0 || label.n > rows.n_functions() - label.first) {
         return fault.refuse(Status::bad_basis,
                             "the parcel begins with function #, the next one to come is @",
@@ -39,7 +69,7 @@ Status check_label(ParcelLabel const& label, Basis const& rows, Fault& fault) no
 }  // namespace
 
 void pack_parcel(Basis const& share, PointList const& list, Real* parcel) noexcept {
-    ParcelLabel const label = label_of(share, list.count());
+    ParcelLabel const label = label_of(share, list);
     std::memcpy(parcel, &label, sizeof label);
     Index const length = share.row_length();
     Real* to = parcel + label_words;

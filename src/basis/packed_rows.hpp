@@ -13,7 +13,8 @@ struct ParcelLabel {
 
     std::uint64_t magic;
     MeshFingerprint topology;  // fingerprints as in the basis
-    std::uint64_t coordinates, conditions;
+    std::uint64_t coordinates, conditions, list;
+    std::uint64_t functions;  // fingerprint of the curves and of what the functions minimise
     Real largest;
     Index points, first, n, numbers;
 };

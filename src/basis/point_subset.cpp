@@ -1,5 +1,6 @@
 #include "basis/point_subset.hpp"
 
+#include "base/hash.hpp"
 #include "base/sort.hpp"
 
 namespace harmorph {
@@ -24,6 +25,17 @@ Status PointList::check(Index n_points, Fault& fault) const noexcept {
                             entry_item(k), {ItemKind::point, number});
     }
     return Status::ok;
+}
+
+std::uint64_t PointList::fingerprint(Basis const& from) const noexcept {
+    bool is_all = count() == from.n_points();
+    Hash hash;
+    hash.add(from.header->list);
+    for (Index k = 0; k < count(); ++k) {
+        is_all = is_all && (*this)[k] == k;
+        hash.add(static_cast<std::uint64_t>((*this)[k]));
+    }
+    return is_all ? from.header->list : hash.value();
 }
 
 Status PointList::check_length(Index n, Fault& fault) noexcept {
@@ -105,6 +117,7 @@ void Extract::init(Basis const& whole, PointList const& list) const noexcept {
     *basis.header = *whole.header;
     basis.header->counts = counted.counts;
     basis.header->bytes = Basis::bytes(counted.counts);
+    basis.header->list = list.fingerprint(whole);
     basis.header->filled = 0;
     basis.unseal();
     copy(basis.shape, Span<const Basis::CurveShape>(whole.shape));

@@ -14,6 +14,9 @@ struct PointList {
 
     Index count() const noexcept { return point.count(); }
     Index operator[](Index k) const noexcept { return point[k] - index_base; }
+    // The points of the list in their order, where the points of `from` themselves may be those of
+    // a list. The list of all points of `from` in their order has the fingerprint of `from`.
+    std::uint64_t fingerprint(Basis const& from) const noexcept;
     static Status check_length(Index n, Fault& fault) noexcept;
     // Are all of them points of the mesh?
     Status check(Index n_points, Fault& fault) const noexcept;

@@ -66,16 +66,25 @@ private:
     Status find_nose(Fault& fault) noexcept;
 };
 
-// Where f, of different signs at low and high (or 0), changes its sign, to the last bit.
+// Two numbers without another one in between.
+struct Neighbours {
+    Real low, high;
+};
+
+// Where f, of different signs at low and high (or 0), changes its sign.
 template <class Function>
-Real sign_change(Real low, Real high, Function const& f) noexcept {
+Neighbours sign_change_between(Real low, Real high, Function const& f) noexcept {
     bool const rises = f(low) < 0;
     for (;;) {
         Real const middle = low + 0.5 * (high - low);
-        if (!(middle > low && middle < high)) return low;
+        if (!(middle > low && middle < high)) return {low, high};
         if ((f(middle) < 0) == rises) low = middle;
         else high = middle;
     }
+}
+template <class Function>
+Real sign_change(Real low, Real high, Function const& f) noexcept {
+    return sign_change_between(low, high, f).low;
 }
 
 }  // namespace harmorph

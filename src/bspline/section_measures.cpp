@@ -41,17 +41,22 @@ Status measure_chord(Section& section, ControlGradient const& gradient, Measured
 
 Status measure_stations(Section& section, Quantity const& quantity, ControlGradient const& gradient,
                         Measured& measured, Fault& fault) noexcept {
-    Station found;
     bool const extreme =
         quantity.kind == QuantityKind::max_thickness || quantity.kind == QuantityKind::max_camber;
     bool const thickness =
         quantity.kind == QuantityKind::max_thickness || quantity.kind == QuantityKind::thickness;
     StationValue const which = thickness ? StationValue::thickness : StationValue::camber;
     HARMORPH_TRY(section.find_chord(false, fault));
-    if (extreme) HARMORPH_TRY(measure_extreme(section, which, found, fault));
-    else HARMORPH_TRY(measure_station(section, which, quantity.station, found, fault));
+    if (extreme) {
+        ExtremeStation found;
+        HARMORPH_TRY(measure_extreme(section, which, found, fault));
+        measured = {found.before.value, found.before.point};
+        return pull_extreme(section, which, found, gradient, fault);
+    }
+    Station found;
+    HARMORPH_TRY(measure_station(section, which, quantity.station, found, fault));
     measured = {found.value, found.point};
-    return pull_station(section, which, found, gradient, fault);
+    return pull_station(section, which, found, 1, gradient, fault);
 }
 
 Status measure_nose(Section& section, ControlGradient const& gradient, Measured& measured,
@@ -64,7 +69,8 @@ Status measure_nose(Section& section, ControlGradient const& gradient, Measured&
 }
 
 // Between the tangents that leave the trailing edge at both ends of the outline, through the
-// inside.
+// inside. The range is -90 .. 270 degrees: a smooth outline has 180, and rounding does not decide
+// between 180 and -180.
 Status measure_edge_angle(Section& section, ControlGradient const& gradient, Measured& measured,
                           Fault& fault) noexcept {
     AreaMoments moments;
@@ -83,7 +89,8 @@ Status measure_edge_angle(Section& section, ControlGradient const& gradient, Mea
             "the trailing edge has no directions: the curve stands still at its ends");
     }
     Real const sign = section.sign * in_degrees(1);
-    measured = {sign * angle_of(turn_between(from, to)), a[0]};
+    Real const angle = sign * angle_of(turn_between(from, to));
+    measured = {angle < -90 ? angle + 360 : angle, a[0]};
     Vec2 const by_first[2] = {{}, (backwards_first ? 1 : -1) * sign / square(from) * left_of(from)};
     Vec2 const by_last[2] = {{}, (backwards_last ? 1 : -1) * sign / square(to) * left_of(to)};
     gradient.add(first, 1, by_first);

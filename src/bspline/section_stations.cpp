@@ -114,9 +114,10 @@ Status measure_station(Section const& section, StationValue which, Real at, Stat
 }
 
 // Stations in the distance t^2 (3 - 2 t) are dense at the ends, where slopes are steep.
-Status measure_extreme(Section const& section, StationValue which, Station& station,
+Status measure_extreme(Section const& section, StationValue which, ExtremeStation& extreme,
                        Fault& fault) noexcept {
     constexpr Index n = 128;
+    Station& station = extreme.before;
     auto const place = [&](Index k) {
         Real const t = static_cast<Real>(k) / n;
         return t * t * (3 - 2 * t);
@@ -141,14 +142,20 @@ Status measure_extreme(Section const& section, StationValue which, Station& stat
         bool const found = value_at(section, which, at, there) > -infinity;
         return found ? sign * slope_at(section, which, there) : 0;
     };
-    Real at = place(best);
+    Neighbours at = {place(best), place(best)};
     Real const low = place(larger(best - 1, Index{1})), high = place(smaller(best + 1, n - 1));
-    if (rise(low) > 0 && rise(high) < 0) at = sign_change(low, high, rise);
-    value_at(section, which, at, station);
+    if (rise(low) > 0 && rise(high) < 0) at = sign_change_between(low, high, rise);
+    value_at(section, which, at.low, station);
+    extreme.behind = station;
+    if (!(at.low < at.high) || !(value_at(section, which, at.high, extreme.behind) > -infinity))
+        return Status::ok;
+    Real const rise_before = rise(at.low), fall_behind = -rise(at.high);
+    if (rise_before + fall_behind > 0)
+        extreme.weight_before = fall_behind / (rise_before + fall_behind);
     return Status::ok;
 }
 
-Status pull_station(Section const& section, StationValue which, Station const& station,
+Status pull_station(Section const& section, StationValue which, Station const& station, Real weight,
                     ControlGradient const& gradient, Fault& fault) noexcept {
     StationDerivative const by = differentiate(section, which, station);
     if (!by.finite) {
@@ -156,11 +163,20 @@ Status pull_station(Section const& section, StationValue which, Station const& s
                             "at station ~ the outline is parallel to the normal of the chord", {},
                             {}, station.at);
     }
-    gradient.add(station.top, 0, by.top);
-    gradient.add(station.bottom, 0, by.bottom);
-    section.pull_chord({(1 - station.at) * by.point - by.along, station.at * by.point + by.along},
+    gradient.add(station.top, weight * by.top[0]);
+    gradient.add(station.bottom, weight * by.bottom[0]);
+    section.pull_chord({weight * ((1 - station.at) * by.point - by.along),
+                        weight * (station.at * by.point + by.along)},
                        gradient);
     return Status::ok;
+}
+
+Status pull_extreme(Section const& section, StationValue which, ExtremeStation const& extreme,
+                    ControlGradient const& gradient, Fault& fault) noexcept {
+    Real const weight = extreme.weight_before;
+    HARMORPH_TRY(pull_station(section, which, extreme.before, weight, gradient, fault));
+    if (weight == 1) return Status::ok;
+    return pull_station(section, which, extreme.behind, 1 - weight, gradient, fault);
 }
 
 }  // namespace harmorph

@@ -64,6 +64,8 @@ Status PartEquations::run(Span<const OpenEdge> edges, Fault& fault) noexcept {
     find_wall();
     find_unknowns();
     coordinates = coordinates_fingerprint(part.own().points, part.own().n_points);
+    mesh_fingerprint = fingerprint_of(part.cells);
+    conditions_fingerprint = fingerprint_of(kinds, wall);
     assemble();
     return fault.status;
 }
@@ -143,10 +145,9 @@ void PartEquations::assemble() noexcept {
 }
 
 BasisSource PartEquations::basis_source() const noexcept {
-    MeshFingerprint const mesh = fingerprint_of(part.cells);
     return {topology,
-            mesh,
-            fingerprint_of(kinds, wall),
+            mesh_fingerprint,
+            conditions_fingerprint,
             problem.method,
             problem.demands,
             shared.curves,
@@ -155,6 +156,14 @@ BasisSource PartEquations::basis_source() const noexcept {
             wall,
             slot,
             &part.division.pieces};
+}
+
+bool PartEquations::made(Basis const& rows) const noexcept {
+    BasisHeader const& header = *rows.header;
+    BasisCounts const counts = basis_source().counts();
+    return std::memcmp(&header.counts, &counts, sizeof counts) == 0 &&
+           header.topology == mesh_fingerprint && header.coordinates == coordinates &&
+           header.conditions == conditions_fingerprint && header.method.agrees_with(problem.method);
 }
 
 void PartEquations::get(DofValues const& values, Index column, Real* numbers) const noexcept {

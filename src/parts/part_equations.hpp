@@ -36,7 +36,8 @@ struct PartEquations {
     Residual residual;
     Span<Real> rows_in_work;
     Span<Index> order;  // [unknowns] as they are: while the matrix is built
-    std::uint64_t coordinates = 0;
+    MeshFingerprint mesh_fingerprint;
+    std::uint64_t coordinates = 0, conditions_fingerprint = 0;
 
     // From the counts of part and edges alone: enough for every shared boundary of so many edges.
     void lay_out(Arena& arena, Part const& of, PartProblem const& asked, Index n_edges,
@@ -45,6 +46,8 @@ struct PartEquations {
     Status run(Span<const OpenEdge> edges, Fault& fault) noexcept;
 
     BasisSource basis_source() const noexcept;
+    // Were the rows made from these equations, or from equal ones?
+    bool made(Basis const& rows) const noexcept;
     DofValues dofs(Basis const& basis) const noexcept {
         return {basis, dof_of, matrix.components()};
     }

@@ -273,9 +273,87 @@ TEST_CASE("parcels out of order, of other lists or problems, truncated, or no pa
     CHECK(unpack(rows, first.parcel(points)) == HM_BAD_BASIS);  // twice
     CHECK(unpack(rows, second.parcel(points)) == HM_OK);
     CHECK(info_of(rows.basis).solved == 1);
+    CHECK(unpack(rows, second.parcel(points), &error) == HM_BAD_BASIS);
+    CHECK(std::string(error.text) == "the rows have all of their functions already");
     CHECK(hm_parcel_unpack(rows.basis, nullptr, 4, nullptr) == HM_BAD_ARGUMENT);
     std::int64_t doubles = 0;
     CHECK(hm_parcel_size(first.basis, -1, &doubles, nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_parcel_size(nullptr, 1, &doubles, nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_parcel_pack(first.basis, 1, points.data(), nullptr, nullptr) == HM_BAD_ARGUMENT);
+}
+
+TEST_CASE("a parcel is for its own list of points and its own functions") {
+    struct Sender {
+        const char* what;
+        std::int32_t operator_kind;
+        double offset;  // change of one control point
+        std::vector<std::int32_t> points;
+        const char* refusal;  // "" if the parcel is taken
+    };
+    const char* const other_list =
+        "the parcel was packed for another list of points than that of the rows";
+    const char* const other_problem = "the parcel comes from a basis of another problem";
+    Sender const senders[] = {
+        {"the same", HM_LAPLACE, 0, {5, 3, 8}, ""},
+        {"the same points in another order", HM_LAPLACE, 0, {3, 5, 8}, other_list},
+        {"another point", HM_LAPLACE, 0, {5, 3, 9}, other_list},
+        {"a point twice", HM_LAPLACE, 0, {5, 3, 3}, other_list},
+        {"another operator with values of the same kind", HM_WEIGHTED, 0, {5, 3, 8}, other_problem},
+        {"another control point", HM_LAPLACE, 1e-9, {5, 3, 8}, other_problem},
+    };
+    KindOfProblem problem;
+    problem.its = two_body_case();
+    Share const first(problem, {0, 12}), second(problem, {12, 8});
+    for (Sender const& sender : senders) {
+        KindOfProblem changed = problem;
+        changed.options.operator_kind = sender.operator_kind;
+        changed.its.curves.control[0] += sender.offset;
+        Share const share(changed, {0, 12});
+        Rows const rows(first.basis, {5, 3, 8});
+        std::vector<unsigned char> const before = bytes_of(rows.basis);
+        hm_error error{};
+        hm_status const status = unpack(rows, share.parcel(sender.points), &error);
+        INFO(sender.what << ": " << error.text);
+        bool const is_taken = *sender.refusal == '\0';
+        CHECK(status == (is_taken ? HM_OK : HM_BAD_BASIS));
+        CHECK(std::string(error.text) == sender.refusal);
+        if (!is_taken) {
+            CHECK(bytes_of(rows.basis) == before);
+            CHECK(unpack(rows, first.parcel({5, 3, 8})) == HM_OK);
+        }
+        CHECK(unpack(rows, second.parcel({5, 3, 8})) == HM_OK);
+        CHECK(info_of(rows.basis).solved == 1);
+    }
+}
+
+TEST_CASE("lists of lists: positions in an extract are another list than the numbers of the mesh") {
+    KindOfProblem problem;
+    problem.its = two_body_case();
+    Share const first(problem, {0, 12}), second(problem, {12, 8});
+    Solved const whole(problem.its, &problem.options);
+    std::vector<std::int32_t> all;
+    for (std::int32_t k = 0; k < problem.its.mesh.n_points(); ++k) all.push_back(k);
+    // The list of all points in their order is the mesh itself.
+    Rows const of_all(first.basis, all);
+    CHECK(unpack(of_all, first.parcel(all)) == HM_OK);
+    CHECK(unpack(of_all, second.parcel(all)) == HM_OK);
+    CHECK(info_of(of_all.basis).solved == 1);
+    Rows const few(first.basis, {2, 1, 0});
+    CHECK(unpack(few, first.parcel({0, 1, 2})) == HM_BAD_BASIS);
+    Rows const nested(whole.basis, {2, 1, 0});
+    Rows const same(nested.basis, {0, 1, 2}), turned(nested.basis, {2, 1, 0});
+    std::int64_t doubles = 0;
+    REQUIRE(hm_parcel_size(nested.basis, 3, &doubles, nullptr) == HM_OK);
+    std::vector<double> parcel(static_cast<std::size_t>(doubles));
+    std::int32_t const in_order[] = {0, 1, 2};
+    REQUIRE(hm_parcel_pack(nested.basis, 3, in_order, parcel.data(), nullptr) == HM_OK);
+    CHECK(unpack(few, parcel) == HM_OK);  // all functions of the points 2, 1, 0
+    for (std::int32_t function : {0, 7, 19}) {
+        std::vector<double> own(3), expected(3);
+        REQUIRE(hm_basis_values(few.basis, function, 0, own.data(), nullptr) == HM_OK);
+        REQUIRE(hm_basis_values(same.basis, function, 0, expected.data(), nullptr) == HM_OK);
+        CHECK(same_bits(own, expected));
+        REQUIRE(hm_basis_values(turned.basis, function, 0, expected.data(), nullptr) == HM_OK);
+        CHECK(own[0] == expected[2]);
+    }
 }

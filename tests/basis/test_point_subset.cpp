@@ -5,6 +5,8 @@
 
 #include <fixtures/parts.hpp>
 
+#include "basis/basis.hpp"
+
 #include <cstring>
 
 using namespace fixtures;
@@ -136,8 +138,17 @@ TEST_CASE("rows can be moved, saved and attached like any basis, and rows taken 
         every_other.push_back(static_cast<std::int32_t>(k));
         direct.push_back(points[k]);
     }
-    CHECK(bytes_of(Rows(attached, every_other).basis) ==
-          bytes_of(Rows(solved.basis, direct).basis));
+    // Only the fingerprint of the list tells them apart.
+    std::vector<unsigned char> of_rows = bytes_of(Rows(attached, every_other).basis),
+                               of_mesh = bytes_of(Rows(solved.basis, direct).basis);
+    harmorph::BasisHeader first, second;
+    std::memcpy(static_cast<void*>(&first), of_rows.data(), sizeof first);
+    std::memcpy(static_cast<void*>(&second), of_mesh.data(), sizeof second);
+    CHECK(first.list != second.list);
+    first.list = second.list;
+    first.checksum = second.checksum;
+    std::memcpy(of_rows.data(), static_cast<const void*>(&first), sizeof first);
+    CHECK(of_rows == of_mesh);
 }
 
 TEST_CASE("what needs the mesh is refused, and so are lists that are wrong") {

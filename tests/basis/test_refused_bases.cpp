@@ -4,6 +4,7 @@
 #include <fixtures/basis_copy.hpp>
 #include <fixtures/bodies.hpp>
 #include <fixtures/polygon_cases.hpp>
+#include <fixtures/single.hpp>
 
 using namespace fixtures;
 using harmorph::Index;
@@ -132,6 +133,35 @@ TEST_CASE(
         spoils(basis.header->filled, far, "method");
         spoils(basis.header->counts.bodies, far, "contradict");
         spoils(basis.header->counts.combination, far, "contradict");
+    }
+    Case cut = cut_ring();  // has points that are joined to points of the wall
+    Solved const of_cut(cut);
+    BasisCopy cut_copy(of_cut);
+    harmorph::Basis const joined = harmorph::Basis::view(static_cast<void*>(cut_copy.data()));
+    REQUIRE(joined.joined_slot.count() > 0);
+    Index const n_wall = joined.wall_point.count(), n_points = joined.n_points();
+    Index& slot = joined.joined_slot[0];
+    Index& point = joined.joined_point[0];
+    struct Joined {
+        Index& number;
+        Index wrong;
+        bool is_refused;
+    };
+    for (Joined const& its_case : {Joined{slot, -1, true},
+                                   {slot, n_wall, true},
+                                   {slot, 0x7FFFFFFF, true},
+                                   {slot, n_wall - 1, false},
+                                   {slot, 0, false},
+                                   {point, -1, true},
+                                   {point, n_points, true},
+                                   {point, 0x7FFFFFFF, true},
+                                   {point, n_points - 1, false}}) {
+        Index const right = its_case.number;
+        its_case.number = its_case.wrong;
+        joined.header->checksum = harmorph::checksum_of(*joined.header);
+        CHECK(cut_copy.attach() == (its_case.is_refused ? HM_BAD_BASIS : HM_OK));
+        if (its_case.is_refused) CHECK(cut_copy.says("points on curves"));
+        its_case.number = right;
     }
     spoils(basis.knots[4], std::nan(""), "curves");
     spoils(basis.control[4], std::nan(""), "curves");

@@ -131,6 +131,19 @@ CurveSet reversed(CurveSet set) {
     return set;
 }
 
+// Derivatives of the two directions: of first order in the step, so that corners are not crossed.
+struct BothDirections {
+    double left, right;
+};
+BothDirections slopes(CurveSet set, hm_quantity const& asked, std::size_t k) {
+    double const h = 1e-6, here = value_of(set, asked), start = set.control[k];
+    set.control[k] = start + h;
+    double const above = value_of(set, asked);
+    set.control[k] = start - h;
+    double const below = value_of(set, asked);
+    return {(here - below) / h, (above - here) / h};
+}
+
 }  // namespace
 
 TEST_CASE(
@@ -310,6 +323,93 @@ TEST_CASE("the maximum over stations is no smaller than any station, and is one 
     }
     CHECK(thickest.at[0] > 0.1);
     CHECK(thickest.at[0] < 0.6);
+}
+
+TEST_CASE(
+    "a smooth closed outline has the edge angle 180, wherever rounding puts it, and its exact "
+    "derivative") {
+    for (bool const back : {false, true})
+        for (int turn = 0; turn < 40; ++turn) {
+            Spline const ellipse = fixtures::ring(3 + turn % 2, 9, 1, 0.4, 3, -2, 0.17 * turn);
+            CurveSet set(ellipse);
+            if (back) set = reversed(set);
+            CHECK(value_of(set, quantity(HM_EDGE_ANGLE)) == doctest::Approx(180).epsilon(1e-12));
+            check_gradient(set, quantity(HM_EDGE_ANGLE));
+        }
+}
+
+TEST_CASE(
+    "edge angles from a thin edge to a notch are continuous, and those of crossed ends are "
+    "negative") {
+    for (double angle = -80; angle < 265; angle += 7.25) {
+        double const half = angle * pi / 360, c = std::cos(half), s = std::sin(half);
+        Spline kite;  // its edge is at the origin, its body at the left
+        kite.degree = 1;
+        kite.control = {0, 0, -c, s, -6, 4, -6, -4, -c, -s};
+        kite.indices = {0, 1, 2, 3, 4, 0};
+        kite.knots = {0, 0, 1, 2, 3, 4, 5, 5};
+        CurveSet set(kite), back = reversed(CurveSet(kite));
+        CHECK(value_of(set, quantity(HM_EDGE_ANGLE)) == doctest::Approx(angle).epsilon(1e-12));
+        CHECK(value_of(back, quantity(HM_EDGE_ANGLE)) == doctest::Approx(angle).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("the derivative of an extreme at a corner follows the corner") {
+    struct Outline {
+        const char* what;
+        int degree;
+        std::vector<double> control, knots;
+        bool is_smooth;  // the extreme, as a function of the control points
+    };
+    Outline const all[] = {
+        {"a corner above", 1, {1, 0, .45, .1, 0, 0, .62, -.07}, {0, 0, 1, 2, 3, 4, 4}, true},
+        {"a corner below", 1, {1, 0, .62, .07, 0, 0, .45, -.1}, {0, 0, 1, 2, 3, 4, 4}, true},
+        {"both corners at one station",
+         1,
+         {1, 0, .45, .1, 0, 0, .45, -.07},
+         {0, 0, 1, 2, 3, 4, 4},
+         false},
+        {"a corner that a sample hits",
+         1,
+         {1, 0, .5, .1, 0, 0, .7, -.07},
+         {0, 0, 1, 2, 3, 4, 4},
+         true},
+        {"a cubic with a corner above",
+         3,
+         {1, 0, .9, .06, .7, .1, .5, .14, .3, .11, .1, .07, 0, 0, .1, -.05, .5, -.06, .9, -.02},
+         {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 4, 4, 4, 4},
+         true},
+        {"a smooth cubic",
+         3,
+         {1, 0, .9, .06, .7, .1, .5, .14, .3, .11, .1, .07, 0, 0, .1, -.05, .5, -.06, .9, -.02},
+         {0, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 8, 8, 8},
+         true},
+    };
+    for (Outline const& outline : all) {
+        Spline spline;
+        spline.degree = outline.degree;
+        spline.control = outline.control;
+        spline.knots = outline.knots;
+        int const n = static_cast<int>(outline.control.size() / 2);
+        for (int k = 0; k <= n; ++k) spline.indices.push_back(k % n);
+        for (bool const back : {false, true}) {
+            CurveSet const set = back ? reversed(CurveSet(spline)) : CurveSet(spline);
+            for (int const kind : {HM_MAX_THICKNESS, HM_MAX_CAMBER}) {
+                CurveSet own = set;
+                Result const found = measured(own, quantity(kind));
+                REQUIRE_MESSAGE(found.status == HM_OK, found.error.text);
+                for (std::size_t k = 0; k < set.control.size(); ++k) {
+                    BothDirections const by = slopes(set, quantity(kind), k);
+                    INFO(outline.what << ", back " << back << ", kind " << kind << ", number " << k
+                                      << ": " << found.gradient[k] << " of " << by.left << " to "
+                                      << by.right);
+                    CHECK(found.gradient[k] >= std::min(by.left, by.right) - 2e-5);
+                    CHECK(found.gradient[k] <= std::max(by.left, by.right) + 2e-5);
+                    if (outline.is_smooth) CHECK(std::fabs(by.left - by.right) < 2e-5);
+                }
+            }
+        }
+    }
 }
 
 TEST_CASE("what cannot be measured is refused with the reason, outputs untouched") {

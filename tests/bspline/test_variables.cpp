@@ -5,6 +5,7 @@
 #include <fixtures/guarded.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 
 using fixtures::CurveSet;
@@ -321,4 +322,111 @@ TEST_CASE(
     hm_variables empty = kind(HM_FFD);
     empty.x_min = 1;
     CHECK(refusal(empty, "box") == HM_BAD_ARGUMENT);
+}
+
+TEST_CASE("a tied trailing edge moves by the mean of what is wanted of both sides") {
+    CurveSet set = airfoil(false, 17);
+    std::int32_t const edge = set.shapes[0].indices.front();
+    REQUIRE(set.shapes[0].indices.back() == edge);
+    int const n_upper = 4, n_lower = 3;
+    hm_variables cst = kind(HM_CST, n_upper, n_lower);
+    cst.nose_exponent =
+        0.5;  // and an edge exponent of 0: the last variable of each side opens the edge
+    Map const map = mapped(set, cst);
+    REQUIRE_MESSAGE(map.status == HM_OK, map.error.text);
+    double tip[2], nose[2] = {0, 0};
+    REQUIRE(hm_curve_point(&set.view(), 0, set.shapes[0].knots.front(), 0, tip, nullptr) == HM_OK);
+    for (int k = 0; k < 400; ++k) {  // the leading edge: farthest from the trailing edge
+        double at[2];
+        double const begin = set.shapes[0].knots.front(), end = set.shapes[0].knots.back();
+        REQUIRE(hm_curve_point(&set.view(), 0, begin + (end - begin) * k / 400, 0, at, nullptr) ==
+                HM_OK);
+        if (std::hypot(at[0] - tip[0], at[1] - tip[1]) >
+            std::hypot(nose[0] - tip[0], nose[1] - tip[1]))
+            nose[0] = at[0], nose[1] = at[1];
+    }
+    for (int v = 0; v < n_upper + n_lower; ++v) {
+        bool const opens = v == n_upper - 1 || v == n_upper + n_lower - 1;
+        INFO("variable " << v);
+        CHECK(map.x(edge, v) ==
+              doctest::Approx(opens ? -0.5 * (tip[1] - nose[1]) : 0).epsilon(1e-3));
+        CHECK(map.y(edge, v) ==
+              doctest::Approx(opens ? 0.5 * (tip[0] - nose[0]) : 0).epsilon(1e-4));
+    }
+    CHECK(map.y(edge, n_upper - 1) == map.y(edge, n_upper + n_lower - 1));
+}
+
+TEST_CASE(
+    "maps of CST, bumps and NACA: what is left of each shape is orthogonal to all free basis "
+    "functions") {
+    struct Shapes {
+        const char* name;
+        hm_variables variables;
+        std::function<double(int variable, double t, bool upper)> shape;
+    };
+    auto const bump = [](int of, int n, double t) {
+        double const peak = (2 * of + 1) / (2.0 * n);
+        return std::pow(std::sin(pi * std::pow(t, std::log(0.5) / std::log(peak))), 3);
+    };
+    Shapes const all[] = {
+        {"CST", kind(HM_CST, 4, 3),
+         [](int v, double t, bool upper) {
+             if (upper != (v < 4)) return 0.0;
+             return std::sqrt(t) * (1 - t) * (upper ? bernstein(3, v, t) : bernstein(2, v - 4, t));
+         }},
+        {"Hicks-Henne", kind(HM_HICKS_HENNE, 3, 2),
+         [&](int v, double t, bool upper) {
+             return upper != (v < 3) ? 0.0 : upper ? bump(v, 3, t) : bump(v - 3, 2, t);
+         }},
+        {"NACA", kind(HM_NACA4, 1),
+         [](int v, double t, bool upper) {
+             if (v == 0) return t < 0.4 ? t * (0.8 - t) / 0.16 : (0.2 + 0.8 * t - t * t) / 0.36;
+             double const polynomial = t * (0.1260 + t * (0.3516 - t * (0.2843 - 0.1036 * t)));
+             return (upper ? 5 : -5) * (0.2969 * std::sqrt(t) - polynomial);
+         }},
+    };
+    hm_section const chord = unit_chord();
+    for (Shapes const& its : all) {
+        CurveSet set = airfoil(false, 24);
+        Map const map = mapped(set, its.variables, &chord);
+        REQUIRE_MESSAGE(map.status == HM_OK, map.error.text);
+        int const n_samples = 20000;
+        double const begin = set.shapes[0].knots[3],
+                     end = set.shapes[0].knots[set.shapes[0].indices.size()];
+        auto const parameter = [&](int k) { return begin + (end - begin) * (k + 0.5) / n_samples; };
+        double farthest = 0, nose = 0, first_side = 0;
+        for (int k = 0; k < n_samples; ++k) {
+            Movement const at(set, map, 0, parameter(k));
+            if (std::hypot(at.x - 1, at.y) <= farthest) continue;
+            farthest = std::hypot(at.x - 1, at.y);
+            nose = parameter(k);
+        }
+        first_side = Movement(set, map, 0, 0.5 * (begin + nose)).y;
+        for (int v = 0; v < map.n; ++v) {
+            std::vector<double> left(static_cast<std::size_t>(set.n_control()), 0.0), size = left;
+            double along = 0;
+            for (int k = 0; k < n_samples; ++k) {
+                double const u = parameter(k);
+                Movement const at(set, map, v, u);
+                bool const upper = (u < nose) == (first_side > 0);
+                double const wanted = its.shape(v, std::min(std::max(at.x, 0.0), 1.0), upper);
+                std::int32_t control[4];
+                double value[4];
+                hm_curve_basis(&set.view(), 0, u, 0, control, value, nullptr);
+                for (int i = 0; i < 4; ++i) {
+                    left[static_cast<std::size_t>(control[i])] += value[i] * (wanted - at.dy);
+                    size[static_cast<std::size_t>(control[i])] += value[i];
+                }
+                along = std::max(along, std::fabs(at.dx));
+            }
+            CHECK(along < 1e-12);
+            for (std::int32_t i = 0; i < set.n_control(); ++i) {
+                if (i == set.shapes[0].indices.front() || i == set.shapes[0].indices.back())
+                    continue;
+                INFO(std::string(its.name) << ", variable " << v << ", control point " << i);
+                CHECK(std::fabs(left[static_cast<std::size_t>(i)] /
+                                size[static_cast<std::size_t>(i)]) < 2e-4);
+            }
+        }
+    }
 }

@@ -94,7 +94,7 @@ TEST_CASE("columns and unknowns of a part's equations") {
          "the rows are finished: make new ones by hm_rows_init");
     Solved const whole(its, &options);
     says(hm_rows_get(equations, whole.basis, 0, numbers.data(), &error),
-         "the rows are finished: make new ones by hm_rows_init");
+         "the rows were made of other equations");
     Case two = two_body_case(Cells::hybrid, 4, 3);
     Solved const elsewhere(two, &options);
     says(hm_rows_get(equations, elsewhere.basis, 0, numbers.data(), &error),

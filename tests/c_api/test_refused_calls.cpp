@@ -106,7 +106,46 @@ TEST_CASE("room for fewer than there are, and numbers that there are not") {
          [&](hm_error* e) { return hm_basis_values(o.basis, 0, -1, o.x.data(), e); }},
         {HM_BAD_ARGUMENT, "there is no function 4; the basis has 4",
          [&](hm_error* e) { return hm_basis_values(o.basis, 4, 0, o.x.data(), e); }},
+        {HM_BAD_ARGUMENT, "there is no function -2147483648 (from 0); the basis has 4",
+         [&](hm_error* e) {
+             return hm_basis_values(o.basis, std::numeric_limits<std::int32_t>::min(), 0,
+                                    o.x.data(), e);
+         }},
     });
+}
+
+TEST_CASE("where room is missing, the number is told and nothing is filled in") {
+    Objects o;
+    Case given = given_instead(tiny_case());
+    Displaced displaced(given);
+    std::int32_t const marker = body;
+    std::vector<std::int32_t> list(9, -7);
+    std::int32_t n = 0, is_loop = -7;
+    for (std::int32_t capacity = 0; capacity <= 8; ++capacity) {
+        bool const fits = capacity == 8;
+        n = 0;
+        CHECK(hm_analysis_boundary(o.solved.analysis, 1, &marker, 0, list.data(), capacity, &n,
+                                   &is_loop, nullptr) == (fits ? HM_OK : HM_BAD_ARGUMENT));
+        CHECK(n == 8);
+        CHECK(is_loop == (fits ? 1 : -7));
+        CHECK(std::count(list.begin(), list.end(), -7) == (fits ? 1 : 9));
+    }
+    list.assign(9, -7);
+    for (std::int32_t capacity = -1; capacity <= 8; ++capacity) {
+        bool const fits = capacity == 8;
+        n = 0;
+        CHECK(hm_given_points(displaced.plan, list.data(), capacity, &n, nullptr) ==
+              (fits ? HM_OK : HM_BAD_ARGUMENT));
+        CHECK(n == 8);
+        CHECK(std::count(list.begin(), list.end(), -7) == (fits ? 1 : 9));
+    }
+    // Of pieces that there are not, nothing is told.
+    list.assign(9, -7);
+    n = is_loop = -7;
+    for (std::int32_t const piece : {-1, 1, std::numeric_limits<std::int32_t>::max()})
+        CHECK(hm_analysis_boundary(o.solved.analysis, 1, &marker, piece, list.data(), 9, &n,
+                                   &is_loop, nullptr) == HM_BAD_CONDITION);
+    CHECK((n == -7 && is_loop == -7 && list == std::vector<std::int32_t>(9, -7)));
 }
 
 TEST_CASE("combined functions, gradients in parts, parcels") {

@@ -351,3 +351,31 @@ TEST_CASE("a Hermitian matrix that is not positive definite is refused, by posit
             }
     }
 }
+
+TEST_CASE("of several pivots that are not positive the first is told, for any number of threads") {
+    Case its = ring_case(20, 120, 0.5, 2, Cells::triangles, 2, 5);
+    for (Index const threads : {1, 2, 3, 5, 8}) {
+        Threads lanes(threads);
+        Analysed const seen(its, &lanes.options);
+        FrontalSystem system(*seen.operator->(), true, 4);
+        Index const n = system.assembled.matrix.n;
+        std::vector<Index> places{0, n - 1};  // and some of each front
+        for (Index node = 0; node < seen->tree.count; node += 1 + seen->tree.count / 24)
+            places.push_back(seen->tree.nodes[node].begin);
+        std::sort(places.begin(), places.end());
+        for (Index const first : places) {
+            for (Index const second : places) {
+                if (second < first) continue;
+                system.randomise(5, 0.5);
+                harmorph::Matrix& matrix = system.assembled.matrix;
+                for (Index const bad : {first, second})
+                    matrix.row_sum[bad] -= matrix.diagonal[bad] + 1;
+                harmorph::Fault fault;
+                CHECK(system.engine.factorise(matrix, harmorph::Progress{}, fault) ==
+                      harmorph::Status::not_positive);
+                INFO(threads << " threads, pivots " << first << " and " << second);
+                CHECK(fault.item == first);
+            }
+        }
+    }
+}

@@ -24,6 +24,9 @@ change 's/format="ascii"/format="binary"/'
 refuses "vtu: base64" "this one has 'binary'" "$harmorph" check "$tmp/bad.vtu"
 change 's/Name="offsets"/Name="starts"/'
 refuses "vtu: an array is missing" 'the file has no array offsets' "$harmorph" check "$tmp/bad.vtu"
+change '/Name="offsets"/s/ 8 / -9223372036854775808 /; /Name="offsets"/s/Int32/Int64/'
+refuses "vtu: an offset that no difference of two numbers fits" 'the offsets of cell 1 are out of range' \
+    "$harmorph" check "$tmp/bad.vtu"
 head -c 5000 "$tmp/appended-64.vtu" >"$tmp/bad.vtu"
 refuses "vtu: cut off before an array" "found '8832'" "$harmorph" check "$tmp/bad.vtu"
 head -c 10000 "$tmp/appended-64.vtu" >"$tmp/bad.vtu"

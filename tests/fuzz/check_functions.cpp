@@ -6,6 +6,7 @@
 #include "solution_check.hpp"
 
 #include <cmath>
+#include <map>
 
 namespace fuzz {
 
@@ -16,6 +17,12 @@ void SolutionCheck::values() {
     std::vector<bool> inside(n_, true);
     for (Face const& face : problem_.domain.faces)
         inside[std::size_t(face.from)] = inside[std::size_t(face.to)] = false;
+    std::map<std::pair<double, double>, std::size_t> first;  // at a seam two points are one
+    for (std::size_t k = 0; k < n_; ++k) {
+        Point const& p = problem_.domain.points[k];
+        auto const [found, is_new] = first.try_emplace({p.x, p.y}, k);
+        if (!is_new) inside[k] = inside[found->second] = false;
+    }
     for (std::int32_t i = 0; i < info_.functions; ++i)
         for (std::int32_t number = 0; number < info_.numbers_per_value; ++number) {
             Numbers& found = value_[std::size_t(i)][std::size_t(number)];

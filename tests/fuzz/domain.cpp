@@ -1,5 +1,6 @@
 #include "problem.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fuzz {
@@ -72,6 +73,25 @@ void drop_unused(Domain& domain) {
         for (std::int32_t& k : wall) renumber(k);
     for (Domain::Image& image : domain.images) renumber(image.of), renumber(image.at);
     domain.points = points;
+}
+
+// The last column of cells of a ring gets points of its own on the side of the first column, with
+// equal coordinates: the seam of an O-mesh, whose points are joined.
+void cut_ring(Domain& domain, Grid const& grid) {
+    std::int32_t const n = grid.nx;
+    auto const copy_of = [&](std::int32_t point) { return n * (grid.ny + 1) + point / n; };
+    for (std::int32_t j = 0; j <= grid.ny; ++j) {
+        Point const copied = domain.points[static_cast<std::size_t>(n * j)];
+        domain.points.push_back(copied);
+    }
+    for (Cell& cell : domain.cells) {
+        bool const is_last =
+            std::any_of(cell.begin(), cell.end(), [n](std::int32_t k) { return k % n == n - 1; });
+        for (std::int32_t& k : cell)
+            if (is_last && k % n == 0) k = copy_of(k);
+    }
+    for (Face& face : domain.faces)
+        if (face.from % n == n - 1) face.to = copy_of(face.to);
 }
 
 // The rectangle becomes one passage of an annulus: x is the angle, y the radius, and the sides may
@@ -191,6 +211,7 @@ Domain make_domain(Input& input) {
         for (Hole const& hole : holes)
             add_hole(out, grid, hole, first_wall + static_cast<std::int32_t>(&hole - holes.data()));
     }
+    if (grid.is_ring && input.one_in(2)) cut_ring(out, grid);
     if (out.ni == 0) drop_unused(out);
 
     double const size = input.one_in(6) ? std::pow(10.0, input.from(-95, 95)) : 1;

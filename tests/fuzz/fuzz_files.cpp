@@ -64,14 +64,27 @@ const char* one_of(const char* const (&files)[n], Input& input) {
 // A damaged copy of it.
 std::string damaged(std::string text, Input& input) {
     if (input.one_in(8)) return input.rest();
-    static const char* const words[] = {
-        "-1",   "0",  "1e999", "nan", "2147483648", "99999999999999999999",
-        "\r\n", "\t", "",      "\"",  "<",          "("};
+    static const char* const words[] = {"-1",
+                                        "0",
+                                        "1e999",
+                                        "nan",
+                                        "2147483648",
+                                        "99999999999999999999",
+                                        "\r\n",
+                                        "\t",
+                                        "",
+                                        "\"",
+                                        "<",
+                                        "(",
+                                        "-9223372036854775808",
+                                        "9223372036854775807",
+                                        "-2147483648",
+                                        "2147483647"};
     for (std::int32_t k = input.from(0, 4); k > 0; --k) {
         std::size_t const at = input.below(static_cast<std::uint32_t>(text.size() + 1));
         switch (input.below(5)) {
             case 0: text.resize(at); break;
-            case 1: text.insert(at, words[input.below(12)]); break;
+            case 1: text.insert(at, words[input.below(16)]); break;
             case 2: text.erase(at, input.below(12)); break;
             case 3:
                 if (at < text.size()) text[at] = static_cast<char>(input.below(256));

@@ -1,5 +1,8 @@
-// Calls in any order, with objects of two problems that may or may not belong together. Each is
-// refused with a reason and writes nothing, or succeeds with finite numbers.
+// Calls in any order, with objects of two problems that may or may not belong together: solved and
+// unsolved bases, shares of the functions, rows of some points, combined functions, functions in
+// single precision. The same object may be several arguments of one call. Each call is refused with
+// a reason and writes nothing, or succeeds. Calls that need something that an object lacks must
+// refuse it.
 #include <harmorph_design.h>
 #include <harmorph_parts.h>
 #include <harmorph_study.h>
@@ -18,14 +21,8 @@ public:
         : input_(input), problem_{make_problem(input), make_problem(input)} {
         for (std::size_t k = 0; k < 2; ++k) {
             all_[k].emplace(*problem_[k], input);
-            std::size_t bytes = 0;
-            if (all_[k]->analysis == nullptr ||
-                hm_basis_size(all_[k]->analysis, &bytes, nullptr) < 0)
-                continue;
-            hm_basis* fresh = nullptr;  // a basis that is not solved
-            if (hm_basis_init(&fresh, all_[k]->block(bytes).data(), bytes, all_[k]->analysis,
-                              nullptr) >= 0)
-                fresh_[k] = fresh;
+            if (all_[k]->analysis == nullptr || all_[k]->basis == nullptr) continue;
+            add_objects(*all_[k]);
         }
         std::size_t const most =
             std::max(problem_[0]->domain.points.size(), problem_[1]->domain.points.size());
@@ -54,25 +51,116 @@ public:
 private:
     static constexpr hm_status none = 1000;
 
+    enum class Kind { whole, share, rows, combined, single };
+    struct Object {
+        hm_basis* basis;
+        Kind kind;
+        bool is_solved() const {
+            hm_basis_info info{};
+            info.struct_size = sizeof info;
+            expect(hm_basis_info_get(basis, &info, nullptr) == HM_OK,
+                   "no information about a basis");
+            return info.solved == 1;
+        }
+        bool has_all_functions() const { return kind != Kind::share; }
+        // hm_transfer reads functions of control points in double precision at all points of a
+        // mesh.
+        bool can_be_transferred() const { return kind == Kind::whole && is_solved(); }
+        std::vector<unsigned char> bytes() const {
+            hm_basis_info info{};
+            info.struct_size = sizeof info;
+            expect(hm_basis_info_get(basis, &info, nullptr) == HM_OK,
+                   "no information about a basis");
+            unsigned char const* const begin = reinterpret_cast<unsigned char const*>(basis);
+            return {begin, begin + info.bytes};
+        }
+    };
+
+    template <class Size, class Init>
+    void add(Solution& its, Kind kind, Size const& size, Init const& init) {
+        std::size_t bytes = 0;
+        hm_basis* made = nullptr;
+        if (size(&bytes) < 0) return;
+        if (init(&made, its.block(bytes).data(), bytes) >= 0) objects_.push_back({made, kind});
+    }
+    void add_objects(Solution& its) {
+        objects_.push_back({its.basis, Kind::whole});
+        add(
+            its, Kind::whole,
+            [&](std::size_t* bytes) { return hm_basis_size(its.analysis, bytes, nullptr); },
+            [&](hm_basis** made, void* block, std::size_t bytes) {
+                return hm_basis_init(made, block, bytes, its.analysis, nullptr);
+            });
+        std::int32_t const n = its.problem.functions();
+        if (its.status < 0 || n < 2 || !input_.one_in(2)) return;
+        std::int32_t const first = input_.from(0, n - 1),
+                           held = input_.from(0, n - 1 - first + (first > 0));
+        add(
+            its, Kind::share,
+            [&](std::size_t* bytes) {
+                return hm_share_size(its.analysis, first, held, bytes, nullptr);
+            },
+            [&](hm_basis** made, void* block, std::size_t bytes) {
+                hm_status const status =
+                    hm_share_init(made, block, bytes, its.analysis, first, held, nullptr);
+                return status < 0 || input_.one_in(4)
+                           ? status
+                           : hm_plan_solve(its.plan, *made, nullptr, nullptr);
+            });
+        std::int32_t const base = its.problem.mesh.index_base,
+                           list[] = {base + 2, base, base + 1, base + 2};
+        add(
+            its, Kind::rows,
+            [&](std::size_t* bytes) { return hm_extract_size(its.basis, 4, bytes, nullptr); },
+            [&](hm_basis** made, void* block, std::size_t bytes) {
+                return hm_extract_init(made, block, bytes, its.basis, 4, list, nullptr);
+            });
+        std::vector<double> const ones(static_cast<std::size_t>(n), 1.0);
+        add(
+            its, Kind::combined,
+            [&](std::size_t* bytes) { return hm_combine_size(its.basis, 1, 1, bytes, nullptr); },
+            [&](hm_basis** made, void* block, std::size_t bytes) {
+                return hm_combine(made, block, bytes, its.basis, 1, 1, ones.data(), nullptr);
+            });
+        add(
+            its, Kind::single,
+            [&](std::size_t* bytes) { return hm_single_size(its.basis, bytes, nullptr); },
+            [&](hm_basis** made, void* block, std::size_t bytes) {
+                return hm_single_init(made, block, bytes, its.basis, nullptr);
+            });
+    }
+
     Solution& some() { return *all_[input_.below(2)]; }
-    hm_basis* some_basis() {
-        std::uint32_t const k = input_.below(2);
-        return input_.one_in(3) && fresh_[k] != nullptr ? fresh_[k] : all_[k]->basis;
+    Object const& some_object() {
+        return objects_[input_.below(static_cast<std::uint32_t>(objects_.size()))];
+    }
+    static void expect_sevens(std::vector<std::int32_t> const& numbers) {
+        for (std::int32_t const its : numbers) expect(its == 7, "a refused call has written");
     }
     void expect_untouched() const {
         for (double const its : x_) expect(its == 7, "a refused call has written");
         for (double const its : y_) expect(its == 7, "a refused call has written");
     }
 
+    // The status of a call that needs all functions, solved.
+    static hm_status checked(Object const& object, hm_status status) {
+        bool const complete = object.has_all_functions() && object.is_solved();
+        expect((status >= 0) == complete,
+               complete ? "a complete basis is refused" : "an incomplete basis is taken");
+        return status;
+    }
+
     hm_status call() {
-        hm_basis* const basis = some_basis();
+        if (objects_.empty()) return none;
+        Object const object = some_object();
+        hm_basis* const basis = object.basis;
         hm_plan* const plan = some().plan;
         hm_mesh const& mesh = problem_[input_.below(2)]->mesh;
         hm_points_out const out{x_.data(), y_.data(), 1};
         hm_points const in{x_.data(), y_.data(), 1};
-        if (basis == nullptr || plan == nullptr) return none;
+        if (plan == nullptr) return none;
         std::size_t bytes = 0;
-        switch (input_.below(11)) {
+        switch (input_.below(15)) {
             case 0: return hm_plan_factor(plan, nullptr, &error_);
             case 1: {
                 hm_solve_report report{};
@@ -80,11 +168,12 @@ private:
                 return hm_plan_solve(plan, basis, &report, &error_);
             }
             case 2:
-                return hm_morph(basis, move_.data(), input_.one_in(2) ? &in : nullptr, &out,
-                                nullptr, &error_);
+                return checked(object,
+                               hm_morph(basis, move_.data(), input_.one_in(2) ? &in : nullptr, &out,
+                                        nullptr, &error_));
             case 3: {
                 std::vector<double> gradient(move_.size());
-                return hm_adjoint(basis, &in, gradient.data(), nullptr, &error_);
+                return checked(object, hm_adjoint(basis, &in, gradient.data(), nullptr, &error_));
             }
             case 4: {
                 hm_quality_report report{};
@@ -104,23 +193,33 @@ private:
                 Block const work(bytes, 0, 0x7F);
                 hm_safe_options options{};
                 options.struct_size = sizeof options;
-                const hm_basis* const other = some_basis();
+                const hm_basis* const other = some_object().basis;
                 if (input_.one_in(3)) options.others = &other, options.n_others = 1;
-                hm_basis* const derivative = input_.one_in(3) ? some_basis() : nullptr;
-                if (derivative == basis || (options.n_others > 0 && other == nullptr)) return none;
-                return hm_morph_safe(plan, basis, move_.data(), &out, derivative, work.data(),
-                                     bytes, &options, nullptr, &error_);
+                hm_basis* const derivative = input_.one_in(3) ? some_object().basis : nullptr;
+                hm_status const moved =
+                    hm_morph_safe(plan, basis, move_.data(), &out, derivative, work.data(), bytes,
+                                  &options, nullptr, &error_);
+                if (derivative == nullptr) return moved;
+                bool const is_read =
+                    derivative == basis || (options.n_others > 0 && derivative == other);
+                expect(!is_read || moved < 0, "a basis that is read receives the derivative");
+                return moved;
             }
             case 7: {
                 Solution& fine = some();
                 if (fine.analysis == nullptr) return none;
-                hm_status const status = hm_transfer_size(fine.analysis, &mesh, &bytes, &error_);
-                if (status < 0) return status;
+                hm_status const size = hm_transfer_size(fine.analysis, &mesh, &bytes, &error_);
+                if (size < 0) return size;
                 Block const work(bytes, 0, 0x7F);
-                hm_basis* const coarse = some_basis();
-                if (coarse == nullptr || coarse == basis) return none;
-                return hm_transfer(basis, work.data(), bytes, fine.analysis, coarse, &mesh, nullptr,
-                                   &error_);
+                Object const coarse = some_object();
+                bool const possible = coarse.can_be_transferred() && coarse.basis != basis;
+                std::vector<unsigned char> const before = object.bytes();
+                hm_status const status = hm_transfer(basis, work.data(), bytes, fine.analysis,
+                                                     coarse.basis, &mesh, nullptr, &error_);
+                expect(possible || status < 0, "a basis is transferred that cannot be");
+                expect(possible || object.bytes() == before,
+                       "a refused transfer has written into the basis");
+                return status;
             }
             case 8: {
                 double doubles[4096];
@@ -139,6 +238,41 @@ private:
                     its.analysis, first, input_.from(-1, functions + 1), &bytes, &error_);
                 return status;
             }
+            case 10: {  // all points of the boundary, in room for a random number of them
+                std::int32_t const markers[] = {1, 2, 3, 4, 5, 6, 7};
+                std::int32_t n = 0, is_loop = 7, capacity = input_.from(0, 60);
+                std::vector<std::int32_t> points(61, 7);
+                hm_analysis* const analysis = some().analysis;
+                if (analysis == nullptr) return none;
+                hm_status const status = hm_analysis_boundary(
+                    analysis, input_.from(1, 7), markers, input_.any_of({0, 0, 1, -1}),
+                    points.data(), capacity, &n, &is_loop, &error_);
+                if (status < 0) expect_sevens(points);
+                expect(status >= 0 || is_loop == 7, "a refused call has written");
+                return status;
+            }
+            case 11: {
+                std::int32_t n = 0, capacity = input_.from(-1, 3);
+                std::vector<std::int32_t> points(61, 7);
+                hm_status const status =
+                    hm_given_points(plan, points.data(), capacity, &n, &error_);
+                if (status < 0) expect_sevens(points);
+                return status;
+            }
+            case 12:
+                return hm_basis_values(basis, input_.wild_index(), input_.wild_index(), x_.data(),
+                                       &error_);
+            case 13: {  // distances that no array has
+                if (mesh.cell_layout != HM_CELLS_BLOCKS) return none;
+                std::int64_t const wild[] = {INT64_MIN, INT64_MAX, -1, (std::int64_t{1} << 40) + 1,
+                                             INT64_MAX / 3};
+                hm_block_points_out const block{x_.data(), y_.data(), wild[input_.below(5)],
+                                                input_.one_in(2) ? 0 : wild[input_.below(5)]};
+                hm_status const status =
+                    hm_blocks_scatter(&mesh, 0, 1, &mesh.points, &block, &error_);
+                expect(status < 0, "distances are taken that no array has");
+                return status;
+            }
             default: {
                 double worst = 0;
                 return hm_boundary_error(basis, move_.data(), &in, &in, &worst, nullptr, &error_);
@@ -149,7 +283,7 @@ private:
     Input& input_;
     std::unique_ptr<Problem> problem_[2];
     std::optional<Solution> all_[2];
-    hm_basis* fresh_[2] = {};
+    std::vector<Object> objects_;
     std::vector<double> x_, y_, move_;
     hm_error error_{};
 };

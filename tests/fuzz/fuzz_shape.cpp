@@ -159,7 +159,60 @@ private:
         else
             expect_finite(value, "a measure"), expect_finite(at, "where it is"),
                 expect_finite(gradient, "its gradient");
-        return judged(status);
+        if (judged(status) == Outcome::refused) return Outcome::refused;
+        if (quantity.kind == HM_EDGE_ANGLE) turned(quantity, value[0]);
+        bool const is_extreme = quantity.kind == HM_MAX_THICKNESS || quantity.kind == HM_MAX_CAMBER;
+        if (is_extreme && problem_.on_walls.curve[0].degree == 1)
+            along_one_number(quantity, value[0], gradient);
+        return Outcome::done;
+    }
+
+    // The curves with other control points, measured with their own chord.
+    double measured(hm_quantity const& quantity, Numbers const& control) {
+        hm_curves changed = set_;
+        changed.control = control.data();
+        double value = NAN;
+        hm_measure(&changed, nullptr, 1, &quantity, &value, nullptr, nullptr, &error_);
+        return value;
+    }
+
+    // The angle between two ends does not jump where the section is turned.
+    void turned(hm_quantity const& quantity, double value) {
+        Numbers control = problem_.on_walls.control;
+        double const angle = input_.between(0, 6.3), c = std::cos(angle), s = std::sin(angle);
+        for (std::size_t k = 0; k < control.size(); k += 2) {
+            double const x = control[k], y = control[k + 1];
+            control[k] = c * x - s * y;
+            control[k + 1] = s * x + c * y;
+        }
+        double const found = measured(quantity, control),
+                     whole = measured(quantity, problem_.on_walls.control);
+        expect(value >= -90 && value <= 270, "an edge angle out of range");
+        expect(!(std::abs(found - whole) > 90),
+               "an edge angle depends on the direction of the section");
+    }
+
+    // The derivative lies between the two differences along one number: the extreme of a polygon is
+    // at a corner.
+    void along_one_number(hm_quantity const& quantity, double value, Numbers const& gradient) {
+        Numbers control = problem_.on_walls.control;
+        if (measured(quantity, control) != value) return;  // with another chord
+        std::size_t const k = input_.below(static_cast<std::uint32_t>(control.size()));
+        double const h = 1e-7 * size_, start = control[k];
+        control[k] = start + h;
+        double const above = (measured(quantity, control) - value) / h;
+        control[k] = start - h;
+        double const below = (value - measured(quantity, control)) / h;
+        double largest = 0;
+        for (double const its : gradient) largest = std::max(largest, std::abs(its));
+        double const rounding = 1e-6 + 1e-3 * (largest + std::abs(above) + std::abs(below));
+        bool const is_between = gradient[k] >= std::min(above, below) - rounding &&
+                                gradient[k] <= std::max(above, below) + rounding;
+        bool const is_known = std::isfinite(above) && std::isfinite(below);
+        expect(is_between || !is_known,
+               "an extreme has the derivative " + std::to_string(gradient[k]) +
+                   ", which is not between the differences " + std::to_string(below) + " and " +
+                   std::to_string(above));
     }
 
     Outcome variables() {

@@ -33,7 +33,7 @@ struct Domain {
     std::vector<Face> faces;
     std::vector<std::vector<std::int32_t>>
         walls;  // the points of marker 5, 6, ...: a loop each, or marker 5 is a side
-    bool walls_are_loops = true, has_seam = false;
+    bool walls_are_loops = true;
     bool has_polygons = false;    // given as HM_CELLS_POLYGONS, and judged as those are
     std::int32_t ni = 0, nj = 0;  // if all of its cells are those of a structured mesh
 

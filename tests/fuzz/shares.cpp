@@ -80,6 +80,15 @@ private:
                    "no parcel");
             expect(hm_parcel_unpack(rows, parcel.data(), doubles - 1, &error_) < 0,
                    "a truncated parcel is taken");
+            if (n > 1) {  // the same points, the last ones in another order
+                std::vector<std::int32_t> other = points;
+                std::swap(other[other.size() - 1], other[other.size() - 2]);
+                Numbers turned(parcel.size());
+                expect(hm_parcel_pack(its, n, other.data(), turned.data(), &error_) == HM_OK,
+                       "no parcel");
+                expect(hm_parcel_unpack(rows, turned.data(), doubles, &error_) == HM_BAD_BASIS,
+                       "a parcel of another list is taken");
+            }
             expect(hm_parcel_unpack(rows, parcel.data(), doubles, &error_) == HM_OK,
                    "a parcel is refused: " + std::string(error_.text));
         }

@@ -19,6 +19,7 @@ Outcome run_parts(Input& input);
 Outcome run_plane(Input& input);
 Outcome run_transfer(Input& input);
 Outcome run_commands(Input& input);
+Outcome run_model(Input& input);
 
 struct Target {
     const char* name;
@@ -28,6 +29,6 @@ inline constexpr Target targets[] = {
     {"problem", run_problem},   {"polygons", run_polygons}, {"basis", run_basis},
     {"given", run_given},       {"parts", run_parts},       {"plane", run_plane},
     {"transfer", run_transfer}, {"sequence", run_sequence}, {"files", run_files},
-    {"shape", run_shape},       {"commands", run_commands}};
+    {"shape", run_shape},       {"commands", run_commands}, {"model", run_model}};
 
 }  // namespace fuzz

@@ -8,6 +8,8 @@
 #include <fixtures/blocks.hpp>
 #include <fixtures/bodies.hpp>
 
+#include <limits>
+
 using namespace fixtures;
 
 namespace {
@@ -277,9 +279,38 @@ TEST_CASE(
     bad.y = nullptr;
     CHECK(hm_blocks_gather(&mesh, 0, 1, &bad, points_out(x, y), &error) == HM_BAD_ARGUMENT);
     CHECK(std::string(error.text) == "x or y of block 0 is NULL");
-    bad = in[0];
-    bad.stride = -1;
-    CHECK(hm_blocks_gather(&mesh, 0, 1, &bad, points_out(x, y), &error) == HM_BAD_ARGUMENT);
+    // Distances that no array has, also those whose products do not fit into 64 bits.
+    std::int64_t const least = std::numeric_limits<std::int64_t>::min(),
+                       most = std::numeric_limits<std::int64_t>::max(),
+                       limit = std::int64_t{1} << 40;
+    struct Distances {
+        std::int64_t stride, row;
+    };
+    for (Distances const its : {Distances{-1, 0},
+                                {least, 0},
+                                {least, least},
+                                {most, 0},
+                                {most, most},
+                                {1, most},
+                                {1, least},
+                                {1, -1},
+                                {limit + 1, 1},
+                                {1, limit + 1},
+                                {limit, 0},
+                                {most / 2, 3}}) {
+        bad = in[0];
+        bad.stride = its.stride;
+        bad.row = its.row;
+        hm_block_points_out bad_out = out[0];
+        bad_out.stride = its.stride;
+        bad_out.row = its.row;
+        INFO(its.stride << ", " << its.row);
+        CHECK(hm_blocks_gather(&mesh, 0, 1, &bad, points_out(x, y), &error) == HM_BAD_ARGUMENT);
+        CHECK(std::string(error.text) ==
+              "stride or row of block 0 is not that of an array of points");
+        CHECK(hm_blocks_scatter(&mesh, 0, 1, points_in(blocks.x, blocks.y), &bad_out, &error) ==
+              HM_BAD_ARGUMENT);
+    }
     hm_block_points_out overlapping = out[0];
     overlapping.row = 2;
     CHECK(hm_blocks_scatter(&mesh, 0, 1, points_in(blocks.x, blocks.y), &overlapping, &error) ==

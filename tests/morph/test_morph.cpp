@@ -4,14 +4,13 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
+#include <fixtures/single.hpp>
 #include <fixtures/traps.hpp>
 #include <fixtures/wrong.hpp>
 
 using namespace fixtures;
 
 namespace {
-
-using Numbers = std::vector<double>;
 
 struct Moved {
     Numbers x, y;
@@ -268,5 +267,39 @@ TEST_CASE("a movement that is not finite is refused, and nothing is written") {
                        points_out(mesh.x, mesh.y), nullptr, &error) == HM_BAD_ARGUMENT);
         CHECK(error.item == 4);
         CHECK(same_bits(mesh.x, its.mesh.x));
+    }
+}
+
+TEST_CASE(
+    "a point that does not move keeps its bits, also those of -0, in every layout and storage") {
+    Case its = cut_ring(
+        30, 11);  // the last block of points is filled in part; a cut joins points to the wall
+    Solved const solved(its);
+    Single const single(solved.basis);
+    std::size_t const n = its.mesh.x.size();
+    Numbers move(static_cast<std::size_t>(2 * solved.info().functions), 0.0);
+    for (bool const moves_x : {false, true}) {
+        for (std::size_t k = 0; k < move.size(); k += 2)
+            move[k] = moves_x ? 0.25 : 0;  // never along y
+        for (const hm_basis* const basis : {static_cast<const hm_basis*>(solved.basis),
+                                            static_cast<const hm_basis*>(single.basis)}) {
+            for (std::int64_t const stride : {1, 2, 3}) {
+                std::size_t const step = static_cast<std::size_t>(stride);
+                Numbers const before(n * step, -0.0);
+                Numbers x(n * step, 7.0), y = x;
+                hm_points const from{before.data(), before.data(), stride};
+                hm_points_out const to{x.data(), y.data(), stride};
+                REQUIRE(hm_morph(basis, move.data(), &from, &to, nullptr, nullptr) == HM_OK);
+                Wrong bits_of_x, bits_of_y;
+                for (std::size_t k = 0; k < n * step; k += step) {
+                    bits_of_x.add(x[k] == 0 && !std::signbit(x[k]), static_cast<std::int32_t>(k),
+                                  x[k]);
+                    bits_of_y.add(y[k] != 0 || !std::signbit(y[k]), static_cast<std::int32_t>(k),
+                                  y[k]);
+                }
+                CHECK(bits_of_x == 0);
+                CHECK(bits_of_y == 0);
+            }
+        }
     }
 }

@@ -348,3 +348,100 @@ TEST_CASE("no merged cell has two parts that smoothing cannot bring to one value
         }
     }
 }
+
+namespace {
+
+// Rows made by hand.
+struct HandMadeRows {
+    struct Coupling {
+        Index a, b;
+        double strength;
+    };
+    std::vector<double> diagonal, row_sum, value;
+    std::vector<Offset> start{0};
+    std::vector<Index> column;
+    std::vector<std::uint8_t> faces;
+    harmorph::SymmetricRows rows;
+
+    HandMadeRows(std::vector<double> const& its_diagonal, std::vector<Coupling> couplings)
+        : diagonal(its_diagonal) {
+        row_sum.assign(diagonal.size(), 0.0);
+        for (Coupling& one : couplings)
+            if (one.b < one.a) std::swap(one.a, one.b);
+        for (std::size_t row = 0; row < diagonal.size(); ++row) {
+            for (Coupling const& one : couplings) {
+                if (one.a != static_cast<Index>(row)) continue;
+                column.push_back(one.b);
+                value.push_back(-one.strength);
+                faces.push_back(1);
+            }
+            start.push_back(static_cast<Offset>(column.size()));
+        }
+        rows = {static_cast<Index>(diagonal.size()),
+                span(diagonal),
+                span(row_sum),
+                span(start),
+                span(column),
+                span(value),
+                span(faces)};
+    }
+};
+
+}  // namespace
+
+TEST_CASE(
+    "a cell without a free neighbour joins the cell that it is coupled to most, whichever comes "
+    "first") {
+    // Pairs a1 a2 and b1 b2, and a cell L that touches both pairs, more strongly the first one. L
+    // joins a pair only if the smoother removes what differs: with the diagonals below for the
+    // strong coupling (2.3) and not for the weak one (2). A third pair joins a1 a2 in the second
+    // pass; with these four L would not go together. Numbers of a1, a2, b1, b2, L; and which cells
+    // of the pairs L touches.
+    struct Arrangement {
+        const char* what;
+        Index a[2], b[2], lone, touched_a, touched_b;
+    };
+    Arrangement const all[] = {
+        {"both come before", {0, 1}, {2, 3}, 4, 1, 3},
+        {"both come before, the weak one first", {2, 3}, {0, 1}, 4, 3, 1},
+        {"both come behind, taken before", {0, 3}, {1, 4}, 2, 3, 4},
+        {"both come behind, the weak one first", {1, 4}, {0, 3}, 2, 4, 3},
+        {"the strong one before, the weak one behind", {0, 1}, {2, 4}, 3, 1, 4},
+        {"the weak one before, the strong one behind", {2, 4}, {0, 1}, 3, 4, 1},
+    };
+    Index const module = 15, modules = 8,
+                third[] = {13, 14};  // and two groups of four that go together easily
+    for (Arrangement const& its : all) {
+        std::vector<double> diagonal(static_cast<std::size_t>(module * modules), 1.0);
+        std::vector<HandMadeRows::Coupling> couplings;
+        for (Index m = 0; m < modules; ++m) {
+            Index const base = module * m;
+            for (Index const cell : {its.a[0], its.a[1], its.b[0], its.b[1], third[0], third[1]})
+                diagonal[static_cast<std::size_t>(base + cell)] = 40;
+            diagonal[static_cast<std::size_t>(base + its.lone)] = 10;
+            couplings.push_back({base + its.a[0], base + its.a[1], 20});
+            couplings.push_back({base + its.b[0], base + its.b[1], 20});
+            couplings.push_back({base + third[0], base + third[1], 20});
+            couplings.push_back({base + its.a[1], base + third[0], 11});
+            couplings.push_back({base + its.lone, base + its.touched_a, 2.3});
+            couplings.push_back({base + its.lone, base + its.touched_b, 2});
+            for (Index group = 5; group < third[0]; group += 4)
+                for (Index k = 0; k < 3; ++k)
+                    couplings.push_back({base + group + k, base + group + k + 1, 1});
+        }
+        HandMadeRows const made(diagonal, couplings);
+        harmorph::MergingRules rules;
+        rules.merging = Merging::directional;
+        Agglomerated const merged(made.rows, rules);
+        INFO(std::string(its.what));
+        REQUIRE(merged.levels.count > 1);
+        for (Index m = 0; m < modules; ++m) {
+            auto const cell = [&](Index k) { return merged.levels.cell_of[0][module * m + k]; };
+            CHECK(cell(its.a[0]) == cell(its.a[1]));
+            CHECK(cell(its.a[0]) == cell(third[0]));
+            CHECK(cell(its.b[0]) == cell(its.b[1]));
+            CHECK(cell(its.lone) == cell(its.a[0]));
+            CHECK(cell(its.lone) != cell(its.b[0]));
+        }
+    }
+}

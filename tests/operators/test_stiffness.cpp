@@ -2,6 +2,7 @@
 // where one is inverted.
 #include <doctest/doctest.h>
 
+#include <fixtures/executors.hpp>
 #include <fixtures/matrices.hpp>
 #include <fixtures/wrong.hpp>
 
@@ -105,5 +106,35 @@ TEST_CASE("the first cell without positive area is returned, wherever it lies am
             its.mesh.x[point] = before;
         }
         CHECK(n_inverted > its.mesh.x.size());  // of twice as many movements
+    }
+}
+
+TEST_CASE("of several inverted cells the first is returned, for any number of threads") {
+    Case its = square_on_curve(131, Cells::hybrid, 0.1, 5);  // four ranges of rows
+    Analysed const seen(its);
+    AssembledMatrix its_matrix(*seen.operator->());
+    std::size_t const n = its.mesh.x.size();
+    for (std::size_t const first : {n / 9, n / 2, n - n / 9}) {
+        for (std::size_t const second : {n / 7, n - n / 7}) {
+            std::vector<double> const before = its.mesh.x;
+            its.mesh.x[first] += 3;
+            its.mesh.x[second] -= 3;
+            harmorph::Mesh const mesh = core_mesh(its.mesh);
+            Index const expected = mesh.find_cell([&](Index, harmorph::Cell const& cell) {
+                return is_inverted(harmorph::CellShape(cell, mesh.points, false));
+            });
+            REQUIRE(expected != harmorph::none);
+            for (Index const threads : {1, 2, 3, 4}) {
+                Backwards order;
+                harmorph::Executor const executor{Backwards::run, &order, threads};
+                harmorph::Matrix const& matrix = its_matrix.matrix;
+                Index const found =
+                    assemble_stiffness(seen->topology, mesh.points, {}, false, matrix, executor);
+                INFO(threads << " threads, points " << first << " and " << second);
+                CHECK(found == expected);
+                if (threads > 1) CHECK(order.tasks == threads);
+            }
+            its.mesh.x = before;
+        }
     }
 }

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
+#include <fixtures/parts.hpp>
 #include <fixtures/transferred.hpp>
 
 using namespace fixtures;
@@ -90,6 +91,47 @@ TEST_CASE("transfers between other domains, curves, operators or meshes are refu
         CHECK(transfer(attempt.basis, space.data(), attempt.analysis, solved.basis, &mesh) ==
               HM_OK);
     }
+}
+
+TEST_CASE(
+    "a coarse basis with some of the functions is refused, however it came to have only some") {
+    Case coarse = ring_case(4, 32, 0.5, 2), fine = ring_case(9, 70, 0.5, 2);
+    Solved const solved(coarse);
+    std::int32_t const n = solved.info().functions;
+    struct Range {
+        std::int32_t first, n;
+    };
+    for (Range const range : {Range{0, 1}, Range{0, n - 1}, Range{1, n - 1}, Range{n, 0}}) {
+        std::size_t bytes = 0;
+        hm_basis* share = nullptr;
+        REQUIRE(hm_share_size(solved.analysis, range.first, range.n, &bytes, nullptr) == HM_OK);
+        Guarded block(bytes);
+        REQUIRE(hm_share_init(&share, block.data(), bytes, solved.analysis, range.first, range.n,
+                              nullptr) == HM_OK);
+        REQUIRE(hm_plan_solve(solved.plan, share, nullptr, nullptr) == HM_OK);
+        TransferAttempt attempt;
+        REQUIRE(attempt.open(fine.problem()));
+        attempt.fill_from(share, coarse.mesh_view());
+        CHECK(attempt.status == HM_BAD_BASIS);
+        CHECK(std::string(attempt.error.text) == "the basis is a share: it has only " +
+                                                     std::to_string(range.n) + " of the " +
+                                                     std::to_string(n) + " functions");
+        CHECK(attempt.guards_intact());
+        CHECK(info_of(attempt.basis).solved == 0);
+    }
+}
+
+TEST_CASE(
+    "a basis is not transferred to itself: the functions would be cleared before they are read") {
+    Case its = ring_case(4, 32, 0.5, 2);
+    TransferAttempt attempt;
+    REQUIRE(attempt.open(its.problem()));
+    REQUIRE(attempt.solve());
+    std::vector<unsigned char> const before = bytes_of(attempt.basis);
+    attempt.fill_from(attempt.basis, its.mesh_view());
+    CHECK(attempt.status == HM_BAD_ARGUMENT);
+    CHECK(std::string(attempt.error.text) == "the coarse basis is also the basis to be filled");
+    CHECK(bytes_of(attempt.basis) == before);
 }
 
 TEST_CASE("blocks that are too small for a transfer are refused, at any alignment") {

@@ -162,3 +162,56 @@ TEST_CASE("a transferred basis is a basis: attached again, it morphs the same") 
     REQUIRE(hm_basis_attach(&again, copy.data(), info.bytes, &fine.mesh_view(), nullptr) == HM_OK);
     CHECK(same_bits(all_numbers(again), all_numbers(transferred.basis)));
 }
+
+namespace {
+
+// The values of points in the triangle of a mesh that contains a place; false where no triangle
+// does. Every triangle is looked at.
+bool interpolated(Mesh const& mesh, std::vector<double> const& values, Point p, double& out) {
+    for (std::int32_t cell = 0; cell < mesh.n_cells(); ++cell) {
+        const std::int32_t* const corner = &mesh.cells[static_cast<std::size_t>(3 * cell)];
+        Point const a = mesh.point(corner[0]), b = mesh.point(corner[1]), c = mesh.point(corner[2]);
+        auto const twice = [](Point u, Point v, Point w) {
+            return (v.x - u.x) * (w.y - u.y) - (v.y - u.y) * (w.x - u.x);
+        };
+        double const area = twice(a, b, c), in_a = twice(p, b, c) / area,
+                     in_b = twice(a, p, c) / area, in_c = twice(a, b, p) / area;
+        if (in_a < 0 || in_b < 0 || in_c < 0) continue;
+        auto const value = [&](int k) { return values[static_cast<std::size_t>(corner[k])]; };
+        out = in_a * value(0) + in_b * value(1) + in_c * value(2);
+        return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "meshes that have nothing in common: values are those of the coarse triangle, found among all "
+    "triangles") {
+    Case coarse = ring_case(5, 34, 0.5, 2, Cells::triangles),
+         fine = ring_case(8, 61, 0.5, 2, Cells::hybrid);
+    perturb(coarse.mesh, 0.15, 3);
+    perturb(fine.mesh, 0.2, 9);
+    Transferred const transferred(fine, coarse);
+    Solved const solved(coarse);
+    double const beyond_the_wall =
+        0.5 + 0.6;  // farther from the wall than the longest side of a cell beside the wall
+    int checked = 0;
+    for (std::int32_t function = 0; function < solved.info().functions; ++function) {
+        std::vector<double> const from = values_of(solved.basis, function),
+                                  to = values_of(transferred.basis, function);
+        double worst = 0;
+        for (std::int32_t k = 0; k < fine.mesh.n_points(); ++k) {
+            Point const p = fine.mesh.point(k);
+            double const r = std::hypot(p.x, p.y);
+            double expected = 0;
+            if (r < beyond_the_wall || r > 1.99 || !interpolated(coarse.mesh, from, p, expected))
+                continue;
+            worst = std::max(worst, std::fabs(to[static_cast<std::size_t>(k)] - expected));
+            ++checked;
+        }
+        CHECK(worst < 1e-13);
+    }
+    CHECK(checked > 1000);
+}

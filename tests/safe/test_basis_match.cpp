@@ -5,6 +5,7 @@
 
 #include <fixtures/derived.hpp>
 #include <fixtures/displaced.hpp>
+#include <fixtures/parts.hpp>
 
 using namespace fixtures;
 
@@ -66,4 +67,40 @@ TEST_CASE(
                           HM_BAD_BASIS);
                 }
     }
+}
+
+TEST_CASE("the derivative is cleared at the beginning, so it is none of the bases that are read") {
+    Case its = curve_and_table();
+    hm_options const options = options_of(HM_CONFORMAL);
+    Attempt own(its.problem(), &options), other(its.problem(), &options),
+        apart(its.problem(), &options);
+    REQUIRE(own.status == HM_OK);
+    std::size_t bytes = 0;
+    REQUIRE(hm_morph_safe_size(own.plan, own.basis, &bytes, nullptr) == HM_OK);
+    Guarded work(bytes);
+    std::vector<double> x(its.mesh.x.size(), 7), y = x;
+    std::vector<double> const move(static_cast<std::size_t>(2 * info_of(own.basis).functions),
+                                   1e-3);
+    auto const morph = [&](std::vector<const hm_basis*> const& others, hm_basis* derivative,
+                           hm_error& error) {
+        hm_safe_options safe{};
+        safe.struct_size = sizeof safe;
+        safe.n_others = static_cast<std::int32_t>(others.size());
+        safe.others = others.data();
+        return hm_morph_safe(own.plan, own.basis, move.data(), points_out(x, y), derivative,
+                             work.data(), bytes, &safe, nullptr, &error);
+    };
+    for (std::size_t place = 0; place < 2; ++place) {
+        std::vector<const hm_basis*> others(2, apart.basis);
+        others[place] = other.basis;
+        std::vector<unsigned char> const before = bytes_of(other.basis);
+        hm_error error{};
+        CHECK(morph(others, other.basis, error) == HM_BAD_ARGUMENT);
+        CHECK(std::string(error.text) ==
+              "derivative is basis " + std::to_string(place) + " (from 0) of others");
+        CHECK(bytes_of(other.basis) == before);
+        CHECK(x == std::vector<double>(x.size(), 7));
+    }
+    hm_error error{};
+    CHECK(morph({apart.basis, own.basis}, other.basis, error) == HM_OK);
 }

@@ -156,3 +156,44 @@ TEST_CASE(
     CHECK(from == 1);
     CHECK(largest_difference(found, expected) < 1e-10);
 }
+
+TEST_CASE(
+    "differences of two safe morphs: all points after one step, the wall after several steps") {
+    // Points of the square are on their polygon, so that no offset turns.
+    for (bool const several : {false, true}) {
+        Case its = block_in_square(Cells::quads, 15);
+        hm_options const options = options_of(HM_CONFORMAL);
+        Safe safe(its, options);
+        Attempt of;
+        REQUIRE(of.analyse(its.problem(), &options));
+        REQUIRE(of.prepare());
+        std::vector<double> const move = turn_of(its, several ? 100 : 10, {0.03, 0.02}),
+                                  along = some_move(4, 1, 7);
+        safe.safe_options.skipped_strategies =
+            several ? without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED})
+                    : without({HM_STRATEGY_SUBSTEPS});
+        REQUIRE(safe.run(move, of.basis) == HM_OK);
+        CHECK((safe.report.steps > 1) == several);
+        Field const derivative = displacement(of.basis, along);
+        double const h = 1e-5;
+        auto const moved_by = [&](double step) {
+            std::vector<double> further = move;
+            for (std::size_t k = 0; k < further.size(); ++k) further[k] += step * along[k];
+            REQUIRE(safe.run(further) == HM_OK);
+            return safe.moved();
+        };
+        Field const ahead = moved_by(h), back = moved_by(-h);
+        std::vector<std::int32_t> points = points_on(its.mesh, body);
+        if (!several) {
+            points.clear();
+            for (std::int32_t k = 0; k < its.mesh.n_points(); ++k) points.push_back(k);
+        }
+        double worst = 0;
+        for (std::int32_t const point : points) {
+            std::size_t const k = static_cast<std::size_t>(point);
+            worst = std::max(worst, std::abs((ahead[k] - back[k]) / (2 * h) - derivative[k]));
+        }
+        INFO("several steps: " << several);
+        CHECK(worst < 1e-9);
+    }
+}

@@ -36,3 +36,25 @@ TEST_CASE(
         CHECK(frames[0].tolerance < 1e-3);
     }
 }
+
+TEST_CASE("a point within the tolerance of the axis of a wedge has no angle of its own") {
+    harmorph::Frame frame;
+    frame.kind = harmorph::SpaceKind::wedge;
+    frame.x = {1, 0, 0};
+    frame.y = {0, 1, 0};
+    frame.normal = {0, 0, 1};
+    frame.tolerance = 1e-5;
+    for (double const r : {0.0, 1e-12, 9e-6, 1.1e-5, 0.3}) {
+        for (double const angle : {0.5, 2.5, -1.0}) {
+            harmorph::PlacedPoint const placed =
+                frame.placed({0.7, r * std::cos(angle), r * std::sin(angle)});
+            bool const is_on_axis = r < 1e-5;
+            CHECK(placed.place.x == 0.7);
+            CHECK(placed.place.y == doctest::Approx(r).epsilon(1e-12));
+            CHECK(placed.turn.x ==
+                  doctest::Approx(is_on_axis ? 1 : std::cos(angle)).epsilon(1e-12));
+            CHECK(placed.turn.y ==
+                  doctest::Approx(is_on_axis ? 0 : std::sin(angle)).epsilon(1e-12));
+        }
+    }
+}

@@ -10,11 +10,12 @@ void add_vtk_cells(Mesh& mesh, const VtkCells& cells) {
     std::vector<std::int32_t> cell;
     for (std::size_t i = 0; i < cells.types.size(); ++i) {
         const std::int64_t type = cells.types[i], begin = cells.starts[i],
-                           n = cells.starts[i + 1] - begin;
-        if (begin < 0 || n < 1 || begin > total - n) {
+                           end = cells.starts[i + 1];
+        if (begin < 0 || end <= begin || end > total) {
             mesh.file.fail(cells.starts_offset,
                            "the offsets of cell " + std::to_string(i) + " are out of range");
         }
+        const std::int64_t n = end - begin;
         const std::size_t offset = cells.offsets[static_cast<std::size_t>(begin)];
         if (type >= vtk_vertex && type <= vtk_poly_line) continue;  // no part of the mesh
         const bool is_read = (type == vtk_triangle && n == 3) ||
