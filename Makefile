@@ -72,9 +72,12 @@ WARNINGS = -Wall -Wextra -Wconversion -Wshadow
 CORE = -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -ffp-contract=off \
 	-fno-threadsafe-statics -fno-stack-protector -fno-asynchronous-unwind-tables -U_FORTIFY_SOURCE \
 	-fvisibility=hidden -fPIC $(WARNINGS) -Iinclude -Isrc -Ic_api
-CLI = -std=c++17 -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) -I. -Iinclude -Ic_api/cli
+CLI = -std=c++17 -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) $(WITH_ZLIB) -I. -Iinclude -Ic_api/cli
 # CGNS=1: the program reads and writes CGNS files; it needs libcgns (Debian's libcgns-dev), the library does not.
 CGNS =
+# The program reads and writes compressed files where zlib is installed (Debian's zlib1g-dev): c_api/packaging/rules.sh tries, and
+# sets WITH_ZLIB. ZLIB=0: without; ZLIB=1: an error where zlib is missing.
+ZLIB =
 # Tests are compiled for one run: what more of optimisation would take is not given back, nor exceptions caught in each check.
 UNIT = -std=c++17 -Og -DDOCTEST_CONFIG_SUPER_FAST_ASSERTS -ffp-contract=off $(WARNINGS) -Iinclude -Isrc -I. -Ic_api -Itests
 
@@ -91,8 +94,8 @@ all: rules
 # What is joined or generated from sources, and the rules of all objects and programs.
 rules:
 	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit $(BUILD)/objects/fuzz
-	@LEVELS='$(LEVELS)' UNITS='$(UNITS)' FLAGS='$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' \
-	    sh c_api/packaging/rules.sh $(BUILD)
+	@LEVELS='$(LEVELS)' UNITS='$(UNITS)' CXX='$(CXX)' LDFLAGS='$(LDFLAGS)' ZLIB='$(ZLIB)' \
+	    FLAGS='$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' sh c_api/packaging/rules.sh $(BUILD)
 
 # The drivers of `make deform`; the tests build and run them, too.
 deform-driver: all

@@ -38,6 +38,8 @@ body_of() { # the markers of the ring's inner circle, with commas
         grep -E '^(body|zone:16|1|boundary1|[0-9]:[jk]min)$' | paste -s -d , -
 }
 
+has_zlib() { grep -e '-lz' "$(dirname "$harmorph")/objects/program.list" >/dev/null 2>&1; }
+
 check "make_mesh is compiled" $CXX -std=c++17 -O0 -o "$tmp/make_mesh" tests/formats/make_mesh.cpp
 make_mesh=$tmp/make_mesh
 awk 'BEGIN { for (i = 1; i <= 8; i++) print i, .3, .1 }' >"$tmp/moves.txt"
@@ -54,7 +56,7 @@ points_of() { sed '1,/^NPOIN/d; /^NMARK/,$d' "$1" | awk '{ print $1, $2 }'; }
 points_of "$tmp/moved-plain.su2" >"$tmp/points-of-all"
 
 shift 2
-for part in ${*:-kinds su2 gmsh plot3d thick ugrid cgns vtk fluent openfoam meshio broken}; do
+for part in ${*:-kinds su2 gmsh plot3d thick ugrid cgns vtk fluent openfoam meshio dialects claims broken}; do
     . "tests/formats/$part.sh"
 done
 finish

@@ -8,7 +8,7 @@
 # Each file of the library is an object of its own, so that a program links what it calls. Files of the program and of
 # the tests are compiled in groups: the headers that they share, which take most of the time, are read once a group.
 # BUILD/objects/program.list and tests.list, for scripts that link objects to something else, have those of the program
-# without main, and those of the tests.
+# without main, with -lz where the program uses zlib, and those of the tests.
 set -e
 build=$1
 in_program=100 in_tests=6   # files a group
@@ -24,7 +24,22 @@ put() (
 for module in harmorph harmorph77 harmorph_mpi; do put $module.f90 sh fortran/join.sh $module; done
 for part in mpi petsc; do put harmorph_$part.c sh c_api/packaging/join.sh $part; done
 put page_text.cpp sh c_api/cli/page/embed.sh
-put flags echo "$FLAGS $(cat "$LEVELS")"
+
+# Programs without zlib refuse compressed files, and say why: nobody needs to know of zlib before.
+with_zlib= zlib=
+if [ "$ZLIB" != 0 ]; then
+    if echo '#include <zlib.h>
+        int main() { return *zlibVersion() == 0; }' |
+        $CXX -x c++ - -o "$build/zlib.$$" $LDFLAGS -lz >"$build/zlib.$$.log" 2>&1; then
+        with_zlib=-DHARMORPH_ZLIB zlib=-lz
+    elif [ "$ZLIB" = 1 ]; then
+        echo "zlib is not installed (Debian's zlib1g-dev), but ZLIB=1 asks for it" >&2
+        rm -f "$build/zlib.$$"*
+        exit 1
+    fi
+    rm -f "$build/zlib.$$"*
+fi
+put flags echo "$FLAGS $(cat "$LEVELS") $with_zlib"
 
 # level SOURCE: its flags in the file LEVELS
 level() {
@@ -66,10 +81,12 @@ apart() {
 
 program() {
     printf '%s/%s:%s %s/libharmorph.a %s/rules.mk\n\techo $(CXX) $@\n' $build $1 "$list" $build $build
-    printf '\t$(CXX) $(CXXFLAGS) -pthread -o $@%s %s/libharmorph.a $(LDFLAGS) $(CGNS:1=-lcgns)\n' "$list" $build
+    printf '\t$(CXX) $(CXXFLAGS) -pthread -o $@%s %s/libharmorph.a $(LDFLAGS) $(CGNS:1=-lcgns) %s\n' \
+        "$list" $build $zlib
 }
 
 all_rules() {
+    echo "WITH_ZLIB = $with_zlib"
     flags='$(CORE)' list=
     objects core src/*/*.cpp c_api/*.cpp
     printf '%s/libharmorph.a:%s\n\techo $(AR) $@\n\trm -f $@\n\t$(AR) rcs $@%s\n' $build "$list" "$list"
@@ -86,7 +103,7 @@ all_rules() {
         groups cli $in_program in_turn $(for room in $rooms; do ls c_api/cli/$room/*.cpp; done | grep -v /cgns)
     done
     parts=$list
-    put objects/program.list echo $parts
+    put objects/program.list echo $parts $zlib
     objects cli c_api/cli/main.cpp
     program harmorph
     list=$parts

@@ -1,17 +1,20 @@
 # Damaged files are refused, or read: never more. (A part of tests/formats.sh.)
 # As one file, so that the headers that they share are read once.
-for source in c_api/cli/formats/*.cpp c_api/cli/basics/text_file.cpp c_api/cli/basics/numbers.cpp c_api/cli/mesh/mesh.cpp \
+for source in c_api/cli/formats/*.cpp c_api/cli/basics/text_file.cpp c_api/cli/basics/numbers.cpp \
+    c_api/cli/mesh/mesh_file.cpp c_api/cli/mesh/boundary_loops.cpp c_api/cli/basics/output_file.cpp \
     c_api/cli/mesh/one_cell_thick.cpp c_api/cli/mesh/cell_faces.cpp c_api/cli/mesh/space_mesh.cpp c_api/cli/formats/vtu.cpp; do
     echo "#include \"$source\""
 done >"$tmp/readers.cpp"
 library=$(dirname "$harmorph")/libharmorph.a
+zlib= library_of_zlib=
+if has_zlib; then zlib=-DHARMORPH_ZLIB library_of_zlib=-lz; fi
 sanitize="-fsanitize=address,undefined -fno-sanitize-recover=all"
 if echo 'int main() {}' | $CXX $sanitize -x c++ - -o "$tmp/empty" 2>/dev/null && "$tmp/empty" 2>/dev/null; then :; else
     echo "the compiler has no sanitizers: broken files are read without"
     sanitize=
 fi
-check "mutate is compiled" $CXX -std=c++17 -O0 $sanitize -I. -Iinclude -Ic_api/cli -o "$tmp/mutate" \
-    tests/formats/mutate.cpp "$tmp/readers.cpp" "$library"
+check "mutate is compiled" $CXX -std=c++17 -O0 $sanitize $zlib -I. -Iinclude -Ic_api/cli -o "$tmp/mutate" \
+    tests/formats/mutate.cpp "$tmp/readers.cpp" "$library" $library_of_zlib
 for storage in text binary-64; do "$tmp/make_foam" "$tmp/broken-$storage" $storage wedge; done
 files=$(cd "$tmp" && { ./make_mesh list; ls broken-*/constant/polyMesh/[pfob]*; } | tr '\n' ' ')
 check "broken files are refused, or read: never more" sh -c "cd '$tmp' && ./mutate broken 120 $files"

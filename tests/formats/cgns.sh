@@ -36,6 +36,19 @@ if echo '#include <cgnslib.h>' | $CXX -x c++ -E - >/dev/null 2>&1 && command -v 
             check "$what: moves as all do" alike $tolerance "$tmp/b.su2" "$tmp/c.su2"
         done
     done
+    for kind in bare whole old; do rm -f "$tmp/$kind.cgns"; "$tmp/make_cgns" "$tmp/$kind.cgns" $kind double; done
+    "$with_cgns" check "$tmp/bare.cgns" --json >"$tmp/out" 2>&1
+    says "cgns: no boundary conditions: loops have names" \
+        '"markers": [{"name": "boundary1", "faces": 24}, {"name": "boundary2", "faces": 24}]'
+    "$with_cgns" check "$tmp/whole.cgns" --json >"$tmp/out" 2>&1
+    says "cgns: a condition on all points: is reported" "the boundary condition 'whole' has all points of the mesh"
+    says "cgns: a condition on all points: the others" '[{"name": "body", "faces": 24}, {"name": "far", "faces": 24}]'
+    "$with_cgns" fit "$tmp/old.cgns" --marker body --points 8 -o "$tmp/curve" >"$tmp/out" 2>&1
+    "$with_cgns" solve "$tmp/old.cgns" --curve "body=$tmp/curve" -o "$tmp/basis" >"$tmp/out" 2>&1
+    check "cgns: an older version: morph" "$with_cgns" morph "$tmp/old.cgns" "$tmp/basis" --move "$tmp/moves.txt" \
+        -o "$tmp/moved-old.cgns"
+    check "cgns: an older version: which" sh -c "'$tmp/make_cgns' version '$tmp/old.cgns' | grep -F 3.10"
+    check "cgns: an older version: stays" sh -c "'$tmp/make_cgns' version '$tmp/moved-old.cgns' | grep -F 3.10"
     "$tmp/make_cgns" "$tmp/cube.cgns" cube double
     refuses "cgns: three dimensions in earnest" 'the mesh has three dimensions and is not one cell thick' "$with_cgns" \
         check "$tmp/cube.cgns"

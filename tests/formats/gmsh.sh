@@ -2,9 +2,11 @@
 sed 's/^2.2 /2.9 /' "$tmp/text-2.msh" >"$tmp/bad.msh"
 refuses "gmsh: another version" 'bad.msh:2: expected version 2.2 or 4.1' "$harmorph" check "$tmp/bad.msh"
 sed '50s/ 0$/ 1/' "$tmp/text-2.msh" >"$tmp/bad.msh"
-refuses "gmsh: three dimensions" 'bad.msh:50: expected points in one plane' "$harmorph" check "$tmp/bad.msh"
+refuses "gmsh: three dimensions" 'bad.msh:50: the points must lie in a plane x, y or z = constant' \
+    "$harmorph" check "$tmp/bad.msh"
 sed 's/^100 3 2 3 7 \(.*\)/100 5 2 3 7 \1 \1/' "$tmp/text-2.msh" >"$tmp/bad.msh"
-refuses "gmsh: hexahedra" 'element type 5: a mesh of three dimensions' "$harmorph" check "$tmp/bad.msh"
+refuses "gmsh: hexahedra" 'bad.msh:282: the mesh has three dimensions and is not one cell thick' \
+    "$harmorph" check "$tmp/bad.msh"
 sed '/^\$EndNodes/,$d' "$tmp/text-4.msh" >"$tmp/bad.msh"
 refuses "gmsh: cut off" 'found the end of the file' "$harmorph" check "$tmp/bad.msh"
 sed '/^[0-9]* 1 2 2 7/d; s/^192$/168/' "$tmp/text-2.msh" >"$tmp/open.msh"

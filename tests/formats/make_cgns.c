@@ -5,7 +5,10 @@
  * thick; cells: QUAD_4 and TRI_3 in one section of MIXED elements, BAR_2 at the boundary; polygons:
  * NGON_n; solid: HEXA_8 between two planes; cube: three cells thick; and what is wrong: nan: plane
  * with a coordinate that is not finite; skew: block with a point that is opposite none; outside:
- * cells with a point that does not exist REAL   double or single */
+ * cells with a point that does not exist; bare: plane without boundary conditions; whole: plane
+ * with a condition on all points; old: plane of an older version of the library make_cgns version
+ * FILE   prints the version of the library in the file REAL   double or single */
+#include <cgns_io.h>
 #include <cgnslib.h>
 #include <math.h>
 #include <stdio.h>
@@ -14,7 +17,7 @@
 
 enum { around = 24, outwards = 6 };
 static int file, base, zone, number, is_single;
-static int has_nan, is_skew, is_outside;
+static int is_bare, has_nan, is_skew, is_outside;
 static const double pi = 3.14159265358979323846;
 
 static void call(int status) {
@@ -62,6 +65,7 @@ static void open_zone(const char* name, int cell_dimensions, cgsize_t* size, Zon
 static void condition(const char* name, BCType_t type, PointSetType_t set, cgsize_t n,
                       const cgsize_t* items, int elements) {
     int c;
+    if (is_bare) return;
     call(cg_boco_write(file, base, zone, name, type, set, n, items, &c));
     if (elements != 0)
         call(cg_boco_gridlocation_write(file, base, zone, c,
@@ -176,6 +180,13 @@ static void unstructured(const char* kind, int nk) {
 
 int main(int argc, char** argv) {
     const char* kind;
+    if (argc == 3 && strcmp(argv[1], "version") == 0) {
+        float version = 0;
+        call(cg_open(argv[2], CG_MODE_READ, &file));
+        call(cg_version(file, &version));
+        printf("%.2f\n", version);
+        return 0;
+    }
     if (argc != 4) return 2;
     kind = argv[2];
     is_single = strcmp(argv[3], "single") == 0;
@@ -183,11 +194,27 @@ int main(int argc, char** argv) {
     has_nan = strcmp(kind, "nan") == 0;
     is_skew = strcmp(kind, "skew") == 0;
     is_outside = strcmp(kind, "outside") == 0;
-    if (strcmp(kind, "plane") == 0 || has_nan) structured(1, 1);
+    is_bare = strcmp(kind, "bare") == 0;
+    if (strcmp(kind, "whole") == 0) {
+        const cgsize_t whole[4] = {1, 1, around + 1, outwards + 1};
+        structured(1, 1);
+        condition("whole", BCInflow, PointRange, 2, whole, 0);
+    } else if (strcmp(kind, "plane") == 0 || strcmp(kind, "old") == 0 || has_nan || is_bare)
+        structured(1, 1);
     else if (strcmp(kind, "planes") == 0) structured(2, 1);
     else if (strcmp(kind, "block") == 0 || is_skew) structured(1, 2);
     else if (strcmp(kind, "cube") == 0) structured(1, 4);
     else unstructured(kind, strcmp(kind, "solid") == 0 ? 2 : 1);
     call(cg_close(file));
+    if (strcmp(kind, "old") == 0) {
+        int number;
+        double root, node;
+        const float version = 3.1f;
+        call(cgio_open_file(argv[1], CGIO_MODE_MODIFY, CGIO_FILE_NONE, &number));
+        call(cgio_get_root_id(number, &root));
+        call(cgio_get_node_id(number, root, "CGNSLibraryVersion", &node));
+        call(cgio_write_all_data(number, node, &version));
+        call(cgio_close_file(number));
+    }
     return 0;
 }

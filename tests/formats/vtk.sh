@@ -1,7 +1,7 @@
 # VTK legacy and XML: bad files, and the files of VTK itself. (A part of tests/formats.sh.)
 sed 's/^9 /12 /' "$tmp/text.vtk" | sed '/^CELL_TYPES/,$s/ 9 / 12 /' >"$tmp/bad.vtk"
 refuses "vtk: three dimensions in earnest" \
-    'is of type 12 with 4 points: triangles, quadrilaterals and polygons are read; the mesh has three' \
+    'is of type 12 with 4 points: read are triangles and quadrilaterals of first and second order' \
     "$harmorph" check "$tmp/bad.vtk"
 check "vtk: convert" "$harmorph" convert "$tmp/ring.su2" "$tmp/ring.vtk"
 check "vtk: what convert writes" "$harmorph" check "$tmp/ring.vtk" --json
@@ -10,18 +10,23 @@ says "vtk: what convert writes: the same mesh" '"boundary1", "faces": 24}, {"nam
 # VTK XML
 change() { sed "$1" "$tmp/text.vtu" >"$tmp/bad.vtu"; }
 change 's/9 9 9/12 9 9/'
-refuses "vtu: three dimensions in earnest" 'cell 0 is of type 12 with 4 points' "$harmorph" check "$tmp/bad.vtu"
+refuses "vtu: three dimensions in earnest" 'cell 0 is of type 12 with 4 points' \
+    "$harmorph" check "$tmp/bad.vtu"
 change 's/type="UnstructuredGrid"/type="PolyData"/'
-refuses "vtu: another kind of data" "bad.vtu:3: expected a file of type UnstructuredGrid, found 'PolyData'" \
+refuses "vtu: another kind of data" \
+    "bad.vtu:3: expected a file of type UnstructuredGrid (ParaView's filter Append Datasets" \
     "$harmorph" check "$tmp/bad.vtu"
 change 's/NumberOfPoints="168"/NumberOfPoints="169"/'
-refuses "vtu: too few points" "expected a point's x, found the end of the numbers" "$harmorph" check "$tmp/bad.vtu"
+refuses "vtu: too few points" "expected a coordinate of a point, found the end of the numbers" \
+    "$harmorph" check "$tmp/bad.vtu"
 change 's/NumberOfPoints="168"/NumberOfPoints="167"/'
-refuses "vtu: too many points" 'the array Points has more numbers than 167 points' "$harmorph" check "$tmp/bad.vtu"
+refuses "vtu: too many points" 'the array Points has more numbers than 167 points' \
+    "$harmorph" check "$tmp/bad.vtu"
 change 's/NumberOfCells="144"/NumberOfCells="143"/'
-refuses "vtu: too many cells" 'the array offsets has 144 numbers for 143 cells' "$harmorph" check "$tmp/bad.vtu"
-change 's/format="ascii"/format="binary"/'
-refuses "vtu: base64" "this one has 'binary'" "$harmorph" check "$tmp/bad.vtu"
+refuses "vtu: too many cells" 'the array offsets has 144 numbers for 143 cells' \
+    "$harmorph" check "$tmp/bad.vtu"
+change 's/format="ascii"/format="binarie"/'
+refuses "vtu: an unknown format" "this one has 'binarie'" "$harmorph" check "$tmp/bad.vtu"
 change 's/Name="offsets"/Name="starts"/'
 refuses "vtu: an array is missing" 'the file has no array offsets' "$harmorph" check "$tmp/bad.vtu"
 change '/Name="offsets"/s/ 8 / -9223372036854775808 /; /Name="offsets"/s/Int32/Int64/'
@@ -30,10 +35,11 @@ refuses "vtu: an offset that no difference of two numbers fits" 'the offsets of 
 head -c 5000 "$tmp/appended-64.vtu" >"$tmp/bad.vtu"
 refuses "vtu: cut off before an array" "found '8832'" "$harmorph" check "$tmp/bad.vtu"
 head -c 10000 "$tmp/appended-64.vtu" >"$tmp/bad.vtu"
-refuses "vtu: cut off in an array" 'the array offsets has 1152 bytes, 8 for each number, but only' \
+refuses "vtu: cut off in an array" 'the array offsets has 1152 bytes, but only' \
     "$harmorph" check "$tmp/bad.vtu"
 sed 's/header_type="UInt64"/& compressor="vtkLZ4DataCompressor"/' "$tmp/appended-64.vtu" >"$tmp/bad.vtu"
-refuses "vtu: compressed" 'the array is compressed: save the file without compression' "$harmorph" check "$tmp/bad.vtu"
+refuses "vtu: compressed" 'save the file with the compressor ZLib, or without compression' \
+    "$harmorph" check "$tmp/bad.vtu"
 check "vtu: convert" "$harmorph" convert "$tmp/ring.su2" "$tmp/ring.vtu"
 check "vtu: what convert writes" "$harmorph" check "$tmp/ring.vtu" --json
 says "vtu: what convert writes: the same mesh" '"boundary1", "faces": 24}, {"name": "boundary2", "faces": 24}'

@@ -46,7 +46,48 @@ const char* const mesh_files[] = {
     "Name=\"types\" "
     "format=\"ascii\">5</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>\n",
     "3 3\n0 1 2 0 1 2 0 1 2\n0 0 0 1 1 1 2 2 2\n",
-    "4 1 0 0 1 0 0\n0 0 0  1 0 0  1 1 0  0 1 0\n1 2 3 4\n5\n",
+    "$Comments\nfrom a program\n$EndComments\n$MeshFormat\n2.0 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 "
+    "0 0\n2 1 0 0\n3 0 1 0\n"
+    "4 0 0 1\n5 1 0 1\n6 0 1 1\n$EndNodes\n$Elements\n6\n1 3 2 1 1 1 2 5 4\n2 3 2 1 1 2 3 6 5\n3 3 "
+    "2 2 1 3 1 4 6\n"
+    "4 3 2 1 1 3 1 4 6\n5 2 2 4 1 1 2 3\n6 6 2 3 1 1 2 3 4 5 6\n$EndElements\n$PhysicalNames\n2\n2 "
+    "1 \"wall\"\n2 2 "
+    "\"out\"\n$EndPhysicalNames\n",
+    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 1 1 0\n1 0 0 0 1 1 0 2 1 2 0\n1 0 0 0 1 1 "
+    "0 1 3 1 1\n$EndEntities\n"
+    "$Nodes\n1 3 1 3\n2 1 0 3\n1\n2\n3\n0 0 0\n1 0 0\n0 1 0\n$EndNodes\n$Elements\n2 4 1 4\n1 1 1 "
+    "3\n1 1 2\n2 2 3\n3 3 1\n"
+    "2 1 2 1\n4 1 2 3\n$EndElements\n",
+    "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET STRUCTURED_GRID\nDIMENSIONS 3 2 2\nPOINTS 12 "
+    "double\n0 0 0 1 0 0 2 0 0 "
+    "0 1 0 1 1 0 2 1 0 0 0 1 1 0 1 2 0 1 0 1 1 1 1 1 2 1 1\n",
+    "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 6 double\n0 0 0 1 "
+    "0 0 0 1 0 .5 0 0 .5 .5 0 "
+    "0 .5 0\nCELLS 1 7\n6 0 1 2 3 4 5\nCELL_TYPES 1\n22\n",
+    "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><Piece NumberOfPoints=\"3\" "
+    "NumberOfCells=\"1\"><Points><DataArray "
+    "type=\"Float32\" NumberOfComponents=\"3\" "
+    "Format=\"binary\">JAAAAAAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/AAAAAA==</DataArray>"
+    "</Points><Cells><DataArray type=\"Int32\" Name=\"connectivity\">0 1 2</DataArray><DataArray "
+    "type=\"Int32\" "
+    "Name=\"offsets\" format=\"appended\" offset=\"0\"/><DataArray type=\"UInt8\" Name=\"types\" "
+    "format=\"appended\" "
+    "offset=\"12\"/></Cells></Piece></UnstructuredGrid><AppendedData "
+    "encoding=\"base64\">_BAAAAAMAAAA=AQAAAAU=</AppendedData>"
+    "</VTKFile>\n",
+    "<VTKFile type=\"UnstructuredGrid\" "
+    "compressor=\"vtkZLibDataCompressor\"><UnstructuredGrid><Piece NumberOfPoints=\"3\" "
+    "NumberOfCells=\"1\"><Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" "
+    "format=\"binary\">"
+    "AQAAACQAAAAAAAAAEAAAAA==eJxjYEAGDfYMWPgAFIoBfw==</DataArray></Points><Cells><DataArray "
+    "type=\"Int32\" "
+    "Name=\"connectivity\">0 1 2</DataArray><DataArray type=\"Int32\" "
+    "Name=\"offsets\">3</DataArray><DataArray type=\"UInt8\" "
+    "Name=\"types\">5</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>\n",
+    "2 2 2\n2*0 2*1 2*0 2*1 0 1 0 1 0 1 0 1 4*0 4*1\n",
+    "6 2 3 0 0 1 0\n0 0 0  1 0 0  0 1 0  0 0 1  1 0 1  0 1 1\n1 3 2\n4 5 6\n1 2 5 4\n2 3 6 5\n3 1 "
+    "4 6\n1 1 2 2 3\n"
+    "1 2 3 4 5 6\n",
     "(0 \"grid\")\n(2 2)\n(10 (0 1 3 0 2))\n(10 (1 1 3 1 2)(0 0 1 0 0 1))\n(12 (0 1 1 0))\n(12 (2 "
     "1 1 1 1))\n(13 (0 1 "
     "3 0))\n(13 "

@@ -1,5 +1,6 @@
 // harmorph check: is a mesh well formed, and how good is it?
 #include <harmorph_study.h>
+#include "mesh/boundary_loops.hpp"
 #include "commands/commands.hpp"
 #include "curves/curve_file.hpp"
 #include "basics/json.hpp"
@@ -7,8 +8,11 @@
 #include "basics/numbers.hpp"
 #include "basics/output_file.hpp"
 #include "pictures/pictures.hpp"
+#include "basics/place.hpp"
 #include "commands/window_option.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ostream>
 
@@ -35,6 +39,41 @@ void print_json(const hm_mesh_report& report, const Mesh& mesh) {
     std::printf("%s\n", object.text().c_str());
 }
 
+// Of many markers, the first ones and the loops that they form.
+void print_markers(const Mesh& mesh) {
+    constexpr std::size_t most_printed = 20;
+    const std::size_t n = mesh.markers.size(), printed = n > most_printed ? most_printed / 2 : n;
+    for (std::size_t marker = 0; marker < printed; ++marker) {
+        std::printf("marker        %s: %s\n", mesh.markers[marker].c_str(),
+                    plural(mesh.faces(static_cast<std::int32_t>(marker)), "face").c_str());
+    }
+    if (printed == n) return;
+    std::printf("marker        ... and %s more\n", std::to_string(n - printed).c_str());
+    const BoundaryLoops loops(mesh.face_points, mesh.points());
+    struct Extent {
+        std::int32_t faces = 0;
+        double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+    };
+    std::vector<Extent> extents(place(loops.count));
+    for (std::size_t end = 0; end < mesh.face_points.size(); ++end) {
+        Extent& its = extents[place(loops.of_edge[end / 2])];
+        const std::size_t point = place(mesh.face_points[end]);
+        const double at[2] = {mesh.x[point], mesh.y[point]};
+        its.faces += end % 2 == 0 ? 1 : 0;
+        for (const int d : {0, 1}) {
+            its.low[d] = std::min(its.low[d], at[d]);
+            its.high[d] = std::max(its.high[d], at[d]);
+        }
+    }
+    for (std::size_t loop = 0; loop < extents.size() && loop < most_printed; ++loop) {
+        const Extent& its = extents[loop];
+        std::printf("loop          loop:%s: %s, x = %s .. %s, y = %s .. %s\n",
+                    std::to_string(loop + 1).c_str(), plural(its.faces, "face").c_str(),
+                    brief(its.low[0]).c_str(), brief(its.high[0]).c_str(),
+                    brief(its.low[1]).c_str(), brief(its.high[1]).c_str());
+    }
+}
+
 void print_for_people(const hm_mesh_report& report, const Mesh& mesh) {
     std::printf("points        %d, %d of them in cells\n", report.points, report.used_points);
     const std::string polygons =
@@ -44,10 +83,7 @@ void print_for_people(const hm_mesh_report& report, const Mesh& mesh) {
                 polygons.c_str());
     std::printf("edges         %d, %d of them boundary in %s\n", report.edges,
                 report.boundary_edges, plural(report.boundary_loops, "loop").c_str());
-    for (std::size_t marker = 0; marker < mesh.markers.size(); ++marker) {
-        std::printf("marker        %s: %s\n", mesh.markers[marker].c_str(),
-                    plural(mesh.faces(static_cast<std::int32_t>(marker)), "face").c_str());
-    }
+    print_markers(mesh);
     std::printf("corner areas  %s at least\n", brief(report.min_area).c_str());
     std::printf("skew quality  %s at least, %s on average\n", brief(report.min_quality).c_str(),
                 brief(report.mean_quality).c_str());

@@ -13,7 +13,8 @@ void run_convert(const Arguments& arguments) {
     const std::string& path = arguments.operand(1);
     const Format& format =
         format_to_create(arguments.has("--to") ? arguments.text("--to") : "", path);
-    const Mesh mesh = read_mesh(arguments, 0);
+    Mesh mesh = read_mesh(arguments, 0);
+    for (const std::string& sentence : make_writable(mesh, format)) warn(path + ": " + sentence);
     OutputFiles files;
     format.create(files.add(path), mesh);
     files.commit();

@@ -141,7 +141,7 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solve
 void write_files(const Arguments& arguments, const Mesh& mesh, const Displacement& found) {
     OutputFiles files;
     if (arguments.has("-o"))
-        write_moved(files.add(arguments.text("-o")), mesh, found.moved.x.data(),
+        write_moved(files.add(moved_file(mesh, arguments.text("-o"))), mesh, found.moved.x.data(),
                     found.moved.y.data());
     if (arguments.has("--vtu")) {
         PointData data = {"displacement", 3, {}};

@@ -139,7 +139,11 @@ void print_json(const Fit& fit) {
 }
 
 Outline outline_of(const Arguments& arguments, const std::string& path) {
-    const bool is_section = ends_with(path, ".dat"), is_curve = ends_with(path, ".curve");
+    // Airfoils and grids are both called .dat: the content decides, as far as the options do not.
+    const bool is_mesh = arguments.has("--format") || arguments.has("--zone") ||
+                         (ends_with(path, ".dat") && is_mesh_file(TextFile(path)));
+    const bool is_section = !is_mesh && ends_with(path, ".dat"),
+               is_curve = !is_mesh && ends_with(path, ".curve");
     if (!is_section && !is_curve) {
         const std::string tags = arguments.text("--marker");
         const Mesh mesh = read_mesh(arguments, 0);
@@ -190,7 +194,7 @@ const Command fit_command = {
     "points from the curve: in chords (the boundary's largest extent) for people, in the mesh's "
     "unit with --json.\n"
     "In place of MESH: a file .dat with an airfoil's coordinates in Selig's or "
-    "Lednicer's order, or a file .curve, as fit and\n"
+    "Lednicer's order (where its content is no mesh), or a file .curve, as fit and\n"
     "morph write them, of which points are taken.\n",
     {{"--marker", "A[,B..]",
       "markers of the boundary (required with a mesh); A@X:Y: its piece nearest to (X, Y)"},

@@ -59,7 +59,7 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     OutputFiles files;
     const Field& moved = morph.moved;
     if (arguments.has("-o"))
-        write_moved(files.add(mesh_file(arguments.text("-o"))), mesh, moved.x.data(),
+        write_moved(files.add(moved_file(mesh, arguments.text("-o"))), mesh, moved.x.data(),
                     moved.y.data());
     if (!companions.curve.empty())
         write_curve_file(files, companions.curve, morph.moved_curves(basis));

@@ -1,6 +1,7 @@
 #include "formats/cgns_conditions.hpp"
 
 #ifdef HARMORPH_CGNS
+#include "formats/tidy.hpp"
 #include "basics/numbers.hpp"
 
 #include <algorithm>
@@ -28,6 +29,7 @@ void CgnsConditions::read() {
     find_open_edges();
     for (std::size_t z = 0; z < zones_.size(); ++z) add_conditions(z);
     mesh_.face_offset.resize(mesh_.face_markers.size());
+    name_open_boundary(mesh_, "boundary");
 }
 
 std::int32_t CgnsConditions::point(const CgnsZone& zone, const char* condition,
@@ -83,13 +85,18 @@ void CgnsConditions::add_conditions(std::size_t z) {
             location = cell_dimension_ == 2 ? EdgeCenter : FaceCenter;
         const bool is_range = set == PointRange || set == ElementRange;
         if (zones_[z].is_structured) {
-            mark_points(name, structured_points(zones_[z], items, dimensions, is_range, location));
+            std::size_t in_file = 0;
+            const Points points =
+                structured_points(zones_[z], items, dimensions, is_range, location, in_file);
+            mark_points(name, points, in_file);
         } else if (location == Vertex) {
-            std::set<std::int32_t> points;
+            Points points;
+            std::size_t in_file = 0;
             for_each(items, is_range, [&](cgsize_t item) {
                 points.insert(plane_point(point(zones_[z], name, item)));
+                ++in_file;
             });
-            mark_points(name, points);
+            mark_points(name, points, in_file);
         } else {
             for_each(items, is_range, [&](cgsize_t item) { mark_element(name, z, item); });
         }
@@ -101,7 +108,8 @@ void CgnsConditions::add_conditions(std::size_t z) {
 CgnsConditions::Points CgnsConditions::structured_points(const CgnsZone& zone,
                                                          const std::vector<cgsize_t>& items,
                                                          std::size_t dimensions, bool is_range,
-                                                         GridLocation_t location) const {
+                                                         GridLocation_t location,
+                                                         std::size_t& in_file) const {
     std::set<std::int32_t> points;
     const auto add = [&](const std::array<std::int64_t, 3>& index) {
         for (std::size_t d = 0; d < 3; ++d) {
@@ -114,6 +122,7 @@ CgnsConditions::Points CgnsConditions::structured_points(const CgnsZone& zone,
         const std::int64_t point =
             static_cast<std::int64_t>(zone.first) + index[0] - 1 + zone.n[0] * line;
         points.insert(plane_point(static_cast<std::int32_t>(point)));
+        ++in_file;
     };
     std::array<std::int64_t, 3> low = {1, 1, 1}, high = {1, 1, 1};
     if (!is_range) {
@@ -144,17 +153,26 @@ void CgnsConditions::mark(const std::string& name, Edge edge) {
     open_.erase(found);
 }
 
-// Boundary edges with both ends among the points; a condition on a whole plane marks none: it has
-// inner points.
-void CgnsConditions::mark_points(const std::string& name, const std::set<std::int32_t>& points) {
-    if (cell_dimension_ == 3 && points.size() == static_cast<std::size_t>(mesh_.points())) return;
+// Boundary edges with both ends among the points. A condition on a whole plane of a mesh one cell
+// thick marks none and needs no words: the plane is no boundary of the mesh.
+void CgnsConditions::mark_points(const std::string& name, const Points& points,
+                                 std::size_t in_file) {
+    const auto all = static_cast<std::size_t>(mesh_.points());
+    if (cell_dimension_ == 3 && points.size() == all && in_file <= all) return;
     std::vector<Edge> edges;
     for (const Edge& edge : open_) {
         if (points.count(edge.first) > 0 && points.count(edge.second) > 0) edges.push_back(edge);
     }
     std::set<std::int32_t> ends;
     for (const Edge& edge : edges) ends.insert({edge.first, edge.second});
-    if (ends.size() != points.size()) return;
+    if (ends.size() != points.size()) {
+        mesh_.remark("the boundary condition " + in_quotes(name) + " has " +
+                     (points.size() == all ? "all points of the mesh"
+                                           : "points that are on no boundary edge without a "
+                                             "condition") +
+                     ": it becomes no marker (and is kept)");
+        return;
+    }
     for (const Edge& edge : edges) mark(name, edge);
 }
 

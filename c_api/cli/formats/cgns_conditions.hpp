@@ -35,13 +35,15 @@ private:
     void find_open_edges();
     void add_conditions(std::size_t z);
     Points structured_points(const CgnsZone& zone, const std::vector<cgsize_t>& items,
-                             std::size_t dimensions, bool is_range, GridLocation_t location) const;
+                             std::size_t dimensions, bool is_range, GridLocation_t location,
+                             std::size_t& in_file) const;
     std::int32_t point(const CgnsZone& zone, const char* condition, cgsize_t number) const;
     std::int32_t plane_point(std::int32_t point) const {
         return plane_point_[static_cast<std::size_t>(point)];
     }
     void mark(const std::string& name, Edge edge);
-    void mark_points(const std::string& name, const Points& points);
+    void mark_points(const std::string& name, const Points& points,
+                     std::size_t in_file);  // in_file: of the condition
     void mark_element(const std::string& name, std::size_t z, cgsize_t number);
 
     Mesh& mesh_;

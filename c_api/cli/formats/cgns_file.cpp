@@ -3,6 +3,8 @@
 #ifdef HARMORPH_CGNS
 #include "formats/bytes.hpp"
 
+#include <cgns_io.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -95,8 +97,33 @@ void whole_range(const CgnsZone& zone, cgsize_t* low, cgsize_t* high) {
     }
 }
 
+namespace {
+
+// libcgns puts its own version into files that it changes.
+void write_version(const std::string& file, float version, const std::string& path) {
+    int number = 0;
+    double root = 0, node = 0;
+    const auto succeeds = [&path](int status) {
+        if (status == CG_OK) return;
+        char text[CGIO_MAX_ERROR_LENGTH + 1] = "";
+        cgio_error_message(text);
+        throw Failure(exit_file, path + ": the version in the copy: " + text);
+    };
+    succeeds(cgio_open_file(file.c_str(), CGIO_MODE_MODIFY, CGIO_FILE_NONE, &number));
+    succeeds(cgio_get_root_id(number, &root));
+    if (cgio_get_node_id(number, root, "CGNSLibraryVersion", &node) == CG_OK)
+        succeeds(cgio_write_all_data(number, node, &version));
+    succeeds(cgio_close_file(number));
+}
+
+}  // namespace
+
 void store_cgns(std::ostream& out, const Mesh& mesh, const std::string& numbers) {
     const std::string path = mesh.file.path();
+    if (numbers == mesh.file.text()) {
+        out << TextFile(path).text();
+        return;
+    }
     std::string copy = (std::filesystem::temp_directory_path() / "harmorph-XXXXXX").string();
     const int descriptor = ::mkstemp(copy.data());
     if (descriptor < 0) throw Failure(exit_file, copy + ": cannot be written");
@@ -106,6 +133,11 @@ void store_cgns(std::ostream& out, const Mesh& mesh, const std::string& numbers)
         ~Removed() { std::remove(name.c_str()); }
     } const removed{copy};
     std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing);
+    float version = 0;
+    {
+        const Cgns cgns(copy, CG_MODE_READ, path);
+        cgns(cg_version(cgns.file, &version));
+    }
     {
         Cgns cgns(copy, CG_MODE_MODIFY, path);
         int cell_dimension = 0;
@@ -138,6 +170,7 @@ void store_cgns(std::ostream& out, const Mesh& mesh, const std::string& numbers)
         }
         cgns.close();
     }
+    write_version(copy, version, path);
     std::ifstream changed(copy, std::ios::binary);
     out << changed.rdbuf();
 }

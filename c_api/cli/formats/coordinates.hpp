@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -43,13 +44,19 @@ struct FileCoordinates {
     NumberKind kind = NumberKind::text;
     bool is_computed = false;  // the mesh's coordinates are none of the file's numbers: an inclined
                                // plane, or a wedge
+    bool is_packed = false;    // the file is compressed by gzip
     bool swapped = false;      // binary numbers are not in this machine's byte order
+    std::size_t axes[2] = {
+        0, 1};  // of a file of one plane: which of its coordinates are x and y of the mesh
     std::vector<CoordinateSlot> slots;
     std::vector<Direction> directions;
     std::vector<Between> between;
-    // Of files that a library writes: mesh.file has the coordinates alone; writes the whole file
-    // with other ones. NULL: mesh.file is the file.
-    void (*store)(std::ostream& out, const Mesh& mesh, const std::string& numbers) = nullptr;
+    // Of files that hold their numbers encoded, or that a library writes: mesh.file has the numbers
+    // decoded, and this writes the whole file with other ones, `numbers`, which are as long as
+    // mesh.file. Empty: mesh.file is the file.
+    using Store =
+        std::function<void(std::ostream& out, const Mesh& mesh, const std::string& numbers)>;
+    Store store;
 };
 
 }  // namespace cli

@@ -1,5 +1,5 @@
-// Fluent's mesh files in text (appendix "Mesh File Format" of the Fluent User's Guide), two
-// dimensions.
+// Fluent's mesh files, in text and with binary sections (appendix "Mesh File Format" of the Fluent
+// User's Guide), two dimensions.
 //
 // The file is a list of sections (NUMBER (HEAD) (BODY)): 10 nodes, 12 cells, 13 faces, 45 and 39
 // names of zones; others stay as they are. Cells are given by their faces: a face goes from a node
@@ -8,6 +8,7 @@
 // faces, by name if they have one, else "zone:NUMBER".
 #include "formats/format.hpp"
 
+#include "formats/bytes.hpp"
 #include "formats/fluent_sections.hpp"
 #include "formats/number_reader.hpp"
 #include "basics/numbers.hpp"
@@ -31,8 +32,6 @@ enum SectionType {
     cell_tree_section = 58,
     face_tree_section = 59
 };
-constexpr std::int64_t first_binary_section =
-    2000;  // 2010, 3010: nodes in single and double precision, and so on
 enum ZoneType { no_type = 0, interior = 2 };
 enum FaceType { mixed = 0, polygonal = 5 };  // those that have the number of nodes before each face
 
@@ -64,6 +63,7 @@ private:
     };
 
     void read_section();
+    void begin_body();
     void read_nodes();
     void read_faces();
     void read_name();
@@ -88,12 +88,18 @@ private:
 };
 
 void FluentReader::read_section() {
+    numbers_.is_binary = false;
     numbers_.jump(section_.head);
     numbers_.stop_at(section_.head_end);
-    switch (section_.number) {
+    const bool is_binary = section_.number >= first_binary_section;
+    switch (is_binary ? section_.number % 1000 : section_.number) {
         case dimension_section:
-            if (numbers_.whole("2, of two dimensions") != 2)
-                numbers_.expected("2: meshes of two dimensions are read");
+            if (numbers_.whole("2, of two dimensions") != 2) {
+                numbers_.expected(
+                    "2: meshes of two dimensions are read; export one of the planes of a mesh of "
+                    "three, or "
+                    "save it in another format");
+            }
             return;
         case node_section: return read_nodes();
         case face_section: return read_faces();
@@ -105,13 +111,14 @@ void FluentReader::read_section() {
                             "the mesh has hanging nodes (from refinement), which are not read");
         default: break;
     }
-    const std::int64_t meaning = section_.number % 1000;
-    const bool is_read =
-        meaning == node_section || meaning == cell_section || meaning == face_section;
-    if (section_.number >= first_binary_section && is_read) {
-        mesh_.file.fail(section_.begin, "the section " + std::to_string(section_.number) +
-                                            " is binary: save the mesh as text");
-    }
+}
+
+// From the head to the numbers of a section; binary numbers are little-endian.
+void FluentReader::begin_body() {
+    numbers_.jump(section_.body);
+    numbers_.stop_at(section_.body_end);
+    numbers_.is_binary = section_.number >= first_binary_section;
+    numbers_.swapped = mesh_.in_file.swapped = !little_endian_machine();
 }
 
 std::int64_t FluentReader::whole(const char* what, std::int64_t low, std::int64_t high,
@@ -122,6 +129,7 @@ std::int64_t FluentReader::whole(const char* what, std::int64_t low, std::int64_
 }
 
 std::int64_t FluentReader::hexadecimal(const char* what) {
+    if (numbers_.is_binary) return numbers_.whole(what);
     const std::string_view word = numbers_.word();
     std::int64_t value = 0;
     const auto [after, error] = std::from_chars(word.data(), word.data() + word.size(), value, 16);
@@ -144,17 +152,25 @@ void FluentReader::read_nodes() {
     if (zone == 0) return;
     if (section_.body == 0)
         mesh_.file.fail(section_.begin, "the section has no coordinates of nodes");
-    numbers_.jump(section_.body);
-    numbers_.stop_at(section_.body_end);
+    begin_body();
+    const NumberKind kind = !numbers_.is_binary                       ? NumberKind::text
+                            : section_.number >= first_double_section ? NumberKind::real64
+                                                                      : NumberKind::real32;
+    if (!nodes_.empty() && kind != mesh_.in_file.kind) {
+        mesh_.file.fail(section_.begin,
+                        "sections of nodes are stored in several ways: save the mesh anew");
+    }
+    mesh_.in_file.kind = kind;
+    const int bytes = kind == NumberKind::real32 ? 4 : 8;
     for (std::int64_t number = first; number <= last; ++number) {
         Node node = {number, 0, 0, 0, 0};
-        node.x = numbers_.real("a node's x");
+        node.x = numbers_.real("a node's x", bytes);
         node.x_offset = numbers_.number_offset();
-        node.y = numbers_.real("a node's y");
+        node.y = numbers_.real("a node's y", bytes);
         node.y_offset = numbers_.number_offset();
         nodes_.push_back(node);
     }
-    if (!numbers_.at_end()) {
+    if (!numbers_.is_binary && !numbers_.at_end()) {
         const std::string nodes = plural(last - first + 1, "node");
         mesh_.file.fail(numbers_.offset(), "the section has more numbers than x and y of " + nodes);
     }
@@ -169,8 +185,7 @@ void FluentReader::read_faces() {
     const std::int64_t type = hexadecimal("the type of a zone"),
                        face_type = hexadecimal("the type of faces");
     if (section_.body == 0) mesh_.file.fail(section_.begin, "the section has no faces");
-    numbers_.jump(section_.body);
-    numbers_.stop_at(section_.body_end);
+    begin_body();
     for (std::int64_t i = first; i <= last; ++i) {
         Face face = {{}, {}, zone, type == interior, 0};
         if (face_type == mixed || face_type == polygonal) hexadecimal("2 nodes of a face", 2, 2);
@@ -186,7 +201,7 @@ void FluentReader::read_faces() {
         }
         faces_.push_back(face);
     }
-    if (!numbers_.at_end()) {
+    if (!numbers_.is_binary && !numbers_.at_end()) {
         mesh_.file.fail(numbers_.offset(),
                         "the section has more numbers than " + plural(last - first + 1, "face"));
     }
@@ -221,6 +236,33 @@ void FluentReader::add_points() {
     }
 }
 
+// The points round a cell, in the direction of its first side; some sides may be written the other
+// way round. Empty: the sides are none of one polygon. Sides are found by their ends in order, as a
+// cell may have any number of them.
+static std::vector<std::int32_t> polygon_of(const std::vector<std::array<std::int32_t, 2>>& sides) {
+    std::vector<std::pair<std::int32_t, std::size_t>> ends;  // a point, and a side there
+    for (std::size_t side = 0; side < sides.size(); ++side) {
+        for (const std::int32_t point : sides[side]) ends.emplace_back(point, side);
+    }
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t k = 0; k < ends.size(); k += 2) {  // each point has two sides
+        if (k + 1 >= ends.size() || ends[k].first != ends[k + 1].first) return {};
+        if (k + 2 < ends.size() && ends[k].first == ends[k + 2].first) return {};
+    }
+    std::vector<std::int32_t> points;
+    std::size_t side = 0;
+    std::int32_t from = sides.empty() ? 0 : sides[0][0];
+    do {
+        points.push_back(from);
+        const std::int32_t to = sides[side][0] == from ? sides[side][1] : sides[side][0];
+        const auto at =
+            std::lower_bound(ends.begin(), ends.end(), std::make_pair(to, std::size_t{0}));
+        side = at[0].second == side ? at[1].second : at[0].second;
+        from = to;
+    } while (from != points[0] && points.size() <= sides.size());
+    return points.size() == sides.size() ? points : std::vector<std::int32_t>();
+}
+
 // The faces of a cell, each with the cell on its left, one behind the other.
 void FluentReader::add_cells() {
     struct Cell {
@@ -246,22 +288,8 @@ void FluentReader::add_cells() {
         }
     }
     for (std::size_t number = 0; number < list.size(); ++number) {
-        Cell& cell = list[number];
-        const auto sides = cell.sides.begin(), end = cell.sides.end();
-        std::vector<std::int32_t> points;
-        for (auto side = sides; side != end; ++side) {
-            points.push_back((*side)[0]);
-            const std::int32_t tip = (*side)[1];
-            const auto next = std::find_if(side + 1, end, [tip](const auto& other) {
-                return other[0] == tip || other[1] == tip;
-            });
-            if (next != end && (*next)[0] != tip)
-                std::swap((*next)[0], (*next)[1]);  // written the other way round
-            if (next != end) std::iter_swap(side + 1, next);
-            const bool is_last = side + 1 == end;
-            if (is_last ? (*side)[1] != (*sides)[0] : next == end) points.clear();  // goes nowhere
-            if (points.empty()) break;
-        }
+        const Cell& cell = list[number];
+        const std::vector<std::int32_t> points = polygon_of(cell.sides);
         if (points.size() < 3) {
             const std::string its = plural(static_cast<std::int64_t>(cell.sides.size()), "face");
             mesh_.file.fail(cell.offset, "the faces of " + cell_name(number) + " (" + its +
@@ -294,7 +322,7 @@ void read_fluent(Mesh& mesh, const ReadOptions&) { FluentReader(mesh).read(); }
 
 }  // namespace
 
-const Format fluent_format = {"fluent",     ".msh",      "Fluent in text, two dimensions",
+const Format fluent_format = {"fluent",     ".msh",      "Fluent, text and binary, two dimensions",
                               probe_fluent, read_fluent, nullptr};
 
 }  // namespace cli

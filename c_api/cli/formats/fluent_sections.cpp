@@ -25,6 +25,15 @@ std::size_t FluentSections::end_of_list(std::size_t begin) const {
     file_.fail(begin, "this bracket is not closed before the end of the file");
 }
 
+// Behind "End of Binary Section NUMBER)": brackets in binary data are none.
+std::size_t FluentSections::end_of_binary(std::size_t begin) const {
+    const std::size_t mark = text_.find("End of Binary Section", begin);
+    const std::size_t end = mark == text_.npos ? mark : text_.find(')', mark);
+    if (end == text_.npos)
+        file_.fail(begin, "this binary section has no end 'End of Binary Section NUMBER)'");
+    return end + 1;
+}
+
 bool FluentSections::next() {
     over_blanks();
     if (at_ == text_.size()) return false;
@@ -34,14 +43,15 @@ bool FluentSections::next() {
         file_.fail(
             at_, "expected a section such as (10 ...), found " + in_quotes(text_.substr(at_, 16)));
     }
-    const std::size_t end = end_of_list(at_);
-    ++at_;
+    const std::size_t begin = at_++;
     over_blanks();
     const char* const from = text_.data() + at_;
-    const auto [after, error] = std::from_chars(from, text_.data() + end, section_.number);
+    const auto [after, error] = std::from_chars(from, text_.data() + text_.size(), section_.number);
     if (error != std::errc()) file_.fail(at_, "expected the number of a section");
     at_ += static_cast<std::size_t>(after - from);
     over_blanks();
+    const bool is_binary = section_.number >= first_binary_section;
+    const std::size_t end = is_binary ? end_of_binary(begin) : end_of_list(begin);
     section_.head = at_;
     section_.head_end = end - 1;
     if (text_[at_] == '(') {
@@ -49,9 +59,11 @@ bool FluentSections::next() {
         at_ = end_of_list(at_);
         section_.head_end = at_ - 1;
         over_blanks();
-        if (text_[at_] == '(') {
+        if (at_ < text_.size() && text_[at_] == '(') {
             section_.body = at_ + 1;
-            section_.body_end = end_of_list(at_) - 1;
+            section_.body_end =
+                is_binary ? std::max(text_.rfind(')', text_.rfind("End of Binary", end)), at_ + 1)
+                          : end_of_list(at_) - 1;
         }
     }
     at_ = end;

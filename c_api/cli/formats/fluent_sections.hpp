@@ -7,6 +7,10 @@
 
 namespace cli {
 
+// Sections of this number and above have binary bodies: 2010 and 3010 nodes in single and double
+// precision, and so on.
+constexpr std::int64_t first_binary_section = 2000, first_double_section = 3000;
+
 struct FluentSection {
     std::int64_t number = 0;
     std::size_t begin = 0;  // all are places in the file; of the section's first bracket
@@ -24,6 +28,7 @@ public:
 private:
     void over_blanks();
     std::size_t end_of_list(std::size_t begin) const;
+    std::size_t end_of_binary(std::size_t begin) const;
 
     const TextFile& file_;
     std::string_view text_;

@@ -125,8 +125,11 @@ std::int64_t FoamReader::label_at(const char* at) const {
                                     : load<std::int32_t>(at, swapped);
 }
 
-std::vector<std::int64_t> FoamReader::labels() {
+std::vector<std::int64_t> FoamReader::labels(std::int64_t most) {
     const std::int64_t n = count("the number of labels");
+    if (n > most)
+        fail("the list has " + std::to_string(n) + " numbers, but at most " + std::to_string(most) +
+             " can be");
     std::vector<std::int64_t> values;
     if (is_next("{")) {
         word();
@@ -150,9 +153,11 @@ std::vector<std::int64_t> FoamReader::labels() {
 void FoamReader::faces(std::vector<std::int64_t>& start, std::vector<std::int64_t>& points,
                        std::vector<std::size_t>& offsets) {
     if (header_.type == "faceCompactList") {
-        start = labels();
+        const auto most =
+            static_cast<std::int64_t>(std::min<std::size_t>(file_.text().size(), INT32_MAX));
+        start = labels(most);  // lists of one value are short in the file, and are none of faces
         const std::size_t here = word_;
-        points = labels();
+        points = labels(most);
         if (start.empty() || start[0] != 0 ||
             start.back() != static_cast<std::int64_t>(points.size()) ||
             !std::is_sorted(start.begin(), start.end())) {

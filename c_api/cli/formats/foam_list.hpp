@@ -31,7 +31,8 @@ public:
     [[noreturn]] void fail(const std::string& message) const { file_.fail(word_, message); }
     [[noreturn]] void expected(std::string_view what) const;
 
-    std::vector<std::int64_t> labels();  // a list of whole numbers: N (...), N {value} or binary
+    // A list of whole numbers, no more than `most`: N (...), N {value} or binary.
+    std::vector<std::int64_t> labels(std::int64_t most);
     // The faces of a faceList or faceCompactList: where the points of each begin, and all points.
     void faces(std::vector<std::int64_t>& start, std::vector<std::int64_t>& points,
                std::vector<std::size_t>& offsets);

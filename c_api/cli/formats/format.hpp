@@ -29,17 +29,24 @@ struct Format {
     void (*create)(std::ostream& out,
                    const Mesh& mesh);  // a new file with points, cells, markers; NULL: not written
     bool has_markers = true;
+    const char* not_in_names = "";  // characters that a name of a marker cannot have in new files
 };
 
 extern const Format cgns_format, fluent_format, gmsh_format, openfoam_format, plot3d_format,
     su2_format, ugrid_format, vtk_format, vtk_xml_format;
 
+bool is_mesh_file(const TextFile& file);  // is the content that of one of the formats?
+
 // Of a folder of OpenFOAM (a case, or polyMesh) the file of its points, which is what is read and
 // written; else the path.
 std::string mesh_file(const std::string& path);
 
-// Refuses, with the file's line or byte, what is none of the formats or not a mesh that can be
-// morphed.
+// The file that a morphed mesh with this path goes to, as mesh_file says. The name ends in .gz if
+// the mesh was compressed, and only then; otherwise this is wrong usage.
+std::string moved_file(const Mesh& mesh, const std::string& path);
+
+// Files compressed by gzip are read, and written again, as such. Refuses, with the file's line or
+// byte, what is none of the formats or not a mesh that can be morphed.
 Mesh read_mesh_file(const std::string& path, const ReadOptions& options);
 
 // The mesh's file as it is, except for coordinates that changed. They are written with the file's
@@ -53,6 +60,10 @@ void round_as_file(const Mesh& mesh, std::vector<double>& x, std::vector<double>
 
 // A new file in the format of that name, or if it is empty of the path's extension.
 const Format& format_to_create(const std::string& name, const std::string& path);
+
+// Replaces in the names of markers what a new file of this format cannot hold by _, so that names
+// stay different. Returns a sentence for each marker that has another name then.
+std::vector<std::string> make_writable(Mesh& mesh, const Format& format);
 
 std::string format_table();  // for people: a line for each, with its name and what it is
 

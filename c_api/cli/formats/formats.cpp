@@ -2,9 +2,15 @@
 #include "formats/format.hpp"
 
 #include "basics/failure.hpp"
+#include "formats/deflate.hpp"
 #include "formats/tidy.hpp"
+#include "basics/output_file.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <set>
+#include <sstream>
 #include <system_error>
 
 namespace cli {
@@ -43,6 +49,22 @@ const Format& format_of(const TextFile& file) {
                   "; read are " + format_names() + " (--format chooses)");
 }
 
+// Of a file compressed by gzip: writes what `store` writes, compressed; without another number, the
+// file as it was.
+FileCoordinates::Store packed(const FileCoordinates::Store& store) {
+    return [store](std::ostream& out, const Mesh& mesh, const std::string& numbers) {
+        if (numbers == mesh.file.text()) {
+            out << TextFile(mesh.file.path()).text();
+        } else if (!store) {
+            out << gzip(numbers);
+        } else {
+            std::ostringstream text;
+            store(text, mesh, numbers);
+            out << gzip(text.str());
+        }
+    };
+}
+
 }  // namespace
 
 std::string format_table() {
@@ -55,26 +77,73 @@ std::string format_table() {
     return table;
 }
 
+bool is_mesh_file(const TextFile& file) {
+    const auto* const found = std::find_if(std::begin(formats), std::end(formats),
+                                           [&](const Format* one) { return one->probe(file); });
+    return found != std::end(formats);
+}
+
 std::string mesh_file(const std::string& path) {
     std::error_code ignored;  // whoever opens the file says what is wrong with its name
     if (!std::filesystem::is_directory(path, ignored)) return path;
     for (const char* place : {"constant/polyMesh/points", "polyMesh/points", "points"}) {
-        const std::filesystem::path points = std::filesystem::path(path) / place;
-        if (std::filesystem::exists(points, ignored)) return points.string();
+        for (const char* ending : {"", ".gz"}) {
+            const std::string points = (std::filesystem::path(path) / place).string() + ending;
+            if (std::filesystem::exists(points, ignored)) return points;
+        }
     }
     return path;
+}
+
+std::string moved_file(const Mesh& mesh, const std::string& path) {
+    const std::string file = mesh_file(path);
+    if (is_device(file) || mesh.in_file.is_packed == ends_with(file, ".gz")) return file;
+    const bool is_packed = mesh.in_file.is_packed;
+    throw Failure(
+        exit_usage,
+        mesh.file.path() + " is " + (is_packed ? "" : "not ") +
+            "compressed by gzip, and a morphed mesh is the same file with other coordinates: the "
+            "name of the file to write, " +
+            in_quotes(file) + ", must " + (is_packed ? "end in .gz, too" : "not end in .gz"));
 }
 
 Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
     const Format* forced = options.format.empty() ? nullptr : find_format(options.format);
     Mesh mesh(mesh_file(path));
+    const bool is_packed = is_gzip(mesh.file.text());
+    mesh.in_file.is_packed = is_packed;
+    if (is_packed) mesh.file = unpacked(mesh.file);
     const Format& format = forced ? *forced : format_of(mesh.file);
     mesh.file.listen(options.progress);
     format.read(mesh, options);
     mesh.file.listen(nullptr);
+    if (is_packed) mesh.in_file.store = packed(mesh.in_file.store);
     check_points(mesh);
     drop_interior_faces(mesh, true);
     return mesh;
+}
+
+std::vector<std::string> make_writable(Mesh& mesh, const Format& format) {
+    std::vector<std::string> sentences;
+    if (!format.has_markers) return sentences;
+    const std::string_view refused = format.not_in_names;
+    std::set<std::string> names(mesh.markers.begin(), mesh.markers.end());
+    for (std::string& name : mesh.markers) {
+        std::string other = name;
+        for (std::size_t k = 0; k < other.size(); ++k) {
+            const bool is_control = static_cast<unsigned char>(other[k]) < 32;
+            const bool is_outer_blank = other[k] == ' ' && (k == 0 || k + 1 == other.size());
+            if (refused.find(other[k]) != refused.npos || is_control || is_outer_blank)
+                other[k] = '_';
+        }
+        if (other == name) continue;
+        while (names.count(other) > 0) other += '_';
+        names.insert(other);
+        sentences.push_back("the marker " + in_quotes(name) + " is written as " + in_quotes(other) +
+                            ": names in the format " + format.name + " have no such characters");
+        name = other;
+    }
+    return sentences;
 }
 
 const Format& format_to_create(const std::string& name, const std::string& path) {

@@ -1,11 +1,11 @@
-// Gmsh's MSH files (https://gmsh.info/doc/texinfo/gmsh.html#MSH-file-format), versions 2.2 and 4.1,
-// in text and binary.
+// Gmsh's MSH files (https://gmsh.info/doc/texinfo/gmsh.html#MSH-file-format), versions 2 and 4.1,
+// in text and binary, of two dimensions or one cell thick.
 //
-// Markers are the physical groups of curves, by name if they have one; a curve without a group is
-// "curve:TAG".
+// Markers are the physical groups of curves, or of surfaces in meshes one cell thick, by name if
+// they have one; a curve or surface without a group is "curve:TAG" or "surface:TAG".
 #include "formats/format.hpp"
 
-#include "formats/gmsh_content.hpp"
+#include "formats/gmsh_read.hpp"
 #include "basics/numbers.hpp"
 
 #include <ostream>
@@ -14,11 +14,13 @@ namespace cli {
 
 namespace {
 
+// The section $MeshFormat is the first one, or $Comments.
 bool probe_gmsh(const TextFile& file) {
-    return trimmed(std::string_view(file.text()).substr(0, 64)).substr(0, 11) == "$MeshFormat";
+    const std::string_view text = trimmed(std::string_view(file.text()).substr(0, 64));
+    return text.size() > 1 && text[0] == '$' && text[1] >= 'A' && text[1] <= 'Z';
 }
 
-void read_gmsh(Mesh& mesh, const ReadOptions&) { build_gmsh_mesh(mesh, read_gmsh_content(mesh)); }
+void read_gmsh(Mesh& mesh, const ReadOptions&) { build_mesh(mesh, read_gmsh(mesh)); }
 
 // Version 2.2: what every program reads that reads any. Cells are the physical surface 1, markers
 // curves from 2 on.
@@ -51,7 +53,9 @@ void create_gmsh(std::ostream& out, const Mesh& mesh) {
 
 }  // namespace
 
-const Format gmsh_format = {"gmsh",     ".msh",    "Gmsh MSH 2.2 and 4.1, text and binary",
-                            probe_gmsh, read_gmsh, create_gmsh};
+const Format gmsh_format = {
+    "gmsh",     ".msh",    "Gmsh MSH 2.0 to 2.2 and 4.1, 2D or one cell thick",
+    probe_gmsh, read_gmsh, create_gmsh,
+    true,       "\""};
 
 }  // namespace cli

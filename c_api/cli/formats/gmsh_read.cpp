@@ -1,30 +1,37 @@
-// Reads Gmsh files: the sections of versions 2.2 and 4.1.
-#include "formats/gmsh_content.hpp"
+// Reads Gmsh files: the sections of versions 2.0 to 2.2 and 4.1, in any order.
+#include "formats/gmsh_read.hpp"
 
+#include "formats/gmsh_nodes.hpp"
 #include "formats/number_reader.hpp"
-#include "formats/one_plane.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 #include <map>
-#include <unordered_map>
-#include <utility>
+#include <tuple>
 
 namespace cli {
 
 namespace {
 
-constexpr GmshElementType element_types[] = {{15, 0, 1, 1}, {1, 1, 2, 2}, {8, 1, 2, 3},
-                                             {2, 2, 3, 3},  {9, 2, 3, 6}, {3, 2, 4, 4},
-                                             {16, 2, 4, 8}, {10, 2, 4, 9}};
-constexpr int first_solid = 4, last_solid = 7;  // tetrahedron, hexahedron, prism, pyramid
+struct GmshElementType {
+    int number;
+    ElementShape shape;
+};
+constexpr GmshElementType element_types[] = {{15, {0, 1, 1}}, {1, {1, 2, 2}},  {8, {1, 2, 3}},
+                                             {2, {2, 3, 3}},  {9, {2, 3, 6}},  {3, {2, 4, 4}},
+                                             {16, {2, 4, 8}}, {10, {2, 4, 9}}, {4, {3, 4, 4}},
+                                             {5, {3, 8, 8}},  {6, {3, 6, 6}},  {7, {3, 5, 5}}};
+constexpr std::size_t most_groups = 16;  // of one curve or surface
 
 class GmshReader {
 public:
     explicit GmshReader(Mesh& mesh) : mesh_(mesh), numbers_(mesh.file) {}
-    GmshContent read();
+    Elements read();
 
 private:
+    using Entity = std::pair<int, std::int64_t>;  // dimension and number: of a curve, a surface, or
+                                                  // a physical group
+
     void read_format();
     void read_section(std::string_view name);
     void read_names();
@@ -33,44 +40,67 @@ private:
     void read_nodes_4();
     void read_elements_2();
     void read_elements_4();
-    void read_node(std::int64_t tag);
-    void read_element(const GmshElementType& type, std::int32_t marker, std::size_t offset);
-    const GmshElementType& element_type(std::int64_t number);
+    void read_node(std::int64_t number);
+    void read_element(const ElementShape& shape, std::int32_t group, std::size_t offset);
+    const ElementShape& element_shape(std::int64_t number);
+    void pass_over_section(std::string_view name);
     void end_section(std::string_view name);
 
-    std::int32_t marker_of(std::int64_t physical, std::int64_t curve);
+    std::int32_t group_of(int dimension, std::int64_t physical, std::int64_t entity);
+    void name_groups();
     std::int64_t size(const char* what) { return numbers_.count(what, 8); }  // 4.1: size_t
 
     Mesh& mesh_;
     NumberReader numbers_;
-    int version_ = 0;  // 2 or 4
+    int version_ = 0;  // 2 or 4; 0: not known yet
     bool nodes_read_ = false, elements_read_ = false;
-    OnePlane plane_;
-    GmshContent content_;
-    std::map<std::int64_t, std::string> names_;              // of physical groups of curves
-    std::unordered_map<std::int64_t, std::int64_t> groups_;  // 4.1: of curves
+    Elements content_;
+    std::vector<std::int64_t> node_numbers_,
+        element_nodes_;                    // of content_.points; numbers of the elements' nodes
+    std::map<Entity, std::string> names_;  // of physical groups
+    std::map<Entity, std::vector<std::int64_t>>
+        physicals_;  // 4.1: physical groups of curves and surfaces
+    struct Group {
+        int dimension;
+        std::int64_t physical, entity;  // physical 0: none is known; 4.1: those of the entity
+    };
+    std::map<std::tuple<int, std::int64_t, std::int64_t>, std::int32_t> group_numbers_;
+    std::vector<Group> groups_;
 };
 
-GmshContent GmshReader::read() {
-    read_format();
+Elements GmshReader::read() {
     while (!numbers_.at_end()) {
         const std::string_view line = numbers_.next_line();
         if (line.empty()) break;
         if (line[0] != '$') numbers_.expected("a section such as $Nodes");
         read_section(line.substr(1));
     }
+    if (version_ == 0) numbers_.expected("a section $MeshFormat");
     if (!nodes_read_) numbers_.expected("a section $Nodes");
     if (!elements_read_) numbers_.expected("a section $Elements");
+    const GmshNodes nodes(mesh_.file, node_numbers_, content_.points.offset[0]);
+    content_.nodes.resize(element_nodes_.size());
+    for (const Elements::Element& element : content_.elements) {
+        for (std::size_t k = 0; k < static_cast<std::size_t>(element.shape.nodes); ++k) {
+            content_.nodes[element.first + k] =
+                nodes.find(element_nodes_[element.first + k], element.offset);
+        }
+    }
+    name_groups();
     return std::move(content_);
 }
 
 void GmshReader::read_format() {
-    if (numbers_.next_line() != "$MeshFormat") numbers_.expected("$MeshFormat");
     const std::string version(numbers_.word());
-    version_ = version == "2.2" || version == "2" || version == "2.1" ? 2
-               : version == "4.1"                                     ? 4
-                                                                      : 0;
-    if (version_ == 0) numbers_.expected("version 2.2 or 4.1 of the format");
+    version_ = version == "2.2" || version == "2" || version == "2.0" || version == "2.1" ? 2
+               : version == "4.1"                                                         ? 4
+                                                                                          : 0;
+    if (version_ == 0) {
+        numbers_.expected(
+            "version 2.2 or 4.1 of the format (in Gmsh: -format msh41, or Mesh.MshFileVersion = "
+            "4.1, when "
+            "saving)");
+    }
     const std::int64_t kind = numbers_.whole("0 (text) or 1 (binary)");
     if (kind != 0 && kind != 1) numbers_.expected("0 (text) or 1 (binary)");
     if (numbers_.whole("8 bytes for a number") != 8) numbers_.expected("8 bytes for a number");
@@ -84,12 +114,16 @@ void GmshReader::read_format() {
         if (one != 1 && one != 1 << 24)
             numbers_.fail("expected the number 1 in one byte order or the other");
     }
-    end_section("MeshFormat");
 }
 
 void GmshReader::read_section(std::string_view name) {
     const bool was_binary = numbers_.is_binary;
-    if (name == "PhysicalNames") {
+    const bool is_mesh = name == "Nodes" || name == "Elements" || name == "Entities";
+    if (version_ == 0 && is_mesh) numbers_.expected("a section $MeshFormat before the mesh");
+    if (nodes_read_ && name == "Nodes") numbers_.fail("a second section $Nodes");
+    if (name == "MeshFormat" && version_ == 0) {
+        read_format();
+    } else if (name == "PhysicalNames") {
         numbers_.is_binary = false;  // text in all files
         read_names();
         numbers_.is_binary = was_binary;
@@ -102,15 +136,22 @@ void GmshReader::read_section(std::string_view name) {
         version_ == 2 ? read_elements_2() : read_elements_4();
         elements_read_ = true;
     } else if (name == "PartitionedEntities") {
-        numbers_.fail("the mesh is partitioned: save it as one part");
-    } else {  // stays as it is
-        const std::size_t end =
-            mesh_.file.text().find("$End" + std::string(name), numbers_.offset());
-        if (end == std::string::npos)
-            numbers_.fail("the section " + in_quotes(name) + " has no end");
-        numbers_.jump(end);
+        numbers_.fail("the mesh is partitioned: save it as one part (in Gmsh: Mesh > Unpartition)");
+    } else if (name == "NOD" || name == "NOE" || name == "ELM") {
+        numbers_.fail(
+            "this is version 1 of the format, which is not read: save the mesh in version 2.2 or "
+            "4.1 (in Gmsh: "
+            "-format msh41, or Mesh.MshFileVersion = 4.1)");
+    } else {
+        pass_over_section(name);  // stays as it is
     }
     end_section(name);
+}
+
+void GmshReader::pass_over_section(std::string_view name) {
+    const std::size_t end = mesh_.file.text().find("$End" + std::string(name), numbers_.offset());
+    if (end == std::string::npos) numbers_.fail("the section " + in_quotes(name) + " has no end");
+    numbers_.jump(end);
 }
 
 void GmshReader::end_section(std::string_view name) {
@@ -127,7 +168,7 @@ void GmshReader::read_names() {
         if (name.size() < 2 || name.front() != '"' || name.back() != '"')
             numbers_.expected("a name in quotation marks");
         name = name.substr(1, name.size() - 2);
-        if (dimension == 1) names_[tag] = name;
+        if (dimension == 1 || dimension == 2) names_[{static_cast<int>(dimension), tag}] = name;
     }
 }
 
@@ -141,9 +182,13 @@ void GmshReader::read_entities() {
             const std::int64_t n_groups = size("a number of physical groups");
             for (std::int64_t k = 0; k < n_groups; ++k) {
                 const std::int64_t group = numbers_.whole("a physical group");
-                if (dimension == 1)
-                    groups_.emplace(tag,
-                                    std::abs(group));  // the first; negative: the other way round
+                if (dimension != 1 && dimension != 2) continue;
+                std::vector<std::int64_t>& its = physicals_[{dimension, tag}];
+                its.push_back(std::abs(group));  // negative: the other way round
+                if (its.size() > most_groups) {
+                    numbers_.fail("a curve or surface is in more than " +
+                                  std::to_string(most_groups) + " physical groups");
+                }
             }
             if (dimension == 0) continue;
             const std::int64_t n_around = size("a number of bounding entities");
@@ -152,14 +197,12 @@ void GmshReader::read_entities() {
     }
 }
 
-void GmshReader::read_node(std::int64_t tag) {
-    GmshNode node = {tag, 0, 0, 0, 0};
-    node.x = numbers_.real("a node's x");
-    node.x_offset = numbers_.number_offset();
-    node.y = numbers_.real("a node's y");
-    node.y_offset = numbers_.number_offset();
-    plane_.check(numbers_.real("a node's z"), numbers_);
-    content_.nodes.push_back(node);
+void GmshReader::read_node(std::int64_t number) {
+    node_numbers_.push_back(number);
+    for (std::size_t d = 0; d < 3; ++d) {
+        content_.points.x[d].push_back(numbers_.real("a coordinate of a node"));
+        content_.points.offset[d].push_back(numbers_.number_offset());
+    }
 }
 
 void GmshReader::read_nodes_2() {
@@ -193,28 +236,25 @@ void GmshReader::read_nodes_4() {
     }
 }
 
-const GmshElementType& GmshReader::element_type(std::int64_t number) {
+const ElementShape& GmshReader::element_shape(std::int64_t number) {
     for (const GmshElementType& type : element_types) {
-        if (type.number == number) return type;
-    }
-    if (number >= first_solid && number <= last_solid) {
-        numbers_.fail("element type " + std::to_string(number) + ": a mesh of three dimensions");
+        if (type.number == number) return type.shape;
     }
     numbers_.fail("element type " + std::to_string(number) +
-                  " is not read: triangles and quadrilaterals of first and second order are");
+                  " is not read: triangles and quadrilaterals of first and second order are, and "
+                  "meshes one cell thick "
+                  "of first order (in Gmsh: -order 2, -order 1)");
 }
 
-void GmshReader::read_element(const GmshElementType& type, std::int32_t marker,
-                              std::size_t offset) {
-    const std::size_t first = content_.element_nodes.size();
-    const int bytes = version_ == 4 ? 8 : 4;
-    for (int k = 0; k < type.nodes; ++k) {
-        content_.element_nodes.push_back(numbers_.whole("a node of an element", bytes));
+void GmshReader::read_element(const ElementShape& shape, std::int32_t group, std::size_t offset) {
+    const std::size_t first = element_nodes_.size();
+    for (int k = 0; k < shape.nodes; ++k) {
+        element_nodes_.push_back(numbers_.whole("a node of an element", version_ == 4 ? 8 : 4));
     }
-    if (type.dimension == 0) {
-        content_.element_nodes.resize(first);  // points are kept, but are no boundary
+    if (shape.dimension == 0) {
+        element_nodes_.resize(first);  // points are kept, but are no boundary
     } else {
-        content_.elements.push_back({&type, marker, offset, first});
+        content_.elements.push_back({shape, group, offset, first});
     }
 }
 
@@ -228,7 +268,7 @@ void GmshReader::read_elements_2() {
         std::int64_t in_block = 1;
         if (!binary) numbers_.whole("an element's number");
         std::size_t offset = numbers_.number_offset();
-        const GmshElementType& type = element_type(numbers_.whole("an element's type"));
+        const ElementShape& shape = element_shape(numbers_.whole("an element's type"));
         if (binary) in_block = std::min(numbers_.count("the number of elements of a block"), n - i);
         const std::int64_t n_tags = numbers_.count("the number of an element's tags");
         for (std::int64_t k = 0; k < in_block; ++k, ++i) {
@@ -239,8 +279,7 @@ void GmshReader::read_elements_2() {
                 const std::int64_t tag = numbers_.whole("a tag of an element");
                 if (t < 2) tags[t] = tag;
             }
-            read_element(type, type.dimension == 1 ? marker_of(std::abs(tags[0]), tags[1]) : -1,
-                         offset);
+            read_element(shape, group_of(shape.dimension, std::abs(tags[0]), tags[1]), offset);
         }
         if (in_block == 0) numbers_.fail("a block without elements");
     }
@@ -253,27 +292,45 @@ void GmshReader::read_elements_4() {
     for (std::int64_t block = 0; block < n_blocks; ++block) {
         numbers_.whole("an entity's dimension");
         const std::int64_t entity = numbers_.whole("an entity's number");
-        const GmshElementType& type = element_type(numbers_.whole("an element's type"));
+        const ElementShape& shape = element_shape(numbers_.whole("an element's type"));
         const std::int64_t n = size("the number of elements of a block");
-        const auto group = groups_.find(entity);
-        std::int32_t marker = -1;
-        if (type.dimension == 1)
-            marker = marker_of(group == groups_.end() ? 0 : group->second, entity);
+        const std::int32_t group = group_of(shape.dimension, 0, entity);
         for (std::int64_t i = 0; i < n; ++i) {
             numbers_.whole("an element's number", 8);
-            read_element(type, marker, numbers_.number_offset());
+            read_element(shape, group, numbers_.number_offset());
         }
     }
 }
 
-std::int32_t GmshReader::marker_of(std::int64_t physical, std::int64_t curve) {
-    if (physical == 0) return mesh_.add_marker("curve:" + std::to_string(curve));
-    const auto name = names_.find(physical);
-    return mesh_.add_marker(name == names_.end() ? std::to_string(physical) : name->second);
+std::int32_t GmshReader::group_of(int dimension, std::int64_t physical, std::int64_t entity) {
+    if (dimension != 1 && dimension != 2) return -1;
+    const auto known =
+        group_numbers_.emplace(std::make_tuple(dimension, physical, physical == 0 ? entity : 0),
+                               static_cast<std::int32_t>(groups_.size()));
+    if (known.second) groups_.push_back({dimension, physical, entity});
+    return known.first->second;
+}
+
+// Once all sections have been read, as names may stand behind the elements.
+void GmshReader::name_groups() {
+    for (const Group& group : groups_) {
+        std::vector<std::int64_t> physicals;
+        if (group.physical != 0) physicals.push_back(group.physical);
+        const auto of_entity = physicals_.find({group.dimension, group.entity});
+        if (group.physical == 0 && of_entity != physicals_.end()) physicals = of_entity->second;
+        std::vector<std::string> its;
+        for (const std::int64_t physical : physicals) {
+            const auto name = names_.find({group.dimension, physical});
+            its.push_back(name == names_.end() ? std::to_string(physical) : name->second);
+        }
+        const std::string kind = group.dimension == 1 ? "curve:" : "surface:";
+        if (its.empty()) its.push_back(kind + std::to_string(group.entity));
+        content_.groups.push_back(its);
+    }
 }
 
 }  // namespace
 
-GmshContent read_gmsh_content(Mesh& mesh) { return GmshReader(mesh).read(); }
+Elements read_gmsh(Mesh& mesh) { return GmshReader(mesh).read(); }
 
 }  // namespace cli

@@ -6,6 +6,7 @@
 #include <harmorph_space.h>
 #include "formats/format.hpp"
 
+#include "formats/deflate.hpp"
 #include "formats/foam_list.hpp"
 #include "basics/numbers.hpp"
 #include "mesh/space_mesh.hpp"
@@ -72,10 +73,11 @@ public:
                        boundary = beside("boundary");
         std::vector<std::size_t> offsets;
         FoamReader(faces).faces(start_, points_, offsets);
-        owner_ = FoamReader(owners).labels();
+        owner_ = FoamReader(owners).labels(n_faces());
         check(faces, offsets, owners);
         patches_ = read_boundary(boundary);
         n_cells_ = owner_.empty() ? 0 : 1 + *std::max_element(owner_.begin(), owner_.end());
+        std::int64_t in_patches = 0;
         for (const Patch& patch : patches_) {
             if (patch.type.compare(0, 9, "processor") == 0) {
                 boundary.fail(patch.offset,
@@ -89,6 +91,13 @@ public:
                 boundary.fail(patch.offset,
                               "the patch " + name + " ends behind face " + last + ", the last");
             }
+            in_patches += patch.n_faces;
+            if (in_patches > n_faces()) {
+                const std::string name = in_quotes(patch.name);
+                boundary.fail(patch.offset, "the patches up to " + name +
+                                                " have more faces than the mesh, which has " +
+                                                std::to_string(n_faces()));
+            }
         }
         const std::vector<std::int64_t> plane = plane_faces(boundary);
         for (const std::int64_t face : plane) add_plane_face(face);
@@ -100,12 +109,10 @@ public:
 private:
     TextFile beside(const char* name) const {
         const std::filesystem::path path = folder_ / name;
-        if (!std::filesystem::exists(path)) {
-            const bool is_compressed = std::filesystem::exists(path.string() + ".gz");
-            throw_missing(path.string() +
-                          (is_compressed ? ".gz is compressed: gunzip it" : " does not exist"));
-        }
-        return TextFile(path.string());
+        if (std::filesystem::exists(path)) return TextFile(path.string());
+        const std::string compressed = path.string() + ".gz";
+        if (!std::filesystem::exists(compressed)) throw_missing(path.string() + " does not exist");
+        return read_unpacked(compressed);
     }
     [[noreturn]] void throw_missing(const std::string& text) const {
         mesh_.file.fail(0, "the mesh consists of points, faces, owner and boundary, but " + text);

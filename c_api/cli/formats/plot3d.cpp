@@ -41,7 +41,7 @@ bool probe_plot3d(const TextFile& file) {
     Plot3dLayout layout;
     std::string reason, expanded;
     if (find_plot3d_layout(file, layout, reason)) return true;
-    if (begins_with_number(file) && expand_repeats(file.text(), expanded)) {
+    if (begins_with_number(file) && expand_repeats(file, expanded)) {
         return find_plot3d_layout(TextFile(file.path(), expanded), layout, reason) ||
                has_usual_extension(file.path());
     }
@@ -51,7 +51,7 @@ bool probe_plot3d(const TextFile& file) {
 void read_plot3d(Mesh& mesh, const ReadOptions&) {
     Plot3dLayout layout;
     std::string reason, expanded;
-    if (expand_repeats(mesh.file.text(), expanded)) {
+    if (expand_repeats(mesh.file, expanded)) {
         mesh.file = TextFile(mesh.file.path(), std::move(expanded));
         mesh.remark("repeat counts, as 3*1.0, are written out");
     }

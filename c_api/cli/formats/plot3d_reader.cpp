@@ -272,7 +272,8 @@ void Plot3dReader::add_side(const NmfPatch& side) {
     if (its.size() < (solid_ ? 3 : 2)) return;  // a pole
     const auto first = static_cast<std::size_t>(its[0]);
     if (solid_) {
-        solid_->add_side(its.data(), its.size(), side.name, solid_->points().offset[0][first]);
+        solid_->add_side(its.data(), its.size(), mesh_.add_marker(side.name),
+                         solid_->points().offset[0][first]);
     } else {
         mesh_.add_face(its[0], its[1], mesh_.add_marker(side.name), mesh_.point_offset[first]);
     }

@@ -9,8 +9,20 @@ namespace cli {
 
 namespace {
 
-constexpr std::int64_t most_repeats = INT32_MAX;
-constexpr std::size_t most_bytes = SIZE_MAX >> (sizeof(std::size_t) > 4 ? 28 : 2);
+constexpr std::size_t longest_value = 64;  // characters of a number
+constexpr std::int64_t most_per_word = 8,
+                       most_of_few = 1000;  // numbers; poles repeat all coordinates
+
+std::int64_t count_words(std::string_view text) {
+    std::int64_t words = 0;
+    bool in_word = false;
+    for (const char c : text) {
+        const bool is_part = blanks.find(c) == blanks.npos && c != ',';
+        words += is_part && !in_word ? 1 : 0;
+        in_word = is_part;
+    }
+    return words;
+}
 
 bool is_part_of_number(char c) {
     return (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.' || c == 'e' || c == 'E' ||
@@ -19,24 +31,30 @@ bool is_part_of_number(char c) {
 
 }  // namespace
 
-bool expand_repeats(const std::string& text, std::string& expanded) {
+bool expand_repeats(const TextFile& file, std::string& expanded) {
+    const std::string& text = file.text();
     if (std::memchr(text.data(), '*', text.size()) == nullptr) return false;
     if (std::memchr(text.data(), '\0', text.size()) != nullptr) return false;  // binary
     expanded.clear();
     std::size_t copied = 0;
     bool any = false;
+    std::int64_t left = most_per_word * count_words(text) + most_of_few;
     for (std::size_t star = text.find('*'); star != std::string::npos;
          star = text.find('*', star + 1)) {
         std::size_t begin = star, end = star + 1;
         while (begin > copied && text[begin - 1] >= '0' && text[begin - 1] <= '9') --begin;
         while (end < text.size() && is_part_of_number(text[end])) ++end;
         std::int64_t count = 0;
-        const std::string value = text.substr(star + 1, end - star - 1);
-        if (value.empty() || !parse(std::string_view(text).substr(begin, star - begin), count))
+        const std::string_view value = std::string_view(text).substr(star + 1, end - star - 1);
+        const bool is_value = !value.empty() && value.size() <= longest_value;
+        if (!is_value || !parse(std::string_view(text).substr(begin, star - begin), count) ||
+            count < 1)
             continue;
-        const bool fits =
-            static_cast<std::size_t>(count) < (most_bytes - expanded.size()) / (value.size() + 1);
-        if (count < 1 || count > most_repeats || !fits) continue;
+        if (count > left) {
+            file.fail(begin, "the repeat count " + std::to_string(count) +
+                                 " is more than a grid with so few numbers has");
+        }
+        left -= count;
         expanded.append(text, copied, begin - copied);
         for (std::int64_t i = 0; i < count; ++i) expanded.append(i == 0 ? "" : " ").append(value);
         copied = end;

@@ -156,7 +156,7 @@ void write_changed(std::ostream& out, const Mesh& mesh, const double* x, const d
 }  // namespace
 
 void write_moved(std::ostream& out, const Mesh& mesh, const double* x, const double* y) {
-    if (mesh.in_file.store == nullptr) return write_changed(out, mesh, x, y);
+    if (!mesh.in_file.store) return write_changed(out, mesh, x, y);
     std::ostringstream numbers;
     write_changed(numbers, mesh, x, y);
     mesh.in_file.store(out, mesh, numbers.str());

@@ -51,6 +51,6 @@ void create_su2(std::ostream& stream, const Mesh& mesh) {
 
 }  // namespace
 
-const Format su2_format = {"su2", ".su2", "SU2", probe_su2, read_su2, create_su2};
+const Format su2_format = {"su2", ".su2", "SU2", probe_su2, read_su2, create_su2, true, "%"};
 
 }  // namespace cli

@@ -1,9 +1,13 @@
 #include "formats/tidy.hpp"
 
+#include "mesh/boundary_loops.hpp"
 #include "basics/numbers.hpp"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <numeric>
+#include <set>
 #include <unordered_map>
 
 namespace cli {
@@ -25,6 +29,64 @@ void for_each_edge(const Mesh& mesh, Visit visit) {  // visit(from, to), once fo
         const std::int32_t n = mesh.cell_start[cell + 1] - mesh.cell_start[cell];
         for (std::int32_t i = 0; i < n; ++i) visit(points[i], points[i + 1 < n ? i + 1 : 0]);
     }
+}
+
+// Leaves out edges (two points each) that lie in pairs at the same place: they are both sides of a
+// cut, as in the wake of a C-mesh or between the blocks of a grid, which the library closes if the
+// edges have no marker. Returns pairs of points at one place, both on edges that are left.
+std::vector<std::int32_t> drop_cuts(Mesh& mesh, std::vector<std::int32_t>& edges) {
+    using Ends = std::array<double, 4>;  // x and y of both ends, the lower one first
+    const auto ends_of = [&](std::size_t edge) {
+        std::array<double, 2> at[2];
+        for (const std::size_t k : {0u, 1u}) {
+            const auto point = static_cast<std::size_t>(edges[2 * edge + k]);
+            at[k] = {mesh.x[point] + 0.0, mesh.y[point] + 0.0};  // -0 becomes 0
+        }
+        if (at[1] < at[0]) std::swap(at[0], at[1]);
+        return Ends{at[0][0], at[0][1], at[1][0], at[1][1]};
+    };
+    std::vector<std::int32_t> pairs;
+    std::vector<std::pair<Ends, std::size_t>> order;
+    for (std::size_t edge = 0; 2 * edge < edges.size(); ++edge)
+        order.emplace_back(ends_of(edge), edge);
+    std::sort(order.begin(), order.end());
+    std::vector<char> is_cut(order.size(), 0);
+    std::int64_t cuts = 0;
+    for (std::size_t k = 1; k < order.size(); ++k) {
+        if (order[k].first != order[k - 1].first) continue;
+        is_cut[order[k].second] = is_cut[order[k - 1].second] = 1;
+        ++cuts;
+        const std::size_t a = 2 * order[k - 1].second, b = 2 * order[k].second;
+        const auto is_at = [&](std::size_t one, std::size_t other) {
+            const auto p = static_cast<std::size_t>(edges[one]),
+                       q = static_cast<std::size_t>(edges[other]);
+            return mesh.x[p] == mesh.x[q] && mesh.y[p] == mesh.y[q];
+        };
+        const bool turned = !is_at(a, b);
+        pairs.insert(pairs.end(), {edges[a], edges[b + (turned ? 1 : 0)], edges[a + 1],
+                                   edges[b + (turned ? 0 : 1)]});
+    }
+    if (cuts == 0) return pairs;
+    std::size_t kept = 0;
+    for (std::size_t edge = 0; edge < is_cut.size(); ++edge) {
+        if (is_cut[edge]) continue;
+        edges[2 * kept] = edges[2 * edge];
+        edges[2 * kept + 1] = edges[2 * edge + 1];
+        ++kept;
+    }
+    edges.resize(2 * kept);
+    mesh.remark(plural(cuts, "pair") +
+                " of boundary edges without a marker at the same places: taken for a cut, which "
+                "stays closed");
+    std::vector<char> is_left(mesh.x.size(), 0);
+    for (const std::int32_t point : edges) is_left[static_cast<std::size_t>(point)] = 1;
+    std::vector<std::int32_t> left;
+    for (std::size_t k = 0; k < pairs.size(); k += 2) {
+        if (is_left[static_cast<std::size_t>(pairs[k])] &&
+            is_left[static_cast<std::size_t>(pairs[k + 1])])
+            left.insert(left.end(), {pairs[k], pairs[k + 1]});
+    }
+    return left;
 }
 
 }  // namespace
@@ -76,11 +138,65 @@ void drop_interior_faces(Mesh& mesh, bool remark) {
     mesh.face_points.resize(2 * kept);
     mesh.face_markers.resize(kept);
     if (!mesh.face_offset.empty()) mesh.face_offset.resize(kept);
+    constexpr int most_named = 5;
+    int named = 0;
     for (std::size_t marker = 0; marker < dropped.size(); ++marker) {
         if (dropped[marker] == 0 || !remark) continue;
+        if (++named > most_named) {
+            mesh.remark("faces of other markers between two cells: ignored (and kept)");
+            break;
+        }
         mesh.remark(plural(dropped[marker], "face") + " of marker " +
                     in_quotes(mesh.markers[marker]) + " between two cells: ignored (and kept)");
     }
+}
+
+void join_double_faces(Mesh& mesh) {
+    std::vector<std::pair<EdgeKey, std::size_t>> order;
+    for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
+        order.emplace_back(edge_of(mesh.face_points[2 * face], mesh.face_points[2 * face + 1]),
+                           face);
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<char> is_double(order.size(), 0);
+    std::map<std::set<std::int32_t>, std::int32_t>
+        joint;  // markers, and the one of faces that have them all
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+        std::set<std::int32_t> markers;
+        for (end = begin; end < order.size() && order[end].first == order[begin].first; ++end) {
+            markers.insert(mesh.face_markers[order[end].second]);
+            is_double[order[end].second] = end > begin;
+        }
+        if (markers.size() == 1) continue;
+        const auto known = joint.emplace(markers, -1);
+        if (known.second) {
+            std::string name;
+            for (const std::int32_t marker : markers)
+                name += (name.empty() ? "" : "+") + mesh.markers[static_cast<std::size_t>(marker)];
+            for (const std::int32_t marker : markers)
+                mesh.groups[mesh.markers[static_cast<std::size_t>(marker)]].push_back(name);
+            known.first->second = mesh.add_marker(name);
+        }
+        mesh.face_markers[order[begin].second] = known.first->second;
+    }
+    std::size_t kept = 0;
+    for (std::size_t face = 0; face < is_double.size(); ++face) {
+        if (is_double[face]) continue;
+        mesh.face_points[2 * kept] = mesh.face_points[2 * face];
+        mesh.face_points[2 * kept + 1] = mesh.face_points[2 * face + 1];
+        mesh.face_markers[kept] = mesh.face_markers[face];
+        mesh.face_offset[kept] = mesh.face_offset[face];
+        ++kept;
+    }
+    mesh.face_points.resize(2 * kept);
+    mesh.face_markers.resize(kept);
+    mesh.face_offset.resize(kept);
+    for (const auto& [markers, name] : joint) {
+        mesh.remark("some edges are in several groups: their marker is " +
+                    in_quotes(mesh.markers[static_cast<std::size_t>(name)]) +
+                    ", and each name alone selects it, too");
+    }
+    drop_empty_markers(mesh);
 }
 
 void drop_empty_markers(Mesh& mesh) {
@@ -124,17 +240,7 @@ void name_open_boundary(Mesh& mesh, const std::string& name) {
     std::vector<std::size_t> next(start.begin(), start.end() - 1);
     for_each_side([&](std::int32_t a, std::int32_t b) { sides[next[low(a, b)]++] = {a, b}; });
 
-    // Points of one loop have one root.
-    std::vector<std::int32_t> parent(mesh.x.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&parent](std::int32_t point) {
-        while (parent[static_cast<std::size_t>(point)] != point) {
-            std::int32_t& up = parent[static_cast<std::size_t>(point)];
-            point = up = parent[static_cast<std::size_t>(up)];
-        }
-        return point;
-    };
-    std::vector<std::pair<std::int32_t, std::int32_t>> open;
+    std::vector<std::int32_t> open;  // two points of each edge
     for (std::size_t point = 0; point < mesh.x.size(); ++point) {
         const auto key = [](const std::pair<std::int32_t, std::int32_t>& side) {
             return edge_of(side.first, side.second);
@@ -145,24 +251,21 @@ void name_open_boundary(Mesh& mesh, const std::string& name) {
         for (auto side = begin; side != end; ++side) {
             if (side != begin && key(side[-1]) == key(side[0])) continue;
             if (side + 1 != end && key(side[1]) == key(side[0])) continue;
-            open.push_back(*side);
-            const std::int32_t a = root(side->first), b = root(side->second);
-            parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+            open.insert(open.end(), {side->first, side->second});
         }
     }
+    const std::vector<std::int32_t> meeting = drop_cuts(mesh, open);
     if (open.empty()) return;
-    std::vector<std::int32_t> roots;
-    for (const auto& edge : open) roots.push_back(root(edge.first));
-    std::sort(roots.begin(), roots.end());
-    roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
-    for (const auto& edge : open) {
-        const auto loop =
-            std::lower_bound(roots.begin(), roots.end(), root(edge.first)) - roots.begin();
-        mesh.face_points.insert(mesh.face_points.end(), {edge.first, edge.second});
-        mesh.face_markers.push_back(mesh.add_marker(name + std::to_string(loop + 1)));
+    std::vector<std::int32_t> connected = open;  // also across the ends of cuts
+    connected.insert(connected.end(), meeting.begin(), meeting.end());
+    const BoundaryLoops loops(connected, n);
+    for (std::size_t edge = 0; 2 * edge < open.size(); ++edge) {
+        mesh.face_points.insert(mesh.face_points.end(), {open[2 * edge], open[2 * edge + 1]});
+        mesh.face_markers.push_back(
+            mesh.add_marker(name + std::to_string(loops.of_edge[edge] + 1)));
     }
     mesh.face_offset.resize(mesh.face_markers.size());
-    const std::string edges = plural(static_cast<std::int64_t>(open.size()), "boundary edge");
+    const std::string edges = plural(static_cast<std::int64_t>(open.size() / 2), "boundary edge");
     mesh.remark(edges + " without a marker: named " + name + "1, ... loop by loop");
 }
 

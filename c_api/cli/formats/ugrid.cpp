@@ -187,8 +187,9 @@ private:
         for (const Side& side : sides) {
             const std::int64_t tag = numbers_.whole("a face's tag");
             const auto name = names.find(tag);
-            thick.add_side(side.points, side.n,
-                           name == names.end() ? std::to_string(tag) : name->second, side.offset);
+            const std::int32_t marker =
+                mesh_.add_marker(name == names.end() ? std::to_string(tag) : name->second);
+            thick.add_side(side.points, side.n, marker, side.offset);
         }
     }
 

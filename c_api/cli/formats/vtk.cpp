@@ -1,14 +1,14 @@
 // VTK's legacy files (https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html),
-// unstructured grids of versions 1 to 5.1, in text and binary, with triangles and quadrilaterals in
-// one plane z = constant.
+// unstructured and structured grids of versions 1 to 5.1, in text and binary, of two dimensions or
+// one cell thick.
 #include "formats/format.hpp"
 
 #include "formats/bytes.hpp"
 #include "formats/number_reader.hpp"
-#include "formats/one_plane.hpp"
 #include "formats/vtk_cells.hpp"
 #include "basics/numbers.hpp"
 
+#include <algorithm>
 #include <ostream>
 
 namespace cli {
@@ -28,6 +28,7 @@ private:
     void read_old_cells(std::int64_t n, std::int64_t size);
     void read_array(const char* name, std::int64_t n, std::vector<std::int64_t>& values);
     void read_types();
+    void add_structured_cells();
     void pass_over();
     void begin_numbers();  // behind the end of the line
     std::int64_t text_count(const char* what);
@@ -36,11 +37,31 @@ private:
     NumberReader numbers_;
     bool binary_ = false;
     VtkCells cells_;
+    Elements elements_;
+    bool is_structured_ = false;
+    std::int64_t size_[3] = {0, 0, 0};  // of a structured grid: points along i, j, k
     bool points_read_ = false, cells_read_ = false, types_read_ = false;
 };
 
 void VtkReader::read() {
     read_head();
+    while (is_structured_ && !points_read_) {
+        numbers_.is_binary = false;
+        const std::string name(numbers_.word());
+        if (name == "DIMENSIONS") {
+            for (std::int64_t& n : size_) n = numbers_.count("a number of points");
+        } else if (name == "POINTS" && size_[0] > 0) {
+            read_points();
+        } else if (name == "METADATA" || name == "FIELD") {
+            pass_over();
+        } else {
+            numbers_.expected("DIMENSIONS, then POINTS");
+        }
+    }
+    if (is_structured_) {
+        add_structured_cells();
+        return build_mesh(mesh_, elements_);
+    }
     while (!(points_read_ && cells_read_ && types_read_)) {
         numbers_.is_binary = false;
         const std::string name(numbers_.word());
@@ -55,7 +76,8 @@ void VtkReader::read() {
                       plural(static_cast<std::int64_t>(cells_.starts.size()) - 1, "cell") +
                       ", CELL_TYPES " + std::to_string(cells_.types.size()));
     }
-    add_vtk_cells(mesh_, cells_);
+    add_vtk_cells(mesh_.file, cells_, 0, elements_);
+    build_mesh(mesh_, elements_);
 }
 
 void VtkReader::read_head() {
@@ -71,7 +93,14 @@ void VtkReader::read_head() {
     numbers_.swapped = mesh_.in_file.swapped =
         binary_ && little_endian_machine();  // always big-endian
     if (numbers_.word() != "DATASET") numbers_.expected("DATASET");
-    if (numbers_.word() != "UNSTRUCTURED_GRID") numbers_.expected("UNSTRUCTURED_GRID");
+    const std::string_view set = numbers_.word();
+    is_structured_ = set == "STRUCTURED_GRID";
+    if (!is_structured_ && set != "UNSTRUCTURED_GRID") {
+        numbers_.expected(
+            "UNSTRUCTURED_GRID or STRUCTURED_GRID (ParaView's filter Append Datasets makes the "
+            "first of "
+            "other kinds)");
+    }
 }
 
 void VtkReader::read_section(const std::string& name) {
@@ -91,7 +120,7 @@ void VtkReader::read_section(const std::string& name) {
 // Other sections stay as they are.
 void VtkReader::pass_over() {
     std::size_t next = std::string::npos;
-    for (const char* name : {"\nPOINTS ", "\nCELLS ", "\nCELL_TYPES "}) {
+    for (const char* name : {"\nDIMENSIONS ", "\nPOINTS ", "\nCELLS ", "\nCELL_TYPES "}) {
         next = std::min(next, mesh_.file.text().find(name, numbers_.offset()));
     }
     numbers_.jump(std::min(next, mesh_.file.text().size()));
@@ -117,14 +146,10 @@ void VtkReader::read_points() {
     const int bytes = type == "float" ? 4 : 8;
     if (binary_) mesh_.in_file.kind = bytes == 4 ? NumberKind::real32 : NumberKind::real64;
     begin_numbers();
-    OnePlane plane;
-    for (std::int64_t i = 0; i < n; ++i) {
-        const double x = numbers_.real("a point's x", bytes);
-        const std::size_t x_offset = numbers_.number_offset();
-        const double y = numbers_.real("a point's y", bytes);
-        const std::size_t y_offset = numbers_.number_offset();
-        plane.check(numbers_.real("a point's z", bytes), numbers_);
-        mesh_.add_point(x, y, x_offset, y_offset);
+    for (std::int64_t i = 0; i < 3 * n; ++i) {
+        const auto d = static_cast<std::size_t>(i % 3);
+        elements_.points.x[d].push_back(numbers_.real("a coordinate of a point", bytes));
+        elements_.points.offset[d].push_back(numbers_.number_offset());
     }
     points_read_ = true;
 }
@@ -183,6 +208,39 @@ void VtkReader::read_types() {
     types_read_ = true;
 }
 
+// Quadrilaterals, or hexahedra where no direction has a single point.
+void VtkReader::add_structured_cells() {
+    const std::int64_t points = elements_.points.points(), plane = size_[0] * size_[1];
+    if (size_[0] < 1 || size_[1] < 1 || size_[2] < 1 || size_[2] > points ||
+        plane > points / size_[2] || plane * size_[2] != points) {
+        numbers_.fail("DIMENSIONS " + std::to_string(size_[0]) + " " + std::to_string(size_[1]) +
+                      " " + std::to_string(size_[2]) + " are not those of " +
+                      plural(points, "point"));
+    }
+    const std::int64_t step[3] = {1, size_[0], plane};
+    std::size_t along[3], n = 0;  // directions with several points
+    for (std::size_t d = 0; d < 3; ++d) {
+        if (size_[d] > 1) along[n++] = d;
+    }
+    if (n < 2) numbers_.fail("the grid has no cells: two of its DIMENSIONS are 1");
+    std::int64_t at[3] = {0, 0, 0};
+    const std::int64_t a = step[along[0]], b = step[along[1]], c = n == 3 ? step[along[2]] : 0;
+    for (at[2] = 0; at[2] < std::max<std::int64_t>(size_[2] - 1, 1); ++at[2]) {
+        for (at[1] = 0; at[1] < std::max<std::int64_t>(size_[1] - 1, 1); ++at[1]) {
+            for (at[0] = 0; at[0] < std::max<std::int64_t>(size_[0] - 1, 1); ++at[0]) {
+                const std::int64_t first = at[0] + at[1] * step[1] + at[2] * step[2];
+                elements_.add(n == 3 ? ElementShape{3, 8, 8} : ElementShape{2, 4, 4}, -1,
+                              elements_.points.offset[0][static_cast<std::size_t>(first)]);
+                for (std::int64_t layer = 0; layer <= (n == 3 ? c : 0);
+                     layer += std::max<std::int64_t>(c, 1)) {
+                    for (const std::int64_t corner : {first, first + a, first + a + b, first + b})
+                        elements_.nodes.push_back(static_cast<std::int32_t>(corner + layer));
+                }
+            }
+        }
+    }
+}
+
 bool probe_vtk(const TextFile& file) {
     return file.text().compare(0, 22, "# vtk DataFile Version") == 0;
 }
@@ -211,7 +269,7 @@ void create_vtk(std::ostream& out, const Mesh& mesh) {
 
 }  // namespace
 
-const Format vtk_format = {"vtk",     ".vtk",   "VTK legacy unstructured grids, text and binary",
+const Format vtk_format = {"vtk",     ".vtk",   "VTK legacy unstructured and structured grids",
                            probe_vtk, read_vtk, create_vtk,
                            false};
 

@@ -1,50 +1,91 @@
 #include "formats/vtk_cells.hpp"
 
-#include "formats/tidy.hpp"
 #include "basics/numbers.hpp"
+#include "basics/place.hpp"
+
+#include <utility>
 
 namespace cli {
 
-void add_vtk_cells(Mesh& mesh, const VtkCells& cells) {
+namespace {
+
+struct VtkShape {
+    int type;
+    ElementShape shape;
+};
+constexpr VtkShape vtk_shapes[] = {{vtk_line, {1, 2, 2}},
+                                   {vtk_triangle, {2, 3, 3}},
+                                   {vtk_pixel, {2, 4, 4}},
+                                   {vtk_quad, {2, 4, 4}},
+                                   {vtk_tetrahedron, {3, 4, 4}},
+                                   {vtk_voxel, {3, 8, 8}},
+                                   {vtk_hexahedron, {3, 8, 8}},
+                                   {vtk_wedge, {3, 6, 6}},
+                                   {vtk_pyramid, {3, 5, 5}},
+                                   {vtk_quadratic_edge, {1, 2, 3}},
+                                   {vtk_quadratic_triangle, {2, 3, 6}},
+                                   {vtk_quadratic_quad, {2, 4, 8}},
+                                   {vtk_biquadratic_quad, {2, 4, 9}},
+                                   {vtk_biquadratic_triangle, {2, 3, 7}}};
+constexpr std::int64_t vertex = 1, several_vertices = 2, several_lines = 4;  // no part of the mesh
+
+bool is_passed_over(std::int64_t type) {
+    return type == vertex || type == several_vertices || type == several_lines;
+}
+
+// dimension 0: no element of a mesh.
+ElementShape shape_of(std::int64_t type, std::int64_t n) {
+    if (type == vtk_polygon && n >= 3) return {2, static_cast<int>(n), static_cast<int>(n)};
+    for (const VtkShape& its : vtk_shapes) {
+        if (its.type == type && its.shape.nodes == n) return its.shape;
+    }
+    return {0, 0, 0};
+}
+
+// Pixels and voxels go line by line, and not round their faces.
+std::int64_t place_in_cell(std::int64_t type, std::int64_t k) {
+    const bool by_lines = type == vtk_pixel || type == vtk_voxel;
+    return by_lines && k % 4 >= 2 ? k / 4 * 4 + 5 - k % 4 : k;
+}
+
+}  // namespace
+
+void add_vtk_cells(const TextFile& file, const VtkCells& cells, std::int32_t first_point,
+                   Elements& elements) {
     const auto total = static_cast<std::int64_t>(cells.points.size());
-    std::vector<std::int32_t> cell;
+    const std::int64_t n_points = elements.points.points() - first_point;
     for (std::size_t i = 0; i < cells.types.size(); ++i) {
         const std::int64_t type = cells.types[i], begin = cells.starts[i],
                            end = cells.starts[i + 1];
-        if (begin < 0 || end <= begin || end > total) {
-            mesh.file.fail(cells.starts_offset,
-                           "the offsets of cell " + std::to_string(i) + " are out of range");
+        if (begin < 0 || end <= begin || end > total || end - begin > INT32_MAX) {
+            file.fail(cells.starts_offset,
+                      "the offsets of cell " + std::to_string(i) + " are out of range");
         }
         const std::int64_t n = end - begin;
         const std::size_t offset = cells.offsets[static_cast<std::size_t>(begin)];
-        if (type >= vtk_vertex && type <= vtk_poly_line) continue;  // no part of the mesh
-        const bool is_read = (type == vtk_triangle && n == 3) ||
-                             ((type == vtk_quad || type == vtk_pixel) && n == 4) ||
-                             (type == vtk_polygon && n >= 3);
-        if (!is_read) {
-            const bool is_solid = type >= vtk_tetrahedron && type <= vtk_last_solid;
-            mesh.file.fail(offset, "cell " + std::to_string(i) + " is of type " +
-                                       std::to_string(type) + " with " + plural(n, "point") +
-                                       ": triangles, quadrilaterals and polygons are read" +
-                                       (is_solid ? "; the mesh has three dimensions" : ""));
+        if (is_passed_over(type)) continue;
+        const ElementShape shape = shape_of(type, n);
+        if (shape.dimension == 0) {
+            file.fail(
+                offset,
+                "cell " + std::to_string(i) + " is of type " + std::to_string(type) + " with " +
+                    plural(n, "point") +
+                    ": read are triangles and quadrilaterals of first and second order and "
+                    "polygons, and "
+                    "wedges and hexahedra one cell thick; save others as cells of first order");
         }
-        cell.clear();
+        elements.add(shape, -1, offset);
         for (std::int64_t k = 0; k < n; ++k) {
-            const bool is_second_line = type == vtk_pixel && k >= 2;  // a pixel goes line by line
-            const std::int64_t at = is_second_line ? begin + 5 - k : begin + k;
-            const std::int64_t point = cells.points[static_cast<std::size_t>(at)];
-            if (point < 0 || point >= mesh.points()) {
-                const std::string last = std::to_string(mesh.points() - 1),
+            const std::int64_t point =
+                cells.points[static_cast<std::size_t>(begin + place_in_cell(type, k))];
+            if (point < 0 || point >= n_points) {
+                const std::string last = std::to_string(n_points - 1),
                                   found = std::to_string(point);
-                mesh.file.fail(offset,
-                               "expected points between 0 and " + last + ", found " + found);
+                file.fail(offset, "expected points between 0 and " + last + ", found " + found);
             }
-            cell.push_back(static_cast<std::int32_t>(point));
+            elements.nodes.push_back(first_point + static_cast<std::int32_t>(point));
         }
-        mesh.add_cell(cell, offset);
     }
-    mesh.find_polygons();
-    name_open_boundary(mesh, "boundary");
 }
 
 }  // namespace cli

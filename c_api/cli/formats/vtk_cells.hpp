@@ -1,22 +1,26 @@
 // Cells as VTK's files of both kinds have them.
 #pragma once
 
-#include "mesh/mesh_file.hpp"
+#include "formats/element_mesh.hpp"
 
 namespace cli {
 
 enum VtkCellType {
-    vtk_vertex = 1,
-    vtk_poly_vertex,
-    vtk_line,
-    vtk_poly_line,
-    vtk_triangle,
-    vtk_strip,
-    vtk_polygon,
+    vtk_line = 3,
+    vtk_triangle = 5,
+    vtk_polygon = 7,
     vtk_pixel,
     vtk_quad,
     vtk_tetrahedron,
-    vtk_last_solid = 14
+    vtk_voxel,
+    vtk_hexahedron,
+    vtk_wedge,
+    vtk_pyramid,
+    vtk_quadratic_edge = 21,
+    vtk_quadratic_triangle,
+    vtk_quadratic_quad,
+    vtk_biquadratic_quad = 28,
+    vtk_biquadratic_triangle = 34
 };
 
 // Of a triangle, a quadrilateral or a polygon.
@@ -32,9 +36,10 @@ struct VtkCells {
     std::size_t starts_offset = 0;     // in the file, of the first of `starts`
 };
 
-// Adds triangles, quadrilaterals and polygons to a mesh that has its points, passes over vertices
-// and lines, and refuses other cells. VTK knows no boundaries: each loop of boundary edges is a
-// marker, boundary1, boundary2, ... by the least point in it.
-void add_vtk_cells(Mesh& mesh, const VtkCells& cells);
+// Adds cells of points first_point, first_point + 1, ... of `elements`, passes over vertices and
+// lines of several segments, and refuses what is no element of a mesh. VTK has no names for
+// boundaries.
+void add_vtk_cells(const TextFile& file, const VtkCells& cells, std::int32_t first_point,
+                   Elements& elements);
 
 }  // namespace cli

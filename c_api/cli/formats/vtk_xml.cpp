@@ -1,15 +1,19 @@
 // VTK's XML files of unstructured grids (.vtu,
-// https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html) with triangles and
-// quadrilaterals in one plane z = constant: arrays in text, or raw in the section AppendedData.
+// https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html), of one piece or
+// several, in two dimensions or one cell thick: arrays in text, in base64, or behind each other in
+// the section AppendedData, also compressed by zlib. Pieces meet where their points have equal
+// coordinates, as cuts do.
 #include "formats/format.hpp"
 
 #include "formats/bytes.hpp"
 #include "formats/number_reader.hpp"
-#include "formats/one_plane.hpp"
 #include "formats/vtk_cells.hpp"
+#include "formats/vtk_data.hpp"
 #include "formats/xml.hpp"
 #include "basics/numbers.hpp"
 #include "formats/vtu.hpp"
+
+#include <algorithm>
 
 namespace cli {
 
@@ -17,52 +21,68 @@ namespace {
 
 class VtkXmlReader {
 public:
-    explicit VtkXmlReader(Mesh& mesh) : mesh_(mesh), tags_(mesh.file), numbers_(mesh.file) {}
-
-    void read() {
-        read_tags();
-        read_points();
-        read_cells();
-        add_vtk_cells(mesh_, cells_);
-    }
+    explicit VtkXmlReader(Mesh& mesh) : mesh_(mesh), numbers_(mesh.file) {}
+    void read();
 
 private:
-    struct Array {
-        bool is_there = false;
-        XmlTag tag;
-        std::size_t text_end = 0;  // of an array in text
+    struct Piece {
+        std::size_t tag = 0;
+        std::int64_t n_points = 0, n_cells = 0;
+        VtkArray points, connectivity, offsets, types;
+    };
+    struct Source {  // of an array's numbers in mesh_.file, as soon as it is decoded
+        std::size_t begin, end;
+        bool is_binary;
     };
 
     void read_tags();
-    void read_tag(std::string_view section);
+    void read_tag(const XmlReader& tags, std::string_view section);
+    void read_array(const XmlReader& tags, std::string_view section);
     void read_head(const XmlTag& tag);
     void begin_piece(const XmlTag& tag);
     void begin_appended(const XmlTag& tag);
     std::int64_t count(const XmlTag& tag, std::string_view key) const;
 
-    void begin_array(const Array& array, const char* name, int bytes);
-    void read_points();
-    void read_cells();
-    void read_wholes(const Array& array, const char* name, std::vector<std::int64_t>& values,
+    void decode();
+    Source source_of(const VtkArray& array, const char* name, int bytes) const;
+    void begin_numbers(const VtkArray& array, const char* name, int bytes);
+    void read_points(const Piece& piece);
+    void read_cells(const Piece& piece);
+    void read_wholes(const VtkArray& array, const char* name, std::vector<std::int64_t>& values,
                      std::vector<std::size_t>* offsets);
-    void check_length(const Array& array, const char* name, std::size_t length) const;
+    void check_length(const VtkArray& array, const char* name, std::size_t length,
+                      std::int64_t wanted) const;
+    void check_total(const Piece& piece);
 
     Mesh& mesh_;
-    XmlReader tags_;
     NumberReader numbers_;
-    bool is_compressed_ = false, has_piece_ = false;
-    int header_bytes_ = 4;      // of the length before each appended array
-    std::size_t appended_ = 0;  // where appended arrays begin; 0: there are none
-    std::int64_t n_points_ = 0, n_cells_ = 0;
-    Array points_, connectivity_, offsets_, types_;
-    VtkCells cells_;
+    VtkStore store_;  // its encoding is that of the file
+    std::vector<Piece> pieces_;
+    std::vector<std::pair<std::size_t, VtkDecoded>> decoded_;  // by the tag of the array, rising
+    Elements elements_;
+    std::int32_t first_point_ = 0;  // of the piece
+    std::size_t numbers_read_ = 0;
+    bool has_kind_ = false;
 };
 
+void VtkXmlReader::read() {
+    read_tags();
+    decode();
+    for (const Piece& piece : pieces_) {
+        first_point_ = elements_.points.points();
+        if (piece.n_points > 0) read_points(piece);
+        if (piece.n_cells > 0) read_cells(piece);
+        check_total(piece);
+    }
+    build_mesh(mesh_, elements_);
+}
+
 void VtkXmlReader::read_tags() {
+    XmlReader tags(mesh_.file);
     std::string_view section;  // Points, Cells, PointData, ...
     bool has_head = false;
-    while (appended_ == 0 && tags_.next()) {
-        const XmlTag& tag = tags_.tag();
+    while (store_.encoding.appended == 0 && tags.next()) {
+        const XmlTag& tag = tags.tag();
         if (tag.name == "VTKFile") {
             has_head = true;
             read_head(tag);
@@ -73,27 +93,63 @@ void VtkXmlReader::read_tags() {
                    tag.name == "/Cells") {
             section = tag.is_empty ? "" : tag.name;
         } else {
-            read_tag(section);
+            read_tag(tags, section);
         }
     }
-    if (!has_piece_)
+    if (pieces_.empty())
         mesh_.file.fail(mesh_.file.text().size(), "expected <Piece, found the end of the file");
 }
 
-void VtkXmlReader::read_tag(std::string_view section) {
-    const XmlTag& tag = tags_.tag();
+void VtkXmlReader::read_tag(const XmlReader& tags, std::string_view section) {
+    const XmlTag& tag = tags.tag();
     if (tag.name == "Piece") return begin_piece(tag);
     if (tag.name == "AppendedData") return begin_appended(tag);
-    if (tag.name != "DataArray") return;
+    if (tag.name == "DataArray") return read_array(tags, section);
+}
+
+void VtkXmlReader::read_array(const XmlReader& tags, std::string_view section) {
+    const XmlTag& tag = tags.tag();
+    VtkArray its;
+    its.is_there = true;
+    its.type = std::string(tag.attribute("type"));
+    its.components = std::string(tag.attribute("NumberOfComponents"));
+    its.tag = tag.begin;
+    its.begin = tag.end;
+    its.end = tag.is_empty ? tag.end : tags.text_end();
+    std::string format(tag.attribute("format"));
+    for (char& c : format) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    its.is_appended = format == "appended";
+    its.is_binary = format == "binary";
+    if (its.is_appended) {
+        const std::string_view value = tag.attribute("offset");
+        std::int64_t offset = 0;
+        if (!parse(trimmed(value), offset) || offset < 0 ||
+            static_cast<std::size_t>(offset) > mesh_.file.text().size()) {
+            const std::string last = std::to_string(mesh_.file.text().size());
+            mesh_.file.fail(tag.begin, "expected an offset between 0 and " + last + ", found " +
+                                           in_quotes(value));
+        }
+        its.begin = static_cast<std::size_t>(offset);
+        its.offset_at = static_cast<std::size_t>(value.data() - mesh_.file.text().data());
+        its.offset_length = value.size();
+        store_.appended.push_back(its);
+    }
     const std::string_view name = tag.attribute("Name");
-    Array* array = nullptr;
-    if (section == "Points") array = &points_;
-    if (section == "Cells" && name == "connectivity") array = &connectivity_;
-    if (section == "Cells" && name == "offsets") array = &offsets_;
-    if (section == "Cells" && name == "types") array = &types_;
+    VtkArray* array = nullptr;
+    if (!pieces_.empty() && section == "Points") array = &pieces_.back().points;
+    if (!pieces_.empty() && section == "Cells" && name == "connectivity")
+        array = &pieces_.back().connectivity;
+    if (!pieces_.empty() && section == "Cells" && name == "offsets")
+        array = &pieces_.back().offsets;
+    if (!pieces_.empty() && section == "Cells" && name == "types") array = &pieces_.back().types;
     if (!array) return;  // stays as it is
     if (array->is_there) mesh_.file.fail(tag.begin, "the array stands here a second time");
-    *array = {true, tag, tag.is_empty ? tag.end : tags_.text_end()};
+    if (!its.is_appended && !its.is_binary && !format.empty() && format != "ascii") {
+        mesh_.file.fail(tag.begin,
+                        "arrays of format ascii, binary and appended are read, this one has " +
+                            in_quotes(tag.attribute("format")));
+    }
+    *array = its;
 }
 
 void VtkXmlReader::read_head(const XmlTag& tag) {
@@ -102,34 +158,48 @@ void VtkXmlReader::read_head(const XmlTag& tag) {
     };
     const std::string_view type = tag.attribute("type"), order = tag.attribute("byte_order");
     const std::string_view header = tag.attribute("header_type");
-    if (type != "UnstructuredGrid") refuse("a file of type UnstructuredGrid", type);
+    if (type.substr(0, 1) == "P" && type != "PolyData") {
+        refuse(
+            "a file of type UnstructuredGrid: a parallel file names the files of its pieces; save "
+            "the grid as one "
+            "file .vtu (in ParaView: Merge Blocks, then Save Data)",
+            type);
+    }
+    if (type != "UnstructuredGrid") {
+        refuse(
+            "a file of type UnstructuredGrid (ParaView's filter Append Datasets makes such a grid)",
+            type);
+    }
     if (!order.empty() && order != "LittleEndian" && order != "BigEndian")
         refuse("LittleEndian or BigEndian", order);
     if (!header.empty() && header != "UInt32" && header != "UInt64")
         refuse("header_type UInt32 or UInt64", header);
-    numbers_.swapped = mesh_.in_file.swapped = (order != "BigEndian") != little_endian_machine();
-    header_bytes_ = header == "UInt64" ? 8 : 4;
-    is_compressed_ =
-        !tag.attribute("compressor").empty();  // VTK writes the name into files in text, too
+    VtkEncoding& encoding = store_.encoding;
+    encoding.swapped = (order != "BigEndian") != little_endian_machine();
+    numbers_.swapped = mesh_.in_file.swapped = encoding.swapped;
+    encoding.header_bytes = header == "UInt64" ? 8 : 4;
+    encoding.compressor =
+        std::string(tag.attribute("compressor"));  // VTK names one in files in text, too
 }
 
 void VtkXmlReader::begin_piece(const XmlTag& tag) {
-    if (has_piece_) mesh_.file.fail(tag.begin, "the file has several pieces: save the grid as one");
-    has_piece_ = true;
-    n_points_ = count(tag, "NumberOfPoints");
-    n_cells_ = count(tag, "NumberOfCells");
+    pieces_.emplace_back();
+    pieces_.back().tag = tag.begin;
+    pieces_.back().n_points = count(tag, "NumberOfPoints");
+    pieces_.back().n_cells = count(tag, "NumberOfCells");
 }
 
 void VtkXmlReader::begin_appended(const XmlTag& tag) {
     const std::string_view encoding = tag.attribute("encoding"), text = mesh_.file.text();
-    if (encoding != "raw") {
-        mesh_.file.fail(tag.begin, "appended data with encoding raw are read, these have " +
+    if (encoding != "raw" && encoding != "base64") {
+        mesh_.file.fail(tag.begin, "expected appended data with encoding raw or base64, found " +
                                        in_quotes(encoding));
     }
     const std::size_t mark = text.find_first_not_of(" \t\r\n", tag.end);
     if (mark == text.npos || text[mark] != '_')
         mesh_.file.fail(tag.end, "expected _ before the appended data");
-    appended_ = mark + 1;
+    store_.encoding.is_raw = encoding == "raw";
+    store_.encoding.appended = mark + 1;
 }
 
 std::int64_t VtkXmlReader::count(const XmlTag& tag, std::string_view key) const {
@@ -142,94 +212,146 @@ std::int64_t VtkXmlReader::count(const XmlTag& tag, std::string_view key) const 
     return value;
 }
 
-// To the array's first number; `bytes` each, if they are not text.
-void VtkXmlReader::begin_array(const Array& array, const char* name, int bytes) {
-    if (!array.is_there)
-        mesh_.file.fail(mesh_.file.text().size(), "the file has no array " + std::string(name));
-    const std::string_view format = array.tag.attribute("format");
-    const std::size_t at = array.tag.begin;
-    numbers_.is_binary = format == "appended";
-    if (format == "ascii") {
-        numbers_.jump(array.tag.end);
-        return numbers_.stop_at(array.text_end);
+// Encoded arrays go behind the text of the file, where they are read, and changed, as raw ones.
+void VtkXmlReader::decode() {
+    const VtkEncoding& as = store_.encoding;
+    store_.file_size = mesh_.file.text().size();
+    std::string text = mesh_.file.text();
+    for (const Piece& piece : pieces_) {
+        const std::pair<const VtkArray*, const char*> arrays[] = {
+            {&piece.points, "Points"},
+            {&piece.connectivity, "connectivity"},
+            {&piece.offsets, "offsets"},
+            {&piece.types, "types"}};
+        for (const auto& [array, name] : arrays) {
+            const bool is_needed = array == &piece.points ? piece.n_points > 0 : piece.n_cells > 0;
+            if (!array->is_there || !is_needed || !array->is_encoded(as)) continue;
+            if (array->is_appended && as.appended == 0) continue;  // refused where it is read
+            decoded_.emplace_back(array->tag, decode_vtk(mesh_.file, as, *array, name, text));
+            if (array == &piece.points) store_.points.push_back(decoded_.back().second);
+        }
     }
-    if (!numbers_.is_binary) {
-        mesh_.file.fail(
-            at, "arrays of format ascii and appended are read, this one has " + in_quotes(format));
-    }
-    if (is_compressed_)
-        mesh_.file.fail(at, "the array is compressed: save the file without compression");
-    if (appended_ == 0)
-        mesh_.file.fail(at, "the array is appended, but the file has no section AppendedData");
-    std::int64_t offset = 0;
-    const std::size_t there = mesh_.file.text().size() - appended_;
-    if (!parse(array.tag.attribute("offset"), offset) || offset < 0 ||
-        static_cast<std::size_t>(offset) > there) {
-        mesh_.file.fail(at, "expected an offset between 0 and " + std::to_string(there) +
-                                ", found " + in_quotes(array.tag.attribute("offset")));
-    }
-    numbers_.jump(appended_ + static_cast<std::size_t>(offset));
-    numbers_.stop_at(mesh_.file.text().size());
-    std::int64_t length = numbers_.whole("the length of an array", header_bytes_);
-    if (header_bytes_ == 4) length &= 0xffffffff;  // has no sign
-    const std::size_t rest = mesh_.file.text().size() - numbers_.offset();
-    if (length < 0 || static_cast<std::size_t>(length) > rest || length % bytes != 0) {
-        numbers_.fail("the array " + std::string(name) + " has " + std::to_string(length) +
-                      " bytes, " + std::to_string(bytes) + " for each number, but only " +
-                      std::to_string(rest) + " follow");
-    }
-    numbers_.stop_at(numbers_.offset() + static_cast<std::size_t>(length));
+    if (decoded_.empty()) return;
+    std::sort(decoded_.begin(), decoded_.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    const std::size_t size = store_.file_size;
+    const TextFile file = mesh_.file;
+    mesh_.file = TextFile(file.path(), std::move(text));
+    mesh_.file.name_places([file, size, decoded = decoded_](std::size_t offset) {
+        std::size_t place = offset;
+        for (const auto& [tag, array] : decoded) {
+            if (offset >= size && offset >= array.bytes && offset <= array.bytes_end) place = tag;
+        }
+        return file.place(place).substr(file.path().size() + 1);
+    });
+    mesh_.in_file.store = store_;
 }
 
-void VtkXmlReader::read_points() {
-    const std::string_view type = points_.tag.attribute("type");
-    const int bytes = type == "Float32" ? 4 : 8;
-    begin_array(points_, "Points", bytes);
-    if (type != "Float32" && type != "Float64") {
-        mesh_.file.fail(points_.tag.begin,
-                        "expected points of type Float32 or Float64, found " + in_quotes(type));
+VtkXmlReader::Source VtkXmlReader::source_of(const VtkArray& array, const char* name,
+                                             int bytes) const {
+    if (!array.is_there)
+        mesh_.file.fail(pieces_.back().tag, "the file has no array " + std::string(name));
+    const auto found =
+        std::lower_bound(decoded_.begin(), decoded_.end(), array.tag,
+                         [](const auto& one, std::size_t tag) { return one.first < tag; });
+    Source source = {array.begin, array.end, array.is_binary || array.is_appended};
+    if (found != decoded_.end() && found->first == array.tag) {
+        source.begin = found->second.bytes;
+        source.end = found->second.bytes_end;
+    } else if (array.is_appended) {
+        const VtkEncoding& as = store_.encoding;
+        if (as.appended == 0) {
+            mesh_.file.fail(array.tag,
+                            "the array is appended, but the file has no section AppendedData");
+        }
+        const std::size_t there = store_.file_size - as.appended;
+        if (array.begin > there ||
+            there - array.begin < static_cast<std::size_t>(as.header_bytes)) {
+            mesh_.file.fail(array.tag, "expected an offset between 0 and " + std::to_string(there) +
+                                           ", found '" + std::to_string(array.begin) + "'");
+        }
+        const char* const head = mesh_.file.text().data() + as.appended + array.begin;
+        const std::int64_t length = as.header_bytes == 8 ? load<std::int64_t>(head, as.swapped)
+                                                         : load<std::uint32_t>(head, as.swapped);
+        source.begin = as.appended + array.begin + static_cast<std::size_t>(as.header_bytes);
+        const std::size_t rest = store_.file_size - source.begin;
+        if (length < 0 || static_cast<std::size_t>(length) > rest) {
+            mesh_.file.fail(source.begin, "the array " + std::string(name) + " has " +
+                                              std::to_string(length) + " bytes, but only " +
+                                              std::to_string(rest) + " follow");
+        }
+        source.end = source.begin + static_cast<std::size_t>(length);
     }
-    if (points_.tag.attribute("NumberOfComponents") != "3") {
-        mesh_.file.fail(points_.tag.begin, "expected points with NumberOfComponents=\"3\"");
+    if (source.is_binary && (source.end - source.begin) % static_cast<std::size_t>(bytes) != 0) {
+        mesh_.file.fail(array.tag, "the array " + std::string(name) + " has " +
+                                       std::to_string(source.end - source.begin) + " bytes, and " +
+                                       std::to_string(bytes) + " for each number");
     }
-    if (numbers_.is_binary)
-        mesh_.in_file.kind = bytes == 4 ? NumberKind::real32 : NumberKind::real64;
-    OnePlane plane;
-    for (std::int64_t i = 0; i < n_points_; ++i) {
-        const double x = numbers_.real("a point's x", bytes);
-        const std::size_t x_offset = numbers_.number_offset();
-        const double y = numbers_.real("a point's y", bytes);
-        const std::size_t y_offset = numbers_.number_offset();
-        plane.check(numbers_.real("a point's z", bytes), numbers_);
-        mesh_.add_point(x, y, x_offset, y_offset);
+    return source;
+}
+
+void VtkXmlReader::begin_numbers(const VtkArray& array, const char* name, int bytes) {
+    const Source source = source_of(array, name, bytes);
+    numbers_.is_binary = source.is_binary;
+    numbers_.jump(source.begin);
+    numbers_.stop_at(source.end);
+}
+
+void VtkXmlReader::read_points(const Piece& piece) {
+    const VtkArray& array = piece.points;
+    const int bytes = array.type == "Float32" ? 4 : 8;
+    begin_numbers(array, "Points", bytes);
+    if (array.type != "Float32" && array.type != "Float64") {
+        mesh_.file.fail(array.tag, "expected points of type Float32 or Float64, found " +
+                                       in_quotes(array.type));
+    }
+    if (array.components != "3")
+        mesh_.file.fail(array.tag, "expected points with NumberOfComponents=\"3\"");
+    const NumberKind kind = !numbers_.is_binary ? NumberKind::text
+                            : bytes == 4        ? NumberKind::real32
+                                                : NumberKind::real64;
+    if (has_kind_ && kind != mesh_.in_file.kind) {
+        mesh_.file.fail(
+            array.tag,
+            "the points of the pieces are stored in several ways: save the grid as one piece");
+    }
+    has_kind_ = true;
+    mesh_.in_file.kind = kind;
+    for (std::int64_t i = 0; i < 3 * piece.n_points; ++i) {
+        const auto d = static_cast<std::size_t>(i % 3);
+        elements_.points.x[d].push_back(numbers_.real("a coordinate of a point", bytes));
+        elements_.points.offset[d].push_back(numbers_.number_offset());
     }
     if (!numbers_.at_end()) {
-        mesh_.file.fail(numbers_.offset(),
-                        "the array Points has more numbers than " + plural(n_points_, "point"));
+        mesh_.file.fail(numbers_.offset(), "the array Points has more numbers than " +
+                                               plural(piece.n_points, "point"));
     }
 }
 
-void VtkXmlReader::read_cells() {
-    cells_.starts = {0};
-    read_wholes(offsets_, "offsets", cells_.starts, nullptr);
-    check_length(offsets_, "offsets", cells_.starts.size() - 1);
-    read_wholes(types_, "types", cells_.types, nullptr);
-    check_length(types_, "types", cells_.types.size());
-    read_wholes(connectivity_, "connectivity", cells_.points, &cells_.offsets);
-    cells_.starts_offset = offsets_.tag.begin;
+void VtkXmlReader::read_cells(const Piece& piece) {
+    VtkCells cells;
+    cells.starts = {0};
+    read_wholes(piece.offsets, "offsets", cells.starts, nullptr);
+    check_length(piece.offsets, "offsets", cells.starts.size() - 1, piece.n_cells);
+    read_wholes(piece.types, "types", cells.types, nullptr);
+    check_length(piece.types, "types", cells.types.size(), piece.n_cells);
+    read_wholes(piece.connectivity, "connectivity", cells.points, &cells.offsets);
+    cells.starts_offset = piece.offsets.tag;
+    numbers_read_ += cells.types.size() + cells.points.size();
+    add_vtk_cells(mesh_.file, cells, first_point_, elements_);
 }
 
-void VtkXmlReader::read_wholes(const Array& array, const char* name,
+void VtkXmlReader::read_wholes(const VtkArray& array, const char* name,
                                std::vector<std::int64_t>& values,
                                std::vector<std::size_t>* offsets) {
-    const std::string_view type = array.tag.attribute("type");
+    const std::string& type = array.type;
     const int bytes = type == "Int8" || type == "UInt8"     ? 1
                       : type == "Int32" || type == "UInt32" ? 4
                       : type == "Int64" || type == "UInt64" ? 8
                                                             : 0;
-    begin_array(array, name, bytes > 0 ? bytes : 1);
+    begin_numbers(array, name, bytes > 0 ? bytes : 1);
     if (bytes == 0) {
-        mesh_.file.fail(array.tag.begin,
+        mesh_.file.fail(array.tag,
                         "expected whole numbers of 8, 32 or 64 bits, found " + in_quotes(type));
     }
     while (!numbers_.at_end()) {
@@ -238,12 +360,21 @@ void VtkXmlReader::read_wholes(const Array& array, const char* name,
     }
 }
 
-void VtkXmlReader::check_length(const Array& array, const char* name, std::size_t length) const {
-    if (static_cast<std::int64_t>(length) == n_cells_) return;
+void VtkXmlReader::check_length(const VtkArray& array, const char* name, std::size_t length,
+                                std::int64_t wanted) const {
+    if (static_cast<std::int64_t>(length) == wanted) return;
     const std::string numbers = plural(static_cast<std::int64_t>(length), "number"),
-                      cells = plural(n_cells_, "cell");
-    mesh_.file.fail(array.tag.begin,
+                      cells = plural(wanted, "cell");
+    mesh_.file.fail(array.tag,
                     "the array " + std::string(name) + " has " + numbers + " for " + cells);
+}
+
+// Pieces with common arrays could ask for more than the file holds.
+void VtkXmlReader::check_total(const Piece& piece) {
+    numbers_read_ += static_cast<std::size_t>(piece.n_points);
+    if (numbers_read_ > mesh_.file.text().size() || elements_.points.x[0].size() > INT32_MAX) {
+        mesh_.file.fail(piece.tag, "the pieces have more points and cells than the file can hold");
+    }
 }
 
 bool probe_vtu(const TextFile& file) {
@@ -258,7 +389,7 @@ void create_vtu(std::ostream& out, const Mesh& mesh) { write_vtu(out, mesh); }
 }  // namespace
 
 const Format vtk_xml_format = {
-    "vtu",     ".vtu",   "VTK XML unstructured grids, text and appended raw data",
+    "vtu",     ".vtu",   "VTK XML unstructured grids: text, base64, appended, zlib",
     probe_vtu, read_vtu, create_vtu,
     false};
 

@@ -5,8 +5,13 @@
 namespace cli {
 
 std::string_view XmlTag::attribute(std::string_view key) const {
+    const auto lower = [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    };
     for (const auto& [name_of_one, value] : attributes) {
-        if (name_of_one == key) return value;
+        if (std::equal(name_of_one.begin(), name_of_one.end(), key.begin(), key.end(),
+                       [&](char a, char b) { return lower(a) == lower(b); }))
+            return value;
     }
     return {};
 }

@@ -17,7 +17,7 @@ struct XmlTag {
     std::size_t end = 0;    // behind the character >
     std::vector<std::pair<std::string_view, std::string_view>> attributes;
 
-    std::string_view attribute(std::string_view key) const;  // empty: not there
+    std::string_view attribute(std::string_view key) const;  // in capitals or not; empty: not there
 };
 
 class XmlReader {

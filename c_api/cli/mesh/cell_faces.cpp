@@ -3,7 +3,6 @@
 #include "basics/place.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace cli {
 
@@ -27,10 +26,6 @@ std::array<std::int32_t, 4> sorted(std::array<std::int32_t, 4> points) {
 }
 
 }  // namespace
-
-bool CellFaces::Face::is_same(const Face& face) const {
-    return sorted(points) == sorted(face.points);
-}
 
 void CellFaces::add(const std::int32_t* points, std::size_t n) {
     const auto cell = cells();
@@ -57,38 +52,30 @@ void CellFaces::add(const std::int32_t* points, std::size_t n) {
     start.push_back(static_cast<std::int32_t>(faces.size()));
 }
 
-std::int32_t CellFaces::connect(std::int32_t n_points) {
-    const auto lowest = [](const Face& face) {
-        return place(*std::min_element(face.points.begin(), face.points.end()));
-    };
-    lowest_start_.assign(place(n_points) + 1, 0);
-    for (const Face& face : faces) ++lowest_start_[lowest(face) + 1];
-    std::partial_sum(lowest_start_.begin(), lowest_start_.end(), lowest_start_.begin());
-    std::vector<std::int32_t> next(lowest_start_.begin(), lowest_start_.end() - 1);
-    by_lowest_.resize(faces.size());
-    std::int32_t third = -1;
+// Faces are put in order by their points: those of two cells then stand side by side.
+std::int32_t CellFaces::connect() {
+    by_points_.clear();
     for (std::size_t f = 0; f < faces.size(); ++f) {
-        const std::size_t point = lowest(faces[f]);
-        for (std::int32_t i = lowest_start_[point]; i < next[point]; ++i) {
-            Face& before = faces[place(by_lowest_[place(i)])];
-            if (!before.is_same(faces[f])) continue;
-            if (before.other >= 0) third = static_cast<std::int32_t>(f);
-            before.other = static_cast<std::int32_t>(f);
-            faces[f].other = by_lowest_[place(i)];
-            break;
-        }
-        by_lowest_[place(next[point]++)] = static_cast<std::int32_t>(f);
+        by_points_.push_back({sorted(faces[f].points), static_cast<std::int32_t>(f)});
+    }
+    std::sort(by_points_.begin(), by_points_.end());
+    std::int32_t third = -1;
+    for (std::size_t k = 1; k < by_points_.size(); ++k) {
+        if (by_points_[k].first != by_points_[k - 1].first) continue;
+        Face &before = faces[place(by_points_[k - 1].second)],
+             &its = faces[place(by_points_[k].second)];
+        if (before.other >= 0) third = by_points_[k].second;
+        before.other = by_points_[k].second;
+        its.other = by_points_[k - 1].second;
     }
     return third;
 }
 
 std::int32_t CellFaces::find(const std::int32_t* points, std::size_t n) const {
-    const Face wanted = {{points[0], points[1], points[2], points[n - 1]}, -1};
-    const std::size_t lowest = place(*std::min_element(points, points + n));
-    for (std::int32_t i = lowest_start_[lowest]; i < lowest_start_[lowest + 1]; ++i) {
-        if (faces[place(by_lowest_[place(i)])].is_same(wanted)) return by_lowest_[place(i)];
-    }
-    return -1;
+    const std::pair<Points, std::int32_t> wanted = {
+        sorted({points[0], points[1], points[2], points[n - 1]}), -1};
+    const auto found = std::lower_bound(by_points_.begin(), by_points_.end(), wanted);
+    return found != by_points_.end() && found->first == wanted.first ? found->second : -1;
 }
 
 }  // namespace cli

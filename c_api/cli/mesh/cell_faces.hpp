@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace cli {
@@ -20,7 +21,6 @@ struct CellFaces {
             return points[0] == point || points[1] == point || points[2] == point ||
                    points[3] == point;
         }
-        bool is_same(const Face& face) const;  // the same points, in whatever order
     };
     std::vector<Face> faces;                // cell by cell
     std::vector<std::int32_t> start = {0};  // [cells + 1] first face of each
@@ -32,12 +32,13 @@ struct CellFaces {
     void add(const std::int32_t* points, std::size_t n);
 
     // Finds the neighbours of all cells. Returns a face that three cells have; -1: there is none.
-    std::int32_t connect(std::int32_t n_points);
+    std::int32_t connect();
     // After connect(): a face with these points (3 or 4), or -1.
     std::int32_t find(const std::int32_t* points, std::size_t n) const;
 
 private:
-    std::vector<std::int32_t> by_lowest_, lowest_start_;  // faces by their lowest point
+    using Points = std::array<std::int32_t, 4>;  // rising
+    std::vector<std::pair<Points, std::int32_t>> by_points_;
 };
 
 }  // namespace cli

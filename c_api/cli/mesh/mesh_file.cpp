@@ -8,60 +8,6 @@
 
 namespace cli {
 
-namespace {
-
-std::int32_t find_marker(const Mesh& mesh, std::string_view tag) {
-    const auto found = std::find(mesh.markers.begin(), mesh.markers.end(), tag);
-    return found == mesh.markers.end() ? -1
-                                       : static_cast<std::int32_t>(found - mesh.markers.begin());
-}
-
-[[noreturn]] void refuse_tag(const Mesh& mesh, std::string_view tag) {
-    std::string known;
-    for (const std::string& name : mesh.markers)
-        known += (known.empty() ? "" : ", ") + in_quotes(name);
-    throw Failure(exit_usage, mesh.file.path() + " has no marker " + in_quotes(tag) + ", but " +
-                                  (known.empty() ? "none at all" : known));
-}
-
-std::int32_t usable_marker(const Mesh& mesh, std::string_view tag) {
-    const std::int32_t marker = find_marker(mesh, tag);
-    if (marker < 0) refuse_tag(mesh, tag);
-    if (mesh.faces(marker) == 0) {
-        throw Failure(exit_usage,
-                      "marker " + in_quotes(tag) + " of " + mesh.file.path() + " has no faces");
-    }
-    return marker;
-}
-
-// "A@X:Y", where that is no marker itself.
-MarkerPiece piece_of(const Mesh& mesh, std::string_view text) {
-    const std::size_t at = text.rfind('@');
-    MarkerPiece piece;
-    if (find_marker(mesh, text) < 0 && at != std::string_view::npos) {
-        const std::string_view point = text.substr(at + 1);
-        const std::size_t colon = point.find(':');
-        piece.is_piece = colon != std::string_view::npos &&
-                         parse(point.substr(0, colon), piece.x) &&
-                         parse(point.substr(colon + 1), piece.y);
-    }
-    piece.marker = usable_marker(mesh, piece.is_piece ? trimmed(text.substr(0, at)) : text);
-    return piece;
-}
-
-// visit(tag) for each of a list; a tag may hold commas if it stands alone.
-template <class Visit>
-void for_each_tag(const Mesh& mesh, const std::string& list, const Visit& visit) {
-    if (find_marker(mesh, list) >= 0) return visit(std::string_view(list));
-    for (std::size_t begin = 0; begin <= list.size();) {
-        const std::size_t end = std::min(list.find(',', begin), list.size());
-        visit(trimmed(std::string_view(list).substr(begin, end - begin)));
-        begin = end + 1;
-    }
-}
-
-}  // namespace
-
 std::int32_t Mesh::faces(std::int32_t marker) const {
     return static_cast<std::int32_t>(std::count(face_markers.begin(), face_markers.end(), marker));
 }
@@ -81,27 +27,22 @@ hm_mesh Mesh::view() const {
     return mesh;
 }
 
-std::vector<std::int32_t> Mesh::find_markers(const std::string& list) const {
-    std::vector<std::int32_t> found;
-    for_each_tag(*this, list,
-                 [&](std::string_view tag) { found.push_back(usable_marker(*this, tag)); });
-    return found;
-}
-
-std::vector<MarkerPiece> Mesh::find_pieces(const std::string& list) const {
-    std::vector<MarkerPiece> found;
-    for_each_tag(*this, list, [&](std::string_view tag) { found.push_back(piece_of(*this, tag)); });
-    return found;
-}
-
 std::int32_t Mesh::add_marker(std::string_view tag) {
-    const std::int32_t known = find_marker(*this, tag);
-    if (known >= 0) return known;
-    markers.emplace_back(tag);
-    return static_cast<std::int32_t>(markers.size()) - 1;
+    if (marker_numbers_.size() != markers.size()) {  // markers were dropped, or renumbered
+        marker_numbers_.clear();
+        for (std::size_t marker = 0; marker < markers.size(); ++marker)
+            marker_numbers_.emplace(markers[marker], static_cast<std::int32_t>(marker));
+    }
+    const auto next = static_cast<std::int32_t>(markers.size());
+    const auto known = marker_numbers_.emplace(std::string(tag), next);
+    if (known.second) markers.emplace_back(tag);
+    return known.first->second;
 }
 
 void Mesh::remark(const std::string& text) {
+    constexpr std::size_t most_remarks =
+        100;  // more help nobody, and each is compared with all before
+    if (remarks.size() >= most_remarks) return;
     if (std::find(remarks.begin(), remarks.end(), text) == remarks.end()) remarks.push_back(text);
 }
 

@@ -7,7 +7,9 @@
 #include "basics/text_file.hpp"
 
 #include <cstdint>
+#include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace cli {
@@ -26,6 +28,9 @@ struct Mesh {
     bool has_polygons = false;  // cells of more than four corners, or with hanging nodes
     std::vector<std::int32_t> face_points, face_markers;
     std::vector<std::string> markers;  // their tags; a marker's number is its place here
+    // Names that belong to no marker alone: faces in the groups "a" and "b" of a file have the
+    // marker "a+b", which is the only one of each of both names, or one of several.
+    std::map<std::string, std::vector<std::string>> groups;
     std::vector<std::size_t> point_offset, cell_offset,
         face_offset;                   // where each stands in file.text(); may be empty
     std::vector<std::string> remarks;  // what was passed over, for the user
@@ -45,8 +50,9 @@ struct Mesh {
     }  // for the library, of these arrays
     hm_mesh view() const;
 
-    // The numbers of the markers in a list "A,B"; a tag the file does not have is wrong usage. A
-    // tag may hold commas.
+    // The numbers of the markers in a list "A,B". An entry is a marker, a name of `groups`, a
+    // pattern with * and ?, or a whole loop of the boundary, "loop:1"; what the file does not have
+    // is wrong usage. A tag may hold commas.
     std::vector<std::int32_t> find_markers(const std::string& list) const;
     // The same where an entry may be "A@X:Y", a piece of a marker: the one nearest to a point.
     std::vector<MarkerPiece> find_pieces(const std::string& list) const;
@@ -67,6 +73,9 @@ struct Mesh {
     void find_polygons();  // cells of four corners, too, if a corner is not convex: for formats
                            // that have polygons
     void add_face(std::int32_t a, std::int32_t b, std::int32_t marker, std::size_t offset);
+
+private:
+    std::unordered_map<std::string, std::int32_t> marker_numbers_;  // of `markers`, for add_marker
 };
 
 }  // namespace cli

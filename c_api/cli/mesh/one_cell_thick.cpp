@@ -1,5 +1,6 @@
 #include "mesh/one_cell_thick.hpp"
 
+#include "formats/tidy.hpp"
 #include "basics/numbers.hpp"
 
 #include <algorithm>
@@ -29,12 +30,9 @@ void OneCellThick::add_cell(const std::int32_t* points, std::size_t n, std::size
     cell_offset_.push_back(offset);
 }
 
-void OneCellThick::add_side(const std::int32_t* points, std::size_t n, const std::string& marker,
+void OneCellThick::add_side(const std::int32_t* points, std::size_t n, std::int32_t marker,
                             std::size_t offset) {
-    const auto known = std::find(names_.begin(), names_.end(), marker);
-    const auto name = static_cast<std::size_t>(known - names_.begin());
-    if (known == names_.end()) names_.push_back(marker);
-    sides_.push_back({{points[0], points[1], points[2], points[n - 1]}, n, name, offset});
+    sides_.push_back({{points[0], points[1], points[2], points[n - 1]}, n, offset, marker});
 }
 
 // From a face of one cell to the faces beyond its edges, in the neighbours there. False: this is no
@@ -98,23 +96,25 @@ double OneCellThick::distance(const PlaneFaces& plane,
 // are one.
 void OneCellThick::find_planes(std::int32_t cell) {
     const bool is_first = cell == 0;
-    PlaneFaces found[2];
+    PlaneFaces(&found)[2] = found_;
     std::vector<std::int32_t> cells;
     int n = 0;
     for (std::int32_t face = cells_.start[at(cell)]; face < cells_.start[at(cell) + 1] && n < 2;
          ++face) {
         if (n == 1 && found[0][at(cell)] == face) continue;
-        PlaneFaces& plane = found[n];
-        if (plane.empty()) plane.assign(at(cells_.cells()), -1);
-        if (spread(face, plane, cells)) ++n;
+        if (spread(face, found[n], cells)) ++n;
     }
     if (n < 2) {
-        const std::string where = place(cells_.faces[at(cells_.start[at(cell)])].points[0]);
+        const std::int32_t first = cells_.start[at(cell)];
+        const bool has_faces =
+            cells_.start[at(cell) + 1] > first;  // none, if all its corners are one point
+        const std::string where =
+            has_faces ? "begins at " + place(cells_.faces[at(first)].points[0]) : "is a point";
         mesh_.file.fail(cell_offset_[at(cell)],
                         "the mesh has three dimensions and is not one cell thick: "
                         "there are no two planes in which each cell has a face; "
                         "cell " +
-                            std::to_string(cell + 1) + " begins at " + where);
+                            std::to_string(cell + 1) + " " + where);
     }
     bool swapped = false;
     if (is_first) {  // the plane of the lower coordinates
@@ -151,16 +151,20 @@ void OneCellThick::find_planes(std::int32_t cell) {
         for (const int side : {0, 1})
             planes_[side][at(its)] = found[side == 0 ? swapped : !swapped][at(its)];
     }
+    for (const std::int32_t its : cells) found[0][at(its)] = found[1][at(its)] = -1;
 }
 
 void OneCellThick::finish() {
-    const std::int32_t third = cells_.connect(space_.points.points());
+    const std::int32_t third = cells_.connect();
     if (third >= 0) {
         mesh_.file.fail(cell_offset_[at(cells_.faces[at(third)].cell)],
                         "three cells have a common face; it begins at " +
                             place(cells_.faces[at(third)].points[0]));
     }
-    for (PlaneFaces& plane : planes_) plane.assign(at(cells_.cells()), -1);
+    for (const int side : {0, 1}) {
+        planes_[side].assign(at(cells_.cells()), -1);
+        found_[side].assign(at(cells_.cells()), -1);
+    }
     for (std::int32_t cell = 0; cell < cells_.cells(); ++cell) {
         if (planes_[0][at(cell)] < 0) find_planes(cell);
         const CellFaces::Face& face = cells_.faces[at(planes_[0][at(cell)])];
@@ -180,10 +184,11 @@ void OneCellThick::finish() {
         const auto cell = at(cells_.faces[at(face)].cell);
         if (planes_[0][cell] == face || planes_[1][cell] == face) continue;
         space_.side_points.insert(space_.side_points.end(), side.points.begin(), side.points.end());
-        space_.side_markers.push_back(mesh_.add_marker(names_[side.name]));
+        space_.side_markers.push_back(side.marker);
         space_.side_offset.push_back(side.offset);
     }
     take_plane(mesh_, space_);
+    drop_empty_markers(mesh_);
 }
 
 }  // namespace cli

@@ -17,12 +17,15 @@ public:
 
     void add_cell(const std::int32_t* points, std::size_t n,
                   std::size_t offset);  // as in CellFaces::add
-    // A face of the boundary, of 3 or 4 points. Faces in the planes are passed over.
-    void add_side(const std::int32_t* points, std::size_t n, const std::string& marker,
+    // A face of the boundary, of 3 or 4 points, with a marker of the mesh. Faces in the planes are
+    // passed over.
+    void add_side(const std::int32_t* points, std::size_t n, std::int32_t marker,
                   std::size_t offset);
     void add_copy(const SpaceCopy& copy) { space_.copies.push_back(copy); }
     const SpacePoints& points() const { return space_.points; }
-    void finish();  // fills the mesh; refuses, naming a cell or a point, what is not one cell thick
+    // Fills the mesh, which loses the markers of the planes; refuses, naming a cell or a point,
+    // what is not one cell thick.
+    void finish();
 
 private:
     using PlaneFaces = std::vector<std::int32_t>;  // [cells] the face of each cell that lies in a
@@ -30,7 +33,8 @@ private:
 
     struct Side {
         std::array<std::int32_t, 4> points;
-        std::size_t n, name, offset;
+        std::size_t n, offset;
+        std::int32_t marker;
     };
     bool spread(std::int32_t face, PlaneFaces& plane, std::vector<std::int32_t>& cells) const;
     void find_planes(std::int32_t cell);
@@ -43,8 +47,8 @@ private:
     CellFaces cells_;
     std::vector<std::size_t> cell_offset_;
     std::vector<Side> sides_;
-    std::vector<std::string> names_;  // of sides; those of planes become no markers
-    PlaneFaces planes_[2];            // that of the mesh, and the one opposite
+    PlaneFaces planes_[2];  // that of the mesh, and the one opposite
+    PlaneFaces found_[2];   // of the part of the mesh at which find_planes is; -1 elsewhere
     std::array<double, 3> origin_ = {}, normal_ = {};  // of the first face in the plane
 };
 

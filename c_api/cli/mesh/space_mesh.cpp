@@ -2,6 +2,7 @@
 
 #include "harmorph.h"
 #include <harmorph_space.h>
+#include "basics/numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,21 +82,30 @@ void add_axis(Mesh& mesh) {
 }  // namespace
 
 void take_flat(Mesh& mesh, const SpacePoints& points, const std::vector<SpaceCopy>& copies) {
+    constexpr double rounding = 1e-9;  // of the largest extent
+    double extent = 0;
+    for (const std::vector<double>& values : points.x) {
+        const auto range = std::minmax_element(values.begin(), values.end());
+        if (!values.empty()) extent = std::max(extent, *range.second - *range.first);
+    }
     std::size_t normal = 3, offender = 0;
     for (const std::size_t d : {2u, 1u, 0u}) {
         const std::vector<double>& values = points.x[d];
         std::size_t k = 1;
-        while (k < values.size() && values[k] == values[0]) ++k;
+        while (k < values.size() && std::fabs(values[k] - values[0]) <= rounding * extent) ++k;
         offender = std::max(offender, k);
         if (normal == 3 && k >= values.size()) normal = d;
     }
     if (normal == 3) {
         mesh.file.fail(points.offset[0][offender],
                        "the points must lie in a plane x, y or z = constant, as cells of two "
-                       "dimensions do; point " +
-                           std::to_string(offender + 1) + " does not");
+                       "dimensions do; this "
+                       "point, (" +
+                           brief(points.x[0][offender]) + ", " + brief(points.x[1][offender]) +
+                           ", " + brief(points.x[2][offender]) + "), does not");
     }
     const std::size_t axes[2] = {normal == 0 ? 1u : 0u, normal == 2 ? 1u : 2u};
+    std::copy(axes, axes + 2, mesh.in_file.axes);
     mesh.x = points.x[axes[0]];
     mesh.y = points.x[axes[1]];
     mesh.point_offset = points.offset[axes[0]];

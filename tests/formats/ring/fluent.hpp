@@ -13,8 +13,9 @@ inline std::string hexadecimal(int value) {
 }
 
 // Tight: no blanks and ends of lines but those that separate numbers; the nodes in two sections,
-// the second first; no names of zones.
-inline std::string fluent(bool tight) {
+// the second first; no names of zones. Binary: nodes in double precision and faces in whole numbers
+// of four bytes, little-endian.
+inline std::string fluent(bool tight, bool binary = false) {
     const std::string line = tight ? "" : "\r\n",
                       n_faces = hexadecimal(around * (2 * outwards + 1));
     const int n = around * outwards;
@@ -28,7 +29,21 @@ inline std::string fluent(bool tight) {
         out += "(10 (0 1 a8 0 2))\r\n(12 (0 1 " + hexadecimal(n) + " 0))\r\n(13 (0 1 " + n_faces +
                " 0))\r\n";
     }
+    const auto binary_section = [&](int number, const std::string& section_head,
+                                    const std::string& body) {
+        const std::string name = std::to_string(number);
+        out += "(" + name + " " + section_head + "\r\n(" + body + ")\r\nEnd of Binary Section   " +
+               name + ")\r\n";
+    };
     const auto nodes = [&](int first, int last) {  // from 0, without the last
+        if (binary) {
+            Bytes body;
+            for (int k = first; k < last; ++k) {
+                body.put(x[std::size_t(k)]);
+                body.put(y[std::size_t(k)]);
+            }
+            return binary_section(3010, head({1, first + 1, last, 1, 2}), body.text);
+        }
         out += "(10 " + head({1, first + 1, last, 1, 2}) + line + "(" + line;
         for (int k = first; k < last; ++k) {
             out += print("%.16e", x[std::size_t(k)]) + " " + print("%.16e", y[std::size_t(k)]);
@@ -50,15 +65,19 @@ inline std::string fluent(bool tight) {
                            const std::function<void(const Face&)>& each) {
         std::string body;
         int count = 0;
+        Bytes numbers;
         each([&](int a, int b, int right, int left) {
+            if (mixed) numbers.put(std::int32_t{2});
+            for (const int value : {a + 1, b + 1, right, left}) numbers.put(std::int32_t{value});
             if (count > 0 || !tight) body += "\r\n";
             body += mixed ? "2 " : "";
             body += hexadecimal(a + 1) + " " + hexadecimal(b + 1) + " " + hexadecimal(right) + " " +
                     hexadecimal(left);
             ++count;
         });
-        out += "(13 " + head({zone, face + 1, face + count, type, mixed ? 0 : 2}) + "(" + body +
-               line + "))\r\n";
+        const std::string its_head = head({zone, face + 1, face + count, type, mixed ? 0 : 2});
+        if (binary) binary_section(2013, its_head, numbers.text);
+        else out += "(13 " + its_head + "(" + body + line + "))\r\n";
         face += count;
     };
     faces(3, 2, false, [&](const auto& face_of) {  // between cells
@@ -88,6 +107,7 @@ inline std::string fluent(bool tight) {
 inline Kinds fluent_kinds() {
     return {
         {"fluent.msh", [] { return fluent(false); }},
+        {"fluent-binary.msh", [] { return fluent(false, true); }},
         {"fluent-tight.msh", [] { return fluent(true); }},
     };
 }

@@ -179,8 +179,70 @@ inline std::string gmsh_quadratic() {
            std::to_string(n_elements) + "\n" + elements.str() + "$EndElements\n";
 }
 
+// As Pointwise writes version 2: comments first, and names behind the elements.
+inline std::string gmsh_with_comments() {
+    std::string text = gmsh_2(false, false);
+    text.erase(text.find(gmsh_names), std::string(gmsh_names).size());
+    text.replace(text.find("2.2 0 8"), 7, "2.0 0 8");
+    return "$Comments\nwritten by a test, $ and all\n$EndComments\n" + text + gmsh_names;
+}
+
+// Hexahedra between z = 0 and z = .5, as gmshToFoam takes them.
+inline std::string gmsh_thick(bool binary) {
+    Bytes out = gmsh_begin("2.2", binary, false);
+    out.text.erase(out.text.find(gmsh_names));
+    out.text +=
+        "$PhysicalNames\n4\n2 1 \"body\"\n2 2 \"far\"\n2 4 \"frontAndBack\"\n3 3 "
+        "\"fluid\"\n$EndPhysicalNames\n";
+    const int layer = int(x.size());
+    out.text += "$Nodes\n" + std::to_string(2 * layer) + "\n";
+    for (int k = 0; k < 2 * layer; ++k) {
+        const double at[3] = {x[std::size_t(k % layer)], y[std::size_t(k % layer)],
+                              .5 * (k / layer)};
+        if (binary) {
+            out.put(std::int32_t{k + 1});
+            for (const double value : at) out.put(value);
+        } else {
+            out.text += std::to_string(k + 1) + " " + print("%.16g", at[0]) + " " +
+                        print("%.16g", at[1]) + " " + print("%.16g", at[2]) + "\n";
+        }
+    }
+    const int n_cells = around * outwards;
+    out.text += (binary ? "\n$EndNodes\n$Elements\n" : "$EndNodes\n$Elements\n") +
+                std::to_string(3 * n_cells + 2 * around) + "\n";
+    int number = 0;
+    const auto element = [&](int type, int physical, const std::vector<int>& nodes) {
+        const std::vector<int> head = binary ? std::vector<int>{type, 1, 2, ++number, physical, 7}
+                                             : std::vector<int>{++number, type, 2, physical, 7};
+        for (const int value : head)
+            binary ? out.put(std::int32_t{value}) : void(out.text += std::to_string(value) + " ");
+        for (const int value : nodes)
+            binary ? out.put(std::int32_t{value + 1})
+                   : void(out.text += std::to_string(value + 1) + " ");
+        if (!binary) out.text.back() = '\n';
+    };
+    for (const int j : {0, outwards}) {
+        for (int i = 0; i < around; ++i) {
+            const int a = point(i, j), b = point(i + 1, j);
+            element(3, j == 0 ? 1 : 2, {a, b, b + layer, a + layer});
+        }
+    }
+    for (int cell = 0; cell < n_cells; ++cell) {
+        const int i = cell % around, j = cell / around;
+        const int c[4] = {point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)};
+        element(3, 4, {c[0], c[3], c[2], c[1]});
+        element(3, 4, {c[0] + layer, c[1] + layer, c[2] + layer, c[3] + layer});
+        element(5, 3,
+                {c[0], c[1], c[2], c[3], c[0] + layer, c[1] + layer, c[2] + layer, c[3] + layer});
+    }
+    return out.text + (binary ? "\n$EndElements\n" : "$EndElements\n");
+}
+
 inline Kinds gmsh_kinds() {
     return {
+        {"comments-2.msh", gmsh_with_comments},
+        {"thick-2.msh", [] { return gmsh_thick(false); }},
+        {"thick-binary-2.msh", [] { return gmsh_thick(true); }},
         {"text-2.msh", [] { return gmsh_2(false, false); }},
         {"binary-2.msh", [] { return gmsh_2(true, false); }},
         {"swapped-2.msh", [] { return gmsh_2(true, true); }},

@@ -1,0 +1,184 @@
+// Of elements of second order the mesh has the corners; the other nodes are written with it: the
+// middle of an edge keeps its distance from the straight edge, relative to the edge's length and
+// direction; the middle of a cell moves by the mean of the corners.
+#include "formats/element_mesh.hpp"
+
+#include "formats/tidy.hpp"
+#include "basics/numbers.hpp"
+#include "mesh/one_cell_thick.hpp"
+#include "basics/place.hpp"
+
+#include <algorithm>
+
+namespace cli {
+
+namespace {
+
+class ElementMesh {
+public:
+    ElementMesh(Mesh& mesh, const Elements& all) : mesh_(mesh), all_(all) {}
+    void build();
+
+private:
+    using Element = Elements::Element;
+    enum Kind : std::int32_t { middle = -1, unused = -2, is_corner = -3 };
+
+    std::size_t node(const Element& element, std::size_t k) const {
+        return place(all_.nodes[element.first + k]);
+    }
+    std::int32_t corner(const Element& element, std::size_t k) const {
+        return point_of_[node(element, k)];
+    }
+    bool is_read(const Element& element) const { return element.shape.dimension + 1 >= dimension_; }
+    void find_dimension();
+    void find_points();
+    void add_flat();
+    void add_solid();
+    void add_between();
+    template <class Add>
+    void for_each_marker(const Element& element, const Add& add);
+
+    Mesh& mesh_;
+    const Elements& all_;
+    int dimension_ = 0;
+    SpacePoints points_;                  // corners
+    std::vector<std::int32_t> point_of_;  // of a node; at first its Kind
+};
+
+void ElementMesh::find_dimension() {
+    std::int64_t lines = 0;
+    for (const Element& element : all_.elements) {
+        dimension_ = std::max(dimension_, element.shape.dimension);
+        lines += element.shape.dimension == 1 ? 1 : 0;
+    }
+    if (dimension_ >= 2) return;
+    const std::string found = lines > 0 ? plural(lines, "line element") + " and " : "";
+    mesh_.file.fail(mesh_.file.text().size(),
+                    "the file has " + found +
+                        "no triangles or quadrilaterals: mesh the surface, too, and save "
+                        "its cells");
+}
+
+// Points of the mesh are the corners of what is read.
+void ElementMesh::find_points() {
+    point_of_.assign(place(all_.points.points()), unused);
+    for (const Element& element : all_.elements) {
+        if (!is_read(element)) continue;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(element.shape.nodes); ++k) {
+            std::int32_t& kind = point_of_[node(element, k)];
+            kind = static_cast<int>(k) < element.shape.corners ? is_corner
+                   : kind == unused                            ? middle
+                                                               : kind;
+        }
+    }
+    for (std::size_t i = 0; i < point_of_.size(); ++i) {
+        if (point_of_[i] != is_corner) continue;
+        point_of_[i] = points_.points();
+        for (std::size_t d = 0; d < 3; ++d) {
+            points_.x[d].push_back(all_.points.x[d][i]);
+            points_.offset[d].push_back(all_.points.offset[d][i]);
+        }
+    }
+}
+
+template <class Add>
+void ElementMesh::for_each_marker(const Element& element, const Add& add) {
+    if (element.group < 0) return;
+    for (const std::string& name : all_.groups[place(element.group)]) add(mesh_.add_marker(name));
+}
+
+void ElementMesh::build() {
+    find_dimension();
+    find_points();
+    dimension_ == 2 ? add_flat() : add_solid();
+    join_double_faces(mesh_);
+    name_open_boundary(mesh_, "boundary");
+    mesh_.find_polygons();
+}
+
+void ElementMesh::add_flat() {
+    take_flat(mesh_, points_, {});
+    std::vector<std::int32_t> cell;
+    for (const Element& element : all_.elements) {
+        if (!is_read(element)) continue;
+        cell.clear();
+        for (std::size_t k = 0; k < static_cast<std::size_t>(element.shape.corners); ++k)
+            cell.push_back(corner(element, k));
+        if (element.shape.dimension == 2) {
+            mesh_.add_cell(cell, element.offset);
+        } else {
+            for_each_marker(element, [&](std::int32_t marker) {
+                mesh_.add_face(cell[0], cell[1], marker, element.offset);
+            });
+        }
+    }
+    add_between();
+}
+
+void ElementMesh::add_solid() {
+    OneCellThick solid(mesh_, std::move(points_));
+    std::int32_t corners[8] = {};
+    for (const Element& element : all_.elements) {
+        if (!is_read(element)) continue;
+        if (element.shape.nodes > element.shape.corners) {
+            mesh_.file.fail(
+                element.offset,
+                "a mesh one cell thick of second order is not read: save elements of first "
+                "order (Gmsh: Mesh.ElementOrder = 1)");
+        }
+        const auto n = static_cast<std::size_t>(element.shape.corners);
+        if (element.shape.dimension == 2 && n > 4) {
+            mesh_.file.fail(element.offset,
+                            "a face of the boundary has " + std::to_string(n) +
+                                " corners: the mesh is "
+                                "not one cell thick, or has polygons, which are not read here");
+        }
+        for (std::size_t k = 0; k < n; ++k) corners[k] = corner(element, k);
+        if (element.shape.dimension == 3) {
+            solid.add_cell(corners, n, element.offset);
+        } else {
+            for_each_marker(element, [&](std::int32_t marker) {
+                solid.add_side(corners, n, marker, element.offset);
+            });
+        }
+    }
+    solid.finish();
+}
+
+void ElementMesh::add_between() {
+    for (const Element& element : all_.elements) {
+        if (!is_read(element)) continue;
+        const auto corners = static_cast<std::size_t>(element.shape.corners);
+        for (auto k = corners; k < static_cast<std::size_t>(element.shape.nodes); ++k) {
+            const std::size_t its = node(element, k);
+            if (point_of_[its] != middle) continue;  // a corner elsewhere, or done by a neighbour
+            Between between = {{}, 2, 0, 0};
+            const std::size_t edge = k - corners,
+                              n_edges = element.shape.dimension == 1 ? 1 : corners;
+            if (edge < n_edges) {
+                between.corners = {corner(element, edge), corner(element, (edge + 1) % corners)};
+            } else {
+                between.n_corners = static_cast<std::int32_t>(corners);
+                for (std::size_t i = 0; i < corners; ++i) between.corners[i] = corner(element, i);
+            }
+            const auto number =
+                static_cast<std::int32_t>(mesh_.x.size() + mesh_.in_file.between.size());
+            const std::size_t* const axes = mesh_.in_file.axes;
+            between.x = all_.points.x[axes[0]][its];
+            between.y = all_.points.x[axes[1]][its];
+            mesh_.in_file.between.push_back(between);
+            mesh_.in_file.slots.push_back({all_.points.offset[axes[0]][its], number, takes_x});
+            mesh_.in_file.slots.push_back({all_.points.offset[axes[1]][its], number, takes_y});
+            point_of_[its] = number;
+        }
+    }
+    if (mesh_.in_file.between.empty()) return;
+    mesh_.remark("quadratic elements: the mesh has their corners; points between move along (" +
+                 plural(static_cast<std::int64_t>(mesh_.in_file.between.size()), "point") + ")");
+}
+
+}  // namespace
+
+void build_mesh(Mesh& mesh, const Elements& elements) { ElementMesh(mesh, elements).build(); }
+
+}  // namespace cli

@@ -1,0 +1,39 @@
+// Nodes and elements as files list them, in two dimensions or one cell thick: what the readers of
+// Gmsh's and VTK's files hand over, and one way from there to the mesh.
+#pragma once
+
+#include "mesh/space_mesh.hpp"
+
+#include <utility>
+
+namespace cli {
+
+struct ElementShape {
+    int dimension, corners,
+        nodes;  // nodes: the corners, then of second order the middles of edges and of the cell
+};
+
+struct Elements {
+    struct Element {
+        ElementShape shape;
+        std::int32_t group;         // of the boundary, a place in `groups`; -1: none
+        std::size_t offset, first;  // in the file; of its nodes in `nodes`
+    };
+    SpacePoints points;
+    std::vector<Element> elements;
+    std::vector<std::int32_t> nodes;               // points of all elements
+    std::vector<std::vector<std::string>> groups;  // their names
+
+    void add(const ElementShape& shape, std::int32_t group, std::size_t offset) {
+        elements.push_back({shape, group, offset, nodes.size()});
+    }
+};
+
+// Elements of the largest dimension are cells; those of one dimension less are the boundary, and
+// others are passed over. Triangles, quadrilaterals and polygons must lie in one plane; prisms,
+// hexahedra, pyramids and tetrahedra form a mesh one cell thick. An edge of several groups gets the
+// marker "a+b", and the mesh knows it by both names. Edges of the boundary in no group get the
+// markers boundary1, boundary2, ...
+void build_mesh(Mesh& mesh, const Elements& elements);
+
+}  // namespace cli

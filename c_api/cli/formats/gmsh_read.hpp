@@ -1,0 +1,11 @@
+// From a Gmsh file to its nodes and elements.
+#pragma once
+
+#include "formats/element_mesh.hpp"
+
+namespace cli {
+
+// Reads mesh.file, and sets the kind of numbers of mesh.in_file.
+Elements read_gmsh(Mesh& mesh);
+
+}  // namespace cli

@@ -1,0 +1,187 @@
+// Markers by what the user calls them: names, patterns with * and ?, and whole loops of the
+// boundary.
+#include "mesh/boundary_loops.hpp"
+#include "basics/failure.hpp"
+#include "mesh/mesh_file.hpp"
+#include "basics/numbers.hpp"
+#include "basics/place.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace cli {
+
+namespace {
+
+constexpr std::string_view loop_prefix = "loop:";
+constexpr std::size_t most_listed = 12;  // names in a message
+
+// * stands for any characters, ? for one.
+bool matches(std::string_view pattern, std::string_view name) {
+    std::size_t p = 0, n = 0, star = pattern.npos, from = 0;
+    while (n < name.size()) {
+        if (p < pattern.size() && pattern[p] == '*') {
+            star = p++;
+            from = n;
+        } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
+            ++p;
+            ++n;
+        } else if (star != pattern.npos) {
+            p = star + 1;
+            n = ++from;
+        } else {
+            return false;
+        }
+    }
+    return pattern.find_first_not_of('*', p) == pattern.npos;
+}
+
+class Selection {
+public:
+    explicit Selection(const Mesh& mesh) : mesh_(mesh), faces_(mesh.markers.size()) {
+        for (const std::int32_t marker : mesh.face_markers) ++faces_[place(marker)];
+    }
+
+    bool is_known(std::string_view name) const {
+        return number_of(name) >= 0 || mesh_.groups.count(std::string(name));
+    }
+
+    std::vector<std::int32_t> find(std::string_view name) const {
+        std::set<std::int32_t> found;
+        add_named(std::string(name), found);
+        std::int32_t loop = 0;
+        if (found.empty() && name.substr(0, loop_prefix.size()) == loop_prefix &&
+            parse(name.substr(loop_prefix.size()), loop)) {
+            add_loop(loop, found);
+        }
+        if (found.empty() && name.find_first_of("*?") != name.npos) add_matching(name, found);
+        if (found.empty()) refuse(name);
+        return {found.begin(), found.end()};
+    }
+
+private:
+    std::int32_t number_of(std::string_view name) const {
+        const auto found = std::find(mesh_.markers.begin(), mesh_.markers.end(), name);
+        return found == mesh_.markers.end()
+                   ? -1
+                   : static_cast<std::int32_t>(found - mesh_.markers.begin());
+    }
+
+    void add_named(const std::string& name, std::set<std::int32_t>& found) const {
+        const std::int32_t marker = number_of(name);
+        const auto group = mesh_.groups.find(name);
+        if (marker >= 0 && faces_[place(marker)] > 0) found.insert(marker);
+        for (std::size_t k = 0; group != mesh_.groups.end() && k < group->second.size(); ++k) {
+            const std::int32_t member = number_of(group->second[k]);
+            if (member >= 0 && faces_[place(member)] > 0) found.insert(member);
+        }
+        if (marker >= 0 && found.empty()) {
+            throw Failure(exit_usage, "marker " + in_quotes(name) + " of " + mesh_.file.path() +
+                                          " has no faces");
+        }
+    }
+
+    void add_loop(std::int32_t number, std::set<std::int32_t>& found) const {
+        const BoundaryLoops loops(mesh_.face_points, mesh_.points());
+        if (number < 1 || number > loops.count) {
+            throw Failure(exit_usage, mesh_.file.path() + " has no loop:" + std::to_string(number) +
+                                          ": its boundary has " + plural(loops.count, "loop"));
+        }
+        std::vector<char> is_elsewhere(faces_.size(), 0);
+        for (std::size_t face = 0; face < mesh_.face_markers.size(); ++face) {
+            const std::int32_t marker = mesh_.face_markers[face];
+            if (loops.of_edge[face] + 1 == number) {
+                found.insert(marker);
+            } else {
+                is_elsewhere[place(marker)] = 1;
+            }
+        }
+        for (const std::int32_t marker : found) {
+            if (is_elsewhere[place(marker)] == 0) continue;
+            const std::string tag = mesh_.markers[place(marker)];
+            throw Failure(exit_usage, "marker " + in_quotes(tag) + " of " + mesh_.file.path() +
+                                          " has faces on loop:" + std::to_string(number) +
+                                          " and on other loops: name its piece, as " +
+                                          in_quotes(tag + "@X:Y"));
+        }
+    }
+
+    void add_matching(std::string_view pattern, std::set<std::int32_t>& found) const {
+        for (std::size_t marker = 0; marker < faces_.size(); ++marker) {
+            if (faces_[marker] > 0 && matches(pattern, mesh_.markers[marker]))
+                found.insert(static_cast<std::int32_t>(marker));
+        }
+        for (const auto& group : mesh_.groups) {
+            if (matches(pattern, group.first)) add_named(group.first, found);
+        }
+    }
+
+    [[noreturn]] void refuse(std::string_view name) const {
+        std::string known;
+        for (std::size_t k = 0; k < mesh_.markers.size() && k < most_listed; ++k)
+            known += (known.empty() ? "" : ", ") + in_quotes(mesh_.markers[k]);
+        if (mesh_.markers.size() > most_listed) {
+            known += " and " + std::to_string(mesh_.markers.size() - most_listed) +
+                     " more; a name may have * for any characters, and loop:1, loop:2, ... are "
+                     "whole loops of the "
+                     "boundary";
+        }
+        throw Failure(exit_usage, mesh_.file.path() + " has no marker " + in_quotes(name) +
+                                      ", but " + (known.empty() ? "none at all" : known));
+    }
+
+    const Mesh& mesh_;
+    std::vector<std::int32_t> faces_;  // of each marker
+};
+
+// visit(name) for each name of a list; a name may hold commas if it stands alone.
+template <class Visit>
+void for_each_name(const Selection& selection, const std::string& list, const Visit& visit) {
+    if (selection.is_known(list)) return visit(std::string_view(list));
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        visit(trimmed(std::string_view(list).substr(begin, end - begin)));
+        begin = end + 1;
+    }
+}
+
+}  // namespace
+
+std::vector<std::int32_t> Mesh::find_markers(const std::string& list) const {
+    const Selection selection(*this);
+    std::vector<std::int32_t> found;
+    for_each_name(selection, list, [&](std::string_view name) {
+        for (const std::int32_t marker : selection.find(name)) {
+            if (std::find(found.begin(), found.end(), marker) == found.end())
+                found.push_back(marker);
+        }
+    });
+    return found;
+}
+
+std::vector<MarkerPiece> Mesh::find_pieces(const std::string& list) const {
+    const Selection selection(*this);
+    std::vector<MarkerPiece> found;
+    for_each_name(selection, list, [&](std::string_view name) {
+        MarkerPiece piece;
+        const std::size_t at = name.rfind('@');
+        if (!selection.is_known(name) && at != name.npos) {
+            const std::string_view point = name.substr(at + 1);
+            const std::size_t colon = point.find(':');
+            piece.is_piece = colon != point.npos && parse(point.substr(0, colon), piece.x) &&
+                             parse(point.substr(colon + 1), piece.y);
+        }
+        for (const std::int32_t marker :
+             selection.find(piece.is_piece ? trimmed(name.substr(0, at)) : name)) {
+            piece.marker = marker;
+            const bool is_double =
+                std::any_of(found.begin(), found.end(), [&](const MarkerPiece& other) {
+                    return other.marker == marker && !other.is_piece && !piece.is_piece;
+                });
+            if (!is_double) found.push_back(piece);
+        }
+    });
+    return found;
+}
+
+}  // namespace cli
