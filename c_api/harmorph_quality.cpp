@@ -4,6 +4,7 @@
 #include "basis/basis_measures.hpp"
 #include "morph/assessment.hpp"
 #include "morph/crossing.hpp"
+#include "morph/touch.hpp"
 
 namespace harmorph {
 namespace {
@@ -41,12 +42,17 @@ Status view_coordinates(const hm_points* given, const char* name, Mesh const& me
                             : view_points(&own, "mesh.points", points, fault);
 }
 
-hm_step_report report_of(AdmissibleStep const& limit, OrientedMesh const& cells,
+hm_step_report report_of(AdmissibleStep const& limit, Touch const& touch, OrientedMesh const& cells,
                          Index index_base) noexcept {
     hm_step_report filled = {};
     filled.admissible = limit.step;
     filled.cell = numbered(cells.mesh.number(limit.cell), index_base);
     filled.point = numbered(limiting_point(cells, limit), index_base);
+    filled.boundary = touch.step;
+    filled.boundary_points[0] = numbered(touch.point, index_base);
+    for (Index k = 0; k < 2; ++k) {
+        filled.boundary_points[1 + k] = numbered(touch.face[k], index_base);
+    }
     return filled;
 }
 
@@ -110,7 +116,11 @@ hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_points*
         HARMORPH_TRY(view_executor(executor, threads, fault));
         Assessment const found =
             judge(cells, start, change, undeformed, quality != nullptr, threads);
-        if (step != nullptr) write_struct(report_of(found.limit, cells, view.index_base), step);
+        if (step != nullptr) {
+            Touch const touch =
+                first_touch(b.boundary_point, b.loop_start, start, change, found.limit.step);
+            write_struct(report_of(found.limit, touch, cells, view.index_base), step);
+        }
         if (quality == nullptr) return Status::ok;
         Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, start, change);
         write_struct(report_of(found.quality, crossing, view), quality);

@@ -689,6 +689,12 @@ typedef struct hm_step_report {
      * function of s. */
     double admissible;
     int32_t cell, point; /* the limiting cell and the point of the limiting corner; -1: none */
+    /* [-] s at which the boundary first touches itself or another body, exactly, if this is smaller
+     * than `admissible`; else infinite. No cell need be inverted there. */
+    double boundary;
+    int32_t
+        boundary_points[3]; /* the point that touches first, and the face that it touches; or -1 */
+    int32_t reserved;       /* 0 */
 } hm_step_report;
 
 typedef struct hm_quality_report {
@@ -706,7 +712,7 @@ typedef struct hm_quality_report {
 
 /* Judges a movement before anything moves, in one pass over the cells.
  *   step     how far the points can move from `from` along `displacement` (from hm_morph with from
- *            = NULL); NULL: not wanted
+ *            = NULL), up to the smaller one of both limits; NULL: not wanted
  *   quality  of the mesh at from + displacement; NULL: not wanted
  * from NULL: the mesh's own coordinates. displacement NULL: zero, so that `quality` is that of a
  * mesh as it is; `step` must then be NULL. The size-skew quality of a cell is sqrt(f_size) f_skew:

@@ -18,7 +18,11 @@
  *
  * The calls of this header are collective: all processes of the communicator must make them. Either
  * all processes succeed or all get the same status; the reason is in the hm_error of the process
- * that failed. The calls allocate memory for the messages, and free it before they return. */
+ * that failed. A process on which an earlier call has failed, as hm_analysis_init where its mesh
+ * has a NaN, must make the collective call all the same, or the others wait for ever:
+ * hm_mpi_exchange(NULL, NULL, 0, NULL, comm, &error) refuses on all processes, and so does
+ * hm_mpi_adjoint with rows = NULL, or hm_mpi_displace with n_fields = 0. The calls allocate memory
+ * for the messages, and free it before they return. */
 #ifndef HARMORPH_MPI_H
 #define HARMORPH_MPI_H
 

@@ -17,7 +17,11 @@
  * get the same status, also where one process alone gives a wrong argument, such as NULL for the
  * system; the reason is in the hm_error of the process that found it. For this each call has the
  * communicator, which must be that of hm_petsc_create (or a duplicate). A refused call leaves all
- * arguments as they were. The calls allocate memory.
+ * arguments as they were. A process on which an earlier call has failed must make the collective
+ * call all the same, with NULL as the part or the system, or the others wait for ever. A process
+ * without cells is refused: make a communicator of those that have cells (MPI_Comm_split). The
+ * calls allocate memory; where harmorph lacks memory, all processes get a status, but memory that
+ * PETSc or hypre lack ends the job.
  *
  * Solver: conjugate gradients with hypre's BoomerAMG (where PETSc has hypre, otherwise GAMG), with
  * a relative tolerance of 1e-6 for each solution; refinement with residuals as sums of differences
@@ -86,8 +90,8 @@ hm_status hm_petsc_displace(hm_petsc* system, const hm_points_out* displacement,
 hm_status hm_petsc_owned(const hm_petsc* system, uint8_t* owned, hm_error* err);
 /* hm_assess for the cells of all processes; reports are the same everywhere. rank: the process with
  * the limiting cell and that with the poorest one, [2]; cells and points are numbered as in that
- * process's part; rank may be NULL. self_crossing is not examined and 0. from NULL: the coordinates
- * of the part. */
+ * process's part; rank may be NULL. Whether the boundary touches or crosses itself is not examined:
+ * boundary is infinite, self_crossing 0. from NULL: the coordinates of the part. */
 hm_status hm_petsc_assess(const hm_petsc* system, const hm_basis* rows, const hm_points* from,
                           const hm_points* displacement, hm_step_report* step,
                           hm_quality_report* quality, int* rank, MPI_Comm comm, hm_error* err);

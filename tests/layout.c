@@ -275,6 +275,9 @@ int32_t layout_of(int32_t number, int64_t* numbers) {
             AT(admissible);
             AT(cell);
             AT(point);
+            AT(boundary);
+            AT(boundary_points);
+            AT(reserved);
             break;
 #undef TYPE
 #define TYPE hm_quality_report

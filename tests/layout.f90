@@ -117,7 +117,8 @@ program layout
         c_loc(transfer_report%boundary_error_point), c_loc(transfer_report%boundary_error), &
         c_loc(transfer_report%wall_correction)])
     call compare("hm_step_report", 15, c_sizeof(step_report), c_loc(step_report), [c_loc(step_report%struct_size), &
-        c_loc(step_report%admissible), c_loc(step_report%cell), c_loc(step_report%point)])
+        c_loc(step_report%admissible), c_loc(step_report%cell), c_loc(step_report%point), &
+        c_loc(step_report%boundary), c_loc(step_report%boundary_points), c_loc(step_report%reserved)])
     call compare("hm_quality_report", 16, c_sizeof(quality_report), c_loc(quality_report), &
         [c_loc(quality_report%struct_size), c_loc(quality_report%inverted), c_loc(quality_report%first_inverted), &
         c_loc(quality_report%min_area), c_loc(quality_report%min_quality), c_loc(quality_report%mean_quality), &

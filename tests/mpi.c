@@ -168,6 +168,28 @@ static void check_operator(int32_t operator_kind, int32_t n_functions) {
     free(mine.points);
 }
 
+/* A process that has nothing to exchange, as its mesh was refused, makes the call all the same:
+ * none waits. */
+static void check_failure_before(void) {
+    problem_case its;
+    hm_error error;
+    hm_status status;
+    size_t bytes;
+    void* block;
+    hm_analysis* analysis = NULL;
+    make_case(&its, 33, 9, 8, HM_LAPLACE);
+    if (rank == size - 1) its.x[40] = NAN;
+    need(hm_analysis_size(&its.problem, &its.options, &bytes, &error), &error);
+    block = room(bytes);
+    status = hm_analysis_init(&analysis, block, bytes, &its.problem, &its.options, &error);
+    check((status < 0) == (rank == size - 1), "a mesh with a NaN is refused where it is");
+    status = hm_mpi_exchange(NULL, NULL, 0, NULL, MPI_COMM_WORLD, &error);
+    check(status == HM_BAD_ARGUMENT, "an exchange of nothing is refused by all");
+    status = hm_mpi_adjoint(NULL, NULL, NULL, NULL, MPI_COMM_WORLD, &error);
+    check(status == HM_BAD_ARGUMENT, "an adjoint of nothing is refused by all");
+    free(block);
+}
+
 /* Shares that do not belong together are noticed, by all processes. */
 static void check_mixture(void) {
     problem_case its;
@@ -186,6 +208,11 @@ static void check_mixture(void) {
     check(hm_mpi_exchange(rows, share, 2, points, MPI_COMM_WORLD, &error) ==
               (size > 1 ? HM_BAD_BASIS : HM_OK),
           "shares of different meshes");
+    if (size > 1)
+        check(strstr(error.text, "from rank ") != NULL || strstr(error.text, "another process"),
+              "and whose");
+    if (size > 1 && rank == 1)
+        check(strstr(error.text, "from rank 0: ") != NULL, "that of rank 0, on rank 1");
     free_solver(&with);
     free(share_block);
 
@@ -400,6 +427,7 @@ int main(int argc, char** argv) {
     check_operator(HM_LAPLACE, 14);
     check_operator(HM_CONFORMAL, 9);
     check_operator(HM_LAPLACE, 5); /* not many more than processes */
+    check_failure_before();
     check_mixture();
     check_displacements(HM_LAPLACE);
     check_displacements(HM_CONFORMAL);

@@ -227,7 +227,7 @@
         return pixels.size;
     };
     for (const Painter of [GlPainter, CanvasPainter]) {
-        const colours = draws(new Painter(document.createElement("canvas"), {}));
+        const colours = draws(new Painter(document.createElement("canvas"), app.data.pieces.points, {}));
         check(`${Painter.name} draws cells`, colours > 3, `${colours} colours`);
     }
     if (app.data.n_control > 0) drag_control_points();
@@ -257,7 +257,7 @@
     const { cells, wall, model, data } = app;
     lines.push(
         `value inverted ${cells.inverted}`,
-        `value admissible_step ${cells.step}`,
+        `value admissible_step ${app.admissible_step()}`,
         `value min_quality ${cells.min_quality}`,
     );
     lines.push(`value mean_quality ${cells.mean_quality}`, `value self_crossing ${wall.crossing.length > 0}`);

@@ -49,11 +49,12 @@ if [ -z "$chromium" ]; then
     exit
 fi
 
-browse() { # browse PAGE: the page's elements as text, once it is loaded
+browse() { # browse PAGE OPTIONS...: the page's elements as text, once it is loaded
+    page=$1; shift
     timeout 300 "$chromium" --headless --no-sandbox --disable-quic --no-first-run --disable-background-networking \
         --disable-component-update --disable-sync --disable-dev-shm-usage --user-data-dir="$tmp/profile" \
         --use-angle=swiftshader \
-        --enable-unsafe-swiftshader --window-size=1280,800 --dump-dom "file://$1" 2>"$tmp/browser.log"
+        --enable-unsafe-swiftshader --window-size=1280,800 "$@" --dump-dom "file://$page" 2>"$tmp/browser.log"
     rm -rf "$tmp/profile"
 }
 value() { sed -n "s/^value $1 //p" "$tmp/$case.result"; }
@@ -103,6 +104,18 @@ judge $(value judge_milliseconds), draw $(value draw_milliseconds), \
 the rest fields and pixels, without a graphics processor"}
     echo "$case: $(tail -n 1 "$tmp/log")$frame"
 }
+scripted() { # scripted CASE PAGE SCRIPT OPTIONS...: the checks of a script on a page
+    case=$1 of=$2 script=$3; shift 3
+    { cat "$tmp/$of.html"; echo "<script>"; } >"$tmp/$case.html"
+    [ ! -f "$axe" ] || [ "$script" != tests/page_use.js ] || cat "$axe" >>"$tmp/$case.html"
+    { cat "$script"; echo "</script>"; } >>"$tmp/$case.html"
+    browse "$tmp/$case.html" --virtual-time-budget=60000 "$@" |
+        sed -n '/^result begins/,/^result ends/p' >"$tmp/$case.result"
+    if ! grep -q '^result ends' "$tmp/$case.result"; then fail "$case: the page has not come to its end"; fi
+    passed=$((passed + $(grep -c '^check .* ok *$' "$tmp/$case.result")))
+    grep '^check .*FAILED' "$tmp/$case.result" >"$tmp/log"
+    while read -r line; do fail "$case: $line"; done <"$tmp/log"
+}
 judged_alike() { # the whole mesh is on the page
     for name in inverted self_crossing; do
         if [ "$(value $name)" = "$(of_program $name)" ]; then ok; else
@@ -116,6 +129,9 @@ judged_alike() { # the whole mesh is on the page
 
 page conformal "$naca" "$tmp/conformal.basis" 30
 judged_alike
+page crossing "$naca" "$tmp/conformal.basis" -150
+judged_alike
+if [ "$(value self_crossing)" = true ]; then ok; else fail "no wall crosses another"; fi
 page inverted "$naca" "$tmp/laplace.basis" -250
 judged_alike
 if [ "$(value inverted)" -gt 0 ]; then ok; else fail "a large movement inverts no cell"; fi
@@ -142,7 +158,8 @@ const table = (id) => {
 const percent = (column) => table("quality_histogram").reduce((sum, row) => sum + Number(row.split(",")[column]), 0);
 const lines = [`value percent_before ${percent(2).toFixed(9)}`, `value percent_after ${percent(3).toFixed(9)}`,
     `value first_layer_missing ${report.wall.layer.length - table("angle_chart").length}`,
-    `value inverted ${report.cells.inverted}`, `value admissible_step ${report.cells.step}`,
+    `value inverted ${report.cells.inverted}`,
+    `value admissible_step ${Math.min(report.cells.step, report.wall.touch.step)}`,
     `value min_quality ${report.cells.min_quality}`, `value mean_quality ${report.cells.mean_quality}`,
     `value self_crossing ${report.wall.crossing.length > 0}`,
     `value close_ups ${document.querySelectorAll("#worst canvas").length}`,
@@ -167,6 +184,28 @@ report polygons-report "$tmp/merged.vtk" "$tmp/merged.basis" polygons-inverted
 "$harmorph" morph "$naca" "$tmp/laplace.basis" --move "$tmp/inverted.moves" --safe --report "$tmp/safe.html" \
     >/dev/null 2>&1
 if grep -q '"safe": true' "$tmp/safe.html"; then ok; else fail "--safe --report"; fi
+# What a user does and sees. With axe-core (npm install axe-core; AXE=its axe.min.js) also what it finds.
+axe=${AXE:-$(npm root -g 2>/dev/null)/axe-core/axe.min.js}
+[ -f "$axe" ] || echo "axe-core is not installed: names and roles are checked without it"
+scripted use whole tests/page_use.js
+"$harmorph" curve "$tmp/airfoil.curve" --json >"$tmp/section.json"
+of_curve() { sed -n "s/.*\"$1\": \([^,}]*\).*/\1/p" "$tmp/section.json"; }
+for name in nose_radius edge_angle; do
+    if awk -v a="$(value $name)" -v b="$(of_curve $name)" \
+        'BEGIN { exit !(a != "" && b > 0 && (a - b) ^ 2 <= 1e-6 * b * b) }'; then ok; else
+        fail "$name: $(value $name) on the page, $(of_curve $name) by the program"
+    fi
+done
+sed -n '/^section$/,/^end$/p' "$tmp/use.result" | sed '1d;$d' >"$tmp/saved.dat"
+if "$harmorph" fit "$tmp/saved.dat" -o "$tmp/saved.curve" >"$tmp/log" 2>&1; then ok; else fail "the saved section"; fi
+explore "$meshes/block.su2" "$tmp/slip.basis" -o "$tmp/block.html" || fail "explore"
+scripted bodies block tests/page_use.js
+for size in 500,844 844,390 1280,800 3840,2160; do
+    scripted "window $size" whole tests/page_look.js --window-size=$size
+done
+scripted "own colours" whole tests/page_look.js --force-high-contrast
+if [ "$(value forced)" = true ]; then ok; else skip "the reader's own colours" "this browser does not force colours"; fi
+
 page thinned "$naca" "$tmp/conformal.basis" 30 --points 2000
 # As many points as a page shows without leaving any out: the demo's fine mesh.
 "$harmorph" demo "$tmp/demo" >"$tmp/log" 2>&1 || fail "demo: $(tail -n 1 "$tmp/log")"

@@ -117,14 +117,16 @@ check "lines of FORTRAN 77 have the arguments of what they call" lines_of_fortra
 . "$(dirname "$0")/processes.sh"
 block c_api/mpi/README.md fortran 1 >"$dir/readme_mpi.inc"
 several_processes() {
-    cp tests/readme_mpi.f90 "$dir" || return 1
-    (cd "$dir" && $MPICC $CFLAGS -I"$source/include" -I"$source/c_api" -c "$source/c_api/mpi/harmorph_mpi.c" -o harmorph_mpi_c.o &&
-        for file in "$build/harmorph.f90" "$build/harmorph_mpi.f90" "$source/tests/o_mesh.f90" readme_mpi.f90; do
-            $MPIFC $FFLAGS -O0 -c "$file" || exit 1   # optimised, the modules take most of the time
-        done &&
-        $MPIFC $FFLAGS -o readme_mpi readme_mpi.o o_mesh.o harmorph_mpi.o harmorph.o harmorph_mpi_c.o \
-            "$build/libharmorph.a") || return 1
-    start 2 "$dir/readme_mpi" >"$dir/out" 2>&1
+    parts=$dir/parts
+    rm -rf "$parts"
+    mkdir "$parts" || return 1
+    cp "$build/harmorph.f90" "$build/harmorph_mpi.f90" "$build/harmorph_mpi.c" "$build/libharmorph.a" \
+        include/*.h "$dir/readme_mpi.inc" "$parts" || return 1
+    cat tests/o_mesh.f90 tests/readme_mpi.f90 >"$parts/parts.f90"
+    block c_api/mpi/README.md sh 1 | sed "s/^mpicc/$MPICC $CFLAGS -I./; s/^mpifort/$MPIFC $FFLAGS -O0/" \
+        >"$parts/lines.sh"   # optimised, the modules take most of the time
+    (cd "$parts" && sh -e lines.sh) || return 1
+    start 2 "$parts/parts" >"$dir/out" 2>&1
     cat "$dir/out"
     grep -q "agree on processes: 2" "$dir/out"
 }

@@ -92,6 +92,15 @@ static hm_status pack(row_exchange* exchange, const hm_basis* share, hm_error* e
     return HM_OK;
 }
 
+/* Puts before the reason which process has sent what is refused. */
+static void name_sender(hm_error* err, int rank) {
+    char reason[sizeof err->text];
+    if (err == NULL) return;
+    memcpy(reason, err->text, sizeof reason);
+    snprintf(err->text, sizeof err->text, "from rank %d: %.*s", rank, (int)sizeof reason - 32,
+             reason);
+}
+
 /* Unpacks in the order of ranks, which is that of the functions. If the own share has all
  * functions, the rows are solved already, and nothing is unpacked. */
 static hm_status unpack(row_exchange* exchange, hm_basis* rows, hm_error* err) {
@@ -101,6 +110,7 @@ static hm_status unpack(row_exchange* exchange, hm_basis* rows, hm_error* err) {
     for (k = 0; status >= 0 && k < exchange->n_processes && !info.solved; ++k) {
         status = hm_parcel_unpack(rows, exchange->incoming + exchange->received.start[k],
                                   exchange->received.count[k], err);
+        if (status < 0) name_sender(err, k);
     }
     if (status >= 0) status = hm_basis_info_get(rows, &info, err);
     if (status < 0 || info.solved) return status;

@@ -43,6 +43,11 @@ static hm_status take_part(hm_petsc* system, const hm_part_mesh* part, hm_error*
            part->mesh->struct_size < sizeof system->mesh ? part->mesh->struct_size
                                                          : sizeof system->mesh);
     system->part_mesh.mesh = &system->mesh;
+    if (system->mesh.n_points == 0 && system->mesh.n_cells == 0) {
+        return refuse(err, HM_BAD_MESH, -1,
+                      "this process has no cells: make a communicator of the processes that have "
+                      "(MPI_Comm_split)");
+    }
     status = hm_part_size(&system->part_mesh, &bytes, err);
     if (status < 0) return status;
     system->part_block = malloc(bytes);

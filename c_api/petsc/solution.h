@@ -5,6 +5,31 @@
 #include <harmorph_parts.h>
 #include "matrix.h"
 
+/* On the way down BoomerAMG relaxes forwards, on the way up backwards: a cycle is symmetric, as CG
+ * needs it, for half the work of PETSc's default, which relaxes both ways each time. PETSc takes
+ * this from its options alone: they are set for this solver where the user has not chosen, and
+ * taken away again. */
+enum { RELAXATIONS = 2 };
+static const char* const relaxation[RELAXATIONS][2] = {
+    {"-hm_pc_hypre_boomeramg_relax_type_down", "l1-Gauss-Seidel"},
+    {"-hm_pc_hypre_boomeramg_relax_type_up", "backward-l1-Gauss-Seidel"}};
+
+static PetscErrorCode set_options(KSP solver) {
+    PetscBool has_all = PETSC_FALSE, has[RELAXATIONS];
+    int k;
+    TRY(PetscOptionsHasName(NULL, NULL, "-hm_pc_hypre_boomeramg_relax_type_all", &has_all));
+    for (k = 0; k < RELAXATIONS; ++k) {
+        TRY(PetscOptionsHasName(NULL, NULL, relaxation[k][0], &has[k]));
+        has[k] = has[k] || has_all ? PETSC_TRUE : PETSC_FALSE;
+        if (!has[k]) TRY(PetscOptionsSetValue(NULL, relaxation[k][0], relaxation[k][1]));
+    }
+    TRY(KSPSetFromOptions(solver));
+    for (k = 0; k < RELAXATIONS; ++k) {
+        if (!has[k]) TRY(PetscOptionsClearValue(NULL, relaxation[k][0]));
+    }
+    return 0;
+}
+
 static PetscErrorCode make_solver(hm_petsc* system) {
     PC pc;
     TRY(KSPCreate(system->comm, &system->solver));
@@ -19,7 +44,7 @@ static PetscErrorCode make_solver(hm_petsc* system) {
 #else
     TRY(PCSetType(pc, PCGAMG));
 #endif
-    return KSPSetFromOptions(system->solver);
+    return set_options(system->solver);
 }
 
 /* What the columns are, and what becomes of their values: functions, or one field of displacements.

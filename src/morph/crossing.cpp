@@ -1,11 +1,10 @@
 #include "morph/crossing.hpp"
 
 #include "base/predicates.hpp"
+#include "morph/boundary_faces.hpp"
 
 namespace harmorph {
 namespace {
-
-constexpr Index few_faces = 8;
 
 struct FaceBox {
     Vec2 low{infinity, infinity}, high{-infinity, -infinity};
@@ -21,18 +20,11 @@ struct FaceBox {
     }
 };
 
-struct FaceRange {
-    Index begin, end;
-    Index size() const noexcept { return end - begin; }
-    Index middle() const noexcept { return begin + size() / 2; }
-};
-
 class Search {
 public:
-    Search(Span<const Index> boundary_point, Span<const Index> loop_start, Points points,
-           Points displacement, Overlaps overlaps, Span<const EndOf> ends = {}) noexcept
-        : boundary_point_(boundary_point),
-          loop_start_(loop_start),
+    Search(BoundaryFaces faces, Points points, Points displacement, Overlaps overlaps,
+           Span<const EndOf> ends = {}) noexcept
+        : faces_(faces),
           points_(points),
           displacement_(displacement),
           overlaps_(overlaps),
@@ -76,16 +68,14 @@ private:
                                cross_at_a_point(other, face) ||
                                (overlaps_ == Overlaps::cross && lie_on_each_other(face, other));
             if (!cross || !is_known(face, other)) continue;
-            result_ = {true,
-                       {boundary_point_[face], end_of(face)},
-                       {boundary_point_[other], end_of(other)}};
+            result_ = {true, {begin_of(face), end_of(face)}, {begin_of(other), end_of(other)}};
             return true;
         }
         return false;
     }
 
     bool has(Index face, EndOf what) const noexcept {
-        return ends_[boundary_point_[face]] == what || ends_[end_of(face)] == what;
+        return ends_[begin_of(face)] == what || ends_[end_of(face)] == what;
     }
     // Does a face of a wall end on a line that points slide along?
     bool ends_on_line(Index face) const noexcept {
@@ -102,16 +92,16 @@ private:
 
     // The ends of each lie strictly on both sides of the other.
     bool cross_properly(Index face, Index other) const noexcept {
-        Vec2 const a = at(boundary_point_[face]), b = at(end_of(face));
-        Vec2 const c = at(boundary_point_[other]), d = at(end_of(other));
+        Vec2 const a = at(begin_of(face)), b = at(end_of(face));
+        Vec2 const c = at(begin_of(other)), d = at(end_of(other));
         return orientation_sign(a, b, c) * orientation_sign(a, b, d) < 0 &&
                orientation_sign(c, d, a) * orientation_sign(c, d, b) < 0;
     }
 
     // On one line, and of that a piece belongs to both.
     bool lie_on_each_other(Index face, Index other) const noexcept {
-        Vec2 const a = at(boundary_point_[face]), b = at(end_of(face));
-        Vec2 const c = at(boundary_point_[other]), d = at(end_of(other));
+        Vec2 const a = at(begin_of(face)), b = at(end_of(face));
+        Vec2 const c = at(begin_of(other)), d = at(end_of(other));
         if (same(a, b) || same(c, d)) return false;
         if (same(a, d) && same(b, c)) return part_by_mesh(face, other) || part_by_mesh(other, face);
         if (orientation_sign(a, b, c) != 0 || orientation_sign(a, b, d) != 0) return false;
@@ -127,24 +117,23 @@ private:
     // together, the faces that follow are asked.
     bool part_by_mesh(Index face, Index other) const noexcept {
         Index const next = after(face), last = before(other);
-        Vec2 const here = at(end_of(face)), ahead = at(end_of(next)),
-                   behind = at(boundary_point_[last]);
+        Vec2 const here = at(end_of(face)), ahead = at(end_of(next)), behind = at(begin_of(last));
         return next != other && !same(ahead, behind) &&
-               is_between(here, ahead, behind, at(boundary_point_[face]));
+               is_between(here, ahead, behind, at(begin_of(face)));
     }
 
     // Do the faces before and after the point where `face` begins leave the other one, or the
     // corner where that begins, to different sides? Only then has the boundary passed through it,
     // and not just touched it.
     bool cross_at_a_point(Index face, Index other) const noexcept {
-        Index const point = boundary_point_[face];
-        if (point == boundary_point_[other] || point == end_of(other)) return false;
-        Vec2 const here = at(point), a = at(boundary_point_[other]), b = at(end_of(other));
+        Index const point = begin_of(face);
+        if (point == begin_of(other) || point == end_of(other)) return false;
+        Vec2 const here = at(point), a = at(begin_of(other)), b = at(end_of(other));
         bool const at_corner = same(here, a);
         if (!at_corner && (orientation_sign(a, b, here) != 0 || !on_opposite_sides(here, a, b)))
             return false;
-        Vec2 const behind = at(boundary_point_[before(face)]), ahead = at(end_of(face));
-        Vec2 const coming = at_corner ? at(boundary_point_[before(other)]) : a, going = b;
+        Vec2 const behind = at(begin_of(before(face))), ahead = at(end_of(face));
+        Vec2 const coming = at_corner ? at(begin_of(before(other))) : a, going = b;
         auto const lies_between = [&](Vec2 first, Vec2 point_between, Vec2 second) {
             return is_between(here, first, point_between, second);
         };
@@ -177,44 +166,18 @@ private:
         return displacement_.given() ? points_[point] + displacement_[point] : points_[point];
     }
 
-    // Halving: a mesh may have thousands of bodies.
-    Index loop_of(Index face) const noexcept {
-        Index first = 0,
-              last = loop_start_.count() - 1;  // loop_start_[first] <= face < loop_start_[last]
-        while (last - first > 1) {
-            Index const middle = first + (last - first) / 2;
-            (loop_start_[middle] <= face ? first : last) = middle;
-        }
-        return first;
-    }
-
-    Index before(Index face) const noexcept {
-        Index const loop = loop_of(face);
-        return face > loop_start_[loop] ? face - 1 : loop_start_[loop + 1] - 1;
-    }
-
-    Index after(Index face) const noexcept {
-        Index const loop = loop_of(face);
-        return face + 1 < loop_start_[loop + 1] ? face + 1 : loop_start_[loop];
-    }
-
-    Index end_of(Index face) const noexcept { return boundary_point_[after(face)]; }
+    Index begin_of(Index face) const noexcept { return faces_.begin_of(face); }
+    Index end_of(Index face) const noexcept { return faces_.end_of(face); }
+    Index before(Index face) const noexcept { return faces_.before(face); }
+    Index after(Index face) const noexcept { return faces_.after(face); }
 
     FaceBox box_of(FaceRange range) const noexcept {
         FaceBox box;
-        for (Index face = range.begin; face < range.end; ++face)
-            box.include(at(boundary_point_[face]));
-        box.include(at(end_of(range.end - 1)));
-        // A range may hold the end of one loop and the beginning of the next: faces that close a
-        // loop end at its start.
-        for (Index loop = loop_of(range.begin);
-             loop + 1 < loop_start_.count() && loop_start_[loop + 1] <= range.end; ++loop) {
-            box.include(at(boundary_point_[loop_start_[loop]]));
-        }
+        faces_.for_each_end(range, [&](Index point) { box.include(at(point)); });
         return box;
     }
 
-    Span<const Index> boundary_point_, loop_start_;
+    BoundaryFaces faces_;
     Points points_, displacement_;
     Overlaps overlaps_;
     Span<const EndOf> ends_;
@@ -225,14 +188,14 @@ private:
 
 Crossing find_crossing(Span<const Index> boundary_point, Span<const Index> loop_start,
                        Points points, Points displacement, Overlaps overlaps) noexcept {
-    Search search(boundary_point, loop_start, points, displacement, overlaps);
+    Search search({boundary_point, loop_start}, points, displacement, overlaps);
     search.within({0, boundary_point.count()});
     return search.result();
 }
 
 Crossing find_known_crossing(Span<const Index> boundary_point, Span<const Index> loop_start,
                              Points points, Span<const EndOf> ends) noexcept {
-    Search search(boundary_point, loop_start, points, {}, Overlaps::ignored, ends);
+    Search search({boundary_point, loop_start}, points, {}, Overlaps::ignored, ends);
     search.within({0, boundary_point.count()});
     return search.result();
 }

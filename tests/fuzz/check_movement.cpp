@@ -83,6 +83,18 @@ void SolutionCheck::step(hm_points const& by, std::vector<Point> const& displace
         expect(sine > -1e-12, "a cell is inverted before the admissible step: sine " +
                                   std::to_string(sine * 1e12) + "e-12");
     }
+    expect(!(report.boundary >= s) || std::isinf(report.boundary),
+           "the boundary touches itself after the admissible step, where nothing is looked for");
+    for (double const part : {0.3, 0.6, 0.9, 0.999}) {
+        double const t = part * std::min({report.boundary, s, 4.0});
+        std::vector<Point> at = problem_.domain.points;
+        for (std::size_t k = 0; k < at.size(); ++k) {
+            at[k].x += t * displacement[k].x;
+            at[k].y += t * displacement[k].y;
+        }
+        expect(!find_crossings(problem_.domain, at).crosses,
+               "the boundary crosses itself before it touches itself");
+    }
     if (!std::isfinite(s) || judged_.ambiguous > 0) return;
     double const sine = smallest_sine(judged_, problem_.domain.points, displacement, s);
     expect(sine < 1e-9, "no cell has lost its area at the admissible step " + std::to_string(s) +

@@ -21,11 +21,21 @@ static void check_refused(hm_status own, const hm_error* error, int is_possible,
 
 /* ---- Parts ---- */
 
-enum { POSITION, GAP, NO_MARKER, MARKED_INSIDE, NUMBERS, INSIDE_TWICE, NO_OWNER, N_FAULTS };
+enum {
+    POSITION,
+    GAP,
+    NO_MARKER,
+    MARKED_INSIDE,
+    NUMBERS,
+    INSIDE_TWICE,
+    NO_OWNER,
+    NO_CELLS,
+    N_FAULTS
+};
 static const char* const fault_names[N_FAULTS] = {
-    "two positions",        "a gap",         "no marker",
-    "a marker inside",      "wrong numbers", "the same numbers inside two parts",
-    "a ghost without owner"};
+    "two positions",         "a gap",         "no marker",
+    "a marker inside",       "wrong numbers", "the same numbers inside two parts",
+    "a ghost without owner", "no cells"};
 
 static void set_marker_inside(own_part* mine) {
     const int32_t* const cell = mine->cells + 4 * (mine->n_cells - 1);
@@ -61,7 +71,7 @@ static int32_t shared_point(const own_part* mine, const whole_mesh* of, const in
 static int spoil(own_part* mine, const whole_mesh* of, const int* part_of, int fault) {
     int32_t at, k;
     int64_t number;
-    if (size == 1 && fault != GAP && fault != NO_MARKER) return 0;
+    if (size == 1 && fault != GAP && fault != NO_MARKER && fault != NO_CELLS) return 0;
     if (rank != size - 1) return 1;
     at = fault == POSITION || fault == NUMBERS ? shared_point(mine, of, part_of) : 0;
     switch (fault) {
@@ -77,6 +87,7 @@ static int spoil(own_part* mine, const whole_mesh* of, const int* part_of, int f
         case INSIDE_TWICE:
             for (k = 0; k < mine->n_points; ++k) mine->numbers[k] = number_of(k);
             break;
+        case NO_CELLS: mine->n_points = mine->n_cells = mine->n_faces = 0; break;
         case NO_OWNER: mine->numbers[ghost_point(mine)] = 123456789; break;
         default: break;
     }
@@ -100,6 +111,9 @@ void check_parts_that_do_not_fit(void) {
             hm_petsc_create(&system, &mine.part, &of.problem, &of.options, MPI_COMM_WORLD, &error);
         check_refused(status, &error, is_possible, fault_names[fault]);
         if (is_possible) check(system == NULL, "no system is left", fault_names[fault]);
+        if (fault == NO_CELLS && rank == size - 1) {
+            check(strstr(error.text, "MPI_Comm_split") != NULL, "what to do", fault_names[fault]);
+        }
         hm_petsc_free(&system);
         free(part_of);
         free_part(&mine);

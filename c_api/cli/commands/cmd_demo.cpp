@@ -45,8 +45,8 @@ void write_admissible_moves(const std::string& mesh_path, const std::string& cur
     const Basis basis(basis_path, mesh);
     std::vector<double> moves = pleasing_moves(read_curves(curve_path));
     const Threads threads(1);
-    const double admissible =
-        admissible_step(basis, mesh, displacement(basis, mesh, moves, threads), threads).admissible;
+    const double admissible = valid_fraction(
+        admissible_step(basis, mesh, displacement(basis, mesh, moves, threads), threads));
     const double scale = std::min(1.0, admissible / 2);
     for (double& move : moves) move *= scale;
     std::printf("\n# more camber (%s chord) and thickness (%s %%), written to %s\n",

@@ -156,7 +156,7 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Displacemen
 void print_json(const Displacement& found) {
     JsonObject object;
     object.add("inverted", found.quality.inverted);
-    if (!found.safe) object.add("admissible_step", found.step.admissible);
+    if (!found.safe) object.add("admissible_step", valid_fraction(found.step));
     object.add("self_crossing", found.quality.self_crossing != 0);
     object.add("min_quality", found.quality.min_quality)
         .add("mean_quality", found.quality.mean_quality);
@@ -170,7 +170,7 @@ void print_for_people(const Displacement& found) {
     if (found.safe) print_target(*found.safe);
     std::printf("inverted cells   %d\n", found.quality.inverted);
     if (!found.safe) {
-        const double step = found.step.admissible;
+        const double step = valid_fraction(found.step);
         const std::string text = std::isinf(step) ? "unlimited" : brief(step) + " of this one";
         std::printf("admissible step  %s\n", text.c_str());
     }

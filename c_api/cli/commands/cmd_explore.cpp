@@ -28,7 +28,7 @@ void refuse_inverted_cells(const Mesh& mesh, const Basis& basis) {
 
 void run_explore(const Arguments& arguments) {
     const std::string path = arguments.text("-o");
-    const std::int32_t most = arguments.whole("--points", 20000, 100, 2000000);
+    const std::int32_t most = arguments.whole("--points", 50000, 100, 2000000);
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
     refuse_inverted_cells(mesh, basis);
@@ -78,7 +78,7 @@ const Command explore_command = {
      {"--points", "N",
       "how many points nearest to the body are shown with all their cells; farther away the mesh "
       "is thinned\n"
-      "for drawing (default 20000)"},
+      "for drawing (default 50000)"},
      {"--move", "MOVES", "movement of the control points to begin with"},
      format_option,
      zone_option},

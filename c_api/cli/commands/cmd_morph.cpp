@@ -253,7 +253,10 @@ const Command morph_command = {
             format_option,
             zone_option,
             {"--json", nullptr,
-             "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing,\n"
+             "print one JSON object: inverted, admissible_step (null: unlimited), boundary_step "
+             "(where the boundary\n"
+             "first touches itself, in parts of the movement; null: not before a cell inverts), "
+             "self_crossing,\n"
              "boundary_error (from the B-spline as far as it went), min_quality, mean_quality,\n"
              "morph_seconds, moved_curve (its file, or empty); with --safe no admissible_step but "
              "step_fraction\n"

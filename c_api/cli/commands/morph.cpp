@@ -56,6 +56,10 @@ hm_step_report admissible_step(const Basis& basis, const Mesh& mesh, const Field
     return report;
 }
 
+double valid_fraction(const hm_step_report& step) {
+    return std::min(step.admissible, step.boundary);
+}
+
 Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& its_moves,
              std::int32_t repeats, const Threads& threads)
     : moves(its_moves),

@@ -18,6 +18,10 @@ Field displacement(const Basis& basis, const Mesh& mesh, const std::vector<doubl
 hm_step_report admissible_step(const Basis& basis, const Mesh& mesh, const Field& displacement,
                                const Threads& threads);
 
+// The fraction of a displacement up to which the mesh is valid: no cell is inverted and the
+// boundary does not touch itself.
+double valid_fraction(const hm_step_report& step);
+
 struct Morph {
     std::vector<double>
         moves;  // of control points and bodies, as far as the mesh followed: see hm_morph

@@ -11,7 +11,10 @@ void print_json(const Morph& morph, bool safe, const Companions& written,
                 const std::optional<ToAirfoil>& airfoil) {
     JsonObject object;
     object.add("inverted", morph.quality.inverted);
-    if (!safe) object.add("admissible_step", morph.step.admissible);
+    if (!safe) {
+        object.add("admissible_step", valid_fraction(morph.step));
+        object.add("boundary_step", morph.step.boundary);
+    }
     object.add("self_crossing", morph.quality.self_crossing != 0)
         .add("boundary_error", morph.boundary_error);
     object.add("min_quality", morph.quality.min_quality)
@@ -36,14 +39,16 @@ void print_airfoil(const std::string& path, const ToAirfoil& airfoil) {
 }
 
 void print_for_people(const Morph& morph, bool safe, const Companions& written) {
-    const double admissible = safe ? morph.safe.admissible : morph.step.admissible;
+    const double admissible = safe ? morph.safe.admissible : valid_fraction(morph.step);
     if (safe) print_target(morph.safe);
     std::printf("inverted cells   %d\n", morph.quality.inverted);
     const std::string step =
         std::isinf(admissible)
             ? "unlimited"
             : brief(admissible) + (safe ? " of the last step that was tried" : " of this one");
-    std::printf("admissible step  %s\n", step.c_str());
+    const bool touches = !safe && morph.step.boundary < morph.step.admissible;
+    std::printf("admissible step  %s%s\n", step.c_str(),
+                touches ? ": there the boundary first touches itself" : "");
     std::printf("boundary         %s; %s off the B-spline at most\n",
                 morph.quality.self_crossing != 0 ? "crosses itself" : "does not cross itself",
                 brief(morph.boundary_error).c_str());
@@ -83,6 +88,10 @@ std::string why_not_valid(const Morph& morph, const Mesh& mesh) {
                 std::string("the boundary crosses itself between points ") +
                 std::to_string(points[0]) + ", " + std::to_string(points[1]) + " and " +
                 std::to_string(points[2]) + ", " + std::to_string(points[3]);
+        if (morph.step.boundary <= 1) {
+            text += ": after " + brief(morph.step.boundary) +
+                    " of this movement the boundary first touches itself";
+        }
     }
     return text;
 }

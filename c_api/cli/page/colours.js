@@ -11,6 +11,11 @@ function style_of(name) {
     return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
+// Three bytes as a pixel, red in the lowest byte.
+function pixel_of(red, green, blue) {
+    return ((255 << 24) | (Math.round(blue) << 16) | (Math.round(green) << 8) | Math.round(red)) >>> 0;
+}
+
 // A scale from 0 to 1 between equally spaced colours "#rrggbb"; at(t) gives three bytes.
 class Scale {
     constructor(colours) {
@@ -29,6 +34,15 @@ class Scale {
     at(t) {
         const i = 3 * Math.round(255 * Math.min(Math.max(t, 0), 1));
         return this.table.subarray(i, i + 3);
+    }
+
+    // The 256 colours as pixels, red in the lowest byte.
+    pixels() {
+        if (!this.its_pixels) {
+            const { table } = this;
+            this.its_pixels = Uint32Array.from({ length: 256 }, (_, i) => pixel_of(...table.subarray(3 * i, 3 * i + 3)));
+        }
+        return this.its_pixels;
     }
 
     css(t) {

@@ -33,6 +33,61 @@ class Curves {
         return line;
     }
 
+    // What an outline that begins and ends at its trailing edge has there and at its leading edge, the point farthest
+    // from the trailing edge: the radius of curvature, and the angle between both ends [degrees]. A periodic curve has
+    // no ends.
+    edges(number) {
+        const curve = this.curves[number],
+            { degree, knots, indices } = curve,
+            first = knots[degree],
+            last = knots[indices.length],
+            small = 1e-6 * (last - first),
+            begin = this.point(curve, first),
+            end = this.point(curve, last);
+        if (knots[0] !== first) return {};
+        const edge = [(begin[0] + end[0]) / 2, (begin[1] + end[1]) / 2],
+            distance = (u) => Math.hypot(...minus(this.point(curve, u), edge));
+        let low = first,
+            high = last;
+        for (let n = 400, step = (last - first) / n, i = 0, most = 0; i <= n; ++i) {
+            if (distance(first + i * step) <= most) continue;
+            most = distance(first + i * step);
+            [low, high] = [Math.max(first + (i - 1) * step, first), Math.min(first + (i + 1) * step, last)];
+        }
+        while (high - low > 1e-12 * (last - first)) {
+            const one = low + (high - low) / 3,
+                other = high - (high - low) / 3;
+            if (distance(one) > distance(other)) high = other;
+            else low = one;
+        }
+        // The circle through three points.
+        const [a, b, c] = [low - small, low, low + small].map((u) => this.point(curve, u)),
+            [ab, bc, ca] = [minus(b, a), minus(c, b), minus(a, c)],
+            twice_area = Math.abs(ab[0] * bc[1] - ab[1] * bc[0]),
+            nose_radius = (Math.hypot(...ab) * Math.hypot(...bc) * Math.hypot(...ca)) / (2 * twice_area);
+        const ahead = minus(this.point(curve, first + small), begin),
+            behind = minus(this.point(curve, last - small), end),
+            edge_angle = (Math.abs(turn_between(...ahead, ...behind)) * 180) / Math.PI;
+        return { nose_radius, edge_angle };
+    }
+
+    point(curve, u) {
+        const { degree, knots, indices } = curve;
+        let span = degree,
+            x = 0,
+            y = 0,
+            w = 0;
+        while (span + 1 < indices.length && knots[span + 1] <= u) ++span;
+        this.functions_at(curve, span, u).forEach((number, k) => {
+            const index = indices[span - degree + k],
+                value = number * (this.weights.length > 0 ? this.weights[index] : 1);
+            x += value * this.control[2 * index];
+            y += value * this.control[2 * index + 1];
+            w += value;
+        });
+        return [x / w, y / w];
+    }
+
     // The control points of a curve in order; a closed one ends where it comes back to the first.
     polygon(curve) {
         const indices = [];
@@ -80,4 +135,8 @@ class Curves {
         }
         return values;
     }
+}
+
+function minus([ax, ay], [bx, by]) {
+    return [ax - bx, ay - by];
 }

@@ -7,6 +7,7 @@ class Drag {
         canvas.addEventListener("pointerdown", (event) => this.down(event));
         canvas.addEventListener("pointermove", (event) => this.move(event));
         canvas.addEventListener("pointerup", (event) => this.up(event));
+        canvas.addEventListener("pointerleave", () => app.hover(-1));
         canvas.addEventListener("pointercancel", (event) => this.up(event));
         canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
         window.addEventListener("keydown", (event) => this.key(event));
@@ -55,7 +56,7 @@ class Drag {
         }
         this.pointers.set(event.pointerId, [px, py]);
         if (this.pointers.size > 1) {
-            this.grip = null; // two fingers zoom
+            this.release(); // two fingers zoom
             return;
         }
         const found = this.find(px, py, event.pointerType === "touch" ? 28 : 16);
@@ -130,10 +131,15 @@ class Drag {
         app.draw_soon();
     }
 
-    up(event) {
-        if (!this.pointers.delete(event.pointerId)) return;
+    // What is dragged stays where it is.
+    release() {
         if (this.grip !== null && this.grip.kind !== "plane") this.app.commit();
         this.grip = null;
+    }
+
+    up(event) {
+        if (!this.pointers.delete(event.pointerId)) return;
+        this.release();
         this.canvas.classList.toggle("dragging", false);
     }
 

@@ -7,16 +7,40 @@ class Files {
     }
 
     save() {
-        const link = document.createElement("a");
-        link.href = URL.createObjectURL(new Blob([this.app.shape.text()], { type: "text/plain" }));
-        link.download = "moves.txt";
-        link.click();
-        setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+        this.write("moves.txt", [this.app.shape.text()], "text/plain");
         this.say(
             this.app.is_valid()
                 ? "Saved as moves.txt, for harmorph morph --move"
-                : "Saved as moves.txt; harmorph morph will want --safe or --force",
+                : this.app.wall.crossing.length > 0
+                  ? "Saved as moves.txt; no mesh can have this wall, which crosses itself"
+                  : "Saved as moves.txt; harmorph morph will want --safe",
         );
+    }
+
+    // The wall of the section that the table describes, as an airfoil file in Selig's order.
+    save_section() {
+        const section = this.app.current_section();
+        this.write(`${section.name}.dat`, [section.text()], "text/plain");
+        this.say(`Saved as ${section.name}.dat, for harmorph fit and morph --to-airfoil`);
+    }
+
+    // What is seen: the mesh, and what lies over it.
+    save_picture() {
+        const { canvas } = this.app.picture.painter,
+            picture = document.createElement("canvas");
+        Object.assign(picture, { width: canvas.width, height: canvas.height });
+        this.app.draw(); // WebGL keeps its picture no longer than for this task
+        for (const layer of [canvas, element("handles")]) picture.getContext("2d").drawImage(layer, 0, 0);
+        picture.toBlob((bytes) => this.write("mesh.png", [bytes], "image/png"));
+        this.say("Saved as mesh.png");
+    }
+
+    write(name, parts, type) {
+        const link = document.createElement("a");
+        link.href = URL.createObjectURL(new Blob(parts, { type }));
+        link.download = name;
+        link.click();
+        setTimeout(() => URL.revokeObjectURL(link.href), 10000);
     }
 
     open(file) {

@@ -10,10 +10,11 @@ class App {
         this.wall = new Wall(data, this.model);
         this.sections = this.wall.chains
             .filter((chain) => chain.closed && data.markers[chain.marker].kind === "curve")
-            .map((chain) => new Section(chain, data, this.model));
+            .map((chain) => new Section(chain, data, this.model, this.curves));
         this.pairs = new Pairs(data, this.sections);
         this.shape = new Shape(data, this.sections);
         this.still_faces = this.wall.faces.filter((face) => !this.wall.moves[face.marker]);
+        this.measure_bodies();
         this.home = this.box_of_what_moves();
         this.extent = Math.max(this.home[2] - this.home[0], this.home[3] - this.home[1]);
         this.digit = 10 ** (Math.floor(Math.log10(this.extent)) - 5); // dragged movements are multiples of it
@@ -25,7 +26,7 @@ class App {
         this.camera = new Camera();
         this.legend = new Legend(this);
         this.files = new Files(this);
-        this.picture = new Picture(element("mesh"), data, this.model, this.cells);
+        this.picture = new Picture(data, this.model, this.cells, make_painter(element("mesh"), data.pieces.points));
         this.overlay = new Overlay(element("handles"), this);
         this.set_theme(this.options.theme);
         this.panel = new Panel(this);
@@ -38,6 +39,18 @@ class App {
         if (data.moves !== "") this.files.load(data.moves);
         this.follow();
         this.draw();
+    }
+
+    // The larger side of the box round each rigid body: its handle goes round it.
+    measure_bodies() {
+        this.data.bodies.forEach((body, place) => {
+            const faces = this.wall.faces.filter(({ marker }) => {
+                const { kind, body: its } = this.data.markers[marker];
+                return kind === "rigid" && its === place;
+            });
+            const box = box_of_points(this.model.x0, this.model.y0, faces.map((face) => face.a));
+            body.size = Math.max(box[2] - box[0], box[3] - box[1]);
+        });
     }
 
     box_of_what_moves() {
@@ -80,10 +93,11 @@ class App {
         on("reset", () => this.after(() => this.shape.reset()));
         on("load", () => element("file").click());
         on("save", () => this.files.save());
-        on("previous", () =>
-            this.select(((this.selected < 0 ? 0 : this.selected) + this.data.n_control - 1) % this.data.n_control),
-        );
-        on("next", () => this.select((this.selected + 1) % this.data.n_control));
+        on("previous", () => this.turn_selection(-1));
+        on("next", () => this.turn_selection(1));
+        on("back_to_valid", () => this.after(() => this.shape.back_to_valid()));
+        on("save_section", () => this.files.save_section());
+        on("save_picture", () => this.files.save_picture());
         element("file").onchange = (event) => {
             if (event.target.files.length > 0) this.files.open(event.target.files[0]);
             event.target.value = "";
@@ -134,19 +148,46 @@ class App {
     }
 
     commit() {
-        this.shape.commit();
+        if (!this.shape.commit()) return;
+        if (this.must_follow) this.follow();
         this.panel.update();
+        this.panel.speak_verdict();
     }
 
     after(action) {
+        this.drag.release();
         action();
         this.changed();
+        this.follow();
+        this.panel.speak_verdict();
     }
     undo() {
         this.after(() => this.shape.undo());
     }
     redo() {
         this.after(() => this.shape.redo());
+    }
+
+    // The movement of the control point or body that is chosen.
+    chosen_movement() {
+        if (this.chosen_body >= 0) {
+            const { x, y } = this.shape.state.bodies[this.chosen_body];
+            return [x, y];
+        }
+        return this.selected < 0 ? [0, 0] : [this.moves[2 * this.selected], this.moves[2 * this.selected + 1]];
+    }
+    move_chosen(dx, dy) {
+        if (this.chosen_body >= 0) {
+            Object.assign(this.shape.state.bodies[this.chosen_body], { x: dx, y: dy });
+            this.changed();
+        } else if (this.selected >= 0) {
+            this.move_point(this.selected, dx, dy);
+        }
+    }
+    name_of_choice() {
+        if (this.chosen_body >= 0) return `Body ${this.data.bodies[this.chosen_body].marker}`;
+        if (this.selected >= 0) return `Control point ${this.selected + 1}`;
+        return this.data.n_control > 0 ? "Control points" : "Bodies";
     }
 
     // The mesh where the movements put it, and what it is worth.
@@ -158,8 +199,9 @@ class App {
         this.model.morph(this.moves);
         const morphed = performance.now();
         this.cells.judge();
-        this.wall.judge();
+        this.wall.judge(this.cells.step);
         for (const section of this.sections) section.judge();
+        if (this.is_valid()) this.shape.remember_valid();
         Object.assign(this.times, { morph: morphed - begin, judge: performance.now() - morphed });
         this.panel.update();
     }
@@ -184,6 +226,11 @@ class App {
         return this.cells.inverted === 0 && this.wall.crossing.length === 0;
     }
 
+    // The fraction of the movement up to which no cell is inverted and the wall does not touch itself.
+    admissible_step() {
+        return Math.min(this.cells.step, this.wall.touch.step);
+    }
+
     said_hello() {
         element("hint").classList.add("gone");
     }
@@ -191,6 +238,7 @@ class App {
     // ---- View
 
     resize() {
+        this.unit = parseFloat(getComputedStyle(document.documentElement).fontSize) / 15; // letters grow with the screen
         const { clientWidth: width, clientHeight: height } = element("stage");
         this.camera.resize(width, height);
         if (this.camera.is_home) this.show_home();
@@ -210,9 +258,11 @@ class App {
     }
     show_limit() {
         const { cells, model, camera } = this,
+            { touch } = this.wall,
             cell = cells.limiting >= 0 ? cells.limiting : cells.worst;
         if (cell < 0) return;
-        camera.fit(box_of_points(model.x, model.y, cells.corners(cell)), 0.35);
+        const points = touch.point >= 0 ? [touch.point, touch.face.a, touch.face.b] : cells.corners(cell);
+        camera.fit(box_of_points(model.x, model.y, points), 0.35);
         this.draw_soon();
     }
 
@@ -227,22 +277,33 @@ class App {
         element(name).setAttribute("aria-pressed", this.options[name]);
     }
 
+    // Control points, then bodies; -1: none of them.
     select(index) {
-        this.selected = index;
-        this.chosen_body = -1;
+        const { n_control } = this.data;
+        this.selected = index < n_control ? index : -1;
+        this.chosen_body = index < n_control ? -1 : index - n_control;
         this.set({});
+        if (index >= 0) this.panel.speak_choice();
     }
     choose_body(place) {
-        this.selected = -1;
-        this.chosen_body = place;
-        this.set({});
+        this.select(this.data.n_control + place);
+    }
+    choice() {
+        return this.chosen_body < 0 ? this.selected : this.data.n_control + this.chosen_body;
     }
     // False at the end of the list, where the keyboard goes on to the page's next element.
     step_selection(by) {
-        const next = this.selected < 0 ? (by > 0 ? 0 : this.data.n_control - 1) : this.selected + by;
-        if (next < 0 || next >= this.data.n_control) return false;
+        const n = this.data.n_control + this.data.bodies.length,
+            next = this.choice() < 0 ? (by > 0 ? 0 : n - 1) : this.choice() + by;
+        if (next < 0 || next >= n) return false;
         this.select(next);
         return true;
+    }
+    // The same without an end.
+    turn_selection(by) {
+        if (this.step_selection(by)) return;
+        this.select(-1);
+        this.step_selection(by);
     }
     hover(index) {
         if (index === this.hovered) return;
@@ -252,11 +313,11 @@ class App {
 
     // A body's centre in the plane; the knob to turn it, and the circle it is on, in pixels.
     body_handle(place) {
-        const { x, y } = this.data.bodies[place],
+        const { x, y, size } = this.data.bodies[place],
             its = this.shape.state.bodies[place],
             { camera } = this;
         const angle = (its.degrees * Math.PI) / 180,
-            radius = 64;
+            radius = this.unit * Math.min(64, Math.max(26, 18 + 0.5 * size * camera.scale));
         return {
             x: x + its.x,
             y: y + its.y,

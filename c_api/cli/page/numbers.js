@@ -1,6 +1,12 @@
 "use strict";
 // Numbers as text.
 
+// What a user has typed, with a decimal point or comma and any minus; NaN where the text is no finite number.
+function number_of(text) {
+    const words = text.trim().replace(",", ".").replace("−", "-");
+    return words !== "" && Number.isFinite(Number(words)) ? Number(words) : NaN;
+}
+
 // Four digits for people, and a proper minus.
 function brief(value) {
     if (!Number.isFinite(value)) return "∞";

@@ -123,7 +123,7 @@ class Overlay {
     draw_control_points() {
         const { app, context } = this,
             { control } = app.curves,
-            { selected, hovered } = app;
+            { selected, hovered, unit } = app;
         const partner = app.partner_of(selected);
         for (let i = 0; i < control.length / 2; ++i) {
             const x = this.px(control[2 * i]),
@@ -132,22 +132,22 @@ class Overlay {
                 near = i === hovered;
             if (chosen || near) {
                 context.beginPath();
-                context.arc(x, y, chosen ? 15 : 13, 0, 7);
+                context.arc(x, y, (chosen ? 15 : 13) * unit, 0, 7);
                 context.fillStyle = style_of("--halo");
                 context.fill();
             }
             context.beginPath();
-            context.arc(x, y, chosen || near ? 8 : 6, 0, 7);
+            context.arc(x, y, (chosen || near ? 8 : 6) * unit, 0, 7);
             context.fillStyle = style_of(chosen || i === partner ? "--accent" : "--handle");
             context.fill();
             this.stroke(chosen || i === partner ? "--handle" : "--accent", 2.25);
-            if (chosen || near) this.label(String(i + 1), x, y - 22);
+            if (chosen || near) this.label(String(i + 1), x, y - 22 * unit);
         }
     }
 
     label(text, x, y, name = "--ink") {
         const { context } = this;
-        context.font = "600 14px " + style_of("--font");
+        context.font = `600 ${14 * this.app.unit}px ${style_of("--font")}`;
         context.textAlign = "center";
         context.textBaseline = "middle";
         context.lineWidth = 4;
@@ -171,8 +171,8 @@ class Overlay {
         context.lineTo(body.knob_x, body.knob_y);
         this.stroke("--accent", 1.5);
         for (const [cx, cy, radius] of [
-            [x, y, 10],
-            [body.knob_x, body.knob_y, 8],
+            [x, y, 10 * app.unit],
+            [body.knob_x, body.knob_y, 8 * app.unit],
         ]) {
             context.beginPath();
             context.arc(cx, cy, radius, 0, 7);
@@ -220,16 +220,20 @@ class Overlay {
         }
     }
 
-    // The cell that will invert first, once it is near.
+    // The cell that will invert first, or where the wall will touch itself first, once it is near.
     draw_limit() {
-        const { cells, model } = this.app;
-        if (cells.limiting < 0 || !(cells.step < 2)) return;
-        const [x, y] = cells.centre(cells.limiting, model.x, model.y),
+        const { cells, model } = this.app,
+            { touch } = this.app.wall,
+            step = this.app.admissible_step();
+        if (!(step < 2) || (cells.limiting < 0 && touch.point < 0)) return;
+        const [x, y] = touch.point >= 0
+                ? [model.x[touch.point], model.y[touch.point]]
+                : cells.centre(cells.limiting, model.x, model.y),
             px = this.px(x),
             py = this.py(y);
         this.context.beginPath();
         this.context.arc(px, py, 11, 0, 7);
-        this.stroke(cells.step <= 1 ? "--bad" : "--warn", 2.5);
+        this.stroke(step <= 1 ? "--bad" : "--warn", 2.5);
     }
 
     draw_scale() {
@@ -245,6 +249,6 @@ class Overlay {
         context.lineTo(x + pixels, y);
         context.lineTo(x + pixels, y - 5);
         this.stroke("--ink", 1.5);
-        this.label(brief(length), x + pixels / 2, y - 13, "--quiet");
+        this.label(brief(length), x + pixels / 2, y - 13 * app.unit, "--quiet");
     }
 }

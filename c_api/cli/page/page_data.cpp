@@ -249,7 +249,7 @@ void write_report_data(std::ostream& out, const Mesh& mesh, const Basis& basis,
         .add("refusal", morph.refusal);
     object.add("inverted", morph.quality.inverted)
         .add("self_crossing", morph.quality.self_crossing != 0);
-    object.add("admissible_step", morph.step.admissible).add("limiting_cell", morph.step.cell);
+    object.add("admissible_step", valid_fraction(morph.step)).add("limiting_cell", morph.step.cell);
     object.add("min_quality", morph.quality.min_quality)
         .add("mean_quality", morph.quality.mean_quality);
     object.add("worst_cell", morph.quality.min_quality_cell)

@@ -1,5 +1,5 @@
 "use strict";
-// The panel: verdict, histogram, section, fields and sliders.
+// The panel: verdict, histogram, section, fields and sliders; and what screen readers are told.
 
 const element = (id) => document.getElementById(id);
 
@@ -8,7 +8,7 @@ class Panel {
         this.app = app;
         element("name").textContent = element("name").title = `${app.data.mesh} · ${app.data.operator}`;
         element("section_box").hidden = app.sections.length === 0;
-        element("point_box").hidden = app.data.n_control === 0;
+        element("point_box").hidden = app.data.n_control + app.data.bodies.length === 0;
         element("pair").hidden = !app.pairs.partner.some((partner) => partner >= 0);
         this.choose("colour", app.options.colour, (value) => app.set({ colour: value }));
         this.choose("pair", app.options.pair, (value) => app.set({ pair: value }));
@@ -19,40 +19,68 @@ class Panel {
         element("sliders").hidden = this.sliders.length === 0;
     }
 
-    // A row of buttons of which one is chosen.
+    // A row of buttons of which one is chosen: one stop for the Tab key, arrow keys choose.
     choose(id, value, then) {
-        for (const button of element(id).children) {
+        const buttons = [...element(id).children];
+        const mark = (chosen) => {
+            for (const button of buttons) {
+                button.setAttribute("aria-checked", button === chosen);
+                button.tabIndex = button === chosen ? 0 : -1;
+            }
+        };
+        buttons.forEach((button, place) => {
             button.setAttribute("role", "radio");
-            button.setAttribute("aria-checked", button.dataset.value === value);
             button.onclick = () => {
-                for (const other of element(id).children) other.setAttribute("aria-checked", other === button);
+                mark(button);
                 then(button.dataset.value);
             };
-        }
+            button.onkeydown = (event) => {
+                const by = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 }[event.key];
+                if (by === undefined) return;
+                event.preventDefault();
+                const next = buttons[(place + by + buttons.length) % buttons.length];
+                next.focus();
+                next.click();
+            };
+        });
+        mark(buttons.find((button) => button.dataset.value === value));
     }
 
     // What is typed counts when it is a number, and is committed when the field is left.
     number_field(input, then) {
+        const mark = (wrong) => {
+            input.classList.toggle("wrong", wrong);
+            input.setAttribute("aria-invalid", wrong);
+        };
         input.oninput = () => {
-            const value = Number(input.value.replace(",", ".").replace("−", "-"));
-            const good = input.value.trim() !== "" && Number.isFinite(value);
-            input.classList.toggle("wrong", !good);
-            if (good) then(value);
+            const value = number_of(input.value);
+            mark(Number.isNaN(value));
+            if (!Number.isNaN(value)) then(value);
         };
         input.onchange = () => {
-            input.classList.remove("wrong");
+            mark(false);
             this.app.commit();
             this.update();
         };
     }
 
+    // The number that is not typed keeps all its digits.
     fields() {
-        const set = () => {
-            const dx = Number(element("dx").value),
-                dy = Number(element("dy").value);
-            if (Number.isFinite(dx) && Number.isFinite(dy)) this.app.move_point(this.app.selected, dx, dy);
-        };
-        for (const id of ["dx", "dy"]) this.number_field(element(id), set);
+        const { app } = this;
+        this.number_field(element("dx"), (dx) => app.move_chosen(dx, app.chosen_movement()[1]));
+        this.number_field(element("dy"), (dy) => app.move_chosen(app.chosen_movement()[0], dy));
+    }
+
+    // For screen readers, once something is finished: while it goes on they would not come to an end.
+    speak(text) {
+        element("spoken").textContent = text;
+    }
+    speak_verdict() {
+        this.speak(`${element("verdict_word").textContent}. ${element("verdict_detail").textContent}`);
+    }
+    speak_choice() {
+        const [dx, dy] = this.app.chosen_movement();
+        this.speak(`${element("point_name").textContent}, moved by ${brief(dx)}, ${brief(dy)}`);
     }
 
     add_title(text) {
@@ -61,9 +89,9 @@ class Panel {
         element("sliders").append(title);
     }
 
-    // read and write: of the value in the shape.
-    add_slider(label, unit, low, high, step, read, write) {
-        const row = document.createElement("label"),
+    // owner: whose value it is; read and write: of the value in the shape.
+    add_slider(owner, label, unit, low, high, step, read, write) {
+        const row = document.createElement("div"),
             range = document.createElement("input"),
             field = document.createElement("input");
         const name = document.createElement("span"),
@@ -74,6 +102,8 @@ class Panel {
         name.append(small);
         Object.assign(range, { type: "range", min: low, max: high, step });
         field.inputMode = "decimal";
+        range.setAttribute("aria-label", `${label} ${unit}, ${owner}`);
+        field.setAttribute("aria-label", `${label} ${unit} as a number, ${owner}`);
         range.oninput = () => {
             write(Number(range.value));
             this.app.changed();
@@ -99,6 +129,7 @@ class Panel {
         const values = () => this.app.shape.state.variables[place];
         for (const { name, label, unit, most, step } of Section.variables) {
             this.add_slider(
+                section.name,
                 label,
                 unit,
                 -most,
@@ -119,6 +150,7 @@ class Panel {
         const values = () => this.app.shape.state.bodies[place];
         const add = (name, label, unit, low, high, step) =>
             this.add_slider(
+                body.marker,
                 label,
                 unit,
                 low,
@@ -146,30 +178,36 @@ class Panel {
     }
 
     update_verdict() {
-        const { cells, wall, still } = this.app,
-            { inverted, step } = cells,
-            crosses = wall.crossing.length > 0;
+        const { app } = this,
+            { cells, wall, still } = app,
+            { inverted } = cells,
+            { touch } = wall,
+            step = app.admissible_step(),
+            crosses = wall.crossing.length > 0,
+            percent = short(Math.min(1, step) * 100);
         const words =
             inverted > 0
                 ? `${inverted} inverted ${inverted === 1 ? "cell" : "cells"}`
                 : crosses
                   ? "Wall crosses itself"
-                  : cells.n < this.app.data.all_cells
+                  : cells.n < app.data.all_cells
                     ? "Valid near the body"
                     : "Valid mesh";
         element("verdict_word").textContent = words;
         element("verdict_detail").textContent =
-            inverted > 0 && crosses
-                ? "and the wall crosses itself"
-                : inverted > 0
-                  ? `${short(Math.min(1, step) * 100)} % of this movement is possible`
-                  : still
-                    ? "Nothing has moved yet"
+            inverted > 0 || crosses
+                ? `${percent} % of this movement is possible${inverted > 0 && crosses ? "; the wall crosses itself" : ""}`
+                : still
+                  ? "Nothing has moved yet"
+                  : touch.point >= 0 && step < 2
+                    ? "The wall touches itself before a cell inverts"
                     : `quality ${short(cells.min_quality)} at least, ${short(cells.mean_quality)} mean`;
+        element("back_to_valid").hidden = app.is_valid();
         const used = step === Infinity ? 0 : Math.min(1, 1 / step);
         element("verdict").className =
             "verdict " + (inverted > 0 || crosses ? "bad" : used > 0.5 ? "warn good" : "good");
         element("gauge_fill").style.width = `${100 * used}%`;
+        element("gauge").setAttribute("aria-valuenow", Math.round(100 * used));
         element("step").textContent = still ? "–" : step === Infinity ? "unlimited" : `${short(step)} × this movement`;
     }
 
@@ -177,6 +215,8 @@ class Panel {
         const { app } = this,
             section = app.current_section();
         if (!section) return;
+        element("section_name").textContent = section.name;
+        element("section_name").hidden = app.sections.length === 1;
         const { start, now } = section,
             rows = [
                 [`Thickness at ${(100 * now.thickest).toFixed(0)} %`, now.thickness * 100, start.thickness * 100, "%"],
@@ -185,15 +225,24 @@ class Panel {
                 ["Twist", now.twist, start.twist, "°"],
                 ["Area", now.area, start.area, ""],
             ];
+        if (now.nose_radius) rows.push(["Leading-edge radius", now.nose_radius, start.nose_radius, ""]);
+        if (now.edge_angle) rows.push(["Trailing-edge angle", now.edge_angle, start.edge_angle, "°"]);
         const body = element("section").tBodies[0];
-        while (body.rows.length < rows.length) for (let i = 0, row = body.insertRow(); i < 3; ++i) row.insertCell();
+        while (body.rows.length < rows.length) {
+            const row = body.insertRow(),
+                name = document.createElement("th");
+            name.scope = "row";
+            row.append(name);
+            for (let i = 0; i < 2; ++i) row.insertCell();
+        }
+        while (body.rows.length > rows.length) body.deleteRow(-1);
         rows.forEach(([name, value, before, unit], i) => {
             const cells = body.rows[i].cells,
                 change = value - before,
                 digits = unit === "" ? 4 : 2;
             const shown = Math.abs(change) >= 0.5 * 10 ** -digits;
             cells[0].textContent = name;
-            cells[1].textContent = `${fixed(value, digits)} ${unit}`;
+            cells[1].textContent = `${fixed(value, digits)}${unit === "°" ? "" : " "}${unit}`;
             cells[2].textContent = shown ? (change > 0 ? "+" : "") + fixed(change, digits) : "";
             cells[2].className = shown ? "changed" : "";
         });
@@ -201,15 +250,16 @@ class Panel {
 
     update_fields() {
         const { app } = this,
-            { selected } = app,
-            moves = app.moves;
+            has_choice = app.selected >= 0 || app.chosen_body >= 0,
+            movement = app.chosen_movement();
         const show = (input, value) => {
             if (document.activeElement !== input) input.value = value;
         };
-        element("point_name").textContent = selected < 0 ? "Control points" : `Control point ${selected + 1}`;
-        for (const id of ["dx", "dy"]) element(id).disabled = selected < 0;
-        show(element("dx"), selected < 0 ? "" : tidy(moves[2 * selected]));
-        show(element("dy"), selected < 0 ? "" : tidy(moves[2 * selected + 1]));
+        element("point_name").textContent = app.name_of_choice();
+        ["dx", "dy"].forEach((id, axis) => {
+            element(id).disabled = !has_choice;
+            show(element(id), has_choice ? tidy(movement[axis]) : "");
+        });
         for (const { range, field, read } of this.sliders) {
             if (document.activeElement !== range) range.value = read();
             show(field, tidy(read()));

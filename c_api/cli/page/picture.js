@@ -1,59 +1,76 @@
 "use strict";
 // What lies behind the handles: mesh before and after, cells in colour, contours.
 
+// The edges of the cells, each once, as a drawing takes them: pairs of points, and spacing: how far the next line beside
+// an edge is at least, before anything moves.
+function edges_of(data) {
+    const places = new Map(),
+        pairs = [],
+        spacing = [],
+        { x, y, cell_start, cell_points } = data,
+        n = x.length;
+    for (let cell = 0; cell + 1 < cell_start.length; ++cell) {
+        const row = cell_points.subarray(cell_start[cell], cell_start[cell + 1]);
+        let area = 0;
+        for_each_pair(row, (a, b) => (area += 0.5 * ((x[a] - x[row[0]]) * (y[b] - y[row[0]]) -
+            (x[b] - x[row[0]]) * (y[a] - y[row[0]]))));
+        for_each_pair(row, (a, b) => {
+            const key = Math.min(a, b) * n + Math.max(a, b),
+                across = Math.abs(area) / Math.hypot(x[b] - x[a], y[b] - y[a]);
+            if (!places.has(key)) {
+                places.set(key, spacing.length);
+                pairs.push(a, b);
+                spacing.push(across);
+            }
+            const place = places.get(key);
+            spacing[place] = Math.min(spacing[place], across);
+        });
+    }
+    return { pairs: new Uint32Array(pairs), spacing: new Float32Array(spacing) };
+}
+
 class Picture {
-    constructor(canvas, data, model, cells, painter = make_painter(canvas)) {
+    constructor(data, model, cells, painter) {
         Object.assign(this, { data, model, cells, painter });
         this.screen = new Float32Array(2 * model.n);
         this.screen_before = new Float32Array(2 * model.n);
-        this.edges = Picture.edges_of(data);
-        this.thin_edges = new Uint32Array(data.thin_edges);
-        const most = 2 * (data.pieces.points.length / 4);
-        this.positions = new Float32Array(6 * most);
-        this.colours = new Uint8Array(12 * most);
+        this.edges = data.edges = data.edges || edges_of(data);
+        // How close these lie together says nothing of the mesh.
+        this.thin_edges = {
+            pairs: new Uint32Array(data.thin_edges),
+            spacing: new Float32Array(data.thin_edges.length / 2).fill(Infinity),
+        };
+        this.piece_values = new Float32Array(data.pieces.points.length / 4);
+        this.point_values = new Float32Array(model.n);
         this.contours = new Contours();
         this.values = null; // of the function shown
     }
 
-    // Each edge once.
-    static edges_of(data) {
-        const seen = new Set(),
-            pairs = [],
-            n = data.x.length;
-        for_each_side(data, (a, b) => {
-            const key = Math.min(a, b) * n + Math.max(a, b);
-            if (seen.has(key)) return;
-            seen.add(key);
-            pairs.push(a, b);
-        });
-        return new Uint32Array(pairs);
-    }
-
     // options: colour ("none", "quality", "function", ...), before, theme; values: of the function, at the points.
     draw(camera, ratio, options) {
-        const { painter, model, screen } = this,
-            scale = scales[options.theme];
+        const { painter, model, screen, cells } = this,
+            { colour } = options,
+            scale = scales[options.theme],
+            shows_function = colour === "function" && this.values !== null;
         painter.begin(camera.width, camera.height, ratio, colour_of("--canvas"));
         camera.project(model.x, model.y, screen);
-        const n =
-            options.colour === "quality"
-                ? this.colour_cells(scale.good)
-                : options.colour === "function" && this.values
-                  ? this.colour_points(scale.function)
-                  : 0;
-        painter.triangles(this.positions, this.colours, n);
+        painter.place(screen);
+        if (shows_function) painter.fill_points(this.values_from_0_to_1(), scale.function);
+        if (colour === "quality" || cells.inverted > 0)
+            painter.fill_cells(this.values_of_pieces(colour === "quality"), scale.good, colour_of("--bad"));
         const line = colour_of("--mesh"),
-            strong = n > 0 ? 0.35 : 0.75;
-        painter.lines(screen, this.thin_edges, [...line, strong / 2]);
-        painter.lines(screen, this.edges, [...line, strong]);
+            is_coloured = shows_function || colour === "quality",
+            strong = is_coloured ? 0.5 : 0.75;
+        painter.lines(this.thin_edges, [...line, strong / 3], camera.scale, false);
+        painter.lines(this.edges, [...line, strong], camera.scale, is_coloured);
         if (options.before) this.draw_before_and_after(camera);
-        if (options.colour === "function" && this.values) this.draw_contours();
-        if (this.cells.inverted > 0) painter.triangles(this.positions, this.colours, this.colour_inverted());
+        if (shows_function) this.draw_contours();
     }
 
     // Only edges that have visibly moved: elsewhere blue under red would be neither.
     draw_before_and_after(camera) {
-        const { edges, screen, screen_before, model, painter } = this,
+        const { screen, screen_before, model, painter } = this,
+            edges = this.edges.pairs,
             least = 0.6; // [pixels]
         camera.project(model.x0, model.y0, screen_before);
         this.before = this.before || new Float32Array(2 * edges.length);
@@ -96,75 +113,21 @@ class Picture {
         return high - low > 1.2 ? 0.2 : 0.1;
     }
 
-    put_triangle(n, a, b, c) {
-        const { positions, screen } = this,
-            at = 6 * n;
-        positions[at] = screen[2 * a];
-        positions[at + 1] = screen[2 * a + 1];
-        positions[at + 2] = screen[2 * b];
-        positions[at + 3] = screen[2 * b + 1];
-        positions[at + 4] = screen[2 * c];
-        positions[at + 5] = screen[2 * c + 1];
+    values_from_0_to_1() {
+        const [low, high] = this.value_range(),
+            span = high - low || 1;
+        for (let k = 0; k < this.values.length; ++k) this.point_values[k] = (this.values[k] - low) / span;
+        return this.point_values;
     }
 
-    put_colour(corner, red, green, blue) {
-        const at = 4 * corner;
-        this.colours[at] = red;
-        this.colours[at + 1] = green;
-        this.colours[at + 2] = blue;
-        this.colours[at + 3] = 255;
-    }
-
-    // The triangles of some cells, each cell in the bytes of its colour; their number.
-    fill(is_wanted, bytes_of) {
-        const { start, points } = this.data.pieces;
-        let n = 0;
-        for (let cell = 0; cell < this.cells.n; ++cell) {
-            if (!is_wanted(cell)) continue;
-            const [red, green, blue] = bytes_of(cell),
-                first = n;
-            for (let k = 4 * start[cell]; k < 4 * start[cell + 1]; k += 4) {
-                const [a, b, c, d] = [points[k], points[k + 1], points[k + 2], points[k + 3]];
-                this.put_triangle(n++, a, b, c);
-                if (d !== c) this.put_triangle(n++, a, c, d);
-            }
-            for (let corner = 3 * first; corner < 3 * n; ++corner) this.put_colour(corner, red, green, blue);
+    // The quality of each piece's cell, or of inverted cells alone.
+    values_of_pieces(all) {
+        const { start } = this.data.pieces,
+            { quality, n } = this.cells;
+        for (let cell = 0; cell < n; ++cell) {
+            const value = quality[cell] === 0 ? cell_value.bad : all ? quality[cell] : cell_value.hidden;
+            for (let piece = start[cell]; piece < start[cell + 1]; ++piece) this.piece_values[piece] = value;
         }
-        return n;
-    }
-
-    colour_cells(scale) {
-        const { quality } = this.cells;
-        return this.fill(
-            () => true,
-            (cell) => scale.at(quality[cell]),
-        );
-    }
-
-    colour_inverted() {
-        const red = colour_of("--bad").map((part) => 255 * part),
-            { quality } = this.cells;
-        return this.fill(
-            (cell) => quality[cell] === 0,
-            () => red,
-        );
-    }
-
-    colour_points(scale) {
-        const p = this.data.pieces.points,
-            [low, high] = this.value_range(),
-            n = this.fill(
-                () => true,
-                () => [0, 0, 0],
-            );
-        let corner = 0;
-        const put = (k) => {
-            const [red, green, blue] = scale.at((this.values[k] - low) / (high - low || 1));
-            this.put_colour(corner++, red, green, blue);
-        };
-        for (let k = 0; k < p.length; k += 4) {
-            for (const place of p[k + 3] !== p[k + 2] ? [0, 1, 2, 0, 2, 3] : [0, 1, 2]) put(p[k + place]);
-        }
-        return n;
+        return this.piece_values;
     }
 }

@@ -135,11 +135,13 @@ class CellOutline {
     }
 }
 
+// visit(a, b) for each side of a row of points that is closed.
+function for_each_pair(row, visit) {
+    for (let k = 0; k < row.length; ++k) visit(row[k], row[k + 1 < row.length ? k + 1 : 0]);
+}
+
 // visit(a, b) for each side of each cell, counter-clockwise.
 function for_each_side({ cell_start, cell_points }, visit) {
-    for (let cell = 0; cell + 1 < cell_start.length; ++cell) {
-        const first = cell_start[cell],
-            end = cell_start[cell + 1];
-        for (let k = first; k < end; ++k) visit(cell_points[k], cell_points[k + 1 < end ? k + 1 : first]);
-    }
+    for (let cell = 0; cell + 1 < cell_start.length; ++cell)
+        for_each_pair(cell_points.subarray(cell_start[cell], cell_start[cell + 1]), visit);
 }

@@ -29,7 +29,8 @@ class Report {
         this.cells_before = new Cells(data, this.before);
         this.cells = new Cells(data, this.after);
         this.wall = new Wall(data, this.after);
-        for (const part of [this.cells_before, this.cells, this.wall]) part.judge();
+        for (const part of [this.cells_before, this.cells]) part.judge();
+        this.wall.judge(this.cells.step);
         this.sections = this.wall.chains
             .filter((chain) => chain.closed)
             .map((chain) => new Section(chain, data, this.after));
@@ -195,10 +196,11 @@ class Report {
     map(canvas, model, cells, box, margin, options) {
         const its = typeof canvas === "string" ? element(canvas) : canvas,
             camera = new Camera(),
-            context = its.getContext("2d");
+            painter = new CanvasPainter(its, this.data.pieces.points),
+            { context } = painter;
         camera.resize(its.clientWidth, its.clientHeight);
         camera.fit(box, margin);
-        const picture = new Picture(its, this.data, model, cells, new CanvasPainter(its));
+        const picture = new Picture(this.data, model, cells, painter);
         picture.draw(camera, 2, options);
         const path = (points, closed) => {
             context.beginPath();

@@ -3,14 +3,18 @@
 // points.
 
 class Section {
-    constructor(chain, data, model) {
+    // curves: of what moves; without them, edges are not measured.
+    constructor(chain, data, model, curves = null) {
         this.model = model;
+        this.curves = curves;
+        this.first_curve = data.markers[chain.marker].first_curve;
         this.points = chain.points;
         const marker = data.markers[chain.marker];
         this.name = marker.name;
         this.control = Section.control_of(marker, data);
         this.find_ends();
         this.start = this.measure(model.x0, model.y0);
+        if (curves !== null) Object.assign(this.start, curves.edges(this.first_curve));
         this.now = this.start;
         this.frame = this.chord_frame(model.x0, model.y0);
     }
@@ -127,6 +131,19 @@ class Section {
 
     judge() {
         this.now = this.measure(this.model.x, this.model.y);
+        if (this.curves !== null) Object.assign(this.now, this.curves.edges(this.first_curve));
+    }
+
+    // Its points as they are now, from the trailing edge over the upper side and back.
+    text() {
+        const { x, y } = this.model,
+            n = this.points.length,
+            lines = [this.name];
+        for (let i = 0; i <= n; ++i) {
+            const k = this.points[(this.trailing + n * n - i) % n];
+            lines.push(`${x[k]} ${y[k]}`);
+        }
+        return lines.join("\n") + "\n";
     }
 
     // What a design variable's value moves a control point by.

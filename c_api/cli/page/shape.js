@@ -24,10 +24,13 @@ class Shape {
         this.last = now;
         return true;
     }
+    // What is not finished yet is finished first, or it would be lost.
     undo() {
+        this.commit();
         this.exchange(this.done, this.undone);
     }
     redo() {
+        this.commit();
         this.exchange(this.undone, this.done);
     }
     exchange(from, to) {
@@ -35,6 +38,16 @@ class Shape {
         to.push(this.last);
         this.last = from.pop();
         this.state = JSON.parse(this.last);
+    }
+
+    // The state of now, to which back_to_valid() goes.
+    remember_valid() {
+        this.last_valid = JSON.stringify(this.state);
+    }
+    back_to_valid() {
+        this.commit();
+        this.state = JSON.parse(this.last_valid);
+        this.commit();
     }
 
     reset() {

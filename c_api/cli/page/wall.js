@@ -20,6 +20,7 @@ class Wall {
         this.angle = new Float32Array(this.layer.length); // [degrees] what the edge turned more than the wall
         this.height = new Float32Array(this.layer.length); // [-] height after over before
         this.crossing = []; // pairs of faces
+        this.touch = new FirstTouch(this.faces, model);
     }
 
     static directed_faces(data) {
@@ -118,7 +119,8 @@ class Wall {
         );
     }
 
-    judge() {
+    // limit: the admissible step of the cells.
+    judge(limit) {
         const { x0, y0, x, y } = this.model;
         this.layer.forEach((wall, i) => {
             const a = wall.point,
@@ -137,6 +139,7 @@ class Wall {
             this.height[i] = (tx * iy - ty * ix) / (tx * wy - ty * wx);
         });
         this.find_crossings();
+        this.touch.judge(limit, this.crossing.length > 0);
     }
 
     // Pairs of faces whose ends lie strictly on both sides of each other, found from left to right.

@@ -1,0 +1,194 @@
+#include "morph/touch.hpp"
+
+#include "morph/admissible_step.hpp"
+#include "morph/boundary_faces.hpp"
+#include "morph/crossing.hpp"
+
+namespace harmorph {
+namespace {
+
+// Beyond this step nothing is looked for: the squares of places there would not be numbers.
+constexpr Real largest_step = 0x1p100;
+// Of the length of a face: so far beyond an end of the face, a point still touches the end.
+constexpr Real beyond_end = 1e-12;
+
+// n / d where this is at most largest_step in magnitude; else 0.
+Real ratio_in_range(Real n, Real d) noexcept {
+    return d != 0 && absolute(n) <= largest_step * absolute(d) ? n / d : 0;
+}
+
+// The values of s at which a range of numbers and of their changes may include 0.
+struct Window {
+    Real begin = 0, end = infinity;
+
+    // Leaves those with value + s change <= 0.
+    void require_negative(Real value, Real change) noexcept {
+        if (value > 0 && change >= 0) {
+            end = -1;
+        } else if (change > 0 && -value <= largest_step * change) {
+            end = smaller(end, -value / change);
+        } else if (change < 0 && value <= largest_step * -change) {
+            begin = larger(begin, -value / change);
+        }
+    }
+    // But for rounding.
+    bool is_empty() const noexcept { return end < 0 || begin * (1 - 1e-9) > end; }
+};
+
+// Points that are somewhere in a box and move by some displacement in another box.
+struct MovingBox {
+    Vec2 low{infinity, infinity}, high{-infinity, -infinity};
+    Vec2 least{infinity, infinity}, most{-infinity, -infinity};
+
+    void include(Vec2 p, Vec2 by) noexcept {
+        low = {smaller(low.x, p.x), smaller(low.y, p.y)};
+        high = {larger(high.x, p.x), larger(high.y, p.y)};
+        least = {smaller(least.x, by.x), smaller(least.y, by.y)};
+        most = {larger(most.x, by.x), larger(most.y, by.y)};
+    }
+    // Can the two boxes have a point in common for any s < limit?
+    bool may_meet(MovingBox const& other, Real limit) const noexcept {
+        Window window;
+        window.end = limit;
+        window.require_negative(low.x - other.high.x, least.x - other.most.x);
+        window.require_negative(other.low.x - high.x, other.least.x - most.x);
+        window.require_negative(low.y - other.high.y, least.y - other.most.y);
+        window.require_negative(other.low.y - high.y, other.least.y - most.y);
+        return !window.is_empty();
+    }
+};
+
+class TouchSearch {
+public:
+    TouchSearch(BoundaryFaces faces, Points points, Points displacement, Real limit) noexcept
+        : faces_(faces), points_(points), displacement_(displacement) {
+        touch_.step = limit;
+    }
+
+    // Pairs of faces within the range.
+    void within(FaceRange range) noexcept {
+        if (range.size() <= few_faces) {
+            for (Index face = range.begin; face < range.end; ++face) {
+                face_against(face, {face + 1, range.end});
+            }
+            return;
+        }
+        FaceRange const left{range.begin, range.middle()}, right{range.middle(), range.end};
+        within(left);
+        within(right);
+        between(left, right);
+    }
+
+    Touch const& result() const noexcept { return touch_; }
+
+private:
+    void between(FaceRange a, FaceRange b) noexcept {
+        if (!box_of(a).may_meet(box_of(b), touch_.step)) return;
+        if (a.size() <= few_faces && b.size() <= few_faces) {
+            for (Index face = a.begin; face < a.end; ++face) face_against(face, b);
+        } else if (a.size() < b.size()) {
+            between(a, {b.begin, b.middle()});
+            between(a, {b.middle(), b.end});
+        } else {
+            between({a.begin, a.middle()}, b);
+            between({a.middle(), a.end}, b);
+        }
+    }
+
+    void face_against(Index face, FaceRange others) noexcept {
+        MovingBox const box = box_of({face, face + 1});
+        for (Index other = others.begin; other < others.end; ++other) {
+            if (!box_of({other, other + 1}).may_meet(box, touch_.step)) continue;
+            point_against(face, other);
+            point_against(other, face);
+        }
+    }
+
+    // The point where `from` begins, against another face.
+    void point_against(Index from, Index face) noexcept {
+        Index const point = faces_.begin_of(from);
+        Index const ends[2] = {faces_.begin_of(face), faces_.end_of(face)};
+        if (point == ends[0] || point == ends[1]) return;
+        Pair const pair{
+            points_[ends[1]] - points_[ends[0]], displacement_[ends[1]] - displacement_[ends[0]],
+            points_[point] - points_[ends[0]], displacement_[point] - displacement_[ends[0]]};
+        Real const step = pair.first_touch();
+        if (step < touch_.step) touch_ = {step, point, {ends[0], ends[1]}};
+    }
+
+    // A face and a point, both as seen from where the face begins.
+    struct Pair {
+        Vec2 side, side_moves, point, point_moves;
+
+        bool touches_at(Real s) const noexcept {
+            Vec2 const along = side + s * side_moves;
+            Real const squared = square(along), part = dot(along, point + s * point_moves);
+            return squared > 0 && part >= -beyond_end * squared &&
+                   part <= (1 + beyond_end) * squared;
+        }
+        Real if_touches(Real s) const noexcept {
+            return s > 0 && s < largest_step && touches_at(s) ? s : infinity;
+        }
+        Real first_touch() const noexcept {
+            Real const area = cross(side, point);
+            Real const slope = cross(side, point_moves) + cross(side_moves, point);
+            Real const curvature = cross(side_moves, point_moves);
+            if (area == 0) return touch_from_line(slope, curvature);
+            Real const sign = area > 0 ? 1 : -1;
+            Real const first = smallest_positive_root(sign * curvature, sign * slope, sign * area);
+            if (!(first > 0 && first < largest_step)) return infinity;
+            Real const touch = if_touches(first);
+            // The product of both roots is area / curvature.
+            return touch < infinity ? touch : if_touches(ratio_in_range(area / first, curvature));
+        }
+        // The point is on the line of the face at s = 0.
+        Real touch_from_line(Real slope, Real curvature) const noexcept {
+            if (slope == 0 && curvature == 0) return touch_along_line();
+            Real const s = ratio_in_range(-slope, curvature);
+            bool const has_left = absolute(curvature) * s * s > 4 * beyond_end * square(side);
+            return has_left ? if_touches(s) : infinity;
+        }
+        // The point stays on the line of the face: it meets one of the ends first.
+        Real touch_along_line() const noexcept {
+            if (touches_at(0)) return infinity;
+            Real const first = if_touches(meeting(point, point_moves));
+            return smaller(first, if_touches(meeting(point - side, point_moves - side_moves)));
+        }
+        // Where distance + s change = 0 in the coordinate that changes most.
+        static Real meeting(Vec2 distance, Vec2 change) noexcept {
+            return absolute(change.x) > absolute(change.y) ? ratio_in_range(-distance.x, change.x)
+                                                           : ratio_in_range(-distance.y, change.y);
+        }
+    };
+
+    MovingBox box_of(FaceRange range) const noexcept {
+        MovingBox box;
+        faces_.for_each_end(range, [&](Index k) { box.include(points_[k], displacement_[k]); });
+        return box;
+    }
+
+    BoundaryFaces faces_;
+    Points points_, displacement_;
+    Touch touch_;
+};
+
+}  // namespace
+
+Touch first_touch(Span<const Index> boundary_point, Span<const Index> loop_start, Points points,
+                  Points displacement, Real limit) noexcept {
+    if (!(limit > 0)) return {};
+    TouchSearch search({boundary_point, loop_start}, points, displacement, limit);
+    search.within({0, boundary_point.count()});
+    Touch touch = search.result();
+    if (touch.point == none) touch.step = infinity;
+    if (!(limit > 1 && touch.step > 1)) return touch;
+    Crossing const crossing = find_crossing(boundary_point, loop_start, points, displacement);
+    if (!crossing.found) return touch;
+    if (touch.step < 1 + 1e-9) {
+        touch.step = 1;
+        return touch;
+    }
+    return {0, crossing.first[0], {crossing.second[0], crossing.second[1]}};
+}
+
+}  // namespace harmorph

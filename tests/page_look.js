@@ -1,0 +1,50 @@
+"use strict";
+// How the page of `harmorph explore` looks in a window: on telephones, on large screens, in the reader's own colours.
+// Leaves lines "check NAME ok" or "check NAME FAILED ..." as page.js does.
+(() => {
+    const lines = [];
+    const check = (name, holds, found = "") => lines.push(`check ${name} ${holds ? "ok" : `FAILED ${found}`}`);
+    const box = (id) => element(id).getBoundingClientRect();
+    const shown = (selector) => [...document.querySelectorAll(selector)].filter((its) => its.offsetParent !== null);
+    const stage = box("stage");
+    check("the mesh has room", stage.width >= 400 && stage.height >= Math.min(300, 0.9 * innerHeight), `${stage.width} x ${stage.height}`);
+    const [left, top, right, bottom] = [
+        app.camera.pixel_x(app.home[0]),
+        app.camera.pixel_y(app.home[3]),
+        app.camera.pixel_x(app.home[2]),
+        app.camera.pixel_y(app.home[1]),
+    ];
+    for (const id of ["hint", "left_out"]) {
+        const its = box(id);
+        const apart = its.left - stage.left > right || its.right - stage.left < left ||
+            its.top - stage.top > bottom || its.bottom - stage.top < top;
+        check(`the body is not under ${id}`, apart || its.width === 0, `${its.top} ${its.bottom} ${top} ${bottom}`);
+    }
+    check("nothing is wider than the window", document.documentElement.scrollWidth <= innerWidth);
+    if (innerWidth <= 760 || innerHeight <= 480) {
+        const small = shown("button, input").filter((its) => {
+            const { width, height } = its.getBoundingClientRect();
+            return Math.min(width, height) < 39.5;
+        });
+        check("fingers find everything", small.length === 0, small.map((its) => its.id || its.outerHTML).join());
+    }
+    const least = Math.min(...shown("aside *").map((its) => parseFloat(getComputedStyle(its).fontSize)));
+    check("letters grow with the screen", least >= (innerWidth >= 2400 ? 18 : 11.5), least);
+    if (matchMedia("(forced-colors: active)").matches) {
+        app.move_point(2, 0, 0.01);
+        app.follow();
+        const colour = (its, pseudo) => getComputedStyle(its, pseudo).backgroundColor;
+        const panel = colour(document.querySelector("aside"));
+        check("the gauge is seen", colour(element("gauge_fill")) !== panel &&
+            getComputedStyle(element("gauge_fill")).forcedColorAdjust === "none");
+        check("sliders are seen",
+            getComputedStyle(document.querySelector("input[type=range]")).forcedColorAdjust === "none");
+        check("the chosen colours are seen",
+            colour(document.querySelector("#colour [aria-checked=true]")) !==
+                colour(document.querySelector("#colour [aria-checked=false]")));
+    }
+    const result = document.createElement("pre");
+    result.textContent = `\nresult begins\nvalue forced ${matchMedia("(forced-colors: active)").matches}\n` +
+        `value window ${innerWidth}x${innerHeight}\n${lines.join("\n")}\nresult ends\n`;
+    document.body.append(result);
+})();
