@@ -127,7 +127,8 @@ hm_status tell(hm_error* err, Fault const& fault, Bases bases) noexcept {
     err->item = err->other = -1;
     (has_first ? item : other).tell(err->item_kind, err->item, err->item_base);
     if (has_first) other.tell(err->other_kind, err->other, err->other_base);
-    bool const found = !has_first && fault.value == 0;  // a count or an option
+    // A count or an option; the value of a bad basis is the number of bytes that are missing.
+    bool const found = !has_first && fault.value == 0 && fault.status != Status::bad_basis;
     err->value = found ? static_cast<Real>(fault.item.number) : fault.value;
     if (is_finite(fault.place[0]) && is_finite(fault.place[1])) {
         err->x = fault.place[0];

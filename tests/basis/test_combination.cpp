@@ -187,7 +187,7 @@ TEST_CASE(
     CHECK(refusal(twice, "combination", 2) == HM_BAD_CONDITION);
     CHECK(refusal(bad, "not finite", 1) == HM_BAD_ARGUMENT);
     CHECK(refusal(Combination(8, 9, 1, 4), "9 variables of 8", 9) == HM_BAD_CONDITION);
-    CHECK(refusal(Combination(8, 0, 1, 4), "at least one", 0) == HM_BAD_ARGUMENT);
+    CHECK(refusal(Combination(8, 0, 1, 4), "at least one", -1) == HM_BAD_ARGUMENT);
     CHECK(Combined(solved.basis, good, 1).status == HM_BLOCK_TOO_SMALL);
     CHECK(Combined(solved.basis, good, 200).status == HM_BLOCK_TOO_SMALL);
     CHECK(Combined(Single(solved.basis).basis, good).status == HM_UNSUPPORTED);

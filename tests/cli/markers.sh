@@ -25,7 +25,7 @@ refuses "a basis without names" 3 'without the names of its' morph "$box" "$tmp/
 { cat "$tmp/unnamed.basis"; printf 'harmorph markers 5\nblock\nhigh\nin:l'; } >"$tmp/cut.basis"
 refuses "a basis with its names cut off" 3 'it has 2 names of markers, expected are 5' morph "$box" "$tmp/cut.basis" \
     --move "$no_moves"
-refuses "messages name markers: periodic" 2 "marker 'block', the periodic partner of 'low', has a condition" \
+refuses "messages name markers: periodic" 2 "has a condition of its own (marker 0 is 'block', marker 3 is 'low')" \
     solve "$box" --rigid block --periodic low:block -o "$tmp/x"
-refuses "messages name markers: one piece" 2 "periodic marker 'block' is not one open piece" solve "$box" --rigid high \
+refuses "messages name markers: one piece" 2 "is not one open piece of the boundary (marker 0 is 'block')" solve "$box" --rigid high \
     --periodic block:low -o "$tmp/x"

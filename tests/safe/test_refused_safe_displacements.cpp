@@ -41,7 +41,7 @@ TEST_CASE(
     refusal(good, HM_BAD_ARGUMENT, "others", 1);
     safe.safe_options.n_others = 0;
     safe.safe_options.min_quality = 2;
-    refusal(good, HM_BAD_ARGUMENT, "min_quality", -1);
+    refusal(good, HM_BAD_ARGUMENT, "min_quality", 2);
     safe.safe_options.min_quality = 0;
 
     Case with_curve = two_body_case(Cells::hybrid, 8, 6);
