@@ -1,4 +1,6 @@
 // hm_recover_movement: the movement is found again from where the points of the wall are.
+#include <harmorph_design.h>
+#include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
 #include <fixtures/derived.hpp>
@@ -89,7 +91,7 @@ TEST_CASE(
     rows.push_back({"values that are matrices", slips, HM_CONFORMAL, 0});
     for (Row& row : rows) {
         INFO(std::string(row.name));
-        hm_options options = options_of(row.operator_kind);
+        Options options = options_of(row.operator_kind);
         options.offset_correction = row.offset_correction;
         Solved solved(row.its.problem(), &options);
         REQUIRE(solved.status >= 0);
@@ -107,7 +109,7 @@ TEST_CASE(
 
 TEST_CASE("movement so far: of design variables, and of modes at given points") {
     Case its = curve_and_table();
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Solved solved(its.problem(), &options);
     REQUIRE(solved.status >= 0);
     Combination const by(20, 4, 2, 3);  // the second curve has no points
@@ -164,7 +166,7 @@ TEST_CASE(
     its.given_curves.clear();
     its.given_u.clear();
     for (int k = 0; k < 12; ++k) its.give(k, ring_parameter(3, 40, 2 * pi * k / 12));
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Solved solved(its.problem(), &options);
     REQUIRE(solved.status >= 0);
     std::vector<double> const turn =
@@ -189,7 +191,7 @@ TEST_CASE(
     "movement so far: a wall that is on no curve of the basis is refused, with the point and the "
     "distance") {
     Case its = airfoil_case();
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Solved solved(its.problem(), &options);
     std::vector<double> x = its.mesh.x, y = its.mesh.y;
     std::int32_t const wall = points_on(its.mesh, body)[10];

@@ -1,4 +1,5 @@
 // Boundaries that slide along B-splines that are given.
+#include <harmorph_design.h>
 #include <harmorph_study.h>
 #include "fixtures/options.hpp"
 #include <doctest/doctest.h>

@@ -333,8 +333,9 @@ TEST_CASE(
             Spline const ellipse = fixtures::ring(3 + turn % 2, 9, 1, 0.4, 3, -2, 0.17 * turn);
             CurveSet set(ellipse);
             if (back) set = reversed(set);
-            CHECK(value_of(set, quantity(HM_EDGE_ANGLE)) == doctest::Approx(180).epsilon(1e-12));
-            check_gradient(set, quantity(HM_EDGE_ANGLE));
+            CHECK(value_of(set, quantity(HM_TRAILING_EDGE_ANGLE)) ==
+                  doctest::Approx(180).epsilon(1e-12));
+            check_gradient(set, quantity(HM_TRAILING_EDGE_ANGLE));
         }
 }
 
@@ -349,8 +350,10 @@ TEST_CASE(
         kite.indices = {0, 1, 2, 3, 4, 0};
         kite.knots = {0, 0, 1, 2, 3, 4, 5, 5};
         CurveSet set(kite), back = reversed(CurveSet(kite));
-        CHECK(value_of(set, quantity(HM_EDGE_ANGLE)) == doctest::Approx(angle).epsilon(1e-12));
-        CHECK(value_of(back, quantity(HM_EDGE_ANGLE)) == doctest::Approx(angle).epsilon(1e-12));
+        CHECK(value_of(set, quantity(HM_TRAILING_EDGE_ANGLE)) ==
+              doctest::Approx(angle).epsilon(1e-12));
+        CHECK(value_of(back, quantity(HM_TRAILING_EDGE_ANGLE)) ==
+              doctest::Approx(angle).epsilon(1e-12));
     }
 }
 

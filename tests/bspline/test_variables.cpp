@@ -330,7 +330,7 @@ TEST_CASE("a tied trailing edge moves by the mean of what is wanted of both side
     REQUIRE(set.shapes[0].indices.back() == edge);
     int const n_upper = 4, n_lower = 3;
     hm_variables cst = kind(HM_CST, n_upper, n_lower);
-    cst.nose_exponent =
+    cst.leading_exponent =
         0.5;  // and an edge exponent of 0: the last variable of each side opens the edge
     Map const map = mapped(set, cst);
     REQUIRE_MESSAGE(map.status == HM_OK, map.error.text);

@@ -1,6 +1,10 @@
 // Which kind of basis each call takes, and which two bases go together in one call: tables whose
 // cells are the expected statuses. A refused call changes neither basis, and a call that succeeds
 // changes only what it fills.
+#include <harmorph_design.h>
+#include <harmorph_space.h>
+#include <harmorph_parts.h>
+#include <harmorph_study.h>
 #include <doctest/doctest.h>
 
 #include <fixtures/kinds_of_bases.hpp>
@@ -143,21 +147,24 @@ TEST_CASE("each call takes the kinds of bases that it can use") {
              return hm_boundary_error(b, w.arrays.move.data(), &w.arrays.in, &w.arrays.in, &error,
                                       nullptr, e);
          }},
-        {"hm_quality", "....bbb.....bb", false,
+        {"hm_assess, quality", "....bbb.....bb", false,
          [](World& w, hm_basis* b, hm_error* e) {
              hm_quality_report report = sized<hm_quality_report>();
-             return hm_quality(b, &w.one.mesh, nullptr, nullptr, nullptr, &report, e);
+             return hm_assess(b, &w.one.mesh, nullptr, nullptr, nullptr, nullptr, nullptr, &report,
+                              e);
          }},
-        {"hm_admissible_step", "....bbb.....bb", false,
+        {"hm_assess, step", "....bbb.....bb", false,
          [](World& w, hm_basis* b, hm_error* e) {
              hm_step_report report = sized<hm_step_report>();
-             return hm_admissible_step(b, &w.one.mesh, nullptr, &w.arrays.in, nullptr, &report, e);
+             return hm_assess(b, &w.one.mesh, nullptr, &w.arrays.in, nullptr, nullptr, &report,
+                              nullptr, e);
          }},
         {"hm_assess", "....bbb.....bb", false,
          [](World& w, hm_basis* b, hm_error* e) {
              hm_step_report step = sized<hm_step_report>();
              hm_quality_report quality = sized<hm_quality_report>();
-             return hm_assess(b, &w.one.mesh, nullptr, &w.arrays.in, nullptr, &step, &quality, e);
+             return hm_assess(b, &w.one.mesh, nullptr, &w.arrays.in, nullptr, nullptr, &step,
+                              &quality, e);
          }},
         {"hm_single_init", ".bbb.b...u...b", false,
          [](World&, hm_basis* b, hm_error* error) {

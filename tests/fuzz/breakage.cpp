@@ -1,3 +1,4 @@
+#include <harmorph_study.h>
 #include "fixtures/options.hpp"
 #include "problem.hpp"
 

@@ -3,6 +3,9 @@
 // equations are those of Laplace's operator on the triangles of all cells, also of polygons, whose
 // division is found independently. Whatever the library says that it has done, the numbers of its
 // bases, and what they move, have to be those of the tables.
+#include <harmorph_design.h>
+#include <harmorph_parts.h>
+#include <harmorph_study.h>
 #include "describe.hpp"
 #include "reference.hpp"
 #include "solution.hpp"
@@ -355,8 +358,7 @@ void simplify(Problem& its) {
     its.problem.n_conditions = static_cast<std::int32_t>(kept.size());
     its.problem.conditions = its.conditions.data();
     const hm_executor* const executor = its.options.executor;
-    its.options = {};
-    its.options.struct_size = sizeof its.options;
+    its.options = Options();
     its.options.operator_kind = HM_LAPLACE;
     its.options.executor = executor;
 }

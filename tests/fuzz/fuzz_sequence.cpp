@@ -3,6 +3,7 @@
 // single precision. The same object may be several arguments of one call. Each call is refused with
 // a reason and writes nothing, or succeeds. Calls that need something that an object lacks must
 // refuse it.
+#include <harmorph_space.h>
 #include <harmorph_design.h>
 #include <harmorph_parts.h>
 #include <harmorph_study.h>

@@ -160,7 +160,7 @@ private:
             expect_finite(value, "a measure"), expect_finite(at, "where it is"),
                 expect_finite(gradient, "its gradient");
         if (judged(status) == Outcome::refused) return Outcome::refused;
-        if (quantity.kind == HM_EDGE_ANGLE) turned(quantity, value[0]);
+        if (quantity.kind == HM_TRAILING_EDGE_ANGLE) turned(quantity, value[0]);
         bool const is_extreme = quantity.kind == HM_MAX_THICKNESS || quantity.kind == HM_MAX_CAMBER;
         if (is_extreme && problem_.on_walls.curve[0].degree == 1)
             along_one_number(quantity, value[0], gradient);

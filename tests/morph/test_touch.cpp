@@ -214,9 +214,10 @@ TEST_CASE(
     step.struct_size = assessed.struct_size = sizeof step;
     quality.struct_size = sizeof quality;
     auto const by = points_in(dx, dy);
-    REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, by, nullptr, &step, nullptr) == HM_OK);
-    REQUIRE(hm_assess(solved.basis, &mesh, nullptr, by, nullptr, &assessed, &quality, nullptr) ==
-            HM_OK);
+    REQUIRE(hm_assess(solved.basis, &mesh, nullptr, by, nullptr, nullptr, &step, nullptr,
+                      nullptr) == HM_OK);
+    REQUIRE(hm_assess(solved.basis, &mesh, nullptr, by, nullptr, nullptr, &assessed, &quality,
+                      nullptr) == HM_OK);
     CHECK(std::memcmp(&step, &assessed, sizeof step) == 0);
     INFO("cells " << step.admissible << ", boundary " << step.boundary);
     REQUIRE(quality.self_crossing == 1);
@@ -230,8 +231,8 @@ TEST_CASE(
             x[k] += factor * step.boundary * dx[k];
             y[k] += factor * step.boundary * dy[k];
         }
-        REQUIRE(hm_quality(solved.basis, &mesh, points_in(x, y), nullptr, nullptr, &quality,
-                           nullptr) == HM_OK);
+        REQUIRE(hm_assess(solved.basis, &mesh, points_in(x, y), nullptr, nullptr, nullptr, nullptr,
+                          &quality, nullptr) == HM_OK);
         CHECK(quality.self_crossing == (factor > 1 ? 1 : 0));
     }
 }

@@ -129,7 +129,7 @@ TEST_CASE("of several inverted cells the first is returned, for any number of th
                 harmorph::Executor const executor{Backwards::run, &order, threads};
                 harmorph::Matrix const& matrix = its_matrix.matrix;
                 Index const found =
-                    assemble_stiffness(seen->topology, mesh.points, {}, false, matrix, executor);
+                    assemble_stiffness(seen->topology(), mesh.points, {}, false, matrix, executor);
                 INFO(threads << " threads, points " << first << " and " << second);
                 CHECK(found == expected);
                 if (threads > 1) CHECK(order.tasks == threads);

@@ -71,7 +71,7 @@ TEST_CASE(
 
 TEST_CASE("the derivative is cleared at the beginning, so it is none of the bases that are read") {
     Case its = curve_and_table();
-    hm_options const options = options_of(HM_CONFORMAL);
+    Options const options = options_of(HM_CONFORMAL);
     Attempt own(its.problem(), &options), other(its.problem(), &options),
         apart(its.problem(), &options);
     REQUIRE(own.status == HM_OK);

@@ -162,7 +162,7 @@ TEST_CASE(
     // Points of the square are on their polygon, so that no offset turns.
     for (bool const several : {false, true}) {
         Case its = block_in_square(Cells::quads, 15);
-        hm_options const options = options_of(HM_CONFORMAL);
+        Options const options = options_of(HM_CONFORMAL);
         Safe safe(its, options);
         Attempt of;
         REQUIRE(of.analyse(its.problem(), &options));

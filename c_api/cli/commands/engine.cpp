@@ -1,3 +1,4 @@
+#include <harmorph_study.h>
 #include "commands/engine.hpp"
 
 #include "basics/numbers.hpp"

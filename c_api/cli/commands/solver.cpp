@@ -1,3 +1,4 @@
+#include <harmorph_design.h>
 #include "commands/solver.hpp"
 
 namespace cli {
