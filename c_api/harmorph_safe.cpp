@@ -131,8 +131,7 @@ Status check_derivative_is_apart(Basis const& derivative, Span<const Basis> othe
                                  Fault& fault) noexcept {
     for (Index i = 0; i < others.count(); ++i) {
         if (derivative.header == nullptr || derivative.header != others[i].header) continue;
-        return fault.refuse(Status::bad_argument, "derivative is basis # of others",
-                            entry_item(i));
+        return fault.refuse(Status::bad_argument, "derivative is basis # of others", entry_item(i));
     }
     return Status::ok;
 }

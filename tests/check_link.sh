@@ -34,7 +34,8 @@ else
 fi
 # A program that attaches a basis, morphs and takes the adjoint links this much of the library; engines stay outside.
 most=65536
-$CC -std=c99 $CFLAGS -Iinclude -c -o "$build/small.o" tests/small.c && ld -r -o "$build/small_linked.o" "$build/small.o" \
+$CC -std=c99 $CFLAGS -Iinclude -c -o "$build/small.o" tests/small.c && ld -r -o "$build/small_linked.o" \
+    "$build/small.o" \
     "$build/libharmorph.a" || exit 1
 bytes=$(size "$build/small_linked.o" | awk 'NR == 2 { print $1 + $2 + $3 }')
 is_empty "bytes in a program that morphs, of at most $most" "$([ "$bytes" -le $most ] || echo "$bytes")"

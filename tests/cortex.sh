@@ -38,7 +38,8 @@ check "attached here" "$dir/here" attach "$dir/basis"
 cp "$dir/log" "$dir/expected"
 printf '.section .basis, "a"\n.balign 64\n.global basis_begin, basis_end\nbasis_begin: .incbin "%s"\nbasis_end:\n' \
     "$dir/basis" >"$dir/basis.S"
-check "the program" $ARM_CXX $processor -x c -std=gnu99 -Wall -Wextra -Werror -Wno-missing-field-initializers -Iinclude \
+check "the program" $ARM_CXX $processor -x c -std=gnu99 -Wall -Wextra -Werror -Wno-missing-field-initializers \
+    -Iinclude \
     -c -o "$dir/cortex.o" tests/cross/cortex.c
 check "link" $ARM_CXX $processor -nostdlib -nostartfiles -T tests/cross/cortex.ld -Wl,--gc-sections \
     -o "$dir/cortex" "$dir/cortex.o" "$dir/basis.S" "$dir/harmorph.o" -lc -lgcc

@@ -52,7 +52,8 @@ is_empty "src/README.md names what does not exist" "$(awk -f tests/named.awk src
         case $kind in
         file) exists "$name" || echo "$name" ;;
         word) grep -rqw --include='*.[ch]pp' --include='*.[ch]' --include='*.in' --include='*.sh' -e "$name" \
-            src c_api include fortran tests || grep -qw -e "$name" Makefile || ls -d src/*/"$name" src/"$name" c_api/*/"$name" "$name" \
+            src c_api include fortran tests || grep -qw -e "$name" Makefile \
+            || ls -d src/*/"$name" src/"$name" c_api/*/"$name" "$name" \
             >/dev/null 2>&1 || echo "$name" ;;
         esac
     done)"

@@ -81,7 +81,8 @@ steps() {
     elif [ $doing = telling ]; then echo "== PETSc: not installed (Debian's petsc-dev), its tests are SKIPPED"; fi
     step 2 "program" sh tests/cli/run.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
     step 2 "faults of files" sh tests/faults.sh "$BUILD/harmorph" tests/meshes "$BUILD/faults"
-    step 2 "given displacements on meshes" env CXX="$CXX" CXXFLAGS="$CXXFLAGS" MESHES="$MESHES" sh tests/measure/given/run.sh \
+    step 2 "given displacements on meshes" env CXX="$CXX" CXXFLAGS="$CXXFLAGS" MESHES="$MESHES" \
+        sh tests/measure/given/run.sh \
         "$BUILD"
     step 1 "mesh files" env CXX="$CXX" sh tests/formats.sh "$BUILD/harmorph" "$BUILD/formats"
     step 2 "moved shapes" sh tests/airfoils.sh "$BUILD/harmorph" tests/meshes "$BUILD/airfoils-test"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: join.sh FOLDER >harmorph_FOLDER.c   (in the top directory; FOLDER: mpi, petsc)
-# c_api/FOLDER/harmorph_FOLDER.c with its parts of the same folder in one file, which needs only installed headers: what users
-# compile.
+# Users compile one file, which needs only installed headers: c_api/FOLDER/harmorph_FOLDER.c with its parts of the same
+# folder.
 awk -v folder="$1" '
 function put(path,    line, name) {
     while ((getline line <path) > 0) {

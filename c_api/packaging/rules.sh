@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: rules.sh BUILD   (called by `make rules`, with LEVELS, UNITS and FLAGS in the environment)
-# Writes the files that are joined from several sources, and BUILD/rules.mk, the rules of all objects and programs: POSIX
-# make has no rules that lead from one directory to another, and a new source needs no edit. BUILD/depends.mk holds what
+# Writes the files that are joined from several sources, and BUILD/rules.mk, the rules of all objects and programs:
+# POSIX make has no rules that lead from one directory to another, and a new source needs no edit. BUILD/depends.mk holds what
 # the compiler has said of the headers that each object includes. All objects depend on BUILD/flags, which changes when
 # the compiler or its flags do.
 #

@@ -23,8 +23,7 @@ Status check_knots(Curve const& curve, Index number, Fault& fault) noexcept {
     if (!is_at_most(curve.knots[0], longest) || !is_at_most(curve.knots[n_knots - 1], longest) ||
         !(curve.end() - curve.begin() >= shortest))
         return refuse(
-            "from knot # on, where it begins, curve @ has no length, or knots "
-            "beyond 1e100",
+            "from knot # on, where the curve begins, curve @ has no length, or knots beyond 1e100",
             curve.degree);
     Real const least = least_part * (curve.knots[n_knots - 1] - curve.knots[0]);
     for (Index k = 1; k < n_knots; ++k) {

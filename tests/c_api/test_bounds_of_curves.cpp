@@ -31,14 +31,15 @@ TEST_CASE("quantities of a section") {
         return hm_measure(&set.view(), nullptr, 1, &asked, &value, nullptr, nullptr, e);
     };
     using Q = hm_quantity;
-    check_changes<Q>(area,
-                     {{nullptr, [](Q&) {}},
-                      {"struct_size of quantity 0", [](Q& q) { q.struct_size = 0; }},
-                      {"the unknown kind -1", [](Q& q) { q.kind = -1; }},
-                      {"unknown kind", [](Q& q) { q.kind = HM_CLEARANCE + 1; }},
-                      {"has a station", [](Q& q) { q.station = 0.5; }},
-                      {"has a polygon", [](Q& q) { q.n_polygon = 1; }}},
-                     HM_BAD_ARGUMENT, measure);
+    check_changes<Q>(
+        area,
+        {{nullptr, [](Q&) {}},
+         {"struct_size of quantity 0", [](Q& q) { q.struct_size = 0; }},
+         {"the unknown kind -1", [](Q& q) { q.kind = -1; }},
+         {"unknown kind", [](Q& q) { q.kind = HM_CLEARANCE + 1; }},
+         {"has a station, which is of thickness and camber only", [](Q& q) { q.station = 0.5; }},
+         {"has a polygon, which is of clearance only", [](Q& q) { q.n_polygon = 1; }}},
+        HM_BAD_ARGUMENT, measure);
     check_changes<Q>(thickness,
                      {{nullptr, [](Q&) {}},
                       {nullptr, [](Q& q) { q.station = 0.01; }},

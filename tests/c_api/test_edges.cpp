@@ -119,8 +119,12 @@ TEST_CASE("edges that form no cell are refused with the edge or the cell") {
     CHECK(refused([](EdgeList& e) { e.points[3] = 1000000; }, "does not exist") == HM_BAD_MESH);
     CHECK(refused([](EdgeList& e) { e.cells[4] = 1000000; }, "does not exist") == HM_BAD_MESH);
     CHECK(refused([](EdgeList& e) { e.cells[1] = e.cells[0]; }, "same cell") == HM_BAD_MESH);
-    CHECK(refused([](EdgeList& e) { e.points[0] = e.points[5]; }, "closed loop") == HM_BAD_MESH);
-    CHECK(refused([](EdgeList& e) { e.view.n_edges = 2; }, "n_edges") == HM_BAD_MESH);
+    CHECK(refused([](EdgeList& e) { e.points[0] = e.points[5]; }, "do not form one closed loop") ==
+          HM_BAD_MESH);
+    CHECK(refused([](EdgeList& e) { e.view.n_edges = 2; }, "n_edges must be between") ==
+          HM_BAD_MESH);
+    CHECK(refused([](EdgeList& e) { e.view.struct_size = 3; }, "edges.struct_size is wrong") ==
+          HM_BAD_ARGUMENT);
     CHECK(refused([](EdgeList& e) { e.view.n_cells += 1; }, "edges") == HM_BAD_MESH);
     CHECK(refused([](EdgeList& e) { e.view.edge_cells = nullptr; }, "NULL") == HM_BAD_ARGUMENT);
 }

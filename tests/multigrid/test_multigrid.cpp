@@ -236,6 +236,8 @@ TEST_CASE("a limit of iterations ends with a status that says so, and with what 
         options.max_iterations = limit;
         Attempt const attempt(its.problem(), &options);
         CHECK(attempt.status == HM_NOT_CONVERGED);
+        CHECK(std::string(attempt.error.text).find("has the relative residual") !=
+              std::string::npos);
         CHECK(attempt.report.iterations == limit);
         CHECK(attempt.report.residual > 1e-10);
         CHECK(attempt.report.residual < last);

@@ -1,5 +1,6 @@
 #!/bin/sh
-# `make bench-rows`: rows of the tables in tests/measure/bench/README.md, some of which README.md repeats: measures (a quarter
+# `make bench-rows`: rows of the tables in tests/measure/bench/README.md, some of which README.md repeats: measures (a
+# quarter
 # of an hour on a calm machine) and leaves the whole output in $BUILD/bench/rows.txt. FILE=output only prints the rows
 # of a saved output.
 : "${BUILD:=build}" "${FILE:=}"
@@ -12,7 +13,9 @@ if [ -z "$FILE" ]; then
 fi
 # Numbers stand behind names of one or more words: rows are read from their ends. iso 1.0M are two words.
 awk '
-BEGIN { print "Rows of tests/measure/bench/README.md; those with 20 functions also stand in README.md, What a call takes." }
+BEGIN {
+    print "Rows of tests/measure/bench/README.md; those with 20 functions also stand in README.md, What a call takes."
+}
 function row(    k, text) { text = "|"; for (k = 1; k <= n; ++k) text = text " " cell[k] " |"; print text }
 function cells(a, b, c, d, e, f, g, h, i) {
     n = split(a "\t" b "\t" c "\t" d "\t" e "\t" f "\t" g "\t" h "\t" i, cell, "\t")

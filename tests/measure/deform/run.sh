@@ -11,6 +11,7 @@ if ! echo '#include <Eigen/Sparse>' | $CXX -I/usr/include/eigen3 -x c++ -E - >/d
     exit 0
 fi
 objects=$(cat "$BUILD/objects/program.list")
-$CXX -std=c++17 -Wall -Wextra $CXXFLAGS -pthread -Iinclude -Ic_api/cli -I/usr/include/eigen3 -o "$BUILD/deform-compare" \
+$CXX -std=c++17 -Wall -Wextra $CXXFLAGS -pthread -Iinclude -Ic_api/cli -I/usr/include/eigen3 \
+    -o "$BUILD/deform-compare" \
     tests/measure/deform/compare.cpp $objects "$BUILD/libharmorph.a" $LDFLAGS || exit
 exec "$BUILD/deform-compare" "$BUILD/deform" $meshes

@@ -33,6 +33,7 @@ for word in $words; do
     "$build/harmorph" fit "${word%:*}" --marker "${word##*:}" -o "$dir/${name%.*}.${word##*:}.curve" >/dev/null || exit
 done
 objects=$(cat "$build/objects/program.list")
-$CXX -std=c++17 -Wall -Wextra $CXXFLAGS -pthread -Iinclude -Ic_api/cli -o "$dir/fields" tests/measure/given/fields.cpp $objects \
+$CXX -std=c++17 -Wall -Wextra $CXXFLAGS -pthread -Iinclude -Ic_api/cli -o "$dir/fields" \
+    tests/measure/given/fields.cpp $objects \
     "$build/libharmorph.a" $LDFLAGS || { echo "0 passed, 1 failed"; exit 1; }
 exec "$dir/fields" "$dir" "$SEEDS" $words

@@ -12,7 +12,8 @@ echo "pictures here are made with the compact scheme. Eigenvalues are those of t
 echo "compact scheme's diagonal; steps are those of Runge-Kutta on one grid to 1e-10, as they follow from the spectrum."
 if echo '#include <eigen3/Eigen/Eigenvalues>' | ${CXX:-c++} -x c++ -E - >/dev/null 2>&1; then
     { ${CC:-cc} -O2 -Ic_api/examples -c -o "$out/read_su2.o" c_api/examples/read_su2.c &&
-        ${CXX:-c++} -std=c++17 -O2 -Ic_api/examples -o "$out/schemes" tests/measure/paper/schemes.cpp "$out/read_su2.o"; } ||
+        ${CXX:-c++} -std=c++17 -O2 -Ic_api/examples -o "$out/schemes" tests/measure/paper/schemes.cpp \
+            "$out/read_su2.o"; } ||
         fail "compiling tests/measure/paper/schemes.cpp"
     "$out/schemes" "$out" "Case 2, the airfoil of the diffuser=$meshes/diffuser_airfoil.su2" ||
         fail "spectra of the schemes"
