@@ -15,8 +15,9 @@ same_names() {
 rm -rf "$dir"
 mkdir -p "$dir"
 check "make amalgamation" $MAKE -s BUILD="$build" amalgamation
-check "two files" [ "$(ls "$build/amalgamation" | tr '\n' ' ')" = "harmorph.cpp harmorph.h " ]
-cp "$build/amalgamation/harmorph.cpp" "$build/amalgamation/harmorph.h" "$dir/" && cd "$dir" || exit 1
+check "one source and its headers" [ "$(ls "$build/amalgamation" | tr '\n' ' ')" = "harmorph.cpp harmorph.h \
+harmorph_design.h harmorph_parts.h harmorph_space.h harmorph_study.h " ]
+cp "$build/amalgamation/"* "$dir/" && cd "$dir" || exit 1
 # Without optimisation: what the compiler takes is not its speed.
 check "compilation" $CXX -std=c++17 -O0 -Wall -Wextra -Wconversion -Werror -fno-exceptions -fno-rtti -ffp-contract=off \
     -c harmorph.cpp

@@ -18,12 +18,15 @@ listing() { (cd "$1" && find . -type f | sort); }
 cat >"$dir/expected" <<END
 ./bin/harmorph
 ./include/harmorph.h
-./include/harmorph_parts.h
+./include/harmorph_design.h
 ./include/harmorph_mpi.h
 ./include/harmorph_openmp.h
 ./include/harmorph_pages.h
+./include/harmorph_parts.h
 ./include/harmorph_petsc.h
 ./include/harmorph_pthreads.h
+./include/harmorph_space.h
+./include/harmorph_study.h
 ./lib/cmake/harmorph/harmorphConfig.cmake
 ./lib/cmake/harmorph/harmorphConfigVersion.cmake
 ./lib/libharmorph.a

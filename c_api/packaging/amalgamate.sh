@@ -1,6 +1,6 @@
 #!/bin/sh
 # usage: amalgamate.sh   (in the top directory)
-# The library as one source file, on standard output: a compiler takes it with harmorph.h beside it and needs no -I.
+# The library as one source file, on standard output, which includes its installed headers and needs nothing else.
 # Headers stand where they are first included; files without `#pragma once` (kernels, of which each instruction set has
 # its own) stand wherever they are included.
 ls src/*/*.cpp c_api/*.cpp | awk '
@@ -20,7 +20,7 @@ function path_of(name, from) {
     exit 1
 }
 function include(name, from,    path) {
-    if (name == "harmorph.h") return
+    if (name ~ /^harmorph(_[a-z]*)?\.h$/) return
     path = path_of(name, from)
     if (!(path in once)) put(path)
 }
@@ -29,7 +29,7 @@ function put(path,    line, name) {
     while ((getline line <path) > 0) {
         if (line ~ /^#pragma once/) { once[path] = 1; continue }
         if (line ~ /^#define HARMORPH_KERNELS /) { kernels = line; gsub(/^[^"]*"|"[^"]*$/, "", kernels) }
-        if (line ~ /^#include <harmorph\.h>/) continue
+        if (line ~ /^#include <harmorph[_a-z]*\.h>/) continue
         if (line ~ /^#include "/) {
             name = line
             gsub(/^[^"]*"|"[^"]*$/, "", name)
@@ -47,7 +47,8 @@ BEGIN {
         "See harmorph.h."
     print "// Made by `make amalgamation`. MIT licence. Compile with -O2 -fno-math-errno; where a C"
     print "// compiler links the program, also with -fno-exceptions -fno-rtti."
-    print "#include \"harmorph.h\""
+    n = split("harmorph harmorph_design harmorph_space harmorph_parts harmorph_study", header, " ")
+    for (k = 1; k <= n; ++k) print "#include \"" header[k] ".h\""
     print "#if defined(__clang__)"
     print "#pragma clang fp contract(off)  // compilers agree on bits"
     print "#pragma clang diagnostic ignored \"-Wshadow\""

@@ -6,7 +6,7 @@ namespace {
 // Of the mean diagonal entry: what is added to it, and to that of a control point that moves unlike
 // its neighbours, and of offsets that turn.
 constexpr Real against_size = 1e-14, against_bending = 1e-7;
-constexpr Index most_refinements = 200;
+constexpr Index max_refinements = 200;
 
 // Points with displacements that are given from call to call follow no function, unless modes move
 // them.
@@ -172,7 +172,7 @@ void WallMovement::solve() noexcept {
 BoundaryError WallMovement::find(Basis const& basis, Points at) noexcept {
     set_up(basis);
     BoundaryError best;
-    for (Index refinement = 0; refinement <= most_refinements; ++refinement) {
+    for (Index refinement = 0; refinement <= max_refinements; ++refinement) {
         BoundaryError worst;
         fill(step, Vec2{});
         for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {

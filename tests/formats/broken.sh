@@ -3,7 +3,7 @@
 for source in c_api/cli/formats/*.cpp c_api/cli/basics/text_file.cpp c_api/cli/basics/numbers.cpp \
     c_api/cli/mesh/mesh_file.cpp c_api/cli/mesh/boundary_loops.cpp c_api/cli/basics/output_file.cpp \
     c_api/cli/mesh/one_cell_thick.cpp c_api/cli/mesh/cell_faces.cpp \
-    c_api/cli/mesh/space_mesh.cpp c_api/cli/formats/vtu.cpp; do
+    c_api/cli/mesh/space_mesh.cpp; do
     echo "#include \"$source\""
 done >"$tmp/readers.cpp"
 library=$(dirname "$harmorph")/libharmorph.a

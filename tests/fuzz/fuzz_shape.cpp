@@ -99,7 +99,8 @@ private:
                                          : begin + input_.between(0, 1) * (end - begin);
         }
         std::int32_t const n = elevated ? 0 : static_cast<std::int32_t>(u.size());
-        std::int32_t const degree = elevated ? set_.curve[number_].degree + 1 : 0;
+        bool const is_curve = is_valid_ && number_ >= 0 && number_ < set_.n_curves;
+        std::int32_t const degree = !elevated ? 0 : is_curve ? set_.curve[number_].degree + 1 : 4;
         Exceptions::clear();
         const hm_curves* made = nullptr;
         const double* matrix = nullptr;
