@@ -11,7 +11,8 @@ rm -rf "$dir"
 mkdir -p "$dir"
 strict="-pedantic -Wall -Wextra -Werror -Iinclude"
 for standard in c89 c99 c11; do
-    check "$standard" $CC -std=$standard $strict -o "$dir/$standard" tests/c_header.c "$build/libharmorph.a" -lm $LDFLAGS
+    check "$standard" $CC -std=$standard $strict -o "$dir/$standard" tests/c_header.c "$build/libharmorph.a" \
+        -lm $LDFLAGS
     check "$standard, structs" "$dir/$standard"
 done
 for standard in c++11 c++14 c++17 c++20; do
@@ -21,7 +22,8 @@ for standard in c++11 c++14 c++17 c++20; do
 done
 headers="include/harmorph.h include/harmorph_design.h include/harmorph_parts.h include/harmorph_space.h
     include/harmorph_study.h"
-awk '/^typedef struct [a-z_]* \{/ { name = $3 } /^    uint64_t struct_size;/ { print name }' $headers | sort >"$dir/declared"
+awk '/^typedef struct [a-z_]* \{/ { name = $3 } /^    uint64_t struct_size;/ { print name }' $headers |
+    sort >"$dir/declared"
 sed -n 's/^    BEGINS(\(hm_[a-z_]*\));$/\1/p' tests/c_header.c | sort >"$dir/begun"
 check "every struct with a size is begun" sh -c '[ -s "$0/declared" ] && diff "$0/declared" "$0/begun"' "$dir"
 
