@@ -147,7 +147,7 @@ typedef struct hm_equations hm_equations;
  * all parts. All conditions of HM_DIRECT with HM_COMPACT but HM_ROTATION_PAIR and
  * hm_condition.along (HM_UNSUPPORTED). Points that slide along curves move along the tangents at
  * the start, to d^2 / (2 R) beside the curve for a movement by d, R the radius of curvature;
- * hm_slide is for meshes that are one. The size is an upper bound from the counts of the part and
+ * hm_slip is for meshes that are one. The size is an upper bound from the counts of the part and
  * the edges; edges are read by the initialisation alone. */
 HM_API hm_status hm_equations_size(const hm_part* part, int32_t n_edges, const hm_problem* problem,
                                    const hm_options* options, size_t* bytes, hm_error* err);

@@ -1,7 +1,9 @@
-/* The header as strict C99 and as C++ see it: included twice, every struct and every kind of
- * constant used, and the sizes and places that other languages rely on. */
+/* The headers as strict C89 to C11 and C++11 to C++20 see them: one of them included twice, every
+ * struct with a struct_size begun by HM_INIT, every kind of constant used, and the sizes and places
+ * that other languages rely on. */
 #include <harmorph.h>
 #include <harmorph_design.h>
+#include <harmorph_parts.h>
 #include <harmorph_space.h>
 #include <harmorph_study.h>
 #include <harmorph.h>
@@ -23,12 +25,24 @@ static void check(int holds, const char* what) {
 #define SIZE(type, bytes) check(sizeof(type) == (bytes), "size of " #type)
 #define PLACE(type, field, bytes) \
     check(offsetof(type, field) == (bytes), "place of " #type "." #field)
-#define HAS_SIZE_FIRST(type)                                                            \
+/* Bytes that HM_INIT has left as they were count as a failure. */
+static int is_zero(const void* bytes, size_t n) {
+    const unsigned char* byte = (const unsigned char*)bytes;
+    for (; n > 0; ++byte, --n)
+        if (*byte != 0) return 0;
+    return 1;
+}
+#define BEGINS(type)                                                                    \
     do {                                                                                \
-        type object = {sizeof object};                                                  \
+        type object;                                                                    \
+        memset(&object, 0xa5, sizeof object);                                           \
+        HM_INIT(object);                                                                \
         PLACE(type, struct_size, 0);                                                    \
         check(sizeof object % sizeof(void*) == 0 && object.struct_size == sizeof(type), \
               "struct_size of " #type);                                                 \
+        check(is_zero((const char*)&object + sizeof object.struct_size,                 \
+                      sizeof object - sizeof object.struct_size),                       \
+              "HM_INIT of " #type);                                                     \
     } while (0)
 
 static int32_t never_cancel(void* user, int32_t phase, double fraction) {
@@ -39,7 +53,7 @@ static int32_t never_cancel(void* user, int32_t phase, double fraction) {
 int main(void) {
     char version[64];
     hm_error error;
-    hm_options options = {sizeof options};
+    hm_options options;
     hm_status status = HM_OK;
     /* A pointer of each opaque type, and one function's address, are all a caller ever needs to
      * name. */
@@ -56,29 +70,34 @@ int main(void) {
     PLACE(hm_error, text, 56);
     check(sizeof error.text == 200, "size of hm_error.text");
 
-    HAS_SIZE_FIRST(hm_mesh);
-    HAS_SIZE_FIRST(hm_curve);
-    HAS_SIZE_FIRST(hm_curves);
-    HAS_SIZE_FIRST(hm_fit_options);
-    HAS_SIZE_FIRST(hm_fit_report);
-    HAS_SIZE_FIRST(hm_section);
-    HAS_SIZE_FIRST(hm_quantity);
-    HAS_SIZE_FIRST(hm_variables);
-    HAS_SIZE_FIRST(hm_condition);
-    HAS_SIZE_FIRST(hm_problem);
-    HAS_SIZE_FIRST(hm_options);
-    HAS_SIZE_FIRST(hm_mesh_report);
-    HAS_SIZE_FIRST(hm_solve_report);
-    HAS_SIZE_FIRST(hm_basis_info);
-    HAS_SIZE_FIRST(hm_transfer_report);
-    HAS_SIZE_FIRST(hm_step_report);
-    HAS_SIZE_FIRST(hm_quality_report);
-    HAS_SIZE_FIRST(hm_safe_options);
-    HAS_SIZE_FIRST(hm_safe_report);
-    HAS_SIZE_FIRST(hm_space_mesh);
-    HAS_SIZE_FIRST(hm_plane_info);
-    HAS_SIZE_FIRST(hm_improve_options);
-    HAS_SIZE_FIRST(hm_improve_report);
+    BEGINS(hm_executor);
+    BEGINS(hm_mesh);
+    BEGINS(hm_curve);
+    BEGINS(hm_curves);
+    BEGINS(hm_fit_options);
+    BEGINS(hm_fit_report);
+    BEGINS(hm_condition);
+    BEGINS(hm_problem);
+    BEGINS(hm_options);
+    BEGINS(hm_solve_report);
+    BEGINS(hm_basis_info);
+    BEGINS(hm_step_report);
+    BEGINS(hm_quality_report);
+    BEGINS(hm_safe_options);
+    BEGINS(hm_safe_report);
+    BEGINS(hm_improve_options);
+    BEGINS(hm_improve_report);
+    BEGINS(hm_section);
+    BEGINS(hm_quantity);
+    BEGINS(hm_variables);
+    BEGINS(hm_transfer_report);
+    BEGINS(hm_part_mesh);
+    BEGINS(hm_equations_info);
+    BEGINS(hm_space_mesh);
+    BEGINS(hm_plane_info);
+    BEGINS(hm_edge_mesh);
+    BEGINS(hm_study_options);
+    BEGINS(hm_mesh_report);
     if (sizeof(void*) == 8) {
         SIZE(hm_points, 24);
         SIZE(hm_points_out, 24);
@@ -115,6 +134,7 @@ int main(void) {
     sprintf(version, "%d.%d.%d", HM_VERSION_MAJOR, HM_VERSION_MINOR, HM_VERSION_PATCH);
     check(strcmp(version, HM_VERSION) == 0, "version in words and in numbers");
 
+    HM_INIT(options);
     options.progress = never_cancel;
     check(options.progress(options.progress_user, HM_PHASE_SOLVE, 0.5) == 0, "progress callback");
     memset(&error, 0, sizeof error);

@@ -17,7 +17,7 @@ if ! echo "$probe" | $ARM_CXX -x c++ -fsyntax-only - 2>/dev/null; then
 fi
 processor="-mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard -ffreestanding -Os -ffp-contract=off
     -ffunction-sections -fdata-sections"
-strict="-std=c99 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -ffp-contract=off -Iinclude"
+strict="-std=c99 -pedantic -Wall -Wextra -Werror -ffp-contract=off -Iinclude"
 rm -rf "$dir"
 mkdir -p "$dir"
 sh c_api/packaging/amalgamate.sh >"$dir/harmorph.cpp" && cp include/harmorph.h "$dir/" || exit 1

@@ -29,6 +29,7 @@ check "C, make run" by_make c
 cp "$log" "$log.kept"
 check "C: an area by adjoint steps" says "^0 inverted cells on the way"
 check "C: a thousand steps of pitching" says "first mesh bit by bit, 3 of 3 times"
+check "C: triangles in no order" says "^unstructured: sharp trailing edge, 0 inverted cells, smallest quality 0[.][3-9]"
 check "C: a mesh one cell thick" says "^one cell thick: 0 inverted cells, 0 points"
 check "C: a mesh from an SU2 file" says "^airfoil: [0-9]* points, 20 functions, 0 inverted cells"
 check "C: a wall that moves as a file says" \

@@ -8,10 +8,14 @@
  */
 static const hm_curves* fit_body(const hm_mesh* mesh, void** block) {
     hm_error error = {HM_OK};
-    hm_problem problem = {sizeof problem};
-    hm_mesh_report report = {sizeof report};
-    hm_fit_options options = {sizeof options};
-    hm_fit_report fit = {sizeof fit};
+    hm_problem problem;
+    HM_INIT(problem);
+    hm_mesh_report report;
+    HM_INIT(report);
+    hm_fit_options options;
+    HM_INIT(options);
+    hm_fit_report fit;
+    HM_INIT(fit);
     hm_analysis* analysis = NULL;
     const hm_curves* curves = NULL;
     const int32_t marker = BODY;
@@ -61,8 +65,10 @@ static int32_t cancel(void* user, int32_t phase, double fraction) {
  * back. */
 static hm_basis* solve(const hm_problem* problem, void** block) {
     hm_error error = {HM_OK};
-    hm_options options = {sizeof options};
-    hm_solve_report report = {sizeof report};
+    hm_options options;
+    HM_INIT(options);
+    hm_solve_report report;
+    HM_INIT(report);
     hm_analysis* analysis = NULL;
     hm_plan* plan = NULL;
     hm_basis* basis = NULL;
@@ -108,8 +114,10 @@ static hm_basis* solve(const hm_problem* problem, void** block) {
 
 static void morph(const hm_basis* basis, const hm_mesh* mesh) {
     hm_error error = {HM_OK};
-    hm_step_report step = {sizeof step};
-    hm_quality_report quality = {sizeof quality};
+    hm_step_report step;
+    HM_INIT(step);
+    hm_quality_report quality;
+    HM_INIT(quality);
     double move[2 * CONTROL] = {0}, gradient[2 * CONTROL], boundary_error = 1, here = 0, there = 0;
     static double dx[POINTS], dy[POINTS], dj_dx[POINTS], dj_dy[POINTS];
     int32_t point = 0;
@@ -162,15 +170,23 @@ static void morph(const hm_basis* basis, const hm_mesh* mesh) {
  * is needed. */
 static void morph_safely(const hm_problem* problem, const hm_basis* basis) {
     hm_error error = {HM_OK};
-    hm_options options = {sizeof options};
-    hm_step_report step = {sizeof step};
-    hm_quality_report quality = {sizeof quality};
-    hm_safe_report report = {sizeof report};
-    hm_improve_report improved = {sizeof improved};
-    hm_basis_info info = {sizeof info};
-    hm_curves curves = {sizeof curves};
+    hm_options options;
+    HM_INIT(options);
+    hm_step_report step;
+    HM_INIT(step);
+    hm_quality_report quality;
+    HM_INIT(quality);
+    hm_safe_report report;
+    HM_INIT(report);
+    hm_improve_report improved;
+    HM_INIT(improved);
+    hm_basis_info info;
+    HM_INIT(info);
+    hm_curves curves;
+    HM_INIT(curves);
     hm_curve curve;
-    hm_condition condition = {sizeof condition};
+    hm_condition condition;
+    HM_INIT(condition);
     hm_analysis* analysis = NULL;
     hm_plan* plan = NULL;
     hm_basis* laplace = NULL;
@@ -258,7 +274,8 @@ static void morph_safely(const hm_problem* problem, const hm_basis* basis) {
 /* A basis is a block of bytes: copied, it is the same; cut short or changed, it is refused. */
 static void attach(const hm_basis* basis, const hm_mesh* mesh) {
     hm_error error = {HM_OK};
-    hm_basis_info info = {sizeof info};
+    hm_basis_info info;
+    HM_INIT(info);
     const hm_basis* copy = NULL;
     static double first[POINTS], second[POINTS];
     unsigned char* bytes;
@@ -284,8 +301,10 @@ static void attach(const hm_basis* basis, const hm_mesh* mesh) {
 /* Cells of both kinds in two arrays are one mesh; triangles alone leave edges without a cell. */
 static void two_arrays(hm_mesh mesh) {
     hm_error error = {HM_OK};
-    hm_problem problem = {sizeof problem};
-    hm_mesh_report report = {sizeof report};
+    hm_problem problem;
+    HM_INIT(problem);
+    hm_mesh_report report;
+    HM_INIT(report);
     hm_analysis* analysis = NULL;
     void* block;
     size_t bytes = 0;
@@ -312,8 +331,10 @@ static void two_arrays(hm_mesh mesh) {
 int main(void) {
     hm_error none = {HM_OK};
     const hm_mesh mesh = make_mesh();
-    hm_condition on_body = {sizeof on_body}; /* the far field, which is not named, is fixed */
-    hm_problem problem = {sizeof problem};
+    hm_condition on_body; /* the far field has no condition, so it is fixed */
+    HM_INIT(on_body);
+    hm_problem problem;
+    HM_INIT(problem);
     hm_basis* basis;
     void *curves_block = NULL, *basis_block = NULL;
 

@@ -65,7 +65,8 @@ static hm_mesh make_mesh(void) {
     /* cos and sin of 2 pi / AROUND, by which the unit vector turns from column to column */
     const double turn_x = 0.99785892323860348, turn_y = 0.065403129230143069;
     double unit_x = 1, unit_y = 0, factor = 1;
-    hm_mesh mesh = {sizeof mesh};
+    hm_mesh mesh;
+    HM_INIT(mesh);
     int i, j, k;
     for (i = 0; i < AROUND; ++i) {
         const double next_x = unit_x * turn_x - unit_y * turn_y;

@@ -1,5 +1,6 @@
 /* usage: coupling MESH.su2 MARKER <DISPLACEMENTS   The mesh follows displacements of wall points,
- * one set for each time step, as a coupling library hands them over: here as text, see bend.awk. */
+ * one set for each time step, as a coupling library gives them. Here they are text: see bend.awk.
+ */
 #include "read_su2.h"
 #include <harmorph.h>
 #include <stdio.h>
@@ -14,23 +15,29 @@ int main(int argc, char** argv) {
     su2_mesh file;
     char message[256] = "usage: coupling MESH.su2 MARKER <DISPLACEMENTS";
     if (argc != 3 || read_su2(argv[1], &file, message)) exit((fprintf(stderr, "%s\n", message), 2));
-    hm_mesh mesh = {.struct_size = sizeof mesh,
-                    .n_points = file.n_points,
-                    .points = {file.x, file.y, 1},
-                    .cell_layout = HM_CELLS_ROWS,
-                    .n_cells = file.n_cells,
-                    .cell_start = file.cell_start,
-                    .cell_points = file.cell_points,
-                    .n_faces = file.n_faces,
-                    .face_points = file.face_points,
-                    .face_markers = file.face_markers};
-    hm_condition given = {
-        .struct_size = sizeof given, .marker = su2_marker(&file, argv[2]), .kind = HM_GIVEN};
-    hm_problem problem = {
-        .struct_size = sizeof problem, .mesh = &mesh, .n_conditions = 1, .conditions = &given};
+    hm_mesh mesh;
+    HM_INIT(mesh);
+    mesh.n_points = file.n_points;
+    mesh.points = (hm_points){file.x, file.y, 1};
+    mesh.cell_layout = HM_CELLS_ROWS;
+    mesh.n_cells = file.n_cells;
+    mesh.cell_start = file.cell_start;
+    mesh.cell_points = file.cell_points;
+    mesh.n_faces = file.n_faces;
+    mesh.face_points = file.face_points;
+    mesh.face_markers = file.face_markers;
+    hm_condition given;
+    HM_INIT(given);
+    given.marker = su2_marker(&file, argv[2]);
+    given.kind = HM_GIVEN;
+    hm_problem problem;
+    HM_INIT(problem);
+    problem.mesh = &mesh;
+    problem.n_conditions = 1;
+    problem.conditions = &given;
     hm_analysis* analysis;
     hm_plan* plan;
-    hm_basis* judge; /* has no functions: it knows the cells, for their quality */
+    hm_basis* judge; /* without functions; hm_assess needs the cells of this basis */
     size_t bytes;
     check(hm_analysis_size(&problem, NULL, &bytes, &error));
     check(hm_analysis_init(&analysis, malloc(bytes), bytes, &problem, NULL, &error));
@@ -52,11 +59,12 @@ int main(int argc, char** argv) {
         if (scanf("%d", &points[i]) != 1) exit((fprintf(stderr, "point %d is missing\n", i), 1));
     for (; scanf("%lf", &wall[k]) == 1; k = (k + 1) % (2 * n)) {
         if (k < 2 * n - 1) continue;
-        hm_quality_report quality = {.struct_size = sizeof quality};
+        hm_quality_report quality;
+        HM_INIT(quality);
         check(hm_displace(plan, n, points, 1, &(hm_points){wall, wall + 1, 2}, &mesh.points,
                           &(hm_points_out){x, x + mesh.n_points, 1}, work, bytes, NULL, &error));
-        check(hm_assess(judge, &mesh, &(hm_points){x, x + mesh.n_points, 1}, NULL, NULL, NULL, NULL,
-                        &quality, &error));
+        check(hm_assess(judge, &mesh, &(hm_points){x, x + mesh.n_points, 1}, NULL, &mesh.points,
+                        NULL, NULL, &quality, &error));
         if (quality.min_quality < worst) worst = quality.min_quality;
         if (quality.inverted > 0) break; /* here a code would factor again on the last good mesh */
         ++steps;

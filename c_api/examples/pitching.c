@@ -68,31 +68,42 @@ int main(void) {
         lists[i] = i;
         lists[NI + i] = i + NI * (NJ - 1);
     }
-    hm_mesh mesh = {.struct_size = sizeof mesh,
-                    .n_points = N,
-                    .points = {x_first, y_first, 1},
-                    .ni = NI,
-                    .nj = NJ,
-                    .cell_layout = HM_CELLS_STRUCTURED,
-                    .n_lists = 2,
-                    .list_start = start,
-                    .list_points = lists,
-                    .list_markers = markers};
-    hm_fit_options fit = {.struct_size = sizeof fit, .n_control = CONTROL, .closed = HM_PERIODIC};
+    hm_mesh mesh;
+    HM_INIT(mesh);
+    mesh.n_points = N;
+    mesh.points = (hm_points){x_first, y_first, 1};
+    mesh.cell_layout = HM_CELLS_STRUCTURED;
+    mesh.ni = NI;
+    mesh.nj = NJ;
+    mesh.n_lists = 2;
+    mesh.list_start = start;
+    mesh.list_points = lists;
+    mesh.list_markers = markers;
+    hm_fit_options fit;
+    HM_INIT(fit);
+    fit.n_control = CONTROL;
+    fit.closed = HM_PERIODIC;
     const hm_curves* curves;
     hm_error error;
-    size_t bytes;
-    check(hm_fit_size(NI - 1, &fit, &bytes, &error), &error);
-    check(hm_fit(&curves, malloc(bytes), bytes, &mesh.points, NI - 1, 1, &fit, NULL, &error),
+    size_t bytes, work_bytes;
+    check(hm_fit_marker_size(&mesh, 1, markers, &fit, &bytes, &work_bytes, &error), &error);
+    void* work = malloc(work_bytes);
+    check(hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, markers, &fit, NULL, work,
+                        work_bytes, &error),
           &error);
+    free(work);
 
-    hm_condition on_curve = {
-        .struct_size = sizeof on_curve, .marker = WALL, .kind = HM_ON_CURVE, .n_curves = 1};
-    hm_problem problem = {.struct_size = sizeof problem,
-                          .mesh = &mesh,
-                          .curves = curves,
-                          .n_conditions = 1,
-                          .conditions = &on_curve};
+    hm_condition on_curve;
+    HM_INIT(on_curve);
+    on_curve.marker = WALL;
+    on_curve.kind = HM_ON_CURVE;
+    on_curve.n_curves = 1;
+    hm_problem problem;
+    HM_INIT(problem);
+    problem.mesh = &mesh;
+    problem.curves = curves;
+    problem.n_conditions = 1;
+    problem.conditions = &on_curve;
     hm_analysis* analysis;
     hm_plan* plan;
     hm_basis* basis;
@@ -124,7 +135,8 @@ int main(void) {
         /* Here a solver would take its time step, with (x, y) and the velocities (vx, vy) of the
          * mesh. */
 
-        hm_quality_report quality = {.struct_size = sizeof quality};
+        hm_quality_report quality;
+        HM_INIT(quality);
         check(hm_assess(basis, &mesh, &now, NULL, &mesh.points, NULL, NULL, &quality, &error),
               &error);
         inverted += quality.inverted;

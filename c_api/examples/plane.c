@@ -1,4 +1,4 @@
-/* A solver with three dimensions and a mesh one cell thick in y: an O-mesh round an ellipse in the
+/* A solver with three dimensions and a mesh one cell thick in y: an O-mesh around an ellipse in the
  * plane x-z, twice. */
 #include <harmorph.h>
 #include <harmorph_space.h>
@@ -43,36 +43,49 @@ static void make_mesh(void) {
 int main(void) {
     make_mesh();
     hm_error error;
-    size_t bytes;
+    size_t bytes, work_bytes;
+    const int32_t wall = WALL;
 
     /* README: the mesh of the plane */
-    hm_space_mesh space = {.struct_size = sizeof space,
-                           .n_points = N,
-                           .points = {x, y, z, 1},
-                           .n_faces = (NI - 1) * (NJ - 1),
-                           .face_points = faces,
-                           .n_sides = 2 * (NI - 1),
-                           .side_points = sides,
-                           .side_markers = side_markers};
+    hm_space_mesh space;
+    HM_INIT(space);
+    space.n_points = N;
+    space.points = (hm_space_points){x, y, z, 1};
+    space.n_faces = (NI - 1) * (NJ - 1);
+    space.face_points = faces;
+    space.n_sides = 2 * (NI - 1);
+    space.side_points = sides;
+    space.side_markers = side_markers;
     hm_plane* plane;
-    hm_mesh mesh = {.struct_size = sizeof mesh};
+    hm_mesh mesh;
+    HM_INIT(mesh);
     check(hm_plane_size(&space, &bytes, &error), &error);
     check(hm_plane_init(&plane, malloc(bytes), bytes, &space, &error), &error);
     check(hm_plane_mesh(plane, &mesh, &error), &error);
     /* end */
 
-    hm_fit_options fit = {.struct_size = sizeof fit, .n_control = 12, .closed = HM_PERIODIC};
+    hm_fit_options fit;
+    HM_INIT(fit);
+    fit.n_control = 12;
+    fit.closed = HM_PERIODIC;
     const hm_curves* curves;
-    check(hm_fit_size(NI - 1, &fit, &bytes, &error), &error);
-    check(hm_fit(&curves, malloc(bytes), bytes, &mesh.points, NI - 1, 1, &fit, NULL, &error),
+    check(hm_fit_marker_size(&mesh, 1, &wall, &fit, &bytes, &work_bytes, &error), &error);
+    void* work = malloc(work_bytes);
+    check(hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, &wall, &fit, NULL, work,
+                        work_bytes, &error),
           &error);
-    hm_condition on_curve = {
-        .struct_size = sizeof on_curve, .marker = WALL, .kind = HM_ON_CURVE, .n_curves = 1};
-    hm_problem problem = {.struct_size = sizeof problem,
-                          .mesh = &mesh,
-                          .curves = curves,
-                          .n_conditions = 1,
-                          .conditions = &on_curve};
+    free(work);
+    hm_condition on_curve;
+    HM_INIT(on_curve);
+    on_curve.marker = WALL;
+    on_curve.kind = HM_ON_CURVE;
+    on_curve.n_curves = 1;
+    hm_problem problem;
+    HM_INIT(problem);
+    problem.mesh = &mesh;
+    problem.curves = curves;
+    problem.n_conditions = 1;
+    problem.conditions = &on_curve;
     hm_analysis* analysis;
     hm_plan* plan;
     hm_basis* basis;
@@ -95,7 +108,8 @@ int main(void) {
     /* end */
 
     hm_points moved = {x, z, 1};
-    hm_quality_report quality = {.struct_size = sizeof quality};
+    hm_quality_report quality;
+    HM_INIT(quality);
     check(hm_assess(basis, &mesh, &moved, NULL, NULL, NULL, NULL, &quality, &error), &error);
     int apart = 0;
     for (int k = 0; k < LAYER; ++k)

@@ -1,7 +1,7 @@
-/* One step of a shape optimisation, as an adjoint solver does it, and what goes round it: gradient
- * by the mesh points in, gradient by the control points out, the exact admissible step, the morph.
- * The objective is one that needs no flow: the body's area is to become 10 % larger, with the
- * smallest movement of its control points. */
+/* Steps of a shape optimisation, as an adjoint solver does them. In each step the derivatives with
+ * respect to the mesh points become derivatives with respect to the control points; the exact
+ * admissible step limits the movement; then the mesh moves. The objective needs no flow: the area
+ * of the body becomes 10 % larger, with the smallest movement of the control points. */
 #include <harmorph.h>
 #include <math.h>
 #include <stdio.h>
@@ -17,8 +17,8 @@ static void check(hm_status status, const hm_error* error) {
     exit(1);
 }
 
-/* Quads round an ellipse, in a list of cells and a list of faces; points count from 1, as in a
- * Fortran code. */
+/* Quadrilaterals around an ellipse, as a list of cells and a list of faces; points are counted from
+ * 1, as in a Fortran code. */
 static void make_mesh(void) {
     for (int j = 0; j < NJ; ++j) {
         for (int i = 0; i < NI; ++i) {
@@ -40,7 +40,8 @@ static void make_mesh(void) {
     }
 }
 
-/* Area inside the wall; its gradient by the mesh points, which is 0 away from the wall. */
+/* The area inside the wall, and the derivatives of the area with respect to the mesh points, which
+ * are 0 away from the wall. */
 static double area(double* by_x, double* by_y) {
     double sum = 0;
     for (int k = 0; k < N; ++k) by_x[k] = by_y[k] = 0;
@@ -55,30 +56,43 @@ static double area(double* by_x, double* by_y) {
 
 int main(void) {
     make_mesh();
-    hm_mesh mesh = {.struct_size = sizeof mesh,
-                    .index_base = 1,
-                    .n_points = N,
-                    .points = {x, y, 1},
-                    .n_cells = CELLS,
-                    .cell_layout = HM_CELLS_QUADS,
-                    .cell_points = cells,
-                    .n_faces = 2 * NI,
-                    .face_points = faces,
-                    .face_markers = markers};
-    hm_fit_options fit = {.struct_size = sizeof fit, .n_control = CONTROL, .closed = HM_PERIODIC};
+    hm_mesh mesh;
+    HM_INIT(mesh);
+    mesh.index_base = 1;
+    mesh.n_points = N;
+    mesh.points = (hm_points){x, y, 1};
+    mesh.cell_layout = HM_CELLS_QUADS;
+    mesh.n_cells = CELLS;
+    mesh.cell_points = cells;
+    mesh.n_faces = 2 * NI;
+    mesh.face_points = faces;
+    mesh.face_markers = markers;
+    hm_fit_options fit;
+    HM_INIT(fit);
+    fit.n_control = CONTROL;
+    fit.closed = HM_PERIODIC;
     const hm_curves* curves;
     hm_error error;
-    size_t bytes;
-    check(hm_fit_size(NI, &fit, &bytes, &error), &error);
-    check(hm_fit(&curves, malloc(bytes), bytes, &mesh.points, NI, 1, &fit, NULL, &error), &error);
+    size_t bytes, work_bytes;
+    const int32_t wall = WALL;
+    check(hm_fit_marker_size(&mesh, 1, &wall, &fit, &bytes, &work_bytes, &error), &error);
+    void* work = malloc(work_bytes);
+    check(hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, &wall, &fit, NULL, work,
+                        work_bytes, &error),
+          &error);
+    free(work);
 
-    hm_condition on_curve = {
-        .struct_size = sizeof on_curve, .marker = WALL, .kind = HM_ON_CURVE, .n_curves = 1};
-    hm_problem problem = {.struct_size = sizeof problem,
-                          .mesh = &mesh,
-                          .curves = curves,
-                          .n_conditions = 1,
-                          .conditions = &on_curve};
+    hm_condition on_curve;
+    HM_INIT(on_curve);
+    on_curve.marker = WALL;
+    on_curve.kind = HM_ON_CURVE;
+    on_curve.n_curves = 1;
+    hm_problem problem;
+    HM_INIT(problem);
+    problem.mesh = &mesh;
+    problem.curves = curves;
+    problem.n_conditions = 1;
+    problem.conditions = &on_curve;
     hm_analysis* analysis;
     hm_plan* plan;
     hm_basis* basis;
@@ -106,18 +120,20 @@ int main(void) {
         if (fabs(missing) < 1e-10 * wanted) break;
 
         double move[2 * CONTROL], square = 0;
-        /* The area's gradient by the control points. */
+        /* The derivatives of the area with respect to the control points. */
         check(hm_adjoint(basis, &by_points, move, NULL, &error), &error);
         for (int k = 0; k < 2 * CONTROL; ++k) square += move[k] * move[k];
         for (int k = 0; k < 2 * CONTROL; ++k) move[k] *= missing / square;
         check(hm_morph(basis, move, NULL, &to_displacement, NULL, &error), &error);
-        hm_step_report limit = {.struct_size = sizeof limit};
+        hm_step_report limit;
+        HM_INIT(limit);
         check(hm_assess(basis, &mesh, NULL, &displacement, NULL, NULL, &limit, NULL, &error),
               &error);
         for (int k = 0; k < 2 * CONTROL; ++k) move[k] *= fmin(1, 0.5 * limit.admissible);
         check(hm_morph(basis, move, &mesh.points, &to_mesh, NULL, &error), &error);
 
-        hm_quality_report quality = {.struct_size = sizeof quality};
+        hm_quality_report quality;
+        HM_INIT(quality);
         check(hm_assess(basis, &mesh, NULL, NULL, NULL, NULL, NULL, &quality, &error), &error);
         inverted += quality.inverted;
     }

@@ -12,35 +12,6 @@ static void check(hm_status status, const hm_error* error) {
     exit(1);
 }
 
-/* The points of a marker in order along the boundary, and a curve of 20 control points through
- * them. */
-static const hm_curves* fit_marker(const hm_mesh* mesh, int32_t marker) {
-    hm_problem mesh_alone = {.struct_size = sizeof mesh_alone, .mesh = mesh};
-    hm_analysis* analysis;
-    const hm_curves* curves;
-    hm_error error;
-    size_t bytes;
-    int32_t n = 0, is_loop = 0, *points = malloc((size_t)mesh->n_points * sizeof *points);
-    double* xy = malloc(2 * (size_t)mesh->n_points * sizeof *xy);
-    check(hm_analysis_size(&mesh_alone, NULL, &bytes, &error), &error);
-    void* block = malloc(bytes);
-    check(hm_analysis_init(&analysis, block, bytes, &mesh_alone, NULL, &error), &error);
-    check(
-        hm_analysis_boundary(analysis, 1, &marker, 0, points, mesh->n_points, &n, &is_loop, &error),
-        &error);
-    for (int32_t k = 0; k < n; ++k) {
-        xy[2 * k] = mesh->points.x[points[k]];
-        xy[2 * k + 1] = mesh->points.y[points[k]];
-    }
-    hm_points wall = {xy, xy + 1, 2};
-    check(hm_fit_size(n, NULL, &bytes, &error), &error);
-    check(hm_fit(&curves, malloc(bytes), bytes, &wall, n, is_loop, NULL, NULL, &error), &error);
-    free(block);
-    free(points);
-    free(xy);
-    return curves; /* in a block that stays */
-}
-
 int main(int argc, char** argv) {
     su2_mesh file;
     char message[256];
@@ -57,31 +28,41 @@ int main(int argc, char** argv) {
         fprintf(stderr, "%s has no marker %s\n", argv[1], argv[2]);
         return 1;
     }
-    hm_mesh mesh = {.struct_size = sizeof mesh,
-                    .n_points = file.n_points,
-                    .points = {file.x, file.y, 1},
-                    .cell_layout = HM_CELLS_ROWS,
-                    .n_cells = file.n_cells,
-                    .cell_start = file.cell_start,
-                    .cell_points = file.cell_points,
-                    .n_faces = file.n_faces,
-                    .face_points = file.face_points,
-                    .face_markers = file.face_markers};
-    const hm_curves* curves = fit_marker(&mesh, marker);
-    hm_condition on_curves = {.struct_size = sizeof on_curves,
-                              .marker = marker,
-                              .kind = HM_ON_CURVE,
-                              .n_curves = curves->n_curves};
-    hm_problem problem = {.struct_size = sizeof problem,
-                          .mesh = &mesh,
-                          .curves = curves,
-                          .n_conditions = 1,
-                          .conditions = &on_curves};
+    hm_mesh mesh;
+    HM_INIT(mesh);
+    mesh.n_points = file.n_points;
+    mesh.points = (hm_points){file.x, file.y, 1};
+    mesh.cell_layout = HM_CELLS_ROWS;
+    mesh.n_cells = file.n_cells;
+    mesh.cell_start = file.cell_start;
+    mesh.cell_points = file.cell_points;
+    mesh.n_faces = file.n_faces;
+    mesh.face_points = file.face_points;
+    mesh.face_markers = file.face_markers;
+    const hm_curves* curves; /* of 20 control points; two curves if the trailing edge is blunt */
+    hm_error error;
+    size_t bytes, work_bytes;
+    check(hm_fit_marker_size(&mesh, 1, &marker, NULL, &bytes, &work_bytes, &error), &error);
+    void* work = malloc(work_bytes);
+    check(hm_fit_marker(&curves, malloc(bytes), bytes, &mesh, 1, &marker, NULL, NULL, work,
+                        work_bytes, &error),
+          &error);
+    free(work);
+
+    hm_condition on_curves;
+    HM_INIT(on_curves);
+    on_curves.marker = marker;
+    on_curves.kind = HM_ON_CURVE;
+    on_curves.n_curves = curves->n_curves;
+    hm_problem problem;
+    HM_INIT(problem);
+    problem.mesh = &mesh;
+    problem.curves = curves;
+    problem.n_conditions = 1;
+    problem.conditions = &on_curves;
     hm_analysis* analysis;
     hm_plan* plan;
     hm_basis* basis;
-    hm_error error;
-    size_t bytes;
     check(hm_analysis_size(&problem, NULL, &bytes, &error), &error);
     check(hm_analysis_init(&analysis, malloc(bytes), bytes, &problem, NULL, &error), &error);
     check(hm_plan_size(analysis, &bytes, &error), &error);
@@ -99,7 +80,8 @@ int main(int argc, char** argv) {
         move[2 * i + 1] = s * p[0] + (c - 1) * p[1];
     }
     hm_points_out moved = {file.x, file.y, 1};
-    hm_quality_report quality = {.struct_size = sizeof quality};
+    hm_quality_report quality;
+    HM_INIT(quality);
     check(hm_morph(basis, move, &mesh.points, &moved, NULL, &error), &error);
     check(hm_assess(basis, &mesh, NULL, NULL, NULL, NULL, NULL, &quality, &error), &error);
     printf("%s: %d points, %d functions, %d inverted cells\n", argv[2], (int)file.n_points,

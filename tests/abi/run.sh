@@ -77,7 +77,7 @@ if [ "${2-}" != quick ]; then
         check "unpacking $RELEASE" unpack "$RELEASE"
         check "the release" describe "$dir/release" old
         check "these sources" describe . new
-        old=$(sed -n 's/^#define HM_ABI \([0-9]*\).*/\1/p' "$dir/release/c_api/harmorph.h")
+        old=$(sed -n 's/^#define HM_ABI \([0-9]*\).*/\1/p' "$dir/release/include/harmorph.h")
         if [ "$old" = "$abi" ]; then
             # Bit 4 (value 8) of abidiff's exit code: changes that break programs. Added calls are none.
             check "abidiff: nothing that breaks programs" sh -c '"$@"; [ $(($? & 8)) = 0 ]' sh \

@@ -72,7 +72,7 @@ Case sliding_block() {
 
 }  // namespace
 
-TEST_CASE("hm_improve: better cells, the report is that of hm_quality, and walls keep their bits") {
+TEST_CASE("hm_improve: better cells, the report is that of hm_assess, and walls keep their bits") {
     Case its = airfoil_case();
     Complex const turn = std::polar(1.0, 0.6);
     Morphed out(its, similarity_move(its.curves, turn, 0.25));

@@ -37,8 +37,9 @@ static hm_mesh make_mesh(case_memory* to) {
     /* cos and sin of 2 pi / (NI - 1), by which the unit vector turns from point to point */
     const double turn_x = 0.99518472667219693, turn_y = 0.098017140329560604;
     double unit_x = 1, unit_y = 0;
-    hm_mesh mesh = {sizeof mesh};
+    hm_mesh mesh;
     int i, j;
+    HM_INIT(mesh);
     for (i = 0; i < NI; ++i) {
         const double next_x = unit_x * turn_x - unit_y * turn_y;
         double r = 1;
@@ -80,11 +81,12 @@ static hm_status use_basis(const void* block, size_t bytes, const hm_mesh* mesh,
                            uint64_t* sum, hm_error* error) {
     hm_points displacement;
     hm_points_out to_displacement, to_mesh;
-    hm_step_report step = {sizeof step};
+    hm_step_report step;
     const hm_basis* basis = NULL;
     hm_status status = hm_basis_attach(&basis, block, bytes, mesh, error);
     int i;
     if (status != HM_OK) return status;
+    HM_INIT(step);
     make_move(0.2, with->move);
     displacement.x = to_displacement.x = with->dx, displacement.y = to_displacement.y = with->dy;
     displacement.stride = to_displacement.stride = to_mesh.stride = 1;

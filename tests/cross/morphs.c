@@ -49,10 +49,11 @@ static void say(const char* mesh, const char* method, const char* what, uint64_t
 }
 
 static const hm_curves* fit(void** block) {
-    hm_fit_options options = {sizeof options};
+    hm_fit_options options;
     hm_points wall;
     const hm_curves* curves = NULL;
     size_t bytes;
+    HM_INIT(options);
     options.n_control = CONTROL;
     options.closed = HM_PERIODIC;
     wall.x = memory.x, wall.y = memory.y, wall.stride = 1;
@@ -65,12 +66,17 @@ static const hm_curves* fit(void** block) {
 /* The plan and the basis of a method; blocks [3] are the caller's to free. */
 static hm_plan* solve(const hm_mesh* mesh, const hm_curves* curves, int method, hm_basis** basis,
                       void** blocks) {
-    hm_condition on_curve = {sizeof on_curve};
-    hm_problem problem = {sizeof problem};
-    hm_options options = {sizeof options};
+    hm_condition on_curve;
+    hm_problem problem;
+    hm_options options;
+    hm_study_options study;
     hm_analysis* analysis = NULL;
     hm_plan* plan = NULL;
     size_t bytes;
+    HM_INIT(on_curve);
+    HM_INIT(problem);
+    HM_INIT(options);
+    HM_INIT(study);
     on_curve.marker = WALL;
     on_curve.kind = HM_ON_CURVE;
     on_curve.n_curves = 1;
@@ -80,9 +86,10 @@ static hm_plan* solve(const hm_mesh* mesh, const hm_curves* curves, int method, 
     problem.conditions = &on_curve;
     options.kernel = HM_KERNEL_BASELINE;
     options.operator_kind = methods[method].operator_kind;
-    options.scheme = methods[method].scheme;
     options.engine = methods[method].engine;
     options.precision = methods[method].precision;
+    study.scheme = methods[method].scheme;
+    options.study = &study;
     check(hm_analysis_size(&problem, &options, &bytes, &error), "hm_analysis_size");
     check(
         hm_analysis_init(&analysis, blocks[0] = block_of(bytes), bytes, &problem, &options, &error),
@@ -102,10 +109,11 @@ static void print_safe_morph(const hm_mesh* mesh, const char* name, const char* 
                              hm_plan* plan, const hm_basis* basis) {
     const hm_points to_read = {x_new, y_new, 1};
     const hm_points_out to = {x_new, y_new, 1};
-    hm_quality_report quality = {sizeof quality};
+    hm_quality_report quality;
     uint64_t sum;
     void* work;
     size_t bytes;
+    HM_INIT(quality);
     make_move(1, memory.move);
     check(hm_morph_safe_size(plan, basis, &bytes, &error), "hm_morph_safe_size");
     work = block_of(bytes);
@@ -113,7 +121,7 @@ static void print_safe_morph(const hm_mesh* mesh, const char* name, const char* 
           "hm_morph_safe");
     free(work);
     check(hm_assess(basis, mesh, &to_read, NULL, &mesh->points, NULL, NULL, &quality, &error),
-          "hm_quality");
+          "hm_assess");
     sum = add_numbers(add_numbers(empty_sum, x_new, POINTS), y_new, POINTS);
     say(name, method, "safe morph", add_numbers(sum, &quality.mean_quality, 1));
 }
@@ -126,8 +134,9 @@ static void print_sums(const hm_mesh* mesh, const char* name) {
     for (method = 0; method < (int)(sizeof methods / sizeof methods[0]); ++method) {
         hm_basis* basis = NULL;
         hm_plan* plan = solve(mesh, curves, method, &basis, blocks);
-        hm_basis_info info = {sizeof info};
+        hm_basis_info info;
         uint64_t sum;
+        HM_INIT(info);
         check(hm_basis_info_get(basis, &info, &error), "hm_basis_info_get");
         check(use_basis(basis, info.bytes, mesh, &memory, &sum, &error), "hm_morph");
         say(name, methods[method].name, "morph", sum);
@@ -141,9 +150,10 @@ static void print_sums(const hm_mesh* mesh, const char* name) {
 static int save(const hm_mesh* mesh, const char* path) {
     void *curve_block, *blocks[3], *block;
     hm_basis *basis = NULL, *single = NULL;
-    hm_basis_info info = {sizeof info};
+    hm_basis_info info;
     size_t bytes;
     FILE* file = fopen(path, "wb");
+    HM_INIT(info);
     solve(mesh, fit(&curve_block), 0, &basis, blocks);
     check(hm_single_size(basis, &bytes, &error), "hm_single_size");
     block = block_of(bytes);

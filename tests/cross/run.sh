@@ -18,7 +18,7 @@ units="tests/base/test_arena.cpp tests/base/test_elementary.cpp tests/base/test_
     tests/morph/test_adjoint.cpp tests/c_api/test_struct_size.cpp"
 core="-std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -fno-threadsafe-statics -fno-stack-protector
     -ffp-contract=off"
-strict="-std=c99 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -O2 -ffp-contract=off -Iinclude"
+strict="-std=c99 -pedantic -Wall -Wextra -Werror -O2 -ffp-contract=off -Iinclude"
 mkdir -p "$dir/include"
 missing() { skip "$topic" "$1 is not installed (Debian: $2)"; }
 same_sums() { "$@" | tr -d '\r' | diff "$dir/sums" -; }

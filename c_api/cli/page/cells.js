@@ -1,6 +1,6 @@
 "use strict";
 // What becomes of the cells: inverted ones, the admissible step in closed form, and size-skew quality; the formulas of
-// hm_admissible_step and hm_quality. Cells that are divided (see polygons.js) are judged in divided_cell.js.
+// hm_assess. Cells that are divided (see polygons.js) are judged in divided_cell.js.
 
 // Smallest s > 0 with c + b s + a s^2 = 0, where c > 0, without cancellation; infinite if there is none.
 function smallest_positive_root(a, b, c) {

@@ -258,14 +258,14 @@ void add_step(Case const& its_case, Settings const& settings, Table& table) {
         report.struct_size = sizeof report;
         require(hm_assess(basis, &mesh, nullptr, &displacement, nullptr, executor, &report, nullptr,
                           &error),
-                error, "hm_admissible_step");
+                error, "hm_assess of the step");
     });
     double const quality = time_of([&] {
         hm_quality_report report{};
         report.struct_size = sizeof report;
         require(hm_assess(basis, &mesh, nullptr, nullptr, &mesh.points, executor, nullptr, &report,
                           &error),
-                error, "hm_quality");
+                error, "hm_assess of the quality");
     });
     auto const assess = [&] {
         hm_step_report limit{};

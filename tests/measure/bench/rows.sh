@@ -40,7 +40,7 @@ function rule(    k, text) { text = "|"; for (k = 1; k <= n; ++k) text = text "-
 }
 /^Functions in single precision/ { head("Double against single precision [ms]:")
     cells("", "mesh", "functions", "double", "single", "ratio", "% of reading"); rule(); next }
-/^Admissible step and quality/ { head("hm_admissible_step, hm_quality, hm_assess [ms]:")
+/^Admissible step and quality/ { head("hm_assess: admissible step, quality, both [ms]:")
     cells("mesh", "morph", "step", "quality", "both", "ns/cell", "both / morph"); rule(); next }
 $1 == "what" || $1 == "mesh" { next }
 /^  / { next }   # notes below a table

@@ -1,0 +1,30 @@
+#!/bin/sh
+# usage: headers.sh BUILD   (CC, CXX, LDFLAGS from the environment)
+# Each standard of C and C++ compiles the headers and HM_INIT of every struct without a warning, and the program finds
+# the structs as other languages rely on them. c_header.c has every struct of these headers that begins with a size.
+: "${CC:=cc}" "${CXX:=c++}" "${LDFLAGS=}"
+build=$(cd "$1" && pwd)
+dir=$build/headers
+topic=headers log=$dir/log
+. "$(dirname "$0")/count.sh"
+rm -rf "$dir"
+mkdir -p "$dir"
+strict="-pedantic -Wall -Wextra -Werror -Iinclude"
+for standard in c89 c99 c11; do
+    check "$standard" $CC -std=$standard $strict -o "$dir/$standard" tests/c_header.c "$build/libharmorph.a" \
+        -lm $LDFLAGS
+    check "$standard, structs" "$dir/$standard"
+done
+for standard in c++11 c++14 c++17 c++20; do
+    check "$standard" $CXX -std=$standard $strict -o "$dir/$standard" -x c++ tests/c_header.c -x none \
+        "$build/libharmorph.a" -lm $LDFLAGS
+    check "$standard, structs" "$dir/$standard"
+done
+headers="include/harmorph.h include/harmorph_design.h include/harmorph_parts.h include/harmorph_space.h
+    include/harmorph_study.h"
+awk '/^typedef struct [a-z_]* \{/ { name = $3 } /^    uint64_t struct_size;/ { print name }' $headers |
+    sort >"$dir/declared"
+sed -n 's/^    BEGINS(\(hm_[a-z_]*\));$/\1/p' tests/c_header.c | sort >"$dir/begun"
+check "every struct with a size is begun" sh -c '[ -s "$0/declared" ] && diff "$0/declared" "$0/begun"' "$dir"
+
+finish "$dir"
