@@ -114,9 +114,12 @@ check "link of layout" $FC $FFLAGS "$dir/layout.o" "$dir/layout_c.o" "$dir/check
     -o "$dir/layout"
 "$dir/layout" || fail layout
 
-# What the header has and the module has not: functions. A constant that is missing stops the compilation of layout.f90.
+# Functions that the headers have and the module has not. A constant that is missing stops the compilation of layout.f90.
+# hm_init sets the fields of C structs to 0; the components of the derived types have initial values instead. The calls
+# for meshes that no process has as a whole are made by harmorph_petsc.c, for which harmorph_petsc.f90 is the module.
+not_for_fortran='hm_init|hm_match_edges|hm_(part|equations|rows|field)_[a-z_]*'
 missing() {
-    for name in $(sed -n 's/^HM_API .*[ *]\(hm_[a-z_]*\)(.*/\1/p' $headers); do
+    for name in $(sed -n 's/^HM_API .*[ *]\(hm_[a-z_]*\)(.*/\1/p' $headers | grep -vxE "$not_for_fortran"); do
         grep -q "name=\"$name\"" "$build/harmorph.f90" || echo "$name"
     done
 }
