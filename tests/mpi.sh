@@ -29,7 +29,8 @@ c() {
 
 check "harmorph_mpi.c" c -Iinclude -Ic_api -c c_api/mpi/harmorph_mpi.c -o "$dir/harmorph_mpi.o"
 check "harmorph_mpi.c, as it is installed" c -Iinclude -Ic_api -c "$build/harmorph_mpi.c" -o "$dir/harmorph_mpi.o"
-check "mpi.c" c -pthread -Iinclude -Ic_api -Itests -o "$dir/mpi_c" tests/mpi.c "$dir/harmorph_mpi.o" "$build/libharmorph.a" -lm
+check "mpi.c" c -pthread -Iinclude -Ic_api -Itests -o "$dir/mpi_c" tests/mpi.c \
+    "$dir/harmorph_mpi.o" "$build/libharmorph.a" -lm
 for source in "$build/harmorph.f90" "$build/harmorph_mpi.f90" tests/o_mesh.f90 tests/mpi.f90; do
     check "$(basename "$source")" fortran "$source"
 done
