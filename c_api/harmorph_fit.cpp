@@ -150,23 +150,29 @@ public:
     Status run(hm_fit_report& report, CallFault& fault) noexcept {
         HARMORPH_TRY(work_.analysis.run(wall_.request.problem, fault));
         Boundary const& boundary = work_.analysis.boundary();
+        for (Index const marker : wall_.markers) {
+            if (has_face(boundary, marker)) continue;
+            return fault.refuse(Status::bad_condition, "no boundary face has the marker #",
+                                marker_item(marker));
+        }
         auto const is_on = [&](Index face) { return wall_.is_on(boundary.marker[face]); };
         auto const visit = [&](Index, Index point) { work_.point[n_points_++] = point; };
         auto const close = [&](Index, bool is_loop) {
             if (!failed(fault.status)) fit_piece(is_loop, fault);
             n_points_ = 0;
         };
-        n_pieces_ = boundary.for_each_piece(is_on, visit, close);
-        if (n_pieces_ == 0) {
-            return fault.refuse(Status::bad_condition,
-                                "no boundary face has these markers; the first one is #",
-                                marker_item(wall_.markers[0]));
-        }
-        report = report_of(worst_, n_pieces_);
+        Index const n_pieces = boundary.for_each_piece(is_on, visit, close);
+        report = report_of(worst_, n_pieces);
         return fault.status;
     }
 
 private:
+    static bool has_face(Boundary const& boundary, Index marker) noexcept {
+        for (Index face = 0; face < boundary.count; ++face) {
+            if (boundary.marker[face] == marker) return true;
+        }
+        return false;
+    }
     Index number_of(Index position) const noexcept {
         if (position == none) return none;
         return work_.point[position] + wall_.request.problem.mesh.index_base;
@@ -203,7 +209,7 @@ private:
     WallRequest const& wall_;
     FitWork& work_;
     PiecesBlock& made_;
-    Index n_points_ = 0, n_pieces_ = 0;
+    Index n_points_ = 0;
     FitReport worst_;
 };
 

@@ -108,15 +108,21 @@ for name in $constants; do echo "PUT($name);"; done >"$dir/constants_c.inc"
     echo "$constants" | tr A-Z a-z | sed '$!s/$/, \&/; $s/$/ \&/'
     echo '], c_int64_t))'
 } >"$dir/constants_f.inc"
-check "layout.c" $CC -I"$dir" -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude $CFLAGS -c tests/layout.c -o "$dir/layout_c.o"
-check "layout.f90" quietly $FC $strict $FFLAGS $checks -I"$dir/checked" -I"$dir" -J"$dir" -c tests/layout.f90 -o "$dir/layout.o"
+check "layout.c" $CC -I"$dir" -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude $CFLAGS -c tests/layout.c \
+    -o "$dir/layout_c.o"
+check "layout.f90" quietly $FC $strict $FFLAGS $checks -I"$dir/checked" -I"$dir" -J"$dir" -c tests/layout.f90 \
+    -o "$dir/layout.o"
 check "link of layout" $FC $FFLAGS "$dir/layout.o" "$dir/layout_c.o" "$dir/checked/harmorph.o" "$build/libharmorph.a" \
     -o "$dir/layout"
 "$dir/layout" || fail layout
 
-# What the header has and the module has not: functions. A constant that is missing stops the compilation of layout.f90.
+# Functions that the headers have and the module has not. A constant that is missing stops the compilation of
+# layout.f90. hm_init sets the fields of C structs to 0; the components of the derived types have initial values
+# instead. The calls for meshes that no process has as a whole are made by harmorph_petsc.c, for which
+# harmorph_petsc.f90 is the module.
+not_for_fortran='hm_init|hm_match_edges|hm_(part|equations|rows|field)_[a-z_]*'
 missing() {
-    for name in $(sed -n 's/^HM_API .*[ *]\(hm_[a-z_]*\)(.*/\1/p' $headers); do
+    for name in $(sed -n 's/^HM_API .*[ *]\(hm_[a-z_]*\)(.*/\1/p' $headers | grep -vxE "$not_for_fortran"); do
         grep -q "name=\"$name\"" "$build/harmorph.f90" || echo "$name"
     done
 }

@@ -405,6 +405,20 @@ int32_t layout_of(int32_t number, int64_t* numbers) {
             AT(tolerance);
             break;
 #undef TYPE
+#define TYPE hm_edge_mesh
+        case 33:
+            PUT(sizeof(TYPE));
+            AT(struct_size);
+            AT(index_base);
+            AT(n_points);
+            AT(points);
+            AT(n_cells);
+            AT(n_edges);
+            AT(edge_points);
+            AT(edge_cells);
+            AT(edge_markers);
+            break;
+#undef TYPE
 #define TYPE hm_plane_info
         case 26:
             PUT(sizeof(TYPE));

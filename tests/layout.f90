@@ -23,6 +23,7 @@ program layout
     type(hm_c_space_points), target :: space_points
     type(hm_c_block_points), target :: block_points
     type(hm_c_space_mesh), target :: space_mesh
+    type(hm_c_edge_mesh), target :: edge_mesh
     type(hm_c_plane_info), target :: plane_info
     type(hm_c_curve), target :: curve
     type(hm_c_curves), target :: curves
@@ -169,6 +170,10 @@ program layout
         c_loc(space_mesh%n_faces), c_loc(space_mesh%face_start), c_loc(space_mesh%face_points), &
         c_loc(space_mesh%n_sides), c_loc(space_mesh%side_points), c_loc(space_mesh%side_markers), &
         c_loc(space_mesh%axis_point), c_loc(space_mesh%axis), c_loc(space_mesh%tolerance)])
+    call compare("hm_edge_mesh", 33, c_sizeof(edge_mesh), c_loc(edge_mesh), [c_loc(edge_mesh%struct_size), &
+        c_loc(edge_mesh%index_base), c_loc(edge_mesh%n_points), c_loc(edge_mesh%points), c_loc(edge_mesh%n_cells), &
+        c_loc(edge_mesh%n_edges), c_loc(edge_mesh%edge_points), c_loc(edge_mesh%edge_cells), &
+        c_loc(edge_mesh%edge_markers)])
     call compare("hm_plane_info", 26, c_sizeof(plane_info), c_loc(plane_info), [c_loc(plane_info%struct_size), &
         c_loc(plane_info%kind), c_loc(plane_info%n_points), c_loc(plane_info%n_space_points), &
         c_loc(plane_info%layers), c_loc(plane_info%origin), c_loc(plane_info%x_direction), &

@@ -30,7 +30,7 @@ C     COMBINED FUNCTIONS AND FUNCTIONS BY TABLE.
    10 CONTINUE
       CALL MAKE (NA, NR, X, Y, CELLS, FACES, MARKS)
       CALL HMOPEN (W, LW, IERR, MSG)
-      CALL HMREFN (W, 1, 2, U, LA, A, N, IERR, MSG)
+      CALL HMREFN (W, 1, 0, 2, U, LA, A, N, IERR, MSG)
       CALL CHECK (IERR .LT. 0, 'NO CURVE: ', MSG)
       CALL HMMESH (W, NP, X, Y, 1, NC, 4, CELLS, NF, FACES, MARKS, IERR,
      &             MSG)
@@ -47,18 +47,20 @@ C     TWO KNOTS MORE, THEN A HIGHER DEGREE: NEW POINTS ARE A TIMES THE
 C     OLD ONES, DERIVATIVES BY OLD POINTS THE TRANSPOSE OF A TIMES THOSE
 C     BY NEW ONES, THE SHAPE IS THE SAME, AND SO ARE THE CONDITIONS.
       OUT(1) = -1D0
-      CALL HMREFN (W, 1, 1, OUT, LA, A, M, IERR, MSG)
+      CALL HMREFN (W, 1, 0, 1, OUT, LA, A, M, IERR, MSG)
       CALL CHECK (IERR .EQ. -2, 'A KNOT OUTSIDE: ', MSG)
-      CALL HMREFN (W, 2, 2, U, LA, A, M, IERR, MSG)
+      CALL HMREFN (W, 2, 0, 2, U, LA, A, M, IERR, MSG)
       CALL CHECK (IERR .LT. 0, 'NO SUCH CURVE: ', MSG)
-      CALL HMREFN (W, 1, 2, U, N*(N + 2) - 1, A, M, IERR, MSG)
+      CALL HMREFN (W, 1, 0, 2, U, N*(N + 2) - 1, A, M, IERR, MSG)
       CALL CHECK (IERR .EQ. -2, 'NO ROOM FOR A: ', MSG)
       CALL CHECK (M .EQ. N + 2, 'NCP SAYS HOW MANY', ' ')
       CALL HMMEAS (W, 0, 0D0, DP, S, H, IERR, MSG)
       CALL CHECK (ABS(S - AREA) .LE. 0D0, 'REFUSED: NO CHANGE', ' ')
       DO 50 KIND = 1, 2
-         IF (KIND .EQ. 1) CALL HMREFN (W, 1, 2, U, LA, A, M, IERR, MSG)
-         IF (KIND .EQ. 2) CALL HMELEV (W, 1, LA, A, M, IERR, MSG)
+         IF (KIND .EQ. 1) CALL HMREFN (W, 1, 0, 2, U, LA, A, M, IERR,
+     &                                 MSG)
+         IF (KIND .EQ. 2) CALL HMREFN (W, 1, 4, 0, U, LA, A, M, IERR,
+     &                                 MSG)
          CALL CHECK (IERR .EQ. 0, 'MORE CONTROL POINTS: ', MSG)
          CALL CHECK (M .GT. N, 'MORE THAN BEFORE', ' ')
          CALL HMDISP (W, DP, DX, DY, 1, IERR, MSG)

@@ -27,7 +27,7 @@ program morph
     call mesh%line(far, 1, ni, nj, nj)
 
     ! A periodic cubic B-spline with 12 control points through the wall's points; one harmonic function for each.
-    call curves%fit(x(:ni - 1, 1), y(:ni - 1, 1), loop=.true., n_control=12)
+    call curves%fit(mesh, wall, n_control=12)
     call plan%analyse(mesh, curves, [hm_condition(wall)])
     call plan%factor()
     call plan%solve(basis)

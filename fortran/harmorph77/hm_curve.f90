@@ -146,10 +146,10 @@ subroutine hmgetp(w, nmax, p, ncp, ierr, msg)
     call this%finish(ierr, msg)
 end subroutine
 
-subroutine hmrefn(w, icurv, nu, u, la, a, ncp, ierr, msg)
+subroutine hmrefn(w, icurv, ideg, nu, u, la, a, ncp, ierr, msg)
     use harmorph77
     implicit none
-    integer, intent(in) :: icurv, nu, la
+    integer, intent(in) :: icurv, ideg, nu, la
     real(c_double), intent(inout), target :: w(*)
     real(c_double), intent(in) :: u(*)
     real(c_double), intent(inout) :: a(*)
@@ -163,40 +163,11 @@ subroutine hmrefn(w, icurv, nu, u, la, a, ncp, ierr, msg)
     ncp = 0
     call this%open(w)
     call curves_now(this, set, list)
-    if (this%ok()) call this%told(hm_c_refine_size(set, int(icurv - 1, c_int32_t), 0_c_int32_t, int(nu, c_int32_t), u, &
-        bytes, this%e))
+    if (this%ok()) call this%told(hm_c_refine_size(set, int(icurv - 1, c_int32_t), int(ideg, c_int32_t), &
+        int(nu, c_int32_t), u, bytes, this%e))
     call this%room(bytes, place)
     if (this%ok()) call this%told(hm_c_refine(finer, matrix, place, bytes, set, int(icurv - 1, c_int32_t), &
-        0_c_int32_t, int(nu, c_int32_t), u, this%e))
-    if (this%ok()) call keep_finer(this, finer, matrix, int(set%n_control), la, a, ncp)
-    call this%finish(ierr, msg)
-end subroutine
-
-subroutine hmelev(w, icurv, la, a, ncp, ierr, msg)
-    use harmorph77
-    implicit none
-    integer, intent(in) :: icurv, la
-    real(c_double), intent(inout), target :: w(*)
-    real(c_double), intent(inout) :: a(*)
-    integer, intent(out) :: ncp, ierr
-    character(len=*), intent(inout) :: msg
-    type(legacy_call) :: this
-    type(hm_c_curves) :: set
-    type(hm_c_curve) :: list(most_curves)
-    type(c_ptr) :: finer, matrix, place
-    integer(c_int32_t) :: degree
-    real(c_double), parameter :: no_knots(1) = 0
-    integer(c_size_t) :: bytes
-    ncp = 0
-    call this%open(w)
-    call curves_now(this, set, list)
-    degree = 1
-    if (this%ok() .and. icurv >= 1 .and. icurv <= set%n_curves) degree = list(icurv)%degree + 1_c_int32_t
-    if (this%ok()) call this%told(hm_c_refine_size(set, int(icurv - 1, c_int32_t), degree, 0_c_int32_t, no_knots, &
-        bytes, this%e))
-    call this%room(bytes, place)
-    if (this%ok()) call this%told(hm_c_refine(finer, matrix, place, bytes, set, int(icurv - 1, c_int32_t), degree, &
-        0_c_int32_t, no_knots, this%e))
+        int(ideg, c_int32_t), int(nu, c_int32_t), u, this%e))
     if (this%ok()) call keep_finer(this, finer, matrix, int(set%n_control), la, a, ncp)
     call this%finish(ierr, msg)
 end subroutine

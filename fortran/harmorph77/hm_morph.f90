@@ -99,7 +99,7 @@ subroutine hmsafe(w, dp, xn, yn, inc, dr, frac, istrat, ierr, msg)
     call this%finish(ierr, msg)
 end subroutine
 
-subroutine hmslid(w, x, y, inc, ierr, msg)
+subroutine hmslip(w, x, y, inc, ierr, msg)
     use harmorph77
     implicit none
     integer, intent(in) :: inc
@@ -109,7 +109,7 @@ subroutine hmslid(w, x, y, inc, ierr, msg)
     type(legacy_call) :: this
     type(c_ptr) :: analysis
     call this%open_solved(w)
-    call analysis_of_start(this, "HMSLID", analysis)
+    call analysis_of_start(this, "HMSLIP", analysis)
     call this%forgive()
     if (this%ok()) call this%told(hm_c_slip(analysis, points_of(x, y, inc), points_of(x, y, inc), this%e))
     call this%finish(ierr, msg)

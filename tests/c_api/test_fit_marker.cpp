@@ -72,6 +72,10 @@ TEST_CASE("unknown markers, few points and short blocks are refused, and nothing
     hm_mesh const mesh = its.mesh.view();
     std::int32_t const wall = its.conditions[0].marker;
     CHECK(WallFit(mesh, {12345}).status == HM_BAD_CONDITION);
+    WallFit const second_unknown(mesh, {wall, 12345});
+    CHECK(second_unknown.status == HM_BAD_CONDITION);
+    CHECK(second_unknown.error.item_kind == HM_ITEM_MARKER);
+    CHECK(second_unknown.error.item == 12345);
     CHECK(WallFit(mesh, {}).status == HM_BAD_ARGUMENT);
     CHECK(WallFit(mesh, {wall}, 1000).status == HM_BAD_CURVE);
     CHECK(WallFit(mesh, {wall}, 3).status == HM_BAD_CURVE);

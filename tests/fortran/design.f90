@@ -30,14 +30,16 @@ contains
         call curves%point(1, 0.45_dp, xy_u)
         call finer%point(1, 0.45_dp, same_u)
         call check(maxval(abs(xy_u - same_u)) < 1e-14_dp, "the same curve")
-        call curves%elevate(1, finer, matrix)
+        call curves%refine(1, 4, finer, matrix)
         call finer%point(1, 0.45_dp, same_u)
         call check(finer%curve(1)%degree == 4 .and. maxval(abs(xy_u - same_u)) < 1e-14_dp, "degree 4, the same curve")
+        call curves%refine(1, 5, finer, stat=stat)
+        call check(stat == hm_bad_argument, "the degree rises by 1 at a time")
         call curves%refine(1, [7._dp], finer, stat=stat, err=err)
         call check(stat == hm_bad_argument .and. index(err%text, "knot 1") == 1, "a knot outside: " // err%text)
 
-        section%nose = [minval(curves%control(1, :)), 0._dp]
-        section%edge = [maxval(curves%control(1, :)), 0._dp]
+        section%leading = [minval(curves%control(1, :)), 0._dp]
+        section%trailing = [maxval(curves%control(1, :)), 0._dp]
         wanted(1) = hm_quantity(hm_area)
         wanted(2) = hm_quantity(hm_thickness, 0.4_dp)
         wanted(3) = hm_quantity(hm_clearance, polygon=reshape([0.3_dp, 0._dp, 0.4_dp, 0.01_dp], [2, 2]))
@@ -55,10 +57,10 @@ contains
         call curves%measure(wanted, values, section=section, stat=stat, err=err)
         call check(stat == hm_bad_argument .and. err%item == 2, "a station outside: " // err%text)
         wanted(2) = hm_quantity(hm_thickness, 1e-9_dp)
-        section%nose(1) = section%nose(1) - 1
+        section%leading(1) = section%leading(1) - 1
         call curves%measure(wanted, values, section=section, stat=stat, err=err)
         call check(stat == hm_bad_curve .and. err%item == 2, "a station without section: " // err%text)
-        section%nose(1) = section%nose(1) + 1
+        section%leading(1) = section%leading(1) + 1
 
         call curves%map(hm_variables(hm_cst, n_upper=3, n_lower=2), map, error, section)
         call check(all(shape(map) == [size(curves%control, 2), 5]) .and. all(error(1, :) <= error(2, :)), "a map")

@@ -11,7 +11,7 @@ contains
     ! Numbers in texts and items count from 1, whatever C says.
     subroutine numbers_in_errors()
         type(hm_curves) :: curves, copy
-        real(dp) :: move(2, n_control), its_x(around), its_y(around), nan
+        real(dp) :: move(2, n_control), its_x(around), its_y(around), all_x(n_points), nan
         type(hm_error) :: err
         integer :: stat
         nan = transfer(9221120237041090560_c_int64_t, nan)
@@ -50,6 +50,14 @@ contains
         call basis%displacement(move, x, y, stat=stat, err=err)
         call check(index(err%text, "movement of function 14 ") > 0, "a movement: " // err%text)
         call check(err%item == n_control, "of the last function")
+        all_x = x
+        all_x(5) = x(5) + 10
+        call basis%recover(all_x, y, move, stat=stat, err=err)
+        call check(stat == hm_bad_mesh .and. err%item_kind == hm_item_point .and. err%item == 5 .and. &
+            err%item_base == 1, "a point of the wall far away: " // err%text)
+        call check(same([err%x, err%y], [all_x(5), y(5)]), "the place of this point")
+        call check(err%value > 5 .and. err%value <= 10, "the distance of this point")
+        call check(err%other_kind == hm_item_none .and. err%other == -1, "nothing else is named")
     end subroutine
 
     subroutine refusals()

@@ -11,6 +11,7 @@ program use
     use coordinates_tests
     use curves_tests
     use design_tests
+    use edges_tests
     use given_tests
     use kinds_tests
     use memory_tests
@@ -22,7 +23,7 @@ program use
     use polygons_tests
     use refusals_tests
     use safe_tests
-    use slide_tests
+    use slip_tests
     use storage_tests
     use structured_tests
     use threads_tests
@@ -42,6 +43,7 @@ program use
     call versions()
     call curves_by_hand()
     call fits()
+    call fits_of_walls()
     call analysis_alone()
     call solution()
     call rational_curves()
@@ -64,6 +66,7 @@ program use
     call cells_of_two_kinds()
     call boundary_in_pieces()
     call types_of_points()
+    call meshes_of_edges()
     call files()
     call single_precision()
     call own_memory()
@@ -76,7 +79,7 @@ program use
     call safe_strategies()
     call safe_heights()
     call safe_steps()
-    call slide_on_a_circle()
+    call slip_on_a_circle()
     call given_displacements()
     call safe_together()
     call transfers()
