@@ -19,7 +19,7 @@
 #   make cross            other processors and systems under emulators, as far as Debian's cross compilers are there;
 #                         TARGETS="s390x musl"; see tests/cross/run.sh
 #   make compilers        all compilers that are installed, without a warning; LEVELS=-O2; see tests/compilers.sh
-#   make amalgamation     the library in two files, build/amalgamation/harmorph.cpp and harmorph.h
+#   make amalgamation     build/amalgamation: the library in one file, harmorph.cpp, and the headers
 #   make bench            against CHOLMOD, MUMPS, SuperLU, Eigen and OpenBLAS, and gmsh (PARTS=files), as far as they
 #                         are there; see tests/measure/bench/run.sh
 #   make bench-rows       measures what tests/measure/bench/README.md says about speed, and prints the rows of its tables
@@ -169,7 +169,7 @@ amalgamation:
 	@rm -rf $(BUILD)/amalgamation
 	@mkdir -p $(BUILD)/amalgamation
 	@sh c_api/packaging/amalgamate.sh >$(BUILD)/amalgamation/harmorph.cpp
-	@cp include/harmorph.h $(BUILD)/amalgamation/
+	@cp `grep -l '^HM_API' include/*.h` $(BUILD)/amalgamation/
 
 check-link: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' sh tests/check_link.sh $(BUILD)
