@@ -21,7 +21,7 @@ constexpr Index most_stalls = 1;
 constexpr Real rounded_within = 32 * epsilon;
 // Enough for steps that reduce the error by hardly more than `shrinking`. Iterative engines stop at
 // their tolerance.
-Index most_refinements(Method const& method) noexcept { return method.traits().factors ? 40 : 0; }
+Index refinement_limit(Method const& method) noexcept { return method.traits().factors ? 40 : 0; }
 
 // Nodal gradients: every refinement solves for the residual by BiCGSTAB, to this reduction of the
 // residual.
@@ -125,7 +125,7 @@ private:
         refined.norms = residual_.measure(matrix_, dofs_, first, n);
         bool any = false;
         for (Index k = 0; k < n; ++k) any = any || !(refined.norms.relative(k) <= refined_above);
-        return !any || most_refinements(method_) == 0;
+        return !any || refinement_limit(method_) == 0;
     }
 
     // Solves for the residual and adds the correction, until the residual is rounding or no longer
@@ -160,7 +160,7 @@ private:
                 before[k] = now;
                 any = any || wanted.column[k];
             }
-            if (!any || refined.steps == most_refinements(method_)) return Status::ok;
+            if (!any || refined.steps == refinement_limit(method_)) return Status::ok;
             HARMORPH_TRY(correct(n, refined.iterations, fault));
             Residual::Changes const last = change;
             change = residual_.add_to(matrix_, dofs_, first, n, wanted);
