@@ -19,7 +19,7 @@
 #   make cross            other processors and systems under emulators, as far as Debian's cross compilers are there;
 #                         TARGETS="s390x musl"; see tests/cross/run.sh
 #   make compilers        all compilers that are installed, without a warning; LEVELS=-O2; see tests/compilers.sh
-#   make amalgamation     build/amalgamation: the library in one file, harmorph.cpp, and the headers
+#   make amalgamation     the library in one source with its headers, in build/amalgamation
 #   make bench            against CHOLMOD, MUMPS, SuperLU, Eigen and OpenBLAS, and gmsh (PARTS=files), as far as they
 #                         are there; see tests/measure/bench/run.sh
 #   make bench-rows       measures what tests/measure/bench/README.md says about speed, and prints the rows of its tables
@@ -169,7 +169,8 @@ amalgamation:
 	@rm -rf $(BUILD)/amalgamation
 	@mkdir -p $(BUILD)/amalgamation
 	@sh c_api/packaging/amalgamate.sh >$(BUILD)/amalgamation/harmorph.cpp
-	@cp `grep -l '^HM_API' include/*.h` $(BUILD)/amalgamation/
+	@cp include/harmorph.h include/harmorph_design.h include/harmorph_space.h include/harmorph_parts.h \
+	    include/harmorph_study.h $(BUILD)/amalgamation/
 
 check-link: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' sh tests/check_link.sh $(BUILD)
@@ -208,9 +209,9 @@ demo: all
 	@ls $(BUILD)/demo/*.svg $(BUILD)/demo/*.html
 
 # What lies where after an installation; uninstall takes the same list away.
-INSTALLED = bin/harmorph share/man/man1/harmorph.1 lib/libharmorph.so* include/harmorph.h include/harmorph_parts.h \
-	include/harmorph_openmp.h include/harmorph_pthreads.h include/harmorph_mpi.h include/harmorph_petsc.h \
-	include/harmorph_pages.h \
+INSTALLED = bin/harmorph share/man/man1/harmorph.1 lib/libharmorph.so* include/harmorph.h include/harmorph_design.h \
+	include/harmorph_space.h include/harmorph_parts.h include/harmorph_study.h include/harmorph_openmp.h \
+	include/harmorph_pthreads.h include/harmorph_mpi.h include/harmorph_petsc.h include/harmorph_pages.h \
 	lib/libharmorph.a lib/pkgconfig/harmorph.pc \
 	lib/cmake/harmorph/harmorphConfig.cmake lib/cmake/harmorph/harmorphConfigVersion.cmake share/harmorph/*.f90 \
 	share/harmorph/harmorph_mpi.c share/harmorph/harmorph_petsc.c share/harmorph/read_su2.c share/harmorph/read_su2.h \
