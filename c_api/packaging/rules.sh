@@ -1,9 +1,9 @@
 #!/bin/sh
 # usage: rules.sh BUILD   (called by `make rules`, with LEVELS, UNITS and FLAGS in the environment)
 # Writes the files that are joined from several sources, and BUILD/rules.mk, the rules of all objects and programs:
-# POSIX make has no rules that lead from one directory to another, and a new source needs no edit. BUILD/depends.mk holds what
-# the compiler has said of the headers that each object includes. All objects depend on BUILD/flags, which changes when
-# the compiler or its flags do.
+# POSIX make has no rules that lead from one directory to another, and a new source needs no edit. BUILD/depends.mk
+# holds what the compiler has said of the headers that each object includes. All objects depend on BUILD/flags, which
+# changes when the compiler or its flags do.
 #
 # Each file of the library is an object of its own, so that a program links what it calls. Files of the program and of
 # the tests are compiled in groups: the headers that they share, which take most of the time, are read once a group.

@@ -26,7 +26,8 @@ refuses "morph that inverts cells" 1 'admissible' morph "$ring" "$basis" --move 
     --json
 leaves_nothing "morph that inverts cells: nothing written" "$tmp/large.su2"
 has_keys "morph that inverts cells: JSON all the same" \
-    inverted admissible_step boundary_step self_crossing boundary_error min_quality mean_quality morph_seconds moved_curve
+    inverted admissible_step boundary_step self_crossing boundary_error \
+    min_quality mean_quality morph_seconds moved_curve
 runs "morph that inverts cells, --force" 1 morph "$ring" "$basis" --move "$tmp/large.txt" -o "$tmp/large.su2" --force
 check "--force writes" test -s "$tmp/large.su2"
 refuses "check counts inverted cells" 1 'inverted' check "$tmp/large.su2"
