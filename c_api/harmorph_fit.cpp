@@ -1,4 +1,6 @@
 // The C interface: B-splines through points in order, and through the walls of a mesh.
+#include <limits>
+
 #include "bspline/fit.hpp"
 #include "request.hpp"
 
@@ -10,7 +12,7 @@ struct FittedSet {
     Span<hm_curves> set;
     Span<hm_curve> curve;
 
-    void lay_out(Arena& arena, Index n_curves) noexcept {
+    void lay_out(Arena& arena, Offset n_curves) noexcept {
         arena.take(set, 1);
         arena.take(curve, n_curves);
     }
@@ -60,14 +62,14 @@ struct PiecesBlock {
     Size n_indices = 0, n_knots = 0;
 
     // A piece has more points than the degree, and each face has at most two points.
-    void lay_out(Arena& arena, Index max_faces, FitOptions const& options) noexcept {
-        Index const pieces = max_faces / options.degree;
-        Offset const points = Offset{2} * max_faces, wanted = Offset{pieces} * options.n_control;
+    void lay_out(Arena& arena, Offset max_faces, FitOptions const& options) noexcept {
+        Offset const pieces = max_faces / options.degree;
+        Offset const points = 2 * max_faces, wanted = pieces * options.n_control;
         Offset const controls = smaller(points, wanted);
         made.lay_out(arena, 2 * pieces);
         arena.take(control, 2 * controls);
-        arena.take(indices, controls + Offset{pieces} * (options.degree + 2));
-        arena.take(knots, controls + Offset{pieces} * (2 * options.degree + 5));
+        arena.take(indices, controls + pieces * (options.degree + 2));
+        arena.take(knots, controls + pieces * (2 * options.degree + 5));
     }
     void add(Fit const& fit) noexcept {
         for (Index i = 0; i < fit.n_curves; ++i) {
@@ -112,8 +114,14 @@ struct WallRequest {
         HARMORPH_TRY(request.read(&problem, nullptr, fault));
         return check_fit(options.n_control, options, fault);
     }
-    Index max_faces() const noexcept {
-        return static_cast<Index>(Boundary::max_faces(request.problem.mesh));
+    Offset max_faces() const noexcept {
+        return static_cast<Offset>(Boundary::max_faces(request.problem.mesh));
+    }
+    // A piece of the boundary has one point more than faces, at most.
+    Index max_points() const noexcept {
+        constexpr Offset limit = std::numeric_limits<Index>::max() - 2 * max_order;
+        return static_cast<Index>(
+            smaller(larger(max_faces() + 1, Offset{options.n_control}), limit));
     }
     bool is_on(Index marker) const noexcept {
         for (Index const own : markers) {
@@ -131,7 +139,7 @@ struct FitWork {
     Span<unsigned char> room;  // of the fit of any piece
 
     void lay_out(Arena& arena, WallRequest const& wall) noexcept {
-        Index const most = larger(2 * wall.max_faces(), wall.options.n_control);
+        Index const most = wall.max_points();
         analysis.lay_out(arena, wall.request.problem, 0, 0);
         arena.take(point, most);
         arena.take(x, most);

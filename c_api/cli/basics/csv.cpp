@@ -25,9 +25,9 @@ void write_contours_csv(std::ostream& out, const std::vector<std::vector<Contour
     out << "panel,value,line,x,y\n";
     for (std::size_t panel = 0; panel < panels.size(); ++panel) {
         for (std::size_t line = 0; line < panels[panel].size(); ++line) {
-            const ContourLine& its = panels[panel][line];
-            for (const Point& point : its.points) {
-                out << panel + 1 << ',' << brief(its.multiple * step + 0.0) << ',' << line + 1
+            const ContourLine& contour = panels[panel][line];
+            for (const Point& point : contour.points) {
+                out << panel + 1 << ',' << brief(contour.multiple * step + 0.0) << ',' << line + 1
                     << ',' << exact(point.x) << ',' << exact(point.y) << '\n';
             }
         }

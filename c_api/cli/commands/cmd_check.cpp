@@ -56,21 +56,21 @@ void print_markers(const Mesh& mesh) {
     };
     std::vector<Extent> extents(place(loops.count));
     for (std::size_t end = 0; end < mesh.face_points.size(); ++end) {
-        Extent& its = extents[place(loops.of_edge[end / 2])];
+        Extent& extent = extents[place(loops.of_edge[end / 2])];
         const std::size_t point = place(mesh.face_points[end]);
         const double at[2] = {mesh.x[point], mesh.y[point]};
-        its.faces += end % 2 == 0 ? 1 : 0;
+        extent.faces += end % 2 == 0 ? 1 : 0;
         for (const int d : {0, 1}) {
-            its.low[d] = std::min(its.low[d], at[d]);
-            its.high[d] = std::max(its.high[d], at[d]);
+            extent.low[d] = std::min(extent.low[d], at[d]);
+            extent.high[d] = std::max(extent.high[d], at[d]);
         }
     }
     for (std::size_t loop = 0; loop < extents.size() && loop < most_printed; ++loop) {
-        const Extent& its = extents[loop];
+        const Extent& extent = extents[loop];
         std::printf("loop          loop:%s: %s, x = %s .. %s, y = %s .. %s\n",
-                    std::to_string(loop + 1).c_str(), plural(its.faces, "face").c_str(),
-                    brief(its.low[0]).c_str(), brief(its.high[0]).c_str(),
-                    brief(its.low[1]).c_str(), brief(its.high[1]).c_str());
+                    std::to_string(loop + 1).c_str(), plural(extent.faces, "face").c_str(),
+                    brief(extent.low[0]).c_str(), brief(extent.high[0]).c_str(),
+                    brief(extent.low[1]).c_str(), brief(extent.high[1]).c_str());
     }
 }
 
