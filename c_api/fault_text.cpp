@@ -33,7 +33,7 @@ public:
     void put_real(Real value) noexcept {
         if (value != value) return put("NaN");
         if (value < 0) put('-');
-        Real size = absolute(value);
+        Real size = abs(value);
         if (!is_finite(size)) return put("infinity");
         if (size < 1e15 && size == static_cast<Real>(static_cast<Offset>(size))) {
             return put_integer(static_cast<Offset>(size));

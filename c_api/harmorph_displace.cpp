@@ -49,7 +49,7 @@ struct DisplaceCall {
     static Status for_each_block(const Given* given, Index n_fields, Body const& body) noexcept {
         View<Given> views[GivenWall::fields_at_once];
         for (Index first = 0; first < n_fields; first += GivenWall::fields_at_once) {
-            Index const n = smaller(n_fields - first, GivenWall::fields_at_once);
+            Index const n = min(n_fields - first, GivenWall::fields_at_once);
             for (Index i = 0; i < n; ++i)
                 views[i] = {given[first + i].x, given[first + i].y,
                             stride_of(given[first + i].stride)};

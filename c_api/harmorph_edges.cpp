@@ -178,7 +178,7 @@ hm_mesh EdgeCells::present() const noexcept {
     hm_mesh mesh = {};
     Index longest = 0;
     for (Index cell = 0; cell < given.n_cells; ++cell) {
-        longest = larger(longest, start[cell + 1] - start[cell]);
+        longest = max(longest, start[cell + 1] - start[cell]);
     }
     mesh.struct_size = sizeof mesh;
     mesh.index_base = given.index_base;

@@ -65,7 +65,7 @@ struct PiecesBlock {
     void lay_out(Arena& arena, Offset max_faces, FitOptions const& options) noexcept {
         Offset const pieces = max_faces / options.degree;
         Offset const points = 2 * max_faces, wanted = pieces * options.n_control;
-        Offset const controls = smaller(points, wanted);
+        Offset const controls = min(points, wanted);
         made.lay_out(arena, 2 * pieces);
         arena.take(control, 2 * controls);
         arena.take(indices, controls + pieces * (options.degree + 2));
@@ -120,8 +120,7 @@ struct WallRequest {
     // A piece of the boundary has one point more than faces, at most.
     Index max_points() const noexcept {
         constexpr Offset limit = std::numeric_limits<Index>::max() - 2 * max_order;
-        return static_cast<Index>(
-            smaller(larger(max_faces() + 1, Offset{options.n_control}), limit));
+        return static_cast<Index>(min(max(max_faces() + 1, Offset{options.n_control}), limit));
     }
     bool is_on(Index marker) const noexcept {
         for (Index const own : markers) {

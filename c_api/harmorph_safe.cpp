@@ -34,7 +34,7 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
                             "safe options: others is NULL, or n_others is #, not 0 .. @",
                             plain(o.n_others), plain(others.count()));
     }
-    if (o.max_resolves != 0) options.most_resolves = larger(o.max_resolves, Index{0});
+    if (o.max_resolves != 0) options.most_resolves = max(o.max_resolves, Index{0});
     if (!is_between(0, o.heights, 1)) {
         return fault.refuse(Status::bad_argument,
                             "safe options: heights must be between 0 and 1, not ~", {}, {},
@@ -46,7 +46,7 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
                             "safe options: min_quality must be at most 1, not ~", {}, {},
                             o.min_quality);
     }
-    if (o.min_quality != 0) options.min_quality = larger(o.min_quality, 0.0);
+    if (o.min_quality != 0) options.min_quality = max(o.min_quality, 0.0);
     if (o.max_height_change != o.max_height_change ||
         (o.max_height_change != 0 && o.max_height_change <= 1)) {
         return fault.refuse(Status::bad_argument,

@@ -69,8 +69,8 @@ void use_box(hm_variables const& v, CurvesView const& view, Variables& out) noex
     const double* const p = view.set.control;
     out.low = out.high = {p[0], p[1]};
     for (Index i = 1; i < view.set.n_control; ++i) {
-        out.low = {smaller(out.low.x, p[2 * i]), smaller(out.low.y, p[2 * i + 1])};
-        out.high = {larger(out.high.x, p[2 * i]), larger(out.high.y, p[2 * i + 1])};
+        out.low = {min(out.low.x, p[2 * i]), min(out.low.y, p[2 * i + 1])};
+        out.high = {max(out.high.x, p[2 * i]), max(out.high.y, p[2 * i + 1])};
     }
     Vec2 const margin = 0.025 * (out.high - out.low);
     out.low = out.low - margin;

@@ -6,7 +6,7 @@ namespace {
 // 0 where sizes or their sum are out of range.
 Index cells_of_blocks(hm_mesh const& mesh) noexcept {
     Offset n = 0;
-    for (Index b = 0; mesh.block_sizes != nullptr && b < smaller(mesh.n_blocks, Mesh::max_blocks);
+    for (Index b = 0; mesh.block_sizes != nullptr && b < min(mesh.n_blocks, Mesh::max_blocks);
          ++b) {
         Offset const ni = mesh.block_sizes[2 * b], nj = mesh.block_sizes[2 * b + 1];
         if (ni < 2 || nj < 2) return 0;

@@ -27,7 +27,7 @@ bool read_struct(const T* given, T& out) noexcept {
     out = T{};
     if (!has_size(*given)) return false;
     std::memcpy(static_cast<void*>(&out), given,
-                smaller<Size>(static_cast<Size>(given->struct_size), sizeof(T)));
+                min<Size>(static_cast<Size>(given->struct_size), sizeof(T)));
     return true;
 }
 
@@ -59,7 +59,7 @@ template <class T>
 void write_struct(T filled, T* to) noexcept {
     filled.struct_size = to->struct_size;
     std::memcpy(static_cast<void*>(to), &filled,
-                smaller<Size>(static_cast<Size>(to->struct_size), sizeof(T)));
+                min<Size>(static_cast<Size>(to->struct_size), sizeof(T)));
 }
 
 // Element i of an array of structs whose size the first one tells.

@@ -56,7 +56,7 @@ Status view_operator(hm_options const& o, hm_study_options const& study, Method&
                             "the offset correction goes with the conformal operator only");
     }
     method.quarters = o.exponent_quarters == 0 ? method.operator_row().usual_quarters
-                                               : larger(o.exponent_quarters, Index{0});
+                                               : max(o.exponent_quarters, Index{0});
     method.offset_correction = o.offset_correction;
     return Status::ok;
 }

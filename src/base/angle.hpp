@@ -26,17 +26,17 @@ constexpr Real in_degrees(Real radians) noexcept { return radians * (180 / pi); 
 
 // Against the x axis, -pi .. pi, to a few units in the last place; 0 of no length.
 inline Real angle_of(Vec2 v) noexcept {
-    Real const size = larger(absolute(v.x), absolute(v.y));
+    Real const size = max(abs(v.x), abs(v.y));
     if (!(size > 0)) return 0;
     Vec2 const unit = {v.x / size, v.y / size};
     Real const r = length(unit);
     // A quarter turn less where the tangent of half the angle would be large.
     bool const turned = unit.x < 0;
     Real const quarter = turned ? (unit.y < 0 ? -pi / 2 : pi / 2) : 0;
-    Real const x = turned ? absolute(unit.y) : unit.x,
+    Real const x = turned ? abs(unit.y) : unit.x,
                y = turned ? (unit.y < 0 ? unit.x : -unit.x) : unit.y;
     Real t = y / (r + x), factor = 2;
-    for (; absolute(t) > 0.06; factor *= 2) t /= 1 + square_root(1 + t * t);  // the angle halved
+    for (; abs(t) > 0.06; factor *= 2) t /= 1 + sqrt(1 + t * t);  // the angle halved
     Real const s = t * t;  // Gregory's series; what is left out is below 0.06^14 / 15
     Real const series =
         1 - s * (1.0 / 3 -

@@ -28,12 +28,12 @@ DependentColumn find_dependent_column(Span<Real> matrix, Index n, Index numbers)
         Real largest = 0;
         for (Index row = 0; row < rows; ++row) {
             Vec2 const entry = at(row, column);
-            largest = larger(largest, larger(absolute(entry.x), absolute(entry.y)));
+            largest = max(largest, max(abs(entry.x), abs(entry.y)));
         }
         if (!(largest > 0)) return 0.0;
         Real sum = 0;
         for (Index row = 0; row < rows; ++row) sum += square(quotient_of(at(row, column), largest));
-        return largest * square_root(sum);
+        return largest * sqrt(sum);
     };
     for (Index column = 0; column < n; ++column) {
         Real const size = size_of(column);

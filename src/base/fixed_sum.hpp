@@ -54,14 +54,14 @@ public:
         for (; k + lanes <= numbers.size(); k += lanes) {
 #pragma GCC unroll 8
             for (Size lane = 0; lane < lanes; ++lane) {
-                bits[lane] = larger(bits[lane], bits_of(numbers[k + lane]) & ~sign);
+                bits[lane] = max(bits[lane], bits_of(numbers[k + lane]) & ~sign);
             }
         }
         for (std::uint64_t const its : bits) include_bits(its);
         for (; k < numbers.size(); ++k) include(numbers[k]);
     }
     void merge(LargestMagnitude const& others) noexcept { include_bits(others.bits_); }
-    void include_bits(std::uint64_t without_sign) noexcept { bits_ = larger(bits_, without_sign); }
+    void include_bits(std::uint64_t without_sign) noexcept { bits_ = max(bits_, without_sign); }
     Real value() const noexcept {
         Real out;
         std::memcpy(&out, &bits_, sizeof out);
@@ -86,7 +86,7 @@ struct BinaryScale {
     static Index exponent_above(Real x) noexcept {
         if (!is_finite(x)) return not_finite;
         Index const field = static_cast<Index>(bits_of(x) >> 52 & 0x7ff);
-        return larger(least, field - 1022);
+        return max(least, field - 1022);
     }
     // Of products of numbers up to a and b: at most 2 a b, where these are not tiny.
     static BinaryScale of_products(Real a, Real b) noexcept {

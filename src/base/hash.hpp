@@ -56,7 +56,7 @@ inline std::uint64_t hash_of_block(const void* block, Size bytes,
             for (Index piece = begin; piece < end; ++piece) {
                 Size const first = most * static_cast<Size>(piece);
                 Hash one;
-                one.add(hash_of_words(data + 8 * first, smaller(most, words - first)));
+                one.add(hash_of_words(data + 8 * first, min(most, words - first)));
                 one.add(static_cast<std::uint64_t>(piece));
                 its.sum += one.value();
             }

@@ -15,9 +15,9 @@ namespace {
 // a bound of the error by underflow: a few times 2^-1074 times the square of that size.
 constexpr Real large = 0x1p200, underflow = 0x1p-600;
 
-constexpr Real size_of(Vec2 p) noexcept { return larger(absolute(p.x), absolute(p.y)); }
+constexpr Real size_of(Vec2 p) noexcept { return max(abs(p.x), abs(p.y)); }
 constexpr Real size_of(Vec2 a, Vec2 b, Vec2 c) noexcept {
-    return larger(larger(size_of(a), size_of(b)), size_of(c));
+    return max(max(size_of(a), size_of(b)), size_of(c));
 }
 constexpr int sign_of(Real x) noexcept { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
@@ -137,8 +137,8 @@ struct Grid {
         for (Real const x : coordinates) {
             Scaled const scaled(x);
             if (scaled.whole == 0) continue;
-            shift = smaller(shift, scaled.shift);
-            end = larger(end, scaled.shift + scaled.bits());
+            shift = min(shift, scaled.shift);
+            end = max(end, scaled.shift + scaled.bits());
         }
     }
     Index limbs() const noexcept {
@@ -203,8 +203,8 @@ int orientation_sign(Vec2 a, Vec2 b, Vec2 c) noexcept {
     if (p.x == 0 || q.y == 0) return -sign_of(p.y) * sign_of(q.x);
     if (p.y == 0 || q.x == 0) return sign_of(p.x) * sign_of(q.y);
     Real const left = p.x * q.y, right = p.y * q.x;
-    Real const bound = 2.5 * epsilon * (absolute(left) + absolute(right)) + underflow;
-    return absolute(left - right) > bound ? sign_of(left - right) : exact_orientation_sign(a, b, c);
+    Real const bound = 2.5 * epsilon * (abs(left) + abs(right)) + underflow;
+    return abs(left - right) > bound ? sign_of(left - right) : exact_orientation_sign(a, b, c);
 }
 
 // The determinant of rows (x, y, x^2 + y^2) of a, b, c about d. Each product carries 11 rounding
@@ -219,9 +219,9 @@ int in_circle_sign(Vec2 a, Vec2 b, Vec2 c, Vec2 d) noexcept {
         Vec2 const p = from[(k + 1) % 3], q = from[(k + 2) % 3];
         Real const left = p.x * q.y, right = p.y * q.x, squared = square(from[k]);
         sum += squared * (left - right);
-        magnitude += squared * (absolute(left) + absolute(right));
+        magnitude += squared * (abs(left) + abs(right));
     }
-    if (absolute(sum) > 6 * epsilon * magnitude + underflow) return sign_of(sum);
+    if (abs(sum) > 6 * epsilon * magnitude + underflow) return sign_of(sum);
     return exact_in_circle_sign(a, b, c, d);
 }
 

@@ -7,7 +7,7 @@
 namespace harmorph {
 
 // All false for NaN.
-inline bool is_at_most(Real x, Real size) noexcept { return is_finite(x) && absolute(x) <= size; }
+inline bool is_at_most(Real x, Real size) noexcept { return is_finite(x) && abs(x) <= size; }
 inline bool is_between(Real low, Real x, Real high) noexcept {
     return is_finite(x) && low <= x && x <= high;
 }

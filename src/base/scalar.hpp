@@ -12,15 +12,15 @@ inline constexpr Real infinity = __builtin_huge_val();
 inline constexpr Real epsilon = 2.220446049250313e-16;  // 2^-52: spacing of doubles at 1
 
 // -fno-math-errno makes this one instruction wherever the processor has it.
-inline Real square_root(Real x) noexcept { return __builtin_sqrt(x); }
+inline Real sqrt(Real x) noexcept { return __builtin_sqrt(x); }
 
-constexpr Real absolute(Real x) noexcept { return x < 0 ? -x : x; }
+constexpr Real abs(Real x) noexcept { return x < 0 ? -x : x; }
 template <class T>
-constexpr T smaller(T a, T b) noexcept {
+constexpr T min(T a, T b) noexcept {
     return b < a ? b : a;
 }
 template <class T>
-constexpr T larger(T a, T b) noexcept {
+constexpr T max(T a, T b) noexcept {
     return a < b ? b : a;
 }
 template <class T>

@@ -20,7 +20,7 @@ inline bool take_flag(bool& flag) noexcept {
            __atomic_exchange_n(&flag, false, __ATOMIC_ACQUIRE);
 }
 #else
-constexpr Index sharing(Index tasks) noexcept { return smaller(tasks, Index{1}); }
+constexpr Index sharing(Index tasks) noexcept { return min(tasks, Index{1}); }
 inline Index count_up(Index& count) noexcept { return count++; }
 inline void raise_flag(bool& flag) noexcept { flag = true; }
 inline bool take_flag(bool& flag) noexcept {

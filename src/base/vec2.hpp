@@ -27,8 +27,8 @@ constexpr Vec2 quotient(Vec2 a, Vec2 b) noexcept {
     return (1 / square(b)) * product(a, conjugate(b));
 }
 
-constexpr Real largest_of(Vec2 a) noexcept { return larger(absolute(a.x), absolute(a.y)); }
-inline Real length(Vec2 a) noexcept { return square_root(square(a)); }
+constexpr Real largest_of(Vec2 a) noexcept { return max(abs(a.x), abs(a.y)); }
+inline Real length(Vec2 a) noexcept { return sqrt(square(a)); }
 
 // Coordinates that the arithmetic carries: third powers of them and of the smallest height of a
 // cell are neither infinite nor denormal, and nothing here multiplies more than three lengths
@@ -36,7 +36,7 @@ inline Real length(Vec2 a) noexcept { return square_root(square(a)); }
 inline constexpr Real largest_coordinate = 1e100, smallest_height = 1e-100;
 // False for NaN.
 constexpr bool is_in_range(Vec2 p) noexcept {
-    return absolute(p.x) <= largest_coordinate && absolute(p.y) <= largest_coordinate;
+    return abs(p.x) <= largest_coordinate && abs(p.y) <= largest_coordinate;
 }
 
 // Area of triangle a, b, c; positive when it runs counter-clockwise.

@@ -26,10 +26,10 @@ constexpr Vec3 unit_vector(Index axis) noexcept {
 
 // Scaled first: squares of the coordinates may leave the range of numbers.
 inline Real length(Vec3 a) noexcept {
-    Real const size = larger(larger(absolute(a.x), absolute(a.y)), absolute(a.z));
+    Real const size = max(max(abs(a.x), abs(a.y)), abs(a.z));
     if (!(size > 0)) return size;
     Vec3 const scaled = {a.x / size, a.y / size, a.z / size};
-    return size * square_root(dot(scaled, scaled));
+    return size * sqrt(dot(scaled, scaled));
 }
 // Of length 1; 0 stays 0.
 inline Vec3 direction(Vec3 a) noexcept {

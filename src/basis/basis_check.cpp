@@ -170,7 +170,7 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
         return fault.refuse(Status::bad_basis, why, {}, {}, found);
     };
     if (bytes == 0 || std::memcmp(block, BasisHeader::expected_magic,
-                                  smaller(bytes, sizeof BasisHeader::expected_magic)) != 0)
+                                  min(bytes, sizeof BasisHeader::expected_magic)) != 0)
         return refuse("this is not a harmorph basis");
     if (bytes < sizeof(BasisHeader)) {
         return refuse("the basis is truncated: at least ~ bytes are missing",

@@ -11,8 +11,8 @@ struct Extremes {
 
     void include(const Real* values) noexcept {
         for (Index k = 0; k < block_points; ++k) {
-            least[k] = smaller(least[k], values[k]);
-            most[k] = larger(most[k], values[k]);
+            least[k] = min(least[k], values[k]);
+            most[k] = max(most[k], values[k]);
         }
     }
     void merge(Extremes const& others) noexcept {
@@ -56,11 +56,11 @@ BasisMeasures measure_basis(Basis const& basis, Points points, Executor const& e
                                     ? numbers_of(kind, functions.value[k]).plane[plane]
                                     : 0;
                 }
-                measures.value.include(absolute(value - expected), point);
+                measures.value.include(abs(value - expected), point);
                 sum += i < n_control ? value : 0;
             }
             if (!basis.is_on_curve(slot) || !counts.complete()) continue;
-            Real const defect = absolute(sum - numbers_of(kind, {1, 0}).plane[plane]);
+            Real const defect = abs(sum - numbers_of(kind, {1, 0}).plane[plane]);
             if (exceeds(defect, measures.partition_defect)) measures.partition_defect = defect;
         }
         if (!basis.is_on_curve(slot)) continue;
@@ -78,8 +78,8 @@ BasisMeasures measure_basis(Basis const& basis, Points points, Executor const& e
     Extremes const extremes =
         reduce_ranges<Extremes>(blocks_of(basis.n_points()), executor, include);
     for (Index k = 0; k < block_points; ++k) {
-        measures.min_value = smaller(measures.min_value, extremes.least[k]);
-        measures.max_value = larger(measures.max_value, extremes.most[k]);
+        measures.min_value = min(measures.min_value, extremes.least[k]);
+        measures.max_value = max(measures.max_value, extremes.most[k]);
     }
     return measures;
 }

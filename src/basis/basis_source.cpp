@@ -38,7 +38,7 @@ void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const
     Size const bytes = Basis::bytes(counts);
     executor.for_ranges(static_cast<Index>(bytes / piece) + 1, 4, [&](Index begin, Index end) {
         Size const from = piece * static_cast<Size>(begin),
-                   to = smaller(bytes, piece * static_cast<Size>(end));
+                   to = min(bytes, piece * static_cast<Size>(end));
         std::memset(block + from, 0, to - from);
     });
     std::memcpy(header.magic, BasisHeader::expected_magic, sizeof header.magic);

@@ -50,7 +50,7 @@ MeshFingerprint fingerprint_of(Mesh const& mesh) noexcept {
     std::uint64_t sum = 0;  // does not depend on the order of the faces
     mesh.for_each_face([&](BoundaryFace const& face, Index, Index) {
         Hash face_hash;
-        face_hash.add(pair(smaller(face.begin, face.end), larger(face.begin, face.end)));
+        face_hash.add(pair(min(face.begin, face.end), max(face.begin, face.end)));
         face_hash.add(static_cast<std::uint32_t>(face.marker));
         sum += face_hash.value();
         return true;
@@ -59,7 +59,7 @@ MeshFingerprint fingerprint_of(Mesh const& mesh) noexcept {
 }
 
 std::uint64_t sample_of(Mesh const& mesh) noexcept {
-    Index const n = smaller(Index{64}, mesh.n_cells);
+    Index const n = min(Index{64}, mesh.n_cells);
     Hash hash;
     for (Index k = 0; k < n; ++k) {
         for_each_part(mesh, static_cast<Index>(Offset{k} * mesh.n_cells / n),

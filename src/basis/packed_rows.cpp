@@ -97,7 +97,7 @@ Status unpack_parcel(Basis const& rows, const Real* parcel, Offset words, Fault&
     }
     BasisHeader& header = *rows.header;
     header.filled += label.n;
-    header.largest = larger(header.largest, label.largest);
+    header.largest = max(header.largest, label.largest);
     if (header.filled == rows.n_functions()) rows.seal(header.largest);
     return Status::ok;
 }

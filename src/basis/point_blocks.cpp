@@ -11,7 +11,7 @@ constexpr Index least_blocks = 128;  // that are worth a thread
 void to_block(const Real* rows, Index n_points, Index numbers, Real* block) noexcept {
     constexpr Index tile = 8;
     for (Index first = 0; first < numbers; first += tile) {
-        Index const end = smaller(first + tile, numbers);
+        Index const end = min(first + tile, numbers);
         for (Index point = 0; point < n_points; ++point) {
             const Real* const row = rows + Offset{point} * numbers;
             for (Index k = first; k < end; ++k) block[Offset{k} * block_points + point] = row[k];
@@ -37,7 +37,7 @@ void RowsToBlocks::for_each_block(Executor const& executor, Move const& move) co
     Offset const size = Offset{block_points} * numbers;
     if (size == 0) return;
     Index const room =
-        static_cast<Index>(smaller(static_cast<Offset>(work.size()) / size, Offset{most_tasks}));
+        static_cast<Index>(min(static_cast<Offset>(work.size()) / size, Offset{most_tasks}));
     Index const blocks = blocks_of(n_points), tasks = clamp(blocks / least_blocks, Index{1}, room);
     auto const bound = [&](Index task) {
         return static_cast<Index>(Offset{blocks} * task / tasks);
@@ -47,7 +47,7 @@ void RowsToBlocks::for_each_block(Executor const& executor, Move const& move) co
         for (Index number = bound(task); number < bound(task + 1); ++number) {
             Real* const block = values + number * size;
             std::memcpy(copied, block, static_cast<Size>(size) * sizeof(Real));
-            move(copied, smaller(block_points, n_points - number * block_points), numbers, block);
+            move(copied, min(block_points, n_points - number * block_points), numbers, block);
         }
     });
 }

@@ -58,7 +58,7 @@ void Extract::count(Arena& arena, Basis const& whole, Index n_points) noexcept {
     constexpr Index few = 24;
     Extract bound;
     bound.take_work(arena, whole);
-    BasisCounts counts = counts_of(whole, n_points, smaller(n_points, whole.wall_point.count()));
+    BasisCounts counts = counts_of(whole, n_points, min(n_points, whole.wall_point.count()));
     counts.joined = n_points - counts.wall + few;
     bound.basis.lay_out(arena, counts);
 }

@@ -47,7 +47,7 @@ Status store_single(Basis const& from, Basis const& to, Fault& fault) noexcept {
         clear(from.wall_point[slot]);
     }
     for (Index const point : from.joined_point) clear(point);
-    to.seal(larger(largest, static_cast<Real>(static_cast<float>(largest))));
+    to.seal(max(largest, static_cast<Real>(static_cast<float>(largest))));
     return Status::ok;
 }
 

@@ -38,11 +38,11 @@ Real WallMovement::extent(Basis const& basis, Points at) noexcept {
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
         if (!follows_functions(basis, slot)) continue;
         Vec2 const p = at[basis.wall_point[slot]];
-        low = any ? Vec2{smaller(low.x, p.x), smaller(low.y, p.y)} : p;
-        high = any ? Vec2{larger(high.x, p.x), larger(high.y, p.y)} : p;
+        low = any ? Vec2{min(low.x, p.x), min(low.y, p.y)} : p;
+        high = any ? Vec2{max(high.x, p.x), max(high.y, p.y)} : p;
         any = true;
     }
-    return larger(high.x - low.x, high.y - low.y);
+    return max(high.x - low.x, high.y - low.y);
 }
 
 // Fills `row`.
@@ -68,12 +68,12 @@ Vec2 WallMovement::residual(Basis const& basis, Index slot, Points at) noexcept 
 
 void WallMovement::set_up(Basis const& basis) noexcept {
     Real size = 0;
-    for (Vec2 const start : basis.wall_start) size = larger(size, largest_of(start));
+    for (Vec2 const start : basis.wall_start) size = max(size, largest_of(start));
     fill(scale, Real(0));
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
         if (!basis.is_on_curve(slot) || basis.header->method.offset_correction != 0) continue;
         Real& its = scale[basis.wall_curve[slot]];
-        its = larger(its, length(offset_at_start(basis, slot)));
+        its = max(its, length(offset_at_start(basis, slot)));
     }
     for (Real& its : scale) its = its > least_offset * size ? its : 0;
     fill(matrix, Vec2{});
@@ -141,7 +141,7 @@ void WallMovement::factor(Real smallest_pivot) noexcept {
     Offset const n = unknown.count();
     for (Offset k = 0; k < n; ++k) {
         // Rounding may take away from a small entry what has been added to it.
-        Real const pivot = square_root(larger(matrix[k * n + k].x, smallest_pivot));
+        Real const pivot = sqrt(max(matrix[k * n + k].x, smallest_pivot));
         matrix[k * n + k] = {pivot, 0};
         for (Offset i = k + 1; i < n; ++i) matrix[i * n + k] = (1 / pivot) * matrix[i * n + k];
         for (Offset i = k + 1; i < n; ++i) {

@@ -126,7 +126,7 @@ Status check_partner(Span<const Condition> conditions, Index i, Boundary const& 
 }  // namespace
 
 void Demands::add(Condition const& condition) noexcept {
-    if (condition.kind == ConditionKind::rigid) bodies = larger(bodies, condition.body + 1);
+    if (condition.kind == ConditionKind::rigid) bodies = max(bodies, condition.body + 1);
     slip = slip || condition.kind == ConditionKind::slip;
     if (condition.kind == ConditionKind::slip) slip_curves += condition.n_curves;
     free = free || condition.kind == ConditionKind::free;

@@ -40,7 +40,7 @@ private:
     // The bits of one coordinate, spread to every second bit of the number of a square. Half of the
     // grid is within half_size.
     static Index spread(Real from_middle, Real half_size) noexcept {
-        Real const part = from_middle / (absolute(from_middle) + half_size);  // -1 .. 1
+        Real const part = from_middle / (abs(from_middle) + half_size);  // -1 .. 1
         Index bits = static_cast<Index>((0.5 * side - 0.01) * (1 + (part > -1 ? part : -1)));
         bits = (bits | bits << 4) & 0x10f;
         bits = (bits | bits << 2) & 0x133;
@@ -60,7 +60,7 @@ void weigh(FaceDistance const& faces, Index quarters, Span<Real> k, Executor con
     executor.for_ranges((k.count() + block - 1) / block, least_blocks, [&](Index begin, Index end) {
         Index group = 0;
         for (Index number = begin; number < end; ++number) {
-            Index const first = number * block, n = smaller(block, k.count() - first);
+            Index const first = number * block, n = min(block, k.count() - first);
             Vec2 point[block];
             for_each_point(first, first + n, [&](Index i, Vec2 at) { point[i - first] = at; });
             SortedPoints sorted;
@@ -80,7 +80,7 @@ void weigh(FaceDistance const& faces, Index quarters, Span<Real> k, Executor con
 Real FaceDistance::distance(Vec2 from) const noexcept {
     if (count == 0) return infinity;
     Index group = 0;
-    return square_root(distance_kernels(kernel).nearest_square(*this, inverse_unit * from, group)) /
+    return sqrt(distance_kernels(kernel).nearest_square(*this, inverse_unit * from, group)) /
            inverse_unit;
 }
 

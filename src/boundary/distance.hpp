@@ -97,7 +97,7 @@ struct FaceDistance {
     bool may_reach(Vec2 from, Real reach) const noexcept {
         Vec2 const off = inverse_unit * from - middle;
         Real const most = (1 + slack) * (inverse_unit * reach);
-        return !(absolute(off.x) > half_size.x + most || absolute(off.y) > half_size.y + most);
+        return !(abs(off.x) > half_size.x + most || abs(off.y) > half_size.y + most);
     }
     Vec2 at(Foot const& foot, Points points) const noexcept;
 

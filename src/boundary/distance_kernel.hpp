@@ -16,13 +16,13 @@ constexpr Real least_distance = 1e-30;
 
 HARMORPH_INLINE Real largest_of(Real* eight) noexcept {
     for (Index half = lanes / 2; half > 0; half /= 2) {
-        for (Index k = 0; k < half; ++k) eight[k] = larger(eight[k], eight[k + half]);
+        for (Index k = 0; k < half; ++k) eight[k] = max(eight[k], eight[k + half]);
     }
     return eight[0];
 }
 HARMORPH_INLINE Real smallest_of(Real* eight) noexcept {
     for (Index half = lanes / 2; half > 0; half /= 2) {
-        for (Index k = 0; k < half; ++k) eight[k] = smaller(eight[k], eight[k + half]);
+        for (Index k = 0; k < half; ++k) eight[k] = min(eight[k], eight[k + half]);
     }
     return eight[0];
 }
@@ -34,7 +34,7 @@ HARMORPH_INLINE Vector square_from(Segment begin_x, Segment begin_y, Segment alo
                                    Point point_y) noexcept {
     Vector x = point_x - begin_x, y = point_y - begin_y;
     Vector const nearest = (x * along_x + y * along_y) * inverse;
-    Vector const t = Registers::smaller(Registers::larger(nearest, Vector{}), Vector{} + 1);
+    Vector const t = Registers::min(Registers::max(nearest, Vector{}), Vector{} + 1);
     x -= t * along_x;
     y -= t * along_y;
     return x * x + y * y;
@@ -55,10 +55,8 @@ HARMORPH_INLINE Vector square_from(FaceDistance::Segments const& segments, Index
 template <class Corner, class Point>
 HARMORPH_INLINE Vector square_outside(Corner low_x, Corner low_y, Corner high_x, Corner high_y,
                                       Point point_x, Point point_y) noexcept {
-    Vector const x =
-        Registers::larger(Registers::larger(low_x - point_x, point_x - high_x), Vector{});
-    Vector const y =
-        Registers::larger(Registers::larger(low_y - point_y, point_y - high_y), Vector{});
+    Vector const x = Registers::max(Registers::max(low_x - point_x, point_x - high_x), Vector{});
+    Vector const y = Registers::max(Registers::max(low_y - point_y, point_y - high_y), Vector{});
     return x * x + y * y;
 }
 
@@ -134,7 +132,7 @@ struct One {
         if (!(nearest < square || (nearest == square && tried < group)))
             return;  // whichever was tried first
         square = nearest;
-        reach = square_root(nearest);
+        reach = sqrt(nearest);
         group = tried;
     }
 };
@@ -190,15 +188,14 @@ struct Eight {
         for (Index v = 0; v < vectors; ++v) nearest[v] = square[v];
         for (Index lane = 0; lane < lanes; ++lane) {
             for (Index v = 0; v < vectors; ++v) {
-                nearest[v] =
-                    Registers::smaller(nearest[v], square_from(segments, lane, x[v], y[v]));
+                nearest[v] = Registers::min(nearest[v], square_from(segments, lane, x[v], y[v]));
             }
         }
         unsigned any = 0;
         for (Index v = 0; v < vectors; ++v) {
             any |= Registers::less(nearest[v], square[v]);
             square[v] = nearest[v];
-            distance[v] = Registers::square_root(nearest[v]);
+            distance[v] = Registers::sqrt(nearest[v]);
         }
         if (any == 0) return;
         group = tried;
@@ -216,7 +213,7 @@ private:
         for (Index k = 0; k < width; ++k) centre = centre + 1.0 / lanes * Vec2{sum_x[k], sum_y[k]};
         for (Index v = 0; v < vectors; ++v) {
             Vector const to_x = x[v] - centre.x, to_y = y[v] - centre.y;
-            from_centre[v] = Registers::square_root(to_x * to_x + to_y * to_y);
+            from_centre[v] = Registers::sqrt(to_x * to_x + to_y * to_y);
         }
         set_reach();
     }
@@ -264,15 +261,15 @@ private:
 // d^(-quarters / 4), from square roots alone.
 HARMORPH_INLINE Vector weight_of(Vector square, Index quarters) noexcept {
     Vector const d =
-        Registers::larger(Vector{} + least_distance, Registers::square_root(square));  // NaN stays
+        Registers::max(Vector{} + least_distance, Registers::sqrt(square));  // NaN stays
     Vector power = Vector{} + 1;
     if ((quarters & 16) != 0) power *= (d * d) * (d * d);
     if ((quarters & 8) != 0) power *= d * d;
     if ((quarters & 4) != 0) power *= d;
     if ((quarters & 3) != 0) {
-        Vector const root = Registers::square_root(d);
+        Vector const root = Registers::sqrt(d);
         if ((quarters & 2) != 0) power *= root;
-        if ((quarters & 1) != 0) power *= Registers::square_root(root);
+        if ((quarters & 1) != 0) power *= Registers::sqrt(root);
     }
     return 1 / power;
 }

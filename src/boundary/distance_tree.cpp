@@ -28,8 +28,8 @@ struct Extent {
     Vec2 low{infinity, infinity}, high{-infinity, -infinity};
 
     void include(Vec2 p) noexcept {
-        low = {smaller(low.x, p.x), smaller(low.y, p.y)};
-        high = {larger(high.x, p.x), larger(high.y, p.y)};
+        low = {min(low.x, p.x), min(low.y, p.y)};
+        high = {max(high.x, p.x), max(high.y, p.y)};
     }
     Vec2 size() const noexcept { return high - low; }
 };
@@ -89,8 +89,7 @@ void FaceDistance::build(Points points) noexcept {
     auto const at = [&](Index point) { return inverse_unit * points[point]; };
     Index const n_groups = in_eights(static_cast<Size>(count));
     for (Index lane = 0; lane < lanes * n_groups; ++lane) {
-        Face const& face =
-            faces[smaller(lane, count - 1)];  // the last lanes hold the last face again
+        Face const& face = faces[min(lane, count - 1)];  // the last lanes hold the last face again
         groups[lane / lanes].set(lane % lanes, at(face.point[0]), at(face.point[1]));
     }
     Index n_nodes = in_eights(static_cast<Size>(n_groups)), n_boxes = 0;
@@ -130,7 +129,7 @@ void FaceDistance::find_unit(Points points) noexcept {
     for (Face const& face : faces.first(count)) {
         for (Index const point : face.point) all.include(points[point]);
     }
-    extent = larger(all.size().x, all.size().y);
+    extent = max(all.size().x, all.size().y);
     unit = power_of_two_below(extent);  // of a denormal number 0
     if (unit > 0) inverse_unit = 1 / unit;
     constexpr Real margin = 1.0 / 32;
@@ -141,14 +140,14 @@ void FaceDistance::find_unit(Points points) noexcept {
 // From the beginning of the group's first face to the end of its last.
 void FaceDistance::set_chord(Chords& node, Index lane, Points points, Index group) const noexcept {
     node.clear(lane);
-    Index const first = lanes * group, n = smaller(lanes, count - first);
+    Index const first = lanes * group, n = min(lanes, count - first);
     if (n <= 0) return;
     Vec2 const from = inverse_unit * points[faces[first].point[0]];
     Vec2 const to = inverse_unit * points[faces[first + n - 1].point[1]];
     Real radius = 0;  // the distance from a chord is convex: of each face, an end is farthest
     for (Face const& face : faces.from(first, n)) {
         for (Index const point : face.point) {
-            radius = larger(radius, distance_from_segment(from, to, inverse_unit * points[point]));
+            radius = max(radius, distance_from_segment(from, to, inverse_unit * points[point]));
         }
     }
     node.axis.set(lane, from, to);
@@ -160,7 +159,7 @@ void FaceDistance::set_box(Boxes& node, Index lane, Points points, Offset first,
     node.clear(lane);
     if (first >= count) return;
     Extent box;
-    for (Face const& face : faces.from(first, smaller(last, Offset{count}) - first)) {
+    for (Face const& face : faces.from(first, min(last, Offset{count}) - first)) {
         for (Index const point : face.point) box.include(inverse_unit * points[point]);
     }
     Real const margin = slack * (box.size().x + box.size().y);

@@ -98,8 +98,7 @@ FirstLayerChange compare(FirstLayer const& layer, Points before, Points after) n
         Vec2 const normal = left_of(direction(layer.wall.tangent(slot, before)));
         Vec2 const was = before[top] - before[foot],
                    is = turned_back(after[top] - after[foot], turn);
-        Real const angle =
-            in_degrees(absolute(angle_of(turn_between(direction(was), direction(is)))));
+        Real const angle = in_degrees(abs(angle_of(turn_between(direction(was), direction(is)))));
         Real const ratio = dot(is, normal) / dot(was, normal);
         ++change.points;
         change.mean_angle += angle;

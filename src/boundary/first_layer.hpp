@@ -15,7 +15,7 @@ struct WallPoints {
     Span<Index> slot;            // [n_points] number of a mesh point in these lists, or none
 
     static Size most(Index n_points, Size max_faces) noexcept {
-        return smaller(2 * max_faces, static_cast<Size>(n_points));
+        return min(2 * max_faces, static_cast<Size>(n_points));
     }
     void lay_out(Arena& arena, Index n_points, Size max_faces) noexcept;
     void find(Index n_points, FaceDistance const& walls) noexcept;

@@ -233,7 +233,7 @@ Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept {
     Vec2 const offset = point - at[0];
     CurveBasis const functions = curve_basis(curve, u, 1);
     Real slopes = 0;
-    for (Index k = 0; k < functions.order; ++k) slopes += absolute(functions.value[1][k]);
+    for (Index k = 0; k < functions.order; ++k) slopes += abs(functions.value[1][k]);
     return length(offset) * slopes < length(at[1]) ? offset : Vec2{};
 }
 

@@ -102,7 +102,7 @@ private:
         map.centre = condition.centre;
         Real radius = 0;
         for (Index k = 0; k < n_; ++k)
-            radius = larger(radius, length(position(chain_[k]) - map.centre));
+            radius = max(radius, length(position(chain_[k]) - map.centre));
         Real const scale =
             radius > 0 ? 1 / radius : 0;  // products of tiny coordinates would vanish
         auto const from_centre = [&](Index point) {
@@ -137,9 +137,9 @@ private:
         Index worst_at = 0;
         for (Index k = 0; k < n_; ++k) {
             Vec2 const at = position(chain_[k]), image = position(image_of(k));
-            low = {smaller(low.x, at.x), smaller(low.y, at.y)};
-            high = {larger(high.x, at.x), larger(high.y, at.y)};
-            distance = larger(distance, length(image - at));
+            low = {min(low.x, at.x), min(low.y, at.y)};
+            high = {max(high.x, at.x), max(high.y, at.y)};
+            distance = max(distance, length(image - at));
             Real const misfit = length(image - map.of(at));
             if (misfit > worst) {
                 worst = misfit;
@@ -194,11 +194,11 @@ private:
             kinds_[a.point] = PointKind::fixed;
             return Status::ok;
         }
-        Index const low = smaller(a.point, b.point), high = larger(a.point, b.point);
+        Index const low = min(a.point, b.point), high = max(a.point, b.point);
         if (kind == PointKind::slip) {
             bool const both = kinds_[a.point] == kinds_[b.point];
             bool const crossing =
-                both && absolute(cross(tangent_[a.point], tangent_[b.point])) > parallel_below;
+                both && abs(cross(tangent_[a.point], tangent_[b.point])) > parallel_below;
             tangent_[low] = tangent_[kinds_[a.point] == kind ? a.point : b.point];
             kinds_[low] = crossing ? PointKind::fixed : kind;
         } else {

@@ -83,7 +83,7 @@ private:
     }
     // Sine of the angle between two directions, positive to the left; 1 where they are opposite.
     static Real bend(Vec2 a, Vec2 b) noexcept {
-        Real const scale = square_root(square(a)) * square_root(square(b));
+        Real const scale = sqrt(square(a)) * sqrt(square(b));
         return dot(a, b) > 0 ? cross(a, b) / scale : 1;
     }
     // Where the face begins.
@@ -107,14 +107,14 @@ private:
     }
     bool is_smooth(Index loop, Index face) const noexcept {
         Real const here = bend_at(loop, face);
-        if (absolute(here) < smooth_below) return true;
-        if (absolute(here) > corner_above) return false;
+        if (abs(here) < smooth_below) return true;
+        if (abs(here) > corner_above) return false;
         bool any = false;
         Index const beside[] = {before(loop, face), boundary_.after(face, loop)};
         for (Index const other : beside) {
             Real const its = is_between_slipping_faces(loop, other) ? bend_at(loop, other) : 1;
-            if (absolute(its) > corner_above) continue;
-            if (here * its <= 0 || absolute(here) > corner_factor * absolute(its)) return false;
+            if (abs(its) > corner_above) continue;
+            if (here * its <= 0 || abs(here) > corner_factor * abs(its)) return false;
             any = true;
         }
         return any;
@@ -143,7 +143,7 @@ private:
     bool is_straight(Line const& line) const noexcept {
         Vec2 const whole = points_[point_at(line, line.n)] - points_[point_at(line, 0)];
         for (Index k = 0; k < line.n; ++k) {
-            if (!(absolute(bend(whole, side(line.loop, face_at(line, k)))) < straight_below))
+            if (!(abs(bend(whole, side(line.loop, face_at(line, k)))) < straight_below))
                 return false;
         }
         return true;

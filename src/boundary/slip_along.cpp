@@ -112,7 +112,7 @@ Status SlipAlong::give(Condition const& condition, Index n, bool closed, SlipCur
     for (Index k = 0; k < n_points; ++k) {
         Real const distance = length(offset(k));
         if (distance > farthest) where = k;
-        farthest = larger(farthest, distance);
+        farthest = max(farthest, distance);
     }
     if (farthest > most_offset * size) {
         return fault.refuse(
@@ -122,7 +122,7 @@ Status SlipAlong::give(Condition const& condition, Index n, bool closed, SlipCur
     }
     bool const smooth = to.give([&](Index j, Vec2& tangent) {
         if (closed && j == n * SlipCurves::parts) j = 0;  // bit by bit
-        Index const k = smaller(j / SlipCurves::parts, n - 1);
+        Index const k = min(j / SlipCurves::parts, n - 1);
         Real const t = static_cast<Real>(j - k * SlipCurves::parts) / SlipCurves::parts,
                    at = way.at(k, t);
         tangent = way.tangent(at);

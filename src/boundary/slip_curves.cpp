@@ -195,7 +195,7 @@ SlipCurves::Place SlipCurves::on_cubic(const Vec2 (&at)[2], const Vec2 (&tangent
         (value >= 0 ? low : high) = u;
         Real const newton = is_regular(fall, slope) ? u + value / fall : low;
         Real const next = newton > low && newton < high ? newton : 0.5 * (low + high);
-        if (absolute(next - u) <= epsilon) break;
+        if (abs(next - u) <= epsilon) break;
         u = next;
     }
     Vec2 const slope = curve.slope(u);

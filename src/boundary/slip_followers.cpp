@@ -54,7 +54,7 @@ void for_followers(Span<const PointKind> kinds, Executor const& executor,
 // (o / (s + o))^(quarters / 4 + 1)
 Real share_of(Real from_curve, Real from_others, Index quarters) noexcept {
     Real const nearness = from_others < infinity ? from_others / (from_curve + from_others) : 1;
-    Real const root = square_root(square_root(nearness));
+    Real const root = sqrt(sqrt(nearness));
     Real share = nearness;
     for (Index i = 0; i < quarters; ++i) share *= root;
     return share;

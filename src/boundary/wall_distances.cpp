@@ -7,10 +7,10 @@ struct WallBox {
     Vec2 low{infinity, infinity}, high{-infinity, -infinity};
 
     void add(Vec2 p) noexcept {
-        low = {smaller(low.x, p.x), smaller(low.y, p.y)};
-        high = {larger(high.x, p.x), larger(high.y, p.y)};
+        low = {min(low.x, p.x), min(low.y, p.y)};
+        high = {max(high.x, p.x), max(high.y, p.y)};
     }
-    Real extent() const noexcept { return larger(high.x - low.x, high.y - low.y); }
+    Real extent() const noexcept { return max(high.x - low.x, high.y - low.y); }
 };
 
 // A curve lies in the box of its control polygon.
@@ -55,7 +55,7 @@ private:
             measured_ = its_curve;
             curve_extent_ = extent_of(curve);
         }
-        Real const extent = smaller(curve_extent_, wall_extent_);
+        Real const extent = min(curve_extent_, wall_extent_);
         Real const part = extent > smallest_height ? distance / extent : infinity;
         if (part > largest_) {
             largest_ = part;
@@ -86,7 +86,7 @@ private:
         Real least = infinity;
         for (Index next = slot - 1; next <= slot + 1; next += 2) {
             if (next < 0 || next >= wall_.count || wall_.curve[next] >= curves_.count()) continue;
-            least = smaller(least, length(points_[wall_.point[next]] - points_[wall_.point[slot]]));
+            least = min(least, length(points_[wall_.point[next]] - points_[wall_.point[slot]]));
         }
         return least;
     }

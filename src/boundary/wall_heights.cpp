@@ -10,7 +10,7 @@ constexpr Real growth = 0.5;    // of the reach, per length along the wall
 constexpr Real least_jump = 3;  // of feet, against the distance of two points of one cell
 constexpr Index least_points_near_walls = 4096;  // for a thread
 
-Real fade(Real x) noexcept { return x < 1 ? 1 - x * (3 - 2 * square_root(x)) : 0; }
+Real fade(Real x) noexcept { return x < 1 ? 1 - x * (3 - 2 * sqrt(x)) : 0; }
 
 }  // namespace
 
@@ -73,7 +73,7 @@ void WallHeights::bound_by_jumps(Mesh const& mesh, Points before, Span<const Ind
     auto const bound = [&](Index near_point) {
         Real const most = height(walls, near_point, before);
         for (Index const end : walls.faces[foot[near_point].face].point) {
-            reach[wall.slot[end]] = smaller(reach[wall.slot[end]], most);
+            reach[wall.slot[end]] = min(reach[wall.slot[end]], most);
         }
     };
     auto const has_foot = [&](Index near_point) { return foot[near_point].face != none; };
@@ -100,7 +100,7 @@ void WallHeights::grade(FaceDistance const& walls, Points before) noexcept {
     auto const limit = [&](Index face, Index from) {
         Index const a = walls.faces[face].point[from], b = walls.faces[face].point[1 - from];
         Real const most = reach[wall.slot[a]] + growth * length(before[a] - before[b]);
-        reach[wall.slot[b]] = smaller(reach[wall.slot[b]], most);
+        reach[wall.slot[b]] = min(reach[wall.slot[b]], most);
     };
     for (Index pass = 0; pass < 2; ++pass) {
         for (Index face = 0; face < walls.count; ++face) limit(face, 0);

@@ -68,7 +68,7 @@ Status check_control(Curve const& curve, Index number, Fault& fault) noexcept {
             return fault.refuse(Status::bad_curve,
                                 "control point # of curve @ has a coordinate beyond 1e100: ~",
                                 control_point_item(point), curve_item(number),
-                                absolute(place.x) > absolute(place.y) ? place.x : place.y);
+                                abs(place.x) > abs(place.y) ? place.x : place.y);
         if (curve.weights != nullptr && !is_between(1e-10, curve.weights[point], 1e10))
             return fault.refuse(Status::bad_curve,
                                 "the weight of control point # of curve @ is ~, not "
@@ -109,7 +109,7 @@ void raise_degree(Curve const& curve, Index span, Real u, Index j, Index n_deriv
     Real const* const low =
         curve.knots + span + 1 - j;  // function r of degree j - 1 lives on [low[r], high[r]]
     Real const* const high = curve.knots + span + 1;
-    for (Index d = smaller(n_derivatives, j); d >= 1; --d) {  // equation 2.7
+    for (Index d = min(n_derivatives, j); d >= 1; --d) {  // equation 2.7
         Real carried = 0;
         for (Index r = 0; r < j; ++r) {
             Real const slope = static_cast<Real>(j) * basis.value[d - 1][r] / (high[r] - low[r]);

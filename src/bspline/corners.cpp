@@ -129,8 +129,8 @@ void Outline::measure() noexcept {
         turn[k] = curvature[k] = infinity;
         for (Real const reach : window) {
             OutlineBend const bend = bend_at(*this, k, reach);
-            turn[k] = smaller(turn[k], bend.turn);
-            curvature[k] = smaller(curvature[k], bend.curvature);
+            turn[k] = min(turn[k], bend.turn);
+            curvature[k] = min(curvature[k], bend.curvature);
         }
         if (turn[k] == infinity) turn[k] = curvature[k] = 0;
     }
@@ -174,7 +174,7 @@ bool is_short_side(Outline const& outline, Index from, Index to) noexcept {
     for (Index k = from; k != to;) {
         Index const next = k + 1 == n ? 0 : k + 1;
         walked += length(outline.points[next] - outline.points[k]);
-        Real const off = absolute(cross(along, outline.points[next] - start)) / gap;
+        Real const off = abs(cross(along, outline.points[next] - start)) / gap;
         if (off > side_straightness * gap + coordinate_noise ||
             walked > 1.1 * gap + coordinate_noise)
             return false;

@@ -19,15 +19,15 @@ template <class Candidates>
 Index sharpest_of(Outline const& outline, Candidates const& candidates, Index n,
                   Real tie) noexcept {
     Real turn = 0;
-    for (Index j = 0; j < n; ++j) turn = larger(turn, outline.turn[candidates(j)]);
+    for (Index j = 0; j < n; ++j) turn = max(turn, outline.turn[candidates(j)]);
     turn *= 1 - tie;
     Real distance = 0;
     for (Index j = 0; j < n; ++j)
         if (outline.turn[candidates(j)] >= turn)
-            distance = larger(distance, length(outline.points[candidates(j)]));
+            distance = max(distance, length(outline.points[candidates(j)]));
     distance *= 1 - 1e-9;
     Index best = none;
-    auto const from_ends = [&](Index k) { return smaller(k, outline.count() - 1 - k); };
+    auto const from_ends = [&](Index k) { return min(k, outline.count() - 1 - k); };
     for (Index j = 0; j < n; ++j) {
         Index const k = candidates(j);
         if (outline.turn[k] < turn || length(outline.points[k]) < distance) continue;
@@ -85,7 +85,7 @@ bool widens(Outline const& outline, Index start, Index end, bool forward) noexce
         if (cross(away, direction) * inwards < 0 &&
             turn < cosine_of_widening * length(away) * length(direction))
             return true;
-        walked += larger(length(direction), direction_reach);
+        walked += max(length(direction), direction_reach);
         k = after;
     }
     return false;
@@ -97,7 +97,7 @@ bool is_base(Outline const& outline, Index from, Index to) noexcept {
     Vec2 const begin = outline.points[from], end = outline.points[to];
     Vec2 const nose = outline.points[farthest_from(outline, 0.5 * (begin + end))];
     Real const chord = length(outline.points[farthest_from(outline, nose)] - nose);
-    return larger(length(begin - nose), length(end - nose)) > at_the_end * chord;
+    return max(length(begin - nose), length(end - nose)) > at_the_end * chord;
 }
 
 // Which corner a base begins at; none if there is no base, or one at either end of the body. Of

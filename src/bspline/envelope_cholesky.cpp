@@ -4,7 +4,7 @@ namespace harmorph {
 
 void EnvelopeMatrix::lay_out(Arena& arena, Index n, Index bandwidth, bool closes) noexcept {
     Offset const rows = n;
-    Offset const closing = closes ? smaller(rows, Offset(bandwidth)) : 0;
+    Offset const closing = closes ? min(rows, Offset(bandwidth)) : 0;
     arena.take(last_, n);
     arena.take(entries_, rows * (bandwidth + 1) + closing * rows);
 }
@@ -26,13 +26,13 @@ Index EnvelopeMatrix::factor(Real least) const noexcept {
         Real const diagonal = at(i, i);
         for (Index j = first_column(i); j <= i; ++j) {
             Real sum = at(i, j);
-            for (Index k = larger(first_column(i), first_column(j)); k < j; ++k)
+            for (Index k = max(first_column(i), first_column(j)); k < j; ++k)
                 sum -= at(i, k) * at(j, k);
             if (j < i) {
                 at(i, j) = sum / at(j, j);
             } else {
                 if (!(sum > least * diagonal)) return i;
-                at(i, i) = square_root(sum);
+                at(i, i) = sqrt(sum);
             }
         }
     }

@@ -21,7 +21,7 @@ public:
 
     Index count() const noexcept { return n_; }
     Index first_column(Index row) const noexcept {
-        return closes_ && row >= n_ - bandwidth_ ? 0 : larger(Index(0), row - bandwidth_);
+        return closes_ && row >= n_ - bandwidth_ ? 0 : max(Index(0), row - bandwidth_);
     }
     Real& at(Index row, Index column) const noexcept {
         return entries_[last_[row] - (row - column)];

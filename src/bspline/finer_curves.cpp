@@ -16,10 +16,10 @@ Real polar_form(Curve const& curve, Index span, const Real* argument, Real* valu
             Real const before = value[r], width = high[r] - low[r];
             value[r] = carried + (high[r] - u) / width * before;
             carried = (u - low[r]) / width * before;
-            largest = larger(largest, absolute(value[r]));
+            largest = max(largest, abs(value[r]));
         }
         value[j] = carried;
-        largest = larger(largest, absolute(carried));
+        largest = max(largest, abs(carried));
     }
     return largest;
 }
@@ -32,8 +32,7 @@ bool has_periodic_points(Curve const& curve) noexcept {
         if (curve.indices[k] != curve.indices[k + n]) return false;
     }
     for (Index k = 0; k <= 2 * p; ++k) {
-        if (!(absolute(curve.knots[k + n] - curve.knots[k] - period) <= 1e-12 * period))
-            return false;
+        if (!(abs(curve.knots[k + n] - curve.knots[k] - period) <= 1e-12 * period)) return false;
     }
     return true;
 }
@@ -172,7 +171,7 @@ Real FinerCurves::coefficients(Curve const& old, Index span, const Real* argumen
         for (Index r = 0, n = 0; n < old.degree; ++r) {
             if (degree_ == old.degree || r != left_out) chosen[n++] = argument[r];
         }
-        largest = larger(largest, polar_form(old, span, chosen, value));
+        largest = max(largest, polar_form(old, span, chosen, value));
         for (Index k = 0; k <= old.degree; ++k) sum[k] += value[k];
     }
     if (degree_ > old.degree) {
@@ -188,8 +187,7 @@ void FinerCurves::put_row(Curve const& old, Index position) noexcept {
     Real sum[max_order] = {}, least = 0;
     Index span = none;
     for (Index at = position; at < n_positions_; at += period_) {
-        for (Index its = larger(at, degree_); its <= smaller(at + degree_, n_positions_ - 1);
-             ++its) {
+        for (Index its = max(at, degree_); its <= min(at + degree_, n_positions_ - 1); ++its) {
             if (!(knots_[its] < knots_[its + 1])) continue;
             Real candidate[max_order];
             Index const old_span = knot_span(old, knots_[its]);

@@ -164,10 +164,10 @@ void Fit::gather(Index n_corners) noexcept {
         curvature_[m - 1] = curvature_[m - 2];
     }
     for (Index const k : corner_.first(n_corners))
-        curvature_[k] = smaller(curvature_[k - 1], curvature_[k + 1]);
+        curvature_[k] = min(curvature_[k - 1], curvature_[k + 1]);
     for (Index k = 0; k < m; ++k) {
         start_[k] = arc_[k] / arc_[m - 1];
-        Real const reach = arc_[smaller(k + 1, m - 1)] - arc_[larger(k - 1, Index(0))];
+        Real const reach = arc_[min(k + 1, m - 1)] - arc_[max(k - 1, Index(0))];
         squares_.weight[k] =
             0.5 * reach;  // the sum of squares becomes the integral along the curve
     }

@@ -45,13 +45,13 @@ void Fit::report_errors(Points points, Index n, FitReport& report) const noexcep
     for (Index k = 0; k < n; ++k) {
         Real distance = infinity;
         for (Index c = 0; c < n_curves; ++c)
-            distance = smaller(distance, project(curve[c], points[k]).distance);
+            distance = min(distance, project(curve[c], points[k]).distance);
         sum += distance * distance;
         if (k > 0 && distance <= report.max_error) continue;
         report.max_error = distance;
         report.max_error_point = k;
     }
-    report.rms_error = square_root(sum / n);
+    report.rms_error = sqrt(sum / n);
 }
 
 // The point behind which the published curve runs against the step to the next point; or none.

@@ -48,7 +48,7 @@ void share_spans(KnotSites const& sites, Index n_spans) noexcept {
 // not 0 there. Too few points: equal masses.
 void cap_mass(KnotSites const& sites, KnotSection section, Index n_spans) noexcept {
     for (Index k = section.first; k < section.last; ++k) sites.capped[k] = sites.mass[k];
-    Real const most = 1 / static_cast<Real>(smaller(n_spans, section.last - section.first));
+    Real const most = 1 / static_cast<Real>(min(n_spans, section.last - section.first));
     bool capped = true;
     for (Index round = 0; capped && round < 50; ++round) {
         Real const cap = most * sum_of(sites.capped, section);
@@ -78,7 +78,7 @@ Real* divide(KnotSites const& sites, KnotSection section, Index n_spans, Real* k
 
 // x^(1/q) by Newton's method, for 1e-3 <= x <= 1e3.
 Real root(Real x, Index q) noexcept {
-    Real y = larger(x, Real(1));
+    Real y = max(x, Real(1));
     for (Index iteration = 0; iteration < 50; ++iteration) {
         Real power = 1;
         for (Index k = 1; k < q; ++k) power *= y;
@@ -96,7 +96,7 @@ void gather_errors(Curve const& curve, Span<const Real> u, Span<const Real> erro
         for (Index side = -1; side <= 1; side += 2) {
             Real& largest =
                 span_error[knot_span(curve, clamp(u[k] + side * margin, Real(0), Real(1)))];
-            largest = larger(largest, error[k]);
+            largest = max(largest, error[k]);
         }
 }
 
@@ -105,7 +105,7 @@ Real mean_over(Curve const& curve, Span<const Real> span_value, Real low, Real h
     Real sum = 0;
     Real at = low;
     for (Index span = knot_span(curve, low); at < high && span < curve.n_indices; ++span) {
-        Real const next = smaller(high, curve.knots[span + 1]);
+        Real const next = min(high, curve.knots[span + 1]);
         sum += (next - at) * span_value[span];
         at = next;
     }
@@ -117,8 +117,7 @@ Real mean_over(Curve const& curve, Span<const Real> span_value, Real low, Real h
 void weigh_by_curvature(Span<const Real> arc, Span<const Real> curvature,
                         Span<Real> mass) noexcept {
     for (Index k = 0; k < mass.count(); ++k)
-        mass[k] =
-            (arc[k + 1] - arc[k]) * (1 + 8 * square_root(0.5 * (curvature[k] + curvature[k + 1])));
+        mass[k] = (arc[k + 1] - arc[k]) * (1 + 8 * sqrt(0.5 * (curvature[k] + curvature[k + 1])));
 }
 
 void weigh_by_error(Curve const& curve, Span<const Real> u, Span<const Real> error,

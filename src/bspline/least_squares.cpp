@@ -8,7 +8,7 @@ namespace {
 constexpr Real smoothing = 1e-12;
 
 Index bandwidth(Index degree) noexcept {
-    return 2 * larger(degree, Index(2)) + 1;
+    return 2 * max(degree, Index(2)) + 1;
 }  // 2: the second differences
 
 struct SymmetricBlock {  // symmetric
@@ -93,9 +93,9 @@ void step_to_feet(LeastSquares const& fit) noexcept {
         Vec2 const offset = c[0] - fit.points[k];
         fit.error[k] = length(offset);
         Real const speed = square(c[1]);
-        fit.tangent[k] = speed > 0 ? (1 / square_root(speed)) * c[1] : Vec2{};
+        fit.tangent[k] = speed > 0 ? (1 / sqrt(speed)) * c[1] : Vec2{};
         Real const curvature =
-            larger(speed + dot(offset, c[2]), 0.5 * speed);  // far from the curve: no maximum
+            max(speed + dot(offset, c[2]), 0.5 * speed);  // far from the curve: no maximum
         if (k == 0 || k == last || !(curvature > 0)) continue;
         fit.u[k] = clamp(fit.u[k] - dot(offset, c[1]) / curvature, fit.u[0], fit.u[last]);
     }
@@ -106,11 +106,11 @@ void step_to_feet(LeastSquares const& fit) noexcept {
 void put_in_order(LeastSquares const& fit) noexcept {
     Index const n = fit.points.count();
     for (Index k = 0; k < n; ++k) {
-        fit.largest_so_far[k] = k == 0 ? fit.u[0] : larger(fit.largest_so_far[k - 1], fit.u[k]);
+        fit.largest_so_far[k] = k == 0 ? fit.u[0] : max(fit.largest_so_far[k - 1], fit.u[k]);
     }
     Real smallest = fit.u[n - 1];
     for (Index k = n - 1; k >= 0; --k) {
-        smallest = smaller(smallest, fit.u[k]);
+        smallest = min(smallest, fit.u[k]);
         fit.u[k] = 0.5 * (fit.largest_so_far[k] + smallest);
     }
 }
@@ -171,7 +171,7 @@ Real LeastSquares::correct_parameters() noexcept {
         put_in_order(*this);
     }
     Real largest = 0;
-    for (Real const found : error) largest = larger(largest, found);
+    for (Real const found : error) largest = max(largest, found);
     return largest;
 }
 

@@ -19,15 +19,15 @@ Real box_square_distance(Curve const& curve, Index span, Vec2 q) noexcept {
     Vec2 high = low;
     for (Index k = span - curve.degree; k < span; ++k) {
         Vec2 const p = curve.point(k);
-        low = {smaller(low.x, p.x), smaller(low.y, p.y)};
-        high = {larger(high.x, p.x), larger(high.y, p.y)};
+        low = {min(low.x, p.x), min(low.y, p.y)};
+        high = {max(high.x, p.x), max(high.y, p.y)};
     }
-    Real const dx = larger(Real(0), larger(low.x - q.x, q.x - high.x));
-    Real const dy = larger(Real(0), larger(low.y - q.y, q.y - high.y));
+    Real const dx = max(Real(0), max(low.x - q.x, q.x - high.x));
+    Real const dy = max(Real(0), max(low.y - q.y, q.y - high.y));
     return dx * dx + dy * dy;
 }
 
-Real rounding_of(Vec2 q) noexcept { return epsilon * (absolute(q.x) + absolute(q.y)); }
+Real rounding_of(Vec2 q) noexcept { return epsilon * (abs(q.x) + abs(q.y)); }
 
 // Minimum of |C(u) - q| in low <= u <= high of one span: Newton for (C - q) . C' = 0 (P&T
 // equation 6.3), bisection whenever Newton leaves the bracket or does not halve its step. The
@@ -36,23 +36,22 @@ Real rounding_of(Vec2 q) noexcept { return epsilon * (absolute(q.x) + absolute(q
 Candidate minimum_between(Curve const& curve, Index span, Vec2 q, Real low, Real high,
                           Real u) noexcept {
     Real step = high - low;
-    Real const fine = 2 * epsilon * larger(absolute(curve.begin()), absolute(curve.end()));
+    Real const fine = 2 * epsilon * max(abs(curve.begin()), abs(curve.end()));
     for (Index iteration = 0; iteration < 100; ++iteration) {
         Vec2 c[3];
         curve_point_in(curve, span, u, 2, c);
         Vec2 const offset = c[0] - q;
         Real const slope = dot(offset, c[1]);
         Real const curvature = square(c[1]) + dot(offset, c[2]);
-        if (absolute(slope) <= rounding_of(q) * length(c[1])) return {u, square(offset)};
+        if (abs(slope) <= rounding_of(q) * length(c[1])) return {u, square(offset)};
         if (slope < 0) low = u;
         else high = u;
         Real next = u - slope / curvature;
-        if (!(curvature > 0 && next > low && next < high &&
-              absolute(next - u) <= 0.5 * absolute(step)))
+        if (!(curvature > 0 && next > low && next < high && abs(next - u) <= 0.5 * abs(step)))
             next = low + 0.5 * (high - low);
         step = next - u;
         u = next;
-        if (high - low <= fine || absolute(step) <= fine) break;
+        if (high - low <= fine || abs(step) <= fine) break;
     }
     Vec2 last;
     curve_point_in(curve, span, u, 0, &last);
@@ -72,9 +71,8 @@ void search_span(Curve const& curve, SpanSamples const& samples, Vec2 q, Candida
         Index const before = j > 0 ? j - 1 : 0;
         Index const after = j < n ? j + 1 : n;
         if (found[before] < found[j] || found[after] < found[j]) continue;
-        Real const reach =
-            larger(length(point[j] - point[before]), length(point[after] - point[j]));
-        Real const nearest = square_root(found[j]) - reach;
+        Real const reach = max(length(point[j] - point[before]), length(point[after] - point[j]));
+        Real const nearest = sqrt(found[j]) - reach;
         if (nearest > 0 && nearest * nearest > best.square_distance) continue;
         Candidate const minimum =
             minimum_between(curve, span, q, parameter(before), parameter(after), parameter(j));
@@ -109,8 +107,8 @@ Projection Projector::nearest(Vec2 point, Real low, Real high, Real hint) noexce
     Candidate best{hint, bound * bound};
     Index const last = knot_span(curve_, high);
     for (Index span = knot_span(curve_, low); span <= last; ++span) {
-        Real const a = larger(low, curve_.knots[span]);
-        Real const b = smaller(high, curve_.knots[span + 1]);
+        Real const a = max(low, curve_.knots[span]);
+        Real const b = min(high, curve_.knots[span + 1]);
         if (a < b && box_square_distance(curve_, span, point) < best.square_distance) {
             SpanSamples& samples = recent_[span % n_recent];
             samples.take(curve_, span, a, b);
@@ -118,7 +116,7 @@ Projection Projector::nearest(Vec2 point, Real low, Real high, Real hint) noexce
         }
     }
     // A point that coincides with the curve's end within rounding is the end.
-    Real const limit = square_root(best.square_distance) + 8 * rounding_of(point);
+    Real const limit = sqrt(best.square_distance) + 8 * rounding_of(point);
     if (low <= curve_.begin() && length(begin_ - point) <= limit) best.u = curve_.begin();
     else if (high >= curve_.end() && length(end_ - point) <= limit) best.u = curve_.end();
     return {best.u, length(curve_point(curve_, best.u) - point)};
@@ -133,8 +131,7 @@ bool is_closed(Curve const& curve) noexcept {
     Vec2 const end = curve_point(curve, curve.end());
     Real magnitude = 0;
     for (Index k = 0; k < curve.n_indices; ++k)
-        magnitude =
-            larger(magnitude, larger(absolute(curve.point(k).x), absolute(curve.point(k).y)));
+        magnitude = max(magnitude, max(abs(curve.point(k).x), abs(curve.point(k).y)));
     return length(end - begin) <= 16 * epsilon * magnitude;
 }
 
@@ -143,8 +140,7 @@ bool is_periodic(Curve const& curve) noexcept {
     Vec2 begin[2], end[2];
     curve_point(curve, curve.begin(), 1, begin);
     curve_point(curve, curve.end(), 1, end);
-    return absolute(cross(begin[1], end[1])) <= 1e-6 * dot(begin[1], end[1]) &&
-           square(begin[1]) > 0;
+    return abs(cross(begin[1], end[1])) <= 1e-6 * dot(begin[1], end[1]) && square(begin[1]) > 0;
 }
 
 }  // namespace harmorph

@@ -61,8 +61,8 @@ void for_converged(Real low, Real high, Integrand const& integrand, Leaf const& 
             for (Index i = 0; i < n / 2; ++i) {
                 Real const halves = left.value[i] + right.value[i];
                 Real const about =
-                    absolute(left.value[i]) + absolute(right.value[i]) + whole.value[n / 2 + i];
-                converged = converged && absolute(whole.value[i] - halves) <= 64 * epsilon * about;
+                    abs(left.value[i]) + abs(right.value[i]) + whole.value[n / 2 + i];
+                converged = converged && abs(whole.value[i] - halves) <= 64 * epsilon * about;
             }
         }
         if (converged) {

@@ -15,11 +15,11 @@ Real Section::extent() const noexcept {
     for (Index c = 0; c < n_curves; ++c) {
         for (Index k = 0; k < curve[c].n_indices; ++k) {
             Vec2 const p = curve[c].point(k);
-            low = {smaller(low.x, p.x), smaller(low.y, p.y)};
-            high = {larger(high.x, p.x), larger(high.y, p.y)};
+            low = {min(low.x, p.x), min(low.y, p.y)};
+            high = {max(high.x, p.x), max(high.y, p.y)};
         }
     }
-    return larger(high.x - low.x, high.y - low.y);
+    return max(high.x - low.x, high.y - low.y);
 }
 
 Status Section::connect(Fault& fault) noexcept {
@@ -77,8 +77,8 @@ Status Section::find_nose(Fault& fault) noexcept {
             if (!(found > largest)) continue;
             largest = found;
             nose_place = place;
-            low = larger(from, place.u - (to - from) / n);
-            high = smaller(to, place.u + (to - from) / n);
+            low = max(from, place.u - (to - from) / n);
+            high = min(to, place.u + (to - from) / n);
         }
     });
     if (nose_place.curve == nullptr)

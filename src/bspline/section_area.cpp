@@ -94,7 +94,7 @@ Integrals integrals_of(Section const& section) noexcept {
 Status area_moments(Section& section, AreaMoments& moments, Fault& fault) noexcept {
     Integrals sum = integrals_of(section);
     Real const extent = section.extent();
-    if (!(absolute(sum.value[0]) > 64 * epsilon * extent * extent)) {
+    if (!(abs(sum.value[0]) > 64 * epsilon * extent * extent)) {
         return fault.refuse(Status::bad_curve, "the section encloses no area: ~", {}, {},
                             sum.value[0]);
     }

@@ -19,7 +19,7 @@ struct Curvature {
     Vec2 value_by[3], slope_by[4];
 
     explicit Curvature(const Vec2* c) noexcept {
-        Real const size = larger(absolute(c[1].x), absolute(c[1].y));
+        Real const size = max(abs(c[1].x), abs(c[1].y));
         if (!(size > 1e-30 && size < 1e60)) return;
         Real const found = length(c[1]), per = 1 / found;
         if (!is_at_most(c[2], 1e40 * found * found) ||
@@ -27,7 +27,7 @@ struct Curvature {
             return;
         Vec2 const t = per * c[1], a = per * (per * c[2]), b = per * (per * (per * c[3]));
         Real const d = dot(t, a), x = cross(t, a), y = cross(t, b);
-        if (!(absolute(y) + 3 * absolute(x * d) <= 1e100 * per)) return;
+        if (!(abs(y) + 3 * abs(x * d) <= 1e100 * per)) return;
         exists = true;
         speed = found;
         value = x;
@@ -44,7 +44,7 @@ struct Curvature {
 
 private:
     static bool is_at_most(Vec2 derivative, Real size) noexcept {
-        return absolute(derivative.x) <= size && absolute(derivative.y) <= size;
+        return abs(derivative.x) <= size && abs(derivative.y) <= size;
     }
 };
 
@@ -84,7 +84,7 @@ Status nose_radius(Section const& section, Real& radius, ControlGradient const& 
     Real const bend = section.sign *
                       (section.backwards[section.nose_place.curve - section.curve] ? -1 : 1) *
                       at.value;
-    if (!section.nose_is_smooth || !at.exists || !(absolute(bend) * section.extent() > 1e-12)) {
+    if (!section.nose_is_smooth || !at.exists || !(abs(bend) * section.extent() > 1e-12)) {
         return fault.refuse(
             Status::bad_curve,
             "the leading edge is a corner or straight: it has no radius of curvature");
@@ -108,8 +108,8 @@ Status smallest_radius(Section const& section, Bend& bend, ControlGradient const
             CurvePlace const place{&curve, span, u};
             Curvature const at = curvature_at(place);
             if (!at.exists) still = place;
-            if (absolute(at.value) <= largest) return;
-            largest = absolute(at.value);
+            if (abs(at.value) <= largest) return;
+            largest = abs(at.value);
             bend.place = place;
         };
         Index const n = 8 * curve.degree;

@@ -32,8 +32,8 @@ bool find_points(Section const& section, Vec2 through, CurvePlace& top,
         Real least = infinity, most = -infinity;  // the span lies in the hull of its control points
         for (Index k = span - curve.degree; k <= span; ++k) {
             Real const at = dot(curve.point(k) - through, along);
-            least = smaller(least, at);
-            most = larger(most, at);
+            least = min(least, at);
+            most = max(most, at);
         }
         if (least > 0 || most < 0) return;
         Index const n = 4 * curve.degree;
@@ -71,7 +71,7 @@ StationDerivative differentiate(Section const& section, StationValue which,
         offset = offset + part * from_chord;
         // The parameter is where (C - point) . along = 0.
         Real const slope = dot(c[1], along), tangent = length(c[1]);
-        out.finite = out.finite && absolute(slope) > 1e-9 * tangent * size;
+        out.finite = out.finite && abs(slope) > 1e-9 * tangent * size;
         Real const factor = -part * dot(c[1], normal) / slope;
         by_point = part * normal + factor * along;
         out.point = out.point - factor * along;
@@ -127,7 +127,7 @@ Status measure_extreme(Section const& section, StationValue which, ExtremeStatio
     for (Index k = 1; k < n; ++k) {
         Real const value = value_at(section, which, place(k), station);
         if (value == -infinity) continue;
-        Real const size = which == StationValue::camber ? absolute(value) : value;
+        Real const size = which == StationValue::camber ? abs(value) : value;
         if (!(size > largest)) continue;
         largest = size;
         best = k;
@@ -143,7 +143,7 @@ Status measure_extreme(Section const& section, StationValue which, ExtremeStatio
         return found ? sign * slope_at(section, which, there) : 0;
     };
     Neighbours at = {place(best), place(best)};
-    Real const low = place(larger(best - 1, Index{1})), high = place(smaller(best + 1, n - 1));
+    Real const low = place(max(best - 1, Index{1})), high = place(min(best + 1, n - 1));
     if (rise(low) > 0 && rise(high) < 0) at = sign_change_between(low, high, rise);
     value_at(section, which, at.low, station);
     extreme.behind = station;

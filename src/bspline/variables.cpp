@@ -23,8 +23,7 @@ void bernstein(Index n, Real t, Real* value) noexcept {
 // I. Abbott, A. von Doenhoff, Theory of Wing Sections, 6.4; the last coefficient closes the
 // trailing edge.
 Real naca_half_thickness(Real t) noexcept {
-    return 5 *
-           (0.2969 * square_root(t) + t * (-0.1260 + t * (-0.3516 + t * (0.2843 - 0.1036 * t))));
+    return 5 * (0.2969 * sqrt(t) + t * (-0.1260 + t * (-0.3516 + t * (0.2843 - 0.1036 * t))));
 }
 
 Real naca_camber(Real peak, Real t) noexcept {
@@ -58,7 +57,7 @@ void Variables::shapes(Real station, bool upper, Real* value) const noexcept {
         }
         case VariableKind::hicks_henne:
             for (Index j = first; j < end; ++j) {
-                Real const at = smaller(power(station, logarithm(0.5) / logarithm(peak(j))), 1.0);
+                Real const at = min(power(station, logarithm(0.5) / logarithm(peak(j))), 1.0);
                 value[j] = power(sine_of_pi(at), width);
             }
             break;
@@ -245,10 +244,10 @@ void VariableMap::measure_errors(Section const& section, Variables const& variab
                 left = left + basis.value[0][k] * Vec2{pair[0], pair[1]};
             }
             error[2 * j] += weight * square(left);
-            error[2 * j + 1] = larger(error[2 * j + 1], length(left));
+            error[2 * j + 1] = max(error[2 * j + 1], length(left));
         }
     });
-    for (Index j = 0; j < n_; ++j) error[2 * j] = square_root(error[2 * j] / total);
+    for (Index j = 0; j < n_; ++j) error[2 * j] = sqrt(error[2 * j] / total);
 }
 
 Status VariableMap::run(Section const& section, Variables const& variables, Fault& fault) noexcept {

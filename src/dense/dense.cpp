@@ -26,7 +26,7 @@ struct Front {
     Panel<Number> const& panel;
     Slabs<Number> own = panel.own(), border = panel.of_border();
 
-    Index end_of(Index first) const noexcept { return smaller(panel.pivots, first + strip); }
+    Index end_of(Index first) const noexcept { return min(panel.pivots, first + strip); }
     // Multiplications of real numbers in `n` multiplications of numbers of the panel.
     Offset cost(Offset n) const noexcept { return Offset{planes} * planes * n; }
     Number* border_rows(Number* y, Index row) const noexcept {
@@ -55,7 +55,7 @@ constexpr Index pieces(Index n, Index size) noexcept { return (n + size - 1) / s
 template <class Body>
 void spread(Executor const& executor, Offset multiplications, Index n, Body const& body) noexcept {
     bool const alone = executor.is_serial() || multiplications < worth_threads;
-    Index const used = alone ? smaller(n, Index{1}) : smaller(executor.n_threads, n);
+    Index const used = alone ? min(n, Index{1}) : min(executor.n_threads, n);
     executor.for_each(used, [&](Index thread) {
         for (Index i = thread; i < n; i += used) body(i);
     });
@@ -68,9 +68,9 @@ void spread_rows(Executor const& executor, Index begin, Index end, Offset multip
     Index const tiles = pieces(end - begin, most_tile_rows);
     bool const alone =
         executor.is_serial() || multiplications_per_row * (end - begin) < worth_threads;
-    Index const ranges = alone ? smaller(tiles, Index{1}) : smaller(executor.n_threads, tiles);
+    Index const ranges = alone ? min(tiles, Index{1}) : min(executor.n_threads, tiles);
     auto const bound = [&](Index i) {
-        return smaller(end, begin + i * tiles / ranges * most_tile_rows);
+        return min(end, begin + i * tiles / ranges * most_tile_rows);
     };
     executor.for_each(ranges, [&](Index i) { body(bound(i), bound(i + 1)); });
 }
@@ -96,7 +96,7 @@ void spread_columns(Executor const& executor, Front const& front, Index end,
                bool const is_own = i < own;
                Slabs<Number> const& columns = is_own ? front.own : front.border;
                Index const from = is_own ? end + i * chunk : (i - own) * chunk;
-               body(columns, from, smaller(columns.columns, from + chunk),
+               body(columns, from, min(columns.columns, from + chunk),
                     is_own ? sums : sums + front.panel.border_sums());
            });
 }

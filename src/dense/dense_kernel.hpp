@@ -5,8 +5,8 @@
 namespace harmorph::dense::HARMORPH_SET {
 namespace {
 
-HARMORPH_INLINE double square_root(double x) noexcept { return __builtin_sqrt(x); }
-HARMORPH_INLINE float square_root(float x) noexcept { return __builtin_sqrtf(x); }
+HARMORPH_INLINE double sqrt(double x) noexcept { return __builtin_sqrt(x); }
+HARMORPH_INLINE float sqrt(float x) noexcept { return __builtin_sqrtf(x); }
 
 // A diagonal block A beside a unit matrix. Elimination without roots turns [A | 1] into [D L^H |
 // L^-1], A = L D L^H.
@@ -62,7 +62,7 @@ Index factor_block(Number* a, Index n, Number (&sum)[planes][slab], const Number
         if (!(pivot > floor * row_size)) return k;
         if (pivot < least_left * row_size) least_left = pivot / row_size;
         Number const inverse = 1 / pivot;
-        scale[k] = 1 / square_root(pivot);
+        scale[k] = 1 / sqrt(pivot);
         for (Index r = k + 1; r < n; ++r) {
             Number const real = both.at[k][0][r] * inverse;
             Number const imaginary = planes == 2 ? both.at[k][planes - 1][r] * inverse : 0;
@@ -126,7 +126,7 @@ Index factor_diagonal(Panel<Number> const& panel, Index first, Index end, Number
         for (Index r = end; r < padded_end; ++r) inner[p][r - first] = 0;
     }
     for (Index k = first; k < end; k += slab) {
-        Index const n = smaller(slab, end - k), behind = end - k - n;
+        Index const n = min(slab, end - k), behind = end - k - n;
         if (k > first) subtract_product<planes>(own, own, own, {first, k}, {k, k + n}, {k, end});
         Number sum[planes][slab], size[slab];
         sum_rows<planes>(own, {k, k + n}, {k + n, end}, static_cast<Slabs<Number> const*>(nullptr),
@@ -150,9 +150,9 @@ void finish_columns(Panel<Number> const& panel, Slabs<Number> const& columns, In
                     Index end, Index from, Index to, Number* sums, Number* column_sums) noexcept {
     Slabs<Number> const own = panel.own();
     for (Index c = from; c < to; c += tile_columns<planes, Number>) {
-        Range const tile{c, smaller(to, c + tile_columns<planes, Number>)};
+        Range const tile{c, min(to, c + tile_columns<planes, Number>)};
         for (Index k = first; k < end; k += slab) {
-            Index const n = smaller(slab, end - k);
+            Index const n = min(slab, end - k);
             if constexpr (planes == 1 && tile_rows<planes> == slab) {  // all of it in registers
                 if (n == slab) {
                     InSlabs<Number, 1> const above{columns, first, c}, block{columns, k, c};
@@ -174,7 +174,7 @@ template <class Number, Index planes>
 void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index begin,
                  const Number* sums) noexcept {
     Slabs<Number> const border = panel.of_border(), d = update.all();
-    Index const end = smaller(update.n, begin + strip);
+    Index const end = min(update.n, begin + strip);
     Number sum[planes][strip];
     for (Index r = begin; r < end; ++r) {
         for (Index p = 0; p < planes; ++p) {
@@ -182,9 +182,9 @@ void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update,
         }
     }
     for (Index c = begin; c < update.n; c += chunk) {
-        Range const columns{c, smaller(update.n, c + chunk)};
+        Range const columns{c, min(update.n, c + chunk)};
         for (Index k = 0; k < panel.pivots; k += strip) {
-            subtract_product<planes>(border, border, d, {k, smaller(panel.pivots, k + strip)},
+            subtract_product<planes>(border, border, d, {k, min(panel.pivots, k + strip)},
                                      {begin, end}, columns, true);
         }
     }
@@ -197,7 +197,7 @@ template <class Number, Index planes>
 void solve_strip_forward(Slabs<Number> const& own, Index first, Index end, Number* y,
                          Index row) noexcept {
     for (Index k = first; k < end; k += slab) {
-        Index const n = smaller(slab, end - k);
+        Index const n = min(slab, end - k);
         InRows<Number, planes> const block = sides<planes>(y, row, k);
         if (k > first)
             subtract_from_rows<planes>(own, sides<planes>(y, row, first), block, {first, k},
@@ -217,7 +217,7 @@ template <class Number, Index planes>
 void subtract_backward(Slabs<Number> const& columns, Index begin, Number* y, Number* rest,
                        Index row, Index from, Index to, Offset ahead) noexcept {
     for (Index k = begin; k < columns.columns; k += strip) {
-        subtract_across<planes>(columns, {k, smaller(columns.columns, k + strip)}, {from, to},
+        subtract_across<planes>(columns, {k, min(columns.columns, k + strip)}, {from, to},
                                 sides<planes>(rest, row, k), sides<planes>(y, row, from), ahead);
     }
 }
@@ -226,7 +226,7 @@ template <class Number, Index planes>
 void solve_strip_backward(Slabs<Number> const& own, Index first, Index end, Number* y, Index row,
                           Offset ahead) noexcept {
     for (Index k = first + (end - 1 - first) / slab * slab; k >= first; k -= slab) {
-        Index const n = smaller(slab, end - k);
+        Index const n = min(slab, end - k);
         InRows<Number, planes> const block = sides<planes>(y, row, k);
         prefetch_rows<planes>(own.at(k, k) + ahead, n);
         if (k + n < end)

@@ -51,7 +51,7 @@ void add_front(Slabs<Number> const& from, const Index* target, Panel<Number> con
     Index j = 0;
     while (j < from.columns && target[j] < panel.pivots) {
         Index const begin = target[j] / lanes<Number> * lanes<Number>;
-        Index const end = smaller(begin + lanes<Number>, panel.pivots);
+        Index const end = min(begin + lanes<Number>, panel.pivots);
         Index to = j + 1;
         while (to < from.columns && target[to] < end) ++to;
         add_column<planes>(Source<Number>(from, j, to, target, begin), target, {0, to},

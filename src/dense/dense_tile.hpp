@@ -5,8 +5,8 @@ namespace harmorph::dense::HARMORPH_SET {
 namespace {
 
 // Not those of base/scalar.hpp: the linker might take the copy compiled here for all other code.
-HARMORPH_INLINE constexpr Index smaller(Index a, Index b) noexcept { return b < a ? b : a; }
-HARMORPH_INLINE Index larger(Index a, Index b) noexcept { return a < b ? b : a; }
+HARMORPH_INLINE constexpr Index min(Index a, Index b) noexcept { return b < a ? b : a; }
+HARMORPH_INLINE Index max(Index a, Index b) noexcept { return a < b ? b : a; }
 
 template <class Number>
 using Registers = simd::HARMORPH_SET::Registers<Number>;

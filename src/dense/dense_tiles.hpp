@@ -50,7 +50,7 @@ void tile_across(Slabs<Number> const& a, Index i, Range k, Product<Number> const
     const Number* entries = a.at(i, k.begin);
     for (Index c = k.begin; c < k.end; c += slab) {
         if (ahead != 0) prefetch_rows<planes>(entries + ahead, rows);
-        sums.template add<Op::plain>(entries, product.b, smaller(slab, k.end - c), c - k.begin);
+        sums.template add<Op::plain>(entries, product.b, min(slab, k.end - c), c - k.begin);
         entries += step<planes> * a.rows_of_slab(c / slab);
     }
     product.template leave<Op::plain>(sums);
@@ -80,8 +80,8 @@ private:
     template <Index rows>
     static constexpr OfHeight of_height{{tile<rows, 1>, tile<rows, 2>, tile<rows, widest>}};
     static constexpr Index most = tile_rows<planes>;
-    static constexpr OfHeight all[] = {of_height<1>, of_height<2>, of_height<smaller(4, most)>,
-                                       of_height<smaller(6, most)>, of_height<smaller(8, most)>};
+    static constexpr OfHeight all[] = {of_height<1>, of_height<2>, of_height<min(4, most)>,
+                                       of_height<min(6, most)>, of_height<min(8, most)>};
     static_assert(most == 2 || most == 4 || most == 8, "the heights that `all` has");
 };
 
@@ -153,11 +153,11 @@ void subtract_product(Slabs<Number> const& a, Slabs<Number> const& b, Slabs<Numb
                       Range k, Range i, Range j, bool upper = false) noexcept {
     using Block = InSlabs<Number, planes>;
     for (Index c = j.begin; c < j.end; c += tile_columns<planes, Number>) {
-        Index const end = smaller(j.end, c + tile_columns<planes, Number>),
-                    last = upper ? smaller(i.end, end) : i.end;
+        Index const end = min(j.end, c + tile_columns<planes, Number>),
+                    last = upper ? min(i.end, end) : i.end;
         for (Index r = i.begin; r < last; r += tile_rows<planes>) {
-            Index const from = upper ? larger(c, r / lanes<Number> * lanes<Number>) : c;
-            any_tile_down<planes>(Store::subtract, smaller(tile_rows<planes>, last - r), end - from,
+            Index const from = upper ? max(c, r / lanes<Number> * lanes<Number>) : c;
+            any_tile_down<planes>(Store::subtract, min(tile_rows<planes>, last - r), end - from,
                                   a.at(k.begin, r), Block{b, k.begin, from}, k.count(),
                                   Block{d, r, from});
         }
@@ -170,7 +170,7 @@ void subtract_from_rows(Slabs<Number> const& a, InRows<Number, planes> b, InRows
                         Range k, Range i) noexcept {
     for (Index r = i.begin; r < i.end; r += tile_rows<planes>) {
         for (Index c = 0; c < d.width; c += tile_columns<planes, Number>) {
-            any_tile_down<planes>(Store::subtract, smaller(tile_rows<planes>, i.end - r),
+            any_tile_down<planes>(Store::subtract, min(tile_rows<planes>, i.end - r),
                                   static_cast<Index>(d.width) - c, a.at(k.begin, r), b.at(0, c),
                                   k.count(), d.at(r - i.begin, c));
         }
@@ -185,7 +185,7 @@ HARMORPH_INLINE void apply_inverse(Slabs<Number> const& u, Index first, Index n,
     for (Index c = 0; c < columns; c += tile_columns<planes, Number>) {
         for (Index r = (n - 1) / tile_rows<planes> * tile_rows<planes>; r >= 0;
              r -= tile_rows<planes>) {
-            Index const rows = smaller(tile_rows<planes>, n - r);
+            Index const rows = min(tile_rows<planes>, n - r);
             any_tile_across<planes>(Store::set, rows, columns - c, u, first + r,
                                     {first, first + r + rows}, b.at(0, c), b.at(r, c), 0);
         }
@@ -197,7 +197,7 @@ template <Index planes, class Number>
 void apply_inverse_transposed(Index n, const Number* inverse, InRows<Number, planes> b) noexcept {
     for (Index c = 0; c < b.width; c += tile_columns<planes, Number>) {
         for (Index r = 0; r < n; r += tile_rows<planes>) {
-            any_tile_down<planes>(Store::set, smaller(tile_rows<planes>, n - r),
+            any_tile_down<planes>(Store::set, min(tile_rows<planes>, n - r),
                                   static_cast<Index>(b.width) - c, inverse + r * step<planes> + r,
                                   b.at(r, c), n - r, b.at(r, c));
         }
@@ -211,7 +211,7 @@ void subtract_across(Slabs<Number> const& a, Range k, Range i, InRows<Number, pl
                      InRows<Number, planes> d, Offset ahead) noexcept {
     for (Index r = i.begin; r < i.end; r += tile_rows<planes>) {
         for (Index c = 0; c < d.width; c += tile_columns<planes, Number>) {
-            any_tile_across<planes>(Store::subtract, smaller(tile_rows<planes>, i.end - r),
+            any_tile_across<planes>(Store::subtract, min(tile_rows<planes>, i.end - r),
                                     static_cast<Index>(d.width) - c, a, r, k, b.at(0, c),
                                     d.at(r - i.begin, c), c == 0 ? ahead : 0);
         }

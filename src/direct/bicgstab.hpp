@@ -49,9 +49,7 @@ Status BiconjugateGradients::run(Span<Real> r, Index columns, Real reduction, In
                                  Index& iterations, Apply const& apply,
                                  Precondition const& precondition) noexcept {
     // Where there is nothing to do, and where the method breaks down, 0.
-    constexpr auto quotient = [](Real a, Real b) {
-        return absolute(b) > 1e-30 * absolute(a) ? a / b : 0;
-    };
+    constexpr auto quotient = [](Real a, Real b) { return abs(b) > 1e-30 * abs(a) ? a / b : 0; };
     Numbers one;
     for (Real& number : one.at) number = 1;
     copy(shadow, Span<const Real>(r));

@@ -158,8 +158,8 @@ namespace {
 
 Real least_of(Span<const double> doubles, Span<const float> singles) noexcept {
     Real least = 1;
-    for (double const part : doubles) least = smaller(least, part);
-    for (float const part : singles) least = smaller(least, static_cast<Real>(part));
+    for (double const part : doubles) least = min(least, part);
+    for (float const part : singles) least = min(least, static_cast<Real>(part));
     return least;
 }
 

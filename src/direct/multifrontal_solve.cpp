@@ -101,8 +101,7 @@ private:
         constexpr Size at_once = 64;  // tested without a branch in between
         for (Size begin = 0; begin < numbers.size(); begin += at_once) {
             bool any = false;
-            for (Number const number :
-                 numbers.from(begin, smaller(at_once, numbers.size() - begin))) {
+            for (Number const number : numbers.from(begin, min(at_once, numbers.size() - begin))) {
                 any |= number != 0;
             }
             if (any) return false;

@@ -44,7 +44,7 @@ Size Boundary::max_faces(Mesh const& mesh) noexcept {
     Size in_blocks = 0;
     if (mesh.block_markers != nullptr) {
         for (Index k = 0; k < 2 * mesh.n_blocks; ++k) {
-            in_blocks += 2 * static_cast<Size>(larger(mesh.block_sizes[k], Index{1}) - 1);
+            in_blocks += 2 * static_cast<Size>(max(mesh.block_sizes[k], Index{1}) - 1);
         }
     }
     return static_cast<Size>(mesh.n_faces) + static_cast<Size>(in_lists < 0 ? 0 : in_lists) +
@@ -74,7 +74,7 @@ Status Boundary::mark(Topology& topology, Fault& fault) noexcept {
         if (edges.second[edge] == Edges::unmarked) {
             given_marker[count] = face.marker;
             given_begin[count] = edge;  // which way it runs is not known yet
-            given_end[count] = smaller(representative[face.begin], representative[face.end]);
+            given_end[count] = min(representative[face.begin], representative[face.end]);
             edges.second[edge] = marked_with(count++);
         } else if (given_marker[face_of_edge(edges.second[edge])] != face.marker) {
             fault.refuse(Status::bad_mesh,

@@ -31,7 +31,7 @@ void select(Span<BoxTree::Entry> entries, Index k, bool vertical) noexcept {
         Real const a = along(entries[low], vertical),
                    b = along(entries[low + (high - low) / 2], vertical),
                    c = along(entries[high], vertical);
-        Real const pivot = larger(smaller(a, b), smaller(larger(a, b), c));
+        Real const pivot = max(min(a, b), min(max(a, b), c));
         Index i = low, j = high;
         while (i <= j) {
             while (along(entries[i], vertical) < pivot) ++i;

@@ -10,8 +10,8 @@ struct Box {
     Vec2 low{infinity, infinity}, high{-infinity, -infinity};
 
     void include(Vec2 p) noexcept {
-        low = {smaller(low.x, p.x), smaller(low.y, p.y)};
-        high = {larger(high.x, p.x), larger(high.y, p.y)};
+        low = {min(low.x, p.x), min(low.y, p.y)};
+        high = {max(high.x, p.x), max(high.y, p.y)};
     }
     void include(Box const& other) noexcept {
         include(other.low);
@@ -19,8 +19,8 @@ struct Box {
     }
     Vec2 centre() const noexcept { return 0.5 * low + 0.5 * high; }
     Real squared_distance(Vec2 p) const noexcept {
-        Real const x = larger(larger(low.x - p.x, p.x - high.x), 0.0);
-        Real const y = larger(larger(low.y - p.y, p.y - high.y), 0.0);
+        Real const x = max(max(low.x - p.x, p.x - high.x), 0.0);
+        Real const y = max(max(low.y - p.y, p.y - high.y), 0.0);
         return x * x + y * y;
     }
 };

@@ -38,13 +38,12 @@ struct CellCorners {
         Real const sum = (twice_area[0] + twice_area[1]) + (twice_area[2] + twice_area[3]),
                    zero = sum - sum;
         if (zero != 0) return zero;
-        return smaller(smaller(twice_area[0], twice_area[1]),
-                       smaller(twice_area[2], twice_area[3]));
+        return min(min(twice_area[0], twice_area[1]), min(twice_area[2], twice_area[3]));
     }
     // Of the sides: the square of the longest one.
     Real longest_square(Index n) const noexcept {
-        Real const three = larger(larger(square(side[0]), square(side[1])), square(side[2]));
-        return n == 3 ? three : larger(three, square(side[3]));
+        Real const three = max(max(square(side[0]), square(side[1])), square(side[2]));
+        return n == 3 ? three : max(three, square(side[3]));
     }
     // Of the corners: twice the area divided by the longer of the two sides. Corners have to be
     // positive.
@@ -52,8 +51,7 @@ struct CellCorners {
         Real least = infinity;
         for (Index k = 0; k < n; ++k) {
             Index const before = k == 0 ? n - 1 : k - 1;
-            least = smaller(
-                least, twice_area[k] / square_root(larger(square(side[before]), square(side[k]))));
+            least = min(least, twice_area[k] / sqrt(max(square(side[before]), square(side[k]))));
         }
         return least;
     }
@@ -70,10 +68,10 @@ inline constexpr Real smallest_of_products = 0x1p-150, largest_of_products = 0x1
 // The least height that a cell at coordinates of this size may have. A movement rounds each
 // coordinate by up to 2^-53 of its size, which changes a height by no more than 2^-50 of that: 16
 // such changes do not turn a corner over.
-inline Real resolved_height(Real size) noexcept { return larger(0x1p-46 * size, smallest_height); }
+inline Real resolved_height(Real size) noexcept { return max(0x1p-46 * size, smallest_height); }
 inline Real resolved_height(CellShape const& shape) noexcept {
     Real size = 0;
-    for (Index k = 0; k < shape.n; ++k) size = larger(size, largest_of(shape.at[k]));
+    for (Index k = 0; k < shape.n; ++k) size = max(size, largest_of(shape.at[k]));
     return resolved_height(size);
 }
 

@@ -28,7 +28,7 @@ void ControlVolumes::measure(OrientedMesh const& cells, Points points,
             Vec2 const middle = barycentre - at[k];
             area[unknown] += 0.5 * (cross(ahead, middle) + cross(middle, behind));
             shortest_edge[unknown] =
-                smaller(shortest_edge[unknown], 2 * smaller(length(ahead), length(behind)));
+                min(shortest_edge[unknown], 2 * min(length(ahead), length(behind)));
         }
     }
 }

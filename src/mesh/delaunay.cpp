@@ -24,7 +24,7 @@ void Triangulation::lay_out(Arena& arena, Mesh const& of) noexcept {
     mesh = Mesh{};
     mesh.n_points = of.n_points;
     mesh.layout = CellLayout::triangles;
-    mesh.n_cells = static_cast<Index>(smaller(n, static_cast<Size>(Mesh::max_cells)));
+    mesh.n_cells = static_cast<Index>(min(n, static_cast<Size>(Mesh::max_cells)));
     edges.lay_out(arena, mesh);
 }
 

@@ -44,7 +44,7 @@ Mesh PolygonDivision::lay_out(Arena& arena, Mesh const& polygons) noexcept {
     if (polygons.layout != CellLayout::polygons) return polygons;
     Index most_corners = 0;
     for (Index i = 0; i < polygons.n_cells; ++i) {
-        most_corners = larger(most_corners, polygons.cell_start[i + 1] - polygons.cell_start[i]);
+        most_corners = max(most_corners, polygons.cell_start[i + 1] - polygons.cell_start[i]);
     }
     Mesh mesh = polygons;
     mesh.layout = CellLayout::quads;
@@ -123,9 +123,9 @@ void PolygonDivision::divide(Corners const& corners) noexcept {
             Index best = none;
             Real best_worst = 0;
             for (Index k = i + 1; k < j; ++k) {
-                Real const parts = smaller(worst[at(i, k)], worst[at(k, j)]);
+                Real const parts = min(worst[at(i, k)], worst[at(k, j)]);
                 if (best != none && !(parts > best_worst)) continue;
-                Real const all = smaller(parts, corners.shape(i, k, j));
+                Real const all = min(parts, corners.shape(i, k, j));
                 if (best != none && !(all > best_worst)) continue;
                 best = k;
                 best_worst = all;

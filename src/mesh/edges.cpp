@@ -19,8 +19,7 @@ void sort_few(Span<Edges::Side> sides) noexcept {
     }
     for (Size last = n - 1; last > 0; --last) {
         for (Size i = 0; i < last; ++i) {
-            std::uint64_t const low = smaller(key[i], key[i + 1]),
-                                high = larger(key[i], key[i + 1]);
+            std::uint64_t const low = min(key[i], key[i + 1]), high = max(key[i], key[i + 1]);
             key[i] = low;
             key[i + 1] = high;
         }
@@ -54,7 +53,7 @@ Index visit_sides(Mesh const& mesh, PointOf point_of, Visit visit) noexcept {
         for (Index k = 0; k < cell.n; ++k) {
             Index const a = point_of(cell.point[k]), b = point_of(cell.next(k));
             if (a == b) return true;
-            visit(smaller(a, b), Edges::Side{larger(a, b), 2 * i + (a < b ? 0 : 1)});
+            visit(min(a, b), Edges::Side{max(a, b), 2 * i + (a < b ? 0 : 1)});
         }
         return false;
     });
@@ -124,7 +123,7 @@ Status Edges::build(Mesh const& mesh, Span<const Index> representative, Fault& f
 }
 
 Index Edges::find(Index a, Index b) const noexcept {
-    Index const begin = smaller(a, b), end = larger(a, b);
+    Index const begin = min(a, b), end = max(a, b);
     Index low = start[begin], high = start[begin + 1];
     while (low < high) {
         Index const middle = low + (high - low) / 2;

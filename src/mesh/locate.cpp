@@ -15,7 +15,7 @@ Real squared_distance(CellShape const& shape, Vec2 point) noexcept {
         if (!(cross(side, to_point) < -rounding * square(side))) continue;
         inside = false;
         Real const t = clamp(dot(to_point, side) / square(side), 0.0, 1.0);
-        least = smaller(least, square(to_point - t * side));
+        least = min(least, square(to_point - t * side));
     }
     return inside ? 0 : least;
 }
@@ -23,9 +23,9 @@ Real squared_distance(CellShape const& shape, Vec2 point) noexcept {
 Real longest_side(CellShape const& shape) noexcept {
     Real longest = 0;
     for (Index k = 0; k < shape.n; ++k) {
-        longest = larger(longest, square(shape.at[k + 1 == shape.n ? 0 : k + 1] - shape.at[k]));
+        longest = max(longest, square(shape.at[k + 1 == shape.n ? 0 : k + 1] - shape.at[k]));
     }
-    return square_root(longest);
+    return sqrt(longest);
 }
 
 // weight[corner] += share * barycentric coordinates in the triangle of corners a, b, c.
@@ -72,7 +72,7 @@ Location Locator::locate(Vec2 point, Index hint) const noexcept {
     Nearest const found = tree.nearest(point, start, squared);
     Location out;
     out.cell = found.item;
-    out.distance = square_root(found.squared);
+    out.distance = sqrt(found.squared);
     if (out.cell == none) return out;
     CellShape const corners = shape(out.cell);
     Cell const cell = cells.cell(out.cell);

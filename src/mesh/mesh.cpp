@@ -136,7 +136,7 @@ Status check_range(Points points, Index n_points, Fault& fault, Executor const& 
     }
     return fault.refuse(Status::bad_mesh,
                         "point # has the coordinate ~; they may be as large as 1e100",
-                        point_item(k), {}, absolute(p.x) > absolute(p.y) ? p.x : p.y);
+                        point_item(k), {}, abs(p.x) > abs(p.y) ? p.x : p.y);
 }
 
 Status check_counts(Mesh const& mesh, Fault& fault) noexcept {

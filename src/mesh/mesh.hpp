@@ -243,8 +243,8 @@ Index Mesh::find_cell(Index begin, Index end, Is is) const noexcept {
     if (layout == CellLayout::blocks) {
         Index found = none;
         find_block([&](GridBlock const& block) {
-            Index const last = smaller(end, block.first_cell + block.n_cells());
-            for (Index i = larger(begin, block.first_cell); i < last; ++i) {
+            Index const last = min(end, block.first_cell + block.n_cells());
+            for (Index i = max(begin, block.first_cell); i < last; ++i) {
                 if (!is(i, block.cell(i - block.first_cell))) continue;
                 found = i;
                 return true;

@@ -28,7 +28,7 @@ public:
         Index const root_a = root(a), root_b = root(b);
         Index const parity = (root_a ^ root_b ^ opposite) & 1;
         if (root_a >> 1 == root_b >> 1) return parity == 0;
-        Index const low = smaller(root_a, root_b) >> 1, high = larger(root_a, root_b) >> 1;
+        Index const low = min(root_a, root_b) >> 1, high = max(root_a, root_b) >> 1;
         parent_[high] = 2 * low + parity;
         return true;
     }
@@ -52,10 +52,10 @@ Sense common_sense(Mesh const& mesh, Real& least_height) noexcept {
         CellCorners const corners({cell, mesh.points, clockwise});
         Real const area = corners.smallest();
         if (!(area > 0)) return true;
-        least = smaller(least, area / corners.longest_square(cell.n) * area);
+        least = min(least, area / corners.longest_square(cell.n) * area);
         return false;
     });
-    least_height = inverted == none ? (1 - rounding) * square_root(least) : 0;
+    least_height = inverted == none ? (1 - rounding) * sqrt(least) : 0;
     return inverted != none ? Sense::mixed
            : clockwise      ? Sense::clockwise
                             : Sense::counter_clockwise;

@@ -24,8 +24,7 @@ struct Translations {
         Vec2 const shift = points[new_image] - points[new_point];
         for (Index k = 0; k < n; ++k) {
             Vec2 const known = of(k, points);
-            if (smaller(length(shift - known), length(shift + known)) <=
-                same_within * length(known))
+            if (min(length(shift - known), length(shift + known)) <= same_within * length(known))
                 return true;
         }
         if (n == most) return false;

@@ -65,16 +65,16 @@ struct Adder {
     template <class Number>
     void add_points(Span<Number> values, Index begin, Index end, FixedSums& total) const noexcept {
         Index const whole =
-            by_points.stride == 1 ? smaller(end, basis.n_points() / block_points) : begin;
+            by_points.stride == 1 ? min(end, basis.n_points() / block_points) : begin;
         for (Index block = begin; block < whole; block += most_blocks) {
             Index const point = block * block_points;
-            add(values, block, smaller(most_blocks, whole - block),
+            add(values, block, min(most_blocks, whole - block),
                 {by_points.x + point, by_points.y + point}, total);
         }
         for (Index block = whole; block < end; ++block) {
             BlockGradient by;
             Index const point = block * block_points,
-                        n = smaller(block_points, basis.n_points() - point);
+                        n = min(block_points, basis.n_points() - point);
             for (Index i = 0; i < n; ++i) by.set(i, by_points[point + i]);
             add_block(values, block, by, total);
         }
@@ -86,7 +86,7 @@ struct Adder {
         Index const slots = basis.wall_point.count();
         for (Index begin = 0; begin < slots; begin += block_points) {
             BlockGradient by;
-            Index const n = smaller(block_points, slots - begin);
+            Index const n = min(block_points, slots - begin);
             for (Index i = 0; i < n; ++i) by.set(i, by_points[basis.wall_point[begin + i]]);
             add_block(basis.value, begin / block_points, by, total);
         }
@@ -148,7 +148,7 @@ ProductKernels const& kernels_for(Basis const& basis, Executor const& executor) 
 template <class Body>
 void for_each_part(Index row_length, Body const& body) noexcept {
     for (Index first = 0; first < row_length; first += Movements::most) {
-        body(FunctionPart{first, smaller(Movements::most, row_length - first)});
+        body(FunctionPart{first, min(Movements::most, row_length - first)});
     }
 }
 
@@ -160,7 +160,7 @@ BinaryScale adjoint_scale(Basis const& basis, Points gradient_by_points,
     ProductKernels const& kernels = kernels_for(basis, executor);
     for_block_ranges(basis.n_points(), executor, [&](Index first, Index behind, Index i) {
         Index const begin = first * block_points,
-                    end = smaller(behind * block_points, basis.n_points());
+                    end = min(behind * block_points, basis.n_points());
         if (gradient_by_points.stride == 1) {
             largest[i].include_bits(
                 kernels.largest_bits(gradient_by_points.x + begin, end - begin));

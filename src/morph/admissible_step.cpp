@@ -6,7 +6,7 @@ namespace harmorph {
 
 // The root is taken without cancellation.
 Real smallest_positive_root(Real a, Real b, Real c) noexcept {
-    Real const size = larger(larger(absolute(a), absolute(b)), c);
+    Real const size = max(max(abs(a), abs(b)), c);
     // A displacement that is not finite, or areas that are not, leave nothing.
     if (!is_finite(a) || !is_finite(b) || !is_finite(c)) return 0;
     if (a >= 0 && b >= 0) return infinity;
@@ -20,7 +20,7 @@ Real smallest_positive_root(Real a, Real b, Real c) noexcept {
     Real const discriminant = b * b - 4 * a * c;
     if (discriminant < -4 * epsilon * b * b) return infinity;
     // But for rounding, an area that touches 0 has a root there
-    Real const root = square_root(larger(discriminant, 0.0));
+    Real const root = sqrt(max(discriminant, 0.0));
     if (b <= 0)
         return 2 * c / (root - b);  // a > 0: the smaller of two positive roots; a < 0: the only one
     return a < 0 ? -(b + root) / (2 * a) : infinity;

@@ -47,7 +47,7 @@ inline void AdmissibleStep::add(Index number, Index n, CellCorners const& now,
         // Most corners cannot become 0 before the limit so far: area + slope s - |curvature| s^2 >
         // 0 there.
         if (area > 0 && is_finite(area) && step < infinity &&
-            area + step * (smaller(slope, 0.0) + step * smaller(curvature, 0.0)) > 0)
+            area + step * (min(slope, 0.0) + step * min(curvature, 0.0)) > 0)
             continue;
         Real const its = area > 0 ? smallest_positive_root(curvature, slope, area) : 0;
         if (its < step) *this = {its, number, k};

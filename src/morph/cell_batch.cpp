@@ -68,13 +68,13 @@ struct Collector {
     template <Index width>
     void take_list(const Index* points, Index begin, Index first, Index end) noexcept {
         for (Index n = 0; first < end; first += n) {
-            n = smaller(CellBatches::most, end - first);
+            n = min(CellBatches::most, end - first);
             take<width>(points + Offset{width} * (first - begin), first, n);
         }
     }
     void take_rows(Index first, Index end) noexcept {
         for (Index n = 0; first < end; first += n) {
-            n = smaller(CellBatches::most, end - first);
+            n = min(CellBatches::most, end - first);
             const Index* const start = cells.mesh.cell_start + first;
             const Index* const points =
                 cells.mesh.cell_points + (Offset{*start} - cells.mesh.index_base);
@@ -95,11 +95,10 @@ struct Collector {
     void take_grid(Index begin, Index end) noexcept {
         Index points[4 * CellBatches::most], n = 0;
         auto const take_block = [&](GridBlock const& block) {
-            Index const last = smaller(end, block.first_cell + block.n_cells()),
-                        width = block.ni - 1;
-            for (Index i = larger(begin, block.first_cell), added = 0; i < last; i += added) {
+            Index const last = min(end, block.first_cell + block.n_cells()), width = block.ni - 1;
+            for (Index i = max(begin, block.first_cell), added = 0; i < last; i += added) {
                 Index const its = i - block.first_cell, left_in_row = width - its % width;
-                added = smaller(smaller(last - i, left_in_row), CellBatches::most - n);
+                added = min(min(last - i, left_in_row), CellBatches::most - n);
                 Index corner = block.cell(its).point[0];
                 for (Index* to = points + 4 * n; to < points + 4 * (n + added); to += 4, ++corner) {
                     to[0] = corner;
@@ -148,8 +147,8 @@ void for_each_batch(OrientedMesh const& cells, Index begin, Index end,
         collector.take_list<3>(mesh.cell_points, 0, begin, end);
     } else if (mesh.layout == CellLayout::mixed) {
         Index const n = mesh.n_triangles();
-        collector.take_list<3>(mesh.cell_points, 0, begin, smaller(end, n));
-        collector.take_list<4>(mesh.quad_points, n, larger(begin, n), end);
+        collector.take_list<3>(mesh.cell_points, 0, begin, min(end, n));
+        collector.take_list<4>(mesh.quad_points, n, max(begin, n), end);
     } else if (mesh.layout == CellLayout::rows) {
         collector.take_rows(begin, end);
     } else if (mesh.layout == CellLayout::structured || mesh.layout == CellLayout::blocks) {

@@ -72,11 +72,11 @@ public:
             sum_ = squares[0] + squares[1] + squares[2];
         } else {
             sum_ = squares[1] * squares[n / 2];
-            root_[0] = Registers::square_root(squares[0] * squares[1]);
-            root_[1] = Registers::square_root(sum_);
-            root_[2] = Registers::square_root(squares[n / 2] * squares[n - 1]);
+            root_[0] = Registers::sqrt(squares[0] * squares[1]);
+            root_[1] = Registers::sqrt(sum_);
+            root_[2] = Registers::sqrt(squares[n / 2] * squares[n - 1]);
         }
-        mean_ = is_compared ? Registers::square_root(cell_area * size) : one;
+        mean_ = is_compared ? Registers::sqrt(cell_area * size) : one;
         larger_ = is_compared ? most_of(cell_area, size) : one;
     }
     HARMORPH_INLINE Vector end() const noexcept {
@@ -221,8 +221,7 @@ std::uint64_t look_at(CellList const& cells, CellPlaces const& its, CellBounds c
             for (Index k = 0; k < groups; ++k) Registers::store(sum + k * lanes, sums[k]);
         } else {
             Index const last = cells.n - cells.n % eight;
-            for (Index i = last; i < cells.n; ++i)
-                sum[i - last] += larger(quality->quality[i], 0.0);
+            for (Index i = last; i < cells.n; ++i) sum[i - last] += max(quality->quality[i], 0.0);
         }
         quality->sum =
             ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));

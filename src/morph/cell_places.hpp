@@ -16,8 +16,8 @@ using Few [[gnu::vector_size(8 * few)]] = Real;
 constexpr unsigned all = (1u << lanes) - 1;  // bits
 
 // harmorph::smaller() and larger() in each lane: a where one of the two is NaN.
-HARMORPH_INLINE Vector least_of(Vector a, Vector b) noexcept { return Registers::smaller(b, a); }
-HARMORPH_INLINE Vector most_of(Vector a, Vector b) noexcept { return Registers::larger(b, a); }
+HARMORPH_INLINE Vector least_of(Vector a, Vector b) noexcept { return Registers::min(b, a); }
+HARMORPH_INLINE Vector most_of(Vector a, Vector b) noexcept { return Registers::max(b, a); }
 
 struct Vectors {
     Vector x, y;
@@ -146,7 +146,7 @@ private:
                 std::memcpy(other_at_.y[k] + i, &other_y, sizeof y);
             }
             for (; i % eight != 0 || i < cells.n; ++i) {
-                Offset const its = from_zero(corner[n * smaller(i, cells.n - 1)], cells.index_base);
+                Offset const its = from_zero(corner[n * min(i, cells.n - 1)], cells.index_base);
                 at_.x[k][i] = points.x[its * points.stride];
                 at_.y[k][i] = points.y[its * points.stride];
                 if (!both) continue;

@@ -10,8 +10,8 @@ struct FaceBox {
     Vec2 low{infinity, infinity}, high{-infinity, -infinity};
 
     void include(Vec2 p) noexcept {
-        low = {smaller(low.x, p.x), smaller(low.y, p.y)};
-        high = {larger(high.x, p.x), larger(high.y, p.y)};
+        low = {min(low.x, p.x), min(low.y, p.y)};
+        high = {max(high.x, p.x), max(high.y, p.y)};
     }
     bool is_point() const noexcept { return low.x == high.x && low.y == high.y; }
     bool overlaps(FaceBox const& other) const noexcept {
@@ -106,7 +106,7 @@ private:
         if (same(a, d) && same(b, c)) return part_by_mesh(face, other) || part_by_mesh(other, face);
         if (orientation_sign(a, b, c) != 0 || orientation_sign(a, b, d) != 0) return false;
         auto const share = [](Real p, Real q, Real r, Real s) {
-            return larger(smaller(p, q), smaller(r, s)) < smaller(larger(p, q), larger(r, s));
+            return max(min(p, q), min(r, s)) < min(max(p, q), max(r, s));
         };
         return a.x != b.x ? share(a.x, b.x, c.x, d.x) : share(a.y, b.y, c.y, d.y);
     }

@@ -29,12 +29,12 @@ void Displacement::lay_out(Arena& arena, Plan const& plan, Index fields) noexcep
     Offset const row = 2 * Offset{plan.mesh().n_points};
     arena.take(place, plan.given().point.count());
     arena.take(value, row * n_fields);
-    arena.take(source, row * smaller(n_fields, GivenWall::fields_at_once));
+    arena.take(source, row * min(n_fields, GivenWall::fields_at_once));
 }
 
 Displacement::Block Displacement::block_of(Plan const& plan, Index field) const noexcept {
     Index const first = field / GivenWall::fields_at_once * GivenWall::fields_at_once;
-    Index const n = smaller(n_fields - first, GivenWall::fields_at_once);
+    Index const n = min(n_fields - first, GivenWall::fields_at_once);
     Offset const row = 2 * Offset{plan.mesh().n_points};
     return {first, n, value.from(row * first, row * n)};
 }

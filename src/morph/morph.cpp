@@ -29,7 +29,7 @@ public:
     void for_each_part(Body const& body) const noexcept {
         Index const row_length = basis_.row_length();
         for (Index first = 0; first < row_length; first += Movements::most) {
-            Index const width = smaller(Movements::most, row_length - first),
+            Index const width = min(Movements::most, row_length - first),
                         part = first / Movements::most;
             if (part < n_stored) body(first, width, stored_[part]);
             else body(first, width, made(first));
@@ -42,7 +42,7 @@ private:
     Movements made(Index first) const noexcept {
         Movements by = {};
         Index const n = basis_.n_functions(),
-                    width = smaller(Movements::most, basis_.row_length() - first);
+                    width = min(Movements::most, basis_.row_length() - first);
         Index plane = first / n, function = first % n;
         for (Index k = 0; k < width; ++k) {
             Vec2 const moved =
@@ -94,7 +94,7 @@ void morph_chunk(ProductKernels const& kernels, Span<Number> values, Basis const
     Chunk sums(n);
     sums.add(kernels, values, basis.row_length(), move, first, n);
     Index const begin = first * block_points,
-                n_points = smaller(n * block_points, basis.n_points() - begin);
+                n_points = min(n * block_points, basis.n_points() - begin);
     for (Index k = 0; k < n_points; ++k) {
         to.set(begin + k, sums.move_point(from.given() ? from[begin + k] : Vec2{}, k));
     }
@@ -108,8 +108,7 @@ void morph_blocks(ProductKernels const& kernels, Span<Number> values, Basis cons
                   Index end) noexcept {
     bool const side_by_side = (!from.given() || from.stride == 1) && to.stride == 1;
     if (side_by_side && basis.row_length() <= Movements::most) {
-        Index const whole = smaller(end, basis.n_points() / block_points),
-                    point = begin * block_points;
+        Index const whole = min(end, basis.n_points() / block_points), point = begin * block_points;
         move.for_each_part([&](Index, Index width, Movements const& by) {
             Offset const stride = Offset{width} * block_points;
             ValueBlocks<Number> const blocks{values.data() + begin * stride, stride, whole - begin,
@@ -122,8 +121,7 @@ void morph_blocks(ProductKernels const& kernels, Span<Number> values, Basis cons
         begin = whole;
     }
     for (Index first = begin; first < end; first += chunk_blocks) {
-        morph_chunk(kernels, values, basis, move, from, to, first,
-                    smaller(chunk_blocks, end - first));
+        morph_chunk(kernels, values, basis, move, from, to, first, min(chunk_blocks, end - first));
     }
 }
 
@@ -143,7 +141,7 @@ void morph_wall(ProductKernels const& kernels, Basis const& basis, RowMovements 
                 MutablePoints to) noexcept {
     Index const n_slots = basis.wall_point.count(), n_blocks = blocks_of(n_slots);
     for (Index first = 0; first < n_blocks; first += chunk_blocks) {
-        Index const n = smaller(chunk_blocks, n_blocks - first), begin = first * block_points;
+        Index const n = min(chunk_blocks, n_blocks - first), begin = first * block_points;
         Chunk sums(n);
         sums.add(kernels, basis.value, basis.row_length(), move, first, n);
         for (Index k = 0; k < n * block_points && begin + k < n_slots; ++k) {

@@ -12,7 +12,7 @@ using Words = Registers::Words;
 constexpr Index lanes = Registers::lanes;
 constexpr Index vectors = block_points / lanes;  // of a number in a block
 constexpr Index at_once =
-    smaller(vectors, Index{Registers::count / 4});  // two sums each fill half the registers
+    min(vectors, Index{Registers::count / 4});  // two sums each fill half the registers
 // Instructions of AVX-512 take a number from memory for all lanes.
 constexpr bool spreads_operands = lanes == 8;
 
@@ -290,10 +290,10 @@ std::uint64_t largest_bits(const Real* numbers, Index n) noexcept {
         }
     }
     std::uint64_t largest = 0;
-    for (; i < n; ++i) largest = larger(largest, bits_of(numbers[i]) & without_sign);
+    for (; i < n; ++i) largest = max(largest, bits_of(numbers[i]) & without_sign);
     for (Words const& chain : most) {
         for (Index lane = 0; lane < lanes; ++lane)
-            largest = larger<std::uint64_t>(largest, chain[lane]);
+            largest = max<std::uint64_t>(largest, chain[lane]);
     }
     return largest;
 }

@@ -13,7 +13,7 @@ struct Count {
 void Quality::merge(Quality const& later) noexcept {
     if (inverted == 0) first_inverted = later.first_inverted;
     inverted += later.inverted;
-    min_area = smaller(min_area, later.min_area);
+    min_area = min(min_area, later.min_area);
     if (later.min_quality < min_quality) {
         min_quality = later.min_quality;
         min_quality_cell = later.min_quality_cell;

@@ -36,14 +36,14 @@ inline Fraction skew_fraction(Index n, CellCorners const& corners) noexcept {
     }
     if (in_range) {
         Real const opposite = square_of[1] * square_of[2];
-        Real const root[3] = {square_root(square_of[0] * square_of[1]), square_root(opposite),
-                              square_root(square_of[2] * square_of[3])};
+        Real const root[3] = {sqrt(square_of[0] * square_of[1]), sqrt(opposite),
+                              sqrt(square_of[2] * square_of[3])};
         Real const corner[4] = {area[0], area[1], area[2], area[3]};
         skew_of_quad(corner, root, opposite, skew.above, skew.under);
         return skew;
     }
     Real length[4], sum = 0;
-    for (Index k = 0; k < 4; ++k) length[k] = square_root(square_of[k]);
+    for (Index k = 0; k < 4; ++k) length[k] = sqrt(square_of[k]);
     for (Index k = 0; k < 4; ++k) sum += length[(k + 3) & 3] * length[k] / area[k];
     return {4 / sum, 1};
 }
@@ -72,13 +72,12 @@ struct CellMeasure {
     // 0 where the cell is inverted.
     Real quality(Real reference_area) const noexcept {
         if (!(skew.above > 0)) return 0;
-        Real const size = absolute(reference_area), less = smaller(area, size),
-                   more = larger(area, size);
+        Real const size = abs(reference_area), less = min(area, size), more = max(area, size);
         if (size == 0) return skew.above / skew.under;
         bool const in_range =
             less > smallest_of_products && more < largest_of_products && size == size;
-        if (in_range) return skew.above * square_root(area * size) / (skew.under * more);
-        return skew.above / skew.under * square_root(less / more);
+        if (in_range) return skew.above * sqrt(area * size) / (skew.under * more);
+        return skew.above / skew.under * sqrt(less / more);
     }
 };
 
@@ -114,7 +113,7 @@ inline void Quality::add(Index cell, CellMeasure const& measure, Real reference_
 inline void Quality::note(Index cell, Real twice_smallest, Real value) noexcept {
     bool const is_number =
         twice_smallest == twice_smallest;  // not so where a coordinate is not finite
-    min_area = smaller(min_area, is_number ? 0.5 * twice_smallest : -infinity);
+    min_area = min(min_area, is_number ? 0.5 * twice_smallest : -infinity);
     if (!(twice_smallest > 0) && inverted++ == 0) first_inverted = cell;
     if (!(value > 0)) value = 0;
     if (value < min_quality) {
@@ -154,7 +153,7 @@ CellMeasure::CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of
         ++m;
     }
     if (!(twice_smallest > 0)) return;
-    skew.above = m < 3 ? 1 : smaller(1.0, m / (sum * sine_of_pi(2.0 / m)));
+    skew.above = m < 3 ? 1 : min(1.0, m / (sum * sine_of_pi(2.0 / m)));
 }
 
 // Of the caller's cell, whatever its layout.

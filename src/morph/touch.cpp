@@ -14,7 +14,7 @@ constexpr Real beyond_end = 1e-12;
 
 // n / d where this is at most largest_step in magnitude; else 0.
 Real ratio_in_range(Real n, Real d) noexcept {
-    return d != 0 && absolute(n) <= largest_step * absolute(d) ? n / d : 0;
+    return d != 0 && abs(n) <= largest_step * abs(d) ? n / d : 0;
 }
 
 // The values of s at which a range of numbers and of their changes may include 0.
@@ -26,9 +26,9 @@ struct Window {
         if (value > 0 && change >= 0) {
             end = -1;
         } else if (change > 0 && -value <= largest_step * change) {
-            end = smaller(end, -value / change);
+            end = min(end, -value / change);
         } else if (change < 0 && value <= largest_step * -change) {
-            begin = larger(begin, -value / change);
+            begin = max(begin, -value / change);
         }
     }
     // But for rounding.
@@ -41,10 +41,10 @@ struct MovingBox {
     Vec2 least{infinity, infinity}, most{-infinity, -infinity};
 
     void include(Vec2 p, Vec2 by) noexcept {
-        low = {smaller(low.x, p.x), smaller(low.y, p.y)};
-        high = {larger(high.x, p.x), larger(high.y, p.y)};
-        least = {smaller(least.x, by.x), smaller(least.y, by.y)};
-        most = {larger(most.x, by.x), larger(most.y, by.y)};
+        low = {min(low.x, p.x), min(low.y, p.y)};
+        high = {max(high.x, p.x), max(high.y, p.y)};
+        least = {min(least.x, by.x), min(least.y, by.y)};
+        most = {max(most.x, by.x), max(most.y, by.y)};
     }
     // Can the two boxes have a point in common for any s < limit?
     bool may_meet(MovingBox const& other, Real limit) const noexcept {
@@ -145,19 +145,19 @@ private:
         Real touch_from_line(Real slope, Real curvature) const noexcept {
             if (slope == 0 && curvature == 0) return touch_along_line();
             Real const s = ratio_in_range(-slope, curvature);
-            bool const has_left = absolute(curvature) * s * s > 4 * beyond_end * square(side);
+            bool const has_left = abs(curvature) * s * s > 4 * beyond_end * square(side);
             return has_left ? if_touches(s) : infinity;
         }
         // The point stays on the line of the face: it meets one of the ends first.
         Real touch_along_line() const noexcept {
             if (touches_at(0)) return infinity;
             Real const first = if_touches(meeting(point, point_moves));
-            return smaller(first, if_touches(meeting(point - side, point_moves - side_moves)));
+            return min(first, if_touches(meeting(point - side, point_moves - side_moves)));
         }
         // Where distance + s change = 0 in the coordinate that changes most.
         static Real meeting(Vec2 distance, Vec2 change) noexcept {
-            return absolute(change.x) > absolute(change.y) ? ratio_in_range(-distance.x, change.x)
-                                                           : ratio_in_range(-distance.y, change.y);
+            return abs(change.x) > abs(change.y) ? ratio_in_range(-distance.x, change.x)
+                                                 : ratio_in_range(-distance.y, change.y);
         }
     };
 

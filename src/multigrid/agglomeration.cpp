@@ -75,7 +75,7 @@ void Agglomeration::build(SymmetricRows const& finest, MergingRules const& rules
     count = 1;
     level[0] = finest;
     cells_used_ = entries_used_ = maps_used_ = 0;
-    Index const most = rules.max_levels == 0 ? most_levels : smaller(rules.max_levels, most_levels);
+    Index const most = rules.max_levels == 0 ? most_levels : min(rules.max_levels, most_levels);
     while (count < most && level[count - 1].n > coarsest && add_level(rules.merging)) {}
 }
 
@@ -126,8 +126,8 @@ Index Agglomeration::pair_up(SymmetricRows const& rows, Merging merging,
     fill(w.strongest_before.first(rows.n), 0.0);
     rows.for_each([&](Index i, Index j, Offset e) {
         Real const coupling = prefers.coupling(e);
-        w.strongest[i] = larger(w.strongest[i], coupling);
-        w.strongest[j] = larger(w.strongest[j], coupling);
+        w.strongest[i] = max(w.strongest[i], coupling);
+        w.strongest[j] = max(w.strongest[j], coupling);
         if (!(coupling > w.strongest_before[j])) return;
         w.strongest_before[j] = coupling;
         w.before[j] = i;
@@ -148,7 +148,7 @@ Index Agglomeration::pair_up(SymmetricRows const& rows, Merging merging,
                 }
                 continue;
             }
-            if (!prefers.is_strong(coupling, smaller(w.strongest[i], w.strongest[j]))) continue;
+            if (!prefers.is_strong(coupling, min(w.strongest[i], w.strongest[j]))) continue;
             if (!prefers.is_smoothed(w.parts[i], w.parts[j], coupling)) continue;
             Real const weight = prefers.weight(e, coupling);
             if (weight < best || (weight == best && !(coupling > best_coupling))) continue;

@@ -43,7 +43,7 @@ public:
           finest_(finest),
           values_(values),
           first_(first),
-          width_(smaller(W, values.width - first)) {
+          width_(min(W, values.width - first)) {
         for (Index l = 0; l < a_.count; ++l) {
             Offset const numbers = Offset{a_.level[l].n} * W;
             Vectors& own = at_[l];
@@ -125,7 +125,7 @@ private:
             Real const residual = relative(squares[k], given[k]);
             bool const settled = estimate_error(report.iterations, changes[k], k) <= tolerance;
             bool const lost = !(residual <= lost_beyond * least_[k]);
-            least_[k] = smaller(least_[k], residual);
+            least_[k] = min(least_[k], residual);
             residual_[k] = residual;
             goes_on_[k] = !(residual <= tolerance && settled) && !lost &&
                           report.iterations < engine_.iteration.max_iterations;
@@ -149,8 +149,7 @@ private:
         PerFunction<W> most;
         for (Index i = 0; i < a_.level[0].n; ++i) {
             const Real* const rest = at_[0].rest + Offset{i} * W;
-            for (Index k = 0; k < W; ++k)
-                most[k] = larger(most[k], engine_.rate[0][i] * absolute(rest[k]));
+            for (Index k = 0; k < W; ++k) most[k] = max(most[k], engine_.rate[0][i] * abs(rest[k]));
         }
         PerFunction<W> const size = largest<W>(at_[0].u, a_.level[0].n);
         for (Index k = 0; k < W; ++k)
@@ -162,15 +161,14 @@ private:
     // future changes is a geometric series; at least the last change again.
     Real estimate_error(Index iteration, Real change, Index k) noexcept {
         Real& oldest = changes_[iteration % remembered][k];
-        Real const rate =
-            iteration < remembered || oldest == 0 ? 1 : square_root(square_root(change / oldest));
+        Real const rate = iteration < remembered || oldest == 0 ? 1 : sqrt(sqrt(change / oldest));
         oldest = change;
         if (change == 0) return 0;
-        return rate < 1 ? larger(rate / (1 - rate), 1.0) * change : infinity;
+        return rate < 1 ? max(rate / (1 - rate), 1.0) * change : infinity;
     }
 
     static Real relative(Real squares, Real size) noexcept {
-        return square_root(squares) / (size > 0 ? square_root(size) : 1);
+        return sqrt(squares) / (size > 0 ? sqrt(size) : 1);
     }
     Real largest_residual() const noexcept {
         Real largest = 0;
@@ -269,7 +267,7 @@ private:
         }
         if (level == 0) {
             corrected_ = largest<W>(change, n);
-            for (Index k = 0; k < W; ++k) corrected_[k] *= absolute(length[k]);
+            for (Index k = 0; k < W; ++k) corrected_[k] *= abs(length[k]);
         }
         add_multiple<W>(length, change, own.u, n);
     }

@@ -30,7 +30,7 @@ Status solve_in_blocks(BlockIteration const& engine, Index functions, Progress c
     fill(engine.worker_history, 0.0);
     Status status = Status::ok;
     for (Index first = 0; first < blocks && !failed(status); first += engine.workers) {
-        Index const n = smaller(engine.workers, blocks - first);
+        Index const n = min(engine.workers, blocks - first);
         bool const is_alone =
             n == 1;  // runs on the caller's thread, so the progress callback may be called
         engine.executor.for_each(n, [&](Index worker) {
@@ -46,10 +46,9 @@ Status solve_in_blocks(BlockIteration const& engine, Index functions, Progress c
             IterationReport of_block;
             Status const ended = solve(worker, block * width, of_block, after);
             if (is_alone) status = ended;
-            of_worker[worker].iterations =
-                larger(of_worker[worker].iterations, of_block.iterations);
+            of_worker[worker].iterations = max(of_worker[worker].iterations, of_block.iterations);
             of_worker[worker].fine_sweeps =
-                larger(of_worker[worker].fine_sweeps, of_block.fine_sweeps);
+                max(of_worker[worker].fine_sweeps, of_block.fine_sweeps);
             of_worker[worker].settled = of_worker[worker].settled && of_block.settled;
         });
         if (failed(status) || first + n >= blocks) break;
@@ -58,8 +57,8 @@ Status solve_in_blocks(BlockIteration const& engine, Index functions, Progress c
     report = {};
     report.levels = engine.levels.count;
     for (IterationReport const& one : of_worker) {
-        report.iterations = larger(report.iterations, one.iterations);
-        report.fine_sweeps = larger(report.fine_sweeps, one.fine_sweeps);
+        report.iterations = max(report.iterations, one.iterations);
+        report.fine_sweeps = max(report.fine_sweeps, one.fine_sweeps);
         report.settled = report.settled && one.settled;
     }
     engine.merge_histories();

@@ -56,7 +56,7 @@ PerFunction<W> largest(const Real* x, Index n) noexcept {
     PerFunction<W> out;
     for (Offset i = 0; i < Offset{n} * W; i += W) {
         for (Index k = 0; k < W; ++k) {
-            Real const size = absolute(x[i + k]);
+            Real const size = abs(x[i + k]);
             out.at[k] = exceeds(size, out.at[k]) ? size : out.at[k];
         }
     }

@@ -58,14 +58,14 @@ void FullApproximation::choose_steps() noexcept {
         SymmetricRows const& rows = levels.level[l];
         copy(rate[l], Span<const Real>(rows.diagonal));
         rows.for_each([&](Index i, Index j, Offset e) {
-            rate[l][i] += absolute(rows.value[e]);
-            rate[l][j] += absolute(rows.value[e]);
+            rate[l][i] += abs(rows.value[e]);
+            rate[l][j] += abs(rows.value[e]);
         });
         for (Real& row_rate : rate[l]) row_rate = damping_limit / row_rate;
     }
     for (Index i = 0; i < rate[0].count(); ++i) {
         Real const half = 0.5 * volumes.shortest_edge[i];
-        rate[0][i] = smaller(stretch * rate[0][i], cfl * half * half / area[0][i]);
+        rate[0][i] = min(stretch * rate[0][i], cfl * half * half / area[0][i]);
     }
 }
 

@@ -9,7 +9,7 @@ void BlockIteration::lay_out(Arena& arena, Index n, Index functions, Iteration c
     iteration = asked;
     executor = threads;
     Index const blocks = (functions + iteration.block_width - 1) / iteration.block_width;
-    workers = executor.is_serial() ? 1 : smaller(executor.n_threads, blocks);
+    workers = executor.is_serial() ? 1 : min(executor.n_threads, blocks);
     levels.lay_out(arena, n);
     arena.take(worker_history, Offset{workers} * iteration.history.count());
 }

@@ -10,7 +10,7 @@ namespace harmorph::block {
 // would overflow.
 inline Real per_energy(Real product, Real energy) noexcept {
     constexpr Real smallest = 1e-150;
-    return energy > 0 && smallest * absolute(product) <= energy ? product / energy : 0;
+    return energy > 0 && smallest * abs(product) <= energy ? product / energy : 0;
 }
 
 template <Index W>
@@ -112,7 +112,7 @@ public:
           cycle_(engine, vectors),
           values_(values),
           first_(first),
-          width_(smaller(W, values.width - first)) {}
+          width_(min(W, values.width - first)) {}
 
     // Calls after(iteration, largest relative residual of all functions); a status other than ok
     // ends the iteration.
@@ -161,8 +161,7 @@ private:
         return errors_[k] <= engine_.iteration.tolerance * sizes_[k];
     }
     bool is_small(Index k) const noexcept {
-        return square_root(squares_[k]) <=
-               engine_.iteration.tolerance * square_root(first_squares_[k]);
+        return sqrt(squares_[k]) <= engine_.iteration.tolerance * sqrt(first_squares_[k]);
     }
     bool is_done(Index k) const noexcept {
         return is_confirmed_[k] || (is_small(k) && is_settled(k));
@@ -179,7 +178,7 @@ private:
             Real const ratio = first_squares_[k] > 0 ? squares_[k] / first_squares_[k] : 0;
             if (exceeds(ratio, largest)) largest = ratio;
         }
-        return square_root(largest);
+        return sqrt(largest);
     }
 
     template <class After>

@@ -7,7 +7,7 @@ namespace {
 // bits: linear fields are then reproduced even where the area is a small difference of large
 // products.
 Real twice_area(Index a, Index b, Index c, Points points) noexcept {
-    Index const first = smaller(a, smaller(b, c));
+    Index const first = min(a, min(b, c));
     if (first == b) return cross(points[c] - points[b], points[a] - points[b]);
     if (first == c) return cross(points[a] - points[c], points[b] - points[c]);
     return cross(points[b] - points[a], points[c] - points[a]);
@@ -30,7 +30,7 @@ Index assemble_bounded(Span<const DelaunayEdge> edges, Points points, Span<const
         if (edge.right != none) {
             Real const right = twice_area(edge.end, edge.begin, edge.right, points);
             if (!(right > 0)) return i;
-            conductance = larger(conductance + 0.5 * (dot_at(edge.right) / right), 0.0);
+            conductance = max(conductance + 0.5 * (dot_at(edge.right) / right), 0.0);
         }
         matrix.add(edge.begin, edge.end,
                    conductivity.empty() ? conductance : conductivity[i] * conductance);

@@ -169,8 +169,8 @@ void Matrix::mark_faces(Edges const& edges, Span<std::uint8_t> faces) const noex
     fill(faces, std::uint8_t{0});
     auto const mark = [&](Index i, Index j) {
         if (i < 0 || j < 0 || i == j) return;
-        Index const row = smaller(i, j);
-        faces[find_in_row(column, start[row], start[row + 1], larger(i, j))] = 1;
+        Index const row = min(i, j);
+        faces[find_in_row(column, start[row], start[row + 1], max(i, j))] = 1;
     };
     edges.for_each([&](Index, Index low, Index high) {
         if (components() == 1) return mark(row_of(low), row_of(high));

@@ -78,8 +78,8 @@ void Matrix::add_corners(RowRange rows, CellGroup<corners> const& cells, Index b
         is_inside[c] = inside;
         if (!inside) continue;
         auto const place_of = [&](Index a, Index b) {
-            Index const first = smaller(a, b);
-            return find_in_row(column, start[first], start[first + 1], larger(a, b));
+            Index const first = min(a, b);
+            return find_in_row(column, start[first], start[first + 1], max(a, b));
         };
         for (Index k = 0; k < corners; ++k) place[c][k] = place_of(at[k], at[(k + 1) % corners]);
         for (Index k = 0; k < Group::n_across; ++k)

@@ -7,7 +7,7 @@ namespace {
 
 // Exchanges two numbers that are not in order, without a branch that could be mispredicted.
 inline void put_in_order(Index& a, Index& b) noexcept {
-    Index const low = smaller(a, b), high = larger(a, b);
+    Index const low = min(a, b), high = max(a, b);
     a = low;
     b = high;
 }

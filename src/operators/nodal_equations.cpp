@@ -43,7 +43,7 @@ void NodalEquations::init(Topology const& topology, Matrix const& matrix, bool c
 
 void NodalEquations::set_right_hand_sides(DofValues const& dofs, Index columns) const noexcept {
     for (Index first = 0; first < columns; first += width) {
-        Index const count = smaller(width, columns - first);
+        Index const count = min(width, columns - first);
         for (Index i = 0; i < n; ++i)
             fill(Span<Real>(dofs.at(i) + first, static_cast<Size>(count)), 0.0);
         BasisRows const rows{*this, dofs, first};

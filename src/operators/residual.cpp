@@ -68,8 +68,8 @@ Residual::Changes add_rows(Matrix const& matrix, DofValues const& dofs, const Nu
             for (Index k = 0; k < n; ++k) {
                 Real const correction = static_cast<Real>(from[k]);
                 to[k] = chosen.column[k] ? to[k] + correction : to[k];
-                change[k] = larger(change[k], absolute(correction));
-                size[k] = larger(size[k], absolute(to[k]));
+                change[k] = max(change[k], abs(correction));
+                size[k] = max(size[k], abs(to[k]));
             }
         }
     }
@@ -87,7 +87,7 @@ Real beside_entries_in(Matrix const& matrix, DofValues const& dofs, Index column
     auto const row_of = [&](Index i) { return rows + Offset{i} * planes * width; };
     auto const add = [&](Index i, Real size) { row_of(i)[1] += static_cast<Number>(size); };
     auto const size = [&](Span<Real> re, Span<Real> im, Offset e) {
-        return absolute(re[e]) + (planes == 2 ? absolute(im[e]) : 0);
+        return abs(re[e]) + (planes == 2 ? abs(im[e]) : 0);
     };
     for (Index i = 0; i < matrix.n; ++i) row_of(i)[1] = 0;
     for (Index i = 0; i < matrix.n; ++i) {
@@ -106,18 +106,17 @@ Real beside_entries_in(Matrix const& matrix, DofValues const& dofs, Index column
     Real largest = 0, worst = 0;
     Offset const plane = dofs.columns(matrix);
     auto const look = [&](const Real* values) {
-        for (Index p = 0; p < planes; ++p)
-            largest = larger(largest, absolute(values[p * plane + column]));
+        for (Index p = 0; p < planes; ++p) largest = max(largest, abs(values[p * plane + column]));
     };
     for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall) look(dofs.wall(wall));
     for (Index i = 0; i < matrix.n; ++i) look(dofs.at(i));
     for (Index i = 0; i < matrix.n; ++i) {
         for (Index p = 0; p < planes; ++p) {
-            Real const left = absolute(static_cast<Real>(row_of(i)[p * width]));
+            Real const left = abs(static_cast<Real>(row_of(i)[p * width]));
             if (left == 0) continue;
             Real const relative = left / (static_cast<Real>(row_of(i)[1]) * largest);
             if (!(relative < infinity)) return infinity;
-            worst = larger(worst, relative);
+            worst = max(worst, relative);
         }
     }
     return worst;
@@ -140,11 +139,11 @@ void Residual::lay_out(Arena& arena, Index unknowns, Index couplings, MatrixKind
 void Residual::share_out(AssemblyTree const& tree, Executor const& by) noexcept {
     Index const rows = tree.count > 0 ? tree.nodes[tree.count - 1].end : 0;
     executor = by;
-    subtrees.choose(tree, larger(rows / 16, least_subtree), most_subtrees);
+    subtrees.choose(tree, max(rows / 16, least_subtree), most_subtrees);
 }
 
 Real Residual::Norms::relative(Index k) const noexcept {
-    return square_root(rest[k]) / (right_hand_side[k] > 0 ? square_root(right_hand_side[k]) : 1);
+    return sqrt(rest[k]) / (right_hand_side[k] > 0 ? sqrt(right_hand_side[k]) : 1);
 }
 
 void Residual::Norms::add(Norms const& of_other_rows, Index n) noexcept {

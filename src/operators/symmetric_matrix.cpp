@@ -19,7 +19,7 @@ void merge_columns(SymmetricRows& rows, Span<Offset> last) noexcept {
             if (to >= first) {
                 rows.value[to] += rows.value[e];
                 Index const faces = Index{rows.faces[to]} + rows.faces[e];
-                rows.faces[to] = static_cast<std::uint8_t>(smaller(faces, Index{255}));
+                rows.faces[to] = static_cast<std::uint8_t>(min(faces, Index{255}));
             } else {
                 last[j] = kept;
                 rows.column[kept] = j;
@@ -55,14 +55,14 @@ void contract(SymmetricRows const& fine, Span<const Index> cell_of, Index n, Spa
     auto const is_needed = [&](Offset e) { return fine.value[e] != 0 || fine.faces[e] != 0; };
     fine.for_each([&](Index i, Index j, Offset e) {
         Index const a = cell_of[i], b = cell_of[j];
-        if (a != b && is_needed(e)) ++starts[smaller(a, b)];
+        if (a != b && is_needed(e)) ++starts[min(a, b)];
     });
     counts_to_starts(starts);
     fine.for_each([&](Index i, Index j, Offset e) {
         Index const a = cell_of[i], b = cell_of[j];
         if (a == b || !is_needed(e)) return;
-        Offset const to = starts[smaller(a, b)]++;
-        coarse.column[to] = larger(a, b);
+        Offset const to = starts[min(a, b)]++;
+        coarse.column[to] = max(a, b);
         coarse.value[to] = fine.value[e];
         coarse.faces[to] = fine.faces[e];
     });

@@ -114,7 +114,7 @@ Index Dissector::set_sides(Cut const& cut, Index begin, Index end, Index& n_left
         Index const u = part[k];
         float const distance = position[u].at[direction] - level,
                     reach = position[u].reach[direction];
-        Index const is_near = larger(distance, -distance) <= reach, is_left = distance < 0;
+        Index const is_near = max(distance, -distance) <= reach, is_left = distance < 0;
         moved[k - left - n_near] = u;
         part[left] = u;
         near[n_near] = u;

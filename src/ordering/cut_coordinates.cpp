@@ -90,7 +90,7 @@ void CutCoordinates::keep_searches(Graph const& graph, Executor const& executor)
             float const here = step[u];
             float farthest = here != 0 ? 1.0f : 0.0f;
             for (Index const v : graph.of(u)) {
-                farthest = larger(farthest, here < step[v] ? step[v] - here : here - step[v]);
+                farthest = max(farthest, here < step[v] ? step[v] - here : here - step[v]);
             }
             set_four(of[u].at, 1, Four{layer[u], here, 0, 0});
             set_four(
@@ -109,7 +109,7 @@ void CutCoordinates::place(Graph const& graph, Points points,
     Real largest = 0;
     for (Index u = 0; u < graph.n; ++u) {
         Vec2 const p = points[graph.point(u)] - origin;
-        largest = larger(largest, larger(absolute(p.x), absolute(p.y)));
+        largest = max(largest, max(abs(p.x), abs(p.y)));
     }
     // Single precision ends at 1e38. Where all unknowns are in one place, or there is one only,
     // nothing has to be scaled.

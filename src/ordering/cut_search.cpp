@@ -22,14 +22,14 @@ Four middle_of(Four a, Four b, Four c) noexcept {
 constexpr Real of_unknowns = 30, of_both = 6.4, of_border = 1.55;
 
 Real cost_to_cut(Real n, Real b) noexcept {
-    Real const s = square_root(n);
+    Real const s = sqrt(n);
     return s * (of_unknowns * n + of_both * s * b + of_border * b * b);
 }
 
 // The stride of samples of large parts: separators have about the square root of the number of
 // unknowns, and a sample with this stride contains twice separator_samples of these.
 Index stride_of(Index part, Real separator_samples) noexcept {
-    return larger(Index{1}, static_cast<Index>(square_root(part) / (2 * separator_samples)));
+    return max(Index{1}, static_cast<Index>(sqrt(part) / (2 * separator_samples)));
 }
 
 // A pseudo-random number below `end` (the final mixing of A. Appleby's MurmurHash3).
@@ -46,7 +46,7 @@ Index scattered(Index from, Index end) noexcept {
 // length of the separator, more for uneven cuts.
 Real Parts::cost() const noexcept {
     Real const n = size(), s = separator, b = Real{1} * left_border + right_border;
-    if (n < large) return s * (0.5 + larger(left, right) / n);
+    if (n < large) return s * (0.5 + max(left, right) / n);
     return s * (s * s / 3 + s * b + b * b) + cost_to_cut(left, left_border + s) +
            cost_to_cut(right, right_border + s);
 }
@@ -86,7 +86,7 @@ struct CutSearch::Counts {
         };
         // All near unknowns of one side are a cover, so the smallest cover is not larger than
         // either.
-        Index const cover = is_large ? smaller(of(near_left), of(near) - of(near_left)) : of(near);
+        Index const cover = is_large ? min(of(near_left), of(near) - of(near_left)) : of(near);
         Real const times = static_cast<Real>(part) / n;
         auto const all = [&](Index counted) { return static_cast<Index>(times * counted); };
         return {all(of(left)), all(n - of(left)), all(cover), all(of(left_border)),
@@ -122,7 +122,7 @@ Cut CutSearch::best_of(Index begin, Index end, Index n_directions) const noexcep
     Real least = infinity;
     for (Index direction = 0; direction < n_directions; ++direction) {
         Parts const parts = counts.parts<is_large>(direction, end - begin);
-        if (smaller(parts.left, parts.right) < (end - begin) / 4) continue;
+        if (min(parts.left, parts.right) < (end - begin) / 4) continue;
         Real const cost = parts.cost();
         if (cost >= least) continue;
         least = cost;

@@ -83,9 +83,9 @@ void Subtrees::choose(AssemblyTree const& tree, Span<const Offset> border_start)
             above = inside;
             inside = 0;
         }
-        stack_entries = larger(stack_entries, inside);
-        top_stack_entries = larger(top_stack_entries, above);
-        stack_rows = larger(stack_rows, rows);
+        stack_entries = max(stack_entries, inside);
+        top_stack_entries = max(top_stack_entries, above);
+        stack_rows = max(stack_rows, rows);
     }
 }
 

@@ -121,7 +121,7 @@ FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTr
         border_start[t] = sizes.border_entries;
         sizes.border_entries += border;
         sizes.factor_entries += dense::panel_entries(pivots, border);
-        sizes.most_sums = larger(sizes.most_sums, dense::sum_entries(pivots, border));
+        sizes.most_sums = max(sizes.most_sums, dense::sum_entries(pivots, border));
     }
     border_start[tree.count] = sizes.border_entries;
     return sizes;

@@ -101,7 +101,7 @@ Status Part::sort_numbers(Fault& fault) noexcept {
 void Part::note_points(const Index* points, Index n, bool ghost) noexcept {
     for (Index k = 0; k < n; ++k) {
         std::uint8_t& its = in_cell[points[k]];
-        its = larger<std::uint8_t>(its, ghost ? 1 : 2);
+        its = max<std::uint8_t>(its, ghost ? 1 : 2);
     }
 }
 

@@ -19,8 +19,8 @@ struct OpenEdge {
     Index marker = 0;
     Index marked = 0;  // 1: a boundary face
 
-    Offset low() const noexcept { return smaller(begin, end); }
-    Offset high() const noexcept { return larger(begin, end); }
+    Offset low() const noexcept { return min(begin, end); }
+    Offset high() const noexcept { return max(begin, end); }
 };
 
 struct PartMesh {

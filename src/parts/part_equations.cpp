@@ -18,7 +18,7 @@ void PartEquations::lay_out(Arena& arena, Part const& of, PartProblem const& ask
     Mesh const& own = of.own();
     Index const n_points = own.n_points, n_shared = 2 * n_edges,
                 components = asked.method.components(asked.demands);
-    Index const most_wall = smaller(n_points, n_shared), most_unknowns = components * n_points;
+    Index const most_wall = min(n_points, n_shared), most_unknowns = components * n_points;
     Index const squared = components * components;
     Matrix::Sizes most;
     most.entries = of.pairs * squared;

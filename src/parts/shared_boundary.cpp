@@ -159,8 +159,8 @@ void SharedBoundary::take_edges(Fault& fault) noexcept {
     Span<const Index> const same = topology.representative;
     struct Ends {
         Index begin, end;
-        Index low() const noexcept { return smaller(begin, end); }
-        Index high() const noexcept { return larger(begin, end); }
+        Index low() const noexcept { return min(begin, end); }
+        Index high() const noexcept { return max(begin, end); }
     };
     auto const ends_of = [&](OpenEdge const& edge) {
         return Ends{same[find(edge.begin)], same[find(edge.end)]};

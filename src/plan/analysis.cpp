@@ -129,7 +129,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     }
     if (!tangent_.empty()) {
         slip_followers_.find(topology_, boundary_, conditions_, kinds_, slip_curves_,
-                             larger(problem_.method.quarters, Index{0}), problem_.executor);
+                             max(problem_.method.quarters, Index{0}), problem_.executor);
     }
     if (!kinds_are_final) graph_.build(stencil(), kinds_);
     if (graph_.n == 0)
@@ -154,7 +154,7 @@ void Analysis::find_wall(Fault& fault) noexcept {
 Status Analysis::check_heights(Fault& fault) const noexcept {
     Real size = 0;
     for (Index k = 0; k < problem_.mesh.n_points; ++k)
-        size = larger(size, largest_of(problem_.mesh.points[k]));
+        size = max(size, largest_of(problem_.mesh.points[k]));
     if (problem_.mesh.n_guards == 0 && least_height_ >= resolved_height(size)) return Status::ok;
     Real height = 0;
     auto const is_too_thin = [&](Index i, Cell const&) {

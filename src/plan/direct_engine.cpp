@@ -35,7 +35,7 @@ Status raise_by_negative(Multifrontal& factor, Matrix const& matrix, Span<Real> 
         add(matrix.fixed_row[h], matrix.fixed_value[h]);
     HARMORPH_TRY(factor.solve(Rows{source.data(), nullptr, 1, 1, 1}, Progress{}, fault));
     rise = 0;
-    for (Real const value : source) rise = larger(rise, absolute(value));
+    for (Real const value : source) rise = max(rise, abs(value));
     return Status::ok;
 }
 
@@ -50,7 +50,7 @@ Status refuse_single(const char* sentence, Index point, Real size, Fault& fault)
 Status check_entries(Equations const& equations, Fault& fault) noexcept {
     Span<Real> const diagonal = equations.matrix().diagonal;
     for (Index i = 0; i < diagonal.count(); ++i) {
-        if (absolute(diagonal[i]) <= most_in_single) continue;
+        if (abs(diagonal[i]) <= most_in_single) continue;
         return refuse_single("the diagonal at point # is ~: single precision takes 1e36",
                              equations.point_of(i), diagonal[i], fault);
     }
@@ -61,7 +61,7 @@ Status check_right_hand_sides(Equations const& equations, DofValues const& dofs,
                               Fault& fault) noexcept {
     for (Index i = 0; i < equations.matrix().n; ++i) {
         for (Real const number : Span<const Real>(dofs.at(i), static_cast<Size>(dofs.length()))) {
-            if (absolute(number) <= most_in_single) continue;
+            if (abs(number) <= most_in_single) continue;
             return refuse_single("a right-hand side at point # is ~: single precision takes 1e36",
                                  equations.point_of(i), number, fault);
         }
@@ -130,7 +130,7 @@ Status DirectEngine::solve(Equations const& equations, DofValues const& dofs,
     if (rows.width <= factor.padded_width) return factor.solve(rows, progress, fault);
     for (Index first = 0; first < rows.width;
          first += factor.padded_width) {  // combined functions and modes
-        Index const n = smaller(factor.padded_width, rows.width - first);
+        Index const n = min(factor.padded_width, rows.width - first);
         HARMORPH_TRY(factor.solve(
             Rows{rows.data + first, rows.row_of, rows.row_length, n, rows.plane}, progress, fault));
     }

@@ -18,15 +18,15 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     Index const numbers_per_dof =
         numbers_of(counts.kind) * counts.functions() / equations_.matrix().components();
     Index const columns =
-        larger(equations_.matrix().is_complex() ? counts.functions() : numbers_per_dof,
-               GivenWall::columns(analysis));
+        max(equations_.matrix().is_complex() ? counts.functions() : numbers_per_dof,
+            GivenWall::columns(analysis));
     engine_.choose(method.engine);
     engine_.lay_out(arena, analysis, columns);
     refinement_.lay_out(arena, analysis, engine_, equations_, columns);
     Offset const numbers = Offset{numbers_of(counts.kind)} * counts.functions();
     Offset const with_modes = block_points * (numbers + most_mode_numbers);
-    arena.take(rows_in_work_, larger(RowsToBlocks::work_numbers(numbers),
-                                     analysis.problem().demands.given ? with_modes : Offset{0}));
+    arena.take(rows_in_work_, max(RowsToBlocks::work_numbers(numbers),
+                                  analysis.problem().demands.given ? with_modes : Offset{0}));
 }
 
 void Plan::init(Analysis const& analysis) noexcept {

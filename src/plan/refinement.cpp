@@ -38,18 +38,16 @@ Precision residual_precision(Method const& method, MatrixKind kind) noexcept {
 // a few.
 Index residual_width(Method const& method, Matrix const& matrix, AnyEngine const& engine,
                      Index columns) noexcept {
-    if (method.nodal_gradients()) return smaller(columns, BiconjugateGradients::widest);
+    if (method.nodal_gradients()) return min(columns, BiconjugateGradients::widest);
     bool const in_single = residual_precision(method, matrix.kind()) == Precision::in_single;
-    Offset const n = larger(matrix.n, Index{1}),
+    Offset const n = max(matrix.n, Index{1}),
                  bytes = static_cast<Offset>(in_single ? sizeof(float) : sizeof(double));
     Offset const lists = 3 * n * static_cast<Offset>(sizeof(Index));
-    Offset const room =
-        larger(engine.idle_bytes() - lists, Offset{0}) / (n * matrix.planes() * bytes);
+    Offset const room = max(engine.idle_bytes() - lists, Offset{0}) / (n * matrix.planes() * bytes);
     Offset const least = in_single ? 12 : 5;
     Offset const wanted =
-        room >= 16 ? room / 8 * 8 : larger(room, least);  // whole blocks of the kernels
-    return static_cast<Index>(
-        smaller(wanted, Offset{smaller(larger(columns, Index{2}), Residual::widest)}));
+        room >= 16 ? room / 8 * 8 : max(room, least);  // whole blocks of the kernels
+    return static_cast<Index>(min(wanted, Offset{min(max(columns, Index{2}), Residual::widest)}));
 }
 
 class RefinementRun {
@@ -73,9 +71,9 @@ public:
                 HARMORPH_TRY(
                     progress_.report(Phase::residual, static_cast<Real>(first) / n_columns, fault));
             Refined refined;
-            n = smaller(Residual::widest, n_columns - first);
+            n = min(Residual::widest, n_columns - first);
             if (!is_accurate(first, n, refined)) {
-                n = smaller(residual_.width, n_columns - first);
+                n = min(residual_.width, n_columns - first);
                 HARMORPH_TRY(refine(first, n, refined, fault));
             }
             note(first, n, refined, report);
@@ -97,8 +95,8 @@ private:
             worst = found;
             where = function;
         };
-        report.refinements = larger(report.refinements, refined.steps);
-        report.iteration.iterations = larger(report.iteration.iterations, refined.iterations);
+        report.refinements = max(report.refinements, refined.steps);
+        report.iteration.iterations = max(report.iteration.iterations, refined.iterations);
         for (Index k = 0; k < n; ++k) {
             Index const function = dofs_.first_function + (first + k) % dofs_.n_functions;
             take_worst(refined.error[k], function, report.error, report.error_function);
@@ -167,7 +165,7 @@ private:
             for (Index k = 0; k < n; ++k) {
                 if (!wanted.column[k]) continue;
                 ratio[k] = change.column[k] / last.column[k];
-                if (refined.steps > 0) left[k] = larger(left[k], ratio[k]);
+                if (refined.steps > 0) left[k] = max(left[k], ratio[k]);
                 refined.error[k] =
                     (refined.steps > 0 && ratio[k] < shrinking ? left[k] : 1) * change.column[k];
             }
@@ -222,9 +220,9 @@ void SolveReport::take(SolveReport const& others) noexcept {
     }
     unknowns = others.unknowns;
     factor_entries = others.factor_entries;
-    refinements = larger(refinements, others.refinements);
-    iteration.iterations = larger(iteration.iterations, others.iteration.iterations);
-    iteration.fine_sweeps = larger(iteration.fine_sweeps, others.iteration.fine_sweeps);
+    refinements = max(refinements, others.refinements);
+    iteration.iterations = max(iteration.iterations, others.iteration.iterations);
+    iteration.fine_sweeps = max(iteration.fine_sweeps, others.iteration.fine_sweeps);
     iteration.levels = others.iteration.levels;
 }
 
@@ -250,7 +248,7 @@ void Refinement::measure(Equations const& equations, DofValues const& dofs,
     Index const n_columns = dofs.columns(equations.matrix());
     bool const in_rows = equations.matrix().kind() == MatrixKind::coupled_xy;
     for (Index first = 0, n = 0; first < n_columns; first += n) {
-        n = smaller(in_rows ? residual.width : Residual::widest, n_columns - first);
+        n = min(in_rows ? residual.width : Residual::widest, n_columns - first);
         Residual::Norms const norms = in_rows
                                           ? residual.compute(equations.matrix(), dofs, first, n)
                                           : residual.measure(equations.matrix(), dofs, first, n);
@@ -273,7 +271,7 @@ Status judge(SolveReport const& report, Method const& method, Fault& fault) noex
             Status::not_converged,
             "the iteration ended while values were still off by more than the tolerance");
     }
-    if (report.error <= larger(method.tolerance, certain_within)) return Status::ok;
+    if (report.error <= max(method.tolerance, certain_within)) return Status::ok;
     bool const in_single = method.precision == Precision::in_single;
     return fault.refuse(Status::not_converged,
                         in_single ? "function # may be off by ~: cells are too thin for a "

@@ -225,7 +225,7 @@ Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis co
     run.copy_joined_points();
     report = {met.points, met.outside, met.max_distance, met.max_distance_point, 0};
     for (Real const difference : correction) {
-        report.wall_correction = larger(report.wall_correction, absolute(difference));
+        report.wall_correction = max(report.wall_correction, abs(difference));
     }
     fine.header->coordinates = coordinates_fingerprint(points, fine.n_points());
     fine.seal();

@@ -33,8 +33,8 @@ void CarriedOffsets::init(Basis const& basis, MovementPath const& path, Points s
         Curve const curve = basis.curve(basis.wall_curve[slot]);
         wall[slot] = start[basis.wall_point[slot]] - curve_point(curve, basis.wall_u[slot]) -
                      basis.wall_offset[slot];
-        largest = larger(largest, length(wall[slot]));
-        extent = larger(extent, length(path.start[curve.control_point(0)]));
+        largest = max(largest, length(wall[slot]));
+        extent = max(extent, length(path.start[curve.control_point(0)]));
     }
     reach = largest > least_residual * extent ? reach_per_residual * largest : 0;
     if (reach == 0) fill(wall, Vec2{});
@@ -90,7 +90,7 @@ Real CarriedOffsets::largest(Basis const& basis, MovementPath const& path, Real 
     TurnAt turn(path, t);
     Real most = 0;
     for (Index slot = 0; slot < wall.count(); ++slot)
-        most = larger(most, length(of_wall(basis, path, slot, turn)));
+        most = max(most, length(of_wall(basis, path, slot, turn)));
     return most;
 }
 

@@ -39,10 +39,10 @@ struct Eigen {
         Real const mean = 0.5 * (a + c), whole = 0.5 * (a - c);
         // Of cells that have nearly collapsed derivatives are so large that their squares would
         // overflow.
-        bool const is_large = larger(absolute(whole), absolute(b)) > 0x1p500;
+        bool const is_large = max(abs(whole), abs(b)) > 0x1p500;
         Real const unit = is_large ? 0x1p512 : 1, per_unit = is_large ? 0x1p-512 : 1;
         Real const half = per_unit * whole, part = per_unit * b,
-                   radius = square_root(half * half + part * part);
+                   radius = sqrt(half * half + part * part);
         value[0] = mean + unit * radius;
         value[1] = mean - unit * radius;
         axis = half >= 0 ? direction_or_x({half + radius, part})
@@ -103,13 +103,13 @@ inline void CornerMap::differentiate(Triangle const& now, DensityDerivatives con
     pull_back(2 * by.by_p * z_now, 2 * by.by_q * w_now, gradient);
 
     // Turning z or w leaves p and q; growing them couples the two.
-    Real const size_of_z = square_root(p), size_of_w = square_root(q);
+    Real const size_of_z = sqrt(p), size_of_w = sqrt(q);
     Vec2 const along_z = direction_or_x(z_now, size_of_z),
                along_w = direction_or_x(w_now, size_of_w);
     Eigen const growth(2 * by.by_p + 4 * p * by.by_pp, 4 * size_of_z * size_of_w * by.by_pq,
                        2 * by.by_q + 4 * q * by.by_qq);
     Real const curvature[4] = {2 * by.by_p, 2 * by.by_q, growth.value[0], growth.value[1]};
-    for (Index k = 0; k < 4; ++k) mode[k].curvature = larger(curvature[k], least);
+    for (Index k = 0; k < 4; ++k) mode[k].curvature = max(curvature[k], least);
     pull_back(times_i(along_z), {}, mode[0].at);
     pull_back({}, times_i(along_w), mode[1].at);
     pull_back(growth.axis.x * along_z, growth.axis.y * along_w, mode[2].at);

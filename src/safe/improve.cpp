@@ -30,7 +30,7 @@ struct Improvement::Score {
     Real sum = 0;       // of qualities
 
     void merge(Score const& later) noexcept {
-        smallest = smaller(smallest, later.smallest);
+        smallest = min(smallest, later.smallest);
         sum += later.sum;
     }
     bool is_better_than(Score const& other) const noexcept {
@@ -59,7 +59,7 @@ void Improvement::run(ImproveOptions const& options, Points from, MutablePoints 
         Index const left = options.most_iterations - report.iterations;
         Real const smallest = power > 0 ? score().smallest : 0;
         if (region.n == 0 || smallest >= 1) break;
-        climb(options, power, smaller(left, most_for_power), highest, report);
+        climb(options, power, min(left, most_for_power), highest, report);
         if (power > 0 && score().smallest < part_kept * smallest) break;
     }
     for (Index layers = least_layers;
@@ -121,27 +121,26 @@ Improvement::Score Improvement::score() const noexcept {
     return reduce_cells<Score>(region.n_cells, executor, [&](Index k, Score& result) {
         Index const cell = region.cell[k];
         Real const quality = targets.quality(cell, tangle.shape(cell, as_points(now)));
-        result.merge({smaller(quality / targets.cell[cell].least, 1.0), quality});
+        result.merge({min(quality / targets.cell[cell].least, 1.0), quality});
     });
 }
 
 void Improvement::assemble(Index power) const noexcept {
     constexpr Real floor = QualityEnergy::least_curvature;
-    system.assemble(tangle, region, executor,
-                    [&](Index cell, CornerPoints const& point, auto const& add) {
-                        Vec2 gradient[3];
-                        CornerMode mode[4];
-                        Triangle const triangle = triangle_of(point, as_points(now));
-                        Real const share = targets.share(cell), least = targets.cell[cell].least;
-                        QualityEnergy const relative(targets.of(cell, point, triangle));
-                        relative.differentiate(triangle, share, floor, gradient, mode);
-                        add(gradient, mode);
-                        if (power == 0) return;
-                        QualityEnergy const absolute(targets.ideal(cell, point, triangle), power,
-                                                     least * least);
-                        absolute.differentiate(triangle, share, floor, gradient, mode);
-                        add(gradient, mode);
-                    });
+    system.assemble(
+        tangle, region, executor, [&](Index cell, CornerPoints const& point, auto const& add) {
+            Vec2 gradient[3];
+            CornerMode mode[4];
+            Triangle const triangle = triangle_of(point, as_points(now));
+            Real const share = targets.share(cell), least = targets.cell[cell].least;
+            QualityEnergy const relative(targets.of(cell, point, triangle));
+            relative.differentiate(triangle, share, floor, gradient, mode);
+            add(gradient, mode);
+            if (power == 0) return;
+            QualityEnergy const measure(targets.ideal(cell, point, triangle), power, least * least);
+            measure.differentiate(triangle, share, floor, gradient, mode);
+            add(gradient, mode);
+        });
 }
 
 Real Improvement::energy_of(Span<const Vec2> points, Index power) const noexcept {
@@ -159,9 +158,9 @@ Real Improvement::energy_of(Span<const Vec2> points, Index power) const noexcept
                            share *
                            QualityEnergy(targets.of(cell, point, triangle)).energy(triangle);
                        if (power == 0) continue;
-                       QualityEnergy const absolute(targets.ideal(cell, point, triangle), power,
-                                                    least * least);
-                       sum.value += share * absolute.energy(triangle);
+                       QualityEnergy const measure(targets.ideal(cell, point, triangle), power,
+                                                   least * least);
+                       sum.value += share * measure.energy(triangle);
                    }
                })
         .value;
@@ -187,7 +186,7 @@ Real Improvement::descend(Index power, Real before) noexcept {
     OrientedMesh const cells{tangle.mesh, tangle.reversed};
     Real const most = share_of_admissible *
                       admissible_step(cells, as_points(now), as_points(change), executor).step;
-    Real length = smaller(1.0, most), after = infinity;
+    Real length = min(1.0, most), after = infinity;
     auto const falls_enough = [&] {
         look_ahead(length);
         after = energy_of(ahead, power);

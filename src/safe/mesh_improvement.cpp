@@ -84,7 +84,7 @@ Real MeshImprovement::smallest_held(Plan const& plan, Points reference) const no
         for (Index const i : mesh.pieces_of(number)) any = any || can_move(i);
         if (any) continue;
         Real const before = measure_cell(cells, number, reference).area;
-        smallest = smaller(smallest, measure_cell(cells, number, as_points(start)).quality(before));
+        smallest = min(smallest, measure_cell(cells, number, as_points(start)).quality(before));
     }
     return smallest;
 }

@@ -8,11 +8,11 @@ namespace {
 // The root with a real part >= 0.
 Vec2 complex_root(Vec2 z) noexcept {
     Real const size = length(z);
-    Real const larger_part = square_root(0.5 * (size + absolute(z.x)));
+    Real const larger_part = sqrt(0.5 * (size + abs(z.x)));
     if (larger_part == 0) return {};
     Real const smaller_part = 0.5 * z.y / larger_part;
     if (z.x >= 0) return {larger_part, smaller_part};
-    return {absolute(smaller_part), z.y < 0 ? -larger_part : larger_part};
+    return {abs(smaller_part), z.y < 0 ? -larger_part : larger_part};
 }
 
 }  // namespace
@@ -125,7 +125,7 @@ void MovementPath::find_groups(Basis const& basis) noexcept {
             Curve const curve = basis.curve(number);
             Index low = group_of.count();
             for (Index k = 0; k < curve.n_indices; ++k)
-                low = smaller(low, group_of[curve.control_point(k)]);
+                low = min(low, group_of[curve.control_point(k)]);
             for (Index k = 0; k < curve.n_indices; ++k) {
                 Index& group_number = group_of[curve.control_point(k)];
                 changed += group_number != low ? 1 : 0;
@@ -136,7 +136,7 @@ void MovementPath::find_groups(Basis const& basis) noexcept {
 }
 
 void MovementPath::join(Index group, Index other) noexcept {
-    Index const low = smaller(group, other), high = larger(group, other);
+    Index const low = min(group, other), high = max(group, other);
     bool const anchored = groups[low].anchored || groups[high].anchored;
     for (Index i = 0; i < group_of.count(); ++i) {
         if (group_of[i] == high) group_of[i] = low;
@@ -163,7 +163,7 @@ void MovementPath::find_anchors(Basis const& basis) noexcept {
             if (first == none) first = group;
             bool const curves = first < n_shapes && group < n_shapes;
             if (group != first && curves) join(group, first);
-            if (group != first && curves) first = smaller(group, first);
+            if (group != first && curves) first = min(group, first);
             is_body = is_body && (curves || group == first);
         }
         if (is_body) continue;

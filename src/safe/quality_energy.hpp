@@ -41,12 +41,11 @@ private:
 inline Real QualityEnergy::energy(Triangle const& now) const noexcept {
     constexpr Real least_area = 1e-50, largest = 1e280;
     Real const d = map_.determinant(now), s = square(map_.z(now)) + square(map_.w(now)),
-               unit = larger(1.0, s);
+               unit = max(1.0, s);
     if (!(d > least_area * unit) || !(d < 1 / least_area)) return infinity;
     Real const per_d = 1 / d, shape = s * per_d, size = 0.5 * (d + per_d),
                base = scale_ * shape * shape * size;
-    Real const small = smaller(1.0, d),
-               room = largest * smaller(1.0, map_.twice_area()) * small * small;
+    Real const small = min(1.0, d), room = largest * min(1.0, map_.twice_area()) * small * small;
     if (!(base * unit <= room)) return infinity;
     Real const most_before = base > 1 && power_ > 1 ? room / unit / base : infinity;
     Real product = base;

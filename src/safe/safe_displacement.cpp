@@ -122,8 +122,8 @@ void SafeDisplacement::make_modes(Plan const& plan, Index first_mode) noexcept {
             translation[i] = {1, 0};
             position[i] = points[plan.given().point[i]] - similarity.centre;
             drift[i] = quotient(position[i] + (given[i] - similarity.shift), r) - position[i];
-            extent = larger(extent, length(position[i]));
-            largest_drift = larger(largest_drift, length(drift[i]));
+            extent = max(extent, length(position[i]));
+            largest_drift = max(largest_drift, length(drift[i]));
         }
         extent = or_one(extent);
         for (Vec2& p : position) p = (1 / extent) * p;
@@ -135,7 +135,7 @@ void SafeDisplacement::make_modes(Plan const& plan, Index first_mode) noexcept {
     Real largest = 0;
     Span<Vec2> const straight = mode(modes_of_body * n_bodies);
     for (Index i = 0; i < n; ++i) {
-        if (body[i] == none) largest = larger(largest, length(given[i]));
+        if (body[i] == none) largest = max(largest, length(given[i]));
     }
     for (Index i = 0; i < n; ++i) {
         if (body[i] == none) straight[i] = (1 / or_one(largest)) * given[i];

@@ -119,7 +119,7 @@ void SafeMorph::longest_linear_step(Work& work) noexcept {
     if (mesh.path.is_bent())
         return;  // the derivative knows no way back; without one the path has been straightened
     begin(work);
-    Real length = smaller(0.98 * look_ahead(work, work.basis, 1).step, 1.0);
+    Real length = min(0.98 * look_ahead(work, work.basis, 1).step, 1.0);
     for (Index trial = 0; trial < most_trials && length > work.best().fraction;
          ++trial, length *= 0.8) {
         look_ahead(work, work.basis, length);
@@ -184,8 +184,8 @@ void SafeMorph::measure(Work const& work, Points points, Outcome& outcome) const
     if (!is_finite(work.options.most_height_change)) return;
     FirstLayerChange const change = compare(first_layer, work.mesh().points, points);
     if (change.points == 0) return;
-    outcome.height_change = larger(
-        larger(change.max_ratio, change.min_ratio > 0 ? 1 / change.min_ratio : infinity), 1.0);
+    outcome.height_change =
+        max(max(change.max_ratio, change.min_ratio > 0 ? 1 / change.min_ratio : infinity), 1.0);
 }
 
 void SafeMorph::keep_if_better(Work& work) noexcept {

@@ -45,7 +45,7 @@ void SafeMorph::restore_heights(Work& work) noexcept {
                       work.executor());
     bool const is_asked_for = work.options.heights > 0;
     Real const quality = work.best().min_quality;
-    Real const permitted = smaller(quality, larger(work.goal(), least_kept_quality * quality));
+    Real const permitted = min(quality, max(work.goal(), least_kept_quality * quality));
     // Restores an amount in the mesh ahead.
     Outcome outcome;
     auto const accepts = [&](Real amount) {
@@ -127,7 +127,7 @@ Index SafeMorph::end_that_leaves(Work const& work) const noexcept {
             is_near = is_near || cell.point[k] == end || cell.point[k] == beside;
         Vec2 const along = work.mesh().points[beside] - work.mesh().points[end];
         Vec2 const by = basis.wall_move(mesh.path.slot_of[end], mesh.path.target.data());
-        return is_near && absolute(cross(along, by)) > least * length(along) * length(by);
+        return is_near && abs(cross(along, by)) > least * length(along) * length(by);
     };
     for (Index loop = 0; loop < basis.loop_start.count() - 1; ++loop) {
         Index const first = basis.loop_start[loop], last = basis.loop_start[loop + 1];

@@ -99,7 +99,7 @@ Status SafeMorph::substeps(Work& work) noexcept {
             if (status == Status::cancelled) return status;
             by = here.header->solved == 1 ? &here : &work.basis;
             if (failed(status)) break;  // a scheme that cannot, or a mesh too poor
-            if (length >= least_step) look_ahead(work, here, smaller(mesh.time + length, 1.0));
+            if (length >= least_step) look_ahead(work, here, min(mesh.time + length, 1.0));
         }
         if (work.attempt.steps > 0) keep_if_better(work);
     }
@@ -110,7 +110,7 @@ Status SafeMorph::substeps(Work& work) noexcept {
 // Is a step too short to reach the target with the solutions that are left?
 bool SafeMorph::is_stuck(Work const& work, Real length) const noexcept {
     Real const left =
-        static_cast<Real>(larger(work.options.most_resolves - work.report.resolves, Index{1}));
+        static_cast<Real>(max(work.options.most_resolves - work.report.resolves, Index{1}));
     return length < stuck_below * (1 - mesh.time) / left;
 }
 
@@ -129,7 +129,7 @@ Basis const& SafeMorph::choose_first(Work& work, Real& length) noexcept {
             best = &other;
         }
     }
-    if (last != best && length > 0) look_ahead(work, *best, smaller(mesh.time + length, 1.0));
+    if (last != best && length > 0) look_ahead(work, *best, min(mesh.time + length, 1.0));
     return *best;
 }
 
@@ -175,13 +175,13 @@ Status SafeMorph::solve_by(Work& work, Basis const& here, OperatorChoice const& 
 // is admissible and leaves enough quality for the rest. For quality no step becomes shorter than
 // the pace that leads to the target.
 Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
-    Index const planned = smaller(usual_resolves, work.options.most_resolves);
+    Index const planned = min(usual_resolves, work.options.most_resolves);
     Index const most = work.report.resolves < planned ? planned : work.options.most_resolves;
     Real const pace =
-        (1 - mesh.time) / static_cast<Real>(larger(most - work.report.resolves, Index{0}) + 1);
+        (1 - mesh.time) / static_cast<Real>(max(most - work.report.resolves, Index{0}) + 1);
     Real length = 1 - mesh.time;
     for (Index trial = 0; trial < most_trials && length >= least_step; ++trial) {
-        Real const end = smaller(mesh.time + length, 1.0);
+        Real const end = min(mesh.time + length, 1.0);
         work.report.limit = look_ahead(work, by, end);
         Real const share = work.report.limit.step * substep_of_admissible;
         if (share >= 1 && is_valid(work, mesh.ahead())) {
@@ -191,7 +191,7 @@ Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
             if (there.min_quality >=
                 work.report.start_quality * complex_power({work.options.min_quality, 0}, end).x)
                 return length;
-            length = larger(0.7 * length, pace);
+            length = max(0.7 * length, pace);
             continue;
         }
         length *= clamp(0.99 * share, 0.05, share >= 1 ? 0.5 : 0.9);

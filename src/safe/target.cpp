@@ -32,9 +32,9 @@ struct Loop {
         for (Index k = 0; k < point.count(); ++k) {
             Real const part = cross(at[point[k]] - origin, at[next(k)] - origin);
             sum += part;
-            size += absolute(part);
+            size += abs(part);
         }
-        if (absolute(sum) <= 1e-9 * size) return 0;
+        if (abs(sum) <= 1e-9 * size) return 0;
         return sum > 0 ? 1 : -1;
     }
     // Is p inside, by the number of faces that a ray to the right crosses? `on` if p is on a face.
@@ -43,10 +43,10 @@ struct Loop {
         bool inside = false;
         for (Index k = 0; k < point.count(); ++k) {
             Vec2 const a = at[point[k]], b = at[next(k)];
-            Real const low = smaller(a.y, b.y), high = larger(a.y, b.y);
+            Real const low = min(a.y, b.y), high = max(a.y, b.y);
             if (p.y < low || p.y > high) continue;
             int const turn = orientation_sign(a, b, p);
-            if (turn == 0 && p.x >= smaller(a.x, b.x) && p.x <= larger(a.x, b.x)) return Side::on;
+            if (turn == 0 && p.x >= min(a.x, b.x) && p.x <= max(a.x, b.x)) return Side::on;
             bool const spans = (a.y <= p.y) != (b.y <= p.y);
             if (spans && (b.y > a.y ? turn > 0 : turn < 0)) inside = !inside;
         }

@@ -14,8 +14,8 @@ Real extent_along(CellShape const& shape, Vec2 direction) noexcept {
     Real low = 0, high = 0;
     for (Index k = 1; k < shape.n; ++k) {
         Real const its = dot(direction, shape.at[k] - shape.at[0]);
-        low = smaller(low, its);
-        high = larger(high, its);
+        low = min(low, its);
+        high = max(high, its);
     }
     return high - low;
 }
@@ -37,8 +37,7 @@ void Targets::find(OrientedMesh const& cells, FaceDistance const& walls, Points 
             target.area = corners.cell_area(shape.n);
             target.own = skew_quality(shape.n, corners);
             target.is_part = cells.mesh.is_part(i);
-            target.least =
-                target.is_part ? part_of_own : larger(smallest, part_of_own * target.own);
+            target.least = target.is_part ? part_of_own : max(smallest, part_of_own * target.own);
             if (walls.count > 0) find_stretch(target, shape, walls, now, group);
         }
     });
@@ -69,9 +68,9 @@ Real Targets::quality(Index its_cell, CellShape const& now) const noexcept {
     CellCorners const corners(now);
     Cell const& its = cell[its_cell];
     Real const found = skew_quality(now.n, corners),
-               skew = its.is_part ? smaller(1.0, found / its.own) : found;
+               skew = its.is_part ? min(1.0, found / its.own) : found;
     Real const area = corners.cell_area(now.n), before = its.area;
-    return skew > 0 ? skew * square_root(smaller(area, before) / larger(area, before)) : 0;
+    return skew > 0 ? skew * sqrt(min(area, before) / max(area, before)) : 0;
 }
 
 }  // namespace harmorph

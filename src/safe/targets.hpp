@@ -67,7 +67,7 @@ private:
 inline Triangle with_ratio_of(Triangle const& now, Vec2 side, Vec2 next) noexcept {
     Real const ratio = square(now.at[1] - now.at[0]) / square(now.at[2] - now.at[1]) *
                        (square(next) / square(side));
-    Real const root = square_root(square_root(ratio));
+    Real const root = sqrt(sqrt(ratio));
     return {{-root * side, {0, 0}, 1 / root * next}};
 }
 
@@ -89,10 +89,10 @@ inline Triangle Targets::ideal(Index its_cell, CornerPoints const& points,
     if (cell[its_cell].is_part) return before;
     Real const twice_area = before.twice_area();
     if (cell[its_cell].is_quad) {
-        Real const side = square_root(twice_area);
+        Real const side = sqrt(twice_area);
         return with_ratio_of(now, {side, 0}, {0, side});
     }
-    Real const side = square_root(twice_area / height);
+    Real const side = sqrt(twice_area / height);
     return {{{0, 0}, {side, 0}, {0.5 * side, height * side}}};
 }
 

@@ -38,7 +38,7 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
         return Status::not_converged;
     }
     // Each region is round what the last one left, and begins where that ended.
-    for (Index layers = larger(options.layers, Index{1}); region.n_cells > 0; layers *= 2) {
+    for (Index layers = max(options.layers, Index{1}); region.n_cells > 0; layers *= 2) {
         bool const is_whole = layers >= Region::whole;
         region.grow(tangle, layers);
         HARMORPH_TRY(check_reference(fault));
@@ -96,7 +96,7 @@ void Untangling::repair_region(UntangleOptions const& options, Index most_iterat
     constexpr Real least_gain = 0.1;  // however little the energy falls, the softness does
     copy(trial, Span<const Vec2>(now));
     Real smallest = smallest_determinant();
-    Real softness = square_root(1e-12 + 0.04 * smallest * smallest);
+    Real softness = sqrt(1e-12 + 0.04 * smallest * smallest);
     for (Index k = 0; k < most_iterations; ++k) {
         Real const before = energy(now, softness);
         if (!is_finite(before)) return;
@@ -110,8 +110,8 @@ void Untangling::repair_region(UntangleOptions const& options, Index most_iterat
         bool const at_rest = softness == 0 && after > (1 - 1e-4) * before;
         if (smallest >= options.margin && at_rest) return;
         Real const wanted =
-            (1 - larger(1 - after / before, least_gain)) * regularised(smallest, softness);
-        softness = wanted > smallest ? 2 * square_root(wanted * (wanted - smallest)) : 0;
+            (1 - max(1 - after / before, least_gain)) * regularised(smallest, softness);
+        softness = wanted > smallest ? 2 * sqrt(wanted * (wanted - smallest)) : 0;
     }
 }
 

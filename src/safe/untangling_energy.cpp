@@ -11,7 +11,7 @@ Real Distortion::energy(Triangle const& now, Real softness) const noexcept {
 void Distortion::differentiate(Triangle const& now, Real softness, Real least, Vec2 (&gradient)[3],
                                CornerMode (&mode)[4]) const noexcept {
     Real const p = square(map_.z(now)), q = square(map_.w(now)), d = determinant(now);
-    Real const root = square_root(softness * softness + d * d);
+    Real const root = sqrt(softness * softness + d * d);
     Real const numerator = 2 * (p + q) + size_weight * (d * d + 1);
     Real const scale = 1 / regularised(d, softness);
     Real const slope = -scale / root,

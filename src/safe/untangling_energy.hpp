@@ -10,7 +10,7 @@ namespace harmorph {
 // Positive for every determinant, and nearly it where that is large; increases with it. softness 0:
 // the positive part.
 inline Real regularised(Real determinant, Real softness) noexcept {
-    Real const root = square_root(softness * softness + determinant * determinant);
+    Real const root = sqrt(softness * softness + determinant * determinant);
     if (determinant <= 0 && softness == 0) return 0;
     return determinant > 0 ? 0.5 * (determinant + root)
                            : 0.5 * softness * softness / (root - determinant);

@@ -55,16 +55,12 @@ struct Registers<double> : Register<double, 4> {
             _mm_maskload_ps(from, _mm_cmpgt_epi32(_mm_set1_epi32(n), _mm_set_epi32(3, 2, 1, 0))));
     }
 
-    static HARMORPH_INLINE Vector larger(Vector a, Vector b) noexcept {
-        return _mm256_max_pd(a, b);
-    }
-    static HARMORPH_INLINE Vector smaller(Vector a, Vector b) noexcept {
-        return _mm256_min_pd(a, b);
-    }
+    static HARMORPH_INLINE Vector max(Vector a, Vector b) noexcept { return _mm256_max_pd(a, b); }
+    static HARMORPH_INLINE Vector min(Vector a, Vector b) noexcept { return _mm256_min_pd(a, b); }
     static HARMORPH_INLINE unsigned less(Vector a, Vector b) noexcept {
         return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_LT_OQ)));
     }
-    static HARMORPH_INLINE Vector square_root(Vector v) noexcept { return _mm256_sqrt_pd(v); }
+    static HARMORPH_INLINE Vector sqrt(Vector v) noexcept { return _mm256_sqrt_pd(v); }
     static constexpr bool rounds = false;
 
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept {

@@ -27,18 +27,16 @@ struct Registers<double> : Register<double, 8> {
         return _mm512_maskz_cvtps_pd(every, _mm256_maskz_loadu_ps(first(n), from));
     }
 
-    static HARMORPH_INLINE Vector larger(Vector a, Vector b) noexcept {
+    static HARMORPH_INLINE Vector max(Vector a, Vector b) noexcept {
         return _mm512_maskz_max_pd(every, a, b);
     }
-    static HARMORPH_INLINE Vector smaller(Vector a, Vector b) noexcept {
+    static HARMORPH_INLINE Vector min(Vector a, Vector b) noexcept {
         return _mm512_maskz_min_pd(every, a, b);
     }
     static HARMORPH_INLINE unsigned less(Vector a, Vector b) noexcept {
         return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
     }
-    static HARMORPH_INLINE Vector square_root(Vector v) noexcept {
-        return _mm512_maskz_sqrt_pd(every, v);
-    }
+    static HARMORPH_INLINE Vector sqrt(Vector v) noexcept { return _mm512_maskz_sqrt_pd(every, v); }
     static constexpr bool rounds = true;
     static HARMORPH_INLINE Words round(Vector v) noexcept {
         return Words(_mm512_maskz_cvtpd_epi64(every, v));

@@ -37,14 +37,14 @@ struct Registers<double> : Register<double, 2> {
     }
 
     // Lane by lane; b where one of the two is NaN.
-    static HARMORPH_INLINE Vector larger(Vector a, Vector b) noexcept {
+    static HARMORPH_INLINE Vector max(Vector a, Vector b) noexcept {
 #if defined(__SSE2__)
         return Vector(_mm_max_pd(a, b));
 #else
         return Vector{a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
 #endif
     }
-    static HARMORPH_INLINE Vector smaller(Vector a, Vector b) noexcept {
+    static HARMORPH_INLINE Vector min(Vector a, Vector b) noexcept {
 #if defined(__SSE2__)
         return Vector(_mm_min_pd(a, b));
 #else
@@ -59,11 +59,11 @@ struct Registers<double> : Register<double, 2> {
         return (a[0] < b[0] ? 1u : 0u) | (a[1] < b[1] ? 2u : 0u);
 #endif
     }
-    static HARMORPH_INLINE Vector square_root(Vector v) noexcept {
+    static HARMORPH_INLINE Vector sqrt(Vector v) noexcept {
 #if defined(__SSE2__)
         return Vector(_mm_sqrt_pd(v));
 #else
-        return Vector{harmorph::square_root(v[0]), harmorph::square_root(v[1])};
+        return Vector{harmorph::sqrt(v[0]), harmorph::sqrt(v[1])};
 #endif
     }
 

@@ -47,17 +47,17 @@ struct Registers<double> : Register<double, 2> {
     }
 
     // vmaxq and vminq give NaN where any is NaN.
-    static HARMORPH_INLINE Vector larger(Vector a, Vector b) noexcept {
+    static HARMORPH_INLINE Vector max(Vector a, Vector b) noexcept {
         return vbslq_f64(vcgtq_f64(a, b), a, b);
     }
-    static HARMORPH_INLINE Vector smaller(Vector a, Vector b) noexcept {
+    static HARMORPH_INLINE Vector min(Vector a, Vector b) noexcept {
         return vbslq_f64(vcltq_f64(a, b), a, b);
     }
     static HARMORPH_INLINE unsigned less(Vector a, Vector b) noexcept {
         uint64x2_t const wanted = {1, 2};
         return static_cast<unsigned>(vaddvq_u64(vandq_u64(vcltq_f64(a, b), wanted)));
     }
-    static HARMORPH_INLINE Vector square_root(Vector v) noexcept { return vsqrtq_f64(v); }
+    static HARMORPH_INLINE Vector sqrt(Vector v) noexcept { return vsqrtq_f64(v); }
     static constexpr bool rounds = true;
     static HARMORPH_INLINE Words round(Vector v) noexcept { return Words(vcvtnq_s64_f64(v)); }
 

@@ -16,8 +16,8 @@ Real along(Vec3 point, Vec3 direction) noexcept {
 
 // Of the component that is largest in size.
 Index largest_axis(Vec3 v) noexcept {
-    Index axis = absolute(v.y) > absolute(v.x) ? 1 : 0;
-    return absolute(v.z) > absolute(v[axis]) ? 2 : axis;
+    Index axis = abs(v.y) > abs(v.x) ? 1 : 0;
+    return abs(v.z) > abs(v[axis]) ? 2 : axis;
 }
 
 // The points of the faces, or all others.
@@ -77,10 +77,10 @@ Real extent(SpaceMesh const& mesh) noexcept {
     for (Index axis = 0; axis < 3; ++axis) {
         Real low = infinity, high = -infinity;
         for (Index k = 0; k < mesh.n_points; ++k) {
-            low = smaller(low, mesh.points[k][axis]);
-            high = larger(high, mesh.points[k][axis]);
+            low = min(low, mesh.points[k][axis]);
+            high = max(high, mesh.points[k][axis]);
         }
-        most = larger(most, high - low);
+        most = max(most, high - low);
     }
     return most;
 }
@@ -90,9 +90,8 @@ Real extent(SpaceMesh const& mesh) noexcept {
 void snap_to_coordinates(Group const& group, Real tolerance, Flat& flat) noexcept {
     for (Index axis = 2; axis >= 0; --axis) {
         Real const at = flat.point[axis];
-        if (group.find([&](Index k) {
-                return absolute(group.mesh.points[k][axis] - at) > tolerance;
-            }) != none)
+        if (group.find([&](Index k) { return abs(group.mesh.points[k][axis] - at) > tolerance; }) !=
+            none)
             continue;
         flat.normal = unit_vector(axis);
         return;
@@ -101,7 +100,7 @@ void snap_to_coordinates(Group const& group, Real tolerance, Flat& flat) noexcep
 
 Index first_outside(Group const& group, Flat const& flat, Real tolerance) noexcept {
     return group.find([&](Index k) {
-        return absolute(along(group.mesh.points[k] - flat.point, flat.normal)) > tolerance;
+        return abs(along(group.mesh.points[k] - flat.point, flat.normal)) > tolerance;
     });
 }
 
@@ -110,7 +109,7 @@ void directions_of_planes(Flat const& flat, Frame& frame) noexcept {
     Index const largest = largest_axis(n);
     if ((n[largest] < 0) != (largest == 1)) n = -1.0 * n;  // x-z has the normal -y
     Index const first = largest == 0 ? 1 : 0, second = largest == 2 ? 1 : 2;
-    Index const axis = absolute(n[first]) <= absolute(n[second]) ? first : second;
+    Index const axis = abs(n[first]) <= abs(n[second]) ? first : second;
     frame.x = direction(unit_vector(axis) - n[axis] * n);
     frame.y = cross(n, frame.x);
     frame.normal = n;
@@ -123,8 +122,8 @@ struct Line {
 };
 
 bool contains(Flat const& flat, Line const& line, Real size, Real tolerance) noexcept {
-    return absolute(along(line.point - flat.point, flat.normal)) <= tolerance &&
-           absolute(dot(line.direction, flat.normal)) * size <= tolerance;
+    return abs(along(line.point - flat.point, flat.normal)) <= tolerance &&
+           abs(dot(line.direction, flat.normal)) * size <= tolerance;
 }
 
 Line common_line(Flat const& a, Flat const& b, Real size, Real tolerance) noexcept {
@@ -145,7 +144,7 @@ Status directions_of_wedge(Group const& faces, Flat const& flat, Line const& axi
     frame.origin = axis.point;
     frame.x = axis.direction;
     frame.y = direction(cross(flat.normal, axis.direction));
-    Index const far = faces.largest([&](Vec3 p) { return absolute(dot(p - axis.point, frame.y)); });
+    Index const far = faces.largest([&](Vec3 p) { return abs(dot(p - axis.point, frame.y)); });
     if (dot(faces.mesh.points[far] - axis.point, frame.y) < 0) frame.y = -1.0 * frame.y;
     frame.normal = cross(frame.x, frame.y);
     Index const beyond = faces.find(
@@ -201,7 +200,7 @@ Status find_frame(SpaceMesh const& mesh, Span<const std::uint8_t> in_faces, Fram
     snap_to_coordinates(faces, frame.tolerance, flat);
     Index const outside = first_outside(faces, flat, frame.tolerance);
     if (outside != none) {
-        Real const distance = absolute(dot(mesh.points[outside] - flat.point, flat.normal));
+        Real const distance = abs(dot(mesh.points[outside] - flat.point, flat.normal));
         return fault.refuse(Status::bad_mesh,
                             "point # of the faces is ~ outside the plane of the others",
                             point_item(outside), {}, distance);

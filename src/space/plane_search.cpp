@@ -87,8 +87,8 @@ void PlaneSearch::find_reach(Plane const& plane) noexcept {
             Index const b = plane.cell_points[k + 1 == end ? begin : k + 1] - plane.index_base;
             Real const its = square(place_of(plane, b) - place_of(plane, a)) / 16;
             if (its == 0) continue;
-            reach[a] = smaller(reach[a], its);
-            reach[b] = smaller(reach[b], its);
+            reach[a] = min(reach[a], its);
+            reach[b] = min(reach[b], its);
         }
     }
 }
@@ -124,10 +124,9 @@ Status PlaneSearch::follow(SpaceMesh const& mesh, Plane& plane, Fault& fault) no
             constexpr const char* text =
                 "point # is ~ away from being opposite to a point of the faces: "
                 "the mesh is not a plane one, extruded";
-            return fault.refuse(Status::bad_mesh, text, point_item(k), {},
-                                square_root(near.squared));
+            return fault.refuse(Status::bad_mesh, text, point_item(k), {}, sqrt(near.squared));
         }
-        Real const distance = square_root(near.squared);
+        Real const distance = sqrt(near.squared);
         if (distance > plane.max_distance) {
             plane.max_distance = distance;
             plane.max_distance_point = k;
@@ -173,7 +172,7 @@ Status PlaneSearch::list_followers(Plane& plane, Fault& fault) noexcept {
     fill(start, Index{0});
     for (Index k = 0; k < plane.n_space_points; ++k) ++start[plane.follows[k] - plane.index_base];
     plane.layers = 0;
-    for (Index p = 0; p < plane.n_points; ++p) plane.layers = larger(plane.layers, start[p]);
+    for (Index p = 0; p < plane.n_points; ++p) plane.layers = max(plane.layers, start[p]);
     for (Index p = 0; p < plane.n_points; ++p) {
         bool const on_axis =
             plane.frame.kind == SpaceKind::wedge && plane.y[p] <= plane.frame.tolerance;

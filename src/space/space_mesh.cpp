@@ -47,7 +47,7 @@ Status check_coordinates(SpaceMesh const& mesh, Fault& fault) noexcept {
             return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite",
                                 point_item(k));
         }
-        Real const size = larger(larger(absolute(p.x), absolute(p.y)), absolute(p.z));
+        Real const size = max(max(abs(p.x), abs(p.y)), abs(p.z));
         if (size <= largest_coordinate) continue;
         return fault.refuse(Status::bad_mesh,
                             "point # has the coordinate ~; they may be as large as 1e100",

@@ -44,7 +44,7 @@ struct SpaceMesh {
     }
     // Upper bound of the number of different points of the faces.
     Index max_plane_points() const noexcept {
-        return static_cast<Index>(smaller(n_corners(), Offset{n_points}));
+        return static_cast<Index>(min(n_corners(), Offset{n_points}));
     }
     SpaceFace face(Index i) const noexcept;
 };

@@ -32,9 +32,9 @@ struct Operations {
     OperationsOf<double> in_double;
     OperationsOf<float> in_single;
     void (*load_single)(const float* from, double* out);
-    void (*larger)(const double* a, const double* b, double* out, Index n);
-    void (*smaller)(const double* a, const double* b, double* out, Index n);
-    void (*square_root)(const double* a, double* out, Index n);
+    void (*max)(const double* a, const double* b, double* out, Index n);
+    void (*min)(const double* a, const double* b, double* out, Index n);
+    void (*sqrt)(const double* a, double* out, Index n);
     unsigned (*less)(const double* a, const double* b);
     void (*round)(const double* a, std::uint64_t* out, Index n);  // null: no such instruction
 
@@ -153,7 +153,7 @@ TEST_CASE_TEMPLATE("lanes are picked from two registers, or none", Number, doubl
     }
 }
 
-TEST_CASE("larger, smaller and less: the second number where one is NaN, and NaN is not less") {
+TEST_CASE("max, min and less: the second number where one is NaN, and NaN is not less") {
     Untrapped const untrapped;
     double const nan = std::numeric_limits<double>::quiet_NaN(),
                  infinity = std::numeric_limits<double>::infinity();
@@ -162,8 +162,8 @@ TEST_CASE("larger, smaller and less: the second number where one is NaN, and NaN
     for (Kernel const kernel : usable_kernels()) {
         Operations const& its = operations(kernel);
         double high[8], low[8];
-        its.larger(a.data(), b.data(), high, 8);
-        its.smaller(a.data(), b.data(), low, 8);
+        its.max(a.data(), b.data(), high, 8);
+        its.min(a.data(), b.data(), low, 8);
         for (std::size_t k = 0; k < 8; ++k) {
             CHECK(harmorph::bits_of(high[k]) == harmorph::bits_of(a[k] > b[k] ? a[k] : b[k]));
             CHECK(harmorph::bits_of(low[k]) == harmorph::bits_of(a[k] < b[k] ? a[k] : b[k]));
@@ -185,7 +185,7 @@ TEST_CASE("square roots are rounded correctly; integers are the nearest, ties to
     for (Kernel const kernel : usable_kernels()) {
         Operations const& its = operations(kernel);
         double roots[8];
-        its.square_root(a.data(), roots, 8);
+        its.sqrt(a.data(), roots, 8);
         for (std::size_t k = 0; k < 8; ++k) CHECK(roots[k] == std::sqrt(a[k]));
         if (its.round == nullptr) continue;
         std::uint64_t words[8];
