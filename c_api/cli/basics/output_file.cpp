@@ -15,12 +15,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A link's target is replaced, not the link.
-std::string real_path(const std::string& path) {
-    std::error_code ignored;
-    const fs::path target =
-        fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : fs::path(path);
-    return target.empty() ? path : target.string();
+// The file at the end of a chain of symbolic links, whether it exists or not: a link stays a link
+// when the file is replaced.
+fs::path target_of(fs::path path) {
+    constexpr int longest_chain = 40;
+    std::error_code error;
+    for (int links = 0; links < longest_chain && fs::is_symlink(path, error); ++links) {
+        const fs::path next = fs::read_symlink(path, error);
+        if (error) break;
+        path = path.parent_path() / next;
+    }
+    return path;
+}
+
+// One spelling for all paths to a file that need not exist.
+fs::path one_spelling(const std::string& path) {
+    std::error_code error;
+    const fs::path target = fs::absolute(target_of(path), error);
+    const fs::path folder = fs::weakly_canonical(target.parent_path(), error);
+    return error ? target : folder / target.filename();
 }
 
 // Beside the final place, so that the renaming stays on one disk.
@@ -39,7 +52,14 @@ bool is_device(const std::string& path) {
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-OutputFile::OutputFile(const std::string& path) : path_(is_device(path) ? path : real_path(path)) {
+bool is_same_file(const std::string& path, const std::string& other) {
+    if (is_device(path) || is_device(other)) return false;
+    std::error_code ignored;
+    return fs::equivalent(path, other, ignored) || one_spelling(path) == one_spelling(other);
+}
+
+OutputFile::OutputFile(const std::string& path)
+    : path_(is_device(path) ? path : target_of(path).string()) {
     std::error_code ignored;
     if (fs::is_directory(path_, ignored))
         throw Failure(exit_file, path + ": cannot be written: it is a directory");

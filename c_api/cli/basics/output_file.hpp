@@ -11,6 +11,10 @@ namespace cli {
 // A device or a pipe, into which one writes; nothing belongs beside it.
 bool is_device(const std::string& path);
 
+// Do both paths lead to one file, by symbolic or hard links or another spelling? Neither of them
+// need exist. Devices and pipes are no files.
+bool is_same_file(const std::string& path, const std::string& other);
+
 class OutputFile {
 public:
     explicit OutputFile(const std::string& path);

@@ -151,7 +151,7 @@ void run_check(const Arguments& arguments) {
 
 const Command check_command = {
     "check",
-    {"MESH"},
+    {{"MESH", FileUse::mesh}},
     "Checks a mesh and reports its size and quality",
     "Refused with the line of the first offender: wrong indices, "
     "points repeated in a cell, edges of more than two cells,\n"
@@ -160,10 +160,11 @@ const Command check_command = {
     "Then what solve refuses beside: cells too thin for the size of their coordinates.\n",
     {format_option,
      zone_option,
-     {"--svg", "FILE", "picture of the mesh, its markers in colours"},
+     {"--svg", "FILE", "picture of the mesh, its markers in colours", FileUse::output},
      {"--boundaries", nullptr, "--svg shows the boundaries alone"},
      {"--curve", "CURVE",
-      "--svg also shows these B-splines with their control points (may be repeated)"},
+      "--svg also shows these B-splines with their control points (may be repeated)",
+      FileUse::input},
      {"--window", "X,Y,X,Y",
       "lower left and upper right corner of what --svg shows (default: all of the mesh)"},
      {"--dual-volumes", "P[,Q..]",

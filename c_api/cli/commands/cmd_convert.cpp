@@ -28,7 +28,7 @@ void run_convert(const Arguments& arguments) {
 
 const Command convert_command = {
     "convert",
-    {"MESH", "NEW"},
+    {{"MESH", FileUse::mesh}, {"NEW", FileUse::output}},
     "Writes a mesh as a new file of another format",
     "The new file has the points, cells and markers (not in VTK files, which have none) that the "
     "other commands see:\n"

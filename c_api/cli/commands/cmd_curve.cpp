@@ -142,7 +142,7 @@ void run_curve(const Arguments& arguments) {
 
 const Command curve_command = {
     "curve",
-    {"CURVE"},
+    {{"CURVE", FileUse::input}},
     "Measures a section; inserts knots into its curve, or raises the degree",
     "Prints area, centroid, second moments, chord, thickness, camber, "
     "radii of curvature, and the angle and gap of the\n"
@@ -162,7 +162,7 @@ const Command curve_command = {
      {"--elevate", nullptr, "raise the degree by 1"},
      {"--halve", nullptr, "insert a knot in the middle of each knot span"},
      {"--insert", "U[,U..]", "insert these knots"},
-     {"-o", "CURVE", "file to write\n" CURVE_FORMATS},
+     {"-o", "CURVE", "file to write\n" CURVE_FORMATS, FileUse::output},
      {"--json", nullptr,
       "print one JSON object: points, curves, area, centroid_x, .., thickness_S, camber_S, "
       "clearance"}},

@@ -2,6 +2,7 @@
 #include <harmorph_design.h>
 #include "mesh/basis_file.hpp"
 #include "commands/commands.hpp"
+#include "commands/used_files.hpp"
 #include "curves/curve_file.hpp"
 #include "commands/morph.hpp"
 #include "curves/moves_file.hpp"
@@ -112,6 +113,12 @@ void copy_mesh(const std::string& from, const std::string& to) {
     files.commit();
 }
 
+// What the demo writes beside mesh.su2, the copy of the shipped mesh.
+constexpr const char* made_files[] = {
+    "airfoil.curve", "airfoil.basis",     "function.svg", "moves.txt",   "far.txt", "morphed.su2",
+    "morphed.vtu",   "morphed.su2.curve", "morph.svg",    "report.html", "far.su2", "far.su2.curve",
+    "far.svg",       "fine.su2",          "fine.basis",   "page.html"};
+
 void run_demo(const Arguments& arguments) {
     const std::filesystem::path folder = arguments.operand(0);
     const std::string shipped =
@@ -129,6 +136,8 @@ void run_demo(const Arguments& arguments) {
     const std::string mesh = in_folder("mesh.su2"), curve = in_folder("airfoil.curve"),
                       basis = in_folder("airfoil.basis"), moves = in_folder("moves.txt"),
                       far_moves = in_folder("far.txt"), fine = in_folder("fine.su2");
+    for (const char* const name : made_files)
+        refuse_overwriting(arguments, {FileUse::output, "a file of DIR,", in_folder(name)});
     copy_mesh(shipped, mesh);
 
     step("is the mesh sound?", {"check", mesh});
@@ -160,7 +169,7 @@ void run_demo(const Arguments& arguments) {
 
 const Command demo_command = {
     "demo",
-    {"DIR"},
+    {{"DIR", FileUse::none}},
     "Goes the whole path on the shipped mesh and leaves all files in DIR",
     "Each step is printed as the command that does the same. In DIR are then, among others: "
     "mesh.su2, airfoil.curve,\n"
@@ -168,7 +177,8 @@ const Command demo_command = {
     "one that only --safe does; fine.su2, the\n"
     "mesh with each cell divided in four. The commands that --help shows work on them.\n",
     {{"--mesh", "FILE",
-      "mesh with a marker `airfoil` of chord 1 (default tests/meshes/naca0012.su2)"}},
+      "mesh with a marker `airfoil` of chord 1 (default tests/meshes/naca0012.su2)",
+      FileUse::input}},
     "  harmorph demo demo-output\n",
     run_demo};
 

@@ -244,7 +244,7 @@ void run_displace(const Arguments& arguments) {
 
 const Command displace_command = {
     "displace",
-    {"MESH"},
+    {{"MESH", FileUse::mesh}},
     "Moves the points of a wall as a file says, and the mesh with them",
     "FIELD is a text file with lines \"point dx dy\": all points of the markers of --given, "
     "each with its displacement. Points\n"
@@ -257,11 +257,12 @@ const Command displace_command = {
     "cells is not written, and a wall that would cross itself is refused.\n",
     std::vector<Option>{
         {"--given", "A[,B..]", "markers whose displacements FIELD has (required; may be repeated)"},
-        {"--wall", "FIELD", "their displacements (required)"},
+        {"--wall", "FIELD", "their displacements (required)", FileUse::input},
         {"--move", "MOVES",
-         "with --curve or --rigid: what control points and bodies move by, see `harmorph morph`"},
-        {"-o", "MESH", "moved mesh to write"},
-        {"--vtu", "FILE", "moved mesh and its displacement for ParaView"}} +
+         "with --curve or --rigid: what control points and bodies move by, see `harmorph morph`",
+         FileUse::input},
+        {"-o", "MESH", "moved mesh to write", FileUse::moved_mesh},
+        {"--vtu", "FILE", "moved mesh and its displacement for ParaView", FileUse::output}} +
         task_options() + engine_options() + safe_options() +
         std::vector<Option>{
             {"--repeat", "N",

@@ -62,7 +62,7 @@ void run_explore(const Arguments& arguments) {
 
 const Command explore_command = {
     "explore",
-    {"MESH", "BASIS"},
+    {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}},
     "Writes a page to drag control points on while the mesh follows",
     "One self-contained file for any browser, without a network: control points, "
     "rigid bodies and design variables to drag;\n"
@@ -74,12 +74,12 @@ const Command explore_command = {
     "precision.\n"
     "Points that slide along curves (--slip) move along the tangents on the page; "
     "`harmorph morph` puts them onto the curves.\n",
-    {{"-o", "PAGE", "page to write, HTML (required)"},
+    {{"-o", "PAGE", "page to write, HTML (required)", FileUse::output},
      {"--points", "N",
       "how many points nearest to the body are shown with all their cells; farther away the mesh "
       "is thinned\n"
       "for drawing (default 50000)"},
-     {"--move", "MOVES", "movement of the control points to begin with"},
+     {"--move", "MOVES", "movement of the control points to begin with", FileUse::input},
      format_option,
      zone_option},
     "  harmorph explore naca0012.su2 airfoil.basis -o page.html\n",

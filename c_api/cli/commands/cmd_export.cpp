@@ -154,7 +154,7 @@ void run_export(const Arguments& arguments) {
 
 const Command export_command = {
     "export",
-    {"MESH", "BASIS"},
+    {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}},
     "Writes one function of a basis for other programs and as a picture",
     "Functions are numbered from 1 as their control points are. With --level: "
     "the volumes that agglomeration merges instead,\n"
@@ -165,15 +165,20 @@ const Command export_command = {
      {"--function", "I[,J..]", "which functions (required without --level)"},
      {"--csv", "FILE",
       "table with the columns point,x,y and value (real), value,imaginary (complex: conformal) or\n"
-      "xx,xy,yx,yy (matrix: with slip); points as numbered in the mesh file"},
-     {"--vtu", "FILE", "mesh and function for ParaView, its numbers as components"},
-     {"--svg", "FILE", "picture: colours and labelled contour lines, a panel for each function"},
-     {"--contour-csv", "FILE", "these contour lines as a table: panel, value, line, x, y"},
+      "xx,xy,yx,yy (matrix: with slip); points as numbered in the mesh file",
+      FileUse::output},
+     {"--vtu", "FILE", "mesh and function for ParaView, its numbers as components",
+      FileUse::output},
+     {"--svg", "FILE", "picture: colours and labelled contour lines, a panel for each function",
+      FileUse::output},
+     {"--contour-csv", "FILE", "these contour lines as a table: panel, value, line, x, y",
+      FileUse::output},
      window_option,
      {"--number", "K[,L..]",
       "which numbers the picture shows, in the order of the table (default 1)"},
      {"--beside", "BASIS",
-      "the picture also shows the functions of this basis of the same mesh (may be repeated)"},
+      "the picture also shows the functions of this basis of the same mesh (may be repeated)",
+      FileUse::input},
      {"--level", "L[,M..]",
       "picture of levels of agglomeration; 0: the mesh's own control volumes"},
      agglomeration_option},

@@ -185,7 +185,7 @@ void run_fit(const Arguments& arguments) {
 
 const Command fit_command = {
     "fit",
-    {"MESH"},
+    {{"MESH", FileUse::mesh}},
     "Fits a B-spline to a boundary of a mesh, or to an airfoil's coordinates",
     "The points of the markers, which must form one piece of boundary, are approximated by least "
     "squares. The curve\n"
@@ -206,7 +206,7 @@ const Command fit_command = {
       "auto (default): no corner: periodic; a straight blunt base between two corners at the end\n"
       "away from the nose: open, with a second curve over the base; else tied at the sharpest "
       "corner"},
-     {"-o", "CURVE", "file to write (required)\n" CURVE_FORMATS},
+     {"-o", "CURVE", "file to write (required)\n" CURVE_FORMATS, FileUse::output},
      format_option,
      zone_option,
      {"--json", nullptr,

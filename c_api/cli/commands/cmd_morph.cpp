@@ -31,14 +31,9 @@ PointData displacement_data(const Field& displacement) {
 }
 
 Companions companions_of(const Arguments& arguments, const Basis& basis, const Morph& morph) {
-    const auto path = [&](const char* option, const char* ending, bool by_default) -> std::string {
-        if (arguments.has(option)) return arguments.text(option);
-        const bool beside = by_default && arguments.has("-o") && !is_device(arguments.text("-o"));
-        return beside ? arguments.text("-o") + ending : "";
-    };
-    const bool is_short = !morph.refusal.empty();
-    Companions names = {path("--curve-out", ".curve", true),
-                        path("--reached", ".reached", is_short)};
+    const bool has_reached = arguments.has("--reached") || !morph.refusal.empty();
+    Companions names = {arguments.output("--curve-out"),
+                        has_reached ? arguments.output("--reached") : ""};
     if (basis.info().curves == 0 || !basis.why_on_no_curve().empty())
         names.curve.clear();  // bodies alone; unknown
     return names;
@@ -182,7 +177,7 @@ void run_morph(const Arguments& arguments) {
 
 const Command morph_command = {
     "morph",
-    {"MESH", "BASIS"},
+    {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}},
     "Moves control points, and the mesh with them",
     "MOVES is a text file with lines \"index dx dy\": control point (from 1) and its movement; "
     "for bodies of solve --rigid\n"
@@ -197,42 +192,52 @@ const Command morph_command = {
     "and then not by a fraction of it, as\n"
     "bodies turn on the way: MESH.reached is the file of moves that it has.\n",
     std::vector<Option>{
-        {"--move", "MOVES", "movement of the control points (this or --to-airfoil is required)"},
+        {"--move", "MOVES", "movement of the control points (this or --to-airfoil is required)",
+         FileUse::input},
         {"--variables", "MAP",
          "MOVES has lines \"variable value\" (or \"variable x y\") of the design variables in MAP, "
          "a file of\n"
-         "`harmorph variables`; bodies stay"},
+         "`harmorph variables`; bodies stay",
+         FileUse::input},
         {"--to-airfoil", "DAT",
          "make this airfoil of the mesh's (.dat in Selig's or Lednicer's order): control points by "
          "least\n"
-         "squares, with the curve's own knots; how far its points are off is reported"},
+         "squares, with the curve's own knots; how far its points are off is reported",
+         FileUse::input},
         {"--on-chord", nullptr,
          "for --to-airfoil: scale, turn and move it so that its leading and trailing edges come to "
          "where the\n"
          "curve's are (default: coordinates are those of the mesh)"},
         {"--airfoil-curve", "N",
          "for --to-airfoil: which curve of the basis is the airfoil (default 1)"},
-        {"--moves-out", "MOVES", "for --to-airfoil: where to write the movement, for --move"},
-        {"-o", "MESH", "morphed mesh to write, in the format of MESH"},
+        {"--moves-out", "MOVES", "for --to-airfoil: where to write the movement, for --move",
+         FileUse::output},
+        {"-o", "MESH", "morphed mesh to write, in the format of MESH", FileUse::moved_mesh},
         {"--curve-out", "CURVE",
-         "where to write the moved curve (default: -o with .curve behind)\n" CURVE_FORMATS},
-        {"--vtu", "FILE", "morphed mesh and its displacement for ParaView"},
-        {"--svg", "FILE", "picture: mesh before in blue, after in red, with the control points"},
+         "where to write the moved curve (default: -o with .curve behind)\n" CURVE_FORMATS,
+         FileUse::output, ".curve"},
+        {"--vtu", "FILE", "morphed mesh and its displacement for ParaView", FileUse::output},
+        {"--svg", "FILE", "picture: mesh before in blue, after in red, with the control points",
+         FileUse::output},
         window_option,
-        {"--boundary-svg", "FILE", "picture: the moved B-spline, and the mesh's points on it"},
+        {"--boundary-svg", "FILE", "picture: the moved B-spline, and the mesh's points on it",
+         FileUse::output},
         {"--csv", "FILE",
          "the curves of these pictures as a table: what (curve, control, mesh), curve, number (of "
          "the control\n"
-         "point, from 1, or of the mesh point), u (where it has one), x, y, moved_x, moved_y"},
+         "point, from 1, or of the mesh point), u (where it has one), x, y, moved_x, moved_y",
+         FileUse::output},
         {"--report", "FILE",
          "HTML page for any browser: what moved, quality before and after, the worst cells, angles "
          "and heights\n"
-         "along the wall; written even if the morphed mesh is not valid"}} +
+         "along the wall; written even if the morphed mesh is not valid",
+         FileUse::output}} +
         safe_options() +
         std::vector<Option>{
             {"--other", "BASIS",
              "for --safe: a basis of the same problem, solved with another operator or exponent\n"
-             "(may be repeated)"},
+             "(may be repeated)",
+             FileUse::input},
             {"--improve", nullptr,
              "make the morphed mesh better where it is valid: inner points move to where cells are "
              "more like those of\n"
@@ -241,7 +246,8 @@ const Command morph_command = {
             {"--reached", "MOVES",
              "for --safe: where to write the movement that the mesh has (default where it falls "
              "short of the\n"
-             "target: -o with .reached behind)"},
+             "target: -o with .reached behind)",
+             FileUse::output, ".reached", "--force"},
             {"--repeat", "N",
              "morph N times after a warm-up, in memory, and report the median time (default 1, no "
              "warm-up)"},

@@ -193,7 +193,7 @@ void run_solve(const Arguments& arguments) {
 
 const Command solve_command = {
     "solve",
-    {"MESH"},
+    {{"MESH", FileUse::mesh}},
     "Solves the functions that carry control points' movements to the mesh",
     "Each control point's function has the values of its B-spline basis function "
     "on the curve and 0 on fixed boundaries.\n"
@@ -223,13 +223,14 @@ const Command solve_command = {
              "a function whose values at the points of --given are a table: lines \"point x y\", "
              "points counted\n"
              "from 0 (may be repeated; `morph` moves it by lines \"mode K amplitude [amplitude "
-             "y]\")"},
+             "y]\")",
+             FileUse::input},
             {"--repeat", "N",
              "solve N times after a warm-up, in memory, and report median times (default 1, no "
              "warm-up)"},
             storage_option,
             threads_option,
-            {"-o", "BASIS", "file to write (required)"},
+            {"-o", "BASIS", "file to write (required)", FileUse::output},
             {"--force", nullptr,
              "write the basis even if it has not converged (exit code 1 all the same)"},
             format_option,

@@ -155,7 +155,7 @@ void run_transfer(const Arguments& arguments) {
 
 const Command transfer_command = {
     "transfer",
-    {"MESH", "BASIS", "FINE_MESH"},
+    {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}, {"FINE_MESH", FileUse::mesh}},
     "Interpolates solved functions to a denser mesh of the same domain",
     "Both meshes have the same markers; curves, conditions and operator are those of BASIS. "
     "Points on curves get their basis\n"
@@ -164,7 +164,7 @@ const Command transfer_command = {
     "them move along. Points a little beyond a curved boundary take the nearest cell's functions; "
     "farther ones than half a\n"
     "cell's side are refused.\n",
-    {{"-o", "BASIS", "file to write, for FINE_MESH (required)"},
+    {{"-o", "BASIS", "file to write, for FINE_MESH (required)", FileUse::output},
      storage_option,
      threads_option,
      format_option,

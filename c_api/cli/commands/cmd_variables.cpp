@@ -118,7 +118,7 @@ void run_variables(const Arguments& arguments) {
 
 const Command variables_command = {
     "variables",
-    {"CURVE"},
+    {{"CURVE", FileUse::input}},
     "Design variables (FFD, CST, Hicks-Henne, NACA) as a map to the control points",
     "Writes what one unit of each variable does to each control point: the least-squares "
     "approximation of the wanted\n"
@@ -138,7 +138,7 @@ const Command variables_command = {
       "points)"},
      {"--peaks", "P[,P..]", "of --hicks-henne: where the bumps are largest, 0 to 1"},
      chord_option,
-     {"-o", "MAP", "file to write"},
+     {"-o", "MAP", "file to write", FileUse::output},
      {"--json", nullptr,
       "print one JSON object: points, variables (rms_error, max_error of each)"}},
     "  harmorph variables airfoil.curve --cst 6,6 -o cst.map\n"

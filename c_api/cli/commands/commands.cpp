@@ -1,4 +1,5 @@
 #include "commands/commands.hpp"
+#include "commands/used_files.hpp"
 
 #include "formats/format.hpp"
 #include "harmorph.h"
@@ -69,7 +70,9 @@ void run_command(const std::vector<std::string>& words) {
     const std::vector<std::string> rest(words.begin() + 1, words.end());
     if (std::find(rest.begin(), rest.end(), "--help") != rest.end())
         return print(help_text(command));
-    command.run(Arguments(command, rest));
+    const Arguments arguments(command, rest);
+    refuse_overwriting(arguments);
+    command.run(arguments);
 }
 
 Mesh read_mesh(const std::string& path, const ReadOptions& options) {

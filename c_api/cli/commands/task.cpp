@@ -186,14 +186,16 @@ std::vector<Option> task_options() {
     std::vector<Option> of_conditions = {
         {"--curve", "A[,B..]=CURVE",
          "markers, and the file with the curves they lie on (may be repeated). A@X:Y is the piece\n"
-         "of marker A nearest to (X, Y): one of several bodies or sides, here and below"},
+         "of marker A nearest to (X, Y): one of several bodies or sides, here and below",
+         FileUse::input_after_equals},
         {"--rigid", "A[,B..][=X,Y]",
          "markers of a body that only moves, turns about X,Y (default: its middle; of a piece, "
          "the\n"
          "point that it is near to) and scales (may be repeated)"},
         {"--slip", "C[,D..][=CURVE]",
          "markers along which points slide, straight or curved without corners, or along the\n"
-         "curves of a file, which BASIS keeps (may be repeated)"},
+         "curves of a file, which BASIS keeps (may be repeated)",
+         FileUse::input_after_equals},
         {"--periodic", "E:F",
          "a pair of markers, one the other moved: their points move alike; or one the other "
          "turned, as\n"

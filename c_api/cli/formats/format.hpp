@@ -41,6 +41,10 @@ bool is_mesh_file(const TextFile& file);  // is the content that of one of the f
 // written; else the path.
 std::string mesh_file(const std::string& path);
 
+// The files beside the mesh with this path that belong to the mesh, as far as they exist: names of
+// markers (.nmf, .mapbc), and all other files of OpenFOAM's polyMesh.
+std::vector<std::string> files_beside_mesh(const std::string& path);
+
 // The file that a morphed mesh with this path goes to, as mesh_file says. The name ends in .gz if
 // the mesh was compressed, and only then; otherwise this is wrong usage.
 std::string moved_file(const Mesh& mesh, const std::string& path);
