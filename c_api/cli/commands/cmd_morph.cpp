@@ -50,8 +50,7 @@ void write_report(std::ostream& out, const Mesh& mesh, const Basis& basis, const
 }
 
 void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
-                 const Morph& morph, const Companions& companions) {
-    OutputFiles files;
+                 const Morph& morph, const Companions& companions, OutputFiles& files) {
     const Field& moved = morph.moved;
     if (arguments.has("-o"))
         write_moved(files.add(moved_file(mesh, arguments.text("-o"))), mesh, moved.x.data(),
@@ -73,16 +72,6 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     }
     if (arguments.has("--csv"))
         write_moved_curves_csv(files.add(arguments.text("--csv")), mesh, basis, morph);
-    files.commit();
-}
-
-// Also of a mesh that is not valid: it shows why.
-void write_report_file(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
-                       const Morph& morph) {
-    OutputFiles files;
-    write_report(files.add(arguments.text("--report")), mesh, basis, morph,
-                 arguments.has("--safe"));
-    files.commit();
 }
 
 Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
@@ -154,12 +143,17 @@ void run_morph(const Arguments& arguments) {
     if (!safe && arguments.has("--improve") && morph.valid()) morph.improve(basis, mesh, threads);
     const bool strict = arguments.has("--strict") && !morph.warning.empty();
     const bool reached = morph.valid() && morph.refusal.empty() && !strict;
+    OutputFiles files;  // the report and the movement also of a mesh that is not valid
     Companions written;
     if (reached || arguments.has("--force")) {
         written = companions_of(arguments, basis, morph);
-        write_files(arguments, mesh, basis, morph, written);
+        write_files(arguments, mesh, basis, morph, written, files);
     }
-    if (arguments.has("--report")) write_report_file(arguments, mesh, basis, morph);
+    if (arguments.has("--report"))
+        write_report(files.add(arguments.text("--report")), mesh, basis, morph, safe);
+    if (arguments.has("--moves-out"))
+        write_moves(files.add(arguments.text("--moves-out")), moves, basis, mesh);
+    files.commit();
     if (arguments.has("--json")) {
         print_json(morph, safe, written, airfoil);
     } else {
@@ -210,7 +204,9 @@ const Command morph_command = {
          "curve's are (default: coordinates are those of the mesh)"},
         {"--airfoil-curve", "N",
          "for --to-airfoil: which curve of the basis is the airfoil (default 1)"},
-        {"--moves-out", "MOVES", "for --to-airfoil: where to write the movement, for --move",
+        {"--moves-out", "MOVES",
+         "for --to-airfoil: where to write the movement, for --move; written even if the morphed "
+         "mesh is not valid",
          FileUse::output},
         {"-o", "MESH", "morphed mesh to write, in the format of MESH", FileUse::moved_mesh},
         {"--curve-out", "CURVE",
