@@ -1,10 +1,10 @@
 #include "basics/text_file.hpp"
 
 #include "basics/failure.hpp"
+#include "basics/readable.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -145,10 +145,10 @@ bool ends_with(std::string_view text, std::string_view end) {
 
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t longest = 48;
-    std::string result = "'";
-    for (const char c : text.substr(0, longest))
-        result += std::iscntrl(static_cast<unsigned char>(c)) ? '?' : c;
-    return result + (text.size() > longest ? "...'" : "'");
+    std::size_t bytes = 0;  // no character is cut
+    while (bytes < std::min(longest, text.size()))
+        bytes += std::max<std::size_t>(readable_character(text.substr(bytes)), 1);
+    return "'" + readable(text.substr(0, bytes)) + (text.size() > bytes ? "...'" : "'");
 }
 
 }  // namespace cli

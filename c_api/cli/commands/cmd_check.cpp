@@ -6,6 +6,7 @@
 #include "basics/json.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "pictures/pictures.hpp"
 #include "basics/place.hpp"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <ostream>
 
 namespace cli {
@@ -36,7 +36,7 @@ void print_json(const hm_mesh_report& report, const Mesh& mesh) {
     object.add("inverted", report.inverted);
     object.add("min_area", report.min_area).add("min_quality", report.min_quality);
     object.add("mean_quality", report.mean_quality).add("markers", markers);
-    std::printf("%s\n", object.text().c_str());
+    print("%s\n", object.text().c_str());
 }
 
 // Of many markers, the first ones and the loops that they form.
@@ -44,11 +44,11 @@ void print_markers(const Mesh& mesh) {
     constexpr std::size_t most_printed = 20;
     const std::size_t n = mesh.markers.size(), printed = n > most_printed ? most_printed / 2 : n;
     for (std::size_t marker = 0; marker < printed; ++marker) {
-        std::printf("marker        %s: %s\n", mesh.markers[marker].c_str(),
-                    plural(mesh.faces(static_cast<std::int32_t>(marker)), "face").c_str());
+        print("marker        %s: %s\n", mesh.markers[marker].c_str(),
+              plural(mesh.faces(static_cast<std::int32_t>(marker)), "face").c_str());
     }
     if (printed == n) return;
-    std::printf("marker        ... and %s more\n", std::to_string(n - printed).c_str());
+    print("marker        ... and %s more\n", std::to_string(n - printed).c_str());
     const BoundaryLoops loops(mesh.face_points, mesh.points());
     struct Extent {
         std::int32_t faces = 0;
@@ -67,27 +67,27 @@ void print_markers(const Mesh& mesh) {
     }
     for (std::size_t loop = 0; loop < extents.size() && loop < most_printed; ++loop) {
         const Extent& extent = extents[loop];
-        std::printf("loop          loop:%s: %s, x = %s .. %s, y = %s .. %s\n",
-                    std::to_string(loop + 1).c_str(), plural(extent.faces, "face").c_str(),
-                    brief(extent.low[0]).c_str(), brief(extent.high[0]).c_str(),
-                    brief(extent.low[1]).c_str(), brief(extent.high[1]).c_str());
+        print("loop          loop:%s: %s, x = %s .. %s, y = %s .. %s\n",
+              std::to_string(loop + 1).c_str(), plural(extent.faces, "face").c_str(),
+              brief(extent.low[0]).c_str(), brief(extent.high[0]).c_str(),
+              brief(extent.low[1]).c_str(), brief(extent.high[1]).c_str());
     }
 }
 
 void print_for_people(const hm_mesh_report& report, const Mesh& mesh) {
-    std::printf("points        %d, %d of them in cells\n", report.points, report.used_points);
+    print("points        %d, %d of them in cells\n", report.points, report.used_points);
     const std::string polygons =
         report.polygons == 0 ? "" : ", " + plural(report.polygons, "polygon");
-    std::printf("cells         %d: %s, %s%s\n", report.cells,
-                plural(report.triangles, "triangle").c_str(), plural(report.quads, "quad").c_str(),
-                polygons.c_str());
-    std::printf("edges         %d, %d of them boundary in %s\n", report.edges,
-                report.boundary_edges, plural(report.boundary_loops, "loop").c_str());
+    print("cells         %d: %s, %s%s\n", report.cells,
+          plural(report.triangles, "triangle").c_str(), plural(report.quads, "quad").c_str(),
+          polygons.c_str());
+    print("edges         %d, %d of them boundary in %s\n", report.edges, report.boundary_edges,
+          plural(report.boundary_loops, "loop").c_str());
     print_markers(mesh);
-    std::printf("corner areas  %s at least\n", brief(report.min_area).c_str());
-    std::printf("skew quality  %s at least, %s on average\n", brief(report.min_quality).c_str(),
-                brief(report.mean_quality).c_str());
-    std::printf("inverted      %d\n", report.inverted);
+    print("corner areas  %s at least\n", brief(report.min_area).c_str());
+    print("skew quality  %s at least, %s on average\n", brief(report.min_quality).c_str(),
+          brief(report.mean_quality).c_str());
+    print("inverted      %d\n", report.inverted);
 }
 
 // The mesh, or volumes round some of its points.

@@ -6,11 +6,11 @@
 #include "basics/library.hpp"
 #include "basics/number_list.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "commands/section_option.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace cli {
 
@@ -119,13 +119,13 @@ void print_measures(const Arguments& arguments, const Curves& curves) {
         if (arguments.has("--json")) {
             if (status >= 0) object.add(wanted.key, value);
         } else if (status < 0) {
-            std::printf("%-22s none: %s\n", wanted.text.c_str(), error.text);
+            print("%-22s none: %s\n", wanted.text.c_str(), error.text);
         } else {
-            std::printf("%-22s %-12s at x = %s, y = %s\n", wanted.text.c_str(),
-                        brief(value).c_str(), brief(at[0]).c_str(), brief(at[1]).c_str());
+            print("%-22s %-12s at x = %s, y = %s\n", wanted.text.c_str(), brief(value).c_str(),
+                  brief(at[0]).c_str(), brief(at[1]).c_str());
         }
     }
-    if (arguments.has("--json")) std::printf("%s\n", object.text().c_str());
+    if (arguments.has("--json")) print("%s\n", object.text().c_str());
 }
 
 void run_curve(const Arguments& arguments) {

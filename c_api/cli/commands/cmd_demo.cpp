@@ -7,12 +7,12 @@
 #include "commands/morph.hpp"
 #include "curves/moves_file.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "mesh/refine.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 namespace cli {
@@ -23,7 +23,7 @@ namespace {
 void step(const std::string& purpose, const std::vector<std::string>& words) {
     std::string line = "harmorph";
     for (const std::string& word : words) line += " " + word;
-    std::printf("\n# %s\n$ %s\n", purpose.c_str(), line.c_str());
+    print("\n# %s\n$ %s\n", purpose.c_str(), line.c_str());
     run_command(words);
 }
 
@@ -50,9 +50,9 @@ void write_admissible_moves(const std::string& mesh_path, const std::string& cur
         admissible_step(basis, mesh, displacement(basis, mesh, moves, threads), threads));
     const double scale = std::min(1.0, admissible / 2);
     for (double& move : moves) move *= scale;
-    std::printf("\n# more camber (%s chord) and thickness (%s %%), written to %s\n",
-                brief(camber * scale).c_str(), brief(100 * thickening * scale).c_str(),
-                moves_path.c_str());
+    print("\n# more camber (%s chord) and thickness (%s %%), written to %s\n",
+          brief(camber * scale).c_str(), brief(100 * thickening * scale).c_str(),
+          moves_path.c_str());
     OutputFiles files;
     write_moves(files.add(moves_path), moves, basis, mesh);
     files.commit();
@@ -74,8 +74,8 @@ void write_far_moves(const std::string& mesh_path, const std::string& curve_path
         moves[i] = c * x - s * y - x;
         moves[i + 1] = s * x + c * y - y;
     }
-    std::printf("\n# a turn by %s degrees about x = %s, written to %s\n",
-                brief(far_degrees).c_str(), brief(far_x).c_str(), moves_path.c_str());
+    print("\n# a turn by %s degrees about x = %s, written to %s\n", brief(far_degrees).c_str(),
+          brief(far_x).c_str(), moves_path.c_str());
     OutputFiles files;
     write_moves(files.add(moves_path), moves, basis, mesh);
     files.commit();
@@ -94,7 +94,7 @@ void write_fine_mesh(const std::string& mesh_path, const std::string& curve_path
         call(curve_path, hm_curve_point, view.get(), std::int32_t{0}, u, std::int32_t{0}, foot);
         return Point{foot[0], foot[1]};
     };
-    std::printf("\n# the mesh with each cell divided in four, written to %s\n", fine_path.c_str());
+    print("\n# the mesh with each cell divided in four, written to %s\n", fine_path.c_str());
     OutputFiles files;
     write_refined(files.add(fine_path), mesh, [&](std::int32_t marker, Point a, Point b) {
         const Point middle = {.5 * (a.x + b.x), .5 * (a.y + b.y)};
@@ -160,9 +160,9 @@ void run_demo(const Arguments& arguments) {
          {"transfer", mesh, basis, fine, "-o", in_folder("fine.basis")});
     step("a page on which control points can be dragged",
          {"explore", mesh, basis, "-o", in_folder("page.html")});
-    std::printf("\n# look at %s and %s, and open %s and %s in a browser\n",
-                in_folder("morph.svg").c_str(), in_folder("function.svg").c_str(),
-                in_folder("report.html").c_str(), in_folder("page.html").c_str());
+    print("\n# look at %s and %s, and open %s and %s in a browser\n",
+          in_folder("morph.svg").c_str(), in_folder("function.svg").c_str(),
+          in_folder("report.html").c_str(), in_folder("page.html").c_str());
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "commands/morph.hpp"
 #include "curves/moves_file.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "commands/safe_way.hpp"
 #include "commands/solver.hpp"
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 namespace cli {
@@ -163,24 +163,24 @@ void print_json(const Displacement& found) {
     object.add("factor_seconds", found.factor_seconds)
         .add("displace_seconds", found.displace_seconds);
     if (found.safe) add_safe(object, *found.safe, found.warning, nullptr);
-    std::printf("%s\n", object.text().c_str());
+    print("%s\n", object.text().c_str());
 }
 
 void print_for_people(const Displacement& found) {
     if (found.safe) print_target(*found.safe);
-    std::printf("inverted cells   %d\n", found.quality.inverted);
+    print("inverted cells   %d\n", found.quality.inverted);
     if (!found.safe) {
         const double step = valid_fraction(found.step);
         const std::string text = std::isinf(step) ? "unlimited" : brief(step) + " of this one";
-        std::printf("admissible step  %s\n", text.c_str());
+        print("admissible step  %s\n", text.c_str());
     }
-    std::printf(
+    print(
         "quality          %s at least, %s on average (size and skew, relative to the mesh as it "
         "was)\n",
         brief(found.quality.min_quality).c_str(), brief(found.quality.mean_quality).c_str());
     if (found.safe) print_worst_cells(*found.safe);
-    std::printf("seconds          %s for analysis and factor, %s for the displacement\n",
-                brief(found.factor_seconds).c_str(), brief(found.displace_seconds).c_str());
+    print("seconds          %s for analysis and factor, %s for the displacement\n",
+          brief(found.factor_seconds).c_str(), brief(found.displace_seconds).c_str());
 }
 
 std::string reason(const Displacement& found, const Mesh& mesh) {

@@ -2,11 +2,11 @@
 #include "commands/commands.hpp"
 #include "curves/moves_file.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "page/page_data.hpp"
 #include "page/page_text.hpp"
 
-#include <cstdio>
 #include <ostream>
 
 namespace cli {
@@ -48,10 +48,10 @@ void run_explore(const Arguments& arguments) {
     out << ";\n</script>\n" << explore_page.after_data;
     const double megabytes = static_cast<double>(out.tellp()) / 1e6;
     files.commit();
-    std::printf("%s: %s megabytes; open it in a browser\n", path.c_str(), brief(megabytes).c_str());
+    print("%s: %s megabytes; open it in a browser\n", path.c_str(), brief(megabytes).c_str());
     const auto n_cells = static_cast<std::int32_t>(selection.cells.size());
     if (n_cells < mesh.cells()) {
-        std::printf(
+        print(
             "left out: %d of %d cells, far from what moves, are drawn thinned and not judged (see "
             "--points)\n",
             mesh.cells() - n_cells, mesh.cells());

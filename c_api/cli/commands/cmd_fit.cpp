@@ -5,11 +5,11 @@
 #include "basics/json.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "curves/section.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace cli {
 
@@ -113,17 +113,16 @@ void print_for_people(const Fit& fit, const Outline& outline, const std::string&
                       const std::string& path) {
     const double chord = outline.chord();
     const auto worst = static_cast<std::size_t>(fit.report.max_error_point);
-    std::printf("%s: degree %d, through %s of %s\n",
-                plural(fit.curves.points(), "control point").c_str(), fit.curves.curves[0].degree,
-                plural(outline.points(), "point").c_str(), from.c_str());
-    std::printf("closed         %s: %s\n", closed_name(fit.report.closed),
-                reason_for_people(fit, outline).c_str());
-    std::printf("largest error  %s chord, at x = %s, y = %s\n",
-                brief(fit.report.max_error / chord).c_str(), brief(outline.x[worst]).c_str(),
-                brief(outline.y[worst]).c_str());
-    std::printf("rms error      %s chord (chord: %s)\n",
-                brief(fit.report.rms_error / chord).c_str(), brief(chord).c_str());
-    std::printf("written        %s\n", path.c_str());
+    print("%s: degree %d, through %s of %s\n", plural(fit.curves.points(), "control point").c_str(),
+          fit.curves.curves[0].degree, plural(outline.points(), "point").c_str(), from.c_str());
+    print("closed         %s: %s\n", closed_name(fit.report.closed),
+          reason_for_people(fit, outline).c_str());
+    print("largest error  %s chord, at x = %s, y = %s\n",
+          brief(fit.report.max_error / chord).c_str(), brief(outline.x[worst]).c_str(),
+          brief(outline.y[worst]).c_str());
+    print("rms error      %s chord (chord: %s)\n", brief(fit.report.rms_error / chord).c_str(),
+          brief(chord).c_str());
+    print("written        %s\n", path.c_str());
 }
 
 void print_json(const Fit& fit) {
@@ -135,7 +134,7 @@ void print_json(const Fit& fit) {
     object.add("base_points", fit.report.base_points)
         .add("backtracks", fit.report.backtrack_point >= 0);
     object.add("max_error", fit.report.max_error).add("rms_error", fit.report.rms_error);
-    std::printf("%s\n", object.text().c_str());
+    print("%s\n", object.text().c_str());
 }
 
 Outline outline_of(const Arguments& arguments, const std::string& path) {

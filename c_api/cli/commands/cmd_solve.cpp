@@ -5,6 +5,7 @@
 #include "commands/engine.hpp"
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "commands/solver.hpp"
 #include "commands/storage.hpp"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 namespace cli {
@@ -55,44 +55,42 @@ void print_json(const Solver& solver, const Stored& stored, const Mesh& mesh,
     object.add("plan_bytes", static_cast<std::int64_t>(solver.plan_bytes()));
     object.add("basis_bytes", static_cast<std::int64_t>(stored.bytes()));
     object.add("storage", std::string(stored.in_single() ? "single" : "double"));
-    std::printf("%s\n", object.text().c_str());
+    print("%s\n", object.text().c_str());
 }
 
 void print_for_people(const Solver& solver, const Stored& stored, const Mesh& mesh,
                       const Task& task, const SolveTimes& times) {
     const hm_solve_report& report = solver.report();
-    std::printf("%s on %s and %s, %s\n", plural(report.functions, "function").c_str(),
-                plural(mesh.points(), "point").c_str(), plural(mesh.cells(), "cell").c_str(),
-                plural(report.unknowns, "unknown").c_str());
+    print("%s on %s and %s, %s\n", plural(report.functions, "function").c_str(),
+          plural(mesh.points(), "point").c_str(), plural(mesh.cells(), "cell").c_str(),
+          plural(report.unknowns, "unknown").c_str());
     for (const std::string& passage : task.passages)
-        std::printf("passage          %s\n", passage.c_str());
-    std::printf("residual         %s (function %d)\n", brief(report.residual).c_str(),
-                report.residual_function + 1);
+        print("passage          %s\n", passage.c_str());
+    print("residual         %s (function %d)\n", brief(report.residual).c_str(),
+          report.residual_function + 1);
     if (report.iterations > 0) {
-        std::printf("iterations       %s on %s, %s over the finest\n",
-                    brief(report.iterations).c_str(), plural(report.levels, "level").c_str(),
-                    plural(report.fine_sweeps, "sweep").c_str());
+        print("iterations       %s on %s, %s over the finest\n", brief(report.iterations).c_str(),
+              plural(report.levels, "level").c_str(), plural(report.fine_sweeps, "sweep").c_str());
     }
     if (report.curve_points > 0) {
-        std::printf("boundary error   %s", brief(report.boundary_error).c_str());
+        print("boundary error   %s", brief(report.boundary_error).c_str());
         if (!task.curves.curves.empty())
-            std::printf("; sum of the functions there: 1 to %s",
-                        brief(report.partition_defect).c_str());
-        std::printf("\n");
+            print("; sum of the functions there: 1 to %s", brief(report.partition_defect).c_str());
+        print("\n");
     }
     if (!task.curves.curves.empty()) {  // of control points
-        std::printf("values           %s to %s\n", brief(report.min_value).c_str(),
-                    brief(report.max_value).c_str());
-        std::printf("mesh from curve  %s at most (point %d), kept by every morph\n",
-                    brief(report.max_distance).c_str(), report.max_distance_point);
+        print("values           %s to %s\n", brief(report.min_value).c_str(),
+              brief(report.max_value).c_str());
+        print("mesh from curve  %s at most (point %d), kept by every morph\n",
+              brief(report.max_distance).c_str(), report.max_distance_point);
     }
     const char* const preparation = report.factor_entries > 0 ? "factorisation" : "agglomeration";
-    std::printf("seconds          %s set-up, %s %s, %s solution\n", brief(times.setup).c_str(),
-                brief(times.factor).c_str(), preparation, brief(times.solve).c_str());
-    std::printf("megabytes        %s plan, %s basis%s\n",
-                brief(1e-6 * static_cast<double>(solver.plan_bytes())).c_str(),
-                brief(1e-6 * static_cast<double>(stored.bytes())).c_str(),
-                stored.in_single() ? " in single precision" : "");
+    print("seconds          %s set-up, %s %s, %s solution\n", brief(times.setup).c_str(),
+          brief(times.factor).c_str(), preparation, brief(times.solve).c_str());
+    print("megabytes        %s plan, %s basis%s\n",
+          brief(1e-6 * static_cast<double>(solver.plan_bytes())).c_str(),
+          brief(1e-6 * static_cast<double>(stored.bytes())).c_str(),
+          stored.in_single() ? " in single precision" : "");
 }
 
 // Functions by table, solved behind the others: one for each file of --mode.

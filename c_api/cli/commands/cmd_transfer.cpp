@@ -4,6 +4,7 @@
 #include "commands/commands.hpp"
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "basics/stopwatch.hpp"
 #include "commands/storage.hpp"
@@ -11,7 +12,6 @@
 #include "basics/threads.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace cli {
 
@@ -105,25 +105,24 @@ void print_json(const Transfer& transfer, const Mesh& fine, const Basis& basis) 
         .add("wall_correction", report.wall_correction);
     object.add("analysis_seconds", transfer.analysis_seconds())
         .add("transfer_seconds", transfer.transfer_seconds());
-    std::printf("%s\n", object.text().c_str());
+    print("%s\n", object.text().c_str());
 }
 
 void print_for_people(const Transfer& transfer, const Mesh& fine, const Basis& basis) {
     const hm_transfer_report& report = transfer.report();
-    std::printf("%s from %s to %s, %d of them interpolated\n",
-                plural(basis.info().functions, "function").c_str(),
-                plural(basis.info().points, "point").c_str(),
-                plural(fine.points(), "point").c_str(), report.points);
-    std::printf("outside          %d", report.outside);
+    print("%s from %s to %s, %d of them interpolated\n",
+          plural(basis.info().functions, "function").c_str(),
+          plural(basis.info().points, "point").c_str(), plural(fine.points(), "point").c_str(),
+          report.points);
+    print("outside          %d", report.outside);
     if (report.outside > 0) {
-        std::printf(", by %s at most (point %d)", brief(report.max_distance).c_str(),
-                    report.max_distance_point);
+        print(", by %s at most (point %d)", brief(report.max_distance).c_str(),
+              report.max_distance_point);
     }
-    std::printf("\nboundary error   %s; %s before the boundary functions were restored\n",
-                brief(report.boundary_error).c_str(), brief(report.wall_correction).c_str());
-    std::printf("seconds          %s analysis of the fine mesh, %s transfer\n",
-                brief(transfer.analysis_seconds()).c_str(),
-                brief(transfer.transfer_seconds()).c_str());
+    print("\nboundary error   %s; %s before the boundary functions were restored\n",
+          brief(report.boundary_error).c_str(), brief(report.wall_correction).c_str());
+    print("seconds          %s analysis of the fine mesh, %s transfer\n",
+          brief(transfer.analysis_seconds()).c_str(), brief(transfer.transfer_seconds()).c_str());
 }
 
 void run_transfer(const Arguments& arguments) {

@@ -6,13 +6,13 @@
 #include "basics/library.hpp"
 #include "basics/number_list.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "commands/section_option.hpp"
 #include "curves/variables_file.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace cli {
 
@@ -96,21 +96,19 @@ void run_variables(const Arguments& arguments) {
         files.commit();
     }
     std::vector<JsonObject> rows;
-    if (!arguments.has("--json"))
-        std::printf("variable  error on the curve (rms, largest), per unit\n");
+    if (!arguments.has("--json")) print("variable  error on the curve (rms, largest), per unit\n");
     for (std::size_t j = 0; j < static_cast<std::size_t>(map.variables); ++j) {
         if (!arguments.has("--json")) {
-            std::printf("%-9zu %-10s %s\n", j + 1, brief(error[2 * j]).c_str(),
-                        brief(error[2 * j + 1]).c_str());
+            print("%-9zu %-10s %s\n", j + 1, brief(error[2 * j]).c_str(),
+                  brief(error[2 * j + 1]).c_str());
         }
         rows.push_back(
             JsonObject().add("rms_error", error[2 * j]).add("max_error", error[2 * j + 1]));
     }
     if (arguments.has("--json")) {
-        std::printf("%s\n",
-                    JsonObject().add("points", map.points).add("variables", rows).text().c_str());
+        print("%s\n", JsonObject().add("points", map.points).add("variables", rows).text().c_str());
     } else if (arguments.has("-o")) {
-        std::printf("written   %s\n", arguments.text("-o").c_str());
+        print("written   %s\n", arguments.text("-o").c_str());
     }
 }
 
