@@ -244,7 +244,7 @@ for input in folder /dev/null missing.su2; do
     done
 done
 
-# The same mesh through a pipe to and from the program, with CR LF, and where the decimal sign is a comma.
+# The same mesh through a pipe to and from the program, and with CR LF.
 "$harmorph" morph "$mesh" good/a.basis --move moves.txt -o /dev/stdout 2>/dev/null | cat >piped
 passes "a mesh to a pipe" "$(head -c "$(wc -c <good/m.su2)" piped | cmp -s - good/m.su2; echo $?)"
 mkfifo fifo
@@ -261,13 +261,32 @@ run morph crlf.su2 good/a.basis --move crlf.txt -o crlf_moved.su2
 passes "lines that end with CR LF" $?
 tr -d '\r' <crlf_moved.su2 >without_cr
 passes "lines that end with CR LF: the same mesh" "$(cmp -s without_cr good/m.su2; echo $?)"
-if localedef -i de_DE -f UTF-8 ./de_DE.UTF-8 >/dev/null 2>&1; then
-    decimal_point=$(LOCPATH=$PWD LC_ALL=de_DE.UTF-8 locale decimal_point)
-    passes "the locale has a decimal comma" "$([ "$decimal_point" = , ]; echo $?)"
-    LOCPATH=$PWD LC_ALL=de_DE.UTF-8 run morph "$mesh" good/a.basis --move moves.txt -o comma.su2
-    passes "a locale with a decimal comma" "$(cmp -s comma.su2 good/m.su2; echo $?)"
-else
-    skip "a locale with a decimal comma" "there is no localedef, or no Debian package locales"
-fi
+# Every file of the demo, and what commands print as JSON, where the decimal sign is a comma, and where the small letter of
+# I has no dot.
+all_outputs() {   # folder: the demo in it, and what is printed; the times are taken out
+    rm -rf demo
+    run demo demo --mesh "$mesh" || return 1
+    "$harmorph" check "$mesh" --json >demo/check.json
+    "$harmorph" curve demo/airfoil.curve --stations .25,.5 --json >demo/curve.json
+    "$harmorph" variables demo/airfoil.curve --naca .4 -o demo/map --json >demo/map.json
+    "$harmorph" fit "$mesh" --marker airfoil -o demo/CURVE.IGS >/dev/null
+    "$harmorph" convert "$mesh" demo/new.vtu >/dev/null
+    sed -i 's/"seconds": [^,}]*//g' demo/report.html
+    rm -rf "$1" && mv demo "$1"
+}
+all_outputs locale_of_c
+passes "the demo where the decimal sign is a point" $?
+for name in de_DE tr_TR; do
+    if localedef -i $name -f UTF-8 ./$name.UTF-8 >/dev/null 2>&1; then
+        passes "$name has a decimal comma" \
+            "$([ "$(LOCPATH=$PWD LC_ALL=$name.UTF-8 locale decimal_point)" = , ]; echo $?)"
+        (export LOCPATH="$PWD" LC_ALL=$name.UTF-8 && all_outputs locale_of_$name)
+        passes "the demo, $name" $?
+        diff -rq locale_of_c locale_of_$name >differences
+        passes "the demo, $name: other files" $? differences
+    else
+        skip "the locale $name" "there is no localedef, or no Debian package locales"
+    fi
+done
 
 finish
