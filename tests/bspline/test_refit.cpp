@@ -92,6 +92,26 @@ TEST_CASE(
     }
 }
 
+// A thick section with the camber far in front: without a bound on the slide of control points the
+// moved curve crosses itself at the leading edge, although all points are near the curve.
+TEST_CASE("the moved curve does not cross itself") {
+    FitRun const fit(naca(plain_section), twenty);
+    RefitRun const run(fit.fit.curve[0], nullptr, naca({0.0477, 0.241, 0.1959, false}, 100));
+    REQUIRE(!failed(run.status));
+    Curve moved = fit.fit.curve[0];
+    moved.control = run.refit.control.data();
+    std::vector<Vec2> const line = sampled(moved, 500);
+    auto const crosses = [&](std::size_t i, std::size_t j) {
+        Vec2 const a = line[i], b = line[i + 1], c = line[j], d = line[j + 1];
+        return triangle_area(a, b, c) * triangle_area(a, b, d) < 0 &&
+               triangle_area(c, d, a) * triangle_area(c, d, b) < 0;
+    };
+    int crossings = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        for (std::size_t j = i + 2; j + 1 < line.size(); ++j) crossings += crosses(i, j) ? 1 : 0;
+    CHECK(crossings == 0);
+}
+
 TEST_CASE("beginning, direction, unit and, on the chord, the place of the section do not matter") {
     FitRun const fit(naca(plain_section), twenty);
     Curve const curve = fit.fit.curve[0];
