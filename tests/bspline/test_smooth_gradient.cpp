@@ -149,7 +149,7 @@ TEST_CASE("symmetric and positive; length 0 keeps all bits; longer lengths damp 
         CHECK(dot(damped, damped) < last);
         last = dot(damped, damped);
     }
-    CHECK(last < 0.01 * dot(wave, wave));
+    CHECK(last < 0.05 * dot(wave, wave));
 }
 
 TEST_CASE("units of length and of the gradient, and the direction of the curve, do not matter") {
