@@ -118,8 +118,7 @@ HM_API hm_status hm_refit(const hm_curves* curves, int32_t curve, const hm_point
 HM_API hm_status hm_smooth_gradient_size(const hm_curves* curves, size_t* work_bytes,
                                          hm_error* err);
 HM_API hm_status hm_smooth_gradient(const hm_curves* curves, double length, const double* gradient,
-                                    double* smoothed, void* work, size_t work_bytes,
-                                    hm_error* err);
+                                    double* smoothed, void* work, size_t work_bytes, hm_error* err);
 
 /* ---- Measures of a section, with derivatives by the control points ---- */
 
