@@ -228,8 +228,9 @@ if $python -c 'import gmsh; gmsh.initialize(); gmsh.model.occ' >/dev/null 2>&1; 
         done; done
         check "CAD kernel: fit, open, $ending" "$harmorph" fit "$meshes/two_bodies.su2" --marker left --points 12 \
             -o "$tmp/cad_left.$ending"
-        check "CAD kernel: solve" "$harmorph" solve "$meshes/two_bodies.su2" --curve left="$meshes/two_bodies_left.curve" \
-            --curve right="$meshes/two_bodies_right.curve" -o "$tmp/cad.basis"
+        check "CAD kernel: solve" "$harmorph" solve "$meshes/two_bodies.su2" \
+            --curve left="$meshes/two_bodies_left.curve" --curve right="$meshes/two_bodies_right.curve" \
+            -o "$tmp/cad.basis"
         check "CAD kernel: two curves, $ending" "$harmorph" morph "$meshes/two_bodies.su2" "$tmp/cad.basis" \
             --move "$tmp/no.moves" --curve-out "$tmp/cad_two.$ending"
     done

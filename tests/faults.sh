@@ -130,7 +130,8 @@ passes "seven outputs: not the new files alone" "$(all_new; echo $?)"
 if strace -f -qq -o trace -e trace=rename "$harmorph" --version >out 2>err; then
     for place in 1 2 3 4 5 6 7; do
         old_place
-        strace -f -qq -o trace -e trace=rename -e inject=rename:error=EPERM:when=$place "$harmorph" $morph_all >out 2>err
+        strace -f -qq -o trace -e trace=rename -e inject=rename:error=EPERM:when=$place \
+            "$harmorph" $morph_all >out 2>err
         status=$?
         passes "output $place of seven cannot take its place: exit code $status" "$([ $status = 3 ]; echo $?)"
         passes "output $place of seven cannot take its place: others have" "$(as_before; echo $?)"
@@ -261,8 +262,8 @@ run morph crlf.su2 good/a.basis --move crlf.txt -o crlf_moved.su2
 passes "lines that end with CR LF" $?
 tr -d '\r' <crlf_moved.su2 >without_cr
 passes "lines that end with CR LF: the same mesh" "$(cmp -s without_cr good/m.su2; echo $?)"
-# Every file of the demo, and what commands print as JSON, where the decimal sign is a comma, and where the small letter of
-# I has no dot.
+# Every file of the demo, and what commands print as JSON, where the decimal sign is a comma, and where the small letter
+# of I has no dot.
 all_outputs() {   # folder: the demo in it, and what is printed; the times are taken out
     rm -rf demo
     run demo demo --mesh "$mesh" || return 1

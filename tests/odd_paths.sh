@@ -1,8 +1,8 @@
 #!/bin/sh
 # usage: odd_paths.sh BUILD   (MAKE, CXX from the environment)
-# Folders with a blank, both quotes and a dollar sign in their names: the sources are built, installed and cleaned there,
-# and a BUILD of such a name is refused before anything is written or removed. The compiler is a stand-in that copies the
-# objects of BUILD, and calls the real one for programs.
+# Folders with a blank, both quotes and a dollar sign in their names: the sources are built, installed and cleaned
+# there, and a BUILD of such a name is refused before anything is written or removed. The compiler is a stand-in that
+# copies the objects of BUILD, and calls the real one for programs.
 : "${MAKE:=make}" "${CXX:=c++}" "${CC:=cc}" "${CFLAGS:=-O2}"
 build=$(cd "$1" && pwd)
 dir=$(mktemp -d)

@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: check_build.sh BUILD   (called by make before anything is written to BUILD or removed there)
-# The rules of make name files below BUILD. A name in a rule cannot have blanks, quotes, dollar signs and the like, and a
-# shell would divide them: `rm -rf parent/my build` removes two folders.
+# The rules of make name files below BUILD. A name in a rule cannot have blanks, quotes, dollar signs and the like, and
+# a shell would divide them: `rm -rf parent/my build` removes two folders.
 build=$1
 odd=$(printf '%s' "$build" | LC_ALL=C tr -d 'A-Za-z0-9_./+,@\200-\377-')
 case $build in

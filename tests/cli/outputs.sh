@@ -1,5 +1,5 @@
-# No output replaces an input or another output, however the paths are spelled. The folder `outputs` holds one small file
-# for each kind of input; a refused command leaves all bytes of the folder as they were.
+# No output replaces an input or another output, however the paths are spelled. The folder `outputs` holds one small
+# file for each kind of input; a refused command leaves all bytes of the folder as they were.
 
 outputs=$tmp/outputs
 mkdir "$outputs"
@@ -70,6 +70,7 @@ mesh.su2 a.curve : check mesh.su2 --curve a.curve --svg OUT
 mesh.su2 a.basis : transfer mesh.su2 a.basis mesh.su2 -o OUT
 mesh.su2 a.basis moves : explore mesh.su2 a.basis --move moves -o OUT
 mesh.su2 : convert mesh.su2 OUT
+mesh.su2 a.basis field map : adjoint mesh.su2 a.basis --sensitivity field --variables map -o OUT
 a.curve : curve a.curve --halve -o OUT
 a.curve : variables a.curve --naca .4 -o OUT
 END

@@ -8,7 +8,7 @@ namespace cli {
 #ifdef __GNUC__
 __attribute__((format(printf, 1, 2)))
 #endif
-void print(const char* format, ...);  // as std::printf does, to standard output
+void print(const char* format, ...);  // to standard output, with the format of printf
 
 void print_error(const std::string& message);  // "harmorph: ", the message, to standard error
 
