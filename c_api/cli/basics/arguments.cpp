@@ -10,7 +10,7 @@ namespace cli {
 
 namespace {
 
-// Two columns; further lines of the help begin in the second.
+// The help has two columns; further lines begin in the second column.
 std::string help_line(const Option& option) {
     constexpr std::size_t column = 26;
     std::string text =
@@ -48,7 +48,7 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
         refuse(in_quotes(operands_[wanted]) + " is one argument too many");
 }
 
-// Returns where the option ends: at its value, if that is a word of its own.
+// Returns the index of the last word of the option: its value, if the value is a word of its own.
 std::size_t Arguments::take_option(const std::vector<std::string>& words, std::size_t at) {
     const std::string& word = words[at];
     const std::size_t equals = word.compare(0, 2, "--") == 0 ? word.find('=') : std::string::npos;

@@ -30,7 +30,7 @@ bool parse(std::string_view word, std::int64_t& value) {
     return result.ec == std::errc() && result.ptr == end;
 }
 
-// strtod wants a terminated string, and a D of Fortran as an e.
+// strtod needs a terminated string, and e for the D of Fortran.
 static bool parse_slowly(std::string_view word, double& value) {
     char text[64];
     if (word.empty() || word.size() >= sizeof text) return false;

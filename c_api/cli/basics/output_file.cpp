@@ -39,14 +39,14 @@ fs::path one_spelling(const std::string& path) {
     return error ? target : folder / target.filename();
 }
 
-// Beside the final place, so that the renaming stays on one disk.
+// The temporary file lies beside the final place, so that the renaming stays on one disk.
 std::string temporary_name(const std::string& path, const char* kind) {
     std::ostringstream name;
     name << path << kind << std::hex << std::random_device()();
     return name.str();
 }
 
-// The owner and the group, or the group alone, as far as the system allows that.
+// Copies owner and group, or the group alone, as far as the system allows that.
 void copy_owner(const std::string& from, const std::string& to) {
 #ifndef _WIN32
     struct stat owned;
@@ -152,7 +152,7 @@ void OutputFile::fail() const {
     throw Failure(exit_file, path_ + ": cannot be written: " + std::strerror(errno));
 }
 
-// No signal ends the program between the first and the last renaming.
+// Signals wait between the first and the last renaming.
 void OutputFiles::commit() {
     for (OutputFile& file : files_) file.finish();
     const SignalsWait until_the_end;

@@ -1,4 +1,4 @@
-// What the program says: readable on any terminal, whatever bytes names have.
+// Messages of the program are readable on any terminal, whatever bytes names have.
 #pragma once
 
 #include <string>
