@@ -7,7 +7,7 @@ namespace cli {
 
 namespace {
 
-// Of the control points, or of the variables that stand for them; bodies then stay.
+// Reads moves of control points and bodies, or values of variables; with variables, bodies stay.
 std::vector<double> moves_of_file(const Arguments& arguments, const Basis& basis,
                                   const Mesh& mesh) {
     const std::string path = arguments.text("--move");

@@ -1,4 +1,4 @@
-// harmorph check: is a mesh well formed, and how good is it?
+// harmorph check: tests whether a mesh is well formed, and reports size and quality.
 #include <harmorph_study.h>
 #include "mesh/boundary_loops.hpp"
 #include "commands/commands.hpp"
@@ -39,7 +39,7 @@ void print_json(const hm_mesh_report& report, const Mesh& mesh) {
     print("%s\n", object.text().c_str());
 }
 
-// Of many markers, the first ones and the loops that they form.
+// Prints all markers; where there are many, the first ones and the loops that the markers form.
 void print_markers(const Mesh& mesh) {
     constexpr std::size_t most_printed = 20;
     const std::size_t n = mesh.markers.size(), printed = n > most_printed ? most_printed / 2 : n;
@@ -90,7 +90,7 @@ void print_for_people(const hm_mesh_report& report, const Mesh& mesh) {
     print("inverted      %d\n", report.inverted);
 }
 
-// The mesh, or volumes round some of its points.
+// Draws the mesh, or volumes round some points of the mesh.
 void write_picture(const Arguments& arguments, const Mesh& mesh) {
     const std::optional<Box> window = window_of(arguments);
     OutputFiles files;
@@ -110,8 +110,8 @@ void write_picture(const Arguments& arguments, const Mesh& mesh) {
     files.commit();
 }
 
-// The further checks of `harmorph solve`: as if the points of the whole boundary, which is one
-// marker here, were given. One marker, as the time grows with the number of conditions.
+// Makes the further checks of `harmorph solve`, as if the displacements of the whole boundary were
+// given. The whole boundary is one marker here, as the time grows with the number of conditions.
 void check_as_solve_does(const Mesh& mesh) {
     const std::vector<std::int32_t> one_marker(mesh.face_markers.size(), 0);
     hm_mesh view = mesh.view();

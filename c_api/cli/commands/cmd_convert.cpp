@@ -1,4 +1,4 @@
-// harmorph convert: a mesh of one format as a new file of another.
+// harmorph convert: writes a mesh as a new file of another format.
 #include "commands/commands.hpp"
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"

@@ -1,4 +1,4 @@
-// harmorph curve: measures of a section, and the same curve with more control points.
+// harmorph curve: measures a section, and gives its curve more control points.
 #include <harmorph_design.h>
 #include "commands/commands.hpp"
 #include "curves/curve_file.hpp"
@@ -16,7 +16,7 @@ namespace cli {
 
 namespace {
 
-// The same shape with more control points: inserted knots, or the degree that hm_refine is given.
+// Returns curves of the same shape with more control points, by inserted knots or a higher degree.
 Curves refined(const std::string& path, const Curves& curves, std::int32_t curve,
                std::int32_t degree, const std::vector<double>& knots) {
     const CurvesView view(curves);
@@ -30,7 +30,7 @@ Curves refined(const std::string& path, const Curves& curves, std::int32_t curve
     return copied(*finer);
 }
 
-// The middles of all knot spans, or of the longest where only some are wanted.
+// Returns the middles of all knot spans.
 std::vector<double> middles(const Curve& curve) {
     std::vector<double> found;
     const auto degree = static_cast<std::size_t>(curve.degree);

@@ -1,4 +1,4 @@
-// harmorph demo: the whole path on the shipped mesh, as a user would go it with the other commands.
+// harmorph demo: runs all steps on the shipped mesh, by the commands that a user would type.
 #include <harmorph_design.h>
 #include "mesh/basis_file.hpp"
 #include "commands/commands.hpp"
@@ -19,7 +19,7 @@ namespace cli {
 
 namespace {
 
-// Says what would have to be typed, and does it.
+// Prints the command that a user would type, and runs the command.
 void step(const std::string& purpose, const std::vector<std::string>& words) {
     std::string line = "harmorph";
     for (const std::string& word : words) line += " " + word;
@@ -27,9 +27,11 @@ void step(const std::string& purpose, const std::vector<std::string>& words) {
     run_command(words);
 }
 
-constexpr double camber = .03, thickening = .4;  // in chords, and as a share of the thickness
+constexpr double camber = .03,
+                 thickening = .4;  // camber in chords, thickening as a share of the thickness
 
-// An airfoil of chord 1 from x = 0 to 1 gets more camber (a parabolic arc) and more thickness.
+// Returns moves that give an airfoil of chord 1 from x = 0 to 1 more camber (a parabolic arc) and
+// more thickness.
 std::vector<double> pleasing_moves(const Curves& curves) {
     std::vector<double> moves(curves.control.size());
     for (std::size_t i = 0; i < moves.size(); i += 2) {
@@ -39,7 +41,7 @@ std::vector<double> pleasing_moves(const Curves& curves) {
     return moves;
 }
 
-// Scaled down to at most half of what the mesh can take, so that the picture shows healthy cells.
+// The moves are at most half of the admissible step, so that the picture shows good cells.
 void write_admissible_moves(const std::string& mesh_path, const std::string& curve_path,
                             const std::string& basis_path, const std::string& moves_path) {
     const Mesh mesh = read_mesh(mesh_path);
@@ -58,7 +60,7 @@ void write_admissible_moves(const std::string& mesh_path, const std::string& cur
     files.commit();
 }
 
-// Turned by that much about a point: farther than one step of the mesh can follow.
+// The airfoil turns by this angle about this point, which is too far for one step.
 constexpr double far_degrees = 170, far_x = .25, far_y = 0;
 
 void write_far_moves(const std::string& mesh_path, const std::string& curve_path,
@@ -81,7 +83,7 @@ void write_far_moves(const std::string& mesh_path, const std::string& curve_path
     files.commit();
 }
 
-// The middles of faces on the airfoil lie on its curve, as far off it as their ends are.
+// New points on the airfoil are as far from the curve as the ends of their faces are on average.
 void write_fine_mesh(const std::string& mesh_path, const std::string& curve_path,
                      const std::string& fine_path) {
     const Mesh mesh = read_mesh(mesh_path);
@@ -113,7 +115,7 @@ void copy_mesh(const std::string& from, const std::string& to) {
     files.commit();
 }
 
-// What the demo writes beside mesh.su2, the copy of the shipped mesh.
+// All files of the demo except mesh.su2, the copy of the shipped mesh.
 constexpr const char* made_files[] = {
     "airfoil.curve", "airfoil.basis",     "function.svg", "moves.txt",   "far.txt", "morphed.su2",
     "morphed.vtu",   "morphed.su2.curve", "morph.svg",    "report.html", "far.su2", "far.su2.curve",

@@ -23,7 +23,7 @@ namespace cli {
 
 namespace {
 
-// What moves: points as a file says, and control points and rigid bodies, if there are any.
+// The given displacements of wall points, and the moves of control points and rigid bodies.
 struct Movement {
     std::string path;
     WallField wall;
@@ -34,9 +34,9 @@ struct Displacement {
     Field by, moved;
     hm_step_report step = sized<hm_step_report>();
     hm_quality_report quality = sized<hm_quality_report>();
-    double factor_seconds = 0, displace_seconds = 0;  // the latter: the median
+    double factor_seconds = 0, displace_seconds = 0;  // displace_seconds: the median of all repeats
     std::optional<hm_safe_report> safe;
-    std::string refusal, warning;  // of the safe way
+    std::string refusal, warning;  // set by the safe displacement
 
     explicit Displacement(const Mesh& mesh) : by(mesh.x.size()), moved(mesh.x.size()) {}
     bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
@@ -50,7 +50,7 @@ void displace(Solver& solver, const Movement& movement, const hm_points* from, F
          movement.wall.points.data(), 1, &given, from, &result, work.data(), work.size(), nullptr);
 }
 
-// Displacements of the mesh by control points and bodies alone; nothing if there are none.
+// Computes the displacements of the mesh by control points and bodies alone, if there are any.
 void displace_by_moves(const Mesh& mesh, const Solver& solver, const Movement& movement,
                        const Threads& threads, Field& to) {
     if (movement.moves.empty()) return;
@@ -128,7 +128,8 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solve
         at_once(mesh, solver, movement, repeats, threads, found);
         solver.slide(found.moved, found.by);
     }
-    round_as_file(mesh, found.moved.x, found.moved.y);  // what is judged is what can be written
+    round_as_file(mesh, found.moved.x,
+                  found.moved.y);  // the file can hold the coordinates that are judged
     const hm_mesh view = mesh.view();
     const hm_points along = found.by.read(), at = found.moved.read(), start = mesh.coordinates();
     call(mesh, hm_assess, solver.basis(), &view, nullptr, &along, nullptr, threads.executor(),

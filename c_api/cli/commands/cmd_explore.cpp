@@ -1,4 +1,4 @@
-// harmorph explore: one page to drag control points on, for any browser.
+// harmorph explore: writes a page for any browser, on which control points can be dragged.
 #include "commands/commands.hpp"
 #include "curves/moves_file.hpp"
 #include "basics/numbers.hpp"
@@ -13,7 +13,7 @@ namespace cli {
 
 namespace {
 
-// The page measures how far a valid mesh goes.
+// The page computes admissible steps, which only a valid mesh has.
 void refuse_inverted_cells(const Mesh& mesh, const Basis& basis) {
     const hm_mesh view = mesh.view();
     auto quality = sized<hm_quality_report>();
@@ -35,7 +35,7 @@ void run_explore(const Arguments& arguments) {
     std::string moves;
     if (arguments.has("--move")) {
         read_moves(arguments.text("--move"), basis,
-                   mesh);  // refuses what the page would not understand
+                   mesh);  // refuses moves that the page would not understand
         moves = TextFile(arguments.text("--move")).text();
     }
     const hm_basis_info& info = basis.info();

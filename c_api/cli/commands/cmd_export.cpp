@@ -1,4 +1,4 @@
-// harmorph export: one function of a basis as a table, for ParaView, or as a picture.
+// harmorph export: writes functions of a basis as a table, for ParaView, or as a picture.
 #include <harmorph_study.h>
 #include "mesh/basis_file.hpp"
 #include "commands/commands.hpp"
@@ -42,7 +42,7 @@ PointData point_data(const std::vector<Column>& columns) {
     return data;
 }
 
-// The levels are made once more, as the basis does not keep them.
+// Agglomerates again, as the basis does not keep the levels.
 std::vector<Level> levels_of(const Arguments& arguments, const Mesh& mesh, const Basis& basis) {
     Task task = task_of(basis);
     if (task.options.engine == HM_DIRECT)
@@ -75,7 +75,7 @@ void export_levels(const Arguments& arguments) {
     files.commit();
 }
 
-// The functions of one basis, numbers of each in turn.
+// Adds a panel for each number of each function of one basis.
 void add_panels(const Arguments& arguments, const Basis& basis, const Mesh& mesh,
                 std::vector<FunctionPanel>& panels) {
     const std::int32_t numbers = basis.info().numbers_per_value;
@@ -104,11 +104,11 @@ void write_pictures(const Arguments& arguments, const Mesh& mesh, const Basis& b
                          ": no value has so many numbers");
     const std::optional<Box> window = window_of(arguments);
     if (arguments.has("--contour-csv")) {
-        const Box its = window ? *window : function_window(mesh, basis);
-        const double step = contour_step(mesh, panels, its);
+        const Box box = window ? *window : function_window(mesh, basis);
+        const double step = contour_step(mesh, panels, box);
         std::vector<std::vector<ContourLine>> lines;
         for (const FunctionPanel& panel : panels)
-            lines.push_back(contour_lines(mesh, panel.values, step, its));
+            lines.push_back(contour_lines(mesh, panel.values, step, box));
         write_contours_csv(files.add(arguments.text("--contour-csv")), lines, step);
     }
     if (arguments.has("--svg"))

@@ -1,4 +1,4 @@
-// harmorph fit: from a marker of the mesh to a B-spline in a file.
+// harmorph fit: fits a B-spline to the points of a marker, and writes the curve to a file.
 #include <harmorph_design.h>
 #include "commands/commands.hpp"
 #include "curves/curve_file.hpp"
@@ -20,9 +20,9 @@ struct Fit {
     hm_fit_report report = sized<hm_fit_report>();
 };
 
-// Points in order: of a piece of the mesh's boundary, or of a file with a section.
+// The ordered points of a piece of the boundary of a mesh, or of a file with a section.
 struct Outline {
-    std::vector<std::int32_t> numbers;  // of the points in the mesh, or in the file
+    std::vector<std::int32_t> numbers;  // numbers of the points in the mesh, or in the file
     std::vector<double> x, y;
     bool is_loop;
 
@@ -64,7 +64,7 @@ hm_fit_options fit_options(const Arguments& arguments) {
     return options;
 }
 
-// path: where the points come from.
+// path: the file of the points.
 Fit fit(const std::string& path, const Outline& outline, const hm_fit_options& options) {
     Fit fit;
     std::size_t bytes = 0;
@@ -138,7 +138,7 @@ void print_json(const Fit& fit) {
 }
 
 Outline outline_of(const Arguments& arguments, const std::string& path) {
-    // Airfoils and grids are both called .dat: the content decides, as far as the options do not.
+    // Files of airfoils and of grids may both end in .dat: options or else the content decide.
     const bool is_mesh = arguments.has("--format") || arguments.has("--zone") ||
                          (ends_with(path, ".dat") && is_mesh_file(TextFile(path)));
     const bool is_section = !is_mesh && ends_with(path, ".dat"),

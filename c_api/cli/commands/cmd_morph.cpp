@@ -35,7 +35,7 @@ Companions companions_of(const Arguments& arguments, const Basis& basis, const M
     Companions names = {arguments.output("--curve-out"),
                         has_reached ? arguments.output("--reached") : ""};
     if (basis.info().curves == 0 || !basis.why_on_no_curve().empty())
-        names.curve.clear();  // bodies alone; unknown
+        names.curve.clear();  // there are no curves, or their places are unknown
     return names;
 }
 
@@ -89,8 +89,8 @@ Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     return Morph(basis, mesh, moves, options, threads);
 }
 
-// With --heights and --improve, also without the heights, as improvement from there may end with
-// better cells.
+// With --heights and --improve, the morph is tried without heights, too, as the improvement may
+// then end with better cells.
 Morph improved_safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
                           const std::vector<double>& moves, const Threads& threads) {
     const bool heights = arguments.has("--heights"), improves = arguments.has("--improve");
@@ -111,7 +111,7 @@ Morph improved_safe_morph(const Arguments& arguments, const Mesh& mesh, const Ba
     return morph;
 }
 
-// What is drawn or written about the curves needs to know where they are.
+// Refuses outputs that need the curves, if the places of the curves are unknown.
 void tell_of_earlier_movement(const Arguments& arguments, const Basis& basis) {
     const bool needs_curves = arguments.has("--curve-out") || arguments.has("--svg") ||
                               arguments.has("--boundary-svg") || arguments.has("--csv") ||
@@ -143,7 +143,7 @@ void run_morph(const Arguments& arguments) {
     if (!safe && arguments.has("--improve") && morph.valid()) morph.improve(basis, mesh, threads);
     const bool strict = arguments.has("--strict") && !morph.warning.empty();
     const bool reached = morph.valid() && morph.refusal.empty() && !strict;
-    OutputFiles files;  // the report and the movement also of a mesh that is not valid
+    OutputFiles files;  // --report and --moves-out are written for invalid meshes, too
     Companions written;
     if (reached || arguments.has("--force")) {
         written = companions_of(arguments, basis, morph);

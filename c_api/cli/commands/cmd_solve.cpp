@@ -1,4 +1,4 @@
-// harmorph solve: from mesh and curves to the basis, the harmonic functions of all control points.
+// harmorph solve: solves the basis, the harmonic functions of all control points on a mesh.
 #include <harmorph_design.h>
 #include "mesh/basis_file.hpp"
 #include "commands/commands.hpp"
@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t longest_history = 200001;  // steps of Runge-Kutta on one level, and the start
 
-// With repeats, the first run only warms up: it touches the memory that the others find ready.
+// The caller has made a first run, which warms up: later runs find the memory ready.
 SolveTimes repeat(Solver& solver, std::int32_t runs) {
     std::vector<double> setup, factor, solve;
     for (std::int32_t i = 0; i < runs; ++i) {
@@ -78,7 +78,7 @@ void print_for_people(const Solver& solver, const Stored& stored, const Mesh& me
             print("; sum of the functions there: 1 to %s", brief(report.partition_defect).c_str());
         print("\n");
     }
-    if (!task.curves.curves.empty()) {  // of control points
+    if (!task.curves.curves.empty()) {  // there are functions of control points
         print("values           %s to %s\n", brief(report.min_value).c_str(),
               brief(report.max_value).c_str());
         print("mesh from curve  %s at most (point %d), kept by every morph\n",
@@ -93,7 +93,7 @@ void print_for_people(const Solver& solver, const Stored& stored, const Mesh& me
           stored.in_single() ? " in single precision" : "");
 }
 
-// Functions by table, solved behind the others: one for each file of --mode.
+// Functions given by tables, one for each file of --mode, which are solved after all others.
 class Modes {
 public:
     Modes(const Arguments& arguments, const Mesh& mesh) : paths_(arguments.all("--mode")) {
@@ -119,7 +119,7 @@ public:
     }
 
 private:
-    // In the order of the first file.
+    // Adds the values in the order of the first file.
     void add(const std::string& path, const WallField& field) {
         if (points_.empty()) points_ = field.points;
         std::vector<std::size_t> place(points_.size());

@@ -1,4 +1,4 @@
-// harmorph transfer: functions solved on one mesh, interpolated to a denser one of the same domain.
+// harmorph transfer: interpolates functions from one mesh to a denser mesh of the same domain.
 #include <harmorph_design.h>
 #include "mesh/basis_file.hpp"
 #include "commands/commands.hpp"
@@ -17,7 +17,7 @@ namespace cli {
 
 namespace {
 
-// A marker of one mesh is the marker of the same tag in the other.
+// Returns the number of the marker that has the same name in the fine mesh.
 std::int32_t same_marker(const Arguments& arguments, const Mesh& mesh, std::int32_t marker,
                          const Mesh& fine) {
     const std::string& tag = mesh.markers.at(static_cast<std::size_t>(marker));
@@ -29,7 +29,7 @@ std::int32_t same_marker(const Arguments& arguments, const Mesh& mesh, std::int3
     return static_cast<std::int32_t>(found - fine.markers.begin());
 }
 
-// What the basis was solved for, on the other mesh, which finds parameters of its own.
+// The problem that the basis was solved for, on the fine mesh, whose points get new parameters.
 Task task_on(const Arguments& arguments, const Basis& basis, const Mesh& mesh, const Mesh& fine) {
     Task task = task_of(basis);
     task.given_points.clear();
@@ -42,11 +42,11 @@ Task task_on(const Arguments& arguments, const Basis& basis, const Mesh& mesh, c
     return task;
 }
 
-// The fine mesh's analysis and basis, and the transfer between them.
+// Analysis and basis of the fine mesh, and the transfer to that basis.
 class Transfer {
 public:
     Transfer(const Mesh& fine, const Basis& basis, const Task& task,
-             const Threads& threads)  // all must outlive it
+             const Threads& threads)  // all must outlive the transfer
         : fine_(fine), basis_(basis), view_(fine.view()), options_(task.options) {
         options_.executor = threads.executor();
         problem_.mesh = &view_;

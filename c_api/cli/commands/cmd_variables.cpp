@@ -1,4 +1,4 @@
-// harmorph variables: design variables that are not control points, as a map to the control points.
+// harmorph variables: writes design variables as a map to the control points.
 #include <harmorph_design.h>
 #include "commands/commands.hpp"
 #include "curves/curve_file.hpp"
@@ -24,7 +24,7 @@ std::int32_t whole(const Arguments& arguments, const std::string& option, double
     return static_cast<std::int32_t>(number);
 }
 
-// Two whole numbers, as of the two sides.
+// Reads two whole numbers, for example of the upper and the lower side.
 void take_pair(const Arguments& arguments, const std::string& option, std::int32_t& first,
                std::int32_t& second) {
     const std::vector<double> numbers = number_list(arguments, option);
@@ -36,18 +36,20 @@ void take_pair(const Arguments& arguments, const std::string& option, std::int32
 hm_variables variables_of(const Arguments& arguments, std::vector<double>& peaks) {
     auto variables = sized<hm_variables>();
     std::int32_t kinds = 0;
-    const auto is = [&](const char* option, std::int32_t kind) {
+    const auto chosen = [&](const char* option, std::int32_t kind) {
         if (!arguments.has(option)) return false;
         variables.kind = kind;
         ++kinds;
         return true;
     };
-    if (is("--ffd", HM_FFD)) take_pair(arguments, "--ffd", variables.degree_x, variables.degree_y);
-    if (is("--cst", HM_CST)) take_pair(arguments, "--cst", variables.n_upper, variables.n_lower);
-    if (is("--hicks-henne", HM_HICKS_HENNE)) {
+    if (chosen("--ffd", HM_FFD))
+        take_pair(arguments, "--ffd", variables.degree_x, variables.degree_y);
+    if (chosen("--cst", HM_CST))
+        take_pair(arguments, "--cst", variables.n_upper, variables.n_lower);
+    if (chosen("--hicks-henne", HM_HICKS_HENNE)) {
         take_pair(arguments, "--hicks-henne", variables.n_upper, variables.n_lower);
     }
-    if (is("--naca", HM_NACA4)) {
+    if (chosen("--naca", HM_NACA4)) {
         peaks = number_list(arguments, "--naca");
         variables.n_upper = static_cast<std::int32_t>(peaks.size());
     }

@@ -9,7 +9,7 @@ namespace cli {
 // begins. A moved mesh may replace the mesh of the first operand.
 void refuse_overwriting(const Arguments& arguments);
 
-// The same for an output that no word of the command names.
+// Refuses an output that no word of the command names, if the output would overwrite an input.
 void refuse_overwriting(const Arguments& arguments, const NamedFile& output);
 
 }  // namespace cli
