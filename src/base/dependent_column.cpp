@@ -4,10 +4,11 @@
 
 namespace harmorph {
 
-// As complex numbers: column b minus its part along column a, until b is normal to a to rounding.
+// Entries are treated as complex numbers. The component along each earlier column is subtracted
+// twice, so that the column is orthogonal to all of them to rounding.
 DependentColumn find_dependent_column(Span<Real> matrix, Index n, Index numbers) noexcept {
-    constexpr Real smallest =
-        1e-12;  // of the length of a column: what is left of a dependent one is rounding
+    // A column is dependent if less than this fraction of its length remains.
+    constexpr Real min_remainder = 1e-12;
     Size const row_length = static_cast<Size>(n) * static_cast<Size>(numbers);
     Index const rows = n > 0 ? static_cast<Index>(matrix.size() / row_length) : 0;
     auto const at = [&](Index row, Index column) {
@@ -19,7 +20,7 @@ DependentColumn find_dependent_column(Span<Real> matrix, Index n, Index numbers)
         entry[0] = value.x;
         if (numbers == 2) entry[1] = value.y;
     };
-    // Divided, as the reciprocal of a tiny number may be infinite.
+    // The entries are divided one by one, as the reciprocal of a tiny number may be infinite.
     auto const quotient_of = [](Vec2 v, Real by) { return Vec2{v.x / by, v.y / by}; };
     auto const divide = [&](Index column, Real by) {
         for (Index row = 0; row < rows; ++row) set(row, column, quotient_of(at(row, column), by));
@@ -41,17 +42,17 @@ DependentColumn find_dependent_column(Span<Real> matrix, Index n, Index numbers)
         divide(column, size);
         for (Index pass = 0; pass < 2; ++pass) {
             for (Index before = 0; before < column; ++before) {
-                Vec2 part;
+                Vec2 component;
                 for (Index row = 0; row < rows; ++row) {
-                    part = part + product(conjugate(at(row, before)), at(row, column));
+                    component = component + product(conjugate(at(row, before)), at(row, column));
                 }
                 for (Index row = 0; row < rows; ++row) {
-                    set(row, column, at(row, column) - product(part, at(row, before)));
+                    set(row, column, at(row, column) - product(component, at(row, before)));
                 }
             }
             if (pass > 0) continue;
-            Real const left = size_of(column);
-            if (!(left > smallest)) return {column, false};
+            Real const remainder = size_of(column);
+            if (!(remainder > min_remainder)) return {column, false};
         }
         divide(column, size_of(column));
     }
