@@ -68,7 +68,7 @@ struct FaceDistance {
         Vec2 turn{1, 0}, shift;
     };
     Index n_images = 0;
-    Image image[Translations::most_shifts];
+    Image image[Translations::max_shifts];
     Index root_height = 0;
     Index height_start[most_heights] = {};  // in `boxes`
     Span<Segments> groups;

@@ -108,7 +108,7 @@ void FaceDistance::build(Points points) noexcept {
 }
 
 void FaceDistance::find_images(Points points) noexcept {
-    Vec2 shift[Translations::most_shifts];
+    Vec2 shift[Translations::max_shifts];
     n_images = translations.shifts(points, shift);
     for (Index k = 0; k < n_images; ++k) image[k] = {{1, 0}, inverse_unit * shift[k]};
     if (!rotation.any) return;

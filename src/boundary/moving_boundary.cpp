@@ -28,7 +28,7 @@ public:
     // The points of the marker that no wall before has, in order along the boundary.
     void add(Condition const& condition, Index number) noexcept {
         auto const visit = [&](Index, Index point) { put(point, number, 0); };
-        boundary_.for_each_piece(
+        boundary_.for_each_chain(
             [&](Index face) { return condition_of(conditions_, boundary_, face) == &condition; },
             visit, [](Index, bool) {});
     }
@@ -49,7 +49,7 @@ private:
         auto const close = [&](Index piece, bool is_loop) {
             work_.is_loop[piece] = is_loop ? 1 : 0;
         };
-        boundary_.for_each_piece([&](Index face) { return belongs(face, condition); }, visit,
+        boundary_.for_each_chain([&](Index face) { return belongs(face, condition); }, visit,
                                  close);
         work_.piece_start[n_pieces_] = n_chain_;
     }

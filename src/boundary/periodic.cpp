@@ -93,7 +93,7 @@ private:
         if (periodicity_.translations.add(chain_[0], image_of(0), mesh_.points)) return Status::ok;
         return fault.refuse(Status::bad_condition,
                             "periodic marker #: there are already @ other translations",
-                            marker_item(condition.marker), plain(Translations::most));
+                            marker_item(condition.marker), plain(Translations::max_count));
     }
 
     // The angle of least squares.
@@ -159,7 +159,7 @@ private:
         auto const visit = [&](Index, Index point) { chain_[begin + n++] = point; };
         auto const is_face = [&](Index face) { return boundary_.marker[face] == marker; };
         auto const end_piece = [&](Index, bool is_loop) { closed = closed || is_loop; };
-        Index const pieces = boundary_.for_each_piece(is_face, visit, end_piece);
+        Index const pieces = boundary_.for_each_chain(is_face, visit, end_piece);
         return pieces == 1 && !closed ? n : 0;
     }
 

@@ -218,7 +218,7 @@ TEST_CASE(
     not_analysed("cell 1 names point 1000");
     cells = its.mesh.cells;
     cells[8] = cells[6];
-    not_analysed("cell 1 has point");
+    not_analysed("cell 1 contains point");
     cells = its.mesh.cells;
     std::swap(cells[7], cells[9]);  // its sides cross
     not_analysed("");
