@@ -115,7 +115,7 @@ Status check_coordinates(Mesh const& mesh, Fault& fault, Executor const& executo
         return fault.refuse(Status::bad_argument, "mesh.points.x or mesh.points.y is NULL");
     }
     if (mesh.points.stride < 1)
-        return fault.refuse(Status::bad_argument, "mesh.points.stride must not be negative");
+        return fault.refuse(Status::bad_argument, "mesh.points.stride is negative");
     return check_range(mesh.points, mesh.n_points, fault, executor);
 }
 

@@ -198,7 +198,7 @@ TEST_CASE(
         CHECK(std::string(error.text).find(words) != std::string::npos);
     };
     start[3] = start[2] + 2;
-    refused(HM_BAD_MESH, "polygon 2 has 2 points; 3 to 1024");
+    refused(HM_BAD_MESH, "polygon 2 has 2 points, but must have 3 to 1024");
     start = its.mesh.cell_start;
     start[0] = 1;
     refused(HM_BAD_MESH, "must begin with index_base");

@@ -205,7 +205,7 @@ TEST_CASE("counts and arrays of a problem and of the mesh") {
          [](auto&, auto&, auto& m) { m.cell_layout = HM_CELLS_MIXED, m.n_quads = 1; }},
         {HM_BAD_ARGUMENT, "mesh.points.x or mesh.points.y is NULL",
          [](auto&, auto&, auto& m) { m.points.x = nullptr; }},
-        {HM_BAD_ARGUMENT, "mesh.points.stride must not be negative",
+        {HM_BAD_ARGUMENT, "mesh.points.stride is negative",
          [](auto&, auto&, auto& m) { m.points.stride = -1; }},
         {HM_BAD_ARGUMENT, "mesh.face_points or mesh.face_markers is NULL",
          [](auto&, auto&, auto& m) { m.face_points = nullptr; }},
