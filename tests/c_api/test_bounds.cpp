@@ -209,7 +209,7 @@ TEST_CASE("what else a call finds wrong in its numbers") {
     few.n_control = 1;
     const hm_curves* fitted = nullptr;
     says(hm_fit(&fitted, values.data(), 8000, &points, 40, 0, &few, nullptr, &error), HM_BAD_CURVE,
-         "are not enough");
+         "are too few");
 
     // Reports and arrays that are not wanted.
     std::int32_t const degree = set.view().curve[0].degree + 1;

@@ -348,8 +348,8 @@ TEST_CASE("a fit: options, and counts of points") {
         };
     };
     check_texts({
-        {HM_BAD_CURVE, "points 1 and 2 follow each other and coincide", fit(twice, HM_OPEN)},
-        {HM_BAD_CURVE, "only a loop of points can have a tied or periodic curve",
+        {HM_BAD_CURVE, "the consecutive points 1 and 2 are equal", fit(twice, HM_OPEN)},
+        {HM_BAD_CURVE, "a tied or periodic curve needs points that form a closed loop",
          fit(apart, HM_PERIODIC)},
         {HM_BAD_ARGUMENT, "fit options: struct_size is wrong",
          [&](hm_error* e) {
