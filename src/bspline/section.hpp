@@ -1,5 +1,5 @@
-// A section of a body consists of the curves of the outline and the chord. tests/bspline/
-// test_section_measures.cpp covers this file.
+// A section of a body consists of the curves of the outline and the chord.
+// tests/bspline/test_section_measures.cpp covers this file.
 #pragma once
 
 #include "bspline/control_gradient.hpp"
