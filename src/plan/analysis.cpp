@@ -123,7 +123,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
                                      kinds_, tangent_, slip_curves_, fault));
     }
     if (problem_.demands.periodic()) {
-        HARMORPH_TRY(tie_periodic(topology_, boundary_, conditions_, wall_work_.chain, kinds_,
+        HARMORPH_TRY(tie_periodic(topology_, boundary_, conditions_, wall_work_.chain_point, kinds_,
                                   tangent_, periodicity_, fault));
         slip_curves_.keep_sliding(kinds_);
     }

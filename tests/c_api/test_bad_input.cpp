@@ -376,25 +376,27 @@ TEST_CASE("bad curves") {
 TEST_CASE("bad conditions and parameters") {
     Spoiled const all[] = {
         {HM_BAD_CONDITION, "no condition", nobody, [](Case& c) { c.conditions.clear(); }},
-        {HM_BAD_CONDITION, "on no boundary face", 77, [](Case& c) { c.set_free(77); }},
+        {HM_BAD_CONDITION, "no boundary face has marker", 77, [](Case& c) { c.set_free(77); }},
         {HM_BAD_CONDITION, "two conditions", body, [](Case& c) { c.set_free(body); }},
         {HM_BAD_ARGUMENT, "kind", 0, [](Case& c) { c.conditions[0].kind = HM_ROTATION_PAIR + 1; }},
         {HM_BAD_ARGUMENT, "struct_size", 0, [](Case& c) { c.conditions[0].struct_size = 0; }},
         {HM_BAD_CONDITION, "curves that do not exist", 0,
          [](Case& c) { c.conditions[0].n_curves = 2; }},
-        {HM_BAD_CONDITION, "its n_curves is 0: there are 1", 0,
+        {HM_BAD_CONDITION, "its n_curves is 0; there are 1", 0,
          [](Case& c) { c.conditions[0].n_curves = 0; }},
         {HM_BAD_CONDITION, "curves that do not exist", 0,
          [](Case& c) { c.conditions[0].first_curve = -1; }},
         {HM_BAD_CONDITION, "nothing moves", nobody,
          [](Case& c) { c.conditions.clear(), c.set_free(body); }},
         {HM_BAD_CONDITION, "does not exist", 48, [](Case& c) { c.give(48, 0); }},
-        {HM_BAD_CONDITION, "on no curve", 8, [](Case& c) { c.give(8, 0); }},
-        {HM_BAD_CONDITION, "on no curve", 0, [](Case& c) { c.give(0, 0); }},  // on a fixed marker
+        {HM_BAD_CONDITION, "marker is not on a curve", 8, [](Case& c) { c.give(8, 0); }},
+        {HM_BAD_CONDITION, "marker is not on a curve", 0,
+         [](Case& c) { c.give(0, 0); }},  // on a fixed marker
         {HM_BAD_CONDITION, "which does not exist", 0, [](Case& c) { c.give(16, 0, 1); }},
-        {HM_BAD_CONDITION, "outside its curve", 17,
+        {HM_BAD_CONDITION, "outside the range of its curve", 17,
          [](Case& c) { c.give(16, 4), c.give(17, 4.001); }},
-        {HM_BAD_CONDITION, "outside its curve", 17, [](Case& c) { c.give(17, not_a_number); }},
+        {HM_BAD_CONDITION, "outside the range of its curve", 17,
+         [](Case& c) { c.give(17, not_a_number); }},
     };
     for (Spoiled const& bad : all) check_refused(bad);
 }

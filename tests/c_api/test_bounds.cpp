@@ -283,7 +283,7 @@ TEST_CASE("rigid bodies are numbered without a gap") {
         CHECK(attempt.status == (second == 1 ? HM_OK : HM_BAD_CONDITION));
         if (second == 1) continue;
         CHECK(std::string(attempt.error.text) ==
-              "condition 1 names rigid body 2, but not all before it are there");
+              "condition 1 names rigid body 2, but rigid bodies must be numbered without gaps");
     }
 }
 

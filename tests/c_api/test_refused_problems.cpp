@@ -258,17 +258,17 @@ TEST_CASE("a mesh that contradicts itself, and conditions that contradict each o
             [](Case& c) { c.mesh.add_face(0, 1, 77); }},
            {"cell 0 contains point 0 twice", [](Case& c) { c.mesh.cells[1] = 0; }}},
           HM_BAD_MESH);
-    check({{"markers 1 and 13 are one rigid body, but turn about two centres",
+    check({{"markers 1 and 13 belong to one rigid body, but have different centres",
             [](Case& c) {
                 c.conditions.clear();
                 c.curves = {};
                 c.set_rigid(body, 3, 3);
                 c.set_rigid(top, 2, 3);
             }},
-           {"a parameter is given for point 0, which is on no curve's marker",
+           {"a parameter is given for point 0, whose marker is not on a curve",
             [](Case& c) { c.give(0, 0.5); }},
-           {"point 16 is 1.41421e2 from its curve, farther than that is large: is its marker "
-            "another one?",
+           {"point 16 is 1.41421e2 away from its curve, more than the extent of the curve or wall; "
+            "check the marker of the condition",
             [](Case& c) {
                 for (double& number : c.curves.control) number += 100;
             }}},
@@ -326,7 +326,8 @@ TEST_CASE("four translations of a periodic mesh, which no lattice has") {
     Attempt const attempt(its.problem());
     CHECK(attempt.status == HM_BAD_CONDITION);
     CHECK(std::string(attempt.error.text) ==
-          "periodic marker 54: there are already 3 other translations");
+          "periodic marker 54 has another translation than the 3 translations of the other pairs, "
+          "which are the most possible");
 }
 
 TEST_CASE("a fit: options, and counts of points") {
