@@ -1,4 +1,5 @@
 // An executor runs tasks on the caller's threads, if the caller gives any. The core has no threads.
+// tests/base/test_shared_work.cpp covers this file.
 #pragma once
 
 #include "base/kernel.hpp"

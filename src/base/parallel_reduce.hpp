@@ -28,7 +28,8 @@ Result reduce_ranges(Index n, Executor const& executor, Add const& add) noexcept
     return results[0];
 }
 
-// Returns the first of the items 0 .. n-1 for which find(begin, end) searches a range, or none.
+// Divides the items 0 .. n-1 into ranges, and returns the first item that find(begin, end) returns
+// for any of them, or none.
 template <class Find>
 Index find_in_ranges(Index n, Executor const& executor, Find const& find) noexcept {
     struct First {

@@ -1,5 +1,6 @@
 // Checks that numbers of the caller are finite and in range. Their bits are tested before they are
 // compared: a comparison with NaN would raise a floating-point exception, which callers may trap.
+// tests/base/test_scalar.cpp covers this file.
 #pragma once
 
 #include "base/vec2.hpp"

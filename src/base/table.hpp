@@ -1,4 +1,5 @@
 // Supports tables with one row for each value of an enumeration, and sets of such values.
+// tests/base/test_scalar.cpp covers this file.
 #pragma once
 
 #include "base/types.hpp"

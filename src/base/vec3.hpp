@@ -1,4 +1,5 @@
 // Defines points of space, and a strided view of the caller's three coordinates.
+// tests/base/test_scalar.cpp covers this file.
 #pragma once
 
 #include "base/vec2.hpp"

@@ -27,7 +27,7 @@ struct Section {
     bool backwards[max_curves] = {};
     bool is_closed = false;  // whether the last end is the first end
     Real sign = 1;           // 1 if the outline is counter-clockwise, -1 if clockwise
-    // find_chord() sets, if the chord follows the curves:
+                             // find_chord() sets, if it finds the leading edge of the curves:
     bool leading_edge_is_smooth = false;
     CurvePlace leading_edge_place;  // the place farthest from trailing_edge
 

@@ -71,9 +71,9 @@ Index Boundary::for_each_chain(IsOn is_on, Visit visit, Close close) const noexc
     return chain;
 }
 
-// Joins the points of a cut: ends of edges without a marker are joined if they have the same
-// coordinates, bit by bit. `points` [n_points] is working space. Returns the number of points that
-// were joined to another point.
+// Joins the points of a cut: ends of edges without a marker are joined if they have exactly the
+// same coordinates. `points` [n_points] is working space. Returns the number of points that were
+// joined to another point.
 Index join_cuts(Topology& topology, Span<Index> points) noexcept;
 
 }  // namespace harmorph

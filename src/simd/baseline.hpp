@@ -1,5 +1,6 @@
 // Registers for the instructions that the compiler may use without options: SSE2 on x86-64, plain
-// vectors elsewhere. This file documents Registers for all sets.
+// vectors elsewhere. This file documents Registers for all sets, and tests/simd/test_registers.cpp
+// covers them.
 #define HARMORPH_SET baseline
 #include "simd/begin.hpp"
 #if !defined(HARMORPH_REGISTERS_BASELINE)

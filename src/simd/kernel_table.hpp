@@ -1,5 +1,5 @@
 // A family of kernels is a struct of function pointers; each instruction set has one such struct,
-// the table of the set.
+// the table of the set. tests/simd/test_registers.cpp covers this file.
 #pragma once
 
 #include "simd/cpu.hpp"
