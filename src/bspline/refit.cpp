@@ -10,7 +10,8 @@ constexpr Index samples_per_control = 12;  // a lower bound for the samples of t
 constexpr Index min_samples = 400;
 constexpr Index max_rounds = 60;
 constexpr Real first_along = 0.05, last_along = 1e-4;  // see LeastSquares::solve
-constexpr Real settled = 1e-11;  // a smaller change of the control points ends the rounds
+constexpr Real max_slide = 0.02;  // as a fraction of the extent, see Refit::solve
+constexpr Real settled = 1e-11;   // a smaller change of the control points ends the rounds
 // The ends of an outline are closer to each other than this share of the chord.
 constexpr Real max_gap = 0.5;
 
@@ -53,6 +54,7 @@ void Refit::lay_out(Arena& arena, Curve const& curve, Index n_points) noexcept {
     arena.take(source_u_, n_source);
     Index const wanted = max(min_samples, samples_per_control * n);
     samples_.lay_out(arena, n_points, wanted);
+    arena.take(start_u_, samples_.max_samples());
     squares_.lay_out(arena, samples_.max_samples(), n, curve.degree);
 }
 
@@ -201,6 +203,7 @@ void Refit::start_parameters() noexcept {
     }
     squares_.set_up(own_, line.at.first(line.n));
     squares_.start();
+    copy(start_u_.first(line.n), Span<const Real>(squares_.u));
     fill(squares_.weight, Real(1));
     fill(squares_.pinned, none);
     if (closure_ == Closure::periodic) return;
@@ -208,12 +211,29 @@ void Refit::start_parameters() noexcept {
     if (closure_ == Closure::open) squares_.pinned[own_.n_control - 1] = line.n - 1;
 }
 
+// Returns the largest distance by which a sample has moved along the curve since its parameter was
+// found from the share of the arc.
+Real Refit::largest_slide() const noexcept {
+    Real largest = 0;
+    for (Index k = 0; k < squares_.u.count(); ++k) {
+        Vec2 c[2];
+        curve_point(squares_.curve, squares_.u[k], 1, c);
+        largest = max(largest, abs(squares_.u[k] - start_u_[k]) * length(c[1]));
+    }
+    return largest;
+}
+
+// Each round brings the curve nearer to the samples, but lets the parameters slide along the curve.
+// The rounds end before the slide distorts the mesh, because wall points move with their
+// parameters.
 void Refit::solve() noexcept {
+    copy(best_, Span<const Real>(unit_));
     Real best_error = infinity, along = 1;
     for (Index round = 0; round < max_rounds; ++round) {
         squares_.solve(along);
         along = max(first_along * along, last_along);
         Real const error = squares_.correct_parameters();
+        if (round > 0 && largest_slide() > max_slide) return;
         if (!(error < best_error)) continue;
         best_error = error;
         Real change = 0;
