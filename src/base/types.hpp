@@ -78,8 +78,9 @@ enum class ItemKind : std::int32_t {
     global_point
 };
 
-// One thing that a fault is about, counted from 0; markers and global points have the caller's own
-// numbers. A number without a kind, such as a count or an option, stands in the sentence alone.
+// An Item is one thing that a fault concerns. Items count from 0; markers and global points have
+// the caller's own numbers. A number without a kind, such as a count or an option, is in the text
+// only.
 struct Item {
     ItemKind kind = ItemKind::nothing;
     Offset number = 0;

@@ -95,7 +95,7 @@ Clearance measure_clearance(Section const& section, Points polygon, Index n) noe
             };
             Vec2 point[2];
             at(low, point);
-            try_foot(point[0]);  // the outline may have a corner here
+            try_foot(point[0]);  // the outline may have a corner at the beginning of a span
             Index const samples = 4 * curve.degree;
             Real u = low, before = tilt(low);
             for (Index j = 1; j <= samples; ++j) {
