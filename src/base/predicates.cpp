@@ -155,9 +155,9 @@ struct Grid {
                     within = (scaled.shift - shift) % limb_bits;
         std::uint64_t const low = scaled.whole << within,
                             high = within > 0 ? scaled.whole >> (64 - within) : 0;
-        std::uint64_t const parts[] = {low & 0xFFFFFFFFu, low >> limb_bits, high};
+        std::uint64_t const words[] = {low & 0xFFFFFFFFu, low >> limb_bits, high};
         for (Index i = 0; i < 3 && first + i < out.n; ++i)
-            out.limb[first + i] = static_cast<std::uint32_t>(parts[i]);
+            out.limb[first + i] = static_cast<std::uint32_t>(words[i]);
         if (scaled.negative) out.negate();
         return out;
     }

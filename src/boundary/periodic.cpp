@@ -98,10 +98,11 @@ private:
                                   "partner",
                                   fault));
         if (periodicity_.translations.add(chain_[0], image_of(0), mesh_.points)) return Status::ok;
-        return fault.refuse(Status::bad_condition,
-                            "periodic marker # has another translation than the @ translations of "
-                            "the other pairs, which are the most possible",
-                            marker_item(condition.marker), plain(Translations::max_count));
+        return fault.refuse(
+            Status::bad_condition,
+            "periodic marker # needs another translation, but periodic pairs can have "
+            "at most @ different translations",
+            marker_item(condition.marker), plain(Translations::max_count));
     }
 
     // Finds the angle of the rotation by least squares.

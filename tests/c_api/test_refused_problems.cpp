@@ -326,8 +326,8 @@ TEST_CASE("four translations of a periodic mesh, which no lattice has") {
     Attempt const attempt(its.problem());
     CHECK(attempt.status == HM_BAD_CONDITION);
     CHECK(std::string(attempt.error.text) ==
-          "periodic marker 54 has another translation than the 3 translations of the other pairs, "
-          "which are the most possible");
+          "periodic marker 54 needs another translation, but periodic pairs can have at most 3 "
+          "different translations");
 }
 
 TEST_CASE("a fit: options, and counts of points") {
