@@ -4,7 +4,7 @@ namespace harmorph {
 namespace {
 
 // Fewer points are not given to a thread, because starting a thread takes longer.
-constexpr Index min_points_per_task = 4096;
+constexpr Index min_followers = 4096;
 
 // Distinguishes the faces of curves and the faces of other boundaries.
 struct Faces {
@@ -45,7 +45,7 @@ void find_slots(SlipCurves const& curves, Span<Index> slot_at) noexcept {
 template <class Body>
 void for_followers(Span<const PointKind> kinds, Executor const& executor,
                    Body const& body) noexcept {
-    executor.for_ranges(kinds.count(), min_points_per_task, [&](Index begin, Index end) {
+    executor.for_ranges(kinds.count(), min_followers, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
             if (kinds[k] == PointKind::inside || kinds[k] == PointKind::free) body(k);
         }

@@ -11,7 +11,7 @@ constexpr Real growth = 0.5;      // the largest growth of the reach, per length
 // than the distance of the points by this factor.
 constexpr Real min_jump = 3;
 // Fewer points are not given to a thread, because starting a thread takes longer.
-constexpr Index min_points_per_task = 4096;
+constexpr Index min_points_near_walls = 4096;
 
 Real fade(Real x) noexcept { return x < 1 ? 1 - x * (3 - 2 * sqrt(x)) : 0; }
 
@@ -29,7 +29,7 @@ void WallHeights::find(Mesh const& mesh, Points before, Span<const PointKind> ki
                        Span<const Index> representative, FaceDistance const& walls,
                        Executor const& executor) noexcept {
     wall.find(mesh.n_points, walls);
-    executor.for_ranges(mesh.n_points, min_points_per_task, [&](Index begin, Index end) {
+    executor.for_ranges(mesh.n_points, min_points_near_walls, [&](Index begin, Index end) {
         Index group = 0;
         for (Index k = begin; k < end; ++k) {
             foot[k] =
@@ -117,7 +117,7 @@ void WallHeights::restore(FaceDistance const& walls, Points before, MutablePoint
                           Executor const& executor) const noexcept {
     Points const after{points.x, points.y, points.stride};
     for (Index slot = 0; slot < wall.count; ++slot) turn[slot] = wall.turn(slot, before, after);
-    executor.for_ranges(foot.count(), min_points_per_task, [&](Index begin, Index end) {
+    executor.for_ranges(foot.count(), min_points_near_walls, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
             FaceDistance::Foot const& foot_of_k = foot[k];
             if (foot_of_k.face == none) continue;

@@ -102,14 +102,13 @@ bool Triangulation::is_delaunay(Index side) const noexcept {
     return in_circle_sign(at(side), at(begin), at(end), at(other)) <= 0;
 }
 
-//       end                end
-//      / | \              /   \
-//  apex  |  opposite  apex --- opposite
-//      \ | /              \   /
-//      begin              begin
+//       end                 end
+//      / | \               /   \        before: (apex, begin, end), (opposite, end, begin)
+//  apex  |  opposite   apex --- opposite
+//      \ | /               \   /        after: (apex, begin, opposite), (opposite, end, apex)
+//      begin               begin
 //
-// The triangle (apex, begin, end) becomes (apex, begin, opposite), and the triangle (opposite, end,
-// begin) becomes (opposite, end, apex): each changes its third corner and two of its sides.
+// Each triangle changes its third corner and two of its sides.
 void Triangulation::flip(Index side) const noexcept {
     auto const join = [&](Index one, Index other) {
         across_[one] = other;

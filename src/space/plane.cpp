@@ -4,7 +4,7 @@ namespace harmorph {
 namespace {
 
 // Fewer points are not given to a thread, because starting a thread takes longer.
-constexpr Index min_points_per_task = 4096;
+constexpr Index min_plane_points = 4096;
 
 Real moved_by_step(Real old, Real step) noexcept { return step == 0 ? old : old + step; }
 
@@ -44,7 +44,7 @@ Mesh Plane::mesh() const noexcept {
 
 void Plane::spread(Points displacement, SpacePoints from, MutableSpacePoints to,
                    Executor const& executor) const noexcept {
-    executor.for_ranges(n_space_points, min_points_per_task, [&](Index begin, Index end) {
+    executor.for_ranges(n_space_points, min_plane_points, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
             Vec3 const step = frame.moved(displacement[follows[k] - index_base], turn_of(k));
             Vec3 const old = from.given() ? from[k] : Vec3{};
@@ -56,7 +56,7 @@ void Plane::spread(Points displacement, SpacePoints from, MutableSpacePoints to,
 
 void Plane::gather(SpacePoints by_space_points, MutablePoints by_points,
                    Executor const& executor) const noexcept {
-    executor.for_ranges(n_points, min_points_per_task, [&](Index begin, Index end) {
+    executor.for_ranges(n_points, min_plane_points, [&](Index begin, Index end) {
         for (Index p = begin; p < end; ++p) {
             Vec2 sum;
             for (Index at = follower_start[p]; at < follower_start[p + 1]; ++at) {
