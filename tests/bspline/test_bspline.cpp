@@ -184,7 +184,7 @@ TEST_CASE("what is wrong with a curve is said, and where") {
     CHECK(fault.other.number == 6);
     bad = good;
     bad.knots.resize(7);
-    CHECK(refusal(bad, "more than the degree") == Status::bad_curve);
+    CHECK(refusal(bad, "more than its degree") == Status::bad_curve);
     bad = good;
     bad.knots[5] = nan;
     CHECK(refusal(bad, "not finite", &fault) == Status::bad_curve);

@@ -246,7 +246,7 @@ TEST_CASE("what cannot be fitted is refused, and why") {
     refused(points, options(0, 20), true, "degree", 0);
     refused(points, options(6, 20), true, "degree", 6);
     refused(points, options(3, 3), true, "more than the degree", 3);
-    refused(points, options(3, 61), true, "do not determine", 60);
+    refused(points, options(3, 61), true, "are too few to determine", 60);
     refused(naca({0, 0.4, 0.12, true}, 12, 0.8, 6), options(3, 28), true, "base", 25);
     refused(points, options(3, 20, Closure::tied), false, "loop", none);
     refused(points, options(3, 20, Closure::periodic), false, "loop", none);
@@ -259,10 +259,10 @@ TEST_CASE("what cannot be fitted is refused, and why") {
     refused(bad, {}, true, "not finite", 17);
     bad = points;
     bad[18] = bad[17];
-    refused(bad, {}, true, "coincide", 17);
+    refused(bad, {}, true, "are equal", 17);
     bad = points;
     bad.back() = bad.front();
-    refused(bad, {}, true, "coincide", 59);
+    refused(bad, {}, true, "are equal", 59);
     refused(bad, {}, false, "without the last point", 59);  // a loop whose curve would be open
     refused(bad, options(3, 20, Closure::open), false, "without the last point", 59);
     bad = points;

@@ -124,7 +124,7 @@ TEST_CASE("sections: which curves, and an outline round nothing") {
              section = {sizeof section, 0, 1, 0, 0, 1, 0};
              return hm_measure(&its.set, &section, 1, &quantity, &value, nullptr, nullptr, e);
          }},
-        {HM_BAD_CURVE, "the section encloses no area: 0",
+        {HM_BAD_CURVE, "the section encloses no area: the integral along the outline is 0",
          [&](hm_error* e) {
              quantity.kind = HM_AREA;
              return hm_measure(&flat.set, nullptr, 1, &quantity, &value, nullptr, nullptr, e);

@@ -148,7 +148,8 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
         {{HM_UNSUPPORTED, "space: fields are set that this version of the library does not know",
           [&](hm_error* e) { return hm_plane_size(&younger.known, &bytes, e); }}});
     static std::int32_t const no_corners[200] = {};
-    refused(HM_BAD_MESH, "by space.face_start the faces have 0 corners",
+    refused(HM_BAD_MESH,
+            "by space.face_start the faces have 0 corners, but there must be 3 to 2^31 - 2",
             [](hm_space_mesh& s) { s.face_start = no_corners; });
     REQUIRE(plane.status == HM_OK);
     Solved const solved(its);
