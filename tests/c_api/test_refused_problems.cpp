@@ -361,7 +361,7 @@ TEST_CASE("a fit: options, and counts of points") {
              return options.struct_size = sizeof options, options.closed = 9,
                     hm_fit_size(20, &options, &bytes, e);
          }},
-        {HM_BAD_CURVE, "2147483647 points are too many",
+        {HM_BAD_CURVE, "2147483647 points are too many for a fit",
          [&](hm_error* e) {
              return options.closed = 0, hm_fit_size(2147483647, &options, &bytes, e);
          }},
