@@ -15,9 +15,8 @@ Real total(Span<const Vec2> a, Span<const Vec2> b) noexcept {
 
 }  // namespace
 
-void SmoothGradient::lay_out(Arena& arena, Index n_control, Index n_spans,
-                             Index max_degree) noexcept {
-    order_ = max_degree + 1;
+void SmoothGradient::lay_out(Arena& arena, Index n_control, Index n_spans, Index degree) noexcept {
+    order_ = degree + 1;
     Offset const entries = Offset{n_spans} * order_;
     arena.take(control_, entries);
     arena.take(stiffness_, entries * order_);

@@ -16,8 +16,9 @@ namespace harmorph {
 
 class SmoothGradient {
 public:
-    // n_spans is the number of spans between knots of all curves; empty spans count.
-    void lay_out(Arena& arena, Index n_control, Index n_spans, Index max_degree) noexcept;
+    // n_spans is the number of spans between knots of all curves; empty spans count. degree is the
+    // largest degree.
+    void lay_out(Arena& arena, Index n_control, Index n_spans, Index degree) noexcept;
     void start() noexcept;
     // Adds a curve, which must have been checked. Each curve of the set is added once.
     void add(Curve const& curve) noexcept;
