@@ -25,8 +25,8 @@ struct FrontalNumbers {
     Span<Number> factor;
     Span<Number> stack;
     Span<Number> rows;
-    Span<Number> sums;                     // [workers x planes x most row sums of a front]
-    Span<Number> least_left, least_pivot;  // [workers] see below
+    Span<Number> sums;                          // [workers x planes x most row sums of a front]
+    Span<Number> min_pivot_ratio, least_pivot;  // [workers] see below
 };
 
 struct Multifrontal {
@@ -42,7 +42,7 @@ struct Multifrontal {
     FrontalNumbers<float> singles;   // ... or those
     Precision precision = Precision::in_double;
     Index planes = 1;  // 1: real; 2: complex
-    Offset most_sums = 0;
+    Offset max_sums = 0;
     Index padded_width = 0;
     Kernel kernel = Kernel::baseline;
     Executor executor;
@@ -58,7 +58,7 @@ struct Multifrontal {
     // On Status::not_positive, fault.item is a position of the elimination.
     Status factorise(Matrix const& matrix, Progress const& progress, Fault& fault) noexcept;
     // Minimum over all pivots of |sum of the terms| / sum of |terms|: 1 where nothing cancelled.
-    Real least_left() const noexcept;
+    Real min_pivot_ratio() const noexcept;
     // Minimum over all pivots of pivot / diagonal of the matrix.
     Real least_pivot() const noexcept;
     // In place: right-hand sides become solutions.
@@ -73,15 +73,15 @@ struct Multifrontal {
         Number* stack;
         Number* rows;
         Number* sums;
-        Number* least_left;
+        Number* min_pivot_ratio;
         Number* least_pivot;
     };
     template <class Number>
     Worker<Number> top_worker()
         const noexcept {  // for the nodes above the subtrees: all threads work inside a front
         FrontalNumbers<Number> const& all = numbers<Number>();
-        return {executor,        all.stack.data(),      all.rows.data(),
-                all.sums.data(), all.least_left.data(), all.least_pivot.data()};
+        return {executor,        all.stack.data(),           all.rows.data(),
+                all.sums.data(), all.min_pivot_ratio.data(), all.least_pivot.data()};
     }
     template <class Number>
     Worker<Number> worker(Index number) const noexcept {
@@ -91,8 +91,8 @@ struct Multifrontal {
             Executor{},
             all.stack.data() + planes * (before + n * subtrees.stack_entries),
             all.rows.data() + ((n + 1) * subtrees.stack_rows + subtrees.kept_rows) * row_length(),
-            all.sums.data() + n * planes * most_sums,
-            all.least_left.data() + n,
+            all.sums.data() + n * planes * max_sums,
+            all.min_pivot_ratio.data() + n,
             all.least_pivot.data() + n};
     }
     // body(number of the subtree, number of the worker, worker) for all subtrees, those with the

@@ -38,7 +38,7 @@ public:
                 begin(node, panel, left);  // only now, so that the panel is still in the caches
             dense::extend_add(engine_.kernel, added, engine_.targets_of(child), panel, left);
         }
-        dense::Workers<Number> const workers{worker.executor, worker.sums, worker.least_left};
+        dense::Workers<Number> const workers{worker.executor, worker.sums, worker.min_pivot_ratio};
         Index const bad = dense::factor(engine_.kernel, panel, pivot_floor<Number>, workers);
         if (bad != none) {
             return fault.refuse(Status::not_positive,
@@ -71,7 +71,7 @@ private:
     __attribute__((noinline)) void assemble_planes(Index node, Panel const& panel) const noexcept {
         auto const& front = engine_.tree.nodes[node];
         Span<const Index> const border = engine_.border_of(node);
-        dense::Slabs<Number> const own = panel.own(), of_border = panel.of_border();
+        dense::Slabs<Number> const own = panel.own(), border_columns = panel.border_columns();
         Span<Offset> const start = matrix_.start;
         Span<Index> const column = matrix_.column;
         Span<Real> const value = matrix_.value, imaginary = matrix_.imaginary;
@@ -85,7 +85,7 @@ private:
             for (Offset const end = start[i + 1]; k < end; ++k) {
                 Index const j = column[k];
                 Number* const entry = j < behind ? own.at(pivot, j - first)
-                                                 : of_border.at(pivot, index_in(border, j));
+                                                 : border_columns.at(pivot, index_in(border, j));
                 entry[0] = static_cast<Number>(value[k]);
                 if (planes == 2) entry[dense::slab] = static_cast<Number>(imaginary[k]);
             }
@@ -122,7 +122,7 @@ template <class Number>
 Status Multifrontal::factorise_in(Matrix const& matrix, Progress const& progress,
                                   Fault& fault) noexcept {
     Factorisation<Number> const factorisation(*this, matrix);
-    fill(numbers<Number>().least_left, Number{1});
+    fill(numbers<Number>().min_pivot_ratio, Number{1});
     fill(numbers<Number>().least_pivot, Number{1});
     Fault fault_of[Executor::most_threads];
     // The one with the first position: it does not depend on the number of threads.
@@ -165,8 +165,8 @@ Real least_of(Span<const double> doubles, Span<const float> singles) noexcept {
 
 }  // namespace
 
-Real Multifrontal::least_left() const noexcept {
-    return least_of(doubles.least_left, singles.least_left);
+Real Multifrontal::min_pivot_ratio() const noexcept {
+    return least_of(doubles.min_pivot_ratio, singles.min_pivot_ratio);
 }
 
 Real Multifrontal::least_pivot() const noexcept {

@@ -53,7 +53,7 @@ void for_each_beside_turned(Graph const& graph, Span<const Index> times,
     for (Index point = 0; point < times.count(); ++point) {
         if (times[point] == 0 || graph.unknown[point] == none) continue;
         visit(graph.unknown[point]);
-        for (Index const neighbour : graph.of(graph.unknown[point])) visit(neighbour);
+        for (Index const neighbour : graph.neighbours(graph.unknown[point])) visit(neighbour);
     }
 }
 
@@ -118,8 +118,8 @@ void Matrix::build(Span<const Index> representative, Graph const& graph, Span<co
     Span<Index> const columns = column;
     for (Index row = 0; row < n; ++row) {
         Offset const begin = filled;
-        graph.expect(order, row, n);
-        for (Index const neighbour : graph.of(order[row])) {
+        graph.prefetch_neighbours(order, row, n);
+        for (Index const neighbour : graph.neighbours(order[row])) {
             Index const later = position[neighbour];
             columns[filled] = later;
             filled += later > row ? 1 : 0;

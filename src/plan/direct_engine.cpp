@@ -109,7 +109,7 @@ Status DirectEngine::examine(Equations const& equations, Span<Real> work, Fault&
     Method const& method = equations.method();
     if (method.nodal_gradients() || method.precision == Precision::in_single) return Status::ok;
     Matrix const& matrix = equations.matrix();
-    Real const even = even_above(matrix.kind()), left = factor.least_left(),
+    Real const even = even_above(matrix.kind()), left = factor.min_pivot_ratio(),
                pivot = factor.least_pivot();
     trusted = pivot > even;
     if (matrix.kind() != MatrixKind::real) return Status::ok;

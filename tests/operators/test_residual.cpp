@@ -231,7 +231,7 @@ TEST_CASE(
                           iterative = with(HM_LAPLACE, HM_MULTIGRID);
             Solved const found(its, &exact), other(its, &iterative);
             INFO("first cell " << first << ", free " << free << ": "
-                               << inside(found.plan).engine().direct.factor.least_left()
+                               << inside(found.plan).engine().direct.factor.min_pivot_ratio()
                                << " left of a pivot");
             CHECK(inside(found.plan).engine().trusted());  // it has lost nothing
             CHECK(found.report.refinements == 0);

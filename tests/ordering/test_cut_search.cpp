@@ -10,8 +10,8 @@
 
 using namespace fixtures;
 using harmorph::Cut;
+using harmorph::CutSizes;
 using harmorph::Index;
-using harmorph::Parts;
 
 namespace {
 
@@ -62,7 +62,7 @@ TEST_CASE(
         for (bool const upright : {false, true}) {
             HandMadeGraph grid = upright ? grid_graph(width, length) : grid_graph(length, width);
             Searched its(grid);
-            CHECK((its.n() >= Parts::large) == (times > 1));
+            CHECK((its.n() >= CutSizes::large) == (times > 1));
             Cut const cut = its.search->best(0, its.n(), harmorph::straight_directions);
             CHECK(cut.direction == (upright ? 1 : 0));
             CHECK(std::abs(its.left_of(cut) - its.n() / 2) < its.n() / 8);
@@ -72,7 +72,7 @@ TEST_CASE(
 
 TEST_CASE("a square with a border along one side is cut such that both halves share it") {
     int const side = 300;
-    REQUIRE(side * side >= Parts::large);
+    REQUIRE(side * side >= CutSizes::large);
     for (Index const direction : {0, 1}) {
         HandMadeGraph grid = grid_graph(side, side);
         Searched its(grid);
@@ -81,7 +81,7 @@ TEST_CASE("a square with a border along one side is cut such that both halves sh
             if (at == 0) its.places.of[u].at[harmorph::border_lane] = 1;
         }
         CHECK(its.search->border(0, its.n(), its.n()) == side);
-        CHECK(its.search->border(0, its.n(), Parts::large - 1) == 0);
+        CHECK(its.search->border(0, its.n(), CutSizes::large - 1) == 0);
         CHECK(its.search->best(0, its.n(), harmorph::straight_directions).direction == direction);
     }
 }
@@ -92,12 +92,13 @@ TEST_CASE(
     for (Index const half : {40, 200000}) {
         auto const cost = [&](Index shift, Index separator, Index left_border = 0,
                               Index right_border = 0) {
-            return Parts{half + shift, half - shift, separator, left_border, right_border}.cost();
+            return CutSizes{half + shift, half - shift, separator, left_border, right_border}
+                .cost();
         };
         CHECK(cost(0, 8) < cost(0, 9));
         CHECK(cost(0, 8) < cost(half / 4, 8));
         CHECK(cost(half / 4, 8, 5, 3) == doctest::Approx(cost(-half / 4, 8, 3, 5)).epsilon(1e-14));
-        if (half < Parts::large) continue;
+        if (half < CutSizes::large) continue;
         CHECK(cost(0, 800, 100, 100) < cost(0, 800, 200, 200));
         CHECK(cost(0, 800, 200, 200) < cost(0, 800, 0, 400));
     }
