@@ -55,8 +55,9 @@ Status view_operator(hm_options const& o, hm_study_options const& study, Method&
         return fault.refuse(Status::unsupported,
                             "the offset correction goes with the conformal operator only");
     }
-    method.quarters = o.exponent_quarters == 0 ? method.operator_row().usual_quarters
-                                               : max(o.exponent_quarters, Index{0});
+    method.exponent_quarters = o.exponent_quarters == 0
+                                   ? method.operator_row().default_exponent_quarters
+                                   : max(o.exponent_quarters, Index{0});
     method.offset_correction = o.offset_correction;
     return Status::ok;
 }

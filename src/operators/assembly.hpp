@@ -9,7 +9,7 @@ namespace harmorph {
 
 // Numbers of conductivities of these cells that the operator needs; 0: they are 1.
 inline Index conductivities_of(Method const& method, Index n_cells) noexcept {
-    return method.quarters > 0 ? n_cells : 0;
+    return method.exponent_quarters > 0 ? n_cells : 0;
 }
 
 // walls: the faces that move, chosen, which are built at `points` where the operator needs them.

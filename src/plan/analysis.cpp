@@ -129,7 +129,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     }
     if (!tangent_.empty()) {
         slip_followers_.find(topology_, boundary_, conditions_, kinds_, slip_curves_,
-                             max(problem_.method.quarters, Index{0}), problem_.executor);
+                             max(problem_.method.exponent_quarters, Index{0}), problem_.executor);
     }
     if (!kinds_are_final) graph_.build(stencil(), kinds_);
     if (graph_.n == 0)

@@ -94,7 +94,7 @@ bool Equations::change_operator(Operator operator_kind, Index quarters) noexcept
         method_.scheme == Scheme::compact && (quarters == 0 || !conductivity_.empty());
     if (!known || (is_complex && matrix_.kind() == MatrixKind::real)) return false;
     method_.operator_kind = operator_kind;
-    method_.quarters = quarters;
+    method_.exponent_quarters = quarters;
     return true;
 }
 
@@ -106,7 +106,8 @@ Status Equations::assemble_edges(Points points, Executor const& executor, Fault&
     }
     if (!conductivity_.empty()) {
         walls_.build(points);
-        weigh_edges(walls_, delaunay_edges_, points, method_.quarters, conductivity_, executor);
+        weigh_edges(walls_, delaunay_edges_, points, method_.exponent_quarters, conductivity_,
+                    executor);
     }
     Index const thin = assemble_bounded(delaunay_edges_, points, conductivity_, matrix_);
     if (thin == none) return Status::ok;

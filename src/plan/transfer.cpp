@@ -235,8 +235,9 @@ Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis co
 Status check_alike(Basis const& coarse, Basis const& fine, Fault& fault) noexcept {
     auto const refuse = [&](const char* why) { return fault.refuse(Status::bad_basis, why); };
     Method const &a = coarse.header->method, &b = fine.header->method;
-    if (a.operator_kind != b.operator_kind || a.scheme != b.scheme || a.quarters != b.quarters ||
-        a.offset_correction != b.offset_correction || coarse.kind() != fine.kind()) {
+    if (a.operator_kind != b.operator_kind || a.scheme != b.scheme ||
+        a.exponent_quarters != b.exponent_quarters || a.offset_correction != b.offset_correction ||
+        coarse.kind() != fine.kind()) {
         return refuse("operator, scheme, weight or kind of values of the two bases differ");
     }
     if (coarse.header->counts.control != fine.header->counts.control ||

@@ -56,7 +56,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
                      plan.walls_at(plan.mesh().points));
     Method const method = plan.equations().method();
     Status const status = climb(work);
-    plan.change_operator(method.operator_kind, method.quarters);
+    plan.change_operator(method.operator_kind, method.exponent_quarters);
     if (work.factored_again) plan.forget_factor();  // of another mesh or operator
     HARMORPH_TRY(status);
     return finish(work);

@@ -32,7 +32,7 @@ struct Searched {
     Index n() const { return static_cast<Index>(order.size()); }
     Index left_of(Cut const& cut) const {
         Index left = 0;
-        for (Index u = 0; u < n(); ++u) left += places.of[u].at[cut.direction] < cut.level;
+        for (Index u = 0; u < n(); ++u) left += places.position[u].at[cut.direction] < cut.level;
         return left;
     }
 
@@ -78,7 +78,7 @@ TEST_CASE("a square with a border along one side is cut such that both halves sh
         Searched its(grid);
         for (Index u = 0; u < its.n(); ++u) {
             int const at = direction == 0 ? u / side : u % side;
-            if (at == 0) its.places.of[u].at[harmorph::border_lane] = 1;
+            if (at == 0) its.places.position[u].at[harmorph::border_lane] = 1;
         }
         CHECK(its.search->border(0, its.n(), its.n()) == side);
         CHECK(its.search->border(0, its.n(), CutSizes::large - 1) == 0);
@@ -114,7 +114,7 @@ TEST_CASE(
                 double const expected = s * (s * s / 3 + s * b + b * b) +
                                         cost_by_halving(left, left_border + s) +
                                         cost_by_halving(right, right_border + s);
-                CHECK(Parts{left, right, separator, left_border, right_border}.cost() ==
+                CHECK(CutSizes{left, right, separator, left_border, right_border}.cost() ==
                       doctest::Approx(expected).epsilon(0.0125));  // 30 instead of 30.37
             }
 }
@@ -130,7 +130,8 @@ TEST_CASE(
     REQUIRE(its.search->find_level_cut(harmorph::infinity, 0, its.n(), cut));
     CHECK(cut.direction == harmorph::level_direction);
     std::map<float, Index> size;
-    for (Index u = 0; u < its.n(); ++u) ++size[its.places.of[u].at[harmorph::level_direction]];
+    for (Index u = 0; u < its.n(); ++u)
+        ++size[its.places.position[u].at[harmorph::level_direction]];
     double least = harmorph::infinity;
     float best = 0;
     Index before = 0;
