@@ -1,7 +1,7 @@
 #include "parts/part_equations.hpp"
 
 #include "operators/assembly.hpp"
-#include "operators/frames.hpp"
+#include "operators/dof_directions.hpp"
 #include "operators/right_hand_sides.hpp"
 
 namespace harmorph {
@@ -188,7 +188,7 @@ void PartEquations::find_residual(DofValues const& values, Index column,
 }
 
 void PartEquations::finish(DofValues const& values) const noexcept {
-    Frames(matrix).turn_slipping(values, part.own().n_points);
+    DofDirections(matrix).turn_slipping(values, part.own().n_points);
     for (Index point = 0; point < part.own().n_points; ++point)
         values.copy_row(topology.representative[point], point);
 }

@@ -50,7 +50,7 @@ void Equations::init(Analysis const& analysis) noexcept {
 }
 
 void Equations::build(Analysis const& analysis) noexcept {
-    matrix_.let_frames_change(slip_curves_.count > 0);
+    matrix_.set_directions_change(slip_curves_.count > 0);
     matrix_.build(analysis.topology().representative, analysis.graph(), analysis.order(),
                   analysis.border().position, analysis.wall_slot(), analysis.tangent(),
                   analysis.periodicity());
@@ -62,18 +62,19 @@ void Equations::build(Analysis const& analysis) noexcept {
 }
 
 // To the tangents of the curves where points slide at these coordinates.
-void Equations::turn_frames(Points points) const noexcept {
+void Equations::turn_tangents(Points points) const noexcept {
     if (slip_curves_.count == 0) return;
     slip_curves_.for_each([&](Index slot, Index point) {
         matrix_.set_tangent(point, slip_curves_.nearest(slot, points[point]).tangent);
     });
     for (Index k = 0; k < cells_.mesh.n_points; ++k) {
-        if (matrix_.slips(k)) matrix_.set_tangent(k, matrix_.frame(point_of(matrix_.first_row(k))));
+        if (matrix_.slips(k))
+            matrix_.set_tangent(k, matrix_.direction(point_of(matrix_.first_row(k))));
     }
 }
 
 Status Equations::assemble(Points points, Executor const& executor, Fault& fault) noexcept {
-    turn_frames(points);
+    turn_tangents(points);
     HARMORPH_TRY(method_.bounded() ? assemble_edges(points, executor, fault)
                                    : assemble_cells(points, executor, fault));
     if (method_.nodal_gradients()) nodal_.scheme.measure(points);

@@ -1,6 +1,6 @@
 #include "plan/plan.hpp"
 
-#include "operators/frames.hpp"
+#include "operators/dof_directions.hpp"
 
 namespace harmorph {
 namespace {
@@ -42,7 +42,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     equations_.init(analysis);
     mesh_ = equations_.cells().mesh;
     refinement_.residual.kernel = executor_.kernel = equations_.method().kernel;
-    refinement_.residual.share_out(analysis.tree(), executor_);
+    refinement_.residual.choose_subtrees(analysis.tree(), executor_);
     executor_.for_each(3, [&](Index part) {  // the three parts are independent
         if (part == 0) equations_.build(analysis);
         if (part == 1) engine_.init(analysis);
@@ -114,12 +114,12 @@ Status Plan::solve_rows(DofValues const& dofs, SolveReport& report, Fault& fault
     report.functions = dofs.n_functions;
     report.factor_entries = factor_entries_;
     HARMORPH_TRY(refinement_.run(equations_, engine_, dofs, progress_, report, fault));
-    Frames const frames(equations_.matrix());
-    frames.turn_slipping(dofs, mesh_.n_points);
+    DofDirections const directions(equations_.matrix());
+    directions.turn_slipping(dofs, mesh_.n_points);
     executor_.for_ranges(mesh_.n_points, least_points, [&](Index begin, Index end) {
         for (Index point = begin; point < end; ++point) dofs.copy_row(same_point(point), point);
     });
-    frames.turn_sides(dofs, mesh_.n_points);
+    directions.turn_sides(dofs, mesh_.n_points);
     return Status::ok;
 }
 
@@ -129,7 +129,8 @@ void Plan::clear_all_but_wall(DofValues const& dofs) const noexcept {
         Index const slot = wall_slot(point);
         if (slot != none && wall_point_[slot] == point) continue;
         for (Index dof = components * point; dof < components * (point + 1); ++dof) {
-            std::memset(dofs.of_dof(dof), 0, sizeof(Real) * static_cast<Size>(dofs.length()));
+            std::memset(dofs.values_of_dof(dof), 0,
+                        sizeof(Real) * static_cast<Size>(dofs.length()));
         }
     }
 }
@@ -192,16 +193,16 @@ Status Plan::solve_fields(DofValues const& values, bool measured, SolveReport& r
 }
 
 void Plan::to_displacements(DofValues const& values) const noexcept {
-    Frames const frames(equations_.matrix());
-    frames.turn_slipping(values, mesh_.n_points);
+    DofDirections const directions(equations_.matrix());
+    directions.turn_slipping(values, mesh_.n_points);
     for (Index const point : given_.joined) values.copy_row(same_point(point), point);
-    frames.turn_sides(values, mesh_.n_points);
+    directions.turn_sides(values, mesh_.n_points);
 }
 
 void Plan::to_displacements_transposed(DofValues const& values) const noexcept {
-    Frames const frames(equations_.matrix());
-    frames.turn_slipping_back(values, mesh_.n_points);
-    frames.turn_sides_back(values, mesh_.n_points);
+    DofDirections const directions(equations_.matrix());
+    directions.turn_slipping_back(values, mesh_.n_points);
+    directions.turn_sides_back(values, mesh_.n_points);
 }
 
 Index Plan::same_point(Index point) const noexcept {

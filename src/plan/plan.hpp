@@ -79,7 +79,7 @@ public:
     Index wall_slot(Index point) const noexcept { return unknowns().wall_slot(point); }
     bool couples_xy() const noexcept { return unknowns().couples_xy(); }
     bool slips(Index point) const noexcept { return unknowns().slips(point); }
-    Vec2 tangent(Index point) const noexcept { return unknowns().frame(point); }  // if it slips
+    Vec2 tangent(Index point) const noexcept { return unknowns().direction(point); }  // if it slips
     bool turns_sides() const noexcept { return unknowns().turns_sides(); }
     Vec2 turn(Index point) const noexcept { return unknowns().turn(point); }
     // The factor from the displacement of `same_point(point)` to that of the point.

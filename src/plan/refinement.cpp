@@ -47,7 +47,8 @@ Index residual_width(Method const& method, Matrix const& matrix, AnyEngine const
     Offset const least = in_single ? 12 : 5;
     Offset const wanted =
         room >= 16 ? room / 8 * 8 : max(room, least);  // whole blocks of the kernels
-    return static_cast<Index>(min(wanted, Offset{min(max(columns, Index{2}), Residual::widest)}));
+    return static_cast<Index>(
+        min(wanted, Offset{min(max(columns, Index{2}), Residual::max_width)}));
 }
 
 class RefinementRun {
@@ -71,7 +72,7 @@ public:
                 HARMORPH_TRY(
                     progress_.report(Phase::residual, static_cast<Real>(first) / n_columns, fault));
             Refined refined;
-            n = min(Residual::widest, n_columns - first);
+            n = min(Residual::max_width, n_columns - first);
             if (!is_accurate(first, n, refined)) {
                 n = min(residual_.width, n_columns - first);
                 HARMORPH_TRY(refine(first, n, refined, fault));
@@ -85,7 +86,7 @@ private:
     // Of a block of columns.
     struct Refined {
         Residual::Norms norms;
-        Real error[Residual::widest] = {};  // estimate, relative to the largest value
+        Real error[Residual::max_width] = {};  // estimate, relative to the largest value
         Index steps = 0, iterations = 0;
     };
 
@@ -136,8 +137,8 @@ private:
         Residual::Choice wanted;
         Residual::Changes
             change;  // by a step of refinement; that of the first solution, from 0, is 1
-        Real before[Residual::widest], left[Residual::widest] = {};
-        Index stalls[Residual::widest] = {};
+        Real before[Residual::max_width], left[Residual::max_width] = {};
+        Index stalls[Residual::max_width] = {};
         for (Index k = 0; k < n; ++k) {
             wanted.column[k] = true;
             // For nodal gradients the functions of the compact scheme do not count as a first
@@ -146,7 +147,7 @@ private:
             before[k] = infinity;
             refined.error[k] = engine_.trusted() ? 0 : 1;
         }
-        for (Real ratio[Residual::widest] = {};; ++refined.steps) {
+        for (Real ratio[Residual::max_width] = {};; ++refined.steps) {
             refined.norms = measure(first, n);
             bool any = false;
             for (Index k = 0; k < n; ++k) {
@@ -198,7 +199,7 @@ private:
     bool is_only_rounding(Index column, Real error) const noexcept {
         bool const refined = method_.traits().factors && !method_.nodal_gradients();
         return refined && error > 0 && error <= method_.tolerance &&
-               residual_.beside_entries(matrix_, dofs_, column) <= rounded_within;
+               residual_.backward_error(matrix_, dofs_, column) <= rounded_within;
     }
 
     Equations const& equations_;
@@ -248,7 +249,7 @@ void Refinement::measure(Equations const& equations, DofValues const& dofs,
     Index const n_columns = dofs.columns(equations.matrix());
     bool const in_rows = equations.matrix().kind() == MatrixKind::coupled_xy;
     for (Index first = 0, n = 0; first < n_columns; first += n) {
-        n = min(in_rows ? residual.width : Residual::widest, n_columns - first);
+        n = min(in_rows ? residual.width : Residual::max_width, n_columns - first);
         Residual::Norms const norms = in_rows
                                           ? residual.compute(equations.matrix(), dofs, first, n)
                                           : residual.measure(equations.matrix(), dofs, first, n);
