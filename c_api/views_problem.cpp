@@ -92,7 +92,7 @@ Status check_engine(hm_options const& o, hm_study_options const& study, Fault& f
 }
 
 Status view_iteration(hm_study_options const& study, Iteration& iteration, Fault& fault) noexcept {
-    if (study.levels < 0 || study.levels > Agglomeration::most_levels) {
+    if (study.levels < 0 || study.levels > Agglomeration::max_levels) {
         return fault.refuse(Status::bad_argument,
                             "study options: levels must be between 0 and 20, not #",
                             plain(study.levels));

@@ -74,8 +74,8 @@ public:
         }
         if (!conditions_fit()) {
             return refuse(
-                "the basis is damaged: a condition is unknown, or names a curve or body "
-                "that does not exist");
+                "the basis is damaged: a condition is unknown, or names a curve or body that does "
+                "not exist");
         }
         if (!wall_fits()) {
             return refuse("the basis is damaged: the data of its wall points are inconsistent");

@@ -9,7 +9,7 @@ void Multifrontal::lay_out_numbers(Arena& arena, Offset factor_entries,
     arena.take(numbers.factor, planes * factor_entries);
     arena.take(numbers.sums, workers * planes * max_sums);
     arena.take(numbers.min_pivot_ratio, workers);
-    arena.take(numbers.least_pivot, workers);
+    arena.take(numbers.min_pivot_to_diagonal, workers);
     Offset const stacks = workers > 1 ? workers + 1 : 1;
     arena.take(numbers.rows, (stacks * subtrees.stack_rows + subtrees.kept_rows) * row_length());
 }
@@ -67,7 +67,7 @@ void Multifrontal::find_targets(Index child, Index parent) noexcept {
             targets[r] = below[r] - into.begin;
             continue;
         }
-        while (above[at] != below[r]) ++at;  // both increase
+        while (above[at] != below[r]) ++at;  // Both lists increase.
         targets[r] = into.pivots() + at;
     }
 }

@@ -110,7 +110,7 @@ Status DirectEngine::examine(Equations const& equations, Span<Real> work, Fault&
     if (method.nodal_gradients() || method.precision == Precision::in_single) return Status::ok;
     Matrix const& matrix = equations.matrix();
     Real const even = even_above(matrix.kind()), left = factor.min_pivot_ratio(),
-               pivot = factor.least_pivot();
+               pivot = factor.min_pivot_to_diagonal();
     trusted = pivot > even;
     if (matrix.kind() != MatrixKind::real) return Status::ok;
     trusted = left > uncancelled_above && pivot > even * (1 - left);

@@ -10,8 +10,8 @@ struct FasEngine : LevelEngine<FullApproximation> {
     void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
         Method const& method = analysis.problem().method;
         if (method.nodal_gradients()) {
-            iteration.take_scheme(analysis.problem().mesh.n_points,
-                                  method.scheme == Scheme::nodal_gradient);
+            iteration.use_scheme(analysis.problem().mesh.n_points,
+                                 method.scheme == Scheme::nodal_gradient);
         }
         LevelEngine::lay_out(arena, analysis, columns);
     }

@@ -38,7 +38,7 @@ Precision residual_precision(Method const& method, MatrixKind kind) noexcept {
 // a few.
 Index residual_width(Method const& method, Matrix const& matrix, AnyEngine const& engine,
                      Index columns) noexcept {
-    if (method.nodal_gradients()) return min(columns, BiconjugateGradients::widest);
+    if (method.nodal_gradients()) return min(columns, BiconjugateGradients::max_width);
     bool const in_single = residual_precision(method, matrix.kind()) == Precision::in_single;
     Offset const n = max(matrix.n, Index{1}),
                  bytes = static_cast<Offset>(in_single ? sizeof(float) : sizeof(double));

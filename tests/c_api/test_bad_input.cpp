@@ -151,9 +151,9 @@ TEST_CASE("bad cells") {
          [](Case& c) {
              c.mesh.add_cell({8, 9, 5});
          }},
-        {HM_BAD_MESH, "inverted or empty", 0, [](Case& c) { c.mesh.x[8] = -1; }},
-        {HM_BAD_MESH, "inverted or empty", 24, [](Case& c) { c.mesh.y[35] = 4; }},  // flat
-        {HM_BAD_MESH, "inverted or empty", 0,
+        {HM_BAD_MESH, "inverted or has no area", 0, [](Case& c) { c.mesh.x[8] = -1; }},
+        {HM_BAD_MESH, "inverted or has no area", 24, [](Case& c) { c.mesh.y[35] = 4; }},  // flat
+        {HM_BAD_MESH, "inverted or has no area", 0,
          [](Case& c) { c.mesh.x[8] = c.mesh.y[8] = 0.4; }},  // not convex
         {HM_BAD_MESH, "not finite", 12, [](Case& c) { c.mesh.x[12] = not_a_number; }},
         {HM_BAD_MESH, "not finite", 47, [](Case& c) { c.mesh.y[47] = -HUGE_VAL; }},
