@@ -117,7 +117,7 @@ Status Displacement::solve(Plan& plan, bool measured, SolveReport& report,
         subtract_couplings(plan.equations().matrix(), values);
         SolveReport of_block;
         HARMORPH_TRY(plan.solve_fields(values, measured, of_block, fault));
-        report.take(of_block);
+        report.merge(of_block);
         plan.to_displacements(values);
         return Status::ok;
     });
@@ -203,7 +203,7 @@ Status Displacement::solve_transposed(Plan& plan, bool measured, SolveReport& re
         for (Index const point : plan.wall_points()) fill(row(block.rows, point), 0.0);
         SolveReport of_block;
         HARMORPH_TRY(plan.solve_fields(values, measured, of_block, fault));
-        report.take(of_block);
+        report.merge(of_block);
         subtract_transposed_couplings(plan.equations().matrix(), values);
         for (Index const point : plan.given().point) {
             for (Index k = 0; k < block.length(); ++k)

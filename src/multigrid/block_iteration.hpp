@@ -40,8 +40,8 @@ Status solve_in_blocks(BlockIteration const& engine, Index functions, Progress c
                 if (!is_alone) return Status::ok;
                 // The number of iterations is not known in advance, so this is only an estimate of
                 // the progress.
-                Real const part = 1 - 1 / (1 + 0.05 * iteration);
-                return progress.report(Phase::solve, (block + progress_of_block) / blocks, fault);
+                Real const fraction = 1 - 1 / (1 + 0.05 * iteration);
+                return progress.report(Phase::solve, (block + fraction) / blocks, fault);
             };
             IterationReport block_report;
             Status const ended = solve(worker, block * width, block_report, after);

@@ -45,7 +45,7 @@ void order_by_layers(Topology const& topology, Span<const PointKind> kinds, Grap
         }
     }
     for (Index u = 0; u < graph.n; ++u) {
-        // An unknown that is not reached lies in a region without boundary; check_parts() refuses
+        // An unknown that is not reached lies in a region without boundary; check_regions() refuses
         // such meshes.
         if (work.reached[u] == 0) order[filled++] = u;
     }

@@ -56,12 +56,12 @@ void Equations::build(Analysis const& analysis) noexcept {
                   analysis.periodicity());
     if (!method_.nodal_gradients()) return;
     Topology topology = analysis.topology();
-    topology.mesh = cells_.mesh;  // the copies, which outlive the analysis
+    topology.mesh = cells_.mesh;  // These are the copies, which outlive the analysis.
     topology.reversed = cells_.reversed;
     nodal_.init(topology, matrix_, method_.scheme == Scheme::nodal_gradient);
 }
 
-// To the tangents of the curves where points slide at these coordinates.
+// Turns the dofs of points that slip along curves to the tangents at these coordinates.
 void Equations::turn_tangents(Points points) const noexcept {
     if (slip_curves_.count == 0) return;
     slip_curves_.for_each([&](Index slot, Index point) {
@@ -85,25 +85,26 @@ Status Equations::assemble_cells(Points points, Executor const& executor, Fault&
     Index const inverted = assemble_operator(method_, cells_, points, walls_, points, conductivity_,
                                              matrix_, executor);
     if (inverted == none) return Status::ok;
-    return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates",
+    return fault.refuse(Status::bad_mesh,
+                        "cell # is inverted or has no area at the given coordinates",
                         cell_item(cells_.mesh.number(inverted)));
 }
 
-bool Equations::change_operator(Operator operator_kind, Index quarters) noexcept {
+bool Equations::change_operator(Operator operator_kind, Index exponent_quarters) noexcept {
     bool const is_complex = operator_traits[static_cast<Index>(operator_kind)].is_complex;
     bool const known =
-        method_.scheme == Scheme::compact && (quarters == 0 || !conductivity_.empty());
+        method_.scheme == Scheme::compact && (exponent_quarters == 0 || !conductivity_.empty());
     if (!known || (is_complex && matrix_.kind() == MatrixKind::real)) return false;
     method_.operator_kind = operator_kind;
-    method_.exponent_quarters = quarters;
+    method_.exponent_quarters = exponent_quarters;
     return true;
 }
 
 Status Equations::assemble_edges(Points points, Executor const& executor, Fault& fault) noexcept {
     if (coordinates_fingerprint(points, cells_.mesh.n_points) != analysed_coordinates_) {
-        return fault.refuse(
-            Status::unsupported,
-            "bounded scheme: its triangles fit the analysed coordinates alone; analyse again");
+        return fault.refuse(Status::unsupported,
+                            "the triangles of the bounded scheme belong to the coordinates of the "
+                            "analysis; analyse the moved mesh again");
     }
     if (!conductivity_.empty()) {
         walls_.build(points);

@@ -180,7 +180,7 @@ TEST_CASE("levels of a plan") {
         hm_error error{};
         CHECK(hm_plan_level(solved.plan, level, cells.data(), &n, &error) == HM_BAD_ARGUMENT);
         CHECK(std::string(error.text)
-                  .find("there is no level " + std::to_string(level) + ": the plan has ") == 0);
+                  .find("there is no level " + std::to_string(level) + "; the plan has ") == 0);
     }
     check_arguments("plan, -, cells, n_cells", hm_plan_level, solved.plan, 0, cells.data(), &n);
 }

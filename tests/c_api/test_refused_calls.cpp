@@ -259,15 +259,15 @@ TEST_CASE("steps in the wrong order") {
     check_texts({
         {HM_BAD_CONDITION, "no marker has the condition HM_GIVEN: no displacements can be given",
          [&](hm_error* e) { return hm_displace_size(attempt.plan, 1, &bytes, e); }},
-        {HM_BAD_ARGUMENT, "the plan has no factor: hm_plan_factor comes first",
+        {HM_BAD_ARGUMENT, "the plan has no factor; call hm_plan_factor first",
          [&](hm_error* e) { return hm_plan_solve(attempt.plan, attempt.basis, nullptr, e); }},
-        {HM_BAD_ARGUMENT, "the plan has no factor: hm_plan_factor comes first",
+        {HM_BAD_ARGUMENT, "the plan has no factor; call hm_plan_factor first",
          [&](hm_error* e) {
              return hm_displace(of_given.plan, n, nullptr, 1, &wall, nullptr, &to, work.data(),
                                 bytes, nullptr, e);
          }},
         {HM_BAD_ARGUMENT,
-         "the plan has no levels: they are made by hm_plan_factor of other engines",
+         "the plan has no levels; hm_plan_factor makes them for the engines multigrid and fas",
          [&](hm_error* e) { return hm_plan_level(attempt.plan, 0, cells, &n_cells, e); }},
     });
 }
@@ -298,7 +298,7 @@ TEST_CASE("functions of other curves or bodies are not interpolated") {
           "the coarse mesh's coordinates are not those its basis was solved on");
     CHECK(transfer(other, o.basis, o.mesh) == "the two bases were made with different curves");
     CHECK(transfer(off_centre, of_rigid.basis, rigid.mesh_view()) ==
-          "the two bases have different rigid bodies, or other centres of theirs");
+          "the two bases have different rigid bodies, or bodies with different centres");
 }
 
 TEST_CASE("modes: numbers, lists, and what they do not go with") {

@@ -298,9 +298,9 @@ TEST_CASE("a body that single precision cannot turn") {
     options.precision = HM_SINGLE;
     Attempt const attempt(its.problem(), &options);
     CHECK(attempt.status == HM_UNSUPPORTED);
-    CHECK(
-        std::string(attempt.error.text) ==
-        "point 17 is 1.00000e25 from the centre of its body: single precision takes 1e-12 .. 1e24");
+    CHECK(std::string(attempt.error.text) ==
+          "point 17 is 1.00000e25 away from the centre of its body; single precision needs a "
+          "distance from 1e-12 to 1e24");
     its.conditions.back().x = 1e24;
     Attempt const nearer(its.problem(), &options);
     CHECK_MESSAGE(nearer.status >= HM_OK, nearer.error.text);
