@@ -106,7 +106,7 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault,
     basis.header->coordinates = coordinates_;
     basis.header->solved = 1;
     if (sealing == Sealing::complete) basis.seal(0, executor_);
-    return judge(report, equations_.method(), fault);
+    return check_accuracy(report, equations_.method(), fault);
 }
 
 Status Plan::solve_rows(DofValues const& dofs, SolveReport& report, Fault& fault) noexcept {
@@ -190,7 +190,7 @@ Status Plan::solve_fields(DofValues const& values, bool measured, SolveReport& r
     bool const refined = !engine_.trusted() || !equations_.method().traits().factors;
     if (refined) {
         HARMORPH_TRY(refinement_.run(equations_, engine_, values, progress_, report, fault));
-        HARMORPH_TRY(judge(report, equations_.method(), fault));
+        HARMORPH_TRY(check_accuracy(report, equations_.method(), fault));
     } else if (measured) {
         refinement_.measure(equations_, values, report);
     }

@@ -45,7 +45,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     Target const target{work.cells(), basis.boundary_point, basis.loop_start,
                         mesh.ends,    plan.mesh().points,   mesh.ahead()};
     for (Index k = 0; k < mesh.ends.count(); ++k) {
-        if (mesh.ends[k] == EndOf::on_line) mesh.to_ahead().set(k, plan.mesh().points[k]);
+        if (mesh.ends[k] == KnownEnd::on_line) mesh.to_ahead().set(k, plan.mesh().points[k]);
     }
     HARMORPH_TRY(check_target(target, report.crossing, fault));
 

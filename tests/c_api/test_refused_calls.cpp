@@ -332,7 +332,7 @@ TEST_CASE("modes: numbers, lists, and what they do not go with") {
          [&](hm_error* e) {
              return hm_tabulate_size(displaced.plan, displaced.basis, 1, 0, &bytes, &work_bytes, e);
          }},
-        {HM_BAD_ARGUMENT, "point 17 has two displacements in field 0",
+        {HM_BAD_ARGUMENT, "point 17 has two different displacements in field 0",
          [&](hm_error* e) {
              return hm_displace(displaced.plan, n + 1, twice.data(), 1, &wall, nullptr, &to,
                                 room.data(), room.size(), nullptr, e);

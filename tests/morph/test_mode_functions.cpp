@@ -276,8 +276,8 @@ TEST_CASE("tables that cannot be used are refused by name, with nothing written"
         CHECK(made.error.item == item);
         return made.status;
     };
-    CHECK(refusal({solved.plan, solved.basis, {good, zero}, 2}, "mode 1 is zero", 1) ==
-          HM_BAD_CONDITION);
+    CHECK(refusal({solved.plan, solved.basis, {good, zero}, 2}, "mode 1 is zero: it moves no point",
+                  1) == HM_BAD_CONDITION);
     Field bad = good;
     bad[3] = std::nan("");
     CHECK(refusal({solved.plan, solved.basis, {bad}, 1}, "point 3", 0) == HM_BAD_ARGUMENT);
