@@ -93,7 +93,7 @@ public:
 
 private:
     bool regular_ = true;
-    // Of both areas: the larger one, and the geometric mean.
+    // The larger one of both areas, and their geometric mean.
     Vector in_range_ = {}, larger_area_ = {}, mean_area_ = {};
     Vector sum_ = {}, root_[3] = {}, area_[Corners<n>::n_areas] = {};
 };

@@ -28,8 +28,8 @@ HARMORPH_INLINE Vectors operator-(Vectors a, Vectors b) noexcept { return {a.x -
 HARMORPH_INLINE Vector cross(Vectors a, Vectors b) noexcept { return a.x * b.y - a.y * b.x; }
 HARMORPH_INLINE Vector square(Vectors a) noexcept { return a.x * a.x + a.y * a.y; }
 
-// The same as CellShape and CellCorners of `n` corners, for as many cells as a register has lanes;
-// a triangle has one area.
+// The counterpart of CellShape and CellCorners of `n` corners, for as many cells as a register has
+// lanes; a triangle has one area.
 template <Index n>
 struct Shapes {
     Vectors at[n];

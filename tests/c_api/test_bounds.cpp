@@ -267,7 +267,7 @@ TEST_CASE("a given displacement whose target is out of range") {
     hm_error error{};
     CHECK(hm_displace(displaced.plan, n, nullptr, 1, &all, &all, &to, work.data(), work.size(),
                       nullptr, &error) == HM_BAD_ARGUMENT);
-    CHECK(std::string(error.text).find("the target of point ") == 0);
+    CHECK(std::string(error.text).find("a target coordinate of point ") == 0);
     CHECK(std::string(error.text).find("in field 0 exceeds 1e100 in magnitude") !=
           std::string::npos);
     CHECK(x == its.mesh.x);

@@ -74,6 +74,11 @@ TEST_CASE("options that are out of range or unknown") {
          [](auto&, auto& o, auto&) { o.exponent_quarters = -2; }},
         {HM_UNSUPPORTED, "the Laplace operator has no weight; HM_WEIGHTED has one",
          [](auto&, auto& o, auto&) { o.exponent_quarters = 4; }},
+        {HM_UNSUPPORTED, "the schemes of nodal gradients need the operator laplace",
+         [](auto&, auto& o, auto&) {
+             o.operator_kind = HM_WEIGHTED;
+             o.scheme = HM_NODAL_GRADIENT;
+         }},
         {HM_BAD_ARGUMENT, "options.offset_correction must be 0 or 1, not 2",
          [](auto&, auto& o, auto&) { o.offset_correction = 2; }},
         {HM_BAD_ARGUMENT, "options.offset_correction must be 0 or 1, not -1",

@@ -25,8 +25,8 @@ runs "export: a level" 0 export "$ring" "$tmp/fas.basis" --level 1 --svg "$tmp/l
 check "export: a level: SVG is whole" grep -c '</svg>' "$tmp/level.svg"
 refuses "export: a level that does not exist" 2 'no level' export "$ring" "$tmp/fas.basis" --level 19 \
     --svg "$tmp/none.svg"
-refuses "an engine that does not go with the operator" 2 'the conformal operator needs the direct engine' solve "$ring" \
-    --curve body="$curve" --engine multigrid -o "$tmp/none.basis"
+refuses "an engine that does not go with the operator" 2 'the conformal operator needs the direct engine' \
+    solve "$ring" --curve body="$curve" --engine multigrid -o "$tmp/none.basis"
 refuses "unknown engine" 2 'direct, multigrid, fas' solve "$ring" --curve body="$curve" --engine fast \
     -o "$tmp/none.basis"
 runs "solve: fas from zero" 0 solve "$ring" --curve body="$curve" --operator laplace --engine fas --start zero \
@@ -77,8 +77,8 @@ runs "solve, nodal gradients by the paper's iteration" 0 solve "$ring" --curve b
     --scheme nodal-gradient --engine fas -o "$tmp/nodal.basis"
 refuses "nodal gradients without correction go with fas" 2 'needs the engine fas' solve "$ring" \
     --curve body="$curve" --operator laplace --scheme nodal-gradient-plain -o "$tmp/x"
-refuses "the bounded scheme has no conformal operator" 2 'the conformal operator needs the compact scheme' solve "$ring" \
-    --curve body="$curve" --scheme bounded -o "$tmp/x"
+refuses "the bounded scheme has no conformal operator" 2 'the conformal operator needs the compact scheme' \
+    solve "$ring" --curve body="$curve" --scheme bounded -o "$tmp/x"
 runs "solve twice" 0 solve "$ring" --curve body="$curve" -o "$tmp/again.basis"
 check "solve twice: equal files" cmp "$basis" "$tmp/again.basis"
 refuses "a marker with two conditions" 2 'two conditions' solve "$ring" --curve body="$curve" --free body -o "$tmp/x"
