@@ -1,4 +1,5 @@
 // Blocks from outside: every number of a block is checked before it is used.
+// tests/basis/test_refused_bases.cpp covers this file.
 #include <cstring>
 
 #include "basis/basis.hpp"

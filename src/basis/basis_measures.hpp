@@ -1,4 +1,5 @@
 // How exactly a basis, and the points that it has moved, follow the B-spline.
+// tests/basis/test_basis.cpp covers this file.
 #pragma once
 
 #include "basis/basis.hpp"

@@ -1,4 +1,5 @@
 // The data that a basis keeps of the problem for which its functions are solved.
+// tests/basis/test_basis.cpp covers this file.
 #pragma once
 
 #include "basis/basis.hpp"

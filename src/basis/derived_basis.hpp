@@ -1,4 +1,5 @@
 // A basis that is made from another one: the same problem with other functions.
+// tests/basis/test_combination.cpp covers this file.
 #pragma once
 
 #include "basis/basis.hpp"

@@ -1,4 +1,5 @@
 // Checksums that recognise a damaged basis, and fingerprints that recognise the mesh of a basis.
+// tests/basis/test_refused_bases.cpp covers this file.
 #include <cstddef>
 
 #include "base/hash.hpp"

@@ -1,5 +1,6 @@
 // The options of the solution: operator, scheme, engine, precision; and the kind of values to which
-// they lead.
+// they lead. tests/c_api/test_options.cpp and tests/c_api/test_refused_problems.cpp cover this
+// file.
 #pragma once
 
 #include "boundary/conditions.hpp"

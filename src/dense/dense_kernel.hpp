@@ -1,5 +1,6 @@
 // Factorisation and substitution of a front with the registers of one instruction set.
-// dense_table.cpp compiles this file for each set.
+// dense_table.cpp compiles this file for each set. tests/dense/test_dense.cpp and
+// tests/dense/test_pivots.cpp cover this file.
 #include "dense/dense_sums.hpp"
 
 namespace harmorph::dense::HARMORPH_SET {

@@ -1,5 +1,6 @@
 // Moves of numbers between fronts, and between fronts and the caller's rows, with the registers of
-// one instruction set. dense_table.cpp compiles this file for each set.
+// one instruction set. dense_table.cpp compiles this file for each set. tests/dense/test_dense.cpp
+// covers this file.
 #include "dense/dense_kernel.hpp"
 
 namespace harmorph::dense::HARMORPH_SET {

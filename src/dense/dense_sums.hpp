@@ -1,5 +1,5 @@
 // Sums of rows with the registers of one instruction set. dense_table.cpp compiles this file for
-// each set.
+// each set. tests/dense/test_pivots.cpp covers this file.
 #include "dense/dense_tiles.hpp"
 
 namespace harmorph::dense::HARMORPH_SET {

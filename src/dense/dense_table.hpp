@@ -1,6 +1,6 @@
 // The dense kernels of one instruction set as function tables. A strip consists of the pivots first
 // .. end-1. `columns` are the panel's own or those of the border; the kernel works on from .. to-1
-// of them.
+// of them. tests/dense/test_dense.cpp covers this file.
 #pragma once
 
 #include "dense/dense.hpp"

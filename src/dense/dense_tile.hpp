@@ -1,5 +1,6 @@
 // A tile of a product of dense blocks in the registers of one instruction set, and the places of
 // the operands in memory. dense_table.cpp compiles this file for each set.
+// tests/dense/test_dense.cpp covers this file.
 
 namespace harmorph::dense::HARMORPH_SET {
 namespace {

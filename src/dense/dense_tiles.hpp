@@ -1,6 +1,6 @@
 // Products of dense blocks with the registers of one instruction set. dense_table.cpp compiles this
 // file for each set. All products are D -= op(A) B or D = op(A) B, with one tile of D at a time in
-// registers.
+// registers. tests/dense/test_dense.cpp covers this file.
 #include "dense/dense_tile.hpp"
 
 namespace harmorph::dense::HARMORPH_SET {

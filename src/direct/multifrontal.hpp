@@ -1,5 +1,7 @@
 // The direct engine: multifrontal Cholesky on the assembly tree, and solves of all right-hand sides
 // as one block. Source of the method: I. S. Duff, J. K. Reid, ACM Trans. Math. Softw. 9 (1983) 302.
+// tests/direct/test_multifrontal.cpp covers multifrontal_factor.cpp and multifrontal_solve.cpp,
+// too.
 #pragma once
 
 #include "dense/dense.hpp"

@@ -1,5 +1,6 @@
 // The faces of the boundary in the order of their loops. Each face begins at a boundary point and
-// ends at the next point of its loop.
+// ends at the next point of its loop. tests/morph/test_crossing.cpp and tests/morph/test_touch.cpp
+// cover this file.
 #pragma once
 
 #include "base/span.hpp"

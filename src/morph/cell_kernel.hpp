@@ -1,6 +1,7 @@
 // Areas, quality and admissible steps of several cells at a time, with the registers of one
 // instruction set; cell_batch.cpp compiles this file for each set. The formulas are those of
 // mesh/cell_shape, morph/quality and morph/admissible_step, in the same order of operations.
+// tests/morph/test_cell_batch.cpp covers this file.
 #include "morph/cell_places.hpp"
 
 namespace harmorph::cell_measures::HARMORPH_SET {

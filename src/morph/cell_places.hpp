@@ -1,6 +1,6 @@
 // The coordinates of the corners of several cells, with the registers of one instruction set:
 // gathered from lists of cells, or side by side in the rows of a structured mesh. cell_batch.cpp
-// compiles this file for each set.
+// compiles this file for each set. tests/morph/test_cell_batch.cpp covers this file.
 
 namespace harmorph::cell_measures::HARMORPH_SET {
 namespace {

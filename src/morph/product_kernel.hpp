@@ -1,6 +1,6 @@
 // The products of morphing with the registers of one instruction set; product.cpp compiles this
 // file for each set. Loops over the vectors of a block are unrolled at each optimisation level, so
-// that sums stay in registers.
+// that sums stay in registers. tests/morph/test_product.cpp covers this file.
 
 namespace harmorph::products::HARMORPH_SET {
 namespace {

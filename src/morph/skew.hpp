@@ -1,4 +1,5 @@
 // The formula of the skew quality, for one cell and for several at a time.
+// tests/morph/test_quality.cpp and tests/morph/test_cell_batch.cpp cover this file.
 #pragma once
 
 namespace harmorph {

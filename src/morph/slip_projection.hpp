@@ -1,5 +1,5 @@
 // Moves the slipping points of a moved mesh back onto their curves; and the transpose of the
-// derivative.
+// derivative. tests/morph/test_slip.cpp covers this file.
 #pragma once
 
 #include "boundary/slip_followers.hpp"

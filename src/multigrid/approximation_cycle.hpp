@@ -4,7 +4,7 @@
 // 10k to 100k points, and are now 24 to 27 and 46 to 55. Each level is visited twice from the next
 // finer one (W-cycle), as the errors of coarse solutions would add up over the levels. One step of
 // Jacobi's method smooths each correction (smoothed aggregation; P. Vanek, J. Mandel, M. Brezina,
-// Computing 56 (1996) 179).
+// Computing 56 (1996) 179). tests/multigrid/test_full_approximation.cpp covers this file.
 #pragma once
 
 #include <type_traits>

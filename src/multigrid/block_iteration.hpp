@@ -1,4 +1,5 @@
 // Solves all functions block by block, with one thread for each worker.
+// tests/multigrid/test_multigrid.cpp covers this file.
 #pragma once
 
 #include <type_traits>

@@ -1,5 +1,6 @@
 // The common members of the iterative engines: options, agglomerated levels, and blocks of
-// functions.
+// functions. tests/multigrid/test_block_rows.cpp and tests/multigrid/test_multigrid.cpp cover this
+// file.
 #pragma once
 
 #include "multigrid/agglomeration.hpp"

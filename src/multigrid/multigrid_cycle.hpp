@@ -1,4 +1,5 @@
 // The K-cycle for a block of W functions, and the conjugate gradients that it preconditions.
+// tests/multigrid/test_multigrid.cpp covers this file.
 #pragma once
 
 #include "multigrid/block_rows.hpp"

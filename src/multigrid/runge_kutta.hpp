@@ -1,5 +1,6 @@
 // The explicit four-stage Runge-Kutta scheme of the paper's iteration, dF/dt = R(F):
 //   F(k) = F(0) + alpha_k dt R(F(k-1)), k = 1 .. 4, and F(4) is the new F.
+// tests/multigrid/test_full_approximation.cpp covers this file.
 #pragma once
 
 #include "base/types.hpp"

@@ -1,5 +1,6 @@
 // The matrix of an operator on the cells of a mesh. Only this file knows the data that each
-// operator needs.
+// operator needs. tests/operators/test_stiffness.cpp and tests/plan/test_weighted.cpp cover this
+// file.
 #pragma once
 
 #include "boundary/distance.hpp"

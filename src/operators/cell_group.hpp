@@ -1,5 +1,6 @@
 // A few cells that are treated together: vectors compute their conductances, and the entries of one
 // cell in the matrix are found while the processor waits for the memory of another.
+// tests/operators/test_stiffness.cpp covers this file.
 #pragma once
 
 #include "operators/matrix.hpp"

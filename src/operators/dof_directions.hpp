@@ -1,5 +1,6 @@
 // Turns numbers of dofs into displacements of points, and back. Only this file and the matrix
-// distinguish slipping points and turned sides from others.
+// distinguish slipping points and turned sides from others. tests/boundary/test_slip.cpp and
+// tests/boundary/test_rotation.cpp cover this file.
 #pragma once
 
 #include "operators/residual.hpp"

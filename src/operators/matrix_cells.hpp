@@ -1,5 +1,6 @@
 // The functions that add cells to the matrix. They are in a header so that the compiler can inline
-// them, as they are the inner loop of the assembly.
+// them, as they are the inner loop of the assembly. tests/operators/test_matrix.cpp covers this
+// file.
 #pragma once
 
 #include "operators/cell_group.hpp"

@@ -1,5 +1,5 @@
 // Flux balances by nodal gradients for values that are stored in any arrangement, so that engines
-// need no copies.
+// need no copies. tests/operators/test_nodal_gradient.cpp covers this file.
 #pragma once
 
 #include "operators/nodal_gradient.hpp"

@@ -1,4 +1,5 @@
 // The residuals of all rows with one instruction set as a function table.
+// tests/operators/test_residual.cpp covers this file.
 #pragma once
 
 #include "operators/residual.hpp"

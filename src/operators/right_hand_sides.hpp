@@ -1,5 +1,6 @@
 // The known values on the wall, and the right-hand sides that they make in the equations of
-// neighbouring unknowns.
+// neighbouring unknowns. tests/operators/test_residual.cpp and tests/morph/test_displacement.cpp
+// cover this file.
 #pragma once
 
 #include "operators/residual.hpp"

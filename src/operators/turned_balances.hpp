@@ -1,4 +1,5 @@
 // Residuals if x and y are coupled: a point has two dofs, or one if it slips.
+// tests/operators/test_residual.cpp covers this file.
 #pragma once
 
 #include "operators/residual.hpp"

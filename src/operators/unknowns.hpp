@@ -1,5 +1,6 @@
 // The data of each point for the equations: whether its value is unknown, prescribed on the wall or
-// 0, and the directions along which its degrees of freedom move it.
+// 0, and the directions along which its degrees of freedom move it. tests/operators/test_matrix.cpp
+// covers this file.
 #pragma once
 
 #include "base/arena.hpp"

@@ -1,5 +1,5 @@
 // Recursive bisection: regions of a graph are cut in two by separators. A region is a range of the
-// order.
+// order. tests/ordering/test_nested_dissection.cpp covers this file.
 #pragma once
 
 #include "ordering/cut_search.hpp"

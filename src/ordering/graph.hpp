@@ -2,6 +2,7 @@
 // that the dissection cuts. A point has one unknown (a real or a complex number), or two if slip
 // lines couple movements along x and y: these are the lines 2 * point and 2 * point + 1 of function
 // values. A point that slips has only the first, along the tangent.
+// tests/boundary/test_conditions.cpp covers this file.
 #pragma once
 
 #include "boundary/conditions.hpp"

@@ -1,7 +1,7 @@
 // The equations of a part: entries, right-hand sides and residuals whose sums over all parts are
 // those of the mesh, computed by the operators of the whole mesh. To the operators a part is a mesh
 // of its own. Only the boundary knows more: for points that several parts have, it contains the
-// data of the shared boundary.
+// data of the shared boundary. tests/parts/test_parts.cpp covers this file.
 #pragma once
 
 #include "basis/basis_source.hpp"

@@ -1,6 +1,7 @@
 // The boundary of a whole mesh, from the edges that its parts have left over, and all data that
 // conditions give for this boundary. The result is the same on every process, and its size does not
-// grow with the cells.
+// grow with the cells. tests/parts/test_shared_edges.cpp and tests/parts/test_parts.cpp cover this
+// file.
 #pragma once
 
 #include "base/executor.hpp"

@@ -1,5 +1,6 @@
 // The analysis: all that depends on the mesh's structure and not on the size of numbers, that is
-// checks, boundary, unknowns and ordering.
+// checks, boundary, unknowns and ordering. tests/boundary/test_conditions.cpp and
+// tests/c_api/test_bad_input.cpp cover this file.
 #pragma once
 
 #include "basis/basis_source.hpp"

@@ -1,5 +1,5 @@
 // The direct engine of a plan: a multifrontal factor of the matrix, which also serves iterative
-// refinement.
+// refinement. tests/plan/test_precision.cpp and tests/plan/test_thin_shear.cpp cover this file.
 #pragma once
 
 #include "direct/multifrontal.hpp"

@@ -1,4 +1,5 @@
 // The engine of a plan: one of a closed list, chosen by Method::engine, behind one interface.
+// tests/plan/test_plan.cpp covers this file.
 #pragma once
 
 #include <new>

@@ -1,5 +1,5 @@
 // The equations of a plan: those of the unknowns by the chosen operator and scheme, for given
-// coordinates.
+// coordinates. tests/plan/test_laplace.cpp and tests/operators/test_bounded.cpp cover this file.
 #pragma once
 
 #include "boundary/distance.hpp"

@@ -1,4 +1,5 @@
 // The engine fas of a plan: the paper's iteration, for the compact scheme and for nodal gradients.
+// tests/multigrid/test_full_approximation.cpp covers this file.
 #pragma once
 
 #include "multigrid/full_approximation.hpp"

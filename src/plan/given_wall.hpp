@@ -1,4 +1,5 @@
 // The data of the boundary that a plan keeps for displacements that are given from call to call.
+// tests/morph/test_displacement.cpp covers this file.
 #pragma once
 
 #include "plan/analysis.hpp"

@@ -1,4 +1,5 @@
-// The common members of all engines on agglomerated levels.
+// The common members of all engines on agglomerated levels. tests/multigrid/test_multigrid.cpp
+// covers this file.
 #pragma once
 
 #include "multigrid/iteration.hpp"

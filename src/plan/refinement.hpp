@@ -1,4 +1,5 @@
 // Iterative refinement: residuals of the solved functions, estimates of errors, and corrections.
+// tests/plan/test_thin_shear.cpp and tests/plan/test_thin_slip.cpp cover this file.
 #pragma once
 
 #include "direct/bicgstab.hpp"
