@@ -1,5 +1,5 @@
 // How exactly a basis, and the points that it has moved, follow the B-spline.
-// tests/basis/test_basis.cpp covers this file.
+// tests/basis/test_basis.cpp and tests/plan/test_plan.cpp cover this file.
 #pragma once
 
 #include "basis/basis.hpp"

@@ -54,9 +54,8 @@ void Extract::take_work(Arena& arena, Basis const& whole) noexcept {
 }
 
 // The number of wall points in the list, and of repeated ones, is known only when the list is read.
-// The max_count memory is needed if the list names all wall points once. Where a spare repeated
-// points replace them, other arrays may cross the limit of a cache line, which takes a spare more
-// lines.
+// The most memory is needed if the list names all wall points once. Where a few repeated points
+// replace them, other arrays may cross the limit of a cache line, which takes a few more lines.
 void Extract::count(Arena& arena, Basis const& whole, Index n_points) noexcept {
     constexpr Index spare = 24;
     Extract bound;

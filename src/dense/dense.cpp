@@ -12,7 +12,7 @@ constexpr Offset min_parallel_work = Offset{1} << 22;
 // tiles as the whole, so that the bits of the results do not depend on the number of threads.
 constexpr Index max_tile_rows = 8;
 
-// Calls a kernel while denormal numbers are call_flushed to 0.
+// Calls a kernel while denormal numbers are flushed to 0.
 template <class Number, class Result, class... Parameters, class... Arguments>
 Result call_flushed(Result (*kernel)(Parameters...) noexcept, Arguments&&... arguments) noexcept {
     Flush<Number> const flush;

@@ -85,7 +85,7 @@ Index factor_block(Number* a, Index n, Number (&sum)[planes][slab], const Number
     return none;
 }
 
-// Returns the rows of the right-hand right_hand_rows that begin with `row`.
+// Returns the rows of the right-hand sides that begin with `row`.
 template <Index planes, class Number>
 HARMORPH_INLINE InRows<Number, planes> right_hand_rows(Number* y, Index width, Index row) noexcept {
     return InRows<Number, planes>{y, width}.at(row, 0);

@@ -213,7 +213,7 @@ private:
 // b = (r + p + q) + i (p - q); with r = (a1 + a2) (b1 - b2), a b = (r + p - q) + i (p + q). The
 // tile sums p, q and r. Among the ways to save a product, this one computes the imaginary part as
 // accurately as four products do; the imaginary parts are much smaller than the real ones if cells
-// are thin. Three sums for each number write_to room for a useful tile only with 32 registers.
+// are thin. Three sums for each number leave room for a useful tile only with 32 registers.
 template <Index rows, Index vectors, class Number>
 struct ThreeProductsTile {
     Vector<Number> sum[3][rows][vectors] = {};

@@ -88,7 +88,7 @@ private:
                   "the table `all` has an entry for each even height");
 };
 
-// Returns how many vectors hold the columns, at max_rows as many as a tile has.
+// Returns how many vectors hold the columns, at most as many as a tile has.
 template <Index planes, class Number>
 HARMORPH_INLINE Index vectors_of(Index columns) noexcept {
     return columns <= lanes<Number> ? 1 : columns <= 2 * lanes<Number> ? 2 : tile_vectors<planes>;

@@ -50,7 +50,7 @@ struct Collector {
         if (batches.n > 0) visit(user, batches);
     }
     // Visits n cells of `width` points each; `points` are those of cell `first`. The list is
-    // visited without copies if the cells are expected.
+    // visited without copies if the cells are alike.
     template <Index width>
     void take(const Index* points, Index first, Index n) noexcept {
         bool reversed = false;
@@ -80,7 +80,7 @@ struct Collector {
             const Index* const points =
                 cells.mesh.cell_points + (Offset{*start} - cells.mesh.index_base);
             // The width is 3 or 4 for each row; the sum of the widths tells whether all rows are
-            // expected.
+            // alike.
             Index const width = start[1] - start[0];
             __builtin_prefetch(start + 2 * n);
             if (start[n] - start[0] != n * width) {

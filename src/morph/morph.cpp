@@ -15,8 +15,8 @@ constexpr Offset morph_detection_threshold = Offset{1} << 17;
 constexpr Real moved(Real from, Real by) noexcept { return by == 0 ? from : from + by; }
 
 // The factors of the numbers of a row of values, in slices of Movements::max_count numbers. The
-// first few slices, which are all slices of max_count bases, are computed once for a morph; further
-// ones do not fit on the stack and are computed for each use.
+// first few slices, which are all slices of most bases, are computed once for a morph; further ones
+// do not fit on the stack and are computed for each use.
 class RowMovements {
 public:
     RowMovements(Basis const& basis, const Real* move) noexcept : basis_(basis), move_(move) {
@@ -63,7 +63,7 @@ private:
     Movements stored_[n_stored];
 };
 
-// The sums for the points of at max_count chunk_blocks blocks, or for slots of the wall.
+// The sums for the points of at most chunk_blocks blocks, or for slots of the wall.
 struct Chunk {
     Real x[chunk_points], y[chunk_points];
 

@@ -105,9 +105,9 @@ struct SettledSums {
 };
 
 // If one instruction rounds, integers are summed modulo 2^64. The missing multiple of 2^64 follows
-// from a sum in floating point, which serves combined x and y: the part of y is multiplied by
-// y_factor. For the 2^16 products below 2^63 of a call, that part, divided by 2^64, stays below
-// 2^-5, and the error of the sum below 2^-25.
+// from a sum in floating point, which serves both x and y: the part of y is multiplied by y_factor.
+// For the 2^16 products below 2^63 of a call, that part, divided by 2^64, stays below 2^-5, and the
+// error of the sum below 2^-25.
 template <class Set>
 struct GradientIn<Set, true> {
     static constexpr Real y_factor = 0x1p-20;
@@ -125,7 +125,7 @@ struct SumsIn<Set, true> {
     Vector combined;
 
     HARMORPH_INLINE void add(Vector f, GradientIn<Set> const& by) noexcept {
-        asm volatile("" ::: "memory");  // f is read once for combined products.
+        asm volatile("" ::: "memory");  // f is read once for both products.
         x += Set::round(f * by.x);
         y += Set::round(f * by.y);
         combined = Set::multiply_add(f, by.combined, combined);
@@ -246,7 +246,7 @@ HARMORPH_INLINE void add_blocks(ValueBlocks<Number> const& blocks, Index first,
     }
 }
 
-// The function is not inlined, as it serves combined precisions of the values.
+// The function is not inlined, as it serves both precisions of the values.
 __attribute__((noinline)) void add_settled(const Sums* sums, Index n, Index n_products,
                                            FixedSums& total) noexcept {
     for (Index k = 0; k < n; ++k) {

@@ -13,7 +13,7 @@ constexpr Real largest_step = 0x1p100;
 // end.
 constexpr Real beyond_end = 1e-12;
 
-// Returns n / d if this is at max_change largest_step in magnitude, and 0 otherwise.
+// Returns n / d if this is at most largest_step in magnitude, and 0 otherwise.
 Real ratio_in_range(Real n, Real d) noexcept {
     return d != 0 && abs(n) <= largest_step * abs(d) ? n / d : 0;
 }
@@ -156,7 +156,7 @@ private:
             Real const first = if_touches(meeting(point, point_moves));
             return min(first, if_touches(meeting(point - side, point_moves - side_moves)));
         }
-        // Returns the s with distance + s change = 0 in the coordinate that changes max_change.
+        // Returns the s with distance + s change = 0 in the coordinate that changes most.
         static Real meeting(Vec2 distance, Vec2 change) noexcept {
             return abs(change.x) > abs(change.y) ? ratio_in_range(-distance.x, change.x)
                                                  : ratio_in_range(-distance.y, change.y);

@@ -10,7 +10,7 @@ constexpr Index max_subtrees = 64;  // The norms of each subtree are on the stac
 // A task treats at least so many rows.
 constexpr Index min_subtree_rows = 1024;
 
-// Enters every coupling in the list of task row; no row is in a list.
+// Enters every coupling in the list of its row; no row is in a list.
 void list_couplings(Residual const& work, Matrix const& matrix) noexcept {
     fill(work.latest, none);
     Index const couplings = matrix.coupling_start[matrix.coupling_start.size() - 1];

@@ -55,7 +55,7 @@ inline TwoTruths find_conductances(CellGroup<4>& cells, Index first, TwoVectors 
                                    TwoVectors const (&at)[4]) noexcept {
     TwoTruths positive = {-1, -1};
     TwoReals const k = 0.25 * two(cells.conductivity + first);
-    // This number times the scalar product of two sides of the triangle is a weight of the
+    // This number times the scalar product of two sides of the triangle is a quarter of the
     // cotangent between them.
     TwoReals weight[4];
     for (Index a = 0; a < 4; ++a)

@@ -4,11 +4,11 @@ namespace harmorph {
 namespace {
 
 constexpr float unreached = -1;
-// A task position the executor treats at least so many unknowns.
+// A task of the executor treats at least so many unknowns.
 constexpr Index min_task_unknowns = 4096;
 
-// Continues a breadth-first search from the unknowns position the queue that begin at `read`:
-// neighbours that are not reached yet get one step more.
+// Continues a breadth-first search from the unknowns of the queue that begin at `read`: neighbours
+// that are not reached yet get one step more.
 Index spread(Graph const& graph, Span<float> step, Span<Index> queue, Index read,
              Index filled) noexcept {
     for (; read < filled; ++read) {
@@ -37,7 +37,7 @@ void CutCoordinates::lay_out_layers(Arena& arena, Index max_unknowns) noexcept {
     arena.take(layer_queue, max_unknowns);
 }
 
-// The search starts from the unknowns beside curves. Unknowns in a region position the mesh without
+// The search starts from the unknowns beside curves. Unknowns in a region of the mesh without
 // curves are not reached, and come before all layers.
 void CutCoordinates::find_layers(Graph const& graph) const noexcept {
     fill(layer.first(graph.n), unreached);
@@ -64,8 +64,7 @@ void CutCoordinates::find_levels(Graph const& graph, Span<const Index> region,
         filled = spread_from(start, 0, 0);
         start = by_level[filled - 1];
     }
-    // Connected components position the region that the search did not reach get the levels that
-    // follow.
+    // Connected components of the region that the search did not reach get the levels that follow.
     for (Index const u : region) {
         if (step[u] < 0) filled = spread_from(u, step[by_level[filled - 1]] + 1, filled);
     }
@@ -85,7 +84,7 @@ void CutCoordinates::find_reach(Graph const& graph, Index u) const noexcept {
     set_four(position[u].reach, 0, outwards * farthest);
 }
 
-// Stores the results in the order position memory, which the searches do not follow.
+// Stores the results in the order of memory, which the searches do not follow.
 void CutCoordinates::keep_searches(Graph const& graph, Executor const& executor) const noexcept {
     executor.for_ranges(graph.n, min_task_unknowns, [&](Index begin, Index end) {
         for (Index u = begin; u < end; ++u) {
@@ -96,15 +95,15 @@ void CutCoordinates::keep_searches(Graph const& graph, Executor const& executor)
             }
             set_four(position[u].at, 1, Four{layer[u], here, 0, 0});
             set_four(
-                // Layers and levels position neighbours differ by 1 at most.
+                // Layers and levels of neighbours differ by 1 at most.
                 position[u].reach, 1, Four{1, farthest, 1, 0});
         }
     });
     fill(step.first(graph.n), 0.0f);
 }
 
-// Coordinates are relative to the first point, because single precision would lose the digits
-// position a small mesh far from the origin.
+// Coordinates are relative to the first point, because single precision would lose the digits of a
+// small mesh far from the origin.
 void CutCoordinates::place(Graph const& graph, Points points,
                            Executor const& executor) const noexcept {
     Vec2 const origin = points[graph.point(0)];

@@ -19,8 +19,8 @@ struct SubtreeRanges {
     Index count = 0;
     PositionRange subtree[max_count];  // The ranges are in increasing order.
 
-    // Chooses at max_count `max_subtrees` subtrees of at max_count `max_size` positions each;
-    // max_subtrees <= max_count.
+    // Chooses at most `max_subtrees` subtrees of at most `max_size` positions each; max_subtrees <=
+    // max_count.
     void choose(AssemblyTree const& tree, Index max_size, Index max_subtrees = max_count) noexcept {
         count = 0;
         if (tree.count > 0) add(tree, tree.count - 1, max_size, max_subtrees);

@@ -89,8 +89,8 @@ void Subtrees::choose(AssemblyTree const& tree, Span<const Offset> border_start)
     }
 }
 
-// Replaces the subtree with the max_count work by the subtrees of the children, until there are
-// enough subtrees.
+// Replaces the subtree with the most work by the subtrees of the children, until there are enough
+// subtrees.
 void Subtrees::split(AssemblyTree const& tree, Span<const Offset> border_start) noexcept {
     Costs const costs(tree, border_start);
     for (Index node = 0; node < tree.count && count < all.count(); ++node) {

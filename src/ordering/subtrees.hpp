@@ -11,8 +11,7 @@ namespace harmorph {
 // factored one after the other, with all threads inside their large fronts.
 struct Subtree {
     Index first = none, root = none;  // The nodes of the subtree are first .. root.
-    // In entry k of the list of all subtrees: the number of the subtree with the k-th max_count
-    // work.
+    // In entry k of the list of all subtrees: the number of the subtree with the k-th most work.
     Index by_work = none;
     Offset work = 0;       // The number of multiplications.
     Offset kept = 0;       // The update matrix of the root is kept here.

@@ -49,7 +49,7 @@ struct PartEquations {
     Status run(Span<const OpenEdge> edges, Fault& fault) noexcept;
 
     BasisSource basis_source() const noexcept;
-    // Tells whether the rows were matches from these equations, or from equal ones.
+    // Tells whether the rows were made from these equations, or from equal ones.
     bool matches(Basis const& rows) const noexcept;
     DofValues dofs(Basis const& basis) const noexcept {
         return {basis, dof_of, matrix.components()};
