@@ -199,9 +199,9 @@ private:
     BasisCounts const& counts_;
 };
 
-}  // namespace
-
-Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault) noexcept {
+// Checks the first bytes and the header, which is copied to `header`, and the checksum of the
+// block.
+Status check_block(const void* block, Size bytes, BasisHeader& header, Fault& fault) noexcept {
     auto const refuse = [&](const char* why, Real found = 0) {
         return fault.refuse(Status::bad_basis, why, {}, {}, found);
     };
@@ -212,7 +212,6 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
         return refuse("the basis is truncated: at least ~ bytes are missing",
                       static_cast<Real>(sizeof(BasisHeader) - bytes));
     }
-    BasisHeader header;
     std::memcpy(static_cast<void*>(&header), block, sizeof header);
     if (header.byte_order != BasisHeader::native_order)
         return refuse(
@@ -236,17 +235,21 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
     if (checksum_of(*static_cast<const BasisHeader*>(block)) != header.checksum) {
         return refuse("the basis is damaged: its checksum does not match its content");
     }
-    HARMORPH_TRY(Contents(Basis::view(block)).check(fault));
-    if (mesh == nullptr) return Status::ok;
+    return Status::ok;
+}
+
+// Checks that the basis belongs to the mesh.
+Status check_mesh_of_basis(BasisHeader const& header, Mesh const& mesh, Fault& fault) noexcept {
+    auto const refuse = [&](const char* why) { return fault.refuse(Status::bad_basis, why); };
     if (header.counts.cells == 0)
         return refuse(
             "the basis covers a list of points and has no cells, so it cannot be used with a mesh");
-    if (header.counts.points != mesh->n_points || header.counts.cells != mesh->n_cells) {
+    if (header.counts.points != mesh.n_points || header.counts.cells != mesh.n_cells) {
         return fault.refuse(Status::bad_basis,
                             "the basis belongs to another mesh, which has # points and @ cells",
                             plain(header.counts.points), plain(header.counts.cells));
     }
-    MeshFingerprint const found = fingerprint_of(*mesh);
+    MeshFingerprint const found = fingerprint_of(mesh);
     if (header.topology.cells != found.cells)
         return refuse("the basis belongs to another mesh: the cells differ");
     if (header.topology.markers != found.markers) {
@@ -254,11 +257,20 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
             "the basis belongs to another mesh: the markers contain other points or have other "
             "numbers");
     }
-    if (header.coordinates == coordinates_fingerprint(mesh->points, mesh->n_points))
+    if (header.coordinates == coordinates_fingerprint(mesh.points, mesh.n_points))
         return Status::ok;
     fault.refuse(Status::moved,
                  "the mesh has other coordinates than the mesh on which the basis was solved");
     return Status::moved;
+}
+
+}  // namespace
+
+Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault) noexcept {
+    BasisHeader header;
+    HARMORPH_TRY(check_block(block, bytes, header, fault));
+    HARMORPH_TRY(Contents(Basis::view(block)).check(fault));
+    return mesh != nullptr ? check_mesh_of_basis(header, *mesh, fault) : Status::ok;
 }
 
 }  // namespace harmorph

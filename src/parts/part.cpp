@@ -154,24 +154,7 @@ Status Part::take_polygons(Fault& fault) noexcept {
     division.run(cells);
     topology.mesh = pieces.mesh(cells);
     topology.reversed = topology.reversed.first(topology.mesh.n_checked());
-    for (Index i = 0; i < n; ++i) {
-        Index* const corner = cell_points.data() + (cell_start[i] - mesh.index_base);
-        Index const corners = cell_start[i + 1] - cell_start[i];
-        Real area = 0;
-        for (Index piece = pieces.start[i]; piece < pieces.start[i + 1]; ++piece) {
-            area += cell_area(topology.mesh.cell(piece), mesh.points);
-        }
-        if (!(area < 0)) continue;
-        for (Index k = 0; 2 * k + 1 < corners; ++k) {
-            Index const other = corner[corners - 1 - k];
-            corner[corners - 1 - k] = corner[k];
-            corner[k] = other;
-        }
-        for (Index k = pieces.start[i]; k < pieces.start[i + 1]; ++k)
-            turn(pieces.point.data() + 4 * Offset{k});
-        for (Index k = pieces.guard_start[i]; k < pieces.guard_start[i + 1]; ++k)
-            turn(pieces.point.data() + 4 * Offset{k});
-    }
+    for (Index i = 0; i < n; ++i) orient_polygon(i);
     for (Index k = 0; k < topology.mesh.n_checked(); ++k) {
         Real const resolved = resolved_height(CellShape(topology.cell(k), mesh.points, false));
         if (is_whole(shape_of(topology, k, mesh.points), resolved)) continue;
@@ -179,6 +162,28 @@ Status Part::take_polygons(Fault& fault) noexcept {
         return refuse_shape(given_cell.empty() ? cell : given_cell[cell], fault);
     }
     return Status::ok;
+}
+
+// Turns polygon i, with its pieces and guards, counter-clockwise.
+void Part::orient_polygon(Index i) noexcept {
+    Mesh const& mesh = given.mesh;
+    Pieces& pieces = division.pieces;
+    Index* const corner = cell_points.data() + (cell_start[i] - mesh.index_base);
+    Index const corners = cell_start[i + 1] - cell_start[i];
+    Real area = 0;
+    for (Index piece = pieces.start[i]; piece < pieces.start[i + 1]; ++piece) {
+        area += cell_area(topology.mesh.cell(piece), mesh.points);
+    }
+    if (!(area < 0)) return;
+    for (Index k = 0; 2 * k + 1 < corners; ++k) {
+        Index const other = corner[corners - 1 - k];
+        corner[corners - 1 - k] = corner[k];
+        corner[k] = other;
+    }
+    for (Index k = pieces.start[i]; k < pieces.start[i + 1]; ++k)
+        turn(pieces.point.data() + 4 * Offset{k});
+    for (Index k = pieces.guard_start[i]; k < pieces.guard_start[i + 1]; ++k)
+        turn(pieces.point.data() + 4 * Offset{k});
 }
 
 // Tells whether the cell is neither inverted nor too thin for the digits of its coordinates.

@@ -71,6 +71,7 @@ struct Part {
 private:
     Status take_cells(Fault& fault) noexcept;
     Status take_polygons(Fault& fault) noexcept;
+    void orient_polygon(Index i) noexcept;
     bool is_whole(CellShape const& shape, Real resolved) noexcept;
     Status refuse_shape(Index cell, Fault& fault) const noexcept;
     void note_points(const Index* points, Index n, bool ghost) noexcept;
