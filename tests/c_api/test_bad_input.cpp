@@ -435,7 +435,7 @@ TEST_CASE("nothing inside: a mesh all of whose points are on fixed markers and c
     CHECK(std::string(attempt.error.text).find("nothing to solve") != std::string::npos);
 }
 
-TEST_CASE("a part of the mesh that hangs on no known value is refused") {
+TEST_CASE("a region of the mesh in which no value is known is refused") {
     // A second square beside the first, all of whose sides are free: constants are in the matrix's
     // kernel.
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
@@ -457,5 +457,8 @@ TEST_CASE("a part of the mesh that hangs on no known value is refused") {
             INFO(n << " x " << n << ": " << attempt.reached << ": " << attempt.error.text);
             CHECK(attempt.status == HM_BAD_CONDITION);
             CHECK(attempt.error.item >= first);  // a point of the island
+            CHECK(std::string(attempt.error.text) ==
+                  "point " + std::to_string(attempt.error.item) +
+                      " is in a region of the mesh in which no boundary is fixed or prescribed");
         }
 }
