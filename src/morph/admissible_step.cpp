@@ -33,9 +33,9 @@ void AdmissibleStep::add(OrientedMesh const& cells, CellPlaces const& places,
     if ((triangles | quads) == 0) return;
     batches.for_each([&](Index number, bool is_triangle, Index i) {
         if (((is_triangle ? triangles : quads) >> i & 1) == 0) return;
-        Cell const cell = cells.cell(number);
-        add(number, cell.n, CellCorners({cell, places.at, false}),
-            CellCorners({cell, places.change, false}));
+        Cell const corners = cells.cell(number);
+        add(number, corners.n, CellCorners({corners, places.at, false}),
+            CellCorners({corners, places.change, false}));
     });
 }
 

@@ -118,12 +118,12 @@ Status Plan::solve_rows(DofValues const& dofs, SolveReport& report, Fault& fault
     report.functions = dofs.n_functions;
     report.factor_entries = factor_entries_;
     HARMORPH_TRY(refinement_.run(equations_, engine_, dofs, progress_, report, fault));
-    DofDirections const directions(equations_.matrix());
-    directions.turn_slipping(dofs, mesh_.n_points);
+    DofDirections const dof_directions(equations_.matrix());
+    dof_directions.turn_slipping(dofs, mesh_.n_points);
     executor_.for_ranges(mesh_.n_points, min_task_points, [&](Index begin, Index end) {
         for (Index point = begin; point < end; ++point) dofs.copy_row(same_point(point), point);
     });
-    directions.turn_sides(dofs, mesh_.n_points);
+    dof_directions.turn_sides(dofs, mesh_.n_points);
     return Status::ok;
 }
 
@@ -198,16 +198,16 @@ Status Plan::solve_fields(DofValues const& values, bool measured, SolveReport& r
 }
 
 void Plan::to_displacements(DofValues const& values) const noexcept {
-    DofDirections const directions(equations_.matrix());
-    directions.turn_slipping(values, mesh_.n_points);
+    DofDirections const dof_directions(equations_.matrix());
+    dof_directions.turn_slipping(values, mesh_.n_points);
     for (Index const point : given_.joined) values.copy_row(same_point(point), point);
-    directions.turn_sides(values, mesh_.n_points);
+    dof_directions.turn_sides(values, mesh_.n_points);
 }
 
 void Plan::to_displacements_transposed(DofValues const& values) const noexcept {
-    DofDirections const directions(equations_.matrix());
-    directions.turn_slipping_back(values, mesh_.n_points);
-    directions.turn_sides_back(values, mesh_.n_points);
+    DofDirections const dof_directions(equations_.matrix());
+    dof_directions.turn_slipping_back(values, mesh_.n_points);
+    dof_directions.turn_sides_back(values, mesh_.n_points);
 }
 
 Index Plan::same_point(Index point) const noexcept {
