@@ -32,8 +32,8 @@ struct BasisCounts {
     // and modes.
     Index functions() const noexcept { return shapes() + 2 * bodies + modes; }
     bool complete() const noexcept { return stored == functions(); }
-    // Combined functions or modes are among the functions, so that the values on the wall are known
-    // from the stored values alone.
+    // Tells whether combined functions or modes are among the functions. The values on the wall are
+    // then known from the stored values alone.
     bool derived() const noexcept { return combination != 0 || modes != 0; }
     // Returns the counts of the same basis with the n functions that begin with `first`.
     BasisCounts share(Index first, Index n) const noexcept {
@@ -118,9 +118,8 @@ struct Basis {
     Span<Index> loop_start;       // [loops + 1]
     Span<std::uint8_t> reversed;  // [cells], or [pieces + guards]
     Pieces pieces;                // The pieces of polygons.
-    // Values are in blocks of points, see point_blocks.hpp. A point has row_length() numbers, see
-    // ValueKind.
-    // The values of the points, or in single storage those of the slots of the wall.
+    // The values of the points, or in single storage those of the slots of the wall, in blocks of
+    // points (point_blocks.hpp). A point has row_length() numbers, see ValueKind.
     Span<Real> value;
     // The values of the points in single storage; they are 0 at the wall and at points joined to
     // it.
