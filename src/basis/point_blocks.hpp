@@ -7,7 +7,6 @@
 // products in the order of the numbers, in a lane of its own, for any width of the registers. All
 // kernels therefore give the same bits. Points behind the last one fill the last block; their
 // values are 0.
-// 0.
 #pragma once
 
 #include "base/executor.hpp"

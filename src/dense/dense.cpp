@@ -117,9 +117,8 @@ Index factor(Kernel kernel, Panel<Number> const& panel, Number floor,
         for (Index first = 0; first < panel.pivots; first += strip) {
             Index const end = front.end_of(first);
             Offset const per_column = front.cost(end - first);
-            front.add_diagonal(
-                first,
-                sums);  // The row sums are saved before products are subtracted from the diagonal.
+            // The row sums are saved before products are subtracted from the diagonal.
+            front.add_diagonal(first, sums);
             if (first > 0) {
                 auto const subtract = [&](Slabs<Number> const& columns, Index from, Index to,
                                           Number*) {

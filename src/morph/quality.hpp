@@ -25,10 +25,9 @@ inline Fraction skew_fraction(Index n, CellCorners const& corners) noexcept {
     Vec2 const(&side)[4] = corners.side;
     Real const square_of[4] = {square(side[0]), square(side[1]), square(side[2]),
                                n == 3 ? 0 : square(side[3])};
-    Real const squares = n == 3
-                             // The sum is 2 (a.a + b.b - a.b).
-                             ? square_of[0] + square_of[1] + square_of[2]
-                             : (square_of[0] + square_of[2]) + (square_of[1] + square_of[3]);
+    // With two sides a and b of a triangle, the sum is 2 (a.a + b.b - a.b).
+    Real const squares = n == 3 ? square_of[0] + square_of[1] + square_of[2]
+                                : (square_of[0] + square_of[2]) + (square_of[1] + square_of[3]);
     bool const in_range =
         corners.smallest() > smallest_of_products && squares < largest_of_products;
     Fraction skew;

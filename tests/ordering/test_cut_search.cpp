@@ -137,7 +137,7 @@ TEST_CASE(
     Index before = 0;
     for (auto const& [level, count] : size) {
         Index const behind = its.n() - before - count;
-        double const cost = Parts{before, behind, count}.cost();
+        double const cost = CutSizes{before, behind, count}.cost();
         if (before >= its.n() / 4 && behind >= its.n() / 4 && cost < least) {
             least = cost;
             best = level;
