@@ -286,7 +286,7 @@ TEST_CASE("tables that cannot be used are refused by name, with nothing written"
           HM_BAD_ARGUMENT);
     std::int32_t const last = points.back();
     points.back() = points.front();
-    CHECK(refusal({solved.plan, solved.basis, {good}, 1, &points}, "is not in the list", last) ==
+    CHECK(refusal({solved.plan, solved.basis, {good}, 1, &points}, "but not in the list", last) ==
           HM_BAD_CONDITION);
     CHECK(Tabulated(solved.plan, solved.basis, {good}, 1, nullptr, 1).status == HM_BLOCK_TOO_SMALL);
     Case other = two_body_case(Cells::hybrid, 8, 6);
