@@ -22,7 +22,8 @@ inline Status open_complete(const hm_analysis* handle, const Analysis*& analysis
     HARMORPH_TRY(open_analysis(handle, analysis, fault));
     if (analysis->has_conditions()) return Status::ok;
     return fault.refuse(Status::bad_argument,
-                        "the analysis is of the mesh alone: its problem had no conditions");
+                        "the analysis covers the mesh only, because its problem has no curves, "
+                        "rigid bodies or given displacements");
 }
 
 // hm_plan and Plan, both const or neither.
@@ -49,7 +50,8 @@ inline Status open_basis(const hm_basis* handle, Basis& basis, CallFault& fault)
 inline Status open_solved(const hm_basis* handle, Basis& basis, CallFault& fault) noexcept {
     HARMORPH_TRY(open_basis(handle, basis, fault));
     if (basis.header->solved == 1) return Status::ok;
-    return fault.refuse(Status::bad_basis, "the basis has not been solved");
+    return fault.refuse(Status::bad_basis,
+                        "the basis has not been solved; call hm_plan_solve first");
 }
 
 // Solved, and with all functions.
@@ -57,8 +59,10 @@ inline Status open_complete(const hm_basis* handle, Basis& basis, CallFault& fau
     HARMORPH_TRY(open_solved(handle, basis, fault));
     BasisCounts const& counts = basis.header->counts;
     if (counts.complete()) return Status::ok;
-    return fault.refuse(Status::bad_basis, "the basis is a share: it has only # of the @ functions",
-                        plain(counts.stored), plain(counts.functions()));
+    return fault.refuse(
+        Status::bad_basis,
+        "the basis is a share with only # of the @ functions, and this call needs all of them",
+        plain(counts.stored), plain(counts.functions()));
 }
 
 // A new basis, with these functions of the analysis, not solved.
@@ -76,7 +80,8 @@ inline Status check_move(Basis const& basis, const double* move, Fault& fault) n
     HARMORPH_TRY(require({{"move", move}}, fault));
     for (Index k = 0; k < 2 * basis.header->counts.functions(); ++k) {
         if (is_finite(move[k])) continue;
-        return fault.refuse(Status::bad_argument, "the movement of function # is not finite",
+        return fault.refuse(Status::bad_argument,
+                            "the movement of function # in `move` is not finite",
                             function_item(k / 2));
     }
     return Status::ok;

@@ -99,7 +99,7 @@ hm_status hm_analysis_report(const hm_analysis* analysis, hm_mesh_report* report
     return guarded(err, [&](CallFault& fault) {
         const Analysis* of = nullptr;
         HARMORPH_TRY(open_analysis(analysis, of, fault));
-        HARMORPH_TRY(check_report(report, fault));
+        HARMORPH_TRY(check_report(report, "report", fault));
         write_struct(report_of(*of), report);
         return Status::ok;
     });
@@ -114,27 +114,32 @@ hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_markers,
         HARMORPH_TRY(require({{"markers", markers}, {"n", n}, {"is_loop", is_loop}}, fault));
         if (n_markers < 1 || capacity < 0) {
             return fault.refuse(Status::bad_argument,
-                                "n_markers is #, capacity is @: one is too small", plain(n_markers),
-                                plain(capacity));
+                                "n_markers is # and capacity is @; n_markers must be at least 1, "
+                                "and capacity at least 0",
+                                plain(n_markers), plain(capacity));
         }
         if (capacity > 0) HARMORPH_TRY(require({{"points", points}}, fault));
         Span<const Index> const asked(markers, static_cast<Size>(n_markers));
         Piece found{piece};
         found.find(*of, asked, nullptr);
         if (found.n_pieces == 0) {
-            return fault.refuse(Status::bad_condition,
-                                "no boundary face has these markers; the first one is #",
-                                marker_item(markers[0]));
+            return fault.refuse(
+                Status::bad_condition,
+                "no face of the boundary has one of the given markers, the first of which is #",
+                marker_item(markers[0]));
         }
         if (piece < 0 || piece >= found.n_pieces) {
-            return fault.refuse(Status::bad_condition,
-                                "these markers have # pieces of boundary, there is no piece @",
-                                plain(found.n_pieces), entry_item(piece));
+            return fault.refuse(
+                Status::bad_condition,
+                "the given markers form # pieces of the boundary, so piece @ does not exist",
+                plain(found.n_pieces), entry_item(piece));
         }
         *n = found.n_points;
         if (found.n_points > capacity) {
-            return fault.refuse(Status::bad_argument, "points has room for #, the boundary has @",
-                                plain(capacity), plain(found.n_points));
+            return fault.refuse(
+                Status::bad_argument,
+                "points has room for # points, but this piece of the boundary has @",
+                plain(capacity), plain(found.n_points));
         }
         found.find(*of, asked, points);
         *is_loop = found.is_loop ? 1 : 0;

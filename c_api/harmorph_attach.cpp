@@ -12,7 +12,7 @@ hm_status hm_basis_attach(const hm_basis** basis, const void* block, size_t byte
         HARMORPH_TRY(require({{"basis", basis}, {"block", block}}, fault));
         if (reinterpret_cast<std::uintptr_t>(block) % 8 != 0) {
             return fault.refuse(Status::bad_argument,
-                                "the block of a basis must be aligned to 8 bytes");
+                                "the address of the block must be a multiple of 8 bytes");
         }
         Mesh view;
         if (mesh != nullptr) {

@@ -30,15 +30,18 @@ struct BlocksOfMesh {
                 CallFault& fault) noexcept {
         HARMORPH_TRY(view_mesh(given, mesh, fault));
         if (mesh.layout != CellLayout::blocks) {
-            return fault.refuse(Status::bad_argument,
-                                "the mesh has no blocks: mesh.cell_layout is not HM_CELLS_BLOCKS");
+            return fault.refuse(
+                Status::bad_argument,
+                "the mesh has no blocks, because mesh.cell_layout is not HM_CELLS_BLOCKS");
         }
         HARMORPH_TRY(check_layout(mesh, fault));
         first = from;
         n = count;
         if (first >= 0 && n >= 1 && n <= mesh.n_blocks && first <= mesh.n_blocks - n)
             return Status::ok;
-        return fault.refuse(Status::bad_argument, "first # and n @ are not blocks of the mesh",
+        return fault.refuse(Status::bad_argument,
+                            "first is # and n is @, but they must name at least one block, and "
+                            "only blocks of the mesh",
                             block_item(first), plain(n));
     }
 
@@ -65,7 +68,8 @@ struct BlocksOfMesh {
             }
             if (!is_of_points({stride_of(of.stride), of.row}, block, written)) {
                 fault.refuse(Status::bad_argument,
-                             "stride or row of block # is not that of an array of points",
+                             "stride or row of block # is negative, beyond 2^40, or puts two "
+                             "points at one place",
                              block_item(first + k));
                 return true;
             }

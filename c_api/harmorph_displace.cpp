@@ -26,7 +26,7 @@ struct DisplaceCall {
                 Size bytes, const hm_solve_report* report, CallFault& fault) noexcept {
         HARMORPH_TRY(open_plan(handle, plan, fault));
         HARMORPH_TRY(check_fields(*plan, n_fields, fault));
-        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(view_given_list(*plan, n, points, list, fault));
         HARMORPH_TRY(place(work, bytes, fault,
                            [&](Arena& arena) { displacement.lay_out(arena, *plan, n_fields); }));
@@ -93,7 +93,9 @@ struct TableCall {
         HARMORPH_TRY(check_fields(*plan, n_modes, fault));
         HARMORPH_TRY(plan->check_fit(basis, fault));
         if (numbers == 1 || numbers == 2) return Status::ok;
-        return fault.refuse(Status::bad_argument, "numbers must be 1 or 2, not #", plain(numbers));
+        return fault.refuse(Status::bad_argument,
+                            "numbers must be 1 (real values) or 2 (complex values), not #",
+                            plain(numbers));
     }
 };
 
@@ -118,9 +120,10 @@ hm_status hm_given_points(const hm_plan* plan, int32_t* points, int32_t capacity
         Span<const Index> const given = p->given().point;
         *n = given.count();
         if (capacity < *n) {
-            return fault.refuse(Status::bad_argument,
-                                "points has room for #, the displacements of @ points are given",
-                                plain(capacity), plain(*n));
+            return fault.refuse(
+                Status::bad_argument,
+                "points has room for # points, but @ points have given displacements",
+                plain(capacity), plain(*n));
         }
         for (Index k = 0; k < *n; ++k) points[k] = given[k] + p->mesh().index_base;
         return Status::ok;
@@ -221,19 +224,20 @@ hm_status hm_tabulate(hm_basis** tabulated, void* block, size_t bytes, hm_plan* 
         Basis made;
         HARMORPH_TRY(require({{"tabulated", tabulated}, {"modes", modes}}, fault));
         HARMORPH_TRY(table.open(plan, call.plan, basis, n_modes, numbers, fault));
-        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(view_given_list(*call.plan, n, points, call.list, fault));
         if (n > 2 * call.plan->mesh().n_points) {
-            return fault.refuse(Status::bad_argument,
-                                "the list is longer than twice the mesh: # points", plain(n));
+            return fault.refuse(
+                Status::bad_argument,
+                "n is #, but the list may have at most twice as many points as the mesh", plain(n));
         }
         Plan& its = *call.plan;
         bool const moved = table.basis.header->counts.functions() > 0 &&
                            table.basis.header->coordinates != its.coordinates();
         if (moved)
-            return fault.refuse(
-                Status::bad_basis,
-                "the basis was solved on other coordinates than the plan was factored on");
+            return fault.refuse(Status::bad_basis,
+                                "the basis was solved on other coordinates than those of the "
+                                "plan's factor; solve the basis again");
         HARMORPH_TRY(place(work, work_bytes, fault, [&](Arena& arena) {
             rows.lay_out(arena, its, 2 * its.mesh().n_points, fields_of(table.basis, n_modes));
         }));

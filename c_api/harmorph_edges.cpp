@@ -92,14 +92,17 @@ Status EdgeCells::check_edge(Index e, Fault& fault) const noexcept {
         }
     }
     if (cell_of(e, 0) != cell_of(e, 1)) return Status::ok;
-    return fault.refuse(Status::bad_mesh, "edge # has the same cell on both sides, or no cell",
+    return fault.refuse(Status::bad_mesh,
+                        "edge # has the same cell on both sides, or no cell on either side",
                         side_item(e));
 }
 
 Status EdgeCells::read(const hm_edge_mesh* from, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"edges", from}}, fault));
     if (!read_struct(from, given)) {
-        return fault.refuse(Status::bad_argument, "edges.struct_size is wrong");
+        return fault.refuse(
+            Status::bad_argument,
+            "edges.struct_size is not the size of an hm_edge_mesh; begin with HM_INIT(edges)");
     }
     fault.bases.mesh = given.index_base;
     HARMORPH_TRY(check_sizes(fault));
@@ -110,7 +113,7 @@ Status EdgeCells::read(const hm_edge_mesh* from, CallFault& fault) noexcept {
         n_faces += is_face(e) ? 1 : 0;
     }
     if (sides > std::numeric_limits<Index>::max()) {
-        return fault.refuse(Status::bad_mesh, "the cells have more than 2^31 sides together");
+        return fault.refuse(Status::bad_mesh, "the cells together have more than 2^31 - 1 sides");
     }
     n_sides = static_cast<Index>(sides);
     return Status::ok;
@@ -138,7 +141,7 @@ void EdgeCells::sort_edges() const noexcept {
 Status EdgeCells::order(Index cell, Fault& fault) const noexcept {
     Index const begin = start[cell], n = start[cell + 1] - begin;
     if (n < 3 || n > most_sides) {
-        return fault.refuse(Status::bad_mesh, "cell # has @ edges; 3 to 1024 are possible",
+        return fault.refuse(Status::bad_mesh, "cell # has @ edges, but a cell must have 3 to 1024",
                             cell_item(cell), plain(n));
     }
     Index at = end_of(edge[begin], 0);
@@ -150,7 +153,8 @@ Status EdgeCells::order(Index cell, Fault& fault) const noexcept {
         }
         if (found == n) {
             return fault.refuse(Status::bad_mesh,
-                                "the edges of cell # do not form one closed loop: see point @",
+                                "the edges of cell # do not form one closed loop; they are not "
+                                "connected at point @",
                                 cell_item(cell), point_item(at));
         }
         Index const e = edge[begin + found];
@@ -160,9 +164,10 @@ Status EdgeCells::order(Index cell, Fault& fault) const noexcept {
         at = end_of(e, end_of(e, 0) == at ? 1 : 0);
     }
     if (at + given.index_base == points[begin]) return Status::ok;
-    return fault.refuse(Status::bad_mesh,
-                        "the edges of cell # do not form one closed loop: see point @",
-                        cell_item(cell), point_item(at));
+    return fault.refuse(
+        Status::bad_mesh,
+        "the edges of cell # do not form one closed loop; they are not connected at point @",
+        cell_item(cell), point_item(at));
 }
 
 void EdgeCells::list_faces() const noexcept {
@@ -215,7 +220,7 @@ hm_status hm_mesh_from_edges(hm_mesh* mesh, void* block, size_t bytes, const hm_
     return guarded(err, [&](CallFault& fault) {
         EdgeCells cells;
         HARMORPH_TRY(require({{"block", block}}, fault));
-        HARMORPH_TRY(check_report(mesh, fault));
+        HARMORPH_TRY(check_report(mesh, "mesh", fault));
         HARMORPH_TRY(cells.read(edges, fault));
         HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { cells.lay_out(arena); }));
         HARMORPH_TRY(cells.run(fault));

@@ -22,24 +22,23 @@ struct EquationsRequest : Request {
         Method const& method = problem.method;
         const char* wrong = nullptr;
         if (method.scheme != Scheme::compact)
-            wrong = "meshes in parts go with the compact scheme only";
+            wrong = "a mesh in parts needs the compact scheme (HM_COMPACT)";
         if (method.engine != Engine::direct)
-            wrong = "meshes in parts: options.engine must be HM_DIRECT";
+            wrong = "options.engine must be HM_DIRECT for a mesh in parts";
         if (method.precision != Precision::in_double)
-            wrong = "meshes in parts: options.precision must be HM_DOUBLE";
+            wrong = "options.precision must be HM_DOUBLE for a mesh in parts";
         if (problem.demands.rotation) {
-            wrong = "meshes in parts do not go with HM_ROTATION_PAIR; HM_PERIODIC_PAIR does";
+            wrong = "HM_ROTATION_PAIR is not available for a mesh in parts; HM_PERIODIC_PAIR is";
         }
         if (problem.demands.slip_curves > 0) {
-            wrong =
-                "meshes in parts do not go with curves that are given for sliding "
-                "(hm_condition.along)";
+            wrong = "hm_condition.along is not available for a mesh in parts; leave it NULL";
         }
-        if (!problem.given.point.empty()) wrong = "meshes in parts: problem.n_given must be 0";
+        if (!problem.given.point.empty()) wrong = "problem.n_given must be 0 for a mesh in parts";
         if (wrong != nullptr) return fault.refuse(Status::unsupported, wrong);
         if (n_conditions > 0) return Status::ok;
         return fault.refuse(Status::bad_condition,
-                            "there are no curves, no rigid bodies and no given displacements");
+                            "there is nothing to solve, because the problem has no curves, rigid "
+                            "bodies or given displacements");
     }
     PartProblem asked() const noexcept {
         return {problem.method, problem.demands, problem.executor};
@@ -109,7 +108,7 @@ hm_status hm_equations_info_get(const hm_equations* equations, hm_equations_info
     return guarded(err, [&](CallFault& fault) {
         const PartEquations* of = nullptr;
         HARMORPH_TRY(open(equations, "equations", of, fault));
-        HARMORPH_TRY(check_report(info, fault));
+        HARMORPH_TRY(check_report(info, "info", fault));
         write_struct(info_of(*of), info);
         return Status::ok;
     });
@@ -123,14 +122,17 @@ hm_status hm_equations_entries(const hm_equations* equations, int32_t first, int
         HARMORPH_TRY(open(equations, "equations", of, fault));
         HARMORPH_TRY(require({{"n_entries", n_entries}}, fault));
         if (first < 0 || n < 0 || n > of->matrix.n - first) {
-            return fault.refuse(Status::bad_argument, "from unknown # on there are no @ unknowns",
+            return fault.refuse(Status::bad_argument,
+                                "first is # and n is @, but unknowns first to first + n - 1 must "
+                                "exist in this part",
                                 entry_item(first), plain(n));
         }
         *n_entries = 0;
         of->for_each_entry(first, n, [&](Index, Index, Real, Real) { ++*n_entries; });
         if (capacity < *n_entries) {
-            return fault.refuse(Status::bad_argument,
-                                "there is room for fewer entries than there are");
+            return fault.refuse(
+                Status::bad_argument,
+                "capacity is smaller than the number of entries, which *n_entries now contains");
         }
         if (capacity > 0)
             HARMORPH_TRY(require({{"row", row}, {"column", column}, {"values", values}}, fault));

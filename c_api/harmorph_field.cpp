@@ -59,7 +59,7 @@ hm_status hm_field_init(hm_equations* equations, const hm_points* displacement, 
             if (of.wall.curve[k] != kind) continue;
             if (!is_coordinate(given[point])) {
                 return fault.refuse(Status::bad_argument,
-                                    "the displacement of point # is not finite, or beyond 1e100",
+                                    "the displacement of point # is not finite or beyond 1e100",
                                     point_item(point));
             }
             call.rows[2 * Offset{point}] = given[point].x;

@@ -16,7 +16,8 @@ struct FinerTask {
     Status open(const hm_curves* curves, CallFault& fault) noexcept {
         HARMORPH_TRY(view_curves(curves, view, fault));
         if (refinement.curve < 0 || refinement.curve >= view.count()) {
-            return fault.refuse(Status::bad_argument, "there is no curve #; the set has @",
+            return fault.refuse(Status::bad_argument,
+                                "curve # does not exist; curves.n_curves is @",
                                 curve_item(refinement.curve), plain(view.count()));
         }
         for (Index i = 0; i < view.count(); ++i) {
@@ -32,9 +33,10 @@ struct FinerTask {
 private:
     Status check_refinement(Curve const& curve, Fault& fault) const noexcept {
         if (degree != 0 && degree != curve.degree + 1) {
-            return fault.refuse(Status::bad_argument,
-                                "a curve of degree # can be raised to the degree above, not to @",
-                                plain(curve.degree), plain(degree));
+            return fault.refuse(
+                Status::bad_argument,
+                "degree is @, but a curve of degree # can only be raised by one degree",
+                plain(curve.degree), plain(degree));
         }
         return refinement.check(curve, fault);
     }
@@ -48,9 +50,10 @@ Status view_refinement(Index curve, Index degree, Index n, const double* u, Fine
         return fault.refuse(Status::bad_argument, "n must be between 0 and 2^24, not #", plain(n));
     }
     if (degree != 0 && n != 0) {
-        return fault.refuse(Status::bad_argument,
-                            "either the degree is raised or knots are inserted: n must be 0, not #",
-                            plain(n));
+        return fault.refuse(
+            Status::bad_argument,
+            "n is #, but it must be 0 where the degree is raised; insert the knots by another call",
+            plain(n));
     }
     if (n > 0) HARMORPH_TRY(require({{"u", u}}, fault));
     task.refinement.curve = curve;

@@ -159,7 +159,7 @@ public:
         Boundary const& boundary = work_.analysis.boundary();
         for (Index const marker : wall_.markers) {
             if (has_face(boundary, marker)) continue;
-            return fault.refuse(Status::bad_condition, "no boundary face has the marker #",
+            return fault.refuse(Status::bad_condition, "no face of the boundary has the marker #",
                                 marker_item(marker));
         }
         auto const is_on = [&](Index face) { return wall_.is_on(boundary.marker[face]); };
@@ -245,7 +245,7 @@ hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes, const hm_p
         Points view;
         FitOptions asked;
         HARMORPH_TRY(require({{"curves", curves}, {"block", block}}, fault));
-        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(view_points(points, "points", view, fault));
         HARMORPH_TRY(view_fit_options(options, asked, fault));
         HARMORPH_TRY(check_fit(n, asked, fault));
@@ -287,7 +287,7 @@ hm_status hm_fit_marker(const hm_curves** curves, void* block, size_t bytes, con
     return guarded(err, [&](CallFault& fault) {
         WallRequest wall;
         HARMORPH_TRY(require({{"curves", curves}, {"block", block}, {"work", work}}, fault));
-        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(wall.read(mesh, n_markers, markers, options, fault));
         PiecesBlock made;
         FitWork arrays;

@@ -20,7 +20,9 @@ Status check_apart(Points from, MutablePoints to, Index n, Fault& fault) noexcep
     bool const apart =
         !are_shifted(from.x, to.x, to.stride, n) && !are_shifted(from.y, to.y, to.stride, n);
     if (apart && from.x != to.y && from.y != to.x) return Status::ok;
-    return fault.refuse_argument("to", "% has numbers of `from`, but of other points");
+    return fault.refuse_argument("to",
+                                 "% has numbers in common with `from`, but at other points; give "
+                                 "the same arrays or separate ones");
 }
 
 }  // namespace

@@ -14,7 +14,9 @@ Status view_part_mesh(const hm_part_mesh* given, PartMesh& part, CallFault& faul
     HARMORPH_TRY(require({{"mesh", given}}, fault));
     hm_part_mesh p;
     if (!read_struct(given, p))
-        return fault.refuse(Status::bad_argument, "the struct_size of the part is wrong");
+        return fault.refuse(
+            Status::bad_argument,
+            "mesh.struct_size is not the size of an hm_part_mesh; begin with HM_INIT(mesh)");
     HARMORPH_TRY(require({{"part.numbers", p.numbers}}, fault));
     HARMORPH_TRY(view_mesh(p.mesh, part.mesh, fault));
     part.number = p.numbers;
@@ -57,7 +59,7 @@ hm_status hm_part_cells(const hm_part* part, hm_mesh* own, const int32_t** cell,
         const Part* of = nullptr;
         HARMORPH_TRY(open_part(part, of, fault));
         HARMORPH_TRY(require({{"cell", cell}}, fault));
-        HARMORPH_TRY(check_report(own, fault));
+        HARMORPH_TRY(check_report(own, "own", fault));
         Mesh const& mesh = of->cells;
         hm_mesh filled = {};
         filled.index_base = mesh.index_base;
@@ -93,8 +95,9 @@ hm_status hm_part_edges(const hm_part* part, hm_edge* edges, int32_t capacity, i
         if (capacity > 0) HARMORPH_TRY(require({{"edges", edges}}, fault));
         *n = of->n_open;
         if (capacity < of->n_open) {
-            return fault.refuse(Status::bad_argument, "edges has room for #, the part has @",
-                                plain(capacity), plain(of->n_open));
+            return fault.refuse(Status::bad_argument,
+                                "edges has room for # edges, but the part has @", plain(capacity),
+                                plain(of->n_open));
         }
         of->for_each_open([&](OpenEdge const& edge) {
             std::memcpy(static_cast<void*>(edges++), &edge, sizeof edge);
@@ -106,7 +109,9 @@ hm_status hm_part_edges(const hm_part* part, hm_edge* edges, int32_t capacity, i
 hm_status hm_match_edges(hm_edge* edges, int64_t* n, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         HARMORPH_TRY(require({{"n", n}}, fault));
-        if (*n < 0) return fault.refuse(Status::bad_argument, "the number of edges is negative");
+        if (*n < 0)
+            return fault.refuse(Status::bad_argument,
+                                "*n must be the number of edges, but it is negative");
         if (*n > 0) HARMORPH_TRY(require({{"edges", edges}}, fault));
         Offset left = 0;
         HARMORPH_TRY(

@@ -97,7 +97,7 @@ hm_status hm_plan_solve(hm_plan* plan, hm_basis* basis, hm_solve_report* report,
         Basis b;
         HARMORPH_TRY(open_basis(basis, b, fault));
         HARMORPH_TRY(open_plan(plan, p, fault));
-        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
         SolveReport solved;
         HARMORPH_TRY(p->solve(b, solved, fault));
         if (report != nullptr) write_struct(report_of(solved, b, *p), report);

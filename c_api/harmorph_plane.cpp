@@ -11,13 +11,18 @@ Status view_space(const hm_space_mesh* given, SpaceMesh& mesh, CallFault& fault)
     HARMORPH_TRY(require({{"space", given}}, fault));
     hm_space_mesh m;
     if (!read_struct(given, m))
-        return fault.refuse(Status::bad_argument, "space.struct_size is wrong");
+        return fault.refuse(
+            Status::bad_argument,
+            "space.struct_size is not the size of an hm_space_mesh; begin with HM_INIT(space)");
     if (asks_for_more(given)) {
         return fault.refuse(Status::unsupported,
-                            "space: fields are set that this version of the library does not know");
+                            "space contains fields that are set but unknown to this version of the "
+                            "library; use the header of this version");
     }
     if (m.kind < HM_SPACE_AUTO || m.kind > HM_WEDGE) {
-        return fault.refuse(Status::bad_argument, "space.kind # is unknown", plain(m.kind));
+        return fault.refuse(Status::bad_argument,
+                            "space.kind is #, but it must be HM_SPACE_AUTO, HM_PLANES or HM_WEDGE",
+                            plain(m.kind));
     }
     mesh.index_base = fault.bases.mesh = m.index_base;
     mesh.n_points = m.n_points;
@@ -71,13 +76,14 @@ Status open_basis_of(Plane const& plane, const hm_basis* handle, Basis& basis,
     HARMORPH_TRY(open_complete(handle, basis, fault));
     BasisHeader const& header = *basis.header;
     if (basis.n_points() != plane.n_points) {
-        return fault.refuse(Status::bad_basis, "the basis has # points, but the plane @",
+        return fault.refuse(Status::bad_basis, "the basis has # points, but the plane has @",
                             plain(basis.n_points()), plain(plane.n_points));
     }
     if (header.counts.cells == 0) return Status::ok;
     if (header.counts.cells == plane.n_faces && header.topology.sample == sample_of(plane.mesh()))
         return Status::ok;
-    return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: the cells differ");
+    return fault.refuse(Status::bad_basis,
+                        "the basis belongs to another mesh, because the cells differ");
 }
 
 void put(Vec3 from, double (&to)[3]) noexcept {
@@ -121,7 +127,7 @@ hm_status hm_plane_info_get(const hm_plane* plane, hm_plane_info* info, hm_error
     return guarded(err, [&](CallFault& fault) {
         const Plane* its = nullptr;
         HARMORPH_TRY(open_plane_mesh(plane, its, fault));
-        HARMORPH_TRY(check_report(info, fault));
+        HARMORPH_TRY(check_report(info, "info", fault));
         hm_plane_info filled = {};
         filled.kind = static_cast<std::int32_t>(its->frame.kind);
         filled.n_points = its->n_points;
@@ -144,7 +150,7 @@ hm_status hm_plane_mesh(const hm_plane* plane, hm_mesh* mesh, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Plane* its = nullptr;
         HARMORPH_TRY(open_plane_mesh(plane, its, fault));
-        HARMORPH_TRY(check_report(mesh, fault));
+        HARMORPH_TRY(check_report(mesh, "mesh", fault));
         Mesh const from = its->mesh();
         hm_mesh filled = {};
         filled.index_base = from.index_base;

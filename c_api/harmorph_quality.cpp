@@ -16,22 +16,23 @@ Status open_pair(const hm_basis* handle, const hm_mesh* given, Basis& basis, Mes
     HARMORPH_TRY(view_mesh(given, mesh, fault));
     HARMORPH_TRY(check_layout(mesh, fault));
     if (basis.header->counts.cells == 0) {
-        return fault.refuse(
-            Status::bad_basis,
-            "the basis is of a list of points: it knows no cells and goes with no mesh");
+        return fault.refuse(Status::bad_basis,
+                            "the basis was made for a list of points, so it has no cells and "
+                            "cannot be used with a mesh");
     }
     if (mesh.layout == CellLayout::polygons && !basis.pieces.given()) {
         return fault.refuse(Status::bad_basis,
-                            "the basis belongs to another mesh: it has no polygons");
+                            "the basis belongs to another mesh, because it has no polygons");
     }
     cells = basis.cells(mesh);
     if (mesh.n_points != basis.n_points() || mesh.n_cells != basis.header->counts.cells) {
         return fault.refuse(Status::bad_basis,
-                            "the basis belongs to another mesh: it has # points and @ cells",
+                            "the basis belongs to another mesh, which has # points and @ cells",
                             plain(basis.n_points()), plain(basis.header->counts.cells));
     }
     if (sample_of(mesh) == basis.header->topology.sample) return Status::ok;
-    return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: the cells differ");
+    return fault.refuse(Status::bad_basis,
+                        "the basis belongs to another mesh, because the cells differ");
 }
 
 // Coordinates of the mesh's points that the call gives; NULL: the mesh's own.
@@ -103,11 +104,12 @@ hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_points*
         Mesh view;
         OrientedMesh cells;
         Points start, change, undeformed;
-        HARMORPH_TRY(check_report_if(step, fault));
-        HARMORPH_TRY(check_report_if(quality, fault));
+        HARMORPH_TRY(check_report_if(step, "step", fault));
+        HARMORPH_TRY(check_report_if(quality, "quality", fault));
         if (displacement == nullptr && step != nullptr) {
-            return fault.refuse_argument("displacement",
-                                         "% is NULL, but an admissible step is asked for");
+            return fault.refuse_argument(
+                "displacement",
+                "% is NULL, but without a displacement there is no admissible step");
         }
         HARMORPH_TRY(open_pair(basis, mesh, b, view, cells, fault));
         HARMORPH_TRY(view_coordinates(from, "from", view, start, fault));

@@ -16,16 +16,16 @@ struct RowsCall {
         HARMORPH_TRY(open(handle, "equations", equations, fault));
         HARMORPH_TRY(open_basis(rows, basis, fault));
         if (!equations->made(basis))
-            return fault.refuse(Status::bad_basis, "the rows were made of other equations");
+            return fault.refuse(Status::bad_basis, "the rows were made from other equations");
         if (basis.header->solved == 0) return Status::ok;
         return fault.refuse(Status::bad_basis,
-                            "the rows are finished: make new ones by hm_rows_init");
+                            "the rows are finished; make new ones by hm_rows_init");
     }
     Status check_column(Index column, Argument const& numbers, Fault& fault) const noexcept {
         HARMORPH_TRY(require({numbers}, fault));
         if (column >= 0 && column < equations->columns(basis)) return Status::ok;
-        return fault.refuse(Status::bad_argument, "there is no column # of @", entry_item(column),
-                            plain(equations->columns(basis)));
+        return fault.refuse(Status::bad_argument, "column # does not exist; there are @ columns",
+                            entry_item(column), plain(equations->columns(basis)));
     }
 };
 
@@ -104,7 +104,7 @@ hm_status hm_rows_finish(hm_equations* equations, hm_basis* rows, double largest
         HARMORPH_TRY(call.open_both(equations, rows, fault));
         if (!is_finite(largest) || largest < 0) {
             return fault.refuse(Status::bad_argument,
-                                "largest must be finite and not negative, not ~", {}, {}, largest);
+                                "largest must be finite and at least 0, not ~", {}, {}, largest);
         }
         call.equations->finish(call.basis, largest);
         return Status::ok;

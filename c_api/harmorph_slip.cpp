@@ -14,7 +14,8 @@ Status check_sliding(SlipCurves const& curves, Points points, Fault& fault) noex
     curves.for_each([&](Index, Index point) {
         if (failed(fault.status) || is_coordinate(points[point])) return;
         fault.refuse(Status::bad_mesh,
-                     "sliding point # has a coordinate that is not finite, or larger than 1e100",
+                     "point #, which slips along a curve, has a coordinate that is not finite or "
+                     "beyond 1e100",
                      point_item(point));
     });
     return fault.status;

@@ -14,9 +14,10 @@ inline Status check_moments(Curve const& curve, Fault& fault) noexcept {
         Index const point = curve.control_point(k);
         Vec2 const place{curve.control[2 * point], curve.control[2 * point + 1]};
         if (is_at_most(place.x, largest) && is_at_most(place.y, largest)) continue;
-        return fault.refuse(Status::bad_curve,
-                            "section: control point # has a coordinate beyond 1e50",
-                            control_point_item(point));
+        return fault.refuse(
+            Status::bad_curve,
+            "control point # of the section has a coordinate that is not finite or beyond 1e50",
+            control_point_item(point));
     }
     return Status::ok;
 }
@@ -27,26 +28,29 @@ inline Status open_section(const hm_curves* curves, const hm_section* given, Cur
     hm_section asked = {};
     HARMORPH_TRY(view_curves(curves, view, fault));
     if (given != nullptr && !read_struct(given, asked)) {
-        return fault.refuse(Status::bad_argument, "section.struct_size is wrong");
+        return fault.refuse(
+            Status::bad_argument,
+            "section.struct_size is not the size of an hm_section; begin with HM_INIT(section)");
     }
     if (asked.first_curve == 0 && asked.n_curves == 0) asked.n_curves = view.count();
     if (asked.first_curve < 0 || asked.n_curves < 1 ||
         asked.n_curves > view.count() - asked.first_curve) {
-        return fault.refuse(
-            Status::bad_argument,
-            "section.first_curve and n_curves, # and @, exceed the curves of the set",
-            curve_item(asked.first_curve), plain(asked.n_curves));
+        return fault.refuse(Status::bad_argument,
+                            "section.first_curve is # and section.n_curves is @, but the set does "
+                            "not have these curves",
+                            curve_item(asked.first_curve), plain(asked.n_curves));
     }
     if (asked.n_curves > Section::most_curves) {
         return fault.refuse(Status::bad_argument,
-                            "section.n_curves is #: at most 8 curves form a section",
+                            "section.n_curves is #, but a section has at most 8 curves",
                             plain(asked.n_curves));
     }
     section.nose = {asked.leading_x, asked.leading_y};
     section.edge = {asked.trailing_x, asked.trailing_y};
     if (!is_coordinate(section.nose) || !is_coordinate(section.edge)) {
-        return fault.refuse(Status::bad_argument,
-                            "section: an end of the chord line is not finite or beyond 1e100");
+        return fault.refuse(
+            Status::bad_argument,
+            "an end of the chord line of the section is not finite or beyond 1e100");
     }
     section.has_fixed_chord = !(asked.leading_x == 0 && asked.leading_y == 0 &&
                                 asked.trailing_x == 0 && asked.trailing_y == 0);

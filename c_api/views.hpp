@@ -41,18 +41,21 @@ bool asks_for_more(const T* given) noexcept {
     return false;
 }
 
-// A report or other struct to be written: its size must have been set.
+// Checks a report or another struct that the call writes; `name` is the name of the argument in the
+// header. The caller must have set the size of the struct.
 template <class T>
-Status check_report(const T* to, Fault& fault) noexcept {
-    if (to == nullptr) return fault.refuse(Status::bad_argument, "a struct to be filled is NULL");
+Status check_report(const T* to, const char* name, Fault& fault) noexcept {
+    if (to == nullptr) return fault.refuse_argument(name, "% is NULL");
     if (has_size(*to)) return Status::ok;
-    return fault.refuse(Status::bad_argument, "the struct_size of a struct to be filled is wrong");
+    return fault.refuse_argument(name,
+                                 "%.struct_size is not the size of the struct; begin with "
+                                 "HM_INIT(%)");
 }
 
-// NULL: the report is not wanted.
+// Does the same for a report that may be NULL, because the caller does not want the report.
 template <class T>
-Status check_report_if(const T* to, Fault& fault) noexcept {
-    return to == nullptr ? Status::ok : check_report(to, fault);
+Status check_report_if(const T* to, const char* name, Fault& fault) noexcept {
+    return to == nullptr ? Status::ok : check_report(to, name, fault);
 }
 
 template <class T>
@@ -121,7 +124,7 @@ Status view_points(const Given* given, const char* name, View& points, Fault& fa
     std::ptrdiff_t const stride = stride_of(given->stride);
     if (n > 1 && (given->y == given->x + stride || given->x == given->y + stride)) {
         return fault.refuse_argument(
-            name, "%.x and %.y have numbers in common: the stride of x,y pairs is 2");
+            name, "%.x and %.y have numbers in common; set the stride to 2 for x,y pairs");
     }
     points = {given->x, given->y, stride};
     return Status::ok;
