@@ -1,4 +1,4 @@
-// Lists of points with given displacements, as the callers of several calls have them.
+// Checks the lists of points with given displacements, which several calls have as arguments.
 #pragma once
 
 #include "handles.hpp"
@@ -12,7 +12,7 @@ inline Status require_given_points(Plan const& plan, Fault& fault) noexcept {
                         "no marker has the condition HM_GIVEN, so no displacements can be given");
 }
 
-// points NULL: in the order of hm_given_points.
+// If points is NULL, the list is that of hm_given_points.
 inline Status view_given_list(Plan const& plan, Index n, const Index* points, PointList& list,
                               Fault& fault) noexcept {
     HARMORPH_TRY(PointList::check_length(n, fault));

@@ -1,4 +1,5 @@
-// From the caller's handles to the objects in the blocks, and what calls ask of them.
+// Turns the caller's handles into the objects in the blocks, and checks the state that a call
+// needs: an analysis with conditions, a solved or a complete basis.
 #pragma once
 
 #include "call.hpp"
@@ -16,7 +17,7 @@ inline Status open_analysis(const hm_analysis* handle, const Analysis*& analysis
     return Status::ok;
 }
 
-// One that a plan and a basis can be made of.
+// Opens an analysis from which a plan and a basis can be made.
 inline Status open_complete(const hm_analysis* handle, const Analysis*& analysis,
                             CallFault& fault) noexcept {
     HARMORPH_TRY(open_analysis(handle, analysis, fault));
@@ -26,7 +27,7 @@ inline Status open_complete(const hm_analysis* handle, const Analysis*& analysis
                         "rigid bodies or given displacements");
 }
 
-// hm_plan and Plan, both const or neither.
+// Opens a plan. Handle is hm_plan and Object is Plan; either both are const or neither.
 template <class Handle, class Object>
 Status open_plan(Handle* handle, Object*& plan, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"plan", handle}}, fault));
@@ -35,7 +36,7 @@ Status open_plan(Handle* handle, Object*& plan, CallFault& fault) noexcept {
     return Status::ok;
 }
 
-// Of a handle that is not NULL.
+// Opens a basis whose handle is not NULL.
 inline Basis view_basis(const hm_basis* handle, CallFault& fault) noexcept {
     Basis const basis = Basis::view(static_cast<const void*>(handle));
     fault.bases.mesh = basis.header->index_base;
@@ -54,7 +55,7 @@ inline Status open_solved(const hm_basis* handle, Basis& basis, CallFault& fault
                         "the basis has not been solved; call hm_plan_solve first");
 }
 
-// Solved, and with all functions.
+// Opens a basis that is solved and has all functions.
 inline Status open_complete(const hm_basis* handle, Basis& basis, CallFault& fault) noexcept {
     HARMORPH_TRY(open_solved(handle, basis, fault));
     BasisCounts const& counts = basis.header->counts;
@@ -65,7 +66,7 @@ inline Status open_complete(const hm_basis* handle, Basis& basis, CallFault& fau
         plain(counts.stored), plain(counts.functions()));
 }
 
-// A new basis, with these functions of the analysis, not solved.
+// Makes a new basis with these functions of the analysis. The basis is not solved.
 inline Status make_basis(Analysis const& analysis, BasisCounts const& counts, void* block,
                          Size bytes, hm_basis** handle, Fault& fault) noexcept {
     Basis made;
@@ -75,7 +76,7 @@ inline Status make_basis(Analysis const& analysis, BasisCounts const& counts, vo
     return Status::ok;
 }
 
-// move [2 * functions]: finite numbers.
+// Checks that the numbers of move [2 * functions] are finite.
 inline Status check_move(Basis const& basis, const double* move, Fault& fault) noexcept {
     HARMORPH_TRY(require({{"move", move}}, fault));
     for (Index k = 0; k < 2 * basis.header->counts.functions(); ++k) {

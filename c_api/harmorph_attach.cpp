@@ -1,5 +1,6 @@
-// The C interface: a basis from a block that was saved. In a file of its own: a solver that reads a
-// saved basis links this call, the morph and the adjoint, and little else.
+// The C interface: attaches a basis to a block that was saved. This call has a file of its own, so
+// that a solver that reads a saved basis links this call, the morph and the adjoint, and little
+// else.
 #include "handles.hpp"
 
 using namespace harmorph;

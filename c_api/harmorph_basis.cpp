@@ -1,4 +1,4 @@
-// The C interface: what a basis holds. Nothing here needs a plan.
+// The C interface: reads the contents of a basis. These calls need no plan.
 #include "handles.hpp"
 
 namespace harmorph {
@@ -32,7 +32,7 @@ hm_basis_info info_of(Basis const& basis) noexcept {
     return filled;
 }
 
-// The basis, and room for all of its curves.
+// Opens the basis and checks that there is room for all of its curves.
 Status open_curves(const hm_basis* handle, hm_curves* out, const hm_curve* curve, Index capacity,
                    Basis& basis, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"curve", curve}}, fault));
@@ -117,7 +117,8 @@ hm_status hm_basis_conditions(const hm_basis* basis, hm_condition* out, int32_t 
                                 "out has room for # conditions, but the basis has @",
                                 plain(capacity), plain(*n));
         }
-        for (Index i = *n; i-- > 0;) {  // the first one tells the size of all
+        for (Index i = *n;
+             i-- > 0;) {  // backwards, because the first struct contains the size of all
             hm_condition* const to = element(out, i);
             to->struct_size = out->struct_size;
             write_struct(struct_of(b.conditions[i]), to);

@@ -1,4 +1,4 @@
-// The C interface: functions of design variables in place of those of control points.
+// The C interface: replaces the functions of control points by functions of design variables.
 #include "handles.hpp"
 #include "basis/combination.hpp"
 

@@ -7,7 +7,7 @@
 namespace harmorph {
 namespace {
 
-// One curve of the caller's set, checked.
+// Opens one curve of the caller's set and checks it.
 Status open_curve(const hm_curves* curves, Index number, Curve& curve, CallFault& fault) noexcept {
     CurvesView view;
     HARMORPH_TRY(view_curves(curves, view, fault));

@@ -1,4 +1,5 @@
-// The C interface: displacements given at points of the wall, and the transpose.
+// The C interface: carries given displacements of wall points to the mesh, and the transpose; makes
+// functions from tables of given displacements.
 #include <type_traits>
 
 #include "given_list.hpp"
@@ -16,7 +17,7 @@ Status check_fields(Plan const& plan, Index n_fields, Fault& fault) noexcept {
                         plain(n_fields));
 }
 
-// What both calls have in common: the plan, the list of wall points, and working memory.
+// The plan, the list of wall points, and the working memory of hm_displace and hm_displace_adjoint.
 struct DisplaceCall {
     Plan* plan = nullptr;
     PointList list;
@@ -44,7 +45,7 @@ struct DisplaceCall {
         return Status::ok;
     }
 
-    // body(first field, views of the fields of a block)
+    // Calls body(first field, views) for blocks of fields.
     template <class Given, class Body>
     static Status for_each_block(const Given* given, Index n_fields, Body const& body) noexcept {
         View<Given> views[GivenWall::fields_at_once];
@@ -79,11 +80,11 @@ private:
     using View = std::conditional_t<std::is_same<Given, hm_points>::value, Points, MutablePoints>;
 };
 
-// Plan, basis and modes of the two calls for tables.
+// The arguments that hm_tabulate_size and hm_tabulate have in common.
 struct TableCall {
     Basis basis;
 
-    // hm_plan and Plan, both const or neither.
+    // Handle is hm_plan and Object is Plan; either both are const or neither.
     template <class Handle, class Object>
     Status open(Handle* handle, Object*& plan, const hm_basis* given, Index n_modes, Index numbers,
                 CallFault& fault) noexcept {
@@ -231,24 +232,24 @@ hm_status hm_tabulate(hm_basis** tabulated, void* block, size_t bytes, hm_plan* 
                 Status::bad_argument,
                 "n is #, but the list may have at most twice as many points as the mesh", plain(n));
         }
-        Plan& its = *call.plan;
+        Plan& p = *call.plan;
         bool const moved = table.basis.header->counts.functions() > 0 &&
-                           table.basis.header->coordinates != its.coordinates();
+                           table.basis.header->coordinates != p.coordinates();
         if (moved)
             return fault.refuse(Status::bad_basis,
                                 "the basis was solved on other coordinates than those of the "
                                 "plan's factor; solve the basis again");
         HARMORPH_TRY(place(work, work_bytes, fault, [&](Arena& arena) {
-            rows.lay_out(arena, its, 2 * its.mesh().n_points, fields_of(table.basis, n_modes));
+            rows.lay_out(arena, p, 2 * p.mesh().n_points, fields_of(table.basis, n_modes));
         }));
-        HARMORPH_TRY(rows.displacement.find_places(its, call.list, fault));
+        HARMORPH_TRY(rows.displacement.find_places(p, call.list, fault));
         Modes const given{n_modes, numbers, modes};
         HARMORPH_TRY(given.check(n, fault));
         HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) {
             made.lay_out(arena, tabulated_counts(table.basis, n_modes, numbers));
         }));
         SolveReport solved;
-        HARMORPH_TRY(tabulate(its, table.basis, call.list, given, rows, made, solved, fault));
+        HARMORPH_TRY(tabulate(p, table.basis, call.list, given, rows, made, solved, fault));
         *tabulated = reinterpret_cast<hm_basis*>(made.header);
         call.displacement.n_fields = n_modes;
         call.write(solved, report);

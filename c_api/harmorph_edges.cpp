@@ -1,4 +1,4 @@
-// The C interface: the cells of a mesh that is given as edges.
+// The C interface: forms the cells of a mesh that is given as edges.
 #include <limits>
 
 #include "call.hpp"
@@ -9,12 +9,12 @@ namespace {
 
 constexpr Index most_sides = 1024;
 
-// Arrays [n_edges] of the caller, and the cells that are made of them.
+// The edges of the caller, and the cells that are made from them.
 struct EdgeCells {
     hm_edge_mesh given;
-    Span<Index> start;        // [n_cells + 1] where the points of a cell begin, from index_base
+    Span<Index> start;        // [n_cells + 1] begin of the points of each cell, from index_base
     Span<Index> points;       // [sides of all cells] from index_base
-    Span<Index> edge;         // [sides of all cells] edges of a cell, from 0: working space
+    Span<Index> edge;         // [sides of all cells] edges of each cell, from 0; working memory
     Span<Index> face_points;  // [2 * faces]
     Span<Index> face_marker;  // [faces]
     Index n_sides = 0, n_faces = 0;
@@ -119,7 +119,7 @@ Status EdgeCells::read(const hm_edge_mesh* from, CallFault& fault) noexcept {
     return Status::ok;
 }
 
-// Count, sum up, fill: the edges of each cell in the order of their numbers.
+// Lists the edges of each cell, in the order of their numbers: counts, sums up and fills.
 void EdgeCells::sort_edges() const noexcept {
     for (Index cell = 0; cell <= given.n_cells; ++cell) start[cell] = 0;
     for (Index e = 0; e < given.n_edges; ++e) {
@@ -137,7 +137,8 @@ void EdgeCells::sort_edges() const noexcept {
     start[0] = 0;
 }
 
-// Walks round a cell: each edge must lead to the next one, and the last one to the first.
+// Orders the edges of a cell around the cell. Each edge must lead to the next one, and the last one
+// to the first.
 Status EdgeCells::order(Index cell, Fault& fault) const noexcept {
     Index const begin = start[cell], n = start[cell + 1] - begin;
     if (n < 3 || n > most_sides) {

@@ -1,4 +1,4 @@
-// The C interface: the equations of a part, and their matrix entries.
+// The C interface: makes the equations of a part, and gives their matrix entries.
 #include "harmorph_parts.h"
 #include "part_handles.hpp"
 #include "request.hpp"
@@ -10,9 +10,9 @@ struct EquationsRequest : Request {
     const Part* part = nullptr;
     Index n_edges = 0;
 
-    Status read_all(const hm_part* of, Index edges, const hm_problem* given,
+    Status read_all(const hm_part* opened, Index edges, const hm_problem* given,
                     const hm_options* options, CallFault& fault) noexcept {
-        HARMORPH_TRY(open_part(of, part, fault));
+        HARMORPH_TRY(open_part(opened, part, fault));
         n_edges = edges;
         if (edges < 0 || edges > Mesh::max_points / 2) {
             return fault.refuse(Status::bad_argument, "n_edges must be between 0 and 2^29, not #",
@@ -106,10 +106,10 @@ hm_status hm_equations_init(hm_equations** equations, void* block, size_t bytes,
 hm_status hm_equations_info_get(const hm_equations* equations, hm_equations_info* info,
                                 hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const PartEquations* of = nullptr;
-        HARMORPH_TRY(open(equations, "equations", of, fault));
+        const PartEquations* opened = nullptr;
+        HARMORPH_TRY(open(equations, "equations", opened, fault));
         HARMORPH_TRY(check_report(info, "info", fault));
-        write_struct(info_of(*of), info);
+        write_struct(info_of(*opened), info);
         return Status::ok;
     });
 }
@@ -118,17 +118,17 @@ hm_status hm_equations_entries(const hm_equations* equations, int32_t first, int
                                int32_t* row, int32_t* column, double* values, int64_t capacity,
                                int64_t* n_entries, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const PartEquations* of = nullptr;
-        HARMORPH_TRY(open(equations, "equations", of, fault));
+        const PartEquations* opened = nullptr;
+        HARMORPH_TRY(open(equations, "equations", opened, fault));
         HARMORPH_TRY(require({{"n_entries", n_entries}}, fault));
-        if (first < 0 || n < 0 || n > of->matrix.n - first) {
+        if (first < 0 || n < 0 || n > opened->matrix.n - first) {
             return fault.refuse(Status::bad_argument,
                                 "first is # and n is @, but unknowns first to first + n - 1 must "
                                 "exist in this part",
                                 entry_item(first), plain(n));
         }
         *n_entries = 0;
-        of->for_each_entry(first, n, [&](Index, Index, Real, Real) { ++*n_entries; });
+        opened->for_each_entry(first, n, [&](Index, Index, Real, Real) { ++*n_entries; });
         if (capacity < *n_entries) {
             return fault.refuse(
                 Status::bad_argument,
@@ -136,11 +136,11 @@ hm_status hm_equations_entries(const hm_equations* equations, int32_t first, int
         }
         if (capacity > 0)
             HARMORPH_TRY(require({{"row", row}, {"column", column}, {"values", values}}, fault));
-        of->for_each_entry(first, n, [&](Index i, Index j, Real re, Real im) {
+        opened->for_each_entry(first, n, [&](Index i, Index j, Real re, Real im) {
             *row++ = i;
             *column++ = j;
             *values++ = re;
-            if (of->numbers() == 1) return;
+            if (opened->numbers() == 1) return;
             *values++ = -im;
             *values++ = im;
             *values++ = re;

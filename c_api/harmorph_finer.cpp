@@ -1,4 +1,4 @@
-// The C interface: the same curves with more control points.
+// The C interface: gives a curve more control points.
 #include "call.hpp"
 #include "bspline/finer_curves.hpp"
 #include "views.hpp"
@@ -6,12 +6,13 @@
 namespace harmorph {
 namespace {
 
-// What a size query and the call itself read: the curves, and how one of them changes.
+// The arguments that hm_refine_size and hm_refine have in common: the curves, and the change of one
+// of them.
 struct FinerTask {
     CurvesView view;
     CurveRefinement refinement;
     FinerCounts counts;
-    Index degree = 0;  // the degree asked for; 0: that of the curve
+    Index degree = 0;  // the new degree; 0: the degree of the curve stays
 
     Status open(const hm_curves* curves, CallFault& fault) noexcept {
         HARMORPH_TRY(view_curves(curves, view, fault));
@@ -42,7 +43,7 @@ private:
     }
 };
 
-// Which curve changes, and how. The degree of the curve is known once the curves are read.
+// Reads which curve changes, and how. The degree is checked when the curves have been read.
 Status view_refinement(Index curve, Index degree, Index n, const double* u, FinerTask& task,
                        Fault& fault) noexcept {
     constexpr Index most = Index{1} << 24;
@@ -63,7 +64,7 @@ Status view_refinement(Index curve, Index degree, Index n, const double* u, Fine
     return Status::ok;
 }
 
-// The block: the caller's structs, then the core's arrays.
+// The block of the result: the structs for the caller, then the arrays of the core.
 struct FinerBlock {
     Span<hm_curves> set;
     Span<hm_curve> curve;
@@ -98,7 +99,7 @@ Status make_finer(FinerTask& task, const hm_curves** finer, const double** matri
     HARMORPH_TRY(
         place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, task.counts); }));
     for (Index i = 0; i < task.view.count(); ++i)
-        task.view.curve(i, made.finer.curve[i], fault);  // checked by open()
+        task.view.curve(i, made.finer.curve[i], fault);  // cannot fail: open() has checked it
     HARMORPH_TRY(made.finer.run(task.refinement, fault));
     *finer = made.present(task.view.set.index_base);
     if (matrix != nullptr) *matrix = made.finer.matrix.data();

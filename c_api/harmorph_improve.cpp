@@ -1,4 +1,4 @@
-// The C interface: better cells in a valid mesh.
+// The C interface: improves the cells of a valid mesh.
 #include "handles.hpp"
 #include "morph/quality.hpp"
 #include "safe/mesh_improvement.hpp"
@@ -6,8 +6,8 @@
 namespace harmorph {
 namespace {
 
-// The mesh's own coordinates are a reference as long as they are those of the analysis: of a mesh
-// that was moved in place, they are the mesh that is to become better.
+// Refuses the mesh's own coordinates as the reference after a morph in place: they are then those
+// of the mesh that is to be improved.
 Status check_own_reference(Plan const& plan, Fault& fault) noexcept {
     Points const own = plan.mesh().points;
     if (coordinates_fingerprint(own, plan.mesh().n_points) ==
@@ -18,7 +18,7 @@ Status check_own_reference(Plan const& plan, Fault& fault) noexcept {
                         "movement as options.reference");
 }
 
-// reference: in, the mesh's own coordinates.
+// On entry, reference is the mesh's own coordinates.
 Status view_improve_options(const hm_improve_options* given, ImproveOptions& options,
                             Points& reference, Fault& fault) noexcept {
     constexpr Index most_iterations = 10000;

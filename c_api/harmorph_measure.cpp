@@ -1,4 +1,4 @@
-// The C interface: measures of a section.
+// The C interface: measures a section.
 #include "base/range.hpp"
 #include "bspline/section_measures.hpp"
 #include "section_view.hpp"
@@ -75,7 +75,8 @@ hm_status hm_measure(const hm_curves* curves, const hm_section* section, int32_t
                 fault.item = quantity_item(k);
             return fault.status;
         };
-        for (Index k = 0; k < n; ++k) HARMORPH_TRY(find(k, {}));  // before anything is written
+        for (Index k = 0; k < n; ++k)
+            HARMORPH_TRY(find(k, {}));  // all quantities are checked before anything is written
         Offset const length = 2 * Offset{view.set.n_control};
         for (Index k = 0; k < n; ++k) {
             ControlGradient gradient;

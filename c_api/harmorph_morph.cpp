@@ -1,4 +1,4 @@
-// The C interface: movements of the mesh points, and the transpose.
+// The C interface: moves the mesh points, and computes the transpose.
 #include "handles.hpp"
 #include "morph/adjoint.hpp"
 #include "morph/morph.hpp"
@@ -6,7 +6,8 @@
 namespace harmorph {
 namespace {
 
-// Have two arrays of the same stride a number of points in common, though not of the same number?
+// Tells whether two arrays of the same stride overlap such that point k of one is another point of
+// the other.
 bool are_shifted(const double* a, const double* b, std::ptrdiff_t stride, Index n) noexcept {
     std::uintptr_t const bytes =
         a < b ? reinterpret_cast<std::uintptr_t>(b) - reinterpret_cast<std::uintptr_t>(a)

@@ -1,4 +1,5 @@
-// The C interface: a part of a mesh that no process has as a whole, and the edges where parts end.
+// The C interface: makes a part of a mesh that no process has as a whole, and matches the edges
+// where parts end.
 #include "parts/shared_boundary.hpp"
 #include "harmorph_parts.h"
 #include "part_handles.hpp"
@@ -56,11 +57,11 @@ hm_status hm_part_init(hm_part** part, void* block, size_t bytes, const hm_part_
 
 hm_status hm_part_cells(const hm_part* part, hm_mesh* own, const int32_t** cell, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Part* of = nullptr;
-        HARMORPH_TRY(open_part(part, of, fault));
+        const Part* opened = nullptr;
+        HARMORPH_TRY(open_part(part, opened, fault));
         HARMORPH_TRY(require({{"cell", cell}}, fault));
         HARMORPH_TRY(check_report(own, "own", fault));
-        Mesh const& mesh = of->cells;
+        Mesh const& mesh = opened->cells;
         hm_mesh filled = {};
         filled.index_base = mesh.index_base;
         filled.n_points = mesh.n_points;
@@ -71,17 +72,17 @@ hm_status hm_part_cells(const hm_part* part, hm_mesh* own, const int32_t** cell,
         filled.cell_start = mesh.cell_start;
         filled.cell_points = mesh.cell_points;
         write_struct(filled, own);
-        *cell = of->given_cell.empty() ? nullptr : of->given_cell.data();
+        *cell = opened->given_cell.empty() ? nullptr : opened->given_cell.data();
         return Status::ok;
     });
 }
 
 hm_status hm_part_points(const hm_part* part, uint8_t* role, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Part* of = nullptr;
-        HARMORPH_TRY(open_part(part, of, fault));
+        const Part* opened = nullptr;
+        HARMORPH_TRY(open_part(part, opened, fault));
         HARMORPH_TRY(require({{"role", role}}, fault));
-        std::memcpy(role, of->in_cell.data(), of->in_cell.size());
+        std::memcpy(role, opened->in_cell.data(), opened->in_cell.size());
         return Status::ok;
     });
 }
@@ -89,17 +90,17 @@ hm_status hm_part_points(const hm_part* part, uint8_t* role, hm_error* err) {
 hm_status hm_part_edges(const hm_part* part, hm_edge* edges, int32_t capacity, int32_t* n,
                         hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Part* of = nullptr;
-        HARMORPH_TRY(open_part(part, of, fault));
+        const Part* opened = nullptr;
+        HARMORPH_TRY(open_part(part, opened, fault));
         HARMORPH_TRY(require({{"n", n}}, fault));
         if (capacity > 0) HARMORPH_TRY(require({{"edges", edges}}, fault));
-        *n = of->n_open;
-        if (capacity < of->n_open) {
+        *n = opened->n_open;
+        if (capacity < opened->n_open) {
             return fault.refuse(Status::bad_argument,
                                 "edges has room for # edges, but the part has @", plain(capacity),
-                                plain(of->n_open));
+                                plain(opened->n_open));
         }
-        of->for_each_open([&](OpenEdge const& edge) {
+        opened->for_each_open([&](OpenEdge const& edge) {
             std::memcpy(static_cast<void*>(edges++), &edge, sizeof edge);
         });
         return Status::ok;

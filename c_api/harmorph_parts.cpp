@@ -1,5 +1,5 @@
-// The C interface: meshes in parts. Rows of some points, shares of the functions, the sums of the
-// adjoint.
+// The C interface for several processes: bases of some points, shares of the functions, parcels,
+// the sums of the adjoint.
 #include "handles.hpp"
 #include "basis/packed_rows.hpp"
 #include "morph/adjoint.hpp"
@@ -36,7 +36,7 @@ Status check_scale(Index scale, Fault& fault) noexcept {
                         plain(scale));
 }
 
-// All that calls with a gradient by mesh points have in common.
+// The arguments that the calls with derivatives by mesh points have in common.
 struct GradientCall {
     Basis basis;
     Points points;
@@ -88,7 +88,7 @@ hm_status hm_extract_init(hm_basis** rows, void* block, size_t bytes, const hm_b
 hm_status hm_share_of(const hm_analysis* analysis, int32_t part, int32_t n_parts, int32_t* first,
                       int32_t* n, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Analysis* of = nullptr;
+        const Analysis* opened = nullptr;
         HARMORPH_TRY(require({{"first", first}, {"n", n}}, fault));
         if (part < 0 || part >= n_parts) {
             return fault.refuse(
@@ -96,8 +96,8 @@ hm_status hm_share_of(const hm_analysis* analysis, int32_t part, int32_t n_parts
                 "part is #, but it must be at least 0 and below n_parts, which is @",
                 entry_item(part), plain(n_parts));
         }
-        HARMORPH_TRY(open_complete(analysis, of, fault));
-        Offset const functions = of->basis_counts().functions();
+        HARMORPH_TRY(open_complete(analysis, opened, fault));
+        Offset const functions = opened->basis_counts().functions();
         *first = static_cast<Index>(functions * part / n_parts);
         *n = static_cast<Index>(functions * (part + Offset{1}) / n_parts) - *first;
         return Status::ok;
@@ -107,10 +107,10 @@ hm_status hm_share_of(const hm_analysis* analysis, int32_t part, int32_t n_parts
 hm_status hm_share_size(const hm_analysis* analysis, int32_t first, int32_t n, size_t* bytes,
                         hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Analysis* of = nullptr;
+        const Analysis* opened = nullptr;
         BasisCounts counts;
-        HARMORPH_TRY(open_complete(analysis, of, fault));
-        HARMORPH_TRY(count_share(*of, first, n, counts, fault));
+        HARMORPH_TRY(open_complete(analysis, opened, fault));
+        HARMORPH_TRY(count_share(*opened, first, n, counts, fault));
         Basis made;
         return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, counts); });
     });
@@ -119,12 +119,12 @@ hm_status hm_share_size(const hm_analysis* analysis, int32_t first, int32_t n, s
 hm_status hm_share_init(hm_basis** share, void* block, size_t bytes, const hm_analysis* analysis,
                         int32_t first, int32_t n, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Analysis* of = nullptr;
+        const Analysis* opened = nullptr;
         BasisCounts counts;
         HARMORPH_TRY(require({{"share", share}}, fault));
-        HARMORPH_TRY(open_complete(analysis, of, fault));
-        HARMORPH_TRY(count_share(*of, first, n, counts, fault));
-        return make_basis(*of, counts, block, bytes, share, fault);
+        HARMORPH_TRY(open_complete(analysis, opened, fault));
+        HARMORPH_TRY(count_share(*opened, first, n, counts, fault));
+        return make_basis(*opened, counts, block, bytes, share, fault);
     });
 }
 

@@ -1,5 +1,5 @@
-// The C interface: is a mesh valid, how far may it move, how good are its cells, and is its wall
-// where the curves are?
+// The C interface: judges validity, admissible step and quality of a mesh, and the distance of its
+// wall from the moved curves.
 #include "handles.hpp"
 #include "basis/basis_measures.hpp"
 #include "morph/assessment.hpp"
@@ -9,7 +9,8 @@
 namespace harmorph {
 namespace {
 
-// Basis and mesh that belong together, as far as counts, layout and a sample of the cells tell.
+// Opens a basis and a mesh. They must belong together, as far as counts, layout and a sample of the
+// cells tell.
 Status open_pair(const hm_basis* handle, const hm_mesh* given, Basis& basis, Mesh& mesh,
                  OrientedMesh& cells, CallFault& fault) noexcept {
     HARMORPH_TRY(open_basis(handle, basis, fault));
@@ -35,7 +36,7 @@ Status open_pair(const hm_basis* handle, const hm_mesh* given, Basis& basis, Mes
                         "the basis belongs to another mesh, because the cells differ");
 }
 
-// Coordinates of the mesh's points that the call gives; NULL: the mesh's own.
+// Views the given coordinates of the mesh points, or the mesh's own if given is NULL.
 Status view_coordinates(const hm_points* given, const char* name, Mesh const& mesh, Points& points,
                         Fault& fault) noexcept {
     hm_points const own = {mesh.points.x, mesh.points.y, mesh.points.stride};
@@ -74,7 +75,7 @@ hm_quality_report report_of(Quality const& quality, Crossing const& crossing,
     return filled;
 }
 
-// The admissible step where there is a displacement; the quality where it is wanted.
+// Computes the admissible step if there is a displacement, and the quality if it is wanted.
 Assessment judge(OrientedMesh const& cells, Points start, Points displacement, Points reference,
                  bool wants_quality, Executor const& executor) noexcept {
     if (!displacement.given()) return {{}, measure_quality(cells, start, reference, executor)};

@@ -1,4 +1,4 @@
-// The C interface: the movement that a mesh has made since its basis was made.
+// The C interface: finds the movement that a mesh has made since its basis was made.
 #include "handles.hpp"
 #include "base/range.hpp"
 #include "basis/wall_movement.hpp"

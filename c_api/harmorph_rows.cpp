@@ -1,4 +1,5 @@
-// The C interface: right-hand sides, values and residuals of the functions at the points of a part.
+// The C interface: gives right-hand sides and residuals of the functions at the points of a part,
+// and takes their values.
 #include "base/range.hpp"
 #include "operators/right_hand_sides.hpp"
 #include "harmorph_parts.h"
@@ -7,7 +8,7 @@
 namespace harmorph {
 namespace {
 
-// Equations and rows that were made of them.
+// Equations, and rows that were made from them.
 struct RowsCall {
     const PartEquations* equations = nullptr;
     Basis basis;
@@ -38,28 +39,29 @@ extern "C" {
 
 hm_status hm_rows_size(const hm_equations* equations, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const PartEquations* of = nullptr;
-        HARMORPH_TRY(open(equations, "equations", of, fault));
+        const PartEquations* opened = nullptr;
+        HARMORPH_TRY(open(equations, "equations", opened, fault));
         Basis made;
-        return count_bytes(bytes, fault,
-                           [&](Arena& arena) { made.lay_out(arena, of->basis_source().counts()); });
+        return count_bytes(bytes, fault, [&](Arena& arena) {
+            made.lay_out(arena, opened->basis_source().counts());
+        });
     });
 }
 
 hm_status hm_rows_init(hm_basis** rows, void* block, size_t bytes, const hm_equations* equations,
                        hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const PartEquations* of = nullptr;
+        const PartEquations* opened = nullptr;
         HARMORPH_TRY(require({{"rows", rows}}, fault));
-        HARMORPH_TRY(open(equations, "equations", of, fault));
-        BasisCounts const counts = of->basis_source().counts();
+        HARMORPH_TRY(open(equations, "equations", opened, fault));
+        BasisCounts const counts = opened->basis_source().counts();
         Basis made;
         HARMORPH_TRY(
             place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, counts); }));
-        init_basis(made, counts, of->basis_source());
+        init_basis(made, counts, opened->basis_source());
         made.header->coordinates =
-            of->coordinates;  // tells rows from other bases that are not solved
-        set_right_hand_sides(of->matrix, made, of->dofs(made));
+            opened->coordinates;  // distinguishes rows from other bases that are not solved
+        set_right_hand_sides(opened->matrix, made, opened->dofs(made));
         *rows = reinterpret_cast<hm_basis*>(made.header);
         return Status::ok;
     });

@@ -1,5 +1,5 @@
-// The C interface: large movements that stay valid, for which the functions are solved again on the
-// way.
+// The C interface: makes large movements that stay valid, for which the functions are solved again
+// on the way.
 #include "given_list.hpp"
 #include "base/range.hpp"
 #include "morph/quality.hpp"
@@ -96,7 +96,8 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     filled.mean_angle_change = safe.first_layer.mean_angle;
     filled.max_angle_change = safe.first_layer.largest_angle;
     filled.angle_point = numbered(safe.first_layer.largest_angle_point, base);
-    bool const has_heights = safe.first_layer.points > 0;  // none after a refusal, as nothing moved
+    bool const has_heights =
+        safe.first_layer.points > 0;  // a refused movement has none, because nothing moved
     filled.mean_height_ratio = has_heights ? safe.first_layer.mean_ratio : 1;
     filled.min_height_ratio = has_heights ? safe.first_layer.min_ratio : 1;
     filled.max_height_ratio = has_heights ? safe.first_layer.max_ratio : 1;
@@ -122,8 +123,8 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     return filled;
 }
 
-// A safe morph begins where its functions were solved: curves and offsets are those of these
-// coordinates.
+// Checks that the mesh has the coordinates on which the functions were solved, because the curves
+// and offsets of the basis belong to these coordinates.
 Status check_start(Plan const& plan, Basis const& basis, Fault& fault) noexcept {
     if (basis.header->counts.functions() == 0) return Status::ok;
     if (basis.header->coordinates ==
@@ -134,7 +135,7 @@ Status check_start(Plan const& plan, Basis const& basis, Fault& fault) noexcept 
                         "restore the coordinates");
 }
 
-// The derivative is cleared before the other bases are read.
+// Refuses a derivative that is one of the other bases: it is cleared before they are read.
 Status check_derivative_is_apart(Basis const& derivative, Span<const Basis> others,
                                  Fault& fault) noexcept {
     for (Index i = 0; i < others.count(); ++i) {
@@ -145,7 +146,7 @@ Status check_derivative_is_apart(Basis const& derivative, Span<const Basis> othe
     return Status::ok;
 }
 
-// What both calls have in common.
+// The arguments and results that hm_morph_safe and hm_displace_safe have in common.
 struct SafeCall {
     MutablePoints to;
     SafeOptions options;
@@ -153,14 +154,14 @@ struct SafeCall {
     double* reached_movement = nullptr;
     hm_safe_report* report = nullptr;
 
-    Status open(const hm_points_out* given, const hm_safe_options* asked,
-                hm_safe_report* its_report, Span<Basis> others, CallFault& fault) noexcept {
-        report = its_report;
+    Status open(const hm_points_out* given, const hm_safe_options* asked, hm_safe_report* wanted,
+                Span<Basis> others, CallFault& fault) noexcept {
+        report = wanted;
         HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(view_points(given, "to", to, fault));
         return view_safe_options(asked, others, options, reached_movement, fault);
     }
-    // n_functions: of the caller's basis.
+    // n_functions is the number of functions of the caller's basis.
     Status finish(Plan const& plan, SafeMorph const& safe, Size n_functions,
                   Status status) const noexcept {
         if (failed(status) && status != Status::crossing) return status;
@@ -175,8 +176,8 @@ struct SafeCall {
     }
 };
 
-// Plan and basis of given displacements: the basis is solved, if it has functions, and none of them
-// is a mode.
+// Opens plan and basis for given displacements. A basis with functions must be solved, and none of
+// its functions may be a mode.
 template <class Handle, class Object>
 Status open_plan_of_given(Handle* handle, Object*& plan, const hm_basis* given, Basis& basis,
                           CallFault& fault) noexcept {

@@ -1,4 +1,4 @@
-// The C interface: from a coarse mesh to a fine one.
+// The C interface: transfers functions from a coarse mesh to a fine one.
 #include "handles.hpp"
 #include "basis/basis_measures.hpp"
 #include "plan/transfer.hpp"
@@ -6,7 +6,7 @@
 namespace harmorph {
 namespace {
 
-// The coarse basis has all functions, and was solved on this mesh.
+// Opens the coarse basis, which must have all functions and must have been solved on this mesh.
 Status open_coarse(const hm_basis* handle, const hm_mesh* given, Basis& coarse, Mesh& mesh,
                    CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"coarse", handle}}, fault));
@@ -86,7 +86,7 @@ hm_status hm_transfer(hm_basis* basis, void* block, size_t bytes, const hm_analy
         HARMORPH_TRY(open_complete(analysis, fine_analysis, fault));
         HARMORPH_TRY(open_coarse(coarse, coarse_mesh, source, source_mesh, fault));
         HARMORPH_TRY(open_target(basis, *fine_analysis, fine,
-                                 fault));  // whose points errors name from here on
+                                 fault));  // errors name points of the fine mesh from here on
         Transfer transfer;
         HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) {
             transfer.lay_out(arena, *fine_analysis, source_mesh);

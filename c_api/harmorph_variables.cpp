@@ -1,4 +1,4 @@
-// The C interface: design variables as maps to the control points.
+// The C interface: computes the map from design variables to control points.
 #include "base/range.hpp"
 #include "bspline/section_area.hpp"
 #include "bspline/variables.hpp"
@@ -7,7 +7,8 @@
 namespace harmorph {
 namespace {
 
-// Fields of another kind than the one that is asked for would be left out silently.
+// Refuses fields that belong to another kind of variable, which would otherwise be ignored
+// silently.
 Status check_fields(hm_variables const& v, Fault& fault) noexcept {
     const char* wrong = nullptr;
     bool const ffd = v.kind == HM_FFD;
@@ -120,7 +121,7 @@ Status open_variables(const hm_variables* given, CurvesView const& view, Variabl
                         "x_max, and y_min below y_max");
 }
 
-// What both calls read.
+// The arguments that hm_variables_size and hm_variables_map have in common.
 struct VariablesTask {
     CurvesView view;
     Section section;
@@ -132,7 +133,7 @@ struct VariablesTask {
         HARMORPH_TRY(open_variables(given, view, variables, fault));
         if (!variables.needs_chord()) return Status::ok;
         AreaMoments moments;
-        HARMORPH_TRY(area_moments(section, moments, fault));  // for the orientation
+        HARMORPH_TRY(area_moments(section, moments, fault));  // finds the orientation
         return section.find_chord(true, fault);
     }
     void lay_out(Arena& arena, VariableMap& map) const noexcept {

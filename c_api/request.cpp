@@ -50,17 +50,19 @@ Status Request::read_rest(hm_problem const& p, const hm_options* options,
 }
 
 const hm_curves* Request::along_of(Index number) const noexcept {
-    hm_condition its;
-    return read_struct(element(condition, number), its) ? its.along : nullptr;
+    hm_condition given;
+    return read_struct(element(condition, number), given) ? given.along : nullptr;
 }
 
-// Conditions with the same set of curves for sliding share its first place.
+// Copies curves and conditions. Conditions with the same set `along` share the copies of its
+// curves.
 Status Request::copy_to(Span<Curve> to_curves, Span<Curve> to_slip, Span<Condition> to_conditions,
                         CallFault& fault) const noexcept {
     for (Index i = 0; i < n_curves; ++i) HARMORPH_TRY(curves.curve(i, to_curves[i], fault));
     Index n_slip = 0;
     for (Index i = 0; i < n_conditions; ++i) {
-        view_condition(condition, i, to_conditions[i], fault);  // checked when read
+        view_condition(condition, i, to_conditions[i],
+                       fault);  // cannot fail: read() has checked it
         const hm_curves* const along = along_of(i);
         if (along == nullptr) continue;
         CurvesView set;
@@ -92,7 +94,8 @@ Status Request::check_rotation(Fault& fault) const noexcept {
     return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
 }
 
-// Without anything that moves nothing is to be solved, and conditions do not count.
+// Reads the conditions. If no wall moves, there is nothing to solve, and the conditions are
+// ignored.
 Status Request::read_conditions(hm_problem const& p, Fault& fault) noexcept {
     if (p.n_conditions < 0) {
         return fault.refuse(Status::bad_argument, "problem.n_conditions must be at least 0, not #",

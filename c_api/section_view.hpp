@@ -1,4 +1,4 @@
-// A section of the caller's curves, checked and joined to an outline.
+// Reads a section of the caller's curves, checks it, and joins the curves to an outline.
 #pragma once
 
 #include "base/range.hpp"
@@ -7,7 +7,7 @@
 
 namespace harmorph {
 
-// Fourth powers of lengths, and their derivatives, must not overflow.
+// Limits coordinates so that fourth powers of lengths, and their derivatives, do not overflow.
 inline Status check_moments(Curve const& curve, Fault& fault) noexcept {
     constexpr Real largest = 1e50;
     for (Index k = 0; k < curve.n_indices; ++k) {
@@ -22,7 +22,7 @@ inline Status check_moments(Curve const& curve, Fault& fault) noexcept {
     return Status::ok;
 }
 
-// given NULL: all curves, with their own chord.
+// If given is NULL, the section consists of all curves, with the chord of the curves.
 inline Status open_section(const hm_curves* curves, const hm_section* given, CurvesView& view,
                            Section& section, CallFault& fault) noexcept {
     hm_section asked = {};

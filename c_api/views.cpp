@@ -3,7 +3,7 @@
 namespace harmorph {
 namespace {
 
-// 0 where sizes or their sum are out of range.
+// Counts the cells of all blocks. Returns 0 if a size or the sum is out of range.
 Index cells_of_blocks(hm_mesh const& mesh) noexcept {
     Offset n = 0;
     for (Index b = 0; mesh.block_sizes != nullptr && b < min(mesh.n_blocks, Mesh::max_blocks);

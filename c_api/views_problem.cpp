@@ -1,12 +1,13 @@
-// What a problem consists of beside the mesh, and the options of a fit. Apart from the other views,
-// so that a program which only moves meshes does not link them.
+// Views of curves, conditions, options, and options of a fit. They are apart from the other views
+// so that a program that only moves meshes does not link them.
 #include "base/range.hpp"
 #include "views.hpp"
 
 namespace harmorph {
 namespace {
 
-// The tables of basis/options.hpp say what goes together; the sentence says what would.
+// Checks operator, scheme and engine against the tables of basis/options.hpp, which also contain
+// the sentences for combinations that are not available.
 Status check_combination(hm_options const& o, hm_study_options const& study,
                          Fault& fault) noexcept {
     if (!has_row(operator_traits, o.operator_kind)) {
@@ -36,7 +37,7 @@ Status check_combination(hm_options const& o, hm_study_options const& study,
     return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
 }
 
-// Operator, weight, scheme and engine.
+// Reads operator, weight, scheme and engine.
 Status view_operator(hm_options const& o, hm_study_options const& study, Method& method,
                      Fault& fault) noexcept {
     HARMORPH_TRY(check_combination(o, study, fault));
@@ -72,7 +73,7 @@ Status view_operator(hm_options const& o, hm_study_options const& study, Method&
 
 namespace {
 
-// Options that the engine does not have would be left out silently.
+// Refuses options that the engine does not have, which would otherwise be ignored silently.
 Status check_engine(hm_options const& o, hm_study_options const& study, Fault& fault) noexcept {
     const char* wrong = nullptr;
     if (o.engine == HM_DIRECT) {
@@ -284,7 +285,8 @@ Status CurvesView::curve(Index number, Curve& out, Fault& fault) const noexcept 
 
 namespace {
 
-// Fields of another kind than the condition's would be left out silently.
+// Refuses fields that belong to another kind of condition, which would otherwise be ignored
+// silently.
 Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept {
     unsigned const fields = condition_traits[c.kind].fields;
     auto const has_not = [&](ConditionField field) { return !contains(fields, field); };
