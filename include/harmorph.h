@@ -472,7 +472,7 @@ enum {
     HM_DIRECT = 0,
     /* Conjugate gradients, preconditioned by agglomeration multigrid. Plan and analysis take 730
      * bytes per point. The iterations grow with the number of points and with the stretching of
-     * triangles, from 15 to more than 100: see c_api/README.md. */
+     * triangles, from 16 to more than 150: see c_api/README.md. */
     HM_MULTIGRID = 1
 };
 /* hm_options.precision, and hm_basis_info.storage */
