@@ -623,10 +623,10 @@ HM_API hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, h
  * coordinates bit by bit. from NULL: taken as 0, so that `to` receives displacements, or velocities
  * if `move` contains velocities of the control points. executor NULL: one thread.
  *
- * The functions do not change when the mesh moves: a sum of movements gives the same mesh in one
- * morph or in many. The basis serves as long as hm_assess finds the next movement good. Where its
- * admissible step is no longer well above 1, or the smallest quality is too low, solve again on the
- * last good mesh (hm_plan_factor with `at`, hm_plan_solve). */
+ * The functions do not change when the mesh moves: but for rounding, a sum of movements gives the
+ * same mesh in one morph or in many. The basis serves as long as hm_assess finds the next movement
+ * good. Where its admissible step is no longer well above 1, or the smallest quality is too low,
+ * solve again on the last good mesh (hm_plan_factor with `at`, hm_plan_solve). */
 HM_API hm_status hm_morph(const hm_basis* basis, const double* move, const hm_points* from,
                           const hm_points_out* to, const hm_executor* executor, hm_error* err);
 /* The transpose of hm_morph. dj: derivatives of an objective J with respect to the mesh points (x:
@@ -760,9 +760,10 @@ typedef struct hm_safe_options {
      * basis are skipped. */
     const hm_basis* const* others;
     /* [0..1] 0: off. The part of the initial distances between moving walls and the points near
-     * them that is restored at the end, along the wall normals, as angle-preserving functions scale
-     * them with the stretch of the wall. Less (report.heights) where the whole would invert a cell,
-     * halve the smallest quality, or lower it below min_quality. Not part of the derivative. */
+     * them that is restored at the end, along the wall normals; angle-preserving functions scale
+     * these distances with the stretch of the wall. A smaller part is restored (report.heights) if
+     * this one would invert a cell, halve the smallest quality, or lower it below min_quality. The
+     * derivative ignores it. */
     double heights;
     /* [2*functions] receives the movement that `to` has; NULL: not wanted. Where this is not the
      * whole movement, it differs from step_fraction * move, because bodies rotate on the way. */

@@ -168,7 +168,8 @@ TEST_CASE("what does not belong together is refused, and nothing is written") {
 
 TEST_CASE(
     "a plan needs no analysis: the same bits after the block of the analysis is overwritten") {
-    for (std::int32_t const engine : {HM_DIRECT, HM_MULTIGRID, HM_FAS}) {
+    for (std::int32_t const engine :
+         {std::int32_t{HM_DIRECT}, std::int32_t{HM_MULTIGRID}, std::int32_t{HM_FAS}}) {
         Case its = block_in_square(Cells::quads, 15);
         Options options = options_of(engine == HM_DIRECT ? HM_CONFORMAL : HM_LAPLACE);
         options.engine = engine;
