@@ -10,6 +10,7 @@ constexpr Index samples_per_control = 12;  // of the points, at least
 constexpr Index min_samples = 400;
 constexpr Index max_rounds = 60;
 constexpr Real first_along = 0.05, last_along = 1e-4;  // see LeastSquares::solve
+constexpr Real max_slide = 0.02;                       // share of the extent, see Refit::solve
 constexpr Real settled = 1e-11;  // change of control points that ends the rounds
 // The ends of an outline are closer to each other than this share of the chord.
 constexpr Real max_gap = 0.5;
@@ -52,6 +53,7 @@ void Refit::lay_out(Arena& arena, Curve const& curve, Index n_points) noexcept {
     arena.take(source_u_, n_source);
     Index const wanted = max(min_samples, samples_per_control * n);
     samples_.lay_out(arena, n_points, wanted);
+    arena.take(start_u_, samples_.max_samples());
     squares_.lay_out(arena, samples_.max_samples(), n, curve.degree);
 }
 
@@ -199,6 +201,7 @@ void Refit::start_parameters() noexcept {
     }
     squares_.set_up(own_, line.at.first(line.n));
     squares_.start();
+    copy(start_u_.first(line.n), Span<const Real>(squares_.u));
     fill(squares_.weight, Real(1));
     fill(squares_.pinned, none);
     if (closure_ == Closure::periodic) return;
@@ -206,12 +209,27 @@ void Refit::start_parameters() noexcept {
     if (closure_ == Closure::open) squares_.pinned[own_.n_control - 1] = line.n - 1;
 }
 
+// How far a sample has moved along the curve since its parameter was found from the arc.
+Real Refit::largest_slide() const noexcept {
+    Real largest = 0;
+    for (Index k = 0; k < squares_.u.count(); ++k) {
+        Vec2 c[2];
+        curve_point(squares_.curve, squares_.u[k], 1, c);
+        largest = max(largest, abs(squares_.u[k] - start_u_[k]) * length(c[1]));
+    }
+    return largest;
+}
+
+// The rounds come nearer to the samples by control points that slide along the curve. They end
+// before the slide distorts the mesh: wall points move with their parameters.
 void Refit::solve() noexcept {
+    copy(best_, Span<const Real>(unit_));
     Real best_error = infinity, along = 1;
     for (Index round = 0; round < max_rounds; ++round) {
         squares_.solve(along);
         along = max(first_along * along, last_along);
         Real const error = squares_.correct_parameters();
+        if (round > 0 && largest_slide() > max_slide) return;
         if (!(error < best_error)) continue;
         best_error = error;
         Real change = 0;

@@ -40,6 +40,7 @@ private:
     Status place_samples(RefitOptions const& options, RefitReport& report, Fault& fault) noexcept;
     void taper() noexcept;
     void start_parameters() noexcept;
+    Real largest_slide() const noexcept;
     void solve() noexcept;
     void publish(Curve const& curve, Curve const* base) noexcept;
     void measure_errors(Curve const& curve, Curve const* base, Index n,
@@ -59,6 +60,7 @@ private:
     Span<Real> unit_, best_;  // [2 * own_.n_control] before; after
     AirfoilLine source_;
     Span<Real> source_u_;  // parameters of the points of source_
+    Span<Real> start_u_;   // parameters of the samples before any correction
     AirfoilSamples samples_;
     Vec2 turn_{1, 0}, shift_;  // from unit points to units of the curve, as complex numbers
     LeastSquares squares_;
