@@ -174,7 +174,7 @@ TEST_CASE(
         Options options = options_of(engine == HM_DIRECT ? HM_CONFORMAL : HM_LAPLACE);
         options.engine = engine;
         Safe safe(its, options);
-        std::vector<double> const move = turn_of(its, engine == HM_DIRECT ? 120 : 20);
+        std::vector<double> const move = turn_of(its, engine == HM_DIRECT ? 120 : 60);
         REQUIRE(safe.run(move) >= HM_OK);
         CHECK(safe.report.resolves > 0);
         std::vector<double> const expected = safe.x;
