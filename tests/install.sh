@@ -78,6 +78,12 @@ check "use by pkg-config, moved" by_pkg_config "$dir/moved"
 check "use by find_package, moved" by_find_package "$dir/moved"
 check "a version to come is refused" version_refused "$dir/moved"
 
+# The library alone, without program and Fortran sources.
+check "make install-library" make_in "$build" install-library "" "$dir/library"
+check "use of the library alone by pkg-config" by_pkg_config "$dir/library"
+check "use of the library alone by find_package" by_find_package "$dir/library"
+check "neither program nor share" sh -c '[ "$(ls "$0" | tr "\n" " ")" = "include lib " ]' "$dir/library"
+
 # CMake by itself, without optimisation and debugging information, to be quick.
 check "cmake configures" cmake -S . -B "$dir/cmake" -DBUILD_TESTING=OFF -DCMAKE_BUILD_TYPE=None \
     -DCMAKE_CXX_COMPILER="${CXX%% *}" -DCMAKE_C_COMPILER="${CC%% *}" -DCMAKE_INSTALL_LIBDIR=lib

@@ -47,7 +47,7 @@ runs "--periodic: morph by the functions that were transferred" 0 morph "$tmp/pa
     --move "$tmp/passage.txt" -o "$tmp/passage-moved.su2"
 check "--periodic: the sides of the passage stay images with them" misfit "$tmp/passage-moved.su2" 5 -7
 runs "--periodic: page of a passage" 0 explore "$tmp/passage.su2" "$tmp/passage.basis" -o "$tmp/passage.html"
-refuses "--periodic: a passage with multigrid" 2 'rotation pairs go with the direct engine only' \
+refuses "--periodic: a passage with multigrid" 2 'HM_ROTATION_PAIR needs the direct engine' \
     solve "$tmp/passage.su2" --rigid block --periodic in:let:out --operator laplace --engine multigrid -o "$tmp/x"
-refuses "--periodic: a passage with sliding sides" 2 'rotation pairs do not go with slipping boundaries' solve \
+refuses "--periodic: a passage with sliding sides" 2 'HM_ROTATION_PAIR cannot be combined with slip' solve \
     "$tmp/passage.su2" --rigid block --periodic in:let:out --slip low -o "$tmp/x"
