@@ -1,6 +1,6 @@
-/* The C side of layout.f90. layout_c.inc, which fortran.sh makes from the headers, has a case for each
- * struct with the size of the struct and the offsets of all members, and case 0 with the values of
- * the constants. */
+/* The C side of layout.f90. layout_c.inc, which fortran.sh makes from the headers, has a case for
+ * each struct with the size of the struct and the offsets of all members, and case 0 with the
+ * values of the constants. */
 #include <harmorph.h>
 #include <harmorph_design.h>
 #include <harmorph_parts.h>

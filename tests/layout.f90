@@ -1,6 +1,6 @@
-! Compares the types and constants of the Fortran module with the structs and constants of C (layout.c): the size of each
-! struct, the offset of each member, and the value of each constant. fortran.sh makes layout_f.inc from the headers: it
-! compares every struct and every constant that the headers declare.
+! Compares the types and constants of the Fortran module with the structs and constants of C (layout.c): the size of
+! each struct, the offset of each member, and the value of each constant. fortran.sh makes layout_f.inc from the
+! headers: it compares every struct and every constant that the headers declare.
 program layout
     use, intrinsic :: iso_c_binding, only: c_int32_t, c_int64_t, c_loc, c_ptr, c_size_t, c_sizeof
     use harmorph

@@ -69,14 +69,14 @@ program constrained
     do k = 0, most
         call quadratic_step(d, lambda)
         steepest = norm2(g + matmul(lambda, a))
-        call basis%quality(mesh, x, y, quality)
+        call basis%assess(mesh, quality)
         print "(i4, es16.4, es20.1, es28.1, i10)", k, sqrt(j / first_j), maxval(abs(c)), steepest / first_slope, &
             quality%inverted
         if (quality%inverted > 0) error stop "the mesh is not valid"
         if (steepest < 1e-4_dp * first_slope .and. maxval(abs(c)) < 1e-10_dp) exit
         if (k == most) exit
         call few%displacement(pairs(d), dx, dy)
-        call few%admissible_step(mesh, dx, dy, limit)
+        call few%assess(mesh, dx, dy, limit)
         step = min(1._dp, 0.5_dp * limit%admissible)
         penalty = max(penalty, 2 * maxval(abs(lambda)))
         merit = j + penalty * sum(abs(c))

@@ -45,7 +45,7 @@ program inverse
     goal = 0
     goal(2, :) = 0.08_dp * curves%control(1, :) * (1 - curves%control(1, :)) - 0.15_dp * curves%control(2, :)   !hm
     call go_to(goal)
-    call basis%quality(mesh, x, y, quality)                                             !hm
+    call basis%assess(mesh, quality)                                                   !hm
     if (quality%inverted > 0) error stop "the target's mesh is not valid"               !hm
     call solve_flow()
     cp_target = cp
@@ -61,13 +61,13 @@ program inverse
     print "(a)", "step  pressure error  admissible  inverted"
     do k = 0, most
         error(k) = sqrt(2 * j / sum(weight))
-        call basis%quality(mesh, x, y, quality)                                         !hm
+        call basis%assess(mesh, quality)                                               !hm
         print "(i4, es16.4, f12.2, i10)", k, error(k), merge(limit%admissible, 0._dp, k > 0), quality%inverted     !hm
         if (quality%inverted > 0) error stop "the mesh is not valid"                     !hm
         if (error(k) < 1e-3_dp * error(0) .or. k == most) exit
         direction = -reshape(matmul(h, reshape(slope, [2 * n])), [2, n])
         call basis%displacement(direction, dx, dy)                                      !hm
-        call basis%admissible_step(mesh, dx, dy, limit)                                 !hm
+        call basis%assess(mesh, dx, dy, limit)                                          !hm
         step = min(1._dp, 0.5_dp * limit%admissible)                                    !hm
         old_j = j
         old_slope = slope

@@ -33,14 +33,14 @@ program morph
     call plan%solve(basis)
     call plan%free()
 
-    ! The upper control points go up: displacement first, to see how far the mesh could follow; then the morph.
+    ! The upper control points go up. The displacements are computed and judged first: how far the mesh could follow,
+    ! and how good the cells will be. Then the mesh moves.
     move = 0
     where (curves%control(2, :) > 0) move(2, :) = 0.1_dp
     call basis%displacement(move, dx, dy)
-    call basis%admissible_step(mesh, dx, dy, step)
-    call basis%morph(move, x, y)
-    call basis%quality(mesh, x, y, quality)
+    call basis%assess(mesh, dx, dy, step, quality)
     print "(i0, a, f0.1, a)", quality%inverted, " inverted cells; the mesh could follow ", step%admissible, &
         " times as far"
     if (quality%inverted > 0) error stop
+    call basis%morph(move, x, y)
 end program

@@ -1,8 +1,8 @@
 #!/bin/sh
 # usage: describe.sh LIBRARY DIR   (CC from the environment; in the top directory)
 # The binary interface of the C headers and the library, as text: exported calls with their declarations, structs with
-# the places and sizes of all members, and constants. All names are read from the headers (c_api/packaging/table.awk), so
-# that none can be forgotten here.
+# the places and sizes of all members, and constants. All names are read from the headers (c_api/packaging/table.awk),
+# so that none can be forgotten here.
 : "${CC:=cc}"
 library=$1 dir=$2
 headers=$(grep -l '^HM_API' include/*.h)
