@@ -18,6 +18,8 @@ subroutine hmcond(w, mark, kind, icurv, ncurv, ierr, msg)
     if (kind == hm_on_curve .or. .not. (icurv == ncurv .and. (icurv == 0 .or. icurv == 1))) then
         condition%first_curve = icurv - 1
         condition%n_curves = ncurv
+        if (kind == hm_on_curve .and. ncurv == 0 .and. this%ok()) &
+            condition%n_curves = this%kept%set%n_curves - int(icurv - 1, c_int32_t)     ! all that follow
     end if
     call keep_condition(this, condition)
     call this%finish(ierr, msg)
