@@ -103,7 +103,7 @@ hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, void* block, size_t 
                          hm_petsc_report* report, MPI_Comm comm, hm_error* err) {
     hm_petsc_report found = {sizeof found};
     hm_basis* made = NULL;
-    columns of;
+    columns wanted;
     hm_status status;
     if (comm == MPI_COMM_NULL) return refuse_argument(err, "the communicator is MPI_COMM_NULL");
     status = check_system(system, comm, err);
@@ -112,11 +112,11 @@ hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, void* block, size_t 
     if (status >= 0) status = hm_rows_init(&made, block, bytes, system->equations, err);
     status = agree(status, comm, err);
     if (status < 0) return status;
-    memset(&of, 0, sizeof of);
-    of.system = system;
-    of.rows = made;
-    of.n = system->info.columns;
-    status = solve_all(&of, &found, err);
+    memset(&wanted, 0, sizeof wanted);
+    wanted.system = system;
+    wanted.rows = made;
+    wanted.n = system->info.columns;
+    status = solve_all(&wanted, &found, err);
     if (status >= 0) status = agree(hm_rows_finish(system->equations, made, 0, err), comm, err);
     if (status < 0) return status;
     *rows = made;
@@ -124,41 +124,42 @@ hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, void* block, size_t 
 }
 
 /* Right-hand sides of one field. */
-static hm_status begin_field(columns* of, const hm_points_out* displacement, hm_error* err) {
-    const hm_petsc* const system = of->system;
+static hm_status begin_field(columns* wanted, const hm_points_out* displacement, hm_error* err) {
+    const hm_petsc* const system = wanted->system;
     const size_t length = length_of_column(system) * (size_t)system->info.field_columns;
     hm_points given;
     if (displacement == NULL) return refuse_argument(err, "displacement is NULL");
-    of->n = system->info.field_columns;
-    of->work = room_for(2 * (size_t)system->mesh.n_points, sizeof *of->work);
-    of->numbers = room_for(2 * length, sizeof *of->numbers);
-    if (of->work == NULL || of->numbers == NULL) return no_memory(err);
-    of->residuals = of->numbers + length;
+    wanted->n = system->info.field_columns;
+    wanted->work = room_for(2 * (size_t)system->mesh.n_points, sizeof *wanted->work);
+    wanted->numbers = room_for(2 * length, sizeof *wanted->numbers);
+    if (wanted->work == NULL || wanted->numbers == NULL) return no_memory(err);
+    wanted->residuals = wanted->numbers + length;
     given.x = displacement->x;
     given.y = displacement->y;
     given.stride = displacement->stride;
-    return hm_field_init(system->equations, &given, of->work, of->numbers, err);
+    return hm_field_init(system->equations, &given, wanted->work, wanted->numbers, err);
 }
 
 hm_status hm_petsc_displace(hm_petsc* system, const hm_points_out* displacement,
                             hm_petsc_report* report, MPI_Comm comm, hm_error* err) {
     hm_petsc_report found = {sizeof found};
-    columns of;
+    columns wanted;
     hm_status status;
     if (comm == MPI_COMM_NULL) return refuse_argument(err, "the communicator is MPI_COMM_NULL");
-    memset(&of, 0, sizeof of);
-    of.system = system;
+    memset(&wanted, 0, sizeof wanted);
+    wanted.system = system;
     status = check_system(system, comm, err);
     if (status >= 0) status = check_report(report, err);
-    if (status >= 0) status = begin_field(&of, displacement, err);
+    if (status >= 0) status = begin_field(&wanted, displacement, err);
     status = agree(status, comm, err);
-    if (status >= 0) status = solve_all(&of, &found, err);
+    if (status >= 0) status = solve_all(&wanted, &found, err);
     if (status >= 0) {
-        status = agree(hm_field_finish(system->equations, of.work, of.numbers, displacement, err),
-                       comm, err);
+        status = agree(
+            hm_field_finish(system->equations, wanted.work, wanted.numbers, displacement, err),
+            comm, err);
     }
-    free(of.work);
-    free(of.numbers);
+    free(wanted.work);
+    free(wanted.numbers);
     return status < 0 ? status : finish_report(system, &found, report, err);
 }
 

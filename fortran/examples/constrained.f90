@@ -100,21 +100,21 @@ program constrained
 
 contains
 
-    pure function pairs(its) result(xy)
-        real(dp), intent(in) :: its(n)
+    pure function pairs(chosen) result(xy)
+        real(dp), intent(in) :: chosen(n)
         real(dp) :: xy(2, n)
         xy = 0
-        xy(1, :) = its
+        xy(1, :) = chosen
     end function
 
-    subroutine go_to(its)
-        real(dp), intent(in) :: its(n)
-        call few%morph_to(pairs(its), x_start, y_start, x, y)
+    subroutine go_to(chosen)
+        real(dp), intent(in) :: chosen(n)
+        call few%morph_to(pairs(chosen), x_start, y_start, x, y)
     end subroutine
 
     ! Objective and constraints with their gradients, on the mesh as it is.
-    subroutine evaluate(its)
-        real(dp), intent(in) :: its(n)
+    subroutine evaluate(chosen)
+        real(dp), intent(in) :: chosen(n)
         real(dp) :: both(2, n)
         integer :: i
         call solve_flow()
@@ -122,12 +122,12 @@ contains
         call gradient(gx, gy)
         call few%adjoint(gx, gy, both)
         g = both(1, :)
-        call few%moved_curves(pairs(its), moved)
+        call few%moved_curves(pairs(chosen), moved)
         call moved%measure(wanted, c, gradients=slopes)
         do i = 1, m
             a(i, :) = matmul(slopes(1, :, i), real(map, dp)) + matmul(slopes(2, :, i), aimag(map))
         end do
-        if (maxval(abs(its)) > 0) c = c - start
+        if (maxval(abs(chosen)) > 0) c = c - start
     end subroutine
 
     ! d minimises g d + d b d / 2 with c + a d = 0; lambda: the multipliers.
@@ -167,20 +167,20 @@ contains
 
     ! Against central differences, for each variable.
     subroutine check_gradients()
-        real(dp) :: its(n), up(m + 1), of_j(n), of_c(m, n), worst(2)
+        real(dp) :: chosen(n), up(m + 1), of_j(n), of_c(m, n), worst(2)
         real(dp), parameter :: eps = 1e-6_dp
         integer :: i
         of_j = g
         of_c = a
         worst = 0
         do i = 1, n
-            its = 0
-            its(i) = eps
-            call go_to(its)
-            call evaluate(its)
+            chosen = 0
+            chosen(i) = eps
+            call go_to(chosen)
+            call evaluate(chosen)
             up = [j, c]
-            call go_to(-its)
-            call evaluate(-its)
+            call go_to(-chosen)
+            call evaluate(-chosen)
             worst(1) = max(worst(1), abs(of_j(i) - (up(1) - j) / (2 * eps)))
             worst(2) = max(worst(2), maxval(abs(of_c(:, i) - (up(2:) - c) / (2 * eps))))
         end do

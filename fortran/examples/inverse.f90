@@ -90,9 +90,9 @@ program inverse
 contains
 
     ! The mesh for these movements of the control points: always from the start, so that nothing adds up.
-    subroutine go_to(its)
-        real(dp), intent(in) :: its(2, n)
-        call basis%morph_to(its, x_start, y_start, x, y)                                !hm
+    subroutine go_to(movement)
+        real(dp), intent(in) :: movement(2, n)
+        call basis%morph_to(movement, x_start, y_start, x, y)                                !hm
     end subroutine
 
     ! Objective and slope, dJ/dP, on the mesh as it is.
@@ -112,7 +112,7 @@ contains
 
     ! Against central differences: at all mesh points at once in some direction, and for each control point.
     subroutine check_gradients()
-        real(dp) :: here, there, up, its(2, n), worst, vx(np), vy(np), scale
+        real(dp) :: here, there, up, probe(2, n), worst, vx(np), vy(np), scale
         real(dp), parameter :: eps = 1e-6_dp
         integer :: i
         do i = 1, np
@@ -134,12 +134,12 @@ contains
 
         worst = 0
         do i = 2, n
-            its = 0
-            its(2, i) = eps
-            call go_to(its)
+            probe = 0
+            probe(2, i) = eps
+            call go_to(probe)
             call solve_flow()
             up = objective()
-            call go_to(-its)
+            call go_to(-probe)
             call solve_flow()
             worst = max(worst, abs(slope(2, i) - (up - objective()) / (2 * eps)))
         end do
