@@ -81,8 +81,9 @@ subroutine hmcurv(w, ideg, nidx, idx, u, ierr, msg)
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
     call this%open(w)
-    if (this%ok()) call this%refuse_if(.not. c_associated(this%kept%set%control), "HMCTRL comes before HMCURV")
-    call this%refuse_if(nidx < 2 .or. ideg < 1 .or. ideg > 5, "IDEG or NIDX is out of range")
+    if (this%ok()) call this%refuse_if(.not. c_associated(this%kept%set%control), &
+        "W has no control points: call HMCTRL before HMCURV")
+    call this%refuse_if(nidx < 2 .or. ideg < 1 .or. ideg > 5, "IDEG must be between 1 and 5, and NIDX at least 2")
     if (this%ok()) call keep_curve(this, ideg, nidx, idx, u)
     if (this%ok()) then
         call this%told(hm_c_curves_check(this%kept%set, this%e))
@@ -107,7 +108,7 @@ subroutine hmgetp(w, nmax, p, ncp, ierr, msg)
     call this%open(w)
     call curves_now(this, set, list)
     if (this%ok()) ncp = int(set%n_control)
-    call this%refuse_if(ncp > nmax, "P has not enough room: NCP says how much")
+    call this%refuse_if(ncp > nmax, "P is too small: P needs room for NCP control points")
     if (this%ok() .and. ncp > 0) then
         call c_f_pointer(set%control, control, [2, ncp])
         p(:, :ncp) = control
