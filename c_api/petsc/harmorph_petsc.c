@@ -1,5 +1,5 @@
-/* The calls of harmorph_petsc.h, and, of the folder petsc, what they are made of: compile this file
- * alone. */
+/* The calls of harmorph_petsc.h. This file includes the other files of this folder: compile this
+ * file alone. */
 #include "harmorph_petsc.h"
 #include <harmorph_parts.h>
 
@@ -14,7 +14,7 @@
 
 /* ---- Creation ---- */
 
-/* What needs no message. */
+/* The checks that need no message. */
 static hm_status begin_system(hm_petsc* made, hm_petsc** system, const hm_part_mesh* part,
                               MPI_Comm comm, hm_error* err) {
     PetscBool running = PETSC_FALSE;
@@ -28,7 +28,7 @@ static hm_status begin_system(hm_petsc* made, hm_petsc** system, const hm_part_m
     return take_part(made, part, err);
 }
 
-/* The part and the equations; a warning where points are far from their curve. */
+/* Makes the part and the equations. The status is a warning if points are far from their curve. */
 static hm_status fill_system(hm_petsc* made, const hm_problem* problem, const hm_options* options,
                              hm_error* err) {
     hm_edge *edges = NULL, *all = NULL;
@@ -123,7 +123,7 @@ hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, void* block, size_t 
     return finish_report(system, &found, report, err);
 }
 
-/* Right-hand sides of one field. */
+/* Makes the right-hand sides of one field. */
 static hm_status begin_field(columns* wanted, const hm_points_out* displacement, hm_error* err) {
     const hm_petsc* const system = wanted->system;
     const size_t length = length_of_column(system) * (size_t)system->info.field_columns;
@@ -171,7 +171,7 @@ hm_status hm_petsc_owned(const hm_petsc* system, uint8_t* owned, hm_error* err) 
     return HM_OK;
 }
 
-/* The smallest value of all processes, and which process has it. */
+/* The smallest value of all processes, and the process that has this value. */
 static void find_least(double* value, int* rank, MPI_Comm comm) {
     struct {
         double value;
@@ -184,7 +184,7 @@ static void find_least(double* value, int* rank, MPI_Comm comm) {
     *rank = of_all.rank;
 }
 
-/* Reports of this process become those of the whole mesh. */
+/* Replaces the reports of this process by those of the whole mesh. */
 static void reduce_reports(hm_step_report* step, hm_quality_report* quality, int32_t n_cells,
                            int ranks[2], MPI_Comm comm) {
     double sums[2];

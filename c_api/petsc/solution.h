@@ -1,14 +1,14 @@
-/* Several right-hand sides: PETSc solves, residuals of the core refine. */
+/* Several right-hand sides: PETSc solves, and residuals of the core refine the solutions. */
 #ifndef HARMORPH_PETSC_SOLUTION_H
 #define HARMORPH_PETSC_SOLUTION_H
 
 #include <harmorph_parts.h>
 #include "matrix.h"
 
-/* On the way down BoomerAMG relaxes forwards, on the way up backwards: a cycle is symmetric, as CG
- * needs it, for half the work of PETSc's default, which relaxes both ways each time. PETSc takes
- * this from its options alone: they are set for this solver where the user has not chosen, and
- * taken away again. */
+/* BoomerAMG relaxes forwards towards coarser levels and backwards towards finer levels: a cycle is
+ * then symmetric, as CG needs it, for half the work of the default of PETSc, which relaxes in both
+ * directions each time. Only options of PETSc can choose this: they are set for this solver unless
+ * the user has chosen, and removed again. */
 enum { RELAXATIONS = 2 };
 static const char* const relaxation[RELAXATIONS][2] = {
     {"-hm_pc_hypre_boomeramg_relax_type_down", "l1-Gauss-Seidel"},
@@ -47,13 +47,12 @@ static PetscErrorCode make_solver(hm_petsc* system) {
     return set_options(system->solver);
 }
 
-/* What the columns are, and what becomes of their values: functions, or one field of displacements.
- */
+/* The columns and the place of their values: functions, or one field of displacements. */
 typedef struct columns {
     hm_petsc* system;
     int32_t n;
-    hm_basis* rows;                     /* of functions; NULL: a field */
-    double *work, *numbers, *residuals; /* of a field: see hm_field_init */
+    hm_basis* rows;                     /* for functions; NULL: a field */
+    double *work, *numbers, *residuals; /* for a field, see hm_field_init */
     double* column;                     /* [unknowns * info.numbers] */
 } columns;
 
@@ -61,7 +60,7 @@ static size_t length_of_column(const hm_petsc* system) {
     return (size_t)system->info.unknowns * (size_t)system->info.numbers;
 }
 
-/* of->column becomes the right-hand side of this part. */
+/* Puts the right-hand side of this part into wanted->column. */
 static hm_status get_column(const columns* wanted, int32_t column, hm_error* err) {
     const size_t length = length_of_column(wanted->system);
     if (wanted->rows != NULL)
@@ -71,7 +70,7 @@ static hm_status get_column(const columns* wanted, int32_t column, hm_error* err
     return HM_OK;
 }
 
-/* of->column: in, values of the unknowns; out, the residual of this part. */
+/* wanted->column contains values of the unknowns, and receives the residual of this part. */
 static hm_status set_column(const columns* wanted, int32_t column, hm_error* err) {
     hm_petsc* const system = wanted->system;
     const size_t length = length_of_column(system);
@@ -91,7 +90,7 @@ static hm_status set_column(const columns* wanted, int32_t column, hm_error* err
     return status;
 }
 
-typedef struct progress { /* of one column */
+typedef struct progress { /* the progress of one column */
     double change, ratio, error;
     int solutions;
     PetscInt iterations;
@@ -100,8 +99,7 @@ typedef struct progress { /* of one column */
 
 enum { MOST_SOLUTIONS = 8, MOST_AT_ONCE = 16 };
 
-/* The error that is left, estimated from the last correction and by how much corrections have
- * shrunk. */
+/* Estimates the remaining error from the last correction and the ratio of the last corrections. */
 static void judge(progress* column, double change, double tolerance) {
     const double ratio = column->change > 0 ? change / column->change : 1;
     if (column->solutions > 1 && ratio > column->ratio) column->ratio = ratio;
@@ -111,11 +109,11 @@ static void judge(progress* column, double change, double tolerance) {
     column->change = change;
 }
 
-typedef struct solution { /* of a block of columns */
+typedef struct solution { /* a block of columns */
     Mat b, dx, x;         /* dense, `width` columns */
     PetscInt width;
     int32_t first, n;
-    int direct; /* all columns at once */
+    int direct; /* 1: all columns are solved at once */
     progress at[MOST_AT_ONCE];
     hm_status status;
 } solution;
@@ -149,7 +147,7 @@ static PetscErrorCode solve_one(const hm_petsc* system, solution* now, int32_t k
     return MatDenseRestoreColumnVecRead(now->b, k, &b);
 }
 
-/* of->column of all processes together is column k of b. */
+/* Makes column k of b from wanted->column of all processes. */
 static PetscErrorCode send_column(const columns* wanted, const solution* now, int32_t k) {
     const hm_petsc* const system = wanted->system;
     PetscScalar* local;
@@ -162,7 +160,7 @@ static PetscErrorCode send_column(const columns* wanted, const solution* now, in
     return MatDenseRestoreColumnVecWrite(now->b, k, &b);
 }
 
-/* x += dx; of->column receives the values that this process has. */
+/* Adds dx to x; wanted->column receives the values of this process. */
 static PetscErrorCode receive_column(const columns* wanted, solution* now, int32_t k,
                                      double* change) {
     const hm_petsc* const system = wanted->system;
@@ -185,7 +183,7 @@ static PetscErrorCode receive_column(const columns* wanted, solution* now, int32
     return 0;
 }
 
-/* After a solution: the values go to the rows, and b becomes the residual. */
+/* Called after a solution: stores the values, and makes b the residual. */
 static PetscErrorCode take_over(const columns* wanted, solution* now, int32_t k, hm_error* err) {
     double change = 0;
     hm_status status;
@@ -198,8 +196,8 @@ static PetscErrorCode take_over(const columns* wanted, solution* now, int32_t k,
     return 0;
 }
 
-/* Columns first .. first + n - 1. What ends the loop is the same on all processes: norms, and the
- * agreed status. */
+/* Solves for the columns first .. first + n - 1. The loop ends at the same time on all processes,
+ * as norms and the agreed status are the same. */
 static PetscErrorCode solve_columns(const columns* wanted, solution* now, hm_error* err) {
     const hm_petsc* const system = wanted->system;
     int32_t k;
@@ -259,7 +257,7 @@ static PetscErrorCode solve_blocks(const columns* wanted, solution* now, hm_pets
     return 0;
 }
 
-/* Solves for all columns; the same status on all processes. */
+/* Solves for all columns. The status is the same on all processes. */
 static hm_status solve_all(columns* wanted, hm_petsc_report* report, hm_error* err) {
     const hm_petsc* const system = wanted->system;
     solution now;
@@ -278,13 +276,13 @@ static hm_status solve_all(columns* wanted, hm_petsc_report* report, hm_error* e
     MatDestroy(&now.x);
     free(wanted->column);
     if (now.status == HM_NOT_POSITIVE) {
-        refuse(err, HM_NOT_POSITIVE, -1,
+        refuse(err, HM_NOT_POSITIVE,
                "PETSc could not factor or solve: the matrix is not positive definite");
     }
     return agree(code != 0 ? petsc_status(code, err) : now.status, system->comm, err);
 }
 
-/* The report that the caller gets, and whether the tolerance was reached. */
+/* Copies the report for the caller; the status says whether the tolerance was reached. */
 static hm_status finish_report(const hm_petsc* system, hm_petsc_report* found,
                                hm_petsc_report* report, hm_error* err) {
     const hm_status status = found->error <= system->tolerance ? HM_OK : HM_NOT_CONVERGED;
@@ -293,8 +291,8 @@ static hm_status finish_report(const hm_petsc* system, hm_petsc_report* found,
     found->boundary_edges = system->boundary_edges;
     found->bytes = system->bytes;
     if (status == HM_NOT_CONVERGED && err != NULL) {
-        refuse(err, HM_NOT_CONVERGED, -1,
-               "the iteration ended while values may be off by more than the tolerance");
+        refuse(err, HM_NOT_CONVERGED,
+               "the iteration ended, but the error of the values may be larger than the tolerance");
         err->value = found->error;
     }
     if (report != NULL) {
