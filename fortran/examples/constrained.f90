@@ -1,6 +1,6 @@
 ! Inverse design with constraints: the pressure of a thinner, cambered airfoil is wanted, but area and thickness at two
-! stations must stay. The design variables are 12 CST coefficients; sequential quadratic programming. Flow solver:
-! potential.f90. harmorph has the gradients of mesh and constraints by the variables.
+! stations must stay. The design variables are 12 CST coefficients; the method is sequential quadratic programming with
+! the flow solver potential.f90. harmorph gives the gradients of mesh and constraints with respect to the variables.
 program constrained
     use harmorph
     use potential, only: airfoil, cells, cp, cp_target, dp, faces, gradient, marks, np, objective, read_mesh, &
@@ -30,7 +30,7 @@ program constrained
     x_start = x
     y_start = y
 
-    ! Once: functions of the control points, then those of 6 CST variables on either side in their place.
+    ! Done once: the functions of the control points are replaced by those of 6 CST variables on each side.
     call mesh%points(x, y)
     call mesh%cells(cells)
     call mesh%faces(faces, marks)
@@ -46,7 +46,7 @@ program constrained
     wanted = [hm_quantity(hm_area), hm_quantity(hm_thickness, 0.25_dp), hm_quantity(hm_thickness, 0.6_dp)]
     allocate(slopes(2, size(map, 1), m))
 
-    ! The pressure to reach: of an airfoil with more camber and 15 % less thickness.
+    ! The wanted pressure is that of an airfoil with more camber and 15 % less thickness.
     goal = 0 * curves%control
     goal(2, :) = 0.08_dp * curves%control(1, :) * (1 - curves%control(1, :)) - 0.15_dp * curves%control(2, :)
     call basis%morph_to(goal, x_start, y_start, x, y)
@@ -72,7 +72,7 @@ program constrained
         call basis%assess(mesh, quality)
         print "(i4, es16.4, es20.1, es28.1, i10)", k, sqrt(j / first_j), maxval(abs(c)), steepest / first_slope, &
             quality%inverted
-        if (quality%inverted > 0) error stop "the mesh is not valid"
+        if (quality%inverted > 0) error stop "The mesh has inverted cells."
         if (steepest < 1e-4_dp * first_slope .and. maxval(abs(c)) < 1e-10_dp) exit
         if (k == most) exit
         call few%displacement(pairs(d), dx, dy)
@@ -95,8 +95,8 @@ program constrained
     end do
     print "(a, f0.2)", "pressure error: divided by ", sqrt(first_j / j)
     print "(a, 3es10.2)", "area and thicknesses: changes ", c
-    if (maxval(abs(c)) > 1e-10_dp) error stop "the constraints are not kept"
-    if (steepest > 1e-4_dp * first_slope) error stop "not converged"
+    if (maxval(abs(c)) > 1e-10_dp) error stop "A constraint is not satisfied."
+    if (steepest > 1e-4_dp * first_slope) error stop "The gradient of the Lagrangian is too large."
 
 contains
 
@@ -112,7 +112,7 @@ contains
         call few%morph_to(pairs(chosen), x_start, y_start, x, y)
     end subroutine
 
-    ! Objective and constraints with their gradients, on the mesh as it is.
+    ! Computes objective and constraints with their gradients on the present mesh.
     subroutine evaluate(chosen)
         real(dp), intent(in) :: chosen(n)
         real(dp) :: both(2, n)
@@ -130,7 +130,7 @@ contains
         if (maxval(abs(chosen)) > 0) c = c - start
     end subroutine
 
-    ! d minimises g d + d b d / 2 with c + a d = 0; lambda: the multipliers.
+    ! Finds d that minimises g d + d b d / 2 with c + a d = 0, and the multipliers lambda.
     subroutine quadratic_step(d, lambda)
         real(dp), intent(out) :: d(n), lambda(m)
         real(dp) :: kkt(n + m, n + m + 1), row(n + m + 1)
@@ -153,7 +153,7 @@ contains
         lambda = kkt(n + 1:, n + m + 1)
     end subroutine
 
-    ! Powell's damped BFGS: b stays positive definite.
+    ! Updates b by Powell's damped BFGS, so that b stays positive definite.
     subroutine update(s, y_all)
         real(dp), intent(in) :: s(n), y_all(n)
         real(dp) :: bs(n), sbs, part, y(n)
@@ -165,7 +165,7 @@ contains
         b = b - spread(bs, 2, n) * spread(bs, 1, n) / sbs + spread(y, 2, n) * spread(y, 1, n) / dot_product(s, y)
     end subroutine
 
-    ! Against central differences, for each variable.
+    ! Compares the gradients with central differences for each variable.
     subroutine check_gradients()
         real(dp) :: chosen(n), up(m + 1), of_j(n), of_c(m, n), worst(2)
         real(dp), parameter :: eps = 1e-6_dp
@@ -186,7 +186,7 @@ contains
         end do
         worst = worst / [maxval(abs(of_j)), maxval(abs(of_c))]
         print "(a, 2es9.1)", "gradients by variables, of pressure and constraints: relative differences", worst
-        if (any(worst > 1e-6_dp)) error stop "a gradient is wrong"
+        if (any(worst > 1e-6_dp)) error stop "A gradient differs from central differences."
         call go_to(v)
         call evaluate(v)
         c = 0

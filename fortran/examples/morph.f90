@@ -1,4 +1,4 @@
-! Morphs a structured O-mesh round an ellipse: fit, solve once, move control points as often as wished.
+! Morphs a structured O-mesh around an ellipse: fit, solve once, move control points as often as wished.
 program morph
     use, intrinsic :: iso_fortran_env, only: dp => real64
     use harmorph
@@ -22,11 +22,11 @@ program morph
             y(i, j) = (r - 0.6_dp / r) * sin(angle)
         end do
     end do
-    call mesh%points(x, y)                  ! the solver's own arrays: target, not copied
+    call mesh%points(x, y)                  ! the solver's own arrays, which are not copied
     call mesh%line(wall, 1, ni, 1, 1)       ! i = 1 .. ni along j = 1; an unstructured mesh has cells and faces instead
     call mesh%line(far, 1, ni, nj, nj)
 
-    ! A periodic cubic B-spline with 12 control points through the wall's points; one harmonic function for each.
+    ! A periodic cubic B-spline with 12 control points through the points of the wall; one function for each.
     call curves%fit(mesh, wall, n_control=12)
     call plan%analyse(mesh, curves, [hm_condition(wall)])
     call plan%factor()

@@ -1,4 +1,4 @@
-! A solver with three dimensions and a structured mesh one cell thick in y: an O-mesh round an ellipse, x(i,j,k).
+! A solver with three dimensions and a structured mesh one cell thick in y: an O-mesh around an ellipse, x(i,j,k).
 program one_cell_thick
     use, intrinsic :: iso_fortran_env, only: dp => real64
     use harmorph
@@ -39,8 +39,8 @@ program one_cell_thick
 
     ! README: the mesh of the plane
     call plane%points(x, y, z)
-    call plane%faces(faces)                 ! of one symmetry plane
-    call plane%sides(sides, markers)        ! faces of the boundary from one plane to the other
+    call plane%faces(faces)                 ! faces of one symmetry plane
+    call plane%sides(sides, markers)        ! boundary faces from one plane to the other
     call plane%find()
     call plane%mesh(mesh)
     ! end

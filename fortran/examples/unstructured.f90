@@ -1,5 +1,5 @@
-! Morphs an unstructured mesh from a file in SU2's format: triangles and quadrilaterals, and boundary faces with markers,
-! in any order. curves%fit finds the order of the wall points and the trailing edge.
+! Morphs an unstructured mesh from a file in SU2's format: triangles and quadrilaterals, and boundary faces with
+! markers, in any order. curves%fit finds the order of the wall points and the trailing edge.
 program unstructured
     use, intrinsic :: iso_fortran_env, only: dp => real64
     use harmorph
