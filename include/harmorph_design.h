@@ -66,6 +66,42 @@ HM_API hm_status hm_refine(const hm_curves** finer, const double** matrix, void*
                            size_t bytes, const hm_curves* curves, int32_t curve, int32_t degree,
                            int32_t n, const double* u, hm_error* err);
 
+/* ---- Another airfoil on the same knots ---- */
+
+/* lengths in the unit of the curves */
+typedef struct hm_refit_report {
+    uint64_t struct_size;
+    double max_error, rms_error; /* [length] distances of the points from the moved curves */
+    double chord;                /* [length] of the points, from leading to trailing edge */
+    /* [length] width of the blunt base of the points, of which the curve has none: both sides were
+     * tapered from the leading edge on, so that the base became one point; 0: no base */
+    double closed_width;
+    int32_t max_error_point; /* position in the list, from 0 */
+    int32_t closed;          /* how the outline of the points closes: HM_OPEN, ... */
+} hm_refit_report;
+
+/* The movement of the control points with which the curve of an airfoil becomes another airfoil,
+ * through n points in order along its outline: a least-squares fit on the knots of the curve.
+ * movement [2*n_control]: x,y pairs, for hm_morph and hm_displace_safe; 0 for control points of
+ * other curves.
+ *   curve     from 0; runs from the trailing edge round to the trailing edge. A following curve
+ *             that has both ends in common with it is its blunt base, which moves along
+ *   points    in either direction; is_loop: the last one is connected to the first one, which is
+ *             not repeated; a loop may begin anywhere
+ *   on_chord  1: the points are turned, scaled and shifted first, so that the line from their
+ *             leading to their trailing edge becomes that of the curve; 0: they are where they are
+ * Between the points the outline is a cubic spline, with a corner where the points have one. The
+ * leading edge is the point farthest from the trailing edge. An outline without a corner, whose
+ * trailing edge is round, begins where the curve's chord ends (on_chord: at the largest x).
+ * report may be NULL. Refused with HM_BAD_CURVE: points as in hm_fit; a curve or points that are no
+ * such outline; points with a sharp trailing edge for a curve with a blunt base. A failed call
+ * leaves movement as it was. (W. Wang, H. Pottmann, Y. Liu, ACM Trans. Graph. 25 (2006) 214.) */
+HM_API hm_status hm_refit_size(const hm_curves* curves, int32_t curve, int32_t n,
+                               size_t* work_bytes, hm_error* err);
+HM_API hm_status hm_refit(const hm_curves* curves, int32_t curve, const hm_points* points,
+                          int32_t n, int32_t is_loop, int32_t on_chord, double* movement,
+                          hm_refit_report* report, void* work, size_t work_bytes, hm_error* err);
+
 /* ---- Measures of a section, with derivatives by the control points ---- */
 
 /* which curves are the outline of the section, and its chord */
