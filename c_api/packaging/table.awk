@@ -30,7 +30,7 @@ function without_comments(line, start, text) {
     return text
 }
 function constants(text, n, k, one, pair) {
-    sub(/^[^{]*{/, "", text)
+    sub(/^[^{]*[{]/, "", text)
     n = split(text, one, ",")
     for (k = 1; k <= n; ++k) {
         gsub(/ /, "", one[k])
@@ -70,22 +70,22 @@ function kind_of(declaration, type) {
 }
 /^#define HM_ABI / { print "constant HM_ABI", $3 }
 /^#define HM_VERSION / { print "text HM_VERSION", $3 }
-/^#/ || /^extern "C" {/ || /^}$/ { next }
+/^#/ || /^extern "C" [{]/ || /^[}]$/ { next }
 {
     statement = statement " " without_comments($0)
-    if (statement !~ /;/ || (statement ~ /{/ && statement !~ /}/)) next     # it goes on in the next line
+    if (statement !~ /;/ || (statement ~ /[{]/ && statement !~ /[}]/)) next     # it goes on in the next line
     gsub(/[ \t]+/, " ", statement)
     sub(/^ /, "", statement)
-    if (statement ~ /^enum [a-z_]*{|^enum {/) {
-        sub(/}.*/, "", statement)
+    if (statement ~ /^enum [a-z_]*[{]|^enum [{]/) {
+        sub(/[}].*/, "", statement)
         constants(statement)
-    } else if (statement ~ /^typedef struct [a-z_]+ {/) {
+    } else if (statement ~ /^typedef struct [a-z_]+ [{]/) {
         struct = statement
         sub(/^typedef struct /, "", struct)
         sub(/ .*/, "", struct)
         print "struct", struct
-        sub(/^[^{]*{/, "", statement)
-        sub(/}.*/, "", statement)
+        sub(/^[^{]*[{]/, "", statement)
+        sub(/[}].*/, "", statement)
         n_members = split(statement, one_member, ";")
         for (m = 1; m <= n_members; ++m) members(struct, one_member[m])
         print "end", struct

@@ -153,7 +153,8 @@ contains
         call plan%improve(x_other, y_other, report=improved)
         call check(improved%movable > 0 .and. improved%mean_quality >= improved%mean_quality_before, "an improvement")
         call basis%assess(mesh, x_other - x, y_other - y, quality=quality)
-        call check(abs(quality%min_quality - improved%min_quality) < 1e-12_dp .and. quality%inverted == 0, "and its report")
+        call check(abs(quality%min_quality - improved%min_quality) < 1e-12_dp .and. quality%inverted == 0, &
+            "and its report")
         allocate(work(plan%improve_words()))
         block_x = reshape(x_new, [around, rings])
         block_y = reshape(y_new, [around, rings])

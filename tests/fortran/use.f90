@@ -85,6 +85,7 @@ program use
     call transfers()
     call meshes_in_parts()
     call design()
+    call refits()
     call tables()
     call planes()
     call numbers_in_errors()
