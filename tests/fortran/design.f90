@@ -8,7 +8,8 @@ module design_tests
 
 contains
 
-    ! The curve of an airfoil becomes the airfoil with heights of 110 %: the points of the latter are on the moved curve.
+    ! The curve of an airfoil becomes the airfoil with heights of 110 %: the points of the latter are on the moved
+    ! curve.
     subroutine refits()
         integer, parameter :: n = 120
         type(hm_curves) :: curves, moved
