@@ -4,7 +4,7 @@ module design_tests
     use body_mesh
     implicit none
     private
-    public :: design, refits, tables
+    public :: design, refits, smooth_gradients, tables
 
 contains
 
@@ -46,6 +46,26 @@ contains
         call check(stat == hm_bad_argument, "a movement with too few columns")
         call curves%refit(1, px(2:), py, .true., movement, stat=stat)
         call check(stat == hm_bad_argument, "x and y of different lengths")
+    end subroutine
+
+    ! The smoothed gradient: length 0 keeps the gradient; a positive length leaves a direction of descent.
+    subroutine smooth_gradients()
+        type(hm_curves) :: curves
+        real(dp), allocatable :: gradient(:, :), smoothed(:, :)
+        integer :: k, stat
+        call basis%curves(curves)
+        allocate(gradient(2, size(curves%control, 2)), smoothed(2, size(curves%control, 2)))
+        gradient(1, :) = 0
+        gradient(2, :) = [((-1._dp)**k, k = 1, size(gradient, 2))]
+        call curves%smooth_gradient(0._dp, gradient, smoothed)
+        call check(maxval(abs(smoothed - gradient)) < 1e-12_dp, "a gradient that is smoothed over length 0")
+        call curves%smooth_gradient(0.5_dp, gradient, smoothed)
+        call check(sum(smoothed * gradient) > 0, "the smoothed gradient is a direction of descent")
+        call check(norm2(smoothed) < 0.5_dp * norm2(gradient), "waves are damped")
+        call curves%smooth_gradient(-1._dp, gradient, smoothed, stat=stat)
+        call check(stat == hm_bad_argument, "a negative length")
+        call curves%smooth_gradient(1._dp, gradient(:, 2:), smoothed, stat=stat)
+        call check(stat == hm_bad_argument, "a gradient with too few columns")
     end subroutine
 
     ! More control points, measures with their gradients, variables that are not control points, and their functions.

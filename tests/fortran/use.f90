@@ -86,6 +86,7 @@ program use
     call meshes_in_parts()
     call design()
     call refits()
+    call smooth_gradients()
     call tables()
     call planes()
     call numbers_in_errors()
