@@ -32,8 +32,8 @@ cat >"$dir/expected" <<END
 ./lib/libharmorph.a
 ./lib/pkgconfig/harmorph.pc
 END
-for file in fortran/*.f90 harmorph.f90 harmorph77.f90 harmorph_mpi.f90 harmorph_mpi.c harmorph_petsc.c read_su2.c \
-    read_su2.h naca0012.su2; do
+for file in fortran/*.f90 harmorph.f90 harmorph77.f90 harmorph_mpi.f90 harmorph_petsc.f90 harmorph_mpi.c \
+    harmorph_petsc.c read_su2.c read_su2.h naca0012.su2; do
     echo "./share/harmorph/$(basename "$file")"
 done | sort >>"$dir/expected"
 echo ./share/man/man1/harmorph.1 >>"$dir/expected"
