@@ -65,11 +65,16 @@ struct Walk {
     Real turn(Index point) const noexcept { return point == none ? 0 : outline.turn[point]; }
 };
 
-// Is `turn` more than what the next two turns promise? On rounded noses turns grow up to fourfold
-// from point to point.
+// Tells whether `turn` is more than the next two turns let expect. On rounded noses turns grow up
+// to fourfold from point to point. Where the next turn alone is more than that, the side has a kink
+// beside this point, and is not round.
 bool stands_out(Real turn, Real next, Real after) noexcept {
-    Real const growth = after > 0 ? clamp(next / after, Real(1), Real(4)) : 4;
-    return turn > 2.5 * growth * next;
+    constexpr Real excess = 2.5, most_growth = 4;
+    bool const is_kink = next > excess * most_growth * after;
+    Real const growth = is_kink     ? 1
+                        : after > 0 ? clamp(next / after, Real(1), most_growth)
+                                    : most_growth;
+    return turn > excess * growth * next;
 }
 
 struct OutlineSide {

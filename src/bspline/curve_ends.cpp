@@ -6,6 +6,9 @@ namespace {
 // Of the angle between the directions before and behind a base: about -cos 45 degrees, so wedges up
 // to 45 degrees have bases.
 constexpr Real cosine_of_return = -0.7;
+// The outline turns by at least 25 degrees at both ends of a base. A side with a smaller turn at
+// one end is the last panel before a trailing edge of one point.
+constexpr Real cosine_of_least_turn = 0.9063;
 constexpr Real at_the_end = 0.95;  // of the chord: how far from the nose a base is at least
 constexpr Real blunt_turn = 1;     // 2 sin(angle / 2) of 60 degrees
 // Along a side, away from a base: a body that widens by more than 45 degrees within so much of the
@@ -60,12 +63,16 @@ Index farthest_from(Outline const& outline, Vec2 from) noexcept {
     return farthest;
 }
 
-// Does the outline come back over this side? Directions are taken over the side's own length.
+// Does the outline come back over this side, turning at both ends? Directions are taken over the
+// length of the side itself.
 bool comes_back(Outline const& outline, Index from, Index to) noexcept {
-    Real const reach = length(outline.points[to] - outline.points[from]);
+    Vec2 const side = outline.points[to] - outline.points[from];
+    Real const reach = length(side);
     Vec2 const in = outline.points[from] - outline.points[outline.behind(from, reach)];
     Vec2 const out = outline.points[outline.ahead(to, reach)] - outline.points[to];
-    return dot(in, out) < cosine_of_return * length(in) * length(out);
+    return dot(in, out) < cosine_of_return * length(in) * length(out) &&
+           dot(in, side) < cosine_of_least_turn * length(in) * reach &&
+           dot(side, out) < cosine_of_least_turn * reach * length(out);
 }
 
 // Does the side that leaves a base at `end`, where the base comes from `start`, turn away from the

@@ -39,8 +39,10 @@ struct Course {
 //
 // A base is a straight piece from a corner to the next one, at the end of the section farthest from
 // the nose, where the outline reverses: the directions before the first corner and behind the
-// second are nearly opposite. Facets of a nose or of a rounded edge with few points are no bases,
-// as the outline turns less there. Neither are the two ends of a plate, which has no nose.
+// second are nearly opposite, and the outline turns by at least 25 degrees at either corner. Facets
+// of a nose or of a rounded edge with few points are no bases, as the outline turns less there.
+// Neither is the last panel before a trailing edge of one point, nor are the two ends of a plate,
+// which has no nose.
 Course choose_course(Outline const& outline, Span<const Index> corner, Closure wanted) noexcept;
 
 // Removes both corners of a short straight piece with less than 60 degrees of turning at either: a
