@@ -117,7 +117,7 @@ void ElementMesh::add_flat() {
 
 void ElementMesh::add_solid() {
     OneCellThick solid(mesh_, std::move(points_));
-    std::int32_t corners[8] = {};
+    std::vector<std::int32_t> corners;
     for (const Element& element : all_.elements) {
         if (!is_read(element)) continue;
         if (element.shape.nodes > element.shape.corners) {
@@ -127,18 +127,13 @@ void ElementMesh::add_solid() {
                 "order (Gmsh: Mesh.ElementOrder = 1)");
         }
         const auto n = static_cast<std::size_t>(element.shape.corners);
-        if (element.shape.dimension == 2 && n > 4) {
-            mesh_.file.fail(element.offset,
-                            "a face of the boundary has " + std::to_string(n) +
-                                " corners: the mesh is "
-                                "not one cell thick, or has polygons, which are not read here");
-        }
-        for (std::size_t k = 0; k < n; ++k) corners[k] = corner(element, k);
+        corners.clear();
+        for (std::size_t k = 0; k < n; ++k) corners.push_back(corner(element, k));
         if (element.shape.dimension == 3) {
-            solid.add_cell(corners, n, element.offset);
+            solid.add_cell(corners.data(), n, element.offset);
         } else {
             for_each_marker(element, [&](std::int32_t marker) {
-                solid.add_side(corners, n, marker, element.offset);
+                solid.add_side(corners.data(), n, marker, element.offset);
             });
         }
     }
