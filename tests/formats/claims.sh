@@ -65,6 +65,15 @@ if (ulimit -v 262144 && "$harmorph" --version) >/dev/null 2>&1; then
             for (k = 0; k < 3000; k++) print piece body "</Piece>"; next }
         on { body = body "\n" $0; next } { print }' "$tmp/text.vtu" | tr -d '\r' | head -c 200000 >"$tmp/claim/many.vtu"
     claims "VTU: many pieces" "$tmp/claim/many.vtu"
+    # A file that names many pieces, and a piece that is no regular file.
+    { echo '<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid>'
+        for name in a b c d e f g h; do for k in 0 1 2 3 4 5 6 7 8 9; do echo "<Piece Source=\"$name$k.vtu\"/>"
+            ln -f "$tmp/text.vtu" "$tmp/claim/$name$k.vtu"; done; done
+        echo '</PUnstructuredGrid></VTKFile>'; } >"$tmp/claim/many.pvtu"
+    claims "PVTU: many pieces" "$tmp/claim/many.pvtu"
+    echo '<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid><Piece Source="/dev/zero"/></PUnstructuredGrid></VTKFile>' \
+        >"$tmp/claim/device.pvtu"
+    claims "PVTU: a device as a piece" "$tmp/claim/device.pvtu"
     # OpenFOAM: lists of one value.
     rm -rf "$tmp/claim/foam"
     "$tmp/make_foam" "$tmp/claim/foam" text z

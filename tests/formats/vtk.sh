@@ -26,7 +26,7 @@ change 's/NumberOfCells="144"/NumberOfCells="143"/'
 refuses "vtu: too many cells" 'the array offsets has 144 numbers for 143 cells' \
     "$harmorph" check "$tmp/bad.vtu"
 change 's/format="ascii"/format="binarie"/'
-refuses "vtu: an unknown format" "this one has 'binarie'" "$harmorph" check "$tmp/bad.vtu"
+refuses "vtu: an unknown format" "the array has the format 'binarie'" "$harmorph" check "$tmp/bad.vtu"
 change 's/Name="offsets"/Name="starts"/'
 refuses "vtu: an array is missing" 'the file has no array offsets' "$harmorph" check "$tmp/bad.vtu"
 change '/Name="offsets"/s/ 8 / -9223372036854775808 /; /Name="offsets"/s/Int32/Int64/'

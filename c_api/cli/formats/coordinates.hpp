@@ -45,6 +45,7 @@ struct FileCoordinates {
     bool is_computed = false;  // the mesh's coordinates are none of the file's numbers: an inclined
                                // plane, or a wedge
     bool is_packed = false;    // the file is compressed by gzip
+    bool is_joined = false;    // mesh.file is one .vtu of several files that the given file names
     bool swapped = false;      // binary numbers are not in this machine's byte order
     std::size_t axes[2] = {
         0, 1};  // of a file of one plane: which of its coordinates are x and y of the mesh

@@ -97,6 +97,13 @@ std::string mesh_file(const std::string& path) {
 
 std::string moved_file(const Mesh& mesh, const std::string& path) {
     const std::string file = mesh_file(path);
+    if (mesh.in_file.is_joined && !is_device(file) && !ends_with(file, ".vtu")) {
+        throw Failure(exit_usage,
+                      mesh.file.path() +
+                          " names the files of several pieces, and a morphed mesh is one file of "
+                          "all pieces: the name of the file to write, " +
+                          in_quotes(file) + ", must end in .vtu");
+    }
     if (is_device(file) || mesh.in_file.is_packed == ends_with(file, ".gz")) return file;
     const bool is_packed = mesh.in_file.is_packed;
     throw Failure(
@@ -111,13 +118,13 @@ Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
     const Format* forced = options.format.empty() ? nullptr : find_format(options.format);
     Mesh mesh(mesh_file(path));
     const bool is_packed = is_gzip(mesh.file.text());
-    mesh.in_file.is_packed = is_packed;
     if (is_packed) mesh.file = unpacked(mesh.file);
     const Format& format = forced ? *forced : format_of(mesh.file);
     mesh.file.listen(options.progress);
     format.read(mesh, options);
     mesh.file.listen(nullptr);
-    if (is_packed) mesh.in_file.store = packed(mesh.in_file.store);
+    mesh.in_file.is_packed = is_packed && !mesh.in_file.is_joined;
+    if (mesh.in_file.is_packed) mesh.in_file.store = packed(mesh.in_file.store);
     check_points(mesh);
     drop_interior_faces(mesh, true);
     return mesh;
