@@ -1,5 +1,6 @@
 #include "curves/moves_file.hpp"
 
+#include "basics/failure.hpp"
 #include "basics/numbers.hpp"
 #include "basics/text_file.hpp"
 
@@ -86,14 +87,24 @@ private:
         if (words.size() == 4) moves_[2 * function + 1] = number(words[3]);
     }
 
-    std::int32_t function_of(const std::string& tag) const {
-        for (const hm_condition& condition : movable_.conditions) {
-            if (condition.kind == HM_RIGID &&
-                mesh_.markers[static_cast<std::size_t>(condition.marker)] == tag) {
-                return movable_.n_control + 2 * condition.body;
-            }
+    // Returns the first function of the body to which all markers of this name belong.
+    std::int32_t function_of(const std::string& name) const {
+        std::vector<std::int32_t> markers;
+        try {
+            markers = mesh_.find_markers(name);
+        } catch (const Failure&) {
+            lines_.expected("a marker of a rigid body", name);
         }
-        lines_.expected("a marker of a rigid body", tag);
+        std::int32_t body = -1;
+        for (const hm_condition& condition : movable_.conditions) {
+            const auto found = std::find(markers.begin(), markers.end(), condition.marker);
+            if (condition.kind != HM_RIGID || found == markers.end()) continue;
+            if (body >= 0 && condition.body != body)
+                lines_.expected("the markers of one rigid body", name);
+            body = condition.body;
+        }
+        if (body < 0) lines_.expected("a marker of a rigid body", name);
+        return movable_.n_control + 2 * body;
     }
 
     template <class Word>
