@@ -74,6 +74,11 @@ void CgnsConditions::add_conditions(std::size_t z) {
                                         normal_index, &list_size, &list_type, &n_data);
         cgns_(status, in_zone(zones_[z]) + ", boundary condition " + std::to_string(c));
         cgns_(cg_boco_gridlocation_read(cgns_.file, cgns_base, number, c, &location));
+        if (n < 0 || static_cast<std::size_t>(n) > mesh_.file.text().size()) {
+            cgns_.fail(in_zone(zones_[z]) + ": the boundary condition " + in_quotes(name) +
+                       " has " + std::to_string(n) +
+                       " points or elements, which the file cannot hold");
+        }
         const std::size_t dimensions =
             zones_[z].is_structured ? static_cast<std::size_t>(cell_dimension_) : 1;
         std::vector<cgsize_t> items(static_cast<std::size_t>(n) * dimensions);

@@ -46,10 +46,10 @@ struct CgnsZone {
     bool is_structured = false;
     std::array<std::int64_t, 3> n = {
         1, 1, 1};           // points along i, j, k; of unstructured zones all in the first
-    std::size_t first = 0;  // its first point of all
+    std::size_t first = 0;  // the number of points in the zones before
     std::size_t points() const { return static_cast<std::size_t>(n[0] * n[1] * n[2]); }
-    // "zone 'a', point 12", or "zone 'a', point (4, 1, 1)": the k-th of its points, from 0, in the
-    // file's numbering.
+    // Returns "zone 'a', point 12" or "zone 'a', point (4, 1, 1)", as the file numbers points. k is
+    // counted from 0.
     std::string point(std::size_t k) const;
 };
 
@@ -59,7 +59,9 @@ struct CgnsArray {
 };
 
 std::string in_zone(const CgnsZone& zone);
-std::vector<CgnsZone> read_zones(const Cgns& cgns, int& cell_dimension);
+// Refuses zones that have together more points than 2^31 - 1, or than a file of this size, in
+// bytes, can hold.
+std::vector<CgnsZone> read_zones(const Cgns& cgns, std::size_t file_size, int& cell_dimension);
 // The arrays of CoordinateX, Y and, if there is one, Z.
 std::vector<CgnsArray> read_arrays(const Cgns& cgns, int zone, const std::string& where);
 void whole_range(const CgnsZone& zone, cgsize_t* low, cgsize_t* high);

@@ -2,6 +2,7 @@
 
 #ifdef HARMORPH_CGNS
 #include "formats/cgns_conditions.hpp"
+#include "formats/deflate.hpp"
 #include "basics/numbers.hpp"
 #include "mesh/one_cell_thick.hpp"
 
@@ -19,7 +20,8 @@ public:
         : mesh_(mesh), cgns_(mesh.file.path(), CG_MODE_READ, mesh.file.path()) {}
 
     void read() {
-        zones_ = read_zones(cgns_, cell_dimension_);
+        file_size_ = mesh_.file.text().size();
+        zones_ = read_zones(cgns_, file_size_, cell_dimension_);
         read_points();
         if (cell_dimension_ == 2) {
             take_flat(mesh_, space_, {});
@@ -134,6 +136,15 @@ private:
         return static_cast<std::int32_t>(zone.first) + static_cast<std::int32_t>(number) - 1;
     }
 
+    // last: the number of elements less 1; size: how many whole numbers they have.
+    void check_section(const std::string& where, cgsize_t last, cgsize_t size) const {
+        const bool is_in_file =
+            size >= 0 && static_cast<std::size_t>(size) <= file_size_ * largest_ratio_of_zlib / 4;
+        if (last >= 0 && last < size && is_in_file) return;
+        cgns_.fail(where + " announces " + std::to_string(last + 1) + " elements with " +
+                   plural(size, "whole number") + ", which the file cannot hold");
+    }
+
     void add_sections(std::size_t z) {
         const int number = static_cast<int>(z) + 1;
         int n_sections = 0;
@@ -149,6 +160,7 @@ private:
             if (type == NODE) continue;
             const std::string where = in_zone(zones_[z]) + ", section " + in_quotes(name);
             cgns_(cg_ElementDataSize(cgns_.file, cgns_base, number, s, &size), where);
+            check_section(where, end - begin, size);
             std::vector<cgsize_t> data(static_cast<std::size_t>(size)),
                 start(static_cast<std::size_t>(end - begin) + 2);
             const bool has_start = type == MIXED || type == NGON_n || type == NFACE_n;
@@ -221,6 +233,7 @@ private:
     Cgns cgns_;
     std::vector<CgnsZone> zones_;
     int cell_dimension_ = 0;
+    std::size_t file_size_ = 0;
     std::size_t bytes_ = 8;  // of a number in mesh.file
     SpacePoints space_;
     std::unique_ptr<OneCellThick> solid_;
