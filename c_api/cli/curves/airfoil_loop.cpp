@@ -10,23 +10,23 @@ namespace cli {
 
 AirfoilLoop::AirfoilLoop(const hm_curves& curves, std::int32_t curve) {
     constexpr int per_span = 40;
-    const hm_curve& its = curves.curve[curve];
+    const hm_curve& spline = curves.curve[curve];
     const Curve copy = copied(curves).curves[static_cast<std::size_t>(curve)];
     is_periodic = copy.closed == HM_PERIODIC;
     is_blunt = copy.closed == HM_OPEN;
-    begin_ = its.knots[its.degree];
-    end_ = its.knots[its.n_indices];
+    begin_ = spline.knots[spline.degree];
+    end_ = spline.knots[spline.n_indices];
     const auto add = [&](double parameter) {
         double xy[2];
         call(std::string("curve"), hm_curve_point, &curves, curve, parameter, 0, xy);
         u.push_back(parameter);
         at.push_back({xy[0], xy[1]});
     };
-    for (std::int32_t span = its.degree; span < its.n_indices; ++span) {
-        const double from = its.knots[span], to = its.knots[span + 1];
+    for (std::int32_t span = spline.degree; span < spline.n_indices; ++span) {
+        const double from = spline.knots[span], to = spline.knots[span + 1];
         for (int i = 0; i < per_span && from < to; ++i) add(from + (to - from) * i / per_span);
     }
-    if (is_periodic) {  // from the largest x on
+    if (is_periodic) {  // the loop begins at the largest x
         const auto least = [](Point a, Point b) { return a.x < b.x; };
         const auto first = std::max_element(at.begin(), at.end(), least) - at.begin();
         std::rotate(at.begin(), at.begin() + first, at.end());
@@ -42,17 +42,17 @@ AirfoilLoop::AirfoilLoop(const hm_curves& curves, std::int32_t curve) {
 
 void AirfoilLoop::measure() {
     trailing = {(at.front().x + at.back().x) / 2, (at.front().y + at.back().y) / 2};
-    std::size_t nose = 0;
+    std::size_t farthest = 0;
     std::vector<double> arc(at.size());
     for (std::size_t k = 1; k < at.size(); ++k) {
         arc[k] = arc[k - 1] + distance(at[k - 1], at[k]);
-        if (distance(at[k], trailing) > distance(at[nose], trailing)) nose = k;
+        if (distance(at[k], trailing) > distance(at[farthest], trailing)) farthest = k;
     }
-    leading = at[nose];
+    leading = at[farthest];
     part.resize(at.size());
     for (std::size_t k = 0; k < at.size(); ++k) {
-        part[k] =
-            k <= nose ? arc[k] / arc[nose] : 1 + (arc[k] - arc[nose]) / (arc.back() - arc[nose]);
+        part[k] = k <= farthest ? arc[k] / arc[farthest]
+                                : 1 + (arc[k] - arc[farthest]) / (arc.back() - arc[farthest]);
     }
 }
 
@@ -68,16 +68,16 @@ void AirfoilLoop::reverse() {
     measure();
 }
 
-double AirfoilLoop::u_at(double its_part) const {
-    const auto next = std::upper_bound(part.begin() + 1, part.end() - 1, its_part) - part.begin();
+double AirfoilLoop::u_at(double wanted) const {
+    const auto next = std::upper_bound(part.begin() + 1, part.end() - 1, wanted) - part.begin();
     const auto k = static_cast<std::size_t>(next);
     const double length = part[k] - part[k - 1],
-                 t = length > 0 ? (its_part - part[k - 1]) / length : 0;
+                 t = length > 0 ? (wanted - part[k - 1]) / length : 0;
     return u[k - 1] + std::clamp(t, 0.0, 1.0) * (u[k] - u[k - 1]);
 }
 
-double AirfoilLoop::within(double its_u) const {
-    return its_u > end_ ? its_u - (end_ - begin_) : its_u;
+double AirfoilLoop::within(double parameter) const {
+    return parameter > end_ ? parameter - (end_ - begin_) : parameter;
 }
 
 }  // namespace cli

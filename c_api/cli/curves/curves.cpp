@@ -44,13 +44,13 @@ Curves copied(const hm_curves& from) {
     to.control.assign(from.control, from.control + 2 * from.n_control);
     if (from.weights) to.weights.assign(from.weights, from.weights + from.n_control);
     for (std::int32_t i = 0; i < from.n_curves; ++i) {
-        const hm_curve& its = from.curve[i];
+        const hm_curve& given = from.curve[i];
         Curve curve;
-        curve.degree = its.degree;
-        curve.indices = default_indices(its.n_indices, its.degree, HM_OPEN);
-        if (its.indices) curve.indices.assign(its.indices, its.indices + its.n_indices);
-        for (std::int32_t& index : curve.indices) index -= its.indices ? from.index_base : 0;
-        curve.knots.assign(its.knots, its.knots + its.n_indices + its.degree + 1);
+        curve.degree = given.degree;
+        curve.indices = default_indices(given.n_indices, given.degree, HM_OPEN);
+        if (given.indices) curve.indices.assign(given.indices, given.indices + given.n_indices);
+        for (std::int32_t& index : curve.indices) index -= given.indices ? from.index_base : 0;
+        curve.knots.assign(given.knots, given.knots + given.n_indices + given.degree + 1);
         for (const std::int32_t closed : {HM_TIED, HM_PERIODIC}) {  // what the indices say
             curve.closed = closed;
             if (closes(curve)) break;

@@ -74,7 +74,8 @@ std::string text_parameter(const std::string& text) {
     return std::to_string(text.size()) + "H" + text;
 }
 
-// What the file says of itself. The date is a constant, so that equal curves make equal files.
+// Writes the description of the file. The date is a constant, so that equal curves make equal
+// files.
 std::vector<std::string> globals_of(const Curves& curves) {
     double largest = 0;
     for (const double coordinate : curves.control)

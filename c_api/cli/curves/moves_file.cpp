@@ -126,9 +126,10 @@ private:
 std::vector<double> read_moves(const std::string& path, const Movable& movable, const Mesh& mesh) {
     const TextFile file(path);
     if (trimmed(file.text()).empty())
-        file.fail(0,
-                  "the file is empty: a file of moves without any says so by a comment, as in `# "
-                  "nothing moves`");
+        file.fail(
+            0,
+            "the file of moves is empty; if nothing is to move, write a comment such as `# nothing "
+            "moves`");
     return MovesReader(file, movable, mesh).read();
 }
 
@@ -151,13 +152,14 @@ void write_moves(std::ostream& out, const std::vector<double>& moves, const Basi
         if (condition.kind != HM_RIGID || written[static_cast<std::size_t>(condition.body)])
             continue;
         written[static_cast<std::size_t>(condition.body)] =
-            true;  // another marker of the same body says no more
-        const double* const its =
+            true;  // one marker of each body is written
+        const double* const function =
             &moves[2 * (n_control + 2 * static_cast<std::size_t>(condition.body))];
         out << "# body, dx, dy, degrees, scale\nrigid "
-            << mesh.markers[static_cast<std::size_t>(condition.marker)] << ' ' << exact(its[0])
-            << ' ' << exact(its[1]) << ' ' << exact(std::atan2(its[3], 1 + its[2]) * 180 / pi)
-            << ' ' << exact(std::hypot(1 + its[2], its[3])) << '\n';
+            << mesh.markers[static_cast<std::size_t>(condition.marker)] << ' ' << exact(function[0])
+            << ' ' << exact(function[1]) << ' '
+            << exact(std::atan2(function[3], 1 + function[2]) * 180 / pi) << ' '
+            << exact(std::hypot(1 + function[2], function[3])) << '\n';
     }
 }
 

@@ -108,8 +108,8 @@ void CgnsConditions::add_conditions(std::size_t z) {
     }
 }
 
-// Of faces, indices are those of their first corner: the points one further along the side belong
-// to it, too.
+// Returns the points of a condition on a structured zone. A face has the indices of its first
+// corner, so that the next points along the side belong to the face, too.
 CgnsConditions::Points CgnsConditions::structured_points(const CgnsZone& zone,
                                                          const std::vector<cgsize_t>& items,
                                                          std::size_t dimensions, bool is_range,
@@ -158,8 +158,8 @@ void CgnsConditions::mark(const std::string& name, Edge edge) {
     open_.erase(found);
 }
 
-// Boundary edges with both ends among the points. A condition on a whole plane of a mesh one cell
-// thick marks none and needs no words: the plane is no boundary of the mesh.
+// Marks boundary edges with both ends among the points. A condition on a whole plane of a mesh one
+// cell thick marks none, and no remark is made: the plane is no boundary of the mesh.
 void CgnsConditions::mark_points(const std::string& name, const Points& points,
                                  std::size_t in_file) {
     const auto all = static_cast<std::size_t>(mesh_.points());
@@ -175,7 +175,7 @@ void CgnsConditions::mark_points(const std::string& name, const Points& points,
                      (points.size() == all ? "all points of the mesh"
                                            : "points that are on no boundary edge without a "
                                              "condition") +
-                     ": it becomes no marker (and is kept)");
+                     ", so it becomes no marker; the file keeps the condition");
         return;
     }
     for (const Edge& edge : edges) mark(name, edge);
@@ -189,7 +189,7 @@ void CgnsConditions::mark_element(const std::string& name, std::size_t z, cgsize
                    ", which is no face of the boundary");
     }
     std::set<std::int32_t> ends;
-    for (const std::int32_t its : found->second) ends.insert(plane_point(its));
+    for (const std::int32_t corner : found->second) ends.insert(plane_point(corner));
     if (ends.size() == 2) mark(name, edge_of(*ends.begin(), *ends.rbegin()));
 }
 

@@ -17,7 +17,7 @@
 namespace cli {
 
 Cgns::Cgns(const std::string& name, int mode, const std::string& path) : path_(path) {
-    cg_configure(CG_CONFIG_ERROR, nullptr);  // nothing is printed
+    cg_configure(CG_CONFIG_ERROR, nullptr);  // libcgns prints nothing
     (*this)(cg_open(name.c_str(), mode, &file));
     is_open_ = true;
 }
@@ -119,7 +119,8 @@ void whole_range(const CgnsZone& zone, cgsize_t* low, cgsize_t* high) {
 
 namespace {
 
-// libcgns puts its own version into files that it changes.
+// Writes the version of the given file into the copy: libcgns puts its own version into files that
+// it changes.
 void write_version(const std::string& file, float version, const std::string& path) {
     int number = 0;
     double root = 0, node = 0;

@@ -44,7 +44,8 @@ public:
     }
 
 private:
-    // Of all coordinates of n points, x first: "zone 'a', point 12, CoordinateX".
+    // Names a coordinate by its number among all coordinates of n points, where all x stand first:
+    // "zone 'a', point 12, CoordinateX".
     static std::string place(const std::vector<CgnsZone>& zones, std::size_t n,
                              std::size_t number) {
         std::size_t z = zones.size() - 1;
@@ -177,14 +178,14 @@ private:
             std::size_t at = 0;
             for (cgsize_t element = begin; element <= end; ++element) {
                 const auto e = static_cast<std::size_t>(element - begin);
-                ElementType_t its = type;
+                ElementType_t element_type = type;
                 std::size_t count = static_cast<std::size_t>(n_points);
                 if (has_start) {
                     at = static_cast<std::size_t>(start[e]);
                     count = static_cast<std::size_t>(start[e + 1] - start[e]);
                 }
                 if (type == MIXED && count > 0) {
-                    its = static_cast<ElementType_t>(data[at++]);
+                    element_type = static_cast<ElementType_t>(data[at++]);
                     --count;
                 }
                 if (at + count > data.size()) {
@@ -196,7 +197,7 @@ private:
                     points.push_back(point(zones_[z], name, element, data[at + k]));
                 }
                 at += count;
-                add_element(z, element, its, points, name);
+                add_element(z, element, element_type, points, name);
             }
         }
     }
@@ -220,7 +221,7 @@ private:
         }
     }
 
-    // The point of the plane that each point of the file is or follows.
+    // Returns for each point of the file the point of the plane that it is or follows.
     std::vector<std::int32_t> find_plane_points() const {
         const std::size_t n = space_.x[0].size();
         std::vector<std::int32_t> plane_point(n, -1);
@@ -234,7 +235,7 @@ private:
     std::vector<CgnsZone> zones_;
     int cell_dimension_ = 0;
     std::size_t file_size_ = 0;
-    std::size_t bytes_ = 8;  // of a number in mesh.file
+    std::size_t bytes_ = 8;  // bytes of a number in mesh.file
     SpacePoints space_;
     std::unique_ptr<OneCellThick> solid_;
     CgnsSides sides_;

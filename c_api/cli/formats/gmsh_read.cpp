@@ -128,7 +128,7 @@ void GmshReader::read_section(std::string_view name) {
             "4.1 (in Gmsh: "
             "-format msh41, or Mesh.MshFileVersion = 4.1)");
     } else {
-        pass_over_section(name);  // stays as it is
+        pass_over_section(name);  // the section stays as it is
     }
     end_section(name);
 }
@@ -222,10 +222,10 @@ const ElementShape& GmshReader::element_shape(std::int64_t number) {
     for (const GmshElementType& type : element_types) {
         if (type.number == number) return type.shape;
     }
-    numbers_.fail("element type " + std::to_string(number) +
-                  " is not read: triangles and quadrilaterals of first and second order are, and "
-                  "meshes one cell thick "
-                  "of first order (in Gmsh: -order 2, -order 1)");
+    numbers_.fail(
+        "element type " + std::to_string(number) +
+        " is not read: save triangles and quadrilaterals of first or second order, or a mesh one "
+        "cell thick of first order (in Gmsh: -order 2, -order 1)");
 }
 
 void GmshReader::read_element(const ElementShape& shape, std::int32_t group, std::size_t offset) {
@@ -234,7 +234,8 @@ void GmshReader::read_element(const ElementShape& shape, std::int32_t group, std
         element_nodes_.push_back(numbers_.whole("a node of an element", version_ == 4 ? 8 : 4));
     }
     if (shape.dimension == 0) {
-        element_nodes_.resize(first);  // points are kept, but are no boundary
+        element_nodes_.resize(
+            first);  // elements that are points stay in the file, but are no boundary
     } else {
         content_.elements.push_back({shape, group, offset, first});
     }
@@ -263,7 +264,7 @@ void GmshReader::read_elements_2() {
             }
             read_element(shape, groups_.find(shape.dimension, std::abs(tags[0]), tags[1]), offset);
         }
-        if (in_block == 0) numbers_.fail("a block without elements");
+        if (in_block == 0) numbers_.fail("a block has no elements");
     }
 }
 

@@ -45,9 +45,9 @@ private:
     NumberReader numbers_;
     VtkXmlFile content_;
     VtkStore store_;
-    std::vector<std::pair<std::size_t, VtkDecoded>> decoded_;  // by the tag of the array, rising
+    std::vector<std::pair<std::size_t, VtkDecoded>> decoded_;  // in the order of the tags
     Elements elements_;
-    std::int32_t first_point_ = 0;  // of the piece
+    std::int32_t first_point_ = 0;  // the first point of the piece
     std::size_t numbers_read_ = 0;
     bool has_kind_ = false;
 };
@@ -65,7 +65,7 @@ void VtkXmlReader::read() {
     build_mesh(mesh_, elements_);
 }
 
-// Encoded arrays go behind the text of the file, where they are read, and changed, as raw ones.
+// Appends encoded arrays to the text of the file, where they are read, and changed, as raw arrays.
 void VtkXmlReader::decode() {
     const VtkEncoding& as = content_.encoding;
     store_.file_size = mesh_.file.text().size();
@@ -79,7 +79,7 @@ void VtkXmlReader::decode() {
         for (const auto& [array, name] : arrays) {
             const bool is_needed = array == &piece.points ? piece.n_points > 0 : piece.n_cells > 0;
             if (!array->is_there || !is_needed || !array->is_encoded(as)) continue;
-            if (array->is_appended && as.appended == 0) continue;  // refused where it is read
+            if (array->is_appended && as.appended == 0) continue;  // source_of() refuses the array
             decoded_.emplace_back(array->tag, decode_vtk(mesh_.file, as, *array, name, text));
             if (array == &piece.points) store_.points.push_back(decoded_.back().second);
         }
@@ -224,7 +224,7 @@ void VtkXmlReader::check_length(const VtkArray& array, const char* name, std::si
                     "the array " + std::string(name) + " has " + numbers + " for " + cells);
 }
 
-// Pieces with common arrays could ask for more than the file holds.
+// Pieces that share arrays could have more points and cells than the file can hold.
 void VtkXmlReader::check_total(const VtkPiece& piece) {
     numbers_read_ += static_cast<std::size_t>(piece.n_points);
     if (numbers_read_ > mesh_.file.text().size() || elements_.points.x[0].size() > INT32_MAX) {
