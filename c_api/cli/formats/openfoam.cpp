@@ -1,7 +1,7 @@
 // OpenFOAM's polyMesh
 // (https://www.openfoam.com/documentation/user-guide/4-mesh-generation-and-conversion): the mesh is
-// the file `points`, in text or binary; faces, owner and boundary stand beside it. Two dimensions:
-// the patches of type empty are the planes, or two patches of type wedge. All other patches are
+// the file `points`, in text or binary; the files faces, owner and boundary lie in the same folder.
+// The two planes are the patches of type empty, or two patches of type wedge. All other patches are
 // markers.
 #include <harmorph_space.h>
 #include "formats/format.hpp"

@@ -1,9 +1,9 @@
 // Reads SU2 files.
 //
-// Files from outside vary: sections in any order, tabs, carriage returns, "KEY=value" and "KEY=
-// value", two counts after NPOIN, 2 to 4 numbers per point, elements with or without their number,
-// periodic blocks and FFD boxes between or after. One of several zones (NZONE, IZONE) is read;
-// the lines of the others are passed over, and stay.
+// Files of other programs vary: sections in any order, tabs, carriage returns, "KEY=value" and
+// "KEY= value", two counts after NPOIN, 2 to 4 numbers per point, elements with or without their
+// number, periodic blocks and FFD boxes between or after. One of several zones (NZONE, IZONE) is
+// read; the lines of the others are passed over, and stay.
 #include "formats/su2.hpp"
 
 #include "basics/failure.hpp"
@@ -21,7 +21,8 @@ struct Heading {  // a line KEY= value
     std::string_view value;
 };
 
-// MARKER_TAG, and MARKERTAG, MARKER TAG, which SU2 reads as the same.
+// Tells whether the key is MARKER_TAG, MARKERTAG or MARKER TAG, between which SU2 does not
+// distinguish.
 bool is_marker_tag(const std::string& key) {
     std::string letters;
     for (const char c : key) letters += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
@@ -253,7 +254,7 @@ const Su2Reader::Words& Su2Reader::data_line(const std::string& what, std::int32
     return lines_.words();
 }
 
-// After the type come n points and, in most files, the element's number.
+// Behind the type stand n points and, in most files, the number of the element.
 const std::vector<std::int32_t>& Su2Reader::points_of(const Words& words, std::size_t n) {
     if (words.size() < n + 1 || words.size() > n + 2) {
         lines_.expected("element type " + std::string(words[0]) + ", " + std::to_string(n) +

@@ -14,7 +14,7 @@ namespace cli {
 
 namespace {
 
-using EdgeKey = std::uint64_t;  // of two points, either way round
+using EdgeKey = std::uint64_t;  // identifies the edge between two points in both directions
 
 EdgeKey edge_of(std::int32_t a, std::int32_t b) {
     const auto low = static_cast<std::uint32_t>(std::min(a, b)),
@@ -23,7 +23,8 @@ EdgeKey edge_of(std::int32_t a, std::int32_t b) {
 }
 
 template <class Visit>
-void for_each_edge(const Mesh& mesh, Visit visit) {  // visit(from, to), once for each cell
+void for_each_edge(const Mesh& mesh,
+                   Visit visit) {  // calls visit(from, to) for each edge of each cell
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
         const std::int32_t* points = mesh.cell_points.data() + mesh.cell_start[cell];
         const std::int32_t n = mesh.cell_start[cell + 1] - mesh.cell_start[cell];
@@ -31,9 +32,9 @@ void for_each_edge(const Mesh& mesh, Visit visit) {  // visit(from, to), once fo
     }
 }
 
-// Leaves out edges (two points each) that lie in pairs at the same place: they are both sides of a
+// Removes edges (two points each) that lie in pairs at the same place: they are both sides of a
 // cut, as in the wake of a C-mesh or between the blocks of a grid, which the library closes if the
-// edges have no marker. Returns pairs of points at one place, both on edges that are left.
+// edges have no marker. Returns pairs of points at one place, both of which are on remaining edges.
 std::vector<std::int32_t> drop_cuts(Mesh& mesh, std::vector<std::int32_t>& edges) {
     using Ends = std::array<double, 4>;  // x and y of both ends, the lower one first
     const auto ends_of = [&](std::size_t edge) {
@@ -217,7 +218,7 @@ void drop_empty_markers(Mesh& mesh) {
 }
 
 void name_open_boundary(Mesh& mesh, const std::string& name) {
-    // Edges of cells by their lower point: those there once, and without a marker, are open.
+    // Edges of cells are sorted by their lower points. Edges of one cell without a marker are open.
     std::vector<std::size_t> start(mesh.x.size() + 1);
     const auto low = [](std::int32_t a, std::int32_t b) {
         return static_cast<std::size_t>(std::min(a, b));

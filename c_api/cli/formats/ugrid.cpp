@@ -133,7 +133,7 @@ public:
                 const std::size_t n = corners_of[kind];
                 std::int32_t points[8];
                 const std::size_t offset = read_item(points, n);
-                if (kind == pyramids) {  // the base is 1 4 5 2, the apex 3
+                if (kind == pyramids) {  // the base has the corners 1 4 5 2, the apex is 3
                     const std::int32_t apex = points[2];
                     points[2] = points[4];
                     points[4] = apex;
@@ -171,7 +171,7 @@ private:
         return offset;
     }
 
-    // All faces, then all their tags.
+    // The file lists all faces, and then the tags of all faces.
     void read_sides(OneCellThick& thick) {
         struct Side {
             std::int32_t points[4];

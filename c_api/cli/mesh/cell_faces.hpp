@@ -40,7 +40,7 @@ public:
     std::int32_t find(const std::int32_t* corners, std::size_t n) const;
 
     // Returns the other face at the edge a, b of the cell of `face`, or -1 if there is none. To be
-    // called after connect(). The time does not grow with the size of the cell.
+    // called after connect(). The time grows at most with the logarithm of the number of edges.
     std::int32_t across(std::int32_t face, std::int32_t a, std::int32_t b) const;
 
 private:

@@ -30,7 +30,7 @@ struct SpaceMesh {
     std::vector<SpaceCopy> copies;  // copies move as their originals
     std::vector<std::int32_t> face_start = {0},
                               face_points;  // of one symmetry plane; counted from 0
-    std::vector<std::size_t> face_offset;  // place of each face in the file, for messages
+    std::vector<std::size_t> face_offset;   // place of each face in the file, for messages
     std::vector<std::int32_t> side_points, side_markers;  // four points each; markers of the mesh
     std::vector<std::size_t> side_offset;
     std::int32_t kind = 0;  // HM_SPACE_AUTO, HM_PLANES or HM_WEDGE
