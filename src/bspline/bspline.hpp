@@ -4,11 +4,13 @@
 // order. Out: basis functions and derivatives (bspline), nearest parameters and monotone parameters
 // along a chain of points (projection), a fitted curve (fit, with knots, least_squares,
 // envelope_cholesky; corners and curve_ends find corners, blunt bases and where a closed curve
-// begins). For design: the same curves with more control points (finer_curves); the outline of a
-// body as a section with a chord, its measures and their derivatives by the control points
-// (section, section_measures with section_area, section_stations, section_curvature,
-// section_clearance; control_gradient, quadrature); design variables as maps to the control points
-// (variables). Sources: Piegl & Tiller, below; least squares, knots and others in the files.
+// begins). For design: another airfoil on the knots of a curve (refit, with unit_points,
+// point_spline, airfoil_line, airfoil_samples); the same curves with more control points
+// (finer_curves); the outline of a body as a section with a chord, its measures and their
+// derivatives by the control points (section, section_measures with section_area, section_stations,
+// section_curvature, section_clearance; control_gradient, quadrature); design variables as maps to
+// the control points (variables). Sources: Piegl & Tiller, below; least squares, knots and others
+// in the files.
 //
 // This file: one curve, rational where there are weights: B-spline basis functions, points,
 // derivatives. Piegl & Tiller, The NURBS Book, 2nd ed.: algorithm A2.1, equations 2.5 (basis), 2.7

@@ -42,7 +42,7 @@ void Fit::lay_out(Arena& arena, Index n_points, FitOptions const& options) noexc
     arena.take(span_error_, m + p);
     arena.take(best_u_, n + 1);
     arena.take(section_spans_, m);
-    arena.take(scaled_, n);
+    points_.lay_out(arena, n_points);
     arena.take(corner_, n);
     arena.take(along_, n + 1);
     arena.take(arc_, n + 1);
@@ -57,7 +57,9 @@ void Fit::lay_out(Arena& arena, Index n_points, FitOptions const& options) noexc
 Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options, FitReport& report,
                 Fault& fault) noexcept {
     HARMORPH_TRY(check_fit(n, options, fault));
-    HARMORPH_TRY(take_points(points, n, is_loop, fault));
+    HARMORPH_TRY(points_.take(points, n, is_loop, fault));
+    outline_.points = points_.at;
+    outline_.is_loop = is_loop;
     if (!is_loop && (options.closure == Closure::tied || options.closure == Closure::periodic))
         return fault.refuse(Status::bad_curve,
                             "only a loop of points can have a tied or periodic curve");
@@ -96,46 +98,6 @@ Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options,
                         point_item(report.backtrack_point), point_item(next));
 }
 
-// Checks them, and turns them into scaled_ points about their centroid.
-Status Fit::take_points(Points points, Index n, bool is_loop, Fault& fault) noexcept {
-    Vec2 sum;
-    for (Index k = 0; k < n; ++k) {
-        if (!is_finite(points[k].x) || !is_finite(points[k].y))
-            return fault.refuse(Status::bad_curve, "point # is not finite", point_item(k));
-        if (!is_in_range(points[k]))
-            return fault.refuse(Status::bad_curve, "point # has a coordinate beyond 1e100",
-                                point_item(k));
-        sum = sum + (points[k] - points[0]);
-    }
-    centre_ = points[0] + (1 / static_cast<Real>(n)) * sum;
-    auto const farthest_from = [&](Vec2 p) {
-        Vec2 farthest = p;
-        for (Index k = 0; k < n; ++k)
-            if (square(points[k] - p) > square(farthest - p)) farthest = points[k];
-        return farthest;
-    };
-    Vec2 const end = farthest_from(centre_);
-    extent_ = length(farthest_from(end) - end);
-    if (!is_finite(extent_)) return fault.refuse(Status::bad_curve, "the points are too far apart");
-    if (extent_ == 0) return fault.refuse(Status::bad_curve, "all points are in one place");
-    for (Index k = 0; k < n; ++k) scaled_[k] = (1 / extent_) * (points[k] - centre_);
-    for (Index k = 0; k + (is_loop ? 0 : 1) < n; ++k) {
-        Index const next = k + 1 == n ? 0 : k + 1;
-        if (square(scaled_[next] - scaled_[k]) == 0)
-            return fault.refuse(Status::bad_curve, "points # and @ follow each other and coincide",
-                                point_item(k), point_item(next));
-    }
-    Vec2 const first = points[0], last = points[n - 1];
-    if (!is_loop && first.x == last.x && first.y == last.y)
-        return fault.refuse(
-            Status::bad_curve,
-            "the first point and the last one, #, are equal: fit a loop without the last one",
-            point_item(n - 1));
-    outline_.points = scaled_;
-    outline_.is_loop = is_loop;
-    return Status::ok;
-}
-
 void Fit::shape_curve(FitOptions const& options) noexcept {
     Curve shape;
     shape.degree = options.degree;
@@ -155,7 +117,7 @@ void Fit::gather(Index n_corners) noexcept {
     Index const m = course_.n_positions;
     for (Index k = 0; k < m; ++k) {
         Index const point = point_at(k);
-        along_[k] = scaled_[point];
+        along_[k] = points_.at[point];
         curvature_[k] = outline_.curvature[point];
         arc_[k] = k == 0 ? 0 : arc_[k - 1] + length(along_[k] - along_[k - 1]);
     }

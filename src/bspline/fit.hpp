@@ -5,6 +5,7 @@
 #include "bspline/curve_ends.hpp"
 #include "bspline/knots.hpp"
 #include "bspline/least_squares.hpp"
+#include "bspline/unit_points.hpp"
 
 namespace harmorph {
 
@@ -41,7 +42,6 @@ struct Fit {
                FitReport& report, Fault& fault) noexcept;
 
 private:
-    Status take_points(Points points, Index n, bool is_loop, Fault& fault) noexcept;
     void shape_curve(FitOptions const& options) noexcept;
     void gather(Index n_corners) noexcept;
     void use_corners(Index n) noexcept;
@@ -60,13 +60,11 @@ private:
                                   outline_.count());
     }
 
-    Vec2 centre_;  // unit lengths: (point - centre) / extent
-    Real extent_ = 1;
+    UnitPoints points_;
     Outline outline_;
     Course course_;
     KnotSites sites_;
     LeastSquares squares_;
-    Span<Vec2> scaled_;   // [n]
     Span<Index> corner_;  // [n] points; then positions
     Span<Vec2> along_;    // [n + 1] the points along the curve
     Span<Real> arc_, curvature_,

@@ -18,7 +18,7 @@ constexpr Index looks_per_step = 32;
 void Fit::publish(Points points) noexcept {
     Index const n_control = squares_.curve.n_control;
     for (Index i = 0; i < n_control; ++i) {
-        Vec2 place = centre_ + extent_ * Vec2{control[2 * i], control[2 * i + 1]};
+        Vec2 place = points_.from_unit({control[2 * i], control[2 * i + 1]});
         Index const position = best_pinned_[i];
         if (position != none) place = points[point_at(position)];
         control[2 * i] = place.x;
