@@ -1,7 +1,8 @@
 # Sides that move alike: `--periodic`, of translates and of sides that are turned.
 
 runs "--periodic, with a colon in a tag" 0 solve "$box" $on_block --periodic in:let:out -o "$tmp/pair.basis"
-runs "--periodic by patterns, with a colon in a tag" 0 solve "$box" $on_block --periodic 'in:*:ou?' -o "$tmp/named.basis"
+runs "--periodic by patterns, with a colon in a tag" 0 solve "$box" $on_block --periodic 'in:*:ou?' \
+    -o "$tmp/named.basis"
 check "--periodic by patterns: the same basis" cmp "$tmp/pair.basis" "$tmp/named.basis"
 refuses "--periodic by a pattern of two markers" 2 "each of which stands for one marker, found 'in:let:*o*'" \
     solve "$box" $on_block --periodic 'in:let:*o*' -o "$tmp/x"

@@ -170,7 +170,9 @@ check "PVTU: solve" "$harmorph" solve "$tmp/halves.pvtu" --curve "boundary1=$tmp
 check "PVTU: morph" "$harmorph" morph "$tmp/halves.pvtu" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/joined.vtu"
 check "PVTU: one file of the pieces: morph" "$harmorph" morph "$tmp/pieces.vtu" "$tmp/basis" \
     --move "$tmp/moves.txt" -o "$tmp/moved.vtu"
-for file in joined moved; do tr -s ' \n' '\n' <"$tmp/$file.vtu" | sed 's/<[^>]*>//g' | grep . >"$tmp/$file.numbers"; done
+for file in joined moved; do
+    tr -s ' \n' '\n' <"$tmp/$file.vtu" | sed 's/<[^>]*>//g' | grep . >"$tmp/$file.numbers"
+done
 check "PVTU: moves as one file of the pieces" cmp "$tmp/joined.numbers" "$tmp/moved.numbers"
 "$harmorph" morph "$tmp/halves.pvtu" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/joined.pvtu" >"$tmp/out" 2>&1
 [ $? -eq 2 ] && ok "PVTU: not under a name .pvtu" || fail "PVTU: not under a name .pvtu"
@@ -192,8 +194,8 @@ parallel 0 >"$tmp/bad.pvtu"
 refuses "PVTU: no piece" 'expected <Piece' "$harmorph" check "$tmp/bad.pvtu"
 sed '4s/.*/nonsense/' "$tmp/parallel/half-2.vtu" >"$tmp/parallel/bad.vtu"
 parallel 0 parallel/half-1.vtu parallel/bad.vtu >"$tmp/bad.pvtu"
-refuses "PVTU: a bad number: the file and the line of the piece" 'parallel/bad.vtu:4: expected a coordinate' "$harmorph" \
-    check "$tmp/bad.pvtu"
+refuses "PVTU: a bad number: the file and the line of the piece" 'parallel/bad.vtu:4: expected a coordinate' \
+    "$harmorph" check "$tmp/bad.pvtu"
 sed 's|</Piece>||' "$tmp/parallel/half-2.vtu" >"$tmp/parallel/bad.vtu"
 refuses "PVTU: a piece without its end" 'the piece has no end </Piece>' "$harmorph" check "$tmp/bad.pvtu"
 sed '1s/VTKFile /VTKFile header_type="UInt64" /' "$tmp/parallel/half-2.vtu" >"$tmp/parallel/bad.vtu"

@@ -47,7 +47,8 @@ check "fluent: prisms of polygons: morph" "$harmorph" morph "$tmp/fluent-polygon
     --move "$tmp/moves.txt" -o "$tmp/moved.msh"
 sed 1,2d "$tmp/moved.msh" | awk 'NF == 1 { v[n++] = $1 } END {   # both planes move alike
         for (k = 0; k < 504; k++) if (k % 3 < 2 && v[k] != v[k + 504]) exit 1
-        exit n < 1008 }' && ok "fluent: prisms of polygons: both planes" || fail "fluent: prisms of polygons: both planes"
+        exit n < 1008 }'
+passes "fluent: prisms of polygons: both planes move alike" $?
 solid() { sed "$1" "$tmp/fluent-solid.msh" >"$tmp/bad.msh"; }
 solid 's/^(13 (14 1 1 7 4)/(13 (14 1 1 7 2)/; s/^(13 (3 \([0-9a-f]*\) \([0-9a-f]*\) 2 4)/(13 (3 \1 \2 2 2)/'
 refuses "fluent: three dimensions: faces of two nodes" 'faces of the type 2, but a face of three dimensions has' \
