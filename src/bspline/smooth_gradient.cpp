@@ -5,7 +5,7 @@
 namespace harmorph {
 namespace {
 
-constexpr Real tolerance = 1e-15;  // of the residual, relative to the gradient
+constexpr Real tolerance = 1e-15;  // the residual relative to the gradient
 
 Real total(Span<const Vec2> a, Span<const Vec2> b) noexcept {
     Real sum = 0;
@@ -15,9 +15,8 @@ Real total(Span<const Vec2> a, Span<const Vec2> b) noexcept {
 
 }  // namespace
 
-void SmoothGradient::lay_out(Arena& arena, Index n_control, Index n_spans,
-                             Index max_degree) noexcept {
-    order_ = max_degree + 1;
+void SmoothGradient::lay_out(Arena& arena, Index n_control, Index n_spans, Index degree) noexcept {
+    order_ = degree + 1;
     Offset const entries = Offset{n_spans} * order_;
     arena.take(control_, entries);
     arena.take(stiffness_, entries * order_);
@@ -33,7 +32,8 @@ void SmoothGradient::start() noexcept {
     fill(scale_, Real(0));
 }
 
-// Where the curve stands still, arc length has no derivative: the point does not count.
+// A point at which the derivative of the curve is 0 is omitted, because there are no derivatives by
+// the arc length there.
 void SmoothGradient::add(Curve const& curve) noexcept {
     for (Index span = curve.degree; span < curve.n_indices; ++span) {
         Real const low = curve.knots[span], high = curve.knots[span + 1];
@@ -60,7 +60,7 @@ void SmoothGradient::add(Curve const& curve) noexcept {
     }
 }
 
-// out = (I + factor D^-1/2 K D^-1/2) p
+// Computes out = (I + factor D^-1/2 K D^-1/2) p.
 void SmoothGradient::multiply(Real factor, Span<const Vec2> p, Span<Vec2> out) const noexcept {
     copy(out, p);
     for (Index e = 0; e < n_elements_; ++e) {
@@ -78,8 +78,8 @@ void SmoothGradient::multiply(Real factor, Span<const Vec2> p, Span<Vec2> out) c
     }
 }
 
-// Conjugate gradients; x and y have the same matrix. The gradient is divided by the largest entry,
-// so that squares neither overflow nor vanish.
+// Solves by conjugate gradients; x and y have the same matrix. The gradient is divided by its
+// largest entry, so that squares neither overflow nor underflow.
 void SmoothGradient::solve(Real length, Real const* gradient, Real* smoothed) noexcept {
     Index const n = scale_.count();
     Real largest = 0;

@@ -176,7 +176,7 @@ TEST_CASE("what is no airfoil is refused, and so is a section without the base o
                       run.fault.sentence);
     };
     std::vector<Vec2> const section = naca(cambered);
-    refused({blunt.fit.curve[0], &blunt.fit.curve[1], section}, "its base cannot vanish");
+    refused({blunt.fit.curve[0], &blunt.fit.curve[1], section}, "which cannot vanish");
     std::vector<Vec2> upper(section.begin(), section.begin() + 61);
     refused({sharp.fit.curve[0], nullptr, upper, {false, false}},
             "points are not the outline of an airfoil");
@@ -184,7 +184,7 @@ TEST_CASE("what is no airfoil is refused, and so is a section without the base o
     refused({side.fit.curve[0], nullptr, section}, "curve is not the outline of an airfoil");
     std::vector<Vec2> twice = section;
     twice[5] = twice[6];
-    refused({sharp.fit.curve[0], nullptr, twice}, "coincide");
+    refused({sharp.fit.curve[0], nullptr, twice}, "are equal");
     fixtures::Spline eight = fixtures::clamped(3, 8, 1);
     eight.indices = {0, 1, 2, 3, 2, 4, 5, 0};
     refused({eight.curve(), nullptr, section}, "uses control point # twice");
