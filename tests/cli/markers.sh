@@ -21,7 +21,8 @@ refuses "a marker of another name" \
 refuses "the same names on other points" 3 'the markers contain other points' morph "$tmp/exchanged.su2" \
     "$tmp/rigid.basis" --move "$no_moves"
 sed '/^harmorph markers/,$d' "$tmp/rigid.basis" >"$tmp/unnamed.basis"
-refuses "a basis without names" 3 'without the names of its' morph "$box" "$tmp/unnamed.basis" --move "$no_moves"
+refuses "a basis without names" 3 'the file has no names of markers: solve it again' morph "$box" \
+    "$tmp/unnamed.basis" --move "$no_moves"
 { cat "$tmp/unnamed.basis"; printf 'harmorph markers 5\nblock\nhigh\nin:l'; } >"$tmp/cut.basis"
 refuses "a basis with its names cut off" 3 'it has 2 names of markers, expected are 5' morph "$box" "$tmp/cut.basis" \
     --move "$no_moves"
