@@ -18,7 +18,7 @@ hm_basis_info info_of(Basis const& basis) noexcept {
     filled.operator_kind = static_cast<std::int32_t>(header.method.operator_kind);
     filled.scheme = static_cast<std::int32_t>(header.method.scheme);
     filled.engine = static_cast<std::int32_t>(header.method.engine);
-    filled.exponent_quarters = header.method.quarters;
+    filled.exponent_quarters = header.method.exponent_quarters;
     filled.bodies = header.counts.bodies;
     filled.offset_correction = header.method.offset_correction;
     filled.storage = static_cast<std::int32_t>(header.counts.storage);

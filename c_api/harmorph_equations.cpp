@@ -59,7 +59,7 @@ hm_equations_info info_of(PartEquations const& equations) noexcept {
                                                    : numbers_of(counts.kind) * counts.functions() /
                                                          equations.matrix.components();
     filled.field_columns = equations.matrix.kind() == MatrixKind::real ? 2 : 1;
-    filled.unknown = equations.name.data();
+    filled.unknown = equations.unknown_number.data();
     filled.own = equations.is_own.data();
     equations.for_each_entry(0, equations.matrix.n,
                              [&](Index, Index, Real, Real) { ++filled.entries; });

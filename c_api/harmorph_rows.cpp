@@ -15,7 +15,7 @@ struct RowsCall {
     Status open_both(const hm_equations* handle, const hm_basis* rows, CallFault& fault) noexcept {
         HARMORPH_TRY(open(handle, "equations", equations, fault));
         HARMORPH_TRY(open_basis(rows, basis, fault));
-        if (!equations->made(basis))
+        if (!equations->matches(basis))
             return fault.refuse(Status::bad_basis, "the rows were made of other equations");
         if (basis.header->solved == 0) return Status::ok;
         return fault.refuse(Status::bad_basis,

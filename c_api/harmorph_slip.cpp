@@ -1,12 +1,12 @@
 // The C interface: points that slide along curves, back onto their curves.
 #include "handles.hpp"
 #include "base/range.hpp"
-#include "morph/slide.hpp"
+#include "morph/slip_projection.hpp"
 
 namespace harmorph {
 namespace {
 
-Sliding sliding_of(Analysis const& analysis) noexcept {
+SlipProjection sliding_of(Analysis const& analysis) noexcept {
     return {analysis.slip_curves(), analysis.slip_followers(), analysis.problem().mesh.n_points};
 }
 
@@ -37,7 +37,7 @@ hm_status hm_slip(const hm_analysis* analysis, const hm_points* from, const hm_p
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(to, "to", after, fault));
         HARMORPH_TRY(check_sliding(of->slip_curves(), before, fault));
-        sliding_of(*of).slide(before, after);
+        sliding_of(*of).project(before, after);
         return Status::ok;
     });
 }

@@ -55,8 +55,9 @@ Status view_operator(hm_options const& o, hm_study_options const& study, Method&
         return fault.refuse(Status::unsupported,
                             "the offset correction goes with the conformal operator only");
     }
-    method.quarters = o.exponent_quarters == 0 ? method.operator_row().usual_quarters
-                                               : max(o.exponent_quarters, Index{0});
+    method.exponent_quarters = o.exponent_quarters == 0
+                                   ? method.operator_row().default_exponent_quarters
+                                   : max(o.exponent_quarters, Index{0});
     method.offset_correction = o.offset_correction;
     return Status::ok;
 }
@@ -91,7 +92,7 @@ Status check_engine(hm_options const& o, hm_study_options const& study, Fault& f
 }
 
 Status view_iteration(hm_study_options const& study, Iteration& iteration, Fault& fault) noexcept {
-    if (study.levels < 0 || study.levels > Agglomeration::most_levels) {
+    if (study.levels < 0 || study.levels > Agglomeration::max_levels) {
         return fault.refuse(Status::bad_argument,
                             "study options: levels must be between 0 and 20, not #",
                             plain(study.levels));

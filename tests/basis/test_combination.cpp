@@ -183,8 +183,9 @@ TEST_CASE(
         twice.entries[static_cast<std::size_t>((row * 3 + 2) * 2 + 1)] = turned.imag();
     }
     bad.entries[7] = std::nan("");
-    CHECK(refusal(zero, "is zero", 1) == HM_BAD_CONDITION);
-    CHECK(refusal(twice, "combination", 2) == HM_BAD_CONDITION);
+    CHECK(refusal(zero, "the design variable moves no control point", 1) == HM_BAD_CONDITION);
+    CHECK(refusal(twice, "is a linear combination of the columns before it", 2) ==
+          HM_BAD_CONDITION);
     CHECK(refusal(bad, "not finite", 1) == HM_BAD_ARGUMENT);
     CHECK(refusal(Combination(8, 9, 1, 4), "9 variables of 8", 9) == HM_BAD_CONDITION);
     CHECK(refusal(Combination(8, 0, 1, 4), "at least one", -1) == HM_BAD_ARGUMENT);

@@ -180,7 +180,7 @@ TEST_CASE("levels of a plan") {
         hm_error error{};
         CHECK(hm_plan_level(solved.plan, level, cells.data(), &n, &error) == HM_BAD_ARGUMENT);
         CHECK(std::string(error.text)
-                  .find("there is no level " + std::to_string(level) + ": the plan has ") == 0);
+                  .find("there is no level " + std::to_string(level) + "; the plan has ") == 0);
     }
     check_arguments("plan, -, cells, n_cells", hm_plan_level, solved.plan, 0, cells.data(), &n);
 }
@@ -267,8 +267,9 @@ TEST_CASE("a given displacement whose target is out of range") {
     hm_error error{};
     CHECK(hm_displace(displaced.plan, n, nullptr, 1, &all, &all, &to, work.data(), work.size(),
                       nullptr, &error) == HM_BAD_ARGUMENT);
-    CHECK(std::string(error.text).find("the target of point ") == 0);
-    CHECK(std::string(error.text).find("in field 0 is beyond 1e100") != std::string::npos);
+    CHECK(std::string(error.text).find("a target coordinate of point ") == 0);
+    CHECK(std::string(error.text).find("in field 0 exceeds 1e100 in magnitude") !=
+          std::string::npos);
     CHECK(x == its.mesh.x);
 }
 

@@ -188,11 +188,12 @@ TEST_CASE("combined functions, gradients in parts, parcels") {
          [&](hm_error* e) { return hm_adjoint_sums(o.basis, &dj, 100000, sums, nullptr, e); }},
         {HM_BAD_ARGUMENT, too_small.c_str(),
          [&](hm_error* e) { return hm_adjoint_sums(o.basis, &dj, scale - 1, sums, nullptr, e); }},
-        {HM_BAD_BASIS, "parcels are for rows of all functions, this is a share of them",
+        {HM_BAD_BASIS,
+         "a parcel needs rows of all functions, but these rows have a share of the functions",
          [&](hm_error* e) { return hm_parcel_unpack(few, of_few.data(), n_few, e); }},
-        {HM_BAD_BASIS, "the parcel is truncated",
+        {HM_BAD_BASIS, "the parcel is truncated: it is shorter than its label",
          [&](hm_error* e) { return hm_parcel_unpack(rows, parcel.data(), 1, e); }},
-        {HM_BAD_BASIS, "the parcel is truncated",
+        {HM_BAD_BASIS, "the length of the parcel does not fit the rows that its label announces",
          [&](hm_error* e) { return hm_parcel_unpack(rows, parcel.data(), doubles - 1, e); }},
     });
 }
@@ -211,9 +212,10 @@ TEST_CASE("a basis of another version, of another machine, of a mesh that has mo
     std::vector<double> x = o.x;
     x[3] += 0.25;
     moved.points.x = x.data();
-    std::string const text =
-        "the basis has format version " + std::to_string(header.format) + ", this library reads " +
-        std::to_string(harmorph::BasisHeader::current_format) + ": solve it again";
+    std::string const text = "the basis has format version " + std::to_string(header.format) +
+                             ", but this library reads version " +
+                             std::to_string(harmorph::BasisHeader::current_format) +
+                             "; solve the basis again";
     auto const attach = [&](std::size_t shift) {
         return [&, shift](hm_error* e) {
             return hm_basis_attach(&attached, reinterpret_cast<char*>(copy.data()) + shift,
@@ -224,12 +226,16 @@ TEST_CASE("a basis of another version, of another machine, of a mesh that has mo
                  {HM_BAD_ARGUMENT, "the block of a basis must be aligned to 8 bytes", attach(4)}});
     unsigned char* const order = reinterpret_cast<unsigned char*>(&header.byte_order);
     std::reverse(order, order + sizeof header.byte_order);
-    check_texts({{HM_BAD_BASIS, "the basis was written with another byte order", attach(0)}});
+    check_texts({{HM_BAD_BASIS,
+                  "the basis was written on a machine with another byte order; solve the basis "
+                  "again on this machine",
+                  attach(0)}});
     CHECK(attached == nullptr);
-    check_texts({{HM_MOVED, "the mesh's coordinates are not those the basis was solved on",
-                  [&](hm_error* e) {
-                      return hm_basis_attach(&attached, o.basis, info.bytes, &moved, e);
-                  }}});
+    check_texts(
+        {{HM_MOVED, "the mesh has other coordinates than the mesh on which the basis was solved",
+          [&](hm_error* e) {
+              return hm_basis_attach(&attached, o.basis, info.bytes, &moved, e);
+          }}});
     CHECK(attached == o.basis);
 }
 
@@ -253,15 +259,15 @@ TEST_CASE("steps in the wrong order") {
     check_texts({
         {HM_BAD_CONDITION, "no marker has the condition HM_GIVEN: no displacements can be given",
          [&](hm_error* e) { return hm_displace_size(attempt.plan, 1, &bytes, e); }},
-        {HM_BAD_ARGUMENT, "the plan has no factor: hm_plan_factor comes first",
+        {HM_BAD_ARGUMENT, "the plan has no factor; call hm_plan_factor first",
          [&](hm_error* e) { return hm_plan_solve(attempt.plan, attempt.basis, nullptr, e); }},
-        {HM_BAD_ARGUMENT, "the plan has no factor: hm_plan_factor comes first",
+        {HM_BAD_ARGUMENT, "the plan has no factor; call hm_plan_factor first",
          [&](hm_error* e) {
              return hm_displace(of_given.plan, n, nullptr, 1, &wall, nullptr, &to, work.data(),
                                 bytes, nullptr, e);
          }},
         {HM_BAD_ARGUMENT,
-         "the plan has no levels: they are made by hm_plan_factor of other engines",
+         "the plan has no levels; hm_plan_factor makes them for the engines multigrid and fas",
          [&](hm_error* e) { return hm_plan_level(attempt.plan, 0, cells, &n_cells, e); }},
     });
 }
@@ -292,7 +298,7 @@ TEST_CASE("functions of other curves or bodies are not interpolated") {
           "the coarse mesh's coordinates are not those its basis was solved on");
     CHECK(transfer(other, o.basis, o.mesh) == "the two bases were made with different curves");
     CHECK(transfer(off_centre, of_rigid.basis, rigid.mesh_view()) ==
-          "the two bases have different rigid bodies, or other centres of theirs");
+          "the two bases have different rigid bodies, or bodies with different centres");
 }
 
 TEST_CASE("modes: numbers, lists, and what they do not go with") {
@@ -326,7 +332,7 @@ TEST_CASE("modes: numbers, lists, and what they do not go with") {
          [&](hm_error* e) {
              return hm_tabulate_size(displaced.plan, displaced.basis, 1, 0, &bytes, &work_bytes, e);
          }},
-        {HM_BAD_ARGUMENT, "point 17 has two displacements in field 0",
+        {HM_BAD_ARGUMENT, "point 17 has two different displacements in field 0",
          [&](hm_error* e) {
              return hm_displace(displaced.plan, n + 1, twice.data(), 1, &wall, nullptr, &to,
                                 room.data(), room.size(), nullptr, e);
@@ -346,7 +352,8 @@ TEST_CASE("modes: numbers, lists, and what they do not go with") {
     CHECK_FALSE(transfer.fill_from(made, its.mesh_view()));
     CHECK(transfer.status == HM_UNSUPPORTED);
     CHECK(std::string(transfer.error.text) ==
-          "the basis has functions by table, this call needs one without");
+          "the basis contains functions that a table gives, but this call needs a basis without "
+          "such functions");
 }
 
 TEST_CASE("options of the safe morph and of better cells") {

@@ -74,6 +74,11 @@ TEST_CASE("options that are out of range or unknown") {
          [](auto&, auto& o, auto&) { o.exponent_quarters = -2; }},
         {HM_UNSUPPORTED, "the Laplace operator has no weight; HM_WEIGHTED has one",
          [](auto&, auto& o, auto&) { o.exponent_quarters = 4; }},
+        {HM_UNSUPPORTED, "the schemes of nodal gradients need the operator laplace",
+         [](auto&, auto& o, auto&) {
+             o.operator_kind = HM_WEIGHTED;
+             o.scheme = HM_NODAL_GRADIENT;
+         }},
         {HM_BAD_ARGUMENT, "options.offset_correction must be 0 or 1, not 2",
          [](auto&, auto& o, auto&) { o.offset_correction = 2; }},
         {HM_BAD_ARGUMENT, "options.offset_correction must be 0 or 1, not -1",
@@ -300,9 +305,9 @@ TEST_CASE("a body that single precision cannot turn") {
     options.precision = HM_SINGLE;
     Attempt const attempt(its.problem(), &options);
     CHECK(attempt.status == HM_UNSUPPORTED);
-    CHECK(
-        std::string(attempt.error.text) ==
-        "point 17 is 1.00000e25 from the centre of its body: single precision takes 1e-12 .. 1e24");
+    CHECK(std::string(attempt.error.text) ==
+          "point 17 is 1.00000e25 away from the centre of its body; single precision needs a "
+          "distance from 1e-12 to 1e24");
     its.conditions.back().x = 1e24;
     Attempt const nearer(its.problem(), &options);
     CHECK_MESSAGE(nearer.status >= HM_OK, nearer.error.text);

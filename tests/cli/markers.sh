@@ -18,7 +18,7 @@ check "markers in another order: where it is to be" near $(place 4 5 "$tmp/shuff
 refuses "a marker of another name" \
     3 "its markers are 'block', 'high', 'in:let', 'low', 'out'; those of $tmp/renamed.su2 are 'brick'" \
     morph "$tmp/renamed.su2" "$tmp/rigid.basis" --move "$no_moves"
-refuses "the same names on other points" 3 'other points are on its markers' morph "$tmp/exchanged.su2" \
+refuses "the same names on other points" 3 'the markers contain other points' morph "$tmp/exchanged.su2" \
     "$tmp/rigid.basis" --move "$no_moves"
 sed '/^harmorph markers/,$d' "$tmp/rigid.basis" >"$tmp/unnamed.basis"
 refuses "a basis without names" 3 'without the names of its' morph "$box" "$tmp/unnamed.basis" --move "$no_moves"

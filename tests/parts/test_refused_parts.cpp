@@ -35,16 +35,16 @@ TEST_CASE("parts that do not fit together are refused with the place") {
     };
     has(refusal(
             [&](std::vector<PartOfMesh>& parts) { parts[1].mesh.x[shared_point(parts)] += 1e-9; }),
-        "(global number) has different coordinates in two parts");
+        "has different coordinates in two parts");
     has(refusal([&](std::vector<PartOfMesh>& parts) {  // two numbers in each other's place
             std::size_t const at = shared_point(parts);
             std::swap(parts[1].numbers[at], parts[1].numbers[at == 0 ? 1 : 0]);
         }),
         "");
     has(refusal([&](std::vector<PartOfMesh>& parts) { parts[1].numbers[0] = parts[1].numbers[1]; }),
-        "same global number");
+        "have the same global number");
     has(refusal([&](std::vector<PartOfMesh>& parts) { parts[0].numbers[3] = -1; }),
-        "not between 0 and 2^61");
+        "but it must be from 0 to 2^61");
     has(refusal([&](std::vector<PartOfMesh>& parts) {
             parts[0].mesh.faces.resize(parts[0].mesh.faces.size() - 2);
             parts[0].mesh.face_markers.pop_back();
@@ -72,7 +72,7 @@ TEST_CASE("parts that do not fit together are refused with the place") {
                     return;
                 }
         }),
-        "(global numbers) is marked, but two parts have cells there");
+        "has a marker, but two parts have a cell at this edge");
     has(refusal([&](std::vector<PartOfMesh>& parts) {  // a part twice
             PartOfMesh copy;
             copy.mesh = parts[0].mesh;
@@ -80,7 +80,7 @@ TEST_CASE("parts that do not fit together are refused with the place") {
             copy.global_point = parts[0].global_point;
             parts.push_back(std::move(copy));
         }),
-        "cells of two parts overlap at the edge between points");
+        "cells of two parts overlap at the edge between the points with global numbers");
     has(refusal([&](std::vector<PartOfMesh>& parts) {  // two corners in one place
             Mesh& mesh = parts[0].mesh;
             std::size_t const one = static_cast<std::size_t>(mesh.cells[0]);
@@ -88,7 +88,7 @@ TEST_CASE("parts that do not fit together are refused with the place") {
             mesh.x[one] = mesh.x[other];
             mesh.y[one] = mesh.y[other];
         }),
-        "is inverted or empty: its smallest corner area is");
+        "is inverted or has no area: the smallest area at its corners is");
 }
 
 TEST_CASE("conditions that are refused for a whole mesh are refused for parts as well") {
