@@ -26,7 +26,8 @@ refuses "a basis without names" 3 'the file has no names of markers: solve it ag
 { cat "$tmp/unnamed.basis"; printf 'harmorph markers 5\nblock\nhigh\nin:l'; } >"$tmp/cut.basis"
 refuses "a basis with its names cut off" 3 'it has 2 names of markers, expected are 5' morph "$box" "$tmp/cut.basis" \
     --move "$no_moves"
-refuses "messages name markers: periodic" 2 "has a condition of its own (marker 0 is 'block', marker 3 is 'low')" \
+refuses "messages name markers: periodic" 2 \
+    "must not have a condition of its own (marker 0 is 'block', marker 3 is 'low')" \
     solve "$box" --rigid block --periodic low:block -o "$tmp/x"
 refuses "messages name markers: one piece" 2 "must form one connected line that is not closed (marker 0 is 'block')" \
     solve "$box" --rigid high \
