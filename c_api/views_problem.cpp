@@ -271,11 +271,13 @@ Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept 
             "condition # has a piece that is neither 0 nor 1, or reserved is not 0; its "
             "kind is @";
     } else if (c.piece != 0 && has_not(ConditionField::piece)) {
-        wrong = "condition # chooses a piece, which a periodic pair cannot; its kind is @";
+        wrong =
+            "condition # chooses a piece, which periodic pairs and interfaces cannot; its "
+            "kind is @";
     } else if (c.piece == 0 && !(c.near_x == 0 && c.near_y == 0)) {
         wrong = "condition # has near_x or near_y, but chooses no piece; its kind is @";
     } else if (c.partner != 0 && has_not(ConditionField::partner)) {
-        wrong = "condition # has partner, which is of periodic pairs only, but its kind is @";
+        wrong = "condition # has partner, which is of pairs and interfaces only, but its kind is @";
     }
     if (wrong != nullptr)
         return fault.refuse(Status::bad_condition, wrong, condition_item(number), plain(c.kind));

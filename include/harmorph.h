@@ -401,7 +401,11 @@ enum {
      * (x, y) by an angle that is found from the points. Displacements of the partner are those of
      * this marker, rotated by the same angle. A point on the centre does not move. Several pairs
      * rotate about one centre by one angle. Not together with HM_PERIODIC_PAIR. */
-    HM_ROTATION_PAIR = 7
+    HM_ROTATION_PAIR = 7,
+    /* A sliding interface: two coincident boundaries, such as those of a rotor and a stator, whose
+     * faces may touch and cross each other. The condition does not say how points move: both
+     * markers may have conditions of their own besides. A marker is in one interface only. */
+    HM_INTERFACE = 8
 };
 
 typedef struct hm_condition {
@@ -416,9 +420,11 @@ typedef struct hm_condition {
      * number of curves in `along`. */
     int32_t first_curve;
     int32_t n_curves;
-    int32_t body;    /* rigid: number of the body, from 0 without gaps */
-    int32_t partner; /* pairs: the other marker of the pair, which has no condition of its own */
-    double x, y;     /* rigid, rotation: the centre of rotation [length] */
+    int32_t body; /* rigid: number of the body, from 0 without gaps */
+    /* Pairs: the other marker of the pair, which has no condition of its own. Interface: the
+     * marker on the other side. */
+    int32_t partner;
+    double x, y; /* rigid, rotation: the centre of rotation [length] */
     /* 0: all faces of the marker that no other condition chooses as a piece. 1: one piece of the
      * marker, the one nearest to (near_x, near_y). Pieces are runs of faces of one marker, one
      * after the other along the boundary: each of several bodies, or each side of a channel. Not
@@ -437,7 +443,7 @@ typedef struct hm_condition {
     const hm_curves* along;
 } hm_condition;
 /* Fields that belong to another kind must be 0 (else HM_BAD_CONDITION). A marker has at most one
- * condition without a piece; pieces without any condition are fixed. */
+ * condition without a piece, interfaces apart; pieces without any condition are fixed. */
 
 typedef struct hm_problem {
     uint64_t struct_size;
@@ -690,7 +696,8 @@ typedef struct hm_step_report {
     double admissible;
     int32_t cell, point; /* the limiting cell and the point of the limiting corner; -1: none */
     /* [-] s at which the boundary first touches itself or another body, exactly, if this is smaller
-     * than `admissible`; else infinite. No cell need be inverted there. */
+     * than `admissible`; else infinite. No cell need be inverted there. The two sides of an
+     * HM_INTERFACE may touch. */
     double boundary;
     int32_t
         boundary_points[3]; /* the point that touches first, and the face that it touches; or -1 */
@@ -705,7 +712,8 @@ typedef struct hm_quality_report {
     double min_quality, mean_quality; /* [0..1] size-skew quality; 0 for inverted cells */
     int32_t min_quality_cell;
     /* 1: the boundary crosses itself or another body, or faces coincide. Two walls that have come
-     * into contact count, the two sides of a wall without thickness do not. */
+     * into contact count, the two sides of a wall without thickness do not, nor do the two sides
+     * of an HM_INTERFACE. With a displacement, two faces that cross each other before do not. */
     int32_t self_crossing;
     int32_t crossing_points[4]; /* first and last point of one face, then of the other; -1: none */
 } hm_quality_report;

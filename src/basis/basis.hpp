@@ -7,6 +7,7 @@
 #include "basis/options.hpp"
 #include "basis/point_blocks.hpp"
 #include "boundary/moving_boundary.hpp"
+#include "mesh/boundary_faces.hpp"
 #include "mesh/pieces.hpp"
 
 namespace harmorph {
@@ -14,6 +15,7 @@ namespace harmorph {
 struct BasisCounts {
     Index points = 0, cells = 0, control = 0, bodies = 0, curves = 0, indices = 0, knots = 0,
           weights = 0, wall = 0, joined = 0, boundary = 0, loops = 0, conditions = 0;
+    Index sides = 0;  // the faces of the boundary, if there are sliding interfaces; else 0
     Index pieces = 0, guards = 0;  // of polygons; 0: cells are triangles and quads
     // Functions of design variables, and numbers of an entry of their matrix; 0: none
     Index combined = 0, combination = 0;
@@ -63,7 +65,7 @@ constexpr bool operator==(MeshFingerprint const& a, MeshFingerprint const& b) no
 // The first bytes of the block. Everything else follows in the order of Basis::lay_out, which the
 // counts determine.
 struct BasisHeader {
-    static constexpr std::uint32_t current_format = 10, native_order = 0x01020304;
+    static constexpr std::uint32_t current_format = 11, native_order = 0x01020304;
     static constexpr char expected_magic[8] = {'h', 'a', 'r', 'm', 'o', 'r', 'p', 'h'};
 
     char magic[8];
@@ -108,6 +110,7 @@ struct Basis {
     Span<Index> joined_point, joined_slot;
     Span<Index> boundary_point;   // [boundary] see Boundary
     Span<Index> loop_start;       // [loops + 1]
+    Span<Index> interface_side;   // [boundary] or empty: see BoundaryFaces
     Span<std::uint8_t> reversed;  // [cells], or [pieces + guards]
     Pieces pieces;                // of polygons
     // In blocks of points, see point_blocks.hpp; the numbers of a point, row_length() of them, see
@@ -125,6 +128,7 @@ struct Basis {
     // The cells of a mesh that belongs to the basis, as far as counts tell: those of the mesh, or
     // the pieces kept here.
     OrientedMesh cells(Mesh const& mesh) const noexcept;
+    BoundaryFaces faces() const noexcept { return {boundary_point, loop_start, interface_side}; }
     Index n_points() const noexcept { return header->counts.points; }
     Index n_functions() const noexcept { return header->counts.stored; }
     ValueKind kind() const noexcept { return header->counts.kind; }

@@ -16,7 +16,8 @@ enum class ConditionKind : std::int32_t {
     free = 4,
     periodic = 5,
     given = 6,
-    rotation = 7
+    rotation = 7,
+    interface = 8
 };
 
 // In the order of precedence: of several conditions at a point the first one counts. Points of a
@@ -53,6 +54,8 @@ inline constexpr ConditionTraits condition_traits[] = {
     {PointKind::on_wall, set_of(ConditionField::piece)},
     // rotation
     {PointKind::inside, set_of(ConditionField::partner, ConditionField::centre)},
+    // interface; its points are what the other conditions of the two markers make them
+    {PointKind::fixed, set_of(ConditionField::partner)},
 };
 
 struct Condition {
@@ -78,7 +81,9 @@ struct Condition {
     // Do the points of the marker move as prescribed?
     bool is_wall() const noexcept { return traits().points == PointKind::on_wall; }
     // Is the marker one side of a pair whose other one moves alike, or alike but turned?
-    bool is_pair() const noexcept { return has(ConditionField::partner); }
+    bool is_pair() const noexcept { return has(ConditionField::partner) && !is_interface(); }
+    // The condition says which markers may slide along each other, not how their points move.
+    bool is_interface() const noexcept { return kind == ConditionKind::interface; }
     bool same_curves(Condition const& other) const noexcept {
         return first_curve == other.first_curve && n_curves == other.n_curves;
     }
@@ -90,6 +95,7 @@ struct Demands {
     Offset slip_curves = 0;  // given for sliding
     bool slip = false, free = false, given = false;
     bool translation = false, rotation = false;  // pairs
+    bool interfaces = false;
 
     bool periodic() const noexcept { return translation || rotation; }
 
@@ -103,6 +109,11 @@ struct Demands {
 // along a loop.
 void assign_conditions(Points points, Span<const Condition> conditions,
                        Boundary& boundary) noexcept;
+
+// side [boundary.count], or empty: on which side of which sliding interface each face is, see
+// BoundaryFaces.
+void find_interface_sides(Boundary const& boundary, Span<const Condition> conditions,
+                          Span<Index> side) noexcept;
 
 // Kinds, curves, bodies, markers that no face has, markers and pieces named twice. Conditions are
 // assigned.

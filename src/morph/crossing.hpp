@@ -1,8 +1,8 @@
 // Does the boundary cross itself, or one body another? Positive cell areas do not tell.
 #pragma once
 
-#include "base/span.hpp"
 #include "base/vec2.hpp"
+#include "mesh/boundary_faces.hpp"
 
 namespace harmorph {
 
@@ -27,14 +27,18 @@ enum class EndOf : std::uint8_t { prescribed, on_line, unknown };
 // to lie on each other face by face, mesh is between them where they part. Boundary faces in the
 // order of their loops, the mesh on the left (see Boundary). Faces that follow each other lie close
 // together, so halving the list halves the place it takes: boxes of list ranges prune the pairs,
-// without any memory. The points are taken where `displacement` (not given: 0) puts them.
-Crossing find_crossing(Span<const Index> boundary_point, Span<const Index> loop_start,
-                       Points points, Points displacement = {},
+// without any memory. The two sides of a sliding interface may cross each other.
+Crossing find_crossing(BoundaryFaces const& faces, Points points) noexcept;
+// The same for points + displacement (not given: 0). Two faces that cross each other at `points`
+// already do not count, as the movement is not the reason.
+Crossing find_crossing(BoundaryFaces const& faces, Points points, Points displacement,
                        Overlaps overlaps = Overlaps::cross) noexcept;
-// Of what is known alone, ends [n_points]. Points that slide may stand anywhere on their line;
-// faces of points of which nothing is known are passed over, and so are pairs of a face along a
-// line and a face of a wall that ends on this line.
-Crossing find_known_crossing(Span<const Index> boundary_point, Span<const Index> loop_start,
-                             Points points, Span<const EndOf> ends) noexcept;
+// The same for the points `now`, where two faces that cross each other at `start` do not count.
+Crossing find_new_crossing(BoundaryFaces const& faces, Points start, Points now) noexcept;
+// The same with regard only to points whose places at the end are known, ends [n_points]. Points
+// that slide may stand anywhere on their line; faces of points of which nothing is known are passed
+// over, and so are pairs of a face along a line and a face of a wall that ends on this line.
+Crossing find_known_crossing(BoundaryFaces const& faces, Points start, Points points,
+                             Span<const EndOf> ends) noexcept;
 
 }  // namespace harmorph

@@ -133,8 +133,7 @@ Status Displacement::check_target(Plan const& plan, Index field, Points from,
                             "the target of point # in field @ is beyond 1e100", point_item(point),
                             field_item(field));
     }
-    Crossing const crossing =
-        find_crossing(given.boundary_point, given.loop_start, from, displacement);
+    Crossing const crossing = find_crossing(given.faces(), from, displacement);
     if (!crossing.found) return Status::ok;
     return fault.refuse(Status::crossing,
                         "the moved boundary crosses itself: the faces that begin at points # and @",

@@ -1,8 +1,8 @@
 // How far the boundary can go along a displacement before it first touches itself.
 #pragma once
 
-#include "base/span.hpp"
 #include "base/vec2.hpp"
+#include "mesh/boundary_faces.hpp"
 
 namespace harmorph {
 
@@ -17,10 +17,10 @@ struct Touch {
 // of the one with the other, so no other pairs are looked at; the area between a point and a face
 // is a quadratic function of s, whose roots are exact but for rounding. Faces that touch at s = 0
 // count where they touch again; if they cross each other at once, so that the boundary at s = 1
-// crosses itself without a touch on the way, the step is 0. Boundary faces as in find_crossing;
-// boxes of places and of displacements of list ranges say when two ranges can meet, without any
-// memory.
-Touch first_touch(Span<const Index> boundary_point, Span<const Index> loop_start, Points points,
-                  Points displacement, Real limit) noexcept;
+// crosses itself, and did not at s = 0, without a touch on the way, the step is 0. Boundary faces
+// as in find_crossing; boxes of places and of displacements of list ranges say when two ranges can
+// meet, without any memory. The two sides of a sliding interface may touch.
+Touch first_touch(BoundaryFaces const& faces, Points points, Points displacement,
+                  Real limit) noexcept;
 
 }  // namespace harmorph

@@ -12,7 +12,9 @@ struct GivenWall {
     Span<Index> point;     // [given points] in the order of their slots
     Index first_slot = 0;  // the slots from here on are given
     Span<Index> joined;    // points joined to another one: beyond a cut, or periodic images
-    Span<Index> boundary_point, loop_start;  // see Boundary
+    Span<Index> boundary_point, loop_start, interface_side;  // see BoundaryFaces
+
+    BoundaryFaces faces() const noexcept { return {boundary_point, loop_start, interface_side}; }
 
     void lay_out(Arena& arena, Analysis const& analysis) noexcept;
     void init(Analysis const& analysis) noexcept;

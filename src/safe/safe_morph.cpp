@@ -42,8 +42,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     copy(best_y, Span<const Real>(mesh.y));
     fill(reached, 0.0);
     report.limit = look_ahead(work, basis, 1);
-    Target const target{work.cells(), basis.boundary_point, basis.loop_start,
-                        mesh.ends,    plan.mesh().points,   mesh.ahead()};
+    Target const target{work.cells(), basis.faces(), mesh.ends, plan.mesh().points, mesh.ahead()};
     for (Index k = 0; k < mesh.ends.count(); ++k) {
         if (mesh.ends[k] == EndOf::on_line) mesh.to_ahead().set(k, plan.mesh().points[k]);
     }
@@ -131,13 +130,13 @@ void SafeMorph::longest_linear_step(Work& work) noexcept {
 }
 
 // Of the coordinates as they will be stored, after all roundings: every corner is positive exactly
-// and as quality measures it, and the boundary does not cross itself.
+// and as quality measures it, and the boundary does not cross itself where it did not at the start.
 bool SafeMorph::is_valid(Work const& work, Points points) const noexcept {
     for (Index k = 0; k < best_x.count(); ++k) {
         if (!is_coordinate(points[k])) return false;
     }
     return count_inverted(work.cells(), points, work.executor()) == 0 &&
-           !find_crossing(work.basis.boundary_point, work.basis.loop_start, points).found;
+           !find_new_crossing(work.basis.faces(), work.mesh().points, points).found;
 }
 
 // To where it looked, which is valid.

@@ -63,13 +63,12 @@ struct Loop {
 };
 
 Loop loop_of(Target const& target, Index number) noexcept {
-    Index const begin = target.loop_start[number];
-    return {target.boundary_point.from(begin, target.loop_start[number + 1] - begin)};
+    return {target.faces.points_of_loop(number)};
 }
 
 // Loops that do not cross must lie in each other as they did at the start.
 Status check_loops(Target const& target, Fault& fault) noexcept {
-    Index const n_loops = target.loop_start.count() - 1;
+    Index const n_loops = target.faces.n_loops();
     for (Index number = 0; number < n_loops; ++number) {
         Loop const loop = loop_of(target, number);
         if (loop.point.empty() || !loop.is_known(target.ends)) continue;
@@ -85,6 +84,7 @@ Status check_loops(Target const& target, Fault& fault) noexcept {
             if (other_number == number || other.point.empty() || !other.is_known(target.ends))
                 continue;
             if (!moves && !other.moves(target.start, target.at_target)) continue;
+            if (target.faces.share_interface(number, other_number)) continue;
             Loop::Side const before = loop.side_of(other, target.start),
                              after = loop.side_of(other, target.at_target);
             if (before == after || before == Loop::Side::on || after == Loop::Side::on) continue;
@@ -132,8 +132,7 @@ Status check_corners(Target const& target, Fault& fault) noexcept {
 }  // namespace
 
 Status check_target(Target const& target, Crossing& crossing, Fault& fault) noexcept {
-    crossing = find_known_crossing(target.boundary_point, target.loop_start, target.at_target,
-                                   target.ends);
+    crossing = find_known_crossing(target.faces, target.start, target.at_target, target.ends);
     if (crossing.found) {
         Vec2 const at = target.at_target[crossing.first[0]];
         return fault.refuse_at(

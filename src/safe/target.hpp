@@ -10,7 +10,7 @@ namespace harmorph {
 
 struct Target {
     OrientedMesh cells;
-    Span<const Index> boundary_point, loop_start;
+    BoundaryFaces faces;
     // [n_points] `prescribed` for points of walls and fixed ones; inner points are `unknown`
     Span<const EndOf> ends;
     Points start;
@@ -18,7 +18,7 @@ struct Target {
 };
 
 // Status::crossing, with the place, if
-//   - faces of the boundary cross each other;
+//   - faces of the boundary cross each other that do not at the start;
 //   - a body is inside out, inside another one, or outside the domain, without crossing anything;
 //   - a cell has a corner whose three points are prescribed, and which has no positive area.
 // crossing: the faces, of the first kind.

@@ -145,7 +145,7 @@ TEST_CASE("pieces that contradict each other are refused by name") {
     pair.put_on_curves(body, 0);
     pair.set_periodic(far_field, 99);
     choose_piece(pair, 0, 0);
-    CHECK(refusal(pair).find("a periodic pair cannot") != std::string::npos);
+    CHECK(refusal(pair).find("periodic pairs and interfaces cannot") != std::string::npos);
 
     Case point_only = one_marker();
     point_only.put_on_curves(body, 0);

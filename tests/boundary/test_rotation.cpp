@@ -335,7 +335,8 @@ TEST_CASE("what is no rotation pair is refused, with the place") {
     refused(its, HM_BAD_CONDITION, "another pair turns about another centre", options);
     its = good;
     its.conditions.back().piece = 1;
-    refused(its, HM_BAD_CONDITION, "chooses a piece, which a periodic pair cannot", options);
+    refused(its, HM_BAD_CONDITION, "chooses a piece, which periodic pairs and interfaces cannot",
+            options);
     its = good;
     its.set_slip(right);
     refused(its, HM_UNSUPPORTED, "do not go with slipping boundaries", options);

@@ -39,7 +39,7 @@ TEST_CASE("conditions and given parameters") {
          {"has partner", [](C& c) { c.partner = 1; }},
          {"first_curve or n_curves",
           [](C& c) { c.kind = HM_SLIP, c.n_curves = 0, c.first_curve = 1; }},
-         {"a periodic pair cannot",
+         {"periodic pairs and interfaces cannot",
           [](C& c) { c.kind = HM_PERIODIC_PAIR, c.n_curves = 0, c.piece = 1; }},
          {"rigid body -1", [](C& c) { c.kind = HM_RIGID, c.n_curves = 0, c.body = -1; }},
          {"rigid body 1048576", [](C& c) { c.kind = HM_RIGID, c.n_curves = 0, c.body = 1 << 20; }},
@@ -48,7 +48,7 @@ TEST_CASE("conditions and given parameters") {
     check_changes<C>(its.conditions[0],
                      {{"struct_size of condition 0", [](C& c) { c.struct_size = 0; }},
                       {"the unknown kind -1", [](C& c) { c.kind = -1; }},
-                      {"the unknown kind", [](C& c) { c.kind = HM_ROTATION_PAIR + 1; }}},
+                      {"the unknown kind", [](C& c) { c.kind = HM_INTERFACE + 1; }}},
                      HM_BAD_ARGUMENT, size);
     its.give(16, 0.5);
     auto const size_of = [](hm_problem const& problem, hm_error* e) {

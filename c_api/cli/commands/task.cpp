@@ -32,7 +32,8 @@ hm_condition condition_on(const MarkerPiece& on, std::int32_t kind) {
 void add_condition(const Arguments& arguments, const Mesh& mesh, Task& task,
                    const hm_condition& condition) {
     for (const hm_condition& other : task.conditions) {
-        if (other.marker == condition.marker && other.piece == 0 && condition.piece == 0) {
+        if (other.marker == condition.marker && other.piece == 0 && condition.piece == 0 &&
+            other.kind != HM_INTERFACE) {
             arguments.refuse("marker " +
                              in_quotes(mesh.markers[static_cast<std::size_t>(condition.marker)]) +
                              " has two conditions: name it once");
@@ -131,26 +132,57 @@ void make_rigid(const Arguments& arguments, const Mesh& mesh, Task& task,
     }
 }
 
-// binding: "A:B". Tags may hold colons.
-void make_periodic(const Arguments& arguments, const Mesh& mesh, Task& task,
-                   const std::string& binding) {
-    const auto number_of = [&mesh](const std::string& tag) {
-        const auto found = std::find(mesh.markers.begin(), mesh.markers.end(), tag);
-        return found == mesh.markers.end()
-                   ? -1
-                   : static_cast<std::int32_t>(std::distance(mesh.markers.begin(), found));
-    };
+// Returns -1 if the mesh has no marker of this tag.
+std::int32_t marker_of(const Mesh& mesh, const std::string& tag) {
+    const auto found = std::find(mesh.markers.begin(), mesh.markers.end(), tag);
+    return found == mesh.markers.end()
+               ? -1
+               : static_cast<std::int32_t>(std::distance(mesh.markers.begin(), found));
+}
+
+// The two markers that "A:B" names. Tags may hold colons.
+std::pair<std::int32_t, std::int32_t> marker_pair(const Arguments& arguments, const Mesh& mesh,
+                                                  const std::string& option,
+                                                  const std::string& binding) {
     for (std::size_t colon = binding.find(':'); colon != std::string::npos;
          colon = binding.find(':', colon + 1)) {
-        const std::int32_t marker = number_of(binding.substr(0, colon)),
-                           partner = number_of(binding.substr(colon + 1));
-        if (marker < 0 || partner < 0) continue;
-        const SidePair pair = side_pair(mesh, marker, partner);
-        if (!pair.passage.empty()) task.passages.push_back(pair.passage);
-        return add_condition(arguments, mesh, task, pair.condition);
+        const std::int32_t marker = marker_of(mesh, binding.substr(0, colon)),
+                           partner = marker_of(mesh, binding.substr(colon + 1));
+        if (marker >= 0 && partner >= 0) return {marker, partner};
     }
-    arguments.refuse("--periodic expects two markers of the mesh as A:B, found " +
+    arguments.refuse(option + " expects two markers of the mesh as A:B, found " +
                      in_quotes(binding));
+}
+
+void make_periodic(const Arguments& arguments, const Mesh& mesh, Task& task,
+                   const std::string& binding) {
+    const auto [marker, partner] = marker_pair(arguments, mesh, "--periodic", binding);
+    const SidePair pair = side_pair(mesh, marker, partner);
+    if (!pair.passage.empty()) task.passages.push_back(pair.passage);
+    add_condition(arguments, mesh, task, pair.condition);
+}
+
+// The interfaces of the options and those that the mesh file names.
+void add_interfaces(const Arguments& arguments, const Mesh& mesh, Task& task) {
+    std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
+    const auto is_known = [&pairs](std::int32_t one, std::int32_t other) {
+        for (const auto& [first, second] : pairs) {
+            if ((first == one && second == other) || (first == other && second == one)) return true;
+        }
+        return false;
+    };
+    for (const std::string& binding : arguments.all("--interface"))
+        pairs.push_back(marker_pair(arguments, mesh, "--interface", binding));
+    for (const auto& [one, other] : mesh.interfaces) {
+        const std::int32_t marker = marker_of(mesh, one), partner = marker_of(mesh, other);
+        if (marker >= 0 && partner >= 0 && !is_known(marker, partner))
+            pairs.emplace_back(marker, partner);
+    }
+    for (const auto& [marker, partner] : pairs) {
+        hm_condition condition = condition_on(marker, HM_INTERFACE);
+        condition.partner = partner;
+        task.conditions.push_back(condition);
+    }
 }
 
 std::int32_t quarters_of(const Arguments& arguments) {
@@ -197,7 +229,11 @@ std::vector<Option> task_options() {
         {"--periodic", "E:F",
          "a pair of markers, one the other moved: their points move alike; or one the other "
          "turned, as\n"
-         "the sides of a passage of an annulus: then their points move turned (may be repeated)"}};
+         "the sides of a passage of an annulus: then their points move turned (may be repeated)"},
+        {"--interface", "E:F",
+         "a pair of markers that slide along each other, as those of a rotor and a stator: their "
+         "faces may\n"
+         "cross (may be repeated). Interfaces of OpenFOAM (cyclicAMI) are found in the mesh"}};
     for (const PlainCondition& plain : plain_conditions) {
         if (plain.is_common) of_conditions.push_back(plain.option);
     }
@@ -242,6 +278,7 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
     }
     for (const std::string& binding : arguments.all("--slip"))
         let_slide(arguments, mesh, task, binding);
+    add_interfaces(arguments, mesh, task);
     return task;
 }
 

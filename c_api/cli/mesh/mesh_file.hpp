@@ -10,6 +10,7 @@
 #include <map>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace cli {
@@ -31,6 +32,8 @@ struct Mesh {
     // Names that belong to no marker alone: faces in the groups "a" and "b" of a file have the
     // marker "a+b", which is the only one of each of both names, or one of several.
     std::map<std::string, std::vector<std::string>> groups;
+    // Pairs of tags: the file says that these markers slide along each other.
+    std::vector<std::pair<std::string, std::string>> interfaces;
     std::vector<std::size_t> point_offset, cell_offset,
         face_offset;                   // where each stands in file.text(); may be empty
     std::vector<std::string> remarks;  // what was passed over, for the user

@@ -1,5 +1,5 @@
 // The faces of the boundary in the order of their loops: each begins at a boundary point and ends
-// at the next point of its loop.
+// at the next point of its loop. The faces of a sliding interface know on which side they are.
 #pragma once
 
 #include "base/span.hpp"
@@ -17,8 +17,20 @@ inline constexpr Index few_faces = 8;  // ranges of so many faces are not halved
 
 class BoundaryFaces {
 public:
-    BoundaryFaces(Span<const Index> boundary_point, Span<const Index> loop_start) noexcept
-        : boundary_point_(boundary_point), loop_start_(loop_start) {}
+    // side [faces], or empty if there are no interfaces: 2 i and 2 i + 1 on both sides of interface
+    // i, none elsewhere.
+    BoundaryFaces(Span<const Index> boundary_point, Span<const Index> loop_start,
+                  Span<const Index> side = {}) noexcept
+        : boundary_point_(boundary_point), loop_start_(loop_start), side_(side) {}
+
+    Index count() const noexcept { return boundary_point_.count(); }
+    Index n_loops() const noexcept { return loop_start_.count() - 1; }
+    FaceRange loop(Index number) const noexcept {
+        return {loop_start_[number], loop_start_[number + 1]};
+    }
+    Span<const Index> points_of_loop(Index number) const noexcept {
+        return boundary_point_.from(loop_start_[number], loop(number).size());
+    }
 
     Index begin_of(Index face) const noexcept { return boundary_point_[face]; }
     Index end_of(Index face) const noexcept { return boundary_point_[after(face)]; }
@@ -30,6 +42,31 @@ public:
     Index after(Index face) const noexcept {
         Index const loop = loop_of(face);
         return face + 1 < loop_start_[loop + 1] ? face + 1 : loop_start_[loop];
+    }
+
+    // Whether two faces may touch and cross each other: they are on both sides of one interface, or
+    // are next to the end of such a side.
+    bool may_slide(Index face, Index other) const noexcept {
+        if (side_.empty()) return false;
+        Index const near[3] = {face, before(face), after(face)};
+        for (Index const k : near) {
+            if (side_[k] != none && touches_side(other, side_[k] ^ 1)) return true;
+        }
+        return false;
+    }
+    // Whether two loops have the two sides of one interface.
+    bool share_interface(Index number, Index other) const noexcept {
+        if (side_.empty()) return false;
+        FaceRange const faces = loop(number), others = loop(other);
+        Index last = none;  // faces of one side follow each other
+        for (Index face = faces.begin; face < faces.end; ++face) {
+            if (side_[face] == none || side_[face] == last) continue;
+            last = side_[face];
+            for (Index k = others.begin; k < others.end; ++k) {
+                if (side_[k] == (last ^ 1)) return true;
+            }
+        }
+        return false;
     }
 
     // visit(point) for all points of the faces of a range that is not empty; some points come
@@ -47,6 +84,9 @@ public:
     }
 
 private:
+    bool touches_side(Index face, Index side) const noexcept {
+        return side_[face] == side || side_[before(face)] == side || side_[after(face)] == side;
+    }
     // By halving: a mesh may have thousands of bodies.
     Index loop_of(Index face) const noexcept {
         // loop_start_[first] <= face < loop_start_[last]
@@ -58,7 +98,7 @@ private:
         return first;
     }
 
-    Span<const Index> boundary_point_, loop_start_;
+    Span<const Index> boundary_point_, loop_start_, side_;
 };
 
 }  // namespace harmorph
