@@ -870,6 +870,12 @@ typedef struct hm_safe_report {
     double turned_offset;   /* [length] largest |(r - 1) e|, see above */
     double start_quality;   /* [0..1] smallest skew quality of the start */
     hm_worst_cell worst[5]; /* [n_worst] the cells of lowest quality of `to`, the worst first */
+    /* Of the ends of walls that leave the line or curve of the fixed or slipping boundary beside
+     * them at the target, the one that goes farthest from this line; -1: no end does. Known before
+     * anything is solved. */
+    int32_t end_point;
+    int32_t reserved;  /* 0 */
+    double end_leaves; /* [length] how far */
 } hm_safe_report;
 
 /* Working memory with a basis like this one, NULL: as hm_basis_init makes it. */

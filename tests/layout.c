@@ -347,6 +347,9 @@ int32_t layout_of(int32_t number, int64_t* numbers) {
             AT(worst[0].x);
             AT(worst[0].y);
             AT(worst[1]);
+            AT(end_point);
+            AT(reserved);
+            AT(end_leaves);
             break;
 #undef TYPE
         case 20:  // all constants of harmorph.h: fortran.sh writes the list

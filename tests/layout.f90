@@ -141,7 +141,8 @@ program layout
         c_loc(safe_report%n_worst), c_loc(safe_report%turned_offset), c_loc(safe_report%start_quality), &
         c_loc(safe_report%worst), c_loc(safe_report%worst(1)%reserved), c_loc(safe_report%worst(1)%quality), &
         c_loc(safe_report%worst(1)%start_quality), c_loc(safe_report%worst(1)%x), c_loc(safe_report%worst(1)%y), &
-        c_loc(safe_report%worst(2))])
+        c_loc(safe_report%worst(2)), c_loc(safe_report%end_point), c_loc(safe_report%reserved), &
+        c_loc(safe_report%end_leaves)])
     call compare("hm_improve_options", 101, c_sizeof(improve_options), c_loc(improve_options), &
         [c_loc(improve_options%struct_size), c_loc(improve_options%max_iterations), c_loc(improve_options%reserved), &
         c_loc(improve_options%reference)])

@@ -4,20 +4,72 @@
 
 namespace harmorph {
 
+// Points that slide ahead of a mesh that is valid now: where some have passed a neighbour on their
+// line, as beside the end of a wall that leaves the line, all go only a part of their way, or stay.
+// Returns whether any point slides.
+bool SafeMorph::keep_order_of_sliding(Work const& work) noexcept {
+    BoundaryFaces const faces = work.basis.faces();
+    auto const slides = [&](Index point) {
+        return mobility.held[mobility.representative[point]] == 0 &&
+               work.plan.kind(point) == PointKind::slip;
+    };
+    bool any = false;
+    for (Index k = 0; k < work.mesh().n_points && !any; ++k) any = slides(k);
+    if (!any) return false;
+    Real part = 1;
+    auto const ahead = [&](Index point) {
+        Vec2 const there = mesh.ahead()[point], here = mesh.now()[point];
+        return slides(point) && part < 1
+                   ? mobility.sliding.placed(point, here + part * (there - here))
+                   : there;
+    };
+    auto const is_in_order = [&] {
+        for (Index face = 0; face < faces.count(); ++face) {
+            Index const begin = faces.begin_of(face), end = faces.end_of(face);
+            if (!slides(begin) && !slides(end)) continue;
+            Vec2 const side = mesh.now()[end] - mesh.now()[begin];
+            if (!(dot(side, ahead(end) - ahead(begin)) > 0)) return false;
+        }
+        return true;
+    };
+    constexpr Real parts[] = {0.5, 0.25, 0};
+    for (Index k = 0; k < 3 && !is_in_order(); ++k) part = parts[k];
+    if (part == 1 || !is_in_order()) return true;
+    for (Index k = 0; k < work.mesh().n_points; ++k) {
+        if (slides(k)) mesh.to_ahead().set(k, ahead(k));
+    }
+    return true;
+}
+
+// Untangles the mesh ahead: with the whole boundary held, and if that is in vain with points that
+// slide.
+bool SafeMorph::untangle_ahead(Work& work) noexcept {
+    mobility.find(work.plan, mesh.ahead());
+    bool const any_slides = keep_order_of_sliding(work);
+    untangling.executor = work.executor();
+    auto const run = [&](Tangle const& tangle, SlidingPoints const& sliding) {
+        Fault why;
+        untangling.tangle = tangle;
+        untangling.sliding = sliding;
+        Status const status =
+            untangling.run(work.options.untangle, mesh.to_ahead(), work.report.untangle, why);
+        // A boundary may cross itself without an inverted cell.
+        return status == Status::ok && is_valid(work, mesh.ahead());
+    };
+    Points const start = work.mesh().points;
+    if (run({work.mesh(), start, work.basis.reversed, mesh.representative, mesh.held}, {}))
+        return true;
+    return any_slides && run(mobility.tangle(work.plan, start), mobility.sliding);
+}
+
 // The rest of the way in one step, whatever it inverts; then the inner points find their places,
 // and better ones where cells are poor. Returns whether the mesh is good then. If not, and it is
 // not the last thing to try, the way goes on from where it was.
 bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     if (!work.options.tries(Strategy::untangled)) return false;
     look_ahead(work, by, 1);
-    untangling.tangle = {work.mesh(), work.mesh().points, work.basis.reversed, mesh.representative,
-                         mesh.held};
-    untangling.executor = work.executor();
+    if (!untangle_ahead(work)) return false;
     Fault why;
-    Status const status =
-        untangling.run(work.options.untangle, mesh.to_ahead(), work.report.untangle, why);
-    // Points that slide may have passed others
-    if (status != Status::ok || !is_valid(work, mesh.ahead())) return false;
     Outcome there = work.attempt;
     there.strategy = Strategy::untangled;
     there.fraction = 1;

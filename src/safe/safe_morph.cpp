@@ -19,6 +19,7 @@ void SafeMorph::lay_out(Arena& arena, Plan const& plan, BasisCounts const& count
     first_layer.lay_out(arena, plan.mesh(), static_cast<Size>(plan.walls().count));
     wall_heights.lay_out(arena, plan.mesh(), static_cast<Size>(plan.walls().count));
     arena.take(kinds, n);
+    mobility.lay_out(arena, plan);
     Size const shared = arena.mark();
     untangling.lay_out(arena, plan.region_counts());
     arena.release(shared);
@@ -42,6 +43,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     copy(best_y, Span<const Real>(mesh.y));
     fill(reached, 0.0);
     report.limit = look_ahead(work, basis, 1);
+    find_end_that_leaves(work);
     Target const target{work.cells(), basis.faces(), mesh.ends, plan.mesh().points, mesh.ahead()};
     for (Index k = 0; k < mesh.ends.count(); ++k) {
         if (mesh.ends[k] == EndOf::on_line) mesh.to_ahead().set(k, plan.mesh().points[k]);
