@@ -22,11 +22,11 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
             "safe options: fields are set that this version of the library does not know");
     }
     if (o.skipped_strategies < 0 || o.skipped_strategies >= 2 << HM_STRATEGY_IMPROVED ||
-        o.reserved != 0) {
+        o.improve < 0 || o.improve > 1) {
         return fault.refuse(
             Status::bad_argument,
             "safe options: skipped_strategies is #, which names strategies there are not, or "
-            "reserved is not 0",
+            "improve is neither 0 nor 1",
             plain(o.skipped_strategies));
     }
     if (o.n_others < 0 || o.n_others > others.count() || (o.n_others > 0 && o.others == nullptr)) {
@@ -54,6 +54,7 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
                             o.max_height_change);
     }
     if (o.max_height_change != 0) options.most_height_change = o.max_height_change;
+    options.improves = o.improve == 1;
     reached = o.reached;
     options.skipped = static_cast<std::uint32_t>(o.skipped_strategies);
     for (Index i = 0; i < o.n_others; ++i) {
@@ -259,6 +260,7 @@ hm_status hm_displace_safe(hm_plan* plan, const hm_basis* basis, const double* m
         HARMORPH_TRY(view_points(wall, "wall", displacement, fault, n));
         HARMORPH_TRY(call.open(to, options, report, {}, fault));
         call.options.solves_others = true;
+        call.options.fair_quality = 0.3;
         SafeDisplacement made;
         HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { made.lay_out(arena, *p, b); }));
         Status const status =

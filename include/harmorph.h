@@ -818,7 +818,10 @@ typedef struct hm_safe_options {
     int32_t max_resolves;
     int32_t skipped_strategies; /* sum of 1 << HM_STRATEGY_... of the strategies to skip */
     int32_t n_others;           /* 0 .. 64 */
-    int32_t reserved;           /* 0 */
+    /* 0; 1: the cells of the mesh at the target are made better, however good they are, as
+     * hm_improve makes them; with `heights` from the mesh with and without the heights, of which
+     * the better one remains */
+    int32_t improve;
     /* [n_others] solved bases of the same mesh, curves, conditions and offset correction. If a
      * derivative is wanted, only those are tried that have the numbers_per_value of the basis; the
      * derivative itself must not be among them. */
@@ -906,7 +909,9 @@ HM_API hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const doubl
 
 /* The same for displacements that are given at the points of markers with HM_GIVEN, see
  * hm_displace; n_others must be 0; functions of other operators are solved as they are needed
- * (report.other is then their operator_kind). basis: of the same analysis as the plan; solved if
+ * (report.other is then their operator_kind). Where the smallest quality of the mesh at the target
+ * is below 0.3 of that of the start, other operators and an improvement of the cells are tried,
+ * even if options.min_quality asks for less. basis: of the same analysis as the plan; solved if
  * it has functions, without functions by table. move [2*functions]: what curves and rigid bodies
  * move by in the same call; NULL: nothing. A loop of the boundary all of whose points are given
  * rotates as a body; points of other loops move on straight lines. Where the whole movement is

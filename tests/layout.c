@@ -301,7 +301,7 @@ int32_t layout_of(int32_t number, int64_t* numbers) {
             AT(max_resolves);
             AT(skipped_strategies);
             AT(n_others);
-            AT(reserved);
+            AT(improve);
             AT(others);
             AT(heights);
             AT(reached);

@@ -127,7 +127,7 @@ program layout
         c_loc(quality_report%crossing_points)])
     call compare("hm_safe_options", 17, c_sizeof(safe_options), c_loc(safe_options), [c_loc(safe_options%struct_size), &
         c_loc(safe_options%max_resolves), c_loc(safe_options%skipped_strategies), c_loc(safe_options%n_others), &
-        c_loc(safe_options%reserved), c_loc(safe_options%others), c_loc(safe_options%heights), &
+        c_loc(safe_options%improve), c_loc(safe_options%others), c_loc(safe_options%heights), &
         c_loc(safe_options%reached), c_loc(safe_options%min_quality), c_loc(safe_options%max_height_change)])
     call compare("hm_safe_report", 18, c_sizeof(safe_report), c_loc(safe_report), [c_loc(safe_report%struct_size), &
         c_loc(safe_report%strategy), c_loc(safe_report%other), c_loc(safe_report%steps), c_loc(safe_report%resolves), &

@@ -93,20 +93,36 @@ bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     return is_good;
 }
 
-// The best mesh's inner points, for the quality that is reported. The derivative remains that of
-// the way.
-void SafeMorph::improve(Work& work) noexcept {
+// Improves a mesh at the target that has the movement of the best one, and keeps the result if it
+// is better than the best one. The derivative remains that of the way.
+bool SafeMorph::improve(Work& work, Points from) noexcept {
     ImproveReport report;
     Fault why;
-    if (work.best().fraction < 1 || work.best().strategy == Strategy::improved) return;
-    if (failed(MeshImprovement::check(work.plan, work.mesh().points, result(), why))) return;
-    improvement.run(work.plan, work.improve_options(), work.mesh().points, result(),
-                    mesh.to_ahead(), report);
+    if (work.best().fraction < 1) return false;
+    if (failed(MeshImprovement::check(work.plan, work.mesh().points, from, why))) return false;
+    improvement.run(work.plan, work.improve_options(), work.mesh().points, from, mesh.to_ahead(),
+                    report);
     Outcome outcome = work.best();
     measure(work, mesh.ahead(), outcome);
-    if (!is_valid(work, mesh.ahead()) || !work.is_better(outcome, work.best())) return;
+    if (!is_valid(work, mesh.ahead()) || !work.is_better(outcome, work.best())) return false;
     outcome.strategy = Strategy::improved;
     replace_inner_points(work, outcome);
+    return true;
+}
+
+// Heights near the walls and better cells, as they are asked for. Improvement from the mesh without
+// the heights may end with better cells than that with them.
+void SafeMorph::improve_at_end(Work& work) noexcept {
+    SafeOptions const& options = work.options;
+    bool const improves = options.improves && options.tries(Strategy::improved);
+    copy(mesh.x, Span<const Real>(best_x));
+    copy(mesh.y, Span<const Real>(best_y));
+    if (options.heights > 0) restore_heights(work);
+    bool const is_improved = work.best().strategy == Strategy::improved && work.report.heights == 0;
+    if (improves && !is_improved) improve(work, result());
+    if (improves && work.report.heights > 0 && improve(work, mesh.now())) work.report.heights = 0;
+    bool const is_limited = work.best().height_change > options.most_height_change;
+    if (is_limited && options.heights == 0) restore_heights(work);
 }
 
 }  // namespace harmorph

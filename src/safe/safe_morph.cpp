@@ -69,15 +69,20 @@ Status SafeMorph::climb(Work& work) noexcept {
     bool const may_turn_back = work.derivative == nullptr;
     if (options.tries(Strategy::linear)) single_step(work, work.basis, Strategy::linear, none);
     for (Index i = 0; i < options.others.count() && options.tries(Strategy::other); ++i) {
-        if (work.is_good(work.best())) return Status::ok;
+        if (work.is_fair(work.best())) return Status::ok;
         Basis const& other = options.others[i];
         if (work.derivative == nullptr || other.kind() == work.basis.kind())
             single_step(work, other, Strategy::other, i);
     }
-    if (work.is_good(work.best())) return Status::ok;
+    if (work.is_fair(work.best())) return Status::ok;
     if (options.solves_others && options.tries(Strategy::other))
         HARMORPH_TRY(other_operators(work));
-    if (work.is_good(work.best())) return Status::ok;
+    if (work.is_good(work.best())) {
+        bool const may_improve = options.tries(Strategy::improved) && !options.improves;
+        if (!work.is_fair(work.best()) && may_improve && options.fair_quality > 0)
+            improve(work, result());
+        return Status::ok;
+    }
     HARMORPH_TRY(substeps(work));
     if (work.best().fraction < 1 && may_turn_back && mesh.path.is_bent()) {
         mesh.path.straighten(work.basis);
@@ -85,7 +90,9 @@ Status SafeMorph::climb(Work& work) noexcept {
         HARMORPH_TRY(substeps(work));
     }
     if (work.best().fraction < 1 && options.tries(Strategy::linear)) longest_linear_step(work);
-    if (!work.is_good(work.best()) && options.tries(Strategy::improved)) improve(work);
+    bool const is_improved = work.best().strategy == Strategy::improved;
+    if (!work.is_good(work.best()) && options.tries(Strategy::improved) && !is_improved)
+        improve(work, result());
     return Status::ok;
 }
 

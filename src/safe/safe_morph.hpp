@@ -29,6 +29,10 @@ struct SafeOptions {
         false;  // instead of `others`: solve with other operators at the start, where needed
     UntangleOptions untangle;
     ImproveOptions improve;
+    bool improves = false;  // the mesh at the target is made better, however good it is
+    // 0..1, of the smallest quality of the start: below it, a mesh at the target that is good
+    // enough is still tried to be made better by other operators and by improvement, without steps
+    Real fair_quality = 0;
     Real heights = 0;         // 0..1: how much of the heights near walls is brought back at the end
     Real min_quality = 0.05;  // 0..1: of the smallest quality of the start
     Real most_height_change =
@@ -136,7 +140,8 @@ private:
     Basis unsolved_copy(Basis const& basis) const noexcept;
 
     bool leap(Work& work, Basis const& by, bool is_last) noexcept;
-    void improve(Work& work) noexcept;
+    bool improve(Work& work, Points from) noexcept;
+    void improve_at_end(Work& work) noexcept;
     void restore_heights(Work& work) noexcept;
     void measure_worst(Work& work) const noexcept;
     void finish_derivative(Work& work) noexcept;

@@ -166,8 +166,7 @@ Status SafeMorph::finish(Work& work) noexcept {
     SafeReport& report = work.report;
     Outcome const& best = report.outcome;
     if (work.derivative != nullptr) finish_derivative(work);
-    if (work.options.heights > 0 || best.height_change > work.options.most_height_change)
-        restore_heights(work);
+    improve_at_end(work);
     report.first_layer = compare(first_layer, work.mesh().points, result());
     measure_worst(work);
     WorstCell const& worst = report.worst[0];

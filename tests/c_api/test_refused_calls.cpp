@@ -400,7 +400,7 @@ TEST_CASE("options of the safe morph and of better cells") {
     hm_points const reference{folded.data(), o.its.mesh.y.data(), 1};
     const char* const strategies =
         "safe options: skipped_strategies is 1048576, which names strategies there are not, or "
-        "reserved is not 0";
+        "improve is neither 0 nor 1";
     check_texts({
         {HM_BAD_ARGUMENT, "safe options: struct_size is wrong",
          morph([&] { safe.struct_size = 0; })},
@@ -424,6 +424,10 @@ TEST_CASE("options of the safe morph and of better cells") {
         {HM_BAD_MESH, "cell 1 of the reference mesh is inverted",
          improve([&] { better.reference = &reference; })},
         {HM_BAD_ARGUMENT, strategies, morph([&] { safe.skipped_strategies = 1 << 20; })},
+        {HM_BAD_ARGUMENT,
+         "safe options: skipped_strategies is 0, which names strategies there are not, or "
+         "improve is neither 0 nor 1",
+         morph([&] { safe.improve = 2; })},
         {HM_BAD_ARGUMENT, "safe options: others is NULL, or n_others is -1, not 0 .. 64",
          morph([&] { safe.n_others = -1; })},
         {HM_BAD_ARGUMENT, "safe options: others is NULL, or n_others is 65, not 0 .. 64",

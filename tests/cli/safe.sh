@@ -49,6 +49,14 @@ alone=$(number min_quality)
 runs "--heights --improve" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe \
     --improve --heights --json
 check "--heights --improve: not below --improve alone" awk "BEGIN { exit !($(number min_quality) >= $alone) }"
+runs "--safe --operator auto" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe \
+    --operator auto --json
+check "--safe --operator auto: both are reported" says '"operators": [{"operator": '
+refuses "--operator without --safe" 2 '--operator goes with --safe' morph "$box" "$tmp/conformal.basis" \
+    --move "$no_moves" --operator auto
+refuses "morph --operator laplace" 2 '--operator expects auto' morph "$box" "$tmp/conformal.basis" \
+    --move "$no_moves" --safe --operator laplace
+refuses "solve --operator auto" 2 'goes with displace' solve "$box" --rigid block --operator auto -o "$tmp/x"
 for bad in 1.5 -0.1 nan good; do
     refuses "--min-quality $bad" 2 '--min-quality' morph "$box" "$tmp/conformal.basis" --move "$no_moves" --safe \
         --min-quality=$bad

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/basis_file.hpp"
+#include "commands/safe_way.hpp"
 #include "curves/curves.hpp"
 #include "basics/field.hpp"
 #include "basics/threads.hpp"
@@ -35,14 +36,13 @@ struct Morph {
     std::string refusal;      // of the safe way: why it did not reach the target
     bool impossible = false;  // of the safe way: no mesh can have the target's boundary
     std::string warning;  // of the safe way: it did, but the mesh is not as good as was asked for
-    double least_quality =
-        0;  // of the safe way: what was asked for, of cells relative to the start
+    std::vector<OperatorTrial> trials;  // of the safe way: where operators were compared
 
     Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& its_moves,
           std::int32_t repeats, const Threads& threads);
-    // Solves again where it must.
+    // Solves again where it must, and at the start where the operator is not that of the basis.
     Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target,
-          hm_safe_options options, const Threads& threads);
+          hm_safe_options options, std::int32_t operator_kind, const Threads& threads);
     // Puts inner points where cells are better. Walls, and so `moves`, stay.
     void improve(const Basis& basis, const Mesh& mesh, const Threads& threads);
     bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }

@@ -5,6 +5,7 @@
 #include "commands/engine.hpp"
 #include "basics/numbers.hpp"
 #include "basics/operators.hpp"
+#include "commands/safe_way.hpp"
 #include "mesh/side_pair.hpp"
 
 #include <algorithm>
@@ -253,7 +254,8 @@ std::vector<Option> task_options() {
 Task task_of(const Arguments& arguments, const Mesh& mesh) {
     Task task;
     task.options.tolerance = arguments.positive("--tol", 1e-10);
-    task.options.operator_kind = operator_of(arguments);
+    task.options.operator_kind =
+        compares_operators(arguments) ? HM_CONFORMAL : operator_of(arguments);
     task.options.exponent_quarters = quarters_of(arguments);
     task.options.scheme =
         arguments.choice("--scheme", {{"compact", HM_COMPACT},
