@@ -44,7 +44,8 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     fill(reached, 0.0);
     report.limit = look_ahead(work, basis, 1);
     find_end_that_leaves(work);
-    Target const target{work.cells(), basis.faces(), mesh.ends, plan.mesh().points, mesh.ahead()};
+    Target const target{work.cells(),       basis.faces(), mesh.ends,
+                        plan.mesh().points, mesh.ahead(),  &plan.walls()};
     for (Index k = 0; k < mesh.ends.count(); ++k) {
         if (mesh.ends[k] == EndOf::on_line) mesh.to_ahead().set(k, plan.mesh().points[k]);
     }

@@ -220,24 +220,27 @@ Movement movement_of(const Arguments& arguments, const Mesh& mesh, const Task& t
     return movement;
 }
 
-// By one operator, or by the better one of two.
+// By one operator; by the better one of two, where they are compared or the own one does not reach
+// the target safely.
 Displacement best_displacement(const Arguments& arguments, const Mesh& mesh, const Task& task,
                                const Movement& movement, const Threads& threads) {
-    if (!compares_operators(arguments)) {
-        Solver solver(mesh, task, threads);
-        return displacement_of(arguments, mesh, solver, movement, threads);
-    }
+    const std::int32_t own = task.options.operator_kind;
     std::vector<OperatorTrial> trials;
     const auto run = [&](std::int32_t kind, OperatorTrial& trial) {
         Task by = task;
-        by.options.operator_kind = kind;
+        if (kind != own) {
+            by.options.operator_kind = kind;
+            by.options.exponent_quarters = by.options.offset_correction = 0;
+        }
         Solver solver(mesh, by, threads);
         Displacement found = displacement_of(arguments, mesh, solver, movement, threads);
         trial.step_fraction = found.safe ? found.safe->step_fraction : found.valid() ? 1 : 0;
         trial.min_quality = found.quality.min_quality;
+        trial.is_short = own != HM_CONFORMAL && !found.refusal.empty();
         return found;
     };
-    Displacement best = best_of_operators(operators_to_compare(HM_CONFORMAL), trials, run);
+    Displacement best =
+        best_of_operators(operators_to_compare(own), compares_operators(arguments), trials, run);
     best.trials = trials;
     return best;
 }

@@ -104,15 +104,16 @@ Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     const std::int32_t own = basis.info().operator_kind;
     if (arguments.has("--operator") && !compares_operators(arguments))
         arguments.refuse("--operator expects auto: the basis has the operator");
-    if (!compares_operators(arguments)) return {basis, mesh, moves, options, own, threads};
     std::vector<OperatorTrial> trials;
     const auto run = [&](std::int32_t kind, OperatorTrial& trial) {
         Morph morph(basis, mesh, moves, options, kind, threads);
         trial.step_fraction = morph.safe.step_fraction;
         trial.min_quality = morph.quality.min_quality;
+        trial.is_short = own != HM_CONFORMAL && !morph.refusal.empty() && !morph.impossible;
         return morph;
     };
-    Morph best = best_of_operators(operators_to_compare(own), trials, run);
+    Morph best =
+        best_of_operators(operators_to_compare(own), compares_operators(arguments), trials, run);
     best.trials = trials;
     return best;
 }

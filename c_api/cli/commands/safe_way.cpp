@@ -48,7 +48,7 @@ bool compares_operators(const Arguments& arguments) {
 }
 
 std::vector<std::int32_t> operators_to_compare(std::int32_t own) {
-    return {own, own == HM_LAPLACE ? HM_CONFORMAL : HM_LAPLACE};
+    return {own, own == HM_CONFORMAL ? HM_LAPLACE : HM_CONFORMAL};
 }
 
 void add_trials(JsonObject& object, const std::vector<OperatorTrial>& trials) {
