@@ -80,6 +80,11 @@ struct Adder {
         }
     }
 
+    void add_points_of_basis(Index begin, Index end, FixedSums& total) const noexcept {
+        if (basis.in_single()) add_points(basis.single, begin, end, total);
+        else add_points(basis.value, begin, end, total);
+    }
+
     // Single-precision storage: the rows of the wall are 0 among the points' and stand in double
     // precision apart.
     void add_wall(FixedSums& total) const noexcept {
@@ -99,28 +104,32 @@ struct Adder {
     }
 };
 
-// The sums of a part of the numbers.
-struct PartSums {
-    FixedSum x[Movements::most], y[Movements::most];
-
-    PartSums(ProductKernels const& kernels, Basis const& basis, Points by_points, BinaryScale scale,
-             FunctionPart numbers, Executor const& executor) noexcept {
-        FixedSums part[most_ranges];
-        Adder const adder{kernels, basis, by_points, scale.units().downwards(), numbers};
-        Index const ranges =
-            for_block_ranges(basis.n_points(), executor, [&](Index begin, Index end, Index i) {
-                part[i] = {};
-                if (basis.in_single()) adder.add_points(basis.single, begin, end, part[i]);
-                else adder.add_points(basis.value, begin, end, part[i]);
-            });
-        if (basis.in_single()) adder.add_wall(part[0]);
-        Index const width = numbers.width;
-        for (Index k = 0; k < width; ++k) {
-            for (Index i = 0; i < ranges; ++i) {
-                x[k] += part[i].x[k];
-                y[k] += part[i].y[k];
-            }
+// The sums of a part of the numbers over all points; several threads have sums of their own. Not
+// inlined: one thread needs no stack for them.
+__attribute__((noinline)) void add_in_ranges(Adder const& adder, Executor const& executor,
+                                             FixedSums& total) noexcept {
+    FixedSums part[most_ranges];
+    Index const ranges =
+        for_block_ranges(adder.basis.n_points(), executor, [&](Index begin, Index end, Index i) {
+            part[i] = {};
+            adder.add_points_of_basis(begin, end, part[i]);
+        });
+    for (Index k = 0; k < adder.part.width; ++k) {
+        for (Index i = 0; i < ranges; ++i) {
+            total.x[k] += part[i].x[k];
+            total.y[k] += part[i].y[k];
         }
+    }
+}
+
+struct PartSums : FixedSums {
+    PartSums(ProductKernels const& kernels, Basis const& basis, Points by_points, BinaryScale scale,
+             FunctionPart numbers, Executor const& executor) noexcept
+        : FixedSums{} {
+        Adder const adder{kernels, basis, by_points, scale.units().downwards(), numbers};
+        if (executor.is_serial()) adder.add_points_of_basis(0, blocks_of(basis.n_points()), *this);
+        else add_in_ranges(adder, executor, *this);
+        if (basis.in_single()) adder.add_wall(*this);
     }
 };
 

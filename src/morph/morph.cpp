@@ -5,7 +5,8 @@
 namespace harmorph {
 namespace {
 
-constexpr Index chunk_blocks = 64;  // their points' sums stay in the first-level cache
+// The sums of their points stay in the first-level cache, and leave a small stack enough room.
+constexpr Index chunk_blocks = 24;
 constexpr Index chunk_points = chunk_blocks * block_points;
 constexpr Index least_blocks_to_morph = 512;  // blocks that are worth a thread
 constexpr Offset worth_asking = Offset{1} << 17;
@@ -37,7 +38,7 @@ public:
     }
 
 private:
-    static constexpr Index n_stored = 4;
+    static constexpr Index n_stored = 2;
 
     Movements made(Index first) const noexcept {
         Movements by = {};
@@ -86,11 +87,13 @@ struct Chunk {
     }
 };
 
-// Moves the points of blocks first .. first+n-1, n <= chunk_blocks, of any arrays.
+// Moves the points of blocks first .. first+n-1, n <= chunk_blocks, of any arrays. Not inlined: the
+// sums of both precisions and of the wall would be on the stack together.
 template <class Number>
-void morph_chunk(ProductKernels const& kernels, Span<Number> values, Basis const& basis,
-                 RowMovements const& move, Points from, MutablePoints to, Index first,
-                 Index n) noexcept {
+__attribute__((noinline)) void morph_chunk(ProductKernels const& kernels, Span<Number> values,
+                                           Basis const& basis, RowMovements const& move,
+                                           Points from, MutablePoints to, Index first,
+                                           Index n) noexcept {
     Chunk sums(n);
     sums.add(kernels, values, basis.row_length(), move, first, n);
     Index const begin = first * block_points,
@@ -137,8 +140,8 @@ Vec2 sum_of_row(Basis const& basis, RowMovements const& move, Index slot) noexce
 
 // In single-precision storage the rows of points on the wall are 0, so these points have not moved
 // yet.
-void morph_wall(ProductKernels const& kernels, Basis const& basis, RowMovements const& move,
-                MutablePoints to) noexcept {
+__attribute__((noinline)) void morph_wall(ProductKernels const& kernels, Basis const& basis,
+                                          RowMovements const& move, MutablePoints to) noexcept {
     Index const n_slots = basis.wall_point.count(), n_blocks = blocks_of(n_slots);
     for (Index first = 0; first < n_blocks; first += chunk_blocks) {
         Index const n = min(chunk_blocks, n_blocks - first), begin = first * block_points;
