@@ -66,6 +66,60 @@ HM_API hm_status hm_refine(const hm_curves** finer, const double** matrix, void*
                            size_t bytes, const hm_curves* curves, int32_t curve, int32_t degree,
                            int32_t n, const double* u, hm_error* err);
 
+/* ---- Another airfoil on the same knots ---- */
+
+/* lengths in the unit of the curves */
+typedef struct hm_refit_report {
+    uint64_t struct_size;
+    double max_error, rms_error; /* [length] distances of the points from the moved curves */
+    double chord;                /* [length] of the points, from leading to trailing edge */
+    /* [length] width of the blunt base of the points, of which the curve has none: both sides were
+     * tapered from the leading edge on, so that the base became one point; 0: no base */
+    double closed_width;
+    int32_t max_error_point; /* position in the list, from 0 */
+    int32_t closed;          /* how the outline of the points closes: HM_OPEN, ... */
+} hm_refit_report;
+
+/* The movement of the control points with which the curve of an airfoil becomes another airfoil,
+ * through n points in order along its outline: a least-squares fit on the knots of the curve.
+ * movement [2*n_control]: x,y pairs, for hm_morph and hm_displace_safe; 0 for control points of
+ * other curves.
+ *   curve     from 0; runs from the trailing edge round to the trailing edge. A following curve
+ *             that has both ends in common with it is its blunt base, which moves along
+ *   points    in either direction; is_loop: the last one is connected to the first one, which is
+ *             not repeated; a loop may begin anywhere
+ *   on_chord  1: the points are turned, scaled and shifted first, so that the line from their
+ *             leading to their trailing edge becomes that of the curve; 0: they are where they are
+ * Between the points the outline is a cubic spline, with a corner where the points have one. The
+ * leading edge is the point farthest from the trailing edge. An outline without a corner, whose
+ * trailing edge is round, begins where the curve's chord ends (on_chord: at the largest x).
+ * report may be NULL. Refused with HM_BAD_CURVE: points as in hm_fit; a curve or points that are no
+ * such outline; points with a sharp trailing edge for a curve with a blunt base. A failed call
+ * leaves movement as it was. (W. Wang, H. Pottmann, Y. Liu, ACM Trans. Graph. 25 (2006) 214.) */
+HM_API hm_status hm_refit_size(const hm_curves* curves, int32_t curve, int32_t n,
+                               size_t* work_bytes, hm_error* err);
+HM_API hm_status hm_refit(const hm_curves* curves, int32_t curve, const hm_points* points,
+                          int32_t n, int32_t is_loop, int32_t on_chord, double* movement,
+                          hm_refit_report* report, void* work, size_t work_bytes, hm_error* err);
+
+/* ---- Smooth gradients ---- */
+
+/* Smooths a gradient by the control points along the curves, so that an optimiser takes long steps
+ * without waves: smoothed s from the gradient g by (I + L^2 D^-1/2 K D^-1/2) s = g, where D_i is
+ * the integral of the basis function N_i, and K_ij that of N_i' N_j', by the arc length of the
+ * curves. Changes along less than L = length are damped. The matrix is symmetric and positive
+ * definite: s . g > 0, so that -s is a direction of descent; L = 0 returns g. gradient and smoothed
+ * [2*n_control], x,y pairs in any unit; the arrays may be the same. length [length of the curves]
+ * >= 0, at most 1e6 times the extent of the control points. At corners and tied ends both sides are
+ * coupled through the control point that they share, and only there; ends that share no control
+ * point are independent. A control point that no curve uses keeps its gradient. The gradient of
+ * another unit of length (dJ by millimetres) has the same shape. (A. Jameson, J. Sci. Comput. 3
+ * (1988) 233.) */
+HM_API hm_status hm_smooth_gradient_size(const hm_curves* curves, size_t* work_bytes,
+                                         hm_error* err);
+HM_API hm_status hm_smooth_gradient(const hm_curves* curves, double length, const double* gradient,
+                                    double* smoothed, void* work, size_t work_bytes, hm_error* err);
+
 /* ---- Measures of a section, with derivatives by the control points ---- */
 
 /* which curves are the outline of the section, and its chord */

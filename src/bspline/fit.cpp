@@ -5,26 +5,26 @@
 namespace harmorph {
 namespace {
 
-constexpr Index knot_rounds = 24;      // knots moved to where the errors are
-constexpr Index solves_per_round = 3;  // each followed by a correction of the parameters
-constexpr Index final_solves = 20;     // with the best knots
-constexpr Real exact = 1e-14;          // an error, in units of the extent, that cannot get better
+constexpr Index knot_rounds = 24;      // each round moves knots to where the errors are
+constexpr Index solves_per_round = 3;  // a correction of the parameters follows each solve
+constexpr Index final_solves = 20;     // the final solves use the best knots
+constexpr Real exact = 1e-14;          // errors below this fraction of the extent are rounding
 
 }  // namespace
 
 Status check_fit(Index n_points, FitOptions const& options, Fault& fault) noexcept {
     if (options.degree < 1 || options.degree > max_degree)
-        return fault.refuse(Status::bad_curve, "the degree of a fit is 1 to 5, not #",
+        return fault.refuse(Status::bad_curve, "the degree of a fit must be 1 to 5, not #",
                             plain(options.degree));
     if (options.n_control <= options.degree)
         return fault.refuse(Status::bad_curve,
-                            "# control points are not enough: more than the degree, @, are needed",
+                            "# control points are too few: a fit needs more than the degree, @",
                             plain(options.n_control), plain(options.degree));
     if (n_points < options.n_control)
-        return fault.refuse(Status::bad_curve, "# points do not determine @ control points",
+        return fault.refuse(Status::bad_curve, "# points are too few to determine @ control points",
                             plain(n_points), plain(options.n_control));
     if (n_points > std::numeric_limits<Index>::max() - 2 * max_order)
-        return fault.refuse(Status::bad_curve, "# points are too many", plain(n_points));
+        return fault.refuse(Status::bad_curve, "# points are too many for a fit", plain(n_points));
     return Status::ok;
 }
 
@@ -42,7 +42,7 @@ void Fit::lay_out(Arena& arena, Index n_points, FitOptions const& options) noexc
     arena.take(span_error_, m + p);
     arena.take(best_u_, n + 1);
     arena.take(section_spans_, m);
-    arena.take(scaled_, n);
+    points_.lay_out(arena, n_points);
     arena.take(corner_, n);
     arena.take(along_, n + 1);
     arena.take(arc_, n + 1);
@@ -57,10 +57,12 @@ void Fit::lay_out(Arena& arena, Index n_points, FitOptions const& options) noexc
 Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options, FitReport& report,
                 Fault& fault) noexcept {
     HARMORPH_TRY(check_fit(n, options, fault));
-    HARMORPH_TRY(take_points(points, n, is_loop, fault));
+    HARMORPH_TRY(points_.take(points, n, is_loop, fault));
+    outline_.points = points_.at;
+    outline_.is_loop = is_loop;
     if (!is_loop && (options.closure == Closure::tied || options.closure == Closure::periodic))
         return fault.refuse(Status::bad_curve,
-                            "only a loop of points can have a tied or periodic curve");
+                            "a tied or periodic curve needs points that form a closed loop");
     outline_.measure();
     Index n_corners = drop_facets(outline_, corner_, find_corners(outline_, corner_));
     report = {};
@@ -68,72 +70,34 @@ Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options,
     course_ = choose_course(outline_, corner_.first(n_corners), options.closure);
     if (course_.n_positions < options.n_control)
         return fault.refuse(Status::bad_curve,
-                            "# points without those on the base do not determine @ control points",
+                            "without the points on the blunt base, # points are too few to "
+                            "determine @ control points",
                             plain(course_.n_positions), plain(options.n_control));
     shape_curve(options);
-    Index const most = corners_possible(options.degree, squares_.curve.n_indices);
-    n_corners = corners_on(course_, outline_, corner_.first(n_corners), most);
+    Index const max_corners = corners_possible(options.degree, squares_.curve.n_indices);
+    n_corners = corners_on(course_, outline_, corner_.first(n_corners), max_corners);
     gather(n_corners);
     HARMORPH_TRY(check_growth(fault));
     approximate(n_corners);
-    if (best_error_ == infinity)
-        return fault.refuse(Status::bad_curve, "the points do not determine the curve");
+    constexpr const char* undetermined =
+        "the points do not determine the curve; use fewer control points";
+    if (best_error_ == infinity) return fault.refuse(Status::bad_curve, undetermined);
     publish(points);
-    for (Index c = 0; c < n_curves;
-         ++c) {  // its control points may lie far away, its knots too close
+    // Control points may lie too far away, and knots too close together.
+    for (Index c = 0; c < n_curves; ++c) {
         Fault why;
         if (failed(check_curve(curve[c], c, why)))
-            return fault.refuse(Status::bad_curve, "the points do not determine the curve");
+            return fault.refuse(Status::bad_curve, undetermined);
     }
     report_errors(points, n, report);
-    if (!is_finite(report.max_error))
-        return fault.refuse(Status::bad_curve, "the points do not determine the curve");
+    if (!is_finite(report.max_error)) return fault.refuse(Status::bad_curve, undetermined);
     report.backtrack_point = find_backtrack();
     if (report.backtrack_point == none) return Status::ok;
     Index const next = report.backtrack_point + 1 == n ? 0 : report.backtrack_point + 1;
     return fault.refuse(Status::backtracks,
-                        "between points # and @ the curve runs back: fewer control points help",
+                        "the fitted curve runs backwards between points # and @; use fewer control "
+                        "points",
                         point_item(report.backtrack_point), point_item(next));
-}
-
-// Checks them, and turns them into scaled_ points about their centroid.
-Status Fit::take_points(Points points, Index n, bool is_loop, Fault& fault) noexcept {
-    Vec2 sum;
-    for (Index k = 0; k < n; ++k) {
-        if (!is_finite(points[k].x) || !is_finite(points[k].y))
-            return fault.refuse(Status::bad_curve, "point # is not finite", point_item(k));
-        if (!is_in_range(points[k]))
-            return fault.refuse(Status::bad_curve, "point # has a coordinate beyond 1e100",
-                                point_item(k));
-        sum = sum + (points[k] - points[0]);
-    }
-    centre_ = points[0] + (1 / static_cast<Real>(n)) * sum;
-    auto const farthest_from = [&](Vec2 p) {
-        Vec2 farthest = p;
-        for (Index k = 0; k < n; ++k)
-            if (square(points[k] - p) > square(farthest - p)) farthest = points[k];
-        return farthest;
-    };
-    Vec2 const end = farthest_from(centre_);
-    extent_ = length(farthest_from(end) - end);
-    if (!is_finite(extent_)) return fault.refuse(Status::bad_curve, "the points are too far apart");
-    if (extent_ == 0) return fault.refuse(Status::bad_curve, "all points are in one place");
-    for (Index k = 0; k < n; ++k) scaled_[k] = (1 / extent_) * (points[k] - centre_);
-    for (Index k = 0; k + (is_loop ? 0 : 1) < n; ++k) {
-        Index const next = k + 1 == n ? 0 : k + 1;
-        if (square(scaled_[next] - scaled_[k]) == 0)
-            return fault.refuse(Status::bad_curve, "points # and @ follow each other and coincide",
-                                point_item(k), point_item(next));
-    }
-    Vec2 const first = points[0], last = points[n - 1];
-    if (!is_loop && first.x == last.x && first.y == last.y)
-        return fault.refuse(
-            Status::bad_curve,
-            "the first point and the last one, #, are equal: fit a loop without the last one",
-            point_item(n - 1));
-    outline_.points = scaled_;
-    outline_.is_loop = is_loop;
-    return Status::ok;
 }
 
 void Fit::shape_curve(FitOptions const& options) noexcept {
@@ -149,13 +113,13 @@ void Fit::shape_curve(FitOptions const& options) noexcept {
     squares_.set_up(shape, along_.first(course_.n_positions));
 }
 
-// The points and their curvature along the curve. Corners have none: their bend is not to attract
-// knots.
+// Collects the points and their curvature along the curve. A corner gets the curvature beside it,
+// so that the turn of the corner does not attract knots.
 void Fit::gather(Index n_corners) noexcept {
     Index const m = course_.n_positions;
     for (Index k = 0; k < m; ++k) {
         Index const point = point_at(k);
-        along_[k] = scaled_[point];
+        along_[k] = points_.at[point];
         curvature_[k] = outline_.curvature[point];
         arc_[k] = k == 0 ? 0 : arc_[k - 1] + length(along_[k] - along_[k - 1]);
     }
@@ -168,20 +132,21 @@ void Fit::gather(Index n_corners) noexcept {
     for (Index k = 0; k < m; ++k) {
         start_[k] = arc_[k] / arc_[m - 1];
         Real const reach = arc_[min(k + 1, m - 1)] - arc_[max(k - 1, Index(0))];
-        squares_.weight[k] =
-            0.5 * reach;  // the sum of squares becomes the integral along the curve
+        // With these weights, the sum of squares approximates the integral along the curve.
+        squares_.weight[k] = 0.5 * reach;
     }
     sites_.u = start_.first(m);
     sites_.mass = mass_.first(m - 1);
     sites_.capped = capped_.first(m - 1);
 }
 
-// Knots between equal parameters would be equal, more of them than the degree allows.
+// Refuses equal parameters: the knots between them would be equal, more often than the degree
+// allows.
 Status Fit::check_growth(Fault& fault) const noexcept {
     for (Index k = 0; k + 1 < course_.n_positions; ++k) {
         if (start_[k] < start_[k + 1]) continue;
         return fault.refuse(Status::bad_curve,
-                            "points # and @ follow each other and coincide but for rounding",
+                            "the consecutive points # and @ are equal to rounding",
                             point_item(point_at(k)), point_item(point_at(k + 1)));
     }
     return Status::ok;
@@ -192,7 +157,7 @@ void Fit::use_corners(Index n) noexcept {
     sites_.section_spans = section_spans_.first(n + 1);
 }
 
-// A control point is on the curve where as many knots as the degree follow it in one place.
+// A control point lies on the curve if the knots that follow it are equal, as many as the degree.
 void Fit::pin_ends_and_corners() noexcept {
     Curve const& shape = squares_.curve;
     fill(squares_.pinned, none);
@@ -212,7 +177,8 @@ void Fit::start_parameters() noexcept {
     squares_.start();
 }
 
-// Keeps the best control points, with their knots and pins.
+// Solves and corrects the parameters several times, and keeps the best control points with their
+// knots and pinned points.
 void Fit::solve_and_correct(Index times, Real acceleration) noexcept {
     Real along = 0.02;
     for (Index k = 0; k < times && best_error_ > exact; ++k) {
@@ -245,7 +211,8 @@ void Fit::approximate(Index n_corners) noexcept {
     best_error_ = infinity;
     use_corners(n_corners);
     find_knots();
-    if (n_corners > 0) {  // corners found in noise cost more than they give
+    // Without corners the fit may be better, if noise was taken for corners.
+    if (n_corners > 0) {
         use_corners(0);
         find_knots();
     }

@@ -186,7 +186,7 @@ Status check_image(Target const& target, WallImage const& image, Crossing& cross
 Status check_images(Target const& target, Crossing& crossing, Fault& fault) noexcept {
     if (target.walls == nullptr) return Status::ok;
     FaceDistance const& walls = *target.walls;
-    Vec2 shift[Translations::most_shifts];
+    Vec2 shift[Translations::max_shifts];
     Index const n = walls.translations.shifts(target.start, shift);
     for (Index k = 0; k < n; ++k)
         HARMORPH_TRY(check_image(target, {walls, shift[k]}, crossing, fault));

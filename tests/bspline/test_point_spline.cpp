@@ -1,0 +1,65 @@
+#include <doctest/doctest.h>
+
+#include "bspline/point_spline.hpp"
+
+#include <fixtures/spline.hpp>
+
+using namespace harmorph;
+
+namespace {
+
+struct SplineRun {
+    std::vector<unsigned char> block;
+    PointSpline spline;
+
+    SplineRun(std::vector<Vec2> const& points, bool is_closed) {
+        auto const n = static_cast<Index>(points.size());
+        Arena counting;
+        PointSpline().lay_out(counting, n);
+        block.resize(counting.bytes());
+        Arena placing(block.data(), block.size());
+        spline.lay_out(placing, n);
+        spline.pass_through({points.data(), points.size()}, is_closed);
+    }
+};
+
+std::vector<Vec2> arc(int n, double angle) {
+    std::vector<Vec2> out;
+    for (int k = 0; k <= n; ++k) out.push_back({std::cos(angle * k / n), std::sin(angle * k / n)});
+    return out;
+}
+
+double largest_error(int n, double angle, bool is_closed) {
+    std::vector<Vec2> points = arc(n, angle);
+    if (is_closed) points.back() = points.front();
+    SplineRun const run(points, is_closed);
+    double out = 0;
+    for (int k = 0; k < n; ++k)
+        for (double const share : {0.25, 0.5, 0.75})
+            out = std::fmax(out, std::fabs(length(run.spline.at(k, share)) - 1));
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("the spline passes through the points, and straight lines stay straight") {
+    std::vector<Vec2> const points = {{0, 0}, {1, 2}, {1.5, 3}, {4, 8}};
+    SplineRun const run(points, false);
+    for (Index k = 0; k < 3; ++k) {
+        CHECK(length(run.spline.at(k, 0) - points[static_cast<std::size_t>(k)]) == 0);
+        CHECK(length(run.spline.at(k, 1) - points[static_cast<std::size_t>(k) + 1]) == 0);
+        Vec2 const middle = run.spline.at(k, 0.3);
+        CHECK(std::fabs(middle.y - 2 * middle.x) < 1e-14);
+    }
+    SplineRun const two({{0, 0}, {1, 1}}, false);
+    CHECK(length(two.spline.at(0, 0.5) - Vec2{0.5, 0.5}) < 1e-16);
+}
+
+TEST_CASE("a circle: order four where the spline closes, order three with ends") {
+    double const pi = std::acos(-1.0);
+    for (int const n : {8, 16, 32}) {
+        CHECK(largest_error(n, 2 * pi, true) > 14 * largest_error(2 * n, 2 * pi, true));
+        CHECK(largest_error(n, pi, false) > 7 * largest_error(2 * n, pi, false));
+    }
+    CHECK(largest_error(64, 2 * pi, true) < 1e-6);
+}
