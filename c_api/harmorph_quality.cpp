@@ -120,12 +120,11 @@ hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_points*
         Assessment const found =
             judge(cells, start, change, undeformed, quality != nullptr, threads);
         if (step != nullptr) {
-            Touch const touch =
-                first_touch(b.boundary_point, b.loop_start, start, change, found.limit.step);
+            Touch const touch = first_touch(b.faces(), start, change, found.limit.step);
             write_struct(report_of(found.limit, touch, cells, view.index_base), step);
         }
         if (quality == nullptr) return Status::ok;
-        Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, start, change);
+        Crossing const crossing = find_crossing(b.faces(), start, change);
         write_struct(report_of(found.quality, crossing, view), quality);
         return Status::ok;
     });

@@ -29,9 +29,9 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
                             "HM_STRATEGY_..., that is between 0 and 31",
                             plain(o.skipped_strategies));
     }
-    if (o.reserved != 0) {
-        return fault.refuse(Status::bad_argument, "options.reserved must be 0, not #",
-                            plain(o.reserved));
+    if (o.improve < 0 || o.improve > 1) {
+        return fault.refuse(Status::bad_argument, "options.improve must be 0 or 1, not #",
+                            plain(o.improve));
     }
     if (o.n_others < 0 || o.n_others > others.count()) {
         return fault.refuse(Status::bad_argument,
@@ -61,6 +61,7 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
                             o.max_height_change);
     }
     if (o.max_height_change != 0) options.most_height_change = o.max_height_change;
+    options.improves = o.improve == 1;
     reached = o.reached;
     options.skipped = static_cast<std::uint32_t>(o.skipped_strategies);
     for (Index i = 0; i < o.n_others; ++i) {
@@ -110,6 +111,8 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     filled.mean_quality = quality.mean_quality();
     filled.turned_offset = safe.outcome.turned_offset;
     filled.start_quality = safe.start_quality;
+    filled.end_point = numbered(safe.end, base);
+    filled.end_leaves = safe.end_leaves;
     filled.n_worst = safe.n_worst;
     for (Index k = 0; k < safe.n_worst; ++k) {
         WorstCell const& worst = safe.worst[k];
@@ -268,6 +271,7 @@ hm_status hm_displace_safe(hm_plan* plan, const hm_basis* basis, const double* m
         HARMORPH_TRY(view_points(wall, "wall", displacement, fault, n));
         HARMORPH_TRY(call.open(to, options, report, {}, fault));
         call.options.solves_others = true;
+        call.options.fair_quality = 0.3;
         SafeDisplacement made;
         HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { made.lay_out(arena, *p, b); }));
         Status const status =

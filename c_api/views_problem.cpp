@@ -320,7 +320,7 @@ Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept 
     } else if (c.partner != 0 && has_not(ConditionField::partner)) {
         wrong =
             "partner of condition # is set, but the kind of the condition is @, not "
-            "HM_PERIODIC_PAIR or HM_ROTATION_PAIR";
+            "HM_PERIODIC_PAIR, HM_ROTATION_PAIR or HM_INTERFACE";
     }
     if (wrong != nullptr)
         return fault.refuse(Status::bad_condition, wrong, condition_item(number), plain(c.kind));

@@ -61,7 +61,8 @@
  * Threads          There is no hidden state. Only one thread at a time may write an object (plan,
  *                  basis) or make other objects from one (analysis); any number may read (morph,
  *                  adjoint, assess). The library uses the threads of an hm_executor, if given.
- * Stack            hm_morph needs 48 KiB of stack, other calls at most 112 KiB.
+ * Stack            hm_morph needs 16 KiB of stack, hm_adjoint on one thread 40 KiB, other calls at
+ *                  most 112 KiB.
  * Exceptions       A call that succeeds on finite numbers raises only inexact and underflow.
  * Repeatability    The same input and the same kernel give bitwise identical results: from run to
  *                  run, for any number of threads and of processes (harmorph_mpi.h).
@@ -390,7 +391,11 @@ enum {
     /* One passage of a cascade in an annulus: the partner is this marker, rotated about the centre
      * (x, y) by an angle that the library finds, and so are its displacements. All pairs have one
      * centre and one angle. A point on the centre does not move. Not with HM_PERIODIC_PAIR. */
-    HM_ROTATION_PAIR = 7
+    HM_ROTATION_PAIR = 7,
+    /* A sliding interface: this marker and its partner are coincident boundaries, such as those of
+     * a rotor and a stator, whose faces may touch and cross each other. Both markers may have
+     * other conditions, which say how their points move. A marker has at most one interface. */
+    HM_INTERFACE = 8
 };
 
 /* Fields that belong to another kind must be 0 (else HM_BAD_CONDITION). A marker has at most one
@@ -407,9 +412,11 @@ typedef struct hm_condition {
      * number of curves in `along`. */
     int32_t first_curve;
     int32_t n_curves;
-    int32_t body;    /* rigid: number of the body, from 0 without gaps */
-    int32_t partner; /* pairs: the other marker of the pair, which has no condition of its own */
-    double x, y;     /* rigid, rotation: the centre of rotation [length] */
+    int32_t body; /* rigid: number of the body, from 0 without gaps */
+    /* Pairs: the other marker of the pair, which has no condition of its own. Interface: the
+     * marker on the other side. */
+    int32_t partner;
+    double x, y; /* rigid, rotation: the centre of rotation [length] */
     /* 0: all faces of the marker that no other condition chooses as a piece. 1: one piece of the
      * marker, the one nearest to (near_x, near_y). A piece is a run of adjacent faces of one marker
      * along the boundary: one of several bodies, or one side of a channel. Not for pairs. */
@@ -645,7 +652,8 @@ typedef struct hm_step_report {
     double admissible;
     int32_t cell, point; /* the limiting cell and the point of the limiting corner; -1: none */
     /* [-] s at which the boundary first touches itself or another body, exactly, if this is smaller
-     * than `admissible`; else infinite. No cell need be inverted there. */
+     * than `admissible`; else infinite. No cell need be inverted there. The two sides of an
+     * HM_INTERFACE may touch. */
     double boundary;
     /* The point that touches first, and the two points of the face that it touches; or -1. */
     int32_t boundary_points[3];
@@ -660,7 +668,8 @@ typedef struct hm_quality_report {
     double min_quality, mean_quality; /* [0..1] size-skew quality; 0 for inverted cells */
     int32_t min_quality_cell;
     /* 1: the boundary crosses itself or another body, or faces coincide. Two walls that have come
-     * into contact count, the two sides of a wall without thickness do not. */
+     * into contact count, the two sides of a wall without thickness do not, nor do the two sides
+     * of an HM_INTERFACE. With a displacement, two faces that cross each other before do not. */
     int32_t self_crossing;
     int32_t crossing_points[4]; /* first and last point of one face, then of the other; -1: none */
 } hm_quality_report;
@@ -754,7 +763,10 @@ typedef struct hm_safe_options {
     int32_t max_resolves;
     int32_t skipped_strategies; /* sum of 1 << HM_STRATEGY_... of the strategies to skip */
     int32_t n_others;           /* 0 .. 64 */
-    int32_t reserved;           /* 0 */
+    /* 0; 1: the cells of the mesh at the target are improved in any case, as hm_improve does. With
+     * `heights`, the meshes with and without these heights are improved, and the better one stays.
+     */
+    int32_t improve;
     /* [n_others] solved bases of the same mesh, curves, conditions and offset correction. With a
      * derivative, which must not be one of them, those with another numbers_per_value than the
      * basis are skipped. */
@@ -806,6 +818,12 @@ typedef struct hm_safe_report {
     double turned_offset;   /* [length] largest |(r - 1) e|, see hm_morph_safe */
     double start_quality;   /* [0..1] smallest skew quality of the start */
     hm_worst_cell worst[5]; /* [n_worst] the cells of lowest quality of `to`, the worst first */
+    /* Of the ends of walls that leave the line or curve of the fixed or slipping boundary beside
+     * them at the target, the one that goes farthest from this line; -1: no end does. Known before
+     * anything is solved. */
+    int32_t end_point;
+    int32_t reserved;  /* 0 */
+    double end_leaves; /* [length] how far */
 } hm_safe_report;
 
 /* Working memory of hm_morph_safe with a basis like this one; NULL: as hm_basis_init makes it. */
@@ -842,7 +860,9 @@ HM_API hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const doubl
 
 /* Does the same for displacements that are given at the points of markers with HM_GIVEN (see
  * hm_displace). n_others must be 0; functions of other operators are solved when they are needed
- * (report.other is then their operator_kind). basis: of the same analysis as the plan; solved if it
+ * (report.other is then their operator_kind). If the smallest quality at the target is below 0.3 of
+ * that of the start, other operators and an improvement of the cells are tried, even if
+ * options.min_quality asks for less. basis: of the same analysis as the plan; solved if it
  * has functions, without functions by table. move [2*functions]: the movement of curves and rigid
  * bodies in the same call; NULL: none. A loop of the boundary all of whose points are given rotates
  * as a body; points of other loops move on straight lines. Where the whole movement is possible,

@@ -126,7 +126,7 @@ int main(void) {
     check(HM_CANCELLED < 0 && HM_UNSUPPORTED < 0 && HM_CROSSING < 0, "what is refused is negative");
     check(HM_ON_CURVE < HM_RIGID && HM_RIGID < HM_FIXED && HM_FIXED < HM_SLIP &&
               HM_SLIP < HM_FREE && HM_FREE < HM_PERIODIC_PAIR && HM_PERIODIC_PAIR < HM_GIVEN &&
-              HM_GIVEN < HM_ROTATION_PAIR,
+              HM_GIVEN < HM_ROTATION_PAIR && HM_ROTATION_PAIR < HM_INTERFACE,
           "order of conditions");
     check(HM_STRATEGY_LINEAR < HM_STRATEGY_OTHER && HM_STRATEGY_OTHER < HM_STRATEGY_SUBSTEPS &&
               HM_STRATEGY_SUBSTEPS < HM_STRATEGY_UNTANGLED,

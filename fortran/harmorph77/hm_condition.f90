@@ -14,6 +14,7 @@ subroutine hmcond(w, mark, kind, icurv, ncurv, ierr, msg)
     call this%refuse_if(kind == hm_rigid, "KIND is that of a rigid body: call HMRIGD")
     call this%refuse_if(kind == hm_periodic_pair, "KIND is that of a periodic pair: call HMPAIR")
     call this%refuse_if(kind == hm_rotation_pair, "KIND is that of a rotation pair: call HMTURN")
+    call this%refuse_if(kind == hm_interface, "KIND is that of a sliding interface: call HMINTF")
     condition = hm_c_condition(marker=mark, kind=kind)
     if (kind == hm_on_curve .or. .not. (icurv == ncurv .and. (icurv == 0 .or. icurv == 1))) then
         condition%first_curve = icurv - 1
@@ -63,6 +64,19 @@ subroutine hmturn(w, mark, mark2, xc, yc, ierr, msg)
     type(legacy_call) :: this
     call this%open(w)
     call keep_condition(this, hm_c_condition(marker=mark, kind=hm_rotation_pair, partner=mark2, x=xc, y=yc))
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmintf(w, mark, mark2, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: mark, mark2
+    real(c_double), intent(inout), target :: w(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    call this%open(w)
+    call keep_condition(this, hm_c_condition(marker=mark, kind=hm_interface, partner=mark2))
     call this%finish(ierr, msg)
 end subroutine
 

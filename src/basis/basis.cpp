@@ -34,6 +34,7 @@ void Basis::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(joined_slot, counts.joined);
     arena.take(boundary_point, counts.boundary);
     arena.take(loop_start, Offset{counts.loops} + 1);
+    arena.take(interface_side, counts.sides);
     arena.take(reversed, counts.pieces > 0 ? counts.pieces + counts.guards : counts.cells);
     pieces.lay_out(arena, counts.cells, counts.pieces, counts.guards);
     bool const in_single = counts.storage == Precision::in_single;

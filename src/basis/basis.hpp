@@ -7,6 +7,7 @@
 #include "basis/options.hpp"
 #include "basis/point_blocks.hpp"
 #include "boundary/moving_boundary.hpp"
+#include "mesh/boundary_faces.hpp"
 #include "mesh/pieces.hpp"
 
 namespace harmorph {
@@ -14,6 +15,8 @@ namespace harmorph {
 struct BasisCounts {
     Index points = 0, cells = 0, control = 0, bodies = 0, curves = 0, indices = 0, knots = 0,
           weights = 0, wall = 0, joined = 0, boundary = 0, loops = 0, conditions = 0;
+    // The number of boundary faces, if there are sliding interfaces; otherwise 0.
+    Index sides = 0;
     // Pieces and guards of polygons; both are 0 if all cells are triangles and quads.
     Index pieces = 0, guards = 0;
     // The number of functions of design variables, and of numbers in an entry of their matrix; 0
@@ -68,7 +71,7 @@ constexpr bool operator==(MeshFingerprint const& a, MeshFingerprint const& b) no
 // The first bytes of the block. All the rest follows in the order of Basis::lay_out, which the
 // counts determine.
 struct BasisHeader {
-    static constexpr std::uint32_t current_format = 10, native_order = 0x01020304;
+    static constexpr std::uint32_t current_format = 11, native_order = 0x01020304;
     static constexpr char expected_magic[8] = {'h', 'a', 'r', 'm', 'o', 'r', 'p', 'h'};
 
     char magic[8];
@@ -116,6 +119,7 @@ struct Basis {
     Span<Index> joined_point, joined_slot;
     Span<Index> boundary_point;   // [boundary] See Boundary.
     Span<Index> loop_start;       // [loops + 1]
+    Span<Index> interface_side;   // [boundary] or empty: see BoundaryFaces
     Span<std::uint8_t> reversed;  // [cells], or [pieces + guards]
     Pieces pieces;                // The pieces of polygons.
     // The values of the points, or in single storage those of the slots of the wall, in blocks of
@@ -135,6 +139,7 @@ struct Basis {
     // Returns the cells of a mesh with the counts of the basis: those of the mesh, or the pieces
     // that the basis keeps.
     OrientedMesh cells(Mesh const& mesh) const noexcept;
+    BoundaryFaces faces() const noexcept { return {boundary_point, loop_start, interface_side}; }
     Index n_points() const noexcept { return header->counts.points; }
     Index n_functions() const noexcept { return header->counts.stored; }
     ValueKind kind() const noexcept { return header->counts.kind; }

@@ -21,7 +21,7 @@ bool counts_are_plausible(BasisCounts const& counts) noexcept {
                          counts.curves,     counts.indices,      counts.knots,    counts.weights,
                          counts.wall,       counts.joined,       counts.boundary, counts.loops,
                          counts.conditions, counts.first_stored, counts.stored,   counts.combined,
-                         counts.modes,      counts.pieces,       counts.guards};
+                         counts.modes,      counts.pieces,       counts.guards,   counts.sides};
     for (Index const count : all) {
         if (!is_within(count, 0, max_count + 1)) return false;
     }
@@ -32,6 +32,7 @@ bool counts_are_plausible(BasisCounts const& counts) noexcept {
     if (counts.pieces == 0 ? counts.guards != 0
                            : counts.pieces > Mesh::max_cells || counts.guards > Mesh::max_cells)
         return false;
+    if (counts.sides != 0 && counts.sides != counts.boundary) return false;
     // Nothing else in the block grows with the number of bodies, so they need a bound here.
     if (counts.bodies > counts.conditions) return false;
     if (counts.wall > counts.points || (counts.weights != 0 && counts.weights != counts.control))
@@ -159,6 +160,9 @@ private:
         }
         for (Index loop = 0; loop < counts_.loops; ++loop) {
             if (!is_within(basis_.loop_start[loop], 0, basis_.loop_start[loop + 1])) return false;
+        }
+        for (Index const side : basis_.interface_side) {
+            if (side != none && !is_within(side, 0, max_count)) return false;
         }
         return basis_.loop_start[0] == 0 && basis_.loop_start[counts_.loops] == counts_.boundary;
     }

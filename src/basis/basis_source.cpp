@@ -26,6 +26,7 @@ BasisCounts BasisSource::counts() const noexcept {
     for_each_joined([&](Index, Index) { ++counts.joined; });
     counts.boundary = boundary.count;
     counts.loops = boundary.n_loops;
+    counts.sides = demands.interfaces ? boundary.count : 0;
     counts.conditions = conditions.count();
     return counts.share(0, counts.functions());
 }
@@ -83,6 +84,7 @@ void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const
     });
     copy(basis.boundary_point, Span<const Index>(source.boundary.point.first(counts.boundary)));
     copy(basis.loop_start, Span<const Index>(source.boundary.loop_start.first(counts.loops + 1)));
+    find_interface_sides(source.boundary, source.conditions, basis.interface_side);
     copy(basis.reversed, Span<const std::uint8_t>(source.topology.reversed));
     if (basis.pieces.given()) basis.pieces.copy_from(*source.pieces);
 }

@@ -26,6 +26,7 @@ void begin_derived(Basis const& from, BasisCounts const& counts, Basis const& to
     copy(to.joined_slot, Span<const Index>(from.joined_slot));
     copy(to.boundary_point, Span<const Index>(from.boundary_point));
     copy(to.loop_start, Span<const Index>(from.loop_start));
+    copy(to.interface_side, Span<const Index>(from.interface_side));
     copy(to.reversed, Span<const std::uint8_t>(from.reversed));
     if (to.pieces.given()) to.pieces.copy_from(from.pieces);
 }

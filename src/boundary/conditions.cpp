@@ -48,6 +48,7 @@ Status check_marker(Span<const Condition> conditions, Index i, Boundary const& b
                     Fault& fault) noexcept {
     Index const marker = conditions[i].marker;
     for (Condition const& earlier : conditions.first(i)) {
+        if (earlier.is_interface()) continue;
         bool const is_pair = conditions[i].is_pair() || earlier.is_pair();
         if (earlier.marker == marker &&
             (earlier.piece == conditions[i].piece ? earlier.piece == 0 : is_pair)) {
@@ -77,6 +78,33 @@ Status check_centre(Span<const Condition> conditions, Index i, Fault& fault) noe
         return fault.refuse(Status::bad_condition,
                             "the centre in condition # has a coordinate beyond 1e100",
                             condition_item(i));
+    }
+    return Status::ok;
+}
+
+// Refuses an interface of one marker, of markers without faces, or of a marker of another
+// interface.
+Status check_interface(Span<const Condition> conditions, Index i, Boundary const& boundary,
+                       Fault& fault) noexcept {
+    Condition const& condition = conditions[i];
+    if (condition.partner == condition.marker) {
+        return fault.refuse(Status::bad_condition,
+                            "marker # is named for both sides of an interface",
+                            marker_item(condition.marker));
+    }
+    Index const both[2] = {condition.marker, condition.partner};
+    for (Index const marker : both) {
+        if (!has_faces(boundary, marker)) {
+            return fault.refuse(Status::bad_condition,
+                                "marker # of condition @ is on no boundary face",
+                                marker_item(marker), condition_item(i));
+        }
+        for (Condition const& earlier : conditions.first(i)) {
+            if (!earlier.is_interface() || (earlier.marker != marker && earlier.partner != marker))
+                continue;
+            return fault.refuse(Status::bad_condition, "marker # is in two interfaces",
+                                marker_item(marker));
+        }
     }
     return Status::ok;
 }
@@ -113,7 +141,7 @@ Status check_partner(Span<const Condition> conditions, Index i, Boundary const& 
                             marker_item(condition.marker));
     }
     for (Condition const& other : conditions) {
-        if (other.marker != condition.partner) continue;
+        if (other.marker != condition.partner || other.is_interface()) continue;
         return fault.refuse(Status::bad_condition,
                             "marker #, the periodic partner of marker @, must not have a condition "
                             "of its own",
@@ -135,6 +163,7 @@ void Demands::add(Condition const& condition) noexcept {
     translation = translation || condition.kind == ConditionKind::periodic;
     rotation = rotation || condition.kind == ConditionKind::rotation;
     given = given || condition.kind == ConditionKind::given;
+    interfaces = interfaces || condition.is_interface();
 }
 
 Status check_conditions(Span<const Condition> conditions, Index n_curves, Boundary const& boundary,
@@ -142,6 +171,10 @@ Status check_conditions(Span<const Condition> conditions, Index n_curves, Bounda
     bool any_wall = false;
     for (Index i = 0; i < conditions.count(); ++i) {
         Condition const& condition = conditions[i];
+        if (condition.is_interface()) {
+            HARMORPH_TRY(check_interface(conditions, i, boundary, fault));
+            continue;
+        }
         HARMORPH_TRY(check_marker(conditions, i, boundary, fault));
         if (condition.has(ConditionField::body)) HARMORPH_TRY(check_body(conditions, i, fault));
         else if (condition.has(ConditionField::centre))
@@ -175,7 +208,8 @@ void assign_conditions(Points points, Span<const Condition> conditions,
     for (Index face = 0; face < boundary.count; ++face) {
         boundary.condition[face] = none;
         for (Index i = conditions.count(); i-- > 0;) {
-            if (conditions[i].piece == 0 && conditions[i].marker == boundary.marker[face])
+            if (conditions[i].piece == 0 && !conditions[i].is_interface() &&
+                conditions[i].marker == boundary.marker[face])
                 boundary.condition[face] = i;
         }
     }
@@ -183,6 +217,18 @@ void assign_conditions(Points points, Span<const Condition> conditions,
         if (conditions[i].piece == 0) continue;
         for_piece(conditions[i], points, boundary,
                   [&](Index face) { boundary.condition[face] = i; });
+    }
+}
+
+void find_interface_sides(Boundary const& boundary, Span<const Condition> conditions,
+                          Span<Index> side) noexcept {
+    for (Index face = 0; face < side.count(); ++face) {
+        side[face] = none;
+        for (Index i = 0; i < conditions.count(); ++i) {
+            if (!conditions[i].is_interface()) continue;
+            if (conditions[i].marker == boundary.marker[face]) side[face] = 2 * i;
+            if (conditions[i].partner == boundary.marker[face]) side[face] = 2 * i + 1;
+        }
     }
 }
 

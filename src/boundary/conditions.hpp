@@ -16,7 +16,8 @@ enum class ConditionKind : std::int32_t {
     free = 4,
     periodic = 5,
     given = 6,
-    rotation = 7
+    rotation = 7,
+    interface = 8
 };
 
 // The kinds are in the order of precedence: if several conditions meet at a point, the first kind
@@ -53,6 +54,8 @@ inline constexpr ConditionTraits condition_traits[] = {
     {PointKind::on_wall, set_of(ConditionField::piece)},
     // rotation
     {PointKind::inside, set_of(ConditionField::partner, ConditionField::centre)},
+    // interface; its points are what the other conditions of the two markers make them
+    {PointKind::fixed, set_of(ConditionField::partner)},
 };
 
 struct Condition {
@@ -79,7 +82,10 @@ struct Condition {
     // Returns whether the points of the marker have prescribed movements.
     bool is_wall() const noexcept { return traits().points == PointKind::on_wall; }
     // Returns whether the marker is one side of a periodic pair.
-    bool is_pair() const noexcept { return has(ConditionField::partner); }
+    bool is_pair() const noexcept { return has(ConditionField::partner) && !is_interface(); }
+    // Returns whether the condition says which markers may slide along each other, and not how
+    // their points move.
+    bool is_interface() const noexcept { return kind == ConditionKind::interface; }
     bool same_curves(Condition const& other) const noexcept {
         return first_curve == other.first_curve && n_curves == other.n_curves;
     }
@@ -91,6 +97,7 @@ struct Demands {
     Offset slip_curves = 0;  // the number of curves for sliding
     bool slip = false, free = false, given = false;
     bool translation = false, rotation = false;  // the kinds of periodic pairs
+    bool interfaces = false;
 
     bool periodic() const noexcept { return translation || rotation; }
 
@@ -104,6 +111,11 @@ struct Demands {
 // faces along a loop.
 void assign_conditions(Points points, Span<const Condition> conditions,
                        Boundary& boundary) noexcept;
+
+// Sets on which side of which sliding interface each face is, see BoundaryFaces; side has
+// boundary.count entries, or none.
+void find_interface_sides(Boundary const& boundary, Span<const Condition> conditions,
+                          Span<Index> side) noexcept;
 
 // Refuses wrong curves and bodies, markers without faces, and markers or pieces that are named
 // twice. Conditions must have been assigned.

@@ -82,6 +82,11 @@ struct Adder {
         }
     }
 
+    void add_points_of_basis(Index begin, Index end, FixedSums& total) const noexcept {
+        if (basis.in_single()) add_points(basis.single, begin, end, total);
+        else add_points(basis.value, begin, end, total);
+    }
+
     // Adds the rows of the wall, which are in double precision apart from the points' rows in
     // single precision storage, where they are 0.
     void add_wall(FixedSums& total) const noexcept {
@@ -101,28 +106,33 @@ struct Adder {
     }
 };
 
-// The sums for a slice of the rows.
-struct SliceSums {
-    FixedSum x[Movements::max_count], y[Movements::max_count];
-
-    SliceSums(ProductKernels const& kernels, Basis const& basis, Points by_points,
-              BinaryScale scale, RowSlice numbers, Executor const& executor) noexcept {
-        FixedSums sums_of_range[max_ranges];
-        Adder const adder{kernels, basis, by_points, scale.units().downwards(), numbers};
-        Index const ranges =
-            for_block_ranges(basis.n_points(), executor, [&](Index begin, Index end, Index i) {
-                sums_of_range[i] = {};
-                if (basis.in_single()) adder.add_points(basis.single, begin, end, sums_of_range[i]);
-                else adder.add_points(basis.value, begin, end, sums_of_range[i]);
-            });
-        if (basis.in_single()) adder.add_wall(sums_of_range[0]);
-        Index const width = numbers.width;
-        for (Index k = 0; k < width; ++k) {
-            for (Index i = 0; i < ranges; ++i) {
-                x[k] += sums_of_range[i].x[k];
-                y[k] += sums_of_range[i].y[k];
-            }
+// Adds the sums of a slice of the rows over all points. Several threads have sums of their own. Not
+// inlined, as one thread needs no stack for these.
+__attribute__((noinline)) void add_in_ranges(Adder const& adder, Executor const& executor,
+                                             FixedSums& total) noexcept {
+    FixedSums sums_of_range[max_ranges];
+    Index const ranges =
+        for_block_ranges(adder.basis.n_points(), executor, [&](Index begin, Index end, Index i) {
+            sums_of_range[i] = {};
+            adder.add_points_of_basis(begin, end, sums_of_range[i]);
+        });
+    for (Index k = 0; k < adder.slice.width; ++k) {
+        for (Index i = 0; i < ranges; ++i) {
+            total.x[k] += sums_of_range[i].x[k];
+            total.y[k] += sums_of_range[i].y[k];
         }
+    }
+}
+
+// The sums for a slice of the rows.
+struct SliceSums : FixedSums {
+    SliceSums(ProductKernels const& kernels, Basis const& basis, Points by_points,
+              BinaryScale scale, RowSlice numbers, Executor const& executor) noexcept
+        : FixedSums{} {
+        Adder const adder{kernels, basis, by_points, scale.units().downwards(), numbers};
+        if (executor.is_serial()) adder.add_points_of_basis(0, blocks_of(basis.n_points()), *this);
+        else add_in_ranges(adder, executor, *this);
+        if (basis.in_single()) adder.add_wall(*this);
     }
 };
 

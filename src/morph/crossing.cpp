@@ -1,7 +1,6 @@
 #include "morph/crossing.hpp"
 
 #include "base/predicates.hpp"
-#include "morph/boundary_faces.hpp"
 
 namespace harmorph {
 namespace {
@@ -20,17 +19,29 @@ struct FaceBox {
     }
 };
 
+// Where the points are that a pair of faces is looked at.
+struct Places {
+    Points points, displacement;  // the displacement may be not given
+
+    Vec2 operator[](Index point) const noexcept {
+        return displacement.given() ? points[point] + displacement[point] : points[point];
+    }
+};
+
 class Search {
 public:
-    Search(BoundaryFaces faces, Points points, Points displacement, Overlaps overlaps,
+    // start: two faces that cross each other there do not count; it may be not given.
+    Search(BoundaryFaces const& faces, Places places, Points start, Overlaps overlaps,
            Span<const KnownEnd> ends = {}) noexcept
-        : faces_(faces),
-          points_(points),
-          displacement_(displacement),
-          overlaps_(overlaps),
-          ends_(ends) {}
+        : faces_(faces), places_(places), start_(start), overlaps_(overlaps), ends_(ends) {}
 
-    // Searches pairs of faces within the range.
+    Crossing run() noexcept {
+        within({0, faces_.count()});
+        return result_;
+    }
+
+private:
+    // Pairs of faces within the range.
     bool within(FaceRange range) noexcept {
         if (range.size() <= max_leaf_faces) {
             for (Index face = range.begin; face < range.end; ++face) {
@@ -42,9 +53,6 @@ public:
         return within(left) || within(right) || between(left, right);
     }
 
-    Crossing const& result() const noexcept { return result_; }
-
-private:
     bool between(FaceRange a, FaceRange b) noexcept {
         FaceBox const box_a = box_of(a), box_b = box_of(b);
         if (!box_a.overlaps(box_b) || (box_a.is_point() && box_b.is_point())) return false;
@@ -64,14 +72,26 @@ private:
         for (Index other = others.begin; other < others.end; ++other) {
             FaceBox const other_box = box_of({other, other + 1});
             if (!other_box.overlaps(box) || (other_box.is_point() && box.is_point())) continue;
-            bool const cross = cross_properly(face, other) || cross_at_a_point(face, other) ||
-                               cross_at_a_point(other, face) ||
-                               (overlaps_ == Overlaps::cross && lie_on_each_other(face, other));
-            if (!cross || !is_known(face, other)) continue;
+            if (!cross(face, other) || !is_known(face, other) || faces_.may_slide(face, other) ||
+                crossed_before(face, other))
+                continue;
             result_ = {true, {begin_of(face), end_of(face)}, {begin_of(other), end_of(other)}};
             return true;
         }
         return false;
+    }
+
+    bool cross(Index face, Index other) const noexcept {
+        return cross_properly(face, other) || cross_at_a_point(face, other) ||
+               cross_at_a_point(other, face) ||
+               (overlaps_ == Overlaps::cross && lie_on_each_other(face, other));
+    }
+    bool crossed_before(Index face, Index other) const noexcept {
+        if (!start_.given()) return false;
+        Search before(*this);
+        before.places_ = {start_, {}};
+        before.overlaps_ = Overlaps::cross;
+        return before.cross(face, other);
     }
 
     bool has(Index face, KnownEnd what) const noexcept {
@@ -164,9 +184,7 @@ private:
         return on_opposite_sides(here, first, second) && from_first > 0;
     }
 
-    Vec2 at(Index point) const noexcept {
-        return displacement_.given() ? points_[point] + displacement_[point] : points_[point];
-    }
+    Vec2 at(Index point) const noexcept { return places_[point]; }
 
     Index begin_of(Index face) const noexcept { return faces_.begin_of(face); }
     Index end_of(Index face) const noexcept { return faces_.end_of(face); }
@@ -180,7 +198,8 @@ private:
     }
 
     BoundaryFaces faces_;
-    Points points_, displacement_;
+    Places places_;
+    Points start_;
     Overlaps overlaps_;
     Span<const KnownEnd> ends_;
     Crossing result_;
@@ -188,18 +207,23 @@ private:
 
 }  // namespace
 
-Crossing find_crossing(Span<const Index> boundary_point, Span<const Index> loop_start,
-                       Points points, Points displacement, Overlaps overlaps) noexcept {
-    Search search({boundary_point, loop_start}, points, displacement, overlaps);
-    search.within({0, boundary_point.count()});
-    return search.result();
+Crossing find_crossing(BoundaryFaces const& faces, Points points) noexcept {
+    return Search(faces, {points, {}}, {}, Overlaps::cross).run();
 }
 
-Crossing find_known_crossing(Span<const Index> boundary_point, Span<const Index> loop_start,
-                             Points points, Span<const KnownEnd> ends) noexcept {
-    Search search({boundary_point, loop_start}, points, {}, Overlaps::ignored, ends);
-    search.within({0, boundary_point.count()});
-    return search.result();
+Crossing find_crossing(BoundaryFaces const& faces, Points points, Points displacement,
+                       Overlaps overlaps) noexcept {
+    Points const start = displacement.given() ? points : Points{};
+    return Search(faces, {points, displacement}, start, overlaps).run();
+}
+
+Crossing find_new_crossing(BoundaryFaces const& faces, Points start, Points now) noexcept {
+    return Search(faces, {now, {}}, start, Overlaps::cross).run();
+}
+
+Crossing find_known_crossing(BoundaryFaces const& faces, Points start, Points points,
+                             Span<const KnownEnd> ends) noexcept {
+    return Search(faces, {points, {}}, start, Overlaps::ignored, ends).run();
 }
 
 }  // namespace harmorph

@@ -2,8 +2,8 @@
 // not exclude that.
 #pragma once
 
-#include "base/span.hpp"
 #include "base/vec2.hpp"
+#include "mesh/boundary_faces.hpp"
 
 namespace harmorph {
 
@@ -22,21 +22,24 @@ enum class Overlaps { cross, ignored };
 // itself; the line along which the point slips; nothing.
 enum class KnownEnd : std::uint8_t { prescribed, on_line, unknown };
 
-// A boundary crosses itself where faces cross, where faces overlap on a line, and where the
-// boundary passes exactly through one of its own points or faces; the decision is exact. A touch in
-// a point is no crossing. The two sides of a wall without thickness, whose faces have the same
-// ends, do not cross either; but walls that have come to lie on each other face by face do cross,
-// which shows where they separate: mesh is between them. Boundary faces are in the order of their
-// loops, with the mesh on the left (see Boundary). Faces that follow each other lie close together,
-// so half a list takes about half the space: boxes of list ranges exclude most pairs without any
-// memory. The points are moved by `displacement` (not given: 0).
-Crossing find_crossing(Span<const Index> boundary_point, Span<const Index> loop_start,
-                       Points points, Points displacement = {},
+// A boundary crosses where faces do, where faces lie on each other, and where it passes exactly
+// through a point of its own or a face; decided exactly. To touch in a point is not to cross, nor
+// are the two sides of a wall without thickness, whose faces have the same ends: of walls that came
+// to lie on each other face by face, mesh is between them where they part. Boundary faces in the
+// order of their loops, the mesh on the left (see Boundary). Faces that follow each other lie close
+// together, so halving the list halves the place it takes: boxes of list ranges prune the pairs,
+// without any memory. The two sides of a sliding interface may cross each other.
+Crossing find_crossing(BoundaryFaces const& faces, Points points) noexcept;
+// The same for points + displacement (not given: 0). Two faces that cross each other at `points`
+// already do not count, as the movement is not the reason.
+Crossing find_crossing(BoundaryFaces const& faces, Points points, Points displacement,
                        Overlaps overlaps = Overlaps::cross) noexcept;
-// Searches only among known places, ends [n_points]. Points that slip may be anywhere on their
-// line. Faces with a point whose place is unknown are ignored, and so are pairs of a face along a
-// line and a face of a wall that ends on this line.
-Crossing find_known_crossing(Span<const Index> boundary_point, Span<const Index> loop_start,
-                             Points points, Span<const KnownEnd> ends) noexcept;
+// The same for the points `now`, where two faces that cross each other at `start` do not count.
+Crossing find_new_crossing(BoundaryFaces const& faces, Points start, Points now) noexcept;
+// The same with regard only to points whose places at the end are known, ends [n_points]. Points
+// that slide may stand anywhere on their line; faces of points of which nothing is known are passed
+// over, and so are pairs of a face along a line and a face of a wall that ends on this line.
+Crossing find_known_crossing(BoundaryFaces const& faces, Points start, Points points,
+                             Span<const KnownEnd> ends) noexcept;
 
 }  // namespace harmorph

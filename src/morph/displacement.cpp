@@ -135,8 +135,7 @@ Status Displacement::check_target(Plan const& plan, Index field, Points from,
                             "a target coordinate of point # in field @ exceeds 1e100 in magnitude",
                             point_item(point), field_item(field));
     }
-    Crossing const crossing =
-        find_crossing(given.boundary_point, given.loop_start, from, displacement);
+    Crossing const crossing = find_crossing(given.faces(), from, displacement);
     if (!crossing.found) return Status::ok;
     return fault.refuse(
         Status::crossing,

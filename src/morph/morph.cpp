@@ -5,8 +5,8 @@
 namespace harmorph {
 namespace {
 
-// The sums of the points of these blocks stay in the first-level cache.
-constexpr Index chunk_blocks = 64;
+// The sums of the points of these blocks stay in the first-level cache and need little stack.
+constexpr Index chunk_blocks = 24;
 constexpr Index chunk_points = chunk_blocks * block_points;
 // A task moves at least so many blocks.
 constexpr Index min_blocks_to_morph = 512;
@@ -39,7 +39,7 @@ public:
     }
 
 private:
-    static constexpr Index n_stored = 4;
+    static constexpr Index n_stored = 2;
 
     Movements make(Index first) const noexcept {
         Movements by = {};
@@ -88,11 +88,13 @@ struct Chunk {
     }
 };
 
-// Moves the points of blocks first .. first+n-1, n <= chunk_blocks, in arrays with any strides.
+// Moves the points of blocks first .. first+n-1, n <= chunk_blocks, in arrays with any strides. Not
+// inlined, or the sums of both precisions and of the wall would be on the stack together.
 template <class Number>
-void morph_chunk(ProductKernels const& kernels, Span<Number> values, Basis const& basis,
-                 RowMovements const& move, Points from, MutablePoints to, Index first,
-                 Index n) noexcept {
+__attribute__((noinline)) void morph_chunk(ProductKernels const& kernels, Span<Number> values,
+                                           Basis const& basis, RowMovements const& move,
+                                           Points from, MutablePoints to, Index first,
+                                           Index n) noexcept {
     Chunk sums(n);
     sums.add(kernels, values, basis.row_length(), move, first, n);
     Index const begin = first * block_points,
@@ -140,8 +142,8 @@ Vec2 sum_of_row(Basis const& basis, RowMovements const& move, Index slot) noexce
 
 // Moves the points of the wall. In single-precision storage their rows are 0, so these points have
 // not moved yet.
-void morph_wall(ProductKernels const& kernels, Basis const& basis, RowMovements const& move,
-                MutablePoints to) noexcept {
+__attribute__((noinline)) void morph_wall(ProductKernels const& kernels, Basis const& basis,
+                                          RowMovements const& move, MutablePoints to) noexcept {
     Index const n_slots = basis.wall_point.count(), n_blocks = blocks_of(n_slots);
     for (Index first = 0; first < n_blocks; first += chunk_blocks) {
         Index const n = min(chunk_blocks, n_blocks - first), begin = first * block_points;

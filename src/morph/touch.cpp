@@ -1,7 +1,6 @@
 #include "morph/touch.hpp"
 
 #include "morph/admissible_step.hpp"
-#include "morph/boundary_faces.hpp"
 #include "morph/crossing.hpp"
 
 namespace harmorph {
@@ -61,7 +60,7 @@ struct MovingBox {
 
 class TouchSearch {
 public:
-    TouchSearch(BoundaryFaces faces, Points points, Points displacement, Real limit) noexcept
+    TouchSearch(BoundaryFaces const& faces, Points points, Points displacement, Real limit) noexcept
         : faces_(faces), points_(points), displacement_(displacement) {
         touch_.step = limit;
     }
@@ -114,7 +113,8 @@ private:
             points_[ends[1]] - points_[ends[0]], displacement_[ends[1]] - displacement_[ends[0]],
             points_[point] - points_[ends[0]], displacement_[point] - displacement_[ends[0]]};
         Real const step = pair.first_touch();
-        if (step < touch_.step) touch_ = {step, point, {ends[0], ends[1]}};
+        if (step < touch_.step && !faces_.may_slide(from, face))
+            touch_ = {step, point, {ends[0], ends[1]}};
     }
 
     // A face and a point, both relative to the point where the face begins.
@@ -176,15 +176,15 @@ private:
 
 }  // namespace
 
-Touch first_touch(Span<const Index> boundary_point, Span<const Index> loop_start, Points points,
-                  Points displacement, Real limit) noexcept {
+Touch first_touch(BoundaryFaces const& faces, Points points, Points displacement,
+                  Real limit) noexcept {
     if (!(limit > 0)) return {};
-    TouchSearch search({boundary_point, loop_start}, points, displacement, limit);
-    search.within({0, boundary_point.count()});
+    TouchSearch search(faces, points, displacement, limit);
+    search.within({0, faces.count()});
     Touch touch = search.result();
     if (touch.point == none) touch.step = infinity;
     if (!(limit > 1 && touch.step > 1)) return touch;
-    Crossing const crossing = find_crossing(boundary_point, loop_start, points, displacement);
+    Crossing const crossing = find_crossing(faces, points, displacement);
     if (!crossing.found) return touch;
     if (touch.step < 1 + 1e-9) {
         touch.step = 1;

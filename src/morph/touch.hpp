@@ -1,8 +1,8 @@
 // The step along a displacement at which the boundary first touches itself.
 #pragma once
 
-#include "base/span.hpp"
 #include "base/vec2.hpp"
+#include "mesh/boundary_faces.hpp"
 
 namespace harmorph {
 
@@ -17,10 +17,11 @@ struct Touch {
 // faces is one of an end of the one with the other, so no other pairs are examined. The area
 // between a point and a face is a quadratic function of s, whose roots are exact except for
 // rounding. Faces that touch at s = 0 count when they touch again. If they cross each other at
-// once, so that the boundary at s = 1 crosses itself without a touch on the way, the step is 0.
+// once, so that the boundary crosses itself at s = 1, but not at s = 0, without a touch on the way,
+// the step is 0. The two sides of a sliding interface may touch.
 // Boundary faces are those of find_crossing(); boxes of places and of displacements of list ranges
 // tell when two ranges can meet, without any memory.
-Touch first_touch(Span<const Index> boundary_point, Span<const Index> loop_start, Points points,
-                  Points displacement, Real limit) noexcept;
+Touch first_touch(BoundaryFaces const& faces, Points points, Points displacement,
+                  Real limit) noexcept;
 
 }  // namespace harmorph

@@ -29,6 +29,8 @@ void GivenWall::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     arena.take(joined, n_joined);
     arena.take(boundary_point, analysis.boundary().count);
     arena.take(loop_start, Offset{analysis.boundary().n_loops} + 1);
+    arena.take(interface_side,
+               analysis.problem().demands.interfaces ? analysis.boundary().count : 0);
 }
 
 Index GivenWall::columns(Analysis const& analysis) noexcept {
@@ -45,6 +47,7 @@ void GivenWall::init(Analysis const& analysis) noexcept {
     copy(boundary_point,
          Span<const Index>(analysis.boundary().point.first(boundary_point.count())));
     copy(loop_start, Span<const Index>(analysis.boundary().loop_start.first(loop_start.count())));
+    find_interface_sides(analysis.boundary(), analysis.conditions(), interface_side);
 }
 
 }  // namespace harmorph

@@ -15,7 +15,9 @@ struct GivenWall {
     Index first_slot = 0;  // The given slots begin here.
     // The points that are joined to another one: beyond a cut, or periodic images.
     Span<Index> joined;
-    Span<Index> boundary_point, loop_start;  // See Boundary.
+    Span<Index> boundary_point, loop_start, interface_side;  // See BoundaryFaces.
+
+    BoundaryFaces faces() const noexcept { return {boundary_point, loop_start, interface_side}; }
 
     void lay_out(Arena& arena, Analysis const& analysis) noexcept;
     void init(Analysis const& analysis) noexcept;

@@ -4,20 +4,72 @@
 
 namespace harmorph {
 
+// Points that slide ahead of a mesh that is valid now: where some have passed a neighbour on their
+// line, as beside the end of a wall that leaves the line, all go only a part of their way, or stay.
+// Returns whether any point slides.
+bool SafeMorph::keep_order_of_sliding(Work const& work) noexcept {
+    BoundaryFaces const faces = work.basis.faces();
+    auto const slides = [&](Index point) {
+        return mobility.held[mobility.representative[point]] == 0 &&
+               work.plan.kind(point) == PointKind::slip;
+    };
+    bool any = false;
+    for (Index k = 0; k < work.mesh().n_points && !any; ++k) any = slides(k);
+    if (!any) return false;
+    Real part = 1;
+    auto const ahead = [&](Index point) {
+        Vec2 const there = mesh.ahead()[point], here = mesh.now()[point];
+        return slides(point) && part < 1
+                   ? mobility.sliding.placed(point, here + part * (there - here))
+                   : there;
+    };
+    auto const is_in_order = [&] {
+        for (Index face = 0; face < faces.count(); ++face) {
+            Index const begin = faces.begin_of(face), end = faces.end_of(face);
+            if (!slides(begin) && !slides(end)) continue;
+            Vec2 const side = mesh.now()[end] - mesh.now()[begin];
+            if (!(dot(side, ahead(end) - ahead(begin)) > 0)) return false;
+        }
+        return true;
+    };
+    constexpr Real parts[] = {0.5, 0.25, 0};
+    for (Index k = 0; k < 3 && !is_in_order(); ++k) part = parts[k];
+    if (part == 1 || !is_in_order()) return true;
+    for (Index k = 0; k < work.mesh().n_points; ++k) {
+        if (slides(k)) mesh.to_ahead().set(k, ahead(k));
+    }
+    return true;
+}
+
+// Untangles the mesh ahead: with the whole boundary held, and if that is in vain with points that
+// slide.
+bool SafeMorph::untangle_ahead(Work& work) noexcept {
+    mobility.find(work.plan, mesh.ahead());
+    bool const any_slides = keep_order_of_sliding(work);
+    untangling.executor = work.executor();
+    auto const run = [&](Tangle const& tangle, SlidingPoints const& sliding) {
+        Fault why;
+        untangling.tangle = tangle;
+        untangling.sliding = sliding;
+        Status const status =
+            untangling.run(work.options.untangle, mesh.to_ahead(), work.report.untangle, why);
+        // A boundary may cross itself without an inverted cell.
+        return status == Status::ok && is_valid(work, mesh.ahead());
+    };
+    Points const start = work.mesh().points;
+    if (run({work.mesh(), start, work.basis.reversed, mesh.representative, mesh.held}, {}))
+        return true;
+    return any_slides && run(mobility.tangle(work.plan, start), mobility.sliding);
+}
+
 // The rest of the way in one step, whatever it inverts; then the inner points find their places,
 // and better ones where cells are poor. Returns whether the mesh is good then. If not, and it is
 // not the last thing to try, the way goes on from where it was.
 bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     if (!work.options.tries(Strategy::untangled)) return false;
     look_ahead(work, by, 1);
-    untangling.tangle = {work.mesh(), work.mesh().points, work.basis.reversed, mesh.representative,
-                         mesh.held};
-    untangling.executor = work.executor();
+    if (!untangle_ahead(work)) return false;
     Fault why;
-    Status const status =
-        untangling.run(work.options.untangle, mesh.to_ahead(), work.report.untangle, why);
-    // Points that slide may have passed others
-    if (status != Status::ok || !is_valid(work, mesh.ahead())) return false;
     Outcome there = work.attempt;
     there.strategy = Strategy::untangled;
     there.fraction = 1;
@@ -41,20 +93,36 @@ bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     return is_good;
 }
 
-// The best mesh's inner points, for the quality that is reported. The derivative remains that of
-// the way.
-void SafeMorph::improve(Work& work) noexcept {
+// Improves a mesh at the target that has the movement of the best one, and keeps the result if it
+// is better than the best one. The derivative remains that of the way.
+bool SafeMorph::improve(Work& work, Points from) noexcept {
     ImproveReport report;
     Fault why;
-    if (work.best().fraction < 1 || work.best().strategy == Strategy::improved) return;
-    if (failed(MeshImprovement::check(work.plan, work.mesh().points, result(), why))) return;
-    improvement.run(work.plan, work.improve_options(), work.mesh().points, result(),
-                    mesh.to_ahead(), report);
+    if (work.best().fraction < 1) return false;
+    if (failed(MeshImprovement::check(work.plan, work.mesh().points, from, why))) return false;
+    improvement.run(work.plan, work.improve_options(), work.mesh().points, from, mesh.to_ahead(),
+                    report);
     Outcome outcome = work.best();
     measure(work, mesh.ahead(), outcome);
-    if (!is_valid(work, mesh.ahead()) || !work.is_better(outcome, work.best())) return;
+    if (!is_valid(work, mesh.ahead()) || !work.is_better(outcome, work.best())) return false;
     outcome.strategy = Strategy::improved;
     replace_inner_points(work, outcome);
+    return true;
+}
+
+// Heights near the walls and better cells, as they are asked for. Improvement from the mesh without
+// the heights may end with better cells than that with them.
+void SafeMorph::improve_at_end(Work& work) noexcept {
+    SafeOptions const& options = work.options;
+    bool const improves = options.improves && options.tries(Strategy::improved);
+    copy(mesh.x, Span<const Real>(best_x));
+    copy(mesh.y, Span<const Real>(best_y));
+    if (options.heights > 0) restore_heights(work);
+    bool const is_improved = work.best().strategy == Strategy::improved && work.report.heights == 0;
+    if (improves && !is_improved) improve(work, result());
+    if (improves && work.report.heights > 0 && improve(work, mesh.now())) work.report.heights = 0;
+    bool const is_limited = work.best().height_change > options.most_height_change;
+    if (is_limited && options.heights == 0) restore_heights(work);
 }
 
 }  // namespace harmorph

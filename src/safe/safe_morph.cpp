@@ -19,6 +19,7 @@ void SafeMorph::lay_out(Arena& arena, Plan const& plan, BasisCounts const& count
     first_layer.lay_out(arena, plan.mesh(), static_cast<Size>(plan.walls().count));
     wall_heights.lay_out(arena, plan.mesh(), static_cast<Size>(plan.walls().count));
     arena.take(kinds, n);
+    mobility.lay_out(arena, plan);
     Size const shared = arena.mark();
     untangling.lay_out(arena, plan.region_counts());
     arena.release(shared);
@@ -42,8 +43,9 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     copy(best_y, Span<const Real>(mesh.y));
     fill(reached, 0.0);
     report.limit = look_ahead(work, basis, 1);
-    Target const target{work.cells(), basis.boundary_point, basis.loop_start,
-                        mesh.ends,    plan.mesh().points,   mesh.ahead()};
+    find_end_that_leaves(work);
+    Target const target{work.cells(),       basis.faces(), mesh.ends,
+                        plan.mesh().points, mesh.ahead(),  &plan.walls()};
     for (Index k = 0; k < mesh.ends.count(); ++k) {
         if (mesh.ends[k] == KnownEnd::on_line) mesh.to_ahead().set(k, plan.mesh().points[k]);
     }
@@ -68,15 +70,20 @@ Status SafeMorph::climb(Work& work) noexcept {
     bool const may_turn_back = work.derivative == nullptr;
     if (options.tries(Strategy::linear)) single_step(work, work.basis, Strategy::linear, none);
     for (Index i = 0; i < options.others.count() && options.tries(Strategy::other); ++i) {
-        if (work.is_good(work.best())) return Status::ok;
+        if (work.is_fair(work.best())) return Status::ok;
         Basis const& other = options.others[i];
         if (work.derivative == nullptr || other.kind() == work.basis.kind())
             single_step(work, other, Strategy::other, i);
     }
-    if (work.is_good(work.best())) return Status::ok;
+    if (work.is_fair(work.best())) return Status::ok;
     if (options.solves_others && options.tries(Strategy::other))
         HARMORPH_TRY(other_operators(work));
-    if (work.is_good(work.best())) return Status::ok;
+    if (work.is_good(work.best())) {
+        bool const may_improve = options.tries(Strategy::improved) && !options.improves;
+        if (!work.is_fair(work.best()) && may_improve && options.fair_quality > 0)
+            improve(work, result());
+        return Status::ok;
+    }
     HARMORPH_TRY(substeps(work));
     if (work.best().fraction < 1 && may_turn_back && mesh.path.is_bent()) {
         mesh.path.straighten(work.basis);
@@ -84,7 +91,9 @@ Status SafeMorph::climb(Work& work) noexcept {
         HARMORPH_TRY(substeps(work));
     }
     if (work.best().fraction < 1 && options.tries(Strategy::linear)) longest_linear_step(work);
-    if (!work.is_good(work.best()) && options.tries(Strategy::improved)) improve(work);
+    bool const is_improved = work.best().strategy == Strategy::improved;
+    if (!work.is_good(work.best()) && options.tries(Strategy::improved) && !is_improved)
+        improve(work, result());
     return Status::ok;
 }
 
@@ -131,13 +140,13 @@ void SafeMorph::longest_linear_step(Work& work) noexcept {
 }
 
 // Of the coordinates as they will be stored, after all roundings: every corner is positive exactly
-// and as quality measures it, and the boundary does not cross itself.
+// and as quality measures it, and the boundary does not cross itself where it did not at the start.
 bool SafeMorph::is_valid(Work const& work, Points points) const noexcept {
     for (Index k = 0; k < best_x.count(); ++k) {
         if (!is_coordinate(points[k])) return false;
     }
     return count_inverted(work.cells(), points, work.executor()) == 0 &&
-           !find_crossing(work.basis.boundary_point, work.basis.loop_start, points).found;
+           !find_new_crossing(work.basis.faces(), work.mesh().points, points).found;
 }
 
 // To where it looked, which is valid.

@@ -7,6 +7,7 @@
 #include "boundary/wall_heights.hpp"
 #include "morph/quality.hpp"
 #include "safe/mesh_improvement.hpp"
+#include "safe/mobility.hpp"
 #include "safe/moving_mesh.hpp"
 #include "safe/untangle.hpp"
 
@@ -28,6 +29,10 @@ struct SafeOptions {
         false;  // instead of `others`: solve with other operators at the start, where needed
     UntangleOptions untangle;
     ImproveOptions improve;
+    bool improves = false;  // the mesh at the target is made better, however good it is
+    // 0..1, of the smallest quality of the start: below it, a mesh at the target that is good
+    // enough is still tried to be made better by other operators and by improvement, without steps
+    Real fair_quality = 0;
     Real heights = 0;         // 0..1: how much of the heights near walls is brought back at the end
     Real min_quality = 0.05;  // 0..1: of the smallest quality of the start
     Real most_height_change =
@@ -66,6 +71,10 @@ struct SafeReport {
     Real heights = 0;        // how much of them could be brought back
     Crossing crossing;       // of the boundary at the target
     Real start_quality = 0;  // smallest of the start
+    // Of the ends of walls that leave the lines beside them, the one that goes farthest from its
+    // line, and how far; none: no end does
+    Index end = none;
+    Real end_leaves = 0;
     Index n_worst = 0;
     WorstCell worst[most_worst];  // the worst first
 };
@@ -76,6 +85,7 @@ struct SafeMorph {
     Span<Real> reached;         // [2 * functions] the movement that it has
     Span<Vec2> weight;          // [functions]
     Span<unsigned char> block;  // of the basis that is solved on the way
+    Mobility mobility;          // of the untangling
     Untangling untangling;      // in the same memory as the improvement: one works after the other
     MeshImprovement improvement;
     FirstLayer first_layer;
@@ -130,11 +140,15 @@ private:
     Basis unsolved_copy(Basis const& basis) const noexcept;
 
     bool leap(Work& work, Basis const& by, bool is_last) noexcept;
-    void improve(Work& work) noexcept;
+    bool improve(Work& work, Points from) noexcept;
+    void improve_at_end(Work& work) noexcept;
     void restore_heights(Work& work) noexcept;
     void measure_worst(Work& work) const noexcept;
     void finish_derivative(Work& work) noexcept;
-    Index end_that_leaves(Work const& work) const noexcept;
+    bool keep_order_of_sliding(Work const& work) noexcept;
+    bool untangle_ahead(Work& work) noexcept;
+    void find_end_that_leaves(Work& work) const noexcept;
+    bool is_beside(Work const& work, Index cell, Index point) const noexcept;
     Status finish(Work& work) noexcept;
 };
 

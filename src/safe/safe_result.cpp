@@ -112,52 +112,71 @@ void SafeMorph::finish_derivative(Work& work) noexcept {
     derivative.seal();
 }
 
-// The end of a wall in the limiting cell that leaves the straight line of the face beside it, on
-// which neighbours stay or slide; none if there is no such end.
-Index SafeMorph::end_that_leaves(Work const& work) const noexcept {
-    constexpr Real least = 1e-6;  // of its movement
-    Basis const& basis = work.basis;
-    Index const number = work.report.limit.cell;
-    if (number == none) return none;
-    Cell const cell = work.mesh().cell(number);
-    auto const leaves = [&](Index end, Index beside) {
-        if (mesh.path.slot_of[end] == none || mesh.path.slot_of[beside] != none) return false;
-        bool is_near = false;
-        for (Index k = 0; k < cell.n; ++k)
-            is_near = is_near || cell.point[k] == end || cell.point[k] == beside;
-        Vec2 const along = work.mesh().points[beside] - work.mesh().points[end];
-        Vec2 const by = basis.wall_move(mesh.path.slot_of[end], mesh.path.target.data());
-        return is_near && abs(cross(along, by)) > least * length(along) * length(by);
-    };
-    for (Index loop = 0; loop < basis.loop_start.count() - 1; ++loop) {
-        Index const first = basis.loop_start[loop], last = basis.loop_start[loop + 1];
-        for (Index k = first; k < last; ++k) {
-            Index const a = basis.boundary_point[k],
-                        b = basis.boundary_point[k + 1 < last ? k + 1 : first];
-            if (leaves(a, b)) return a;
-            if (leaves(b, a)) return b;
+// The mesh ahead is at the target. On the line or curve beside the end of a wall, neighbours stay
+// or slide: the end leaves it where the distance changes.
+void SafeMorph::find_end_that_leaves(Work& work) const noexcept {
+    constexpr Real least = 1e-6;  // of the movement of the end
+    Plan const& plan = work.plan;
+    Points const start = work.mesh().points, target = mesh.ahead();
+    auto const distance = [&](Vec2 p, Index end, Index beside) {
+        SlipCurves const& curves = plan.slip_curves();
+        for (Index slot = 0; slot < curves.n_slots(); ++slot) {
+            if (curves.own[slot] == slot && curves.point[slot] == beside)
+                return length(p - curves.nearest(slot, p).at);
         }
+        Vec2 const along = start[beside] - start[end];
+        return abs(cross(along, p - start[end])) / length(along);
+    };
+    auto const look_at = [&](Index end, Index beside) {
+        if (plan.kind(end) != PointKind::on_wall) return;
+        if (plan.kind(beside) != PointKind::slip && plan.kind(beside) != PointKind::fixed) return;
+        Real const leaves =
+            abs(distance(target[end], end, beside) - distance(start[end], end, beside));
+        if (!(leaves > least * length(target[end] - start[end]))) return;
+        if (leaves <= work.report.end_leaves) return;
+        work.report.end = end;
+        work.report.end_leaves = leaves;
+    };
+    BoundaryFaces const faces = work.basis.faces();
+    for (Index face = 0; face < faces.count(); ++face) {
+        look_at(faces.begin_of(face), faces.end_of(face));
+        look_at(faces.end_of(face), faces.begin_of(face));
     }
-    return none;
+}
+
+// Whether the cell has the point, or a neighbour of the point on the boundary.
+bool SafeMorph::is_beside(Work const& work, Index cell, Index point) const noexcept {
+    if (cell == none || point == none) return false;
+    Cell const corners = work.mesh().cell(cell);
+    BoundaryFaces const faces = work.basis.faces();
+    auto const has = [&](Index wanted) {
+        for (Index k = 0; k < corners.n; ++k) {
+            if (corners.point[k] == wanted) return true;
+        }
+        return false;
+    };
+    for (Index face = 0; face < faces.count(); ++face) {
+        Index const begin = faces.begin_of(face), end = faces.end_of(face);
+        if ((begin == point || end == point) && (has(begin) || has(end))) return true;
+    }
+    return has(point);
 }
 
 Status SafeMorph::finish(Work& work) noexcept {
     SafeReport& report = work.report;
     Outcome const& best = report.outcome;
     if (work.derivative != nullptr) finish_derivative(work);
-    if (work.options.heights > 0 || best.height_change > work.options.most_height_change)
-        restore_heights(work);
+    improve_at_end(work);
     report.first_layer = compare(first_layer, work.mesh().points, result());
     measure_worst(work);
     WorstCell const& worst = report.worst[0];
     if (best.fraction < 1) {
-        Index const end = end_that_leaves(work);
-        if (end != none) {
-            Vec2 const at = work.mesh().points[end];
+        if (is_beside(work, report.limit.cell, report.end)) {
+            Vec2 const at = work.mesh().points[report.end];
             return work.fault.refuse_at(at.x, at.y, Status::short_of_target,
-                                        "the mesh could follow ~; the wall's end, point # at $, "
-                                        "leaves the line beside it",
-                                        point_item(end), {}, best.fraction);
+                                        "the wall's end, point # at $, leaves the line beside it "
+                                        "by ~: the mesh cannot follow all of that",
+                                        point_item(report.end), {}, report.end_leaves);
         }
         Index const cell = work.mesh().number(report.limit.cell);
         Vec2 const at = cell != none ? centre_of(work.mesh(), cell, result()) : Vec2{};

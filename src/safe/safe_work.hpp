@@ -37,6 +37,11 @@ struct SafeMorph::Work {
     bool is_good(Outcome const& outcome) const noexcept {
         return outcome.fraction >= 1 && score(outcome) >= 1;
     }
+    // Nothing more is tried.
+    bool is_fair(Outcome const& outcome) const noexcept {
+        return is_good(outcome) &&
+               outcome.min_quality >= options.fair_quality * report.start_quality;
+    }
     bool is_better(Outcome const& one, Outcome const& other) const noexcept {
         if (one.fraction != other.fraction) return one.fraction > other.fraction;
         if (score(one) != score(other)) return score(one) > score(other);

@@ -57,7 +57,7 @@ Status SafeMorph::other_operators(Work& work) noexcept {
         if (status == Status::cancelled) return status;
         if (failed(status)) continue;
         single_step(work, here, Strategy::other, static_cast<Index>(operators.list[k].kind));
-        if (work.is_good(work.best())) break;
+        if (work.is_fair(work.best())) break;
         mesh.begin(work.plan);
     }
     return Status::ok;

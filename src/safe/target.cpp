@@ -63,13 +63,12 @@ struct Loop {
 };
 
 Loop loop_of(Target const& target, Index number) noexcept {
-    Index const begin = target.loop_start[number];
-    return {target.boundary_point.from(begin, target.loop_start[number + 1] - begin)};
+    return {target.faces.points_of_loop(number)};
 }
 
 // Loops that do not cross must lie in each other as they did at the start.
 Status check_loops(Target const& target, Fault& fault) noexcept {
-    Index const n_loops = target.loop_start.count() - 1;
+    Index const n_loops = target.faces.n_loops();
     for (Index number = 0; number < n_loops; ++number) {
         Loop const loop = loop_of(target, number);
         if (loop.point.empty() || !loop.is_known(target.ends)) continue;
@@ -85,6 +84,7 @@ Status check_loops(Target const& target, Fault& fault) noexcept {
             if (other_number == number || other.point.empty() || !other.is_known(target.ends))
                 continue;
             if (!moves && !other.moves(target.start, target.at_target)) continue;
+            if (target.faces.share_interface(number, other_number)) continue;
             Loop::Side const before = loop.side_of(other, target.start),
                              after = loop.side_of(other, target.at_target);
             if (before == after || before == Loop::Side::on || after == Loop::Side::on) continue;
@@ -129,11 +129,76 @@ Status check_corners(Target const& target, Fault& fault) noexcept {
         cell_item(mesh.number(cell)), point_item(bad_corner));
 }
 
+// Faces of the walls, as the neighbouring period or passage has them.
+struct WallImage {
+    FaceDistance const& walls;
+    Vec2 shift;
+    Index times = 0;  // of a rotation
+
+    Vec2 of(Vec2 p) const noexcept {
+        return times == 0 ? p + shift : walls.rotation.image(p, times);
+    }
+    // Whether the ends of each lie strictly on both sides of the other.
+    bool cross(Index face, Index other, Points at) const noexcept {
+        FaceDistance::Face const &one = walls.faces[face], &two = walls.faces[other];
+        Vec2 const a = at[one.point[0]], b = at[one.point[1]], c = of(at[two.point[0]]),
+                   d = of(at[two.point[1]]);
+        if (max(a.x, b.x) < min(c.x, d.x) || max(c.x, d.x) < min(a.x, b.x)) return false;
+        if (max(a.y, b.y) < min(c.y, d.y) || max(c.y, d.y) < min(a.y, b.y)) return false;
+        return orientation_sign(a, b, c) * orientation_sign(a, b, d) < 0 &&
+               orientation_sign(c, d, a) * orientation_sign(c, d, b) < 0;
+    }
+};
+
+// The box of all images first: few faces reach that.
+Status check_image(Target const& target, WallImage const& image, Crossing& crossing,
+                   Fault& fault) noexcept {
+    Points const at = target.at_target;
+    FaceDistance const& walls = image.walls;
+    Vec2 low{infinity, infinity}, high{-infinity, -infinity};
+    for (Index face = 0; face < walls.count; ++face) {
+        for (Index const point : walls.faces[face].point) {
+            Vec2 const p = image.of(at[point]);
+            low = {min(low.x, p.x), min(low.y, p.y)};
+            high = {max(high.x, p.x), max(high.y, p.y)};
+        }
+    }
+    for (Index face = 0; face < walls.count; ++face) {
+        Index const(&ends)[2] = walls.faces[face].point;
+        Vec2 const a = at[ends[0]], b = at[ends[1]];
+        if (max(a.x, b.x) < low.x || min(a.x, b.x) > high.x || max(a.y, b.y) < low.y ||
+            min(a.y, b.y) > high.y)
+            continue;
+        for (Index other = 0; other < walls.count; ++other) {
+            if (!image.cross(face, other, at) || image.cross(face, other, target.start)) continue;
+            Index const(&others)[2] = walls.faces[other].point;
+            crossing = {true, {ends[0], ends[1]}, {others[0], others[1]}};
+            return fault.refuse_at(
+                a.x, a.y, Status::crossing,
+                "the moved wall crosses its periodic image: the faces that begin at points # $ "
+                "and @",
+                point_item(ends[0]), point_item(others[0]));
+        }
+    }
+    return Status::ok;
+}
+
+Status check_images(Target const& target, Crossing& crossing, Fault& fault) noexcept {
+    if (target.walls == nullptr) return Status::ok;
+    FaceDistance const& walls = *target.walls;
+    Vec2 shift[Translations::max_shifts];
+    Index const n = walls.translations.shifts(target.start, shift);
+    for (Index k = 0; k < n; ++k)
+        HARMORPH_TRY(check_image(target, {walls, shift[k]}, crossing, fault));
+    if (!walls.rotation.any) return Status::ok;
+    HARMORPH_TRY(check_image(target, {walls, {}, 1}, crossing, fault));
+    return check_image(target, {walls, {}, -1}, crossing, fault);
+}
+
 }  // namespace
 
 Status check_target(Target const& target, Crossing& crossing, Fault& fault) noexcept {
-    crossing = find_known_crossing(target.boundary_point, target.loop_start, target.at_target,
-                                   target.ends);
+    crossing = find_known_crossing(target.faces, target.start, target.at_target, target.ends);
     if (crossing.found) {
         Vec2 const at = target.at_target[crossing.first[0]];
         return fault.refuse_at(
@@ -141,6 +206,7 @@ Status check_target(Target const& target, Crossing& crossing, Fault& fault) noex
             "the moved boundary crosses itself: the faces that begin at points # $ and @",
             point_item(crossing.first[0]), point_item(crossing.second[0]));
     }
+    HARMORPH_TRY(check_images(target, crossing, fault));
     HARMORPH_TRY(check_loops(target, fault));
     return check_corners(target, fault);
 }

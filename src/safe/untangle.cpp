@@ -31,6 +31,7 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
     report.inverted_before = report.left = region.n_cells;
     if (region.n_cells == 0) return Status::ok;
     for (Index k = 0; k < now.count(); ++k) now[k] = given[k];
+    sliding.turn_lines(as_points(now));
     region.link(tangle);
     for (Index const i : region.cell.first(region.n_cells)) {
         if (!is_stuck(i)) continue;
@@ -143,10 +144,13 @@ Real Untangling::descend(Real softness, Real before) noexcept {
     };
     Real length = 1;
     for (Index halvings = 0; halvings < most_halvings; ++halvings, length *= 0.5) {
-        for_points([&](Index point, Vec2 step) { trial[point] = now[point] + length * step; });
+        for_points([&](Index point, Vec2 step) {
+            trial[point] = sliding.placed(point, now[point] + length * step);
+        });
         Real const after = energy(trial, softness);
         if (!(after <= before + 1e-4 * length * slope)) continue;
         for_points([&](Index point, Vec2) { now[point] = trial[point]; });
+        sliding.turn_lines(as_points(now));
         return after;
     }
     return before;

@@ -1,9 +1,11 @@
-// Moves inner points until no cell is inverted; the boundary stays. Newton's method on the energy
+// Moves inner points until no cell is inverted; the boundary stays, and points that slide stay on
+// their lines and curves. Newton's method on the energy
 // of Distortion, whose softness goes to 0 by the rule of Garanzha et al. (2021), with one step for
 // each softness. Only the surroundings of inverted cells move at first.
 #pragma once
 
 #include "safe/newton_system.hpp"
+#include "safe/sliding_points.hpp"
 #include "safe/untangling_energy.hpp"
 
 namespace harmorph {
@@ -37,8 +39,9 @@ struct UntangleReport {
 // viscous layers, whose areas are ten orders smaller, would be as nothing beside the cells outside
 // them, and would pay for them.
 struct Untangling {
-    Tangle tangle;      // set by the caller
-    Executor executor;  // set by the caller
+    Tangle tangle;          // set by the caller
+    SlidingPoints sliding;  // set by the caller: along curves, with the lines of the tangle
+    Executor executor;      // set by the caller
     Region region;
     NewtonSystem system;
     Span<Vec2> now, trial;  // [n_points]

@@ -378,7 +378,7 @@ TEST_CASE("bad conditions and parameters") {
         {HM_BAD_CONDITION, "no condition", nobody, [](Case& c) { c.conditions.clear(); }},
         {HM_BAD_CONDITION, "no boundary face has marker", 77, [](Case& c) { c.set_free(77); }},
         {HM_BAD_CONDITION, "two conditions", body, [](Case& c) { c.set_free(body); }},
-        {HM_BAD_ARGUMENT, "kind", 0, [](Case& c) { c.conditions[0].kind = HM_ROTATION_PAIR + 1; }},
+        {HM_BAD_ARGUMENT, "kind", 0, [](Case& c) { c.conditions[0].kind = HM_INTERFACE + 1; }},
         {HM_BAD_ARGUMENT, "struct_size", 0, [](Case& c) { c.conditions[0].struct_size = 0; }},
         {HM_BAD_CONDITION, "curves that do not exist", 0,
          [](Case& c) { c.conditions[0].n_curves = 2; }},
@@ -405,7 +405,7 @@ TEST_CASE(
     "fields that are not of a condition's kind are refused by name, and which condition has them") {
     struct {
         const char* name;
-        std::int32_t kind, also;  // whose they are
+        std::int32_t kind, also;  // whose they are; `partner` is that of interfaces, too
         void (*set)(hm_condition& c);
     } const fields[] = {
         {"first_curve", HM_ON_CURVE, HM_ON_CURVE, [](hm_condition& c) { c.first_curve = 1; }},
@@ -416,9 +416,10 @@ TEST_CASE(
         {"x or y", HM_RIGID, HM_ROTATION_PAIR, [](hm_condition& c) { c.y = not_a_number; }},
         {"partner", HM_PERIODIC_PAIR, HM_ROTATION_PAIR, [](hm_condition& c) { c.partner = -7; }},
     };
-    for (std::int32_t kind = HM_ON_CURVE; kind <= HM_ROTATION_PAIR; ++kind)
+    for (std::int32_t kind = HM_ON_CURVE; kind <= HM_INTERFACE; ++kind)
         for (auto const& field : fields) {
             if (field.kind == kind || field.also == kind) continue;
+            if (field.kind == HM_PERIODIC_PAIR && kind == HM_INTERFACE) continue;
             Case its = tiny_case();
             its.add_condition(far_field, kind);
             its.conditions[1].n_curves = kind == HM_ON_CURVE ? 1 : 0;

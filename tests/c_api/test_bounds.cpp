@@ -49,7 +49,7 @@ TEST_CASE("conditions and given parameters") {
         its.conditions[0],
         {{"struct_size of condition 0", [](C& c) { c.struct_size = 0; }},
          {"the kind of condition 0 is -1, but", [](C& c) { c.kind = -1; }},
-         {"the kind of condition 0 is 8, but", [](C& c) { c.kind = HM_ROTATION_PAIR + 1; }}},
+         {"the kind of condition 0 is 9, but", [](C& c) { c.kind = HM_INTERFACE + 1; }}},
         HM_BAD_ARGUMENT, size);
     its.give(16, 0.5);
     auto const size_of = [](hm_problem const& problem, hm_error* e) {

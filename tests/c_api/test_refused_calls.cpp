@@ -441,6 +441,8 @@ TEST_CASE("options of the safe morph and of better cells") {
         {HM_BAD_MESH, "cell 1 of the reference mesh is inverted",
          improve([&] { better.reference = &reference; })},
         {HM_BAD_ARGUMENT, strategies, morph([&] { safe.skipped_strategies = 1 << 20; })},
+        {HM_BAD_ARGUMENT, "options.improve must be 0 or 1, not 2",
+         morph([&] { safe.improve = 2; })},
         {HM_BAD_ARGUMENT, "options.n_others must be between 0 and 64, not -1",
          morph([&] { safe.n_others = -1; })},
         {HM_BAD_ARGUMENT, "options.n_others must be between 0 and 64, not 65",

@@ -50,6 +50,27 @@ awk '{ $2 = $1 == 0 ? -9 : 0; $3 = 0; print }' "$tmp/wall.txt" >"$tmp/through.tx
 refuses "displace: a wall that crosses itself" 1 'the moved boundary crosses itself' \
     displace "$ring" --given body --wall "$tmp/through.txt" -o "$tmp/x"
 
+# The better one of two operators is taken, and both are reported; better cells without --safe.
+for way in "" --safe "--safe --improve --heights"; do
+    for operator in laplace conformal auto; do
+        runs "displace $way --operator $operator" 0 displace "$ring" --given body --wall "$tmp/wall.txt" $way \
+            --operator $operator --json
+        eval "$operator=$(grep -o '"min_quality": [^,]*' "$tmp/out" | head -n 1 | sed "s/.*: //")"
+    done
+    check "displace $way --operator auto: names both" grep -q '"operators": \[{"operator": ".*{"operator": "' "$tmp/out"
+    check "displace $way --operator auto: as good as both" \
+        awk "BEGIN { exit !($auto >= $laplace && $auto >= $conformal) }"
+done
+runs "displace --improve" 0 displace "$ring" --given body --wall "$tmp/wall.txt" --operator laplace --json
+plain=$(number mean_quality)
+runs "displace --improve" 0 displace "$ring" --given body --wall "$tmp/wall.txt" --operator laplace --improve --json
+check "displace --improve: better on average" awk "BEGIN { exit !($(number mean_quality) > $plain) }"
+runs "displace --operator auto: for people" 0 displace "$ring" --given body --wall "$tmp/wall.txt" --operator auto
+check "displace --operator auto: says what both cost" grep -E '^not  *(laplace|conformal): .* seconds$' "$tmp/out"
+runs "displace --operator auto: where conformal is refused" 0 displace "$ring" --given body --free far \
+    --wall "$tmp/wall.txt" --operator auto
+check "displace --operator auto: says why" grep -E '^not  *conformal: ' "$tmp/out"
+
 # Safely, all of the way; beside a rigid body; and what does not go together.
 runs "displace --safe" 0 displace "$ring" --given body --wall "$tmp/turn.txt" --operator laplace --safe \
     -o "$tmp/safe.su2" --json

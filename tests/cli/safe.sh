@@ -49,6 +49,26 @@ alone=$(number min_quality)
 runs "--heights --improve" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe \
     --improve --heights --json
 check "--heights --improve: not below --improve alone" awk "BEGIN { exit !($(number min_quality) >= $alone) }"
+runs "--safe --operator auto" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe \
+    --operator auto --json
+check "--safe --operator auto: both are reported" says '"operators": [{"operator": '
+refuses "--operator without --safe" 2 '--operator goes with --safe' morph "$box" "$tmp/conformal.basis" \
+    --move "$no_moves" --operator auto
+refuses "morph --operator laplace" 2 '--operator expects auto' morph "$box" "$tmp/conformal.basis" \
+    --move "$no_moves" --safe --operator laplace
+refuses "solve --operator auto" 2 'goes with displace' solve "$box" --rigid block --operator auto -o "$tmp/x"
+# A basis of Laplace functions that stops short of the target: conformal functions are tried, too.
+makes fit "$meshes/cascade.su2" --marker blade --points 20 -o "$tmp/blade.curve"
+makes solve "$meshes/cascade.su2" --curve blade="$tmp/blade.curve" --periodic lower:upper --operator laplace \
+    -o "$tmp/stuck.basis"
+awk '/^points/ { n = $2; next } n-- > 0 { printf "%d 0 %.17g\n", ++k, -.3 * 4 * $1 * (1 - $1) }' "$tmp/blade.curve" \
+    >"$tmp/camber.txt"
+runs "--safe by Laplace functions that are stuck" 0 morph "$meshes/cascade.su2" "$tmp/stuck.basis" \
+    --move "$tmp/camber.txt" --safe -o "$tmp/cambered.su2"
+check "--safe by Laplace functions: all of the way" says '100 % of the way in'
+check "--safe by Laplace functions: by conformal ones" grep -E '^operator  *conformal: 100 %' "$tmp/out"
+check "--safe by Laplace functions: how far those came" grep -E '^not  *laplace: ' "$tmp/out"
+runs "--safe by Laplace functions: check of the result" 0 check "$tmp/cambered.su2"
 for bad in 1.5 -0.1 nan good; do
     refuses "--min-quality $bad" 2 '--min-quality' morph "$box" "$tmp/conformal.basis" --move "$no_moves" --safe \
         --min-quality=$bad

@@ -4,7 +4,8 @@
 //     STORAGE      text, binary-32, binary-64, binary-single: how numbers are stored; 32 and 64:
 //     bits of labels PLANE        z, y: between coordinate planes; inclined; wedge: about the x
 //     axis; polygons: z, with the cells of
-//                  the innermost ring joined in pairs, which have six corners, and hanging nodes
+//                  the innermost ring joined in pairs, which have six corners, and hanging nodes;
+//                  interface: z, a rotor and a stator that meet on one circle with different points
 //     COORDINATES  an SU2 file of the ring in the plane's coordinates, from where x and y are taken
 #include <algorithm>
 #include <array>
@@ -23,11 +24,15 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-constexpr int around = 24, outwards = 6, layer = around * (outwards + 1);
+constexpr int around = 24, outwards = 6, slides_at = 3;
+int layer = 0;             // points of one plane
 std::vector<double> x, y;  // point (i, j) is number j * around + i
 std::string storage, plane;
 
 int point(int i, int j) { return j * around + i % around; }
+// The row of points below row j of cells: the circle of an interface has two rows.
+bool slides() { return plane == "interface"; }
+int below(int j) { return slides() && j >= slides_at ? j + 1 : j; }
 
 // Cells that are joined have one number.
 bool is_joined(int j) { return plane == "polygons" && j == 0; }
@@ -39,10 +44,12 @@ int n_cells() { return cell_of(around - 1, outwards - 1) + 1; }
 
 void make_coordinates() {
     const double pi = std::acos(-1.0);
-    for (int j = 0; j <= outwards; ++j) {
+    for (int row = 0; row <= outwards + (slides() ? 1 : 0); ++row) {
+        const bool is_stator = slides() && row > slides_at;
+        const int j = is_stator ? row - 1 : row;
         for (int i = 0; i < around; ++i) {
             const double r = std::pow(4.0, double(j) / outwards),
-                         angle = 2 * pi * (i + .25) / around;
+                         angle = 2 * pi * (i + (is_stator ? .6 : .25)) / around;
             x.push_back(r * std::cos(angle));
             y.push_back(r * std::sin(angle) + (plane == "wedge" ? 6 : 0));
         }
@@ -65,7 +72,7 @@ void read_coordinates(const char* path) {
 
 Vector place(int k) {
     const double a = x[std::size_t(k % layer)], b = y[std::size_t(k % layer)], up = k / layer;
-    if (plane == "z" || plane == "polygons") return {a, b, .5 * up};
+    if (plane == "z" || plane == "polygons" || slides()) return {a, b, .5 * up};
     if (plane == "y") return {a, -.5 * up, b};
     if (plane == "inclined") {  // turned about the y axis, which the library takes as its x
         const double c = std::cos(.5), s = std::sin(.5);
@@ -92,8 +99,8 @@ std::vector<int> cell_points(int cell) {
     const int width = is_joined(j) ? 2 : 1;
     std::vector<int> out;
     for (const int up : {0, layer}) {
-        for (int k = 0; k <= width; ++k) out.push_back(point(i + k, j) + up);
-        for (int k = width; k >= 0; --k) out.push_back(point(i + k, j + 1) + up);
+        for (int k = 0; k <= width; ++k) out.push_back(point(i + k, below(j)) + up);
+        for (int k = width; k >= 0; --k) out.push_back(point(i + k, below(j) + 1) + up);
     }
     return out;
 }
@@ -160,8 +167,9 @@ void write(const std::string& folder) {
     };
     for (int j = 0; j < outwards; ++j) {
         for (int i = 0; i < around; ++i) {
-            add_inner(point(i + 1, j), point(i + 1, j + 1), cell_of(i, j), cell_of(i + 1, j));
-            if (j + 1 < outwards)
+            add_inner(point(i + 1, below(j)), point(i + 1, below(j) + 1), cell_of(i, j),
+                      cell_of(i + 1, j));
+            if (j + 1 < outwards && !(slides() && j + 1 == slides_at))
                 add_inner(point(i, j + 1), point(i + 1, j + 1), cell_of(i, j), cell_of(i, j + 1));
         }
     }
@@ -171,9 +179,13 @@ void write(const std::string& folder) {
     const std::size_t n_inner = faces.size();
     for (int i = 0; i < around; ++i)
         faces.push_back(face(across(point(i, 0), point(i + 1, 0)), cell_of(i, 0)));
-    for (int i = 0; i < around; ++i) {
-        faces.push_back(
-            face(across(point(i, outwards), point(i + 1, outwards)), cell_of(i, outwards - 1)));
+    const int last = below(outwards - 1) + 1;
+    for (int i = 0; i < around; ++i)
+        faces.push_back(face(across(point(i, last), point(i + 1, last)), cell_of(i, outwards - 1)));
+    for (int side = 0; side < (slides() ? 2 : 0); ++side) {
+        const int row = slides_at + side;
+        for (int i = 0; i < around; ++i)
+            faces.push_back(face(across(point(i, row), point(i + 1, row)), cell_of(i, row - 1)));
     }
     for (const int up : {0, 1}) {
         for (int cell = 0; cell < n_cells(); ++cell) {
@@ -218,15 +230,25 @@ void write(const std::string& folder) {
     }
     Out boundary(mesh, "boundary", "polyBoundaryMesh");
     std::size_t first = n_inner;
-    const auto patch = [&](const char* name, const char* type, int n) {
+    const auto patch = [&](const char* name, const char* type, int n,
+                           const char* neighbour = nullptr) {
         boundary.file << "    " << name << "\n    {\n        type            " << type
                       << ";\n        inGroups        1(" << type << ");\n        nFaces          "
-                      << n << ";\n        startFace       " << first << ";\n    }\n";
+                      << n << ";\n        startFace       " << first << ";\n";
+        if (neighbour != nullptr)
+            boundary.file
+                << "        matchTolerance  0.0001;\n        transform       noOrdering;\n"
+                << "        neighbourPatch  " << neighbour << ";\n";
+        boundary.file << "    }\n";
         first += std::size_t(n);
     };
-    boundary.file << (plane == "wedge" ? 5 : 4) << "\n(\n";
+    boundary.file << (plane == "wedge" ? 5 : slides() ? 6 : 4) << "\n(\n";
     patch("body", "wall", around);
     patch("far", "patch", around);
+    if (slides()) {
+        patch("AMI1", "cyclicAMI", around, "AMI2");
+        patch("AMI2", "cyclicAMI", around, "AMI1");
+    }
     if (plane == "wedge") {
         patch("front", "wedge", n_cells());
         patch("back", "wedge", n_cells());
@@ -259,6 +281,7 @@ int main(int argc, char** argv) {
     if (argc < 4) return 2;
     storage = argv[2];
     plane = argv[3];
+    layer = around * (outwards + (slides() ? 2 : 1));
     if (argc > 4) read_coordinates(argv[4]);
     else make_coordinates();
     write(argv[1]);

@@ -55,6 +55,29 @@ for storage in text binary-64; do
     check "$what: no SU2 file of polygons: why" \
         grep -q 'cells of more than four corners (the first is cell 0): SU2 takes triangles and' "$tmp/why"
 done
+what="openfoam interface" case=$tmp/foam moved=$tmp/foam-moved
+rm -rf "$case" "$moved"
+"$tmp/make_foam" "$case" text interface
+cp -r "$case" "$moved"
+check "$what: check" "$harmorph" check "$case"
+says "$what: check names both sides" 'interface     AMI1 and AMI2 slide along each other'
+check "$what: solve" "$harmorph" solve "$case" --rigid body,AMI1=0,0 -o "$tmp/basis"
+echo "rigid body 0 0 40" >"$tmp/turn.txt"
+check "$what: a rotor that turns" "$harmorph" morph "$case" "$tmp/basis" --move "$tmp/turn.txt" -o "$moved"
+check "$what: a rotor that turns safely" "$harmorph" morph "$case" "$tmp/basis" --move "$tmp/turn.txt" --safe \
+    -o "$moved"
+check "$what: convert" "$harmorph" convert "$case" "$tmp/rotor.su2"
+check "$what: solve without the file's word" "$harmorph" solve "$tmp/rotor.su2" --rigid body,AMI1=0,0 -o "$tmp/basis"
+check "$what: no movement" "$harmorph" morph "$tmp/rotor.su2" "$tmp/basis" --move "$tmp/none.txt" -o "$tmp/after.su2"
+"$harmorph" morph "$tmp/rotor.su2" "$tmp/basis" --move "$tmp/turn.txt" -o "$tmp/after.su2" >"$tmp/out" 2>"$tmp/why"
+check "$what: a rotor that turns, undeclared, is refused" test $? -eq 1
+check "$what: a rotor that turns, undeclared: why" grep -q 'boundary crosses itself' "$tmp/why"
+check "$what: solve --interface" "$harmorph" solve "$tmp/rotor.su2" --rigid body,AMI1=0,0 --interface AMI2:AMI1 \
+    -o "$tmp/basis"
+check "$what: a rotor that turns, declared" \
+    "$harmorph" morph "$tmp/rotor.su2" "$tmp/basis" --move "$tmp/turn.txt" -o "$tmp/after.su2"
+awk 'BEGIN { for (k = 0; k < 24; k++) print k, .01, 0; for (k = 72; k < 96; k++) print k, 0, .01 }' >"$tmp/field.txt"
+check "$what: displace" "$harmorph" displace "$case" --given body,AMI1 --wall "$tmp/field.txt" -o "$moved"
 "$tmp/make_foam" "$tmp/foam" text z
 broken() { # broken FILE SED: the case with one file changed
     rm -rf "$tmp/foam-bad"

@@ -101,5 +101,12 @@ contains
         call its%conditions(known)
         call check(known(2)%kind == hm_rotation_pair .and. abs(known(2)%x - 1) + abs(known(2)%y - 2) <= 0, &
             "a rotation pair as it was given")
+        call plan%analyse(channel, conditions=[hm_condition(5, hm_rigid, x=30._dp, y=5._dp), &
+            hm_condition(4, hm_interface, partner=2)])
+        call plan%factor()
+        call plan%solve(its)
+        call its%conditions(known)
+        call check(known(2)%kind == hm_interface .and. known(2)%marker == 4 .and. known(2)%partner == 2, &
+            "an interface as it was given")
     end subroutine
 end module

@@ -24,7 +24,7 @@ struct Polygons {
         loop_start.push_back(static_cast<std::int32_t>(point.size()));
     }
     Crossing find() const {
-        return find_crossing(span(point), span(loop_start), {x.data(), y.data(), 1});
+        return harmorph::find_crossing({span(point), span(loop_start)}, {x.data(), y.data(), 1});
     }
 
     Point at(std::int32_t k) const {
@@ -391,7 +391,8 @@ TEST_CASE(
         line.push_back({std::cos(2 * std::acos(-1.0) * k / 3000), 0.125});
     folded.add(line);
     CHECK(folded.find().found);  // faces lie on each other
-    CHECK(!find_crossing(span(folded.point), span(folded.loop_start),
-                         {folded.x.data(), folded.y.data(), 1}, {}, harmorph::Overlaps::ignored)
+    CHECK(!harmorph::find_crossing({span(folded.point), span(folded.loop_start)},
+                                   {folded.x.data(), folded.y.data(), 1}, {},
+                                   harmorph::Overlaps::ignored)
                .found);
 }

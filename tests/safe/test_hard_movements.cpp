@@ -242,6 +242,8 @@ TEST_CASE(
         std::vector<std::int32_t> const wall = points_on(its.mesh, body);
         Safe safe(its);
         safe.safe_options.max_resolves = -1;
+        safe.safe_options.skipped_strategies =
+            1 << HM_STRATEGY_UNTANGLED | 1 << HM_STRATEGY_IMPROVED;
         for (Complex const by :
              {Complex(0, 0.3), Complex(0, -0.3), Complex(0.2, 0.5), Complex(-0.2, 0.1)}) {
             std::vector<double> move(its.curves.control.size());
@@ -254,7 +256,9 @@ TEST_CASE(
             if (status != HM_SHORT) continue;
             std::string const text = safe.error.text;
             named += text.find("the wall's end, point") != std::string::npos;
-            CHECK(text.find("leaves the line beside it") != std::string::npos);
+            CHECK(text.find("leaves the line beside it by ") != std::string::npos);
+            CHECK(safe.report.end_point == safe.error.item);
+            CHECK(safe.report.end_leaves == doctest::Approx(std::fabs(by.imag())));
             CHECK(std::find(wall.begin(), wall.end(), safe.error.item) != wall.end());
             auto const end = static_cast<std::size_t>(safe.error.item);
             CHECK(its.mesh.x[end] == 1);
@@ -262,6 +266,53 @@ TEST_CASE(
         }
     }
     CHECK(named > 0);
+}
+
+// A wedge behind a line of symmetry: a grid whose lower side rises from x = 1 on.
+TEST_CASE("the end of a wall leaves the line that points slide along: they make room") {
+    constexpr int n_y = 15, n_line = 12, n_control = 6;
+    for (Cells const kind : {Cells::quads, Cells::triangles}) {
+        Case its = channel(10, n_y, 0.03, n_control, kind);
+        Mesh& mesh = its.mesh;
+        for (std::size_t k = 0; k < mesh.x.size(); ++k) {
+            double const floor = std::fmax(0, 0.25 * (mesh.x[k] * 2.5 / 3 - 1));
+            mesh.x[k] *= 2.5 / 3;
+            mesh.y[k] = floor + mesh.y[k] * (1.5 - floor);
+        }
+        for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
+            auto const at = static_cast<std::size_t>(mesh.faces[2 * face]);
+            if (mesh.face_markers[face] == body || mesh.face_markers[face] == bottom)
+                mesh.face_markers[face] = at < n_line ? std::int32_t{bottom} : std::int32_t{body};
+        }
+        its.curves = straight_wall(1, 2.5, 0, n_control);
+        for (std::size_t k = 0; k < n_control; ++k)
+            its.curves.control[2 * k + 1] = 0.25 * (its.curves.control[2 * k] - 1);
+        its.set_slip(bottom);
+        its.set_slip(top);
+        its.set_slip(right);
+        Safe safe(its);
+        struct {
+            double dx, dy;
+            std::size_t moved;  // control points, from the wall's first end on
+            double leaves;      // the farther end
+        } const all[] = {{0, 0.15, 6, 0.15},  {0, -0.15, 6, 0.15}, {0, -0.4, 6, 0.4},
+                         {0, -0.4, 1, 0.4},   {0, -0.4, 5, 0.4},   {-0.3, 0, 6, 0.3},
+                         {-0.3, 0.2, 6, 0.3}, {-0.3, 0, 1, 0},     {0.3, 0, 1, 0}};
+        for (auto const& one : all) {
+            INFO("cells " << static_cast<int>(kind) << ", by " << one.dx << " " << one.dy << " of "
+                          << one.moved);
+            std::vector<double> move(2 * n_control, 0.0);
+            for (std::size_t k = 0; k < one.moved; ++k) {
+                move[2 * k] = one.dx;
+                move[2 * k + 1] = one.dy;
+            }
+            CHECK(safe.run(move) == HM_OK);
+            CHECK(safe.is_valid());
+            CHECK(safe.report.end_leaves == doctest::Approx(one.leaves));
+            CHECK((safe.report.end_point >= 0) == (one.leaves > 0));
+            for (std::size_t k = 0; k < n_line; ++k) CHECK(std::fabs(safe.y[k]) < 1e-15);
+        }
+    }
 }
 
 TEST_CASE("impossible targets are refused at once, with the place, and nothing is written") {

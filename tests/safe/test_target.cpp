@@ -41,10 +41,13 @@ struct Aim {
             at_target{x.data(), y.data(), 1};
         fault = {};
         crossing = {};
-        return harmorph::check_target(
-            {analysis.topology(), boundary.point.first(boundary.count),
-             boundary.loop_start.first(boundary.n_loops + 1), span(ends), start, at_target},
-            crossing, fault);
+        return harmorph::check_target({analysis.topology(),
+                                       {boundary.point.first(boundary.count),
+                                        boundary.loop_start.first(boundary.n_loops + 1)},
+                                       span(ends),
+                                       start,
+                                       at_target},
+                                      crossing, fault);
     }
     bool says(const char* words) const {
         return std::string(fault.sentence).find(words) != std::string::npos;

@@ -84,6 +84,8 @@ void print_for_people(const hm_mesh_report& report, const Mesh& mesh) {
     print("edges         %d, %d of them boundary in %s\n", report.edges, report.boundary_edges,
           plural(report.boundary_loops, "loop").c_str());
     print_markers(mesh);
+    for (const auto& [one, other] : mesh.interfaces)
+        print("interface     %s and %s slide along each other\n", one.c_str(), other.c_str());
     print("corner areas  %s at least\n", brief(report.min_area).c_str());
     print("skew quality  %s at least, %s on average\n", brief(report.min_quality).c_str(),
           brief(report.mean_quality).c_str());

@@ -36,7 +36,8 @@ struct Displacement {
     hm_quality_report quality = sized<hm_quality_report>();
     double factor_seconds = 0, displace_seconds = 0;  // displace_seconds: the median of all repeats
     std::optional<hm_safe_report> safe;
-    std::string refusal, warning;  // set by the safe displacement
+    std::string refusal, warning;       // set by the safe displacement
+    std::vector<OperatorTrial> trials;  // the operators that were compared
 
     explicit Displacement(const Mesh& mesh) : by(mesh.x.size()), moved(mesh.x.size()) {}
     bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
@@ -128,12 +129,15 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solve
         at_once(mesh, solver, movement, repeats, threads, found);
         solver.slide(found.moved, found.by);
     }
-    round_as_file(mesh, found.moved.x,
-                  found.moved.y);  // the file can hold the coordinates that are judged
+    const hm_points linear = found.by.read();
     const hm_mesh view = mesh.view();
-    const hm_points along = found.by.read(), at = found.moved.read(), start = mesh.coordinates();
-    call(mesh, hm_assess, solver.basis(), &view, nullptr, &along, nullptr, threads.executor(),
+    call(mesh, hm_assess, solver.basis(), &view, nullptr, &linear, nullptr, threads.executor(),
          &found.step, nullptr);
+    const bool may_improve = found.step.admissible > 1;
+    if (!arguments.has("--safe") && arguments.has("--improve") && may_improve)
+        solver.improve(found.moved, found.by);
+    round_as_file(mesh, found.moved.x, found.moved.y);  // what is judged is what can be written
+    const hm_points at = found.moved.read(), start = mesh.coordinates();
     call(mesh, hm_assess, solver.basis(), &view, &at, nullptr, &start, threads.executor(), nullptr,
          &found.quality);
     return found;
@@ -164,10 +168,12 @@ void print_json(const Displacement& found) {
     object.add("factor_seconds", found.factor_seconds)
         .add("displace_seconds", found.displace_seconds);
     if (found.safe) add_safe(object, *found.safe, found.warning, nullptr);
+    add_trials(object, found.trials);
     print("%s\n", object.text().c_str());
 }
 
 void print_for_people(const Displacement& found) {
+    print_trials(found.trials);
     if (found.safe) print_target(*found.safe);
     print("inverted cells   %d\n", found.quality.inverted);
     if (!found.safe) {
@@ -214,6 +220,31 @@ Movement movement_of(const Arguments& arguments, const Mesh& mesh, const Task& t
     return movement;
 }
 
+// By one operator; by the better one of two, where they are compared or the own one does not reach
+// the target safely.
+Displacement best_displacement(const Arguments& arguments, const Mesh& mesh, const Task& task,
+                               const Movement& movement, const Threads& threads) {
+    const std::int32_t own = task.options.operator_kind;
+    std::vector<OperatorTrial> trials;
+    const auto run = [&](std::int32_t kind, OperatorTrial& trial) {
+        Task by = task;
+        if (kind != own) {
+            by.options.operator_kind = kind;
+            by.options.exponent_quarters = by.options.offset_correction = 0;
+        }
+        Solver solver(mesh, by, threads);
+        Displacement found = displacement_of(arguments, mesh, solver, movement, threads);
+        trial.step_fraction = found.safe ? found.safe->step_fraction : found.valid() ? 1 : 0;
+        trial.min_quality = found.quality.min_quality;
+        trial.is_short = own != HM_CONFORMAL && !found.refusal.empty();
+        return found;
+    };
+    Displacement best =
+        best_of_operators(operators_to_compare(own), compares_operators(arguments), trials, run);
+    best.trials = trials;
+    return best;
+}
+
 void run_displace(const Arguments& arguments) {
     if (!arguments.has("--given")) arguments.refuse("--given is missing");
     for (const char* const option :
@@ -222,11 +253,13 @@ void run_displace(const Arguments& arguments) {
             arguments.refuse(std::string(option) + " goes with --safe");
     }
     const Mesh mesh = read_mesh(arguments, 0);
+    if (compares_operators(arguments) && arguments.has("--exponent"))
+        arguments.refuse("--exponent does not go with --operator auto");
     const Task task = task_of(arguments, mesh);
     const Movement movement = movement_of(arguments, mesh, task);
     const Threads threads(threads_of(arguments));
-    Solver solver(mesh, task, threads);
-    const Displacement found = displacement_of(arguments, mesh, solver, movement, threads);
+    const Displacement found = best_displacement(arguments, mesh, task, movement, threads);
+    if (found.safe) warn_of_heights(arguments, *found.safe, found.valid());
     const bool strict = arguments.has("--strict") && !found.warning.empty();
     const bool reached = found.valid() && found.refusal.empty() && !strict;
     if (reached || arguments.has("--force")) write_files(arguments, mesh, found);
@@ -255,7 +288,9 @@ const Command displace_command = {
     "Markers on curves (--curve) and\n"
     "of rigid bodies (--rigid) move as the file of --move says; "
     "markers that are not named are fixed. A mesh with inverted\n"
-    "cells is not written, and a wall that would cross itself is refused.\n",
+    "cells is not written, and a wall that would cross itself is refused. With `--operator auto` "
+    "the mesh is moved by conformal and\n"
+    "by Laplace functions; the better mesh is taken, and what both reached and cost is reported.\n",
     std::vector<Option>{
         {"--given", "A[,B..]", "markers whose displacements FIELD has (required; may be repeated)"},
         {"--wall", "FIELD", "their displacements (required)", FileUse::input},
@@ -277,7 +312,9 @@ const Command displace_command = {
              "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing, "
              "min_quality,\n"
              "mean_quality, factor_seconds (analysis included), displace_seconds; with --safe no\n"
-             "admissible_step but the keys of `harmorph morph --safe`"}},
+             "admissible_step but the keys of `harmorph morph --safe`; with --operator auto "
+             "operators (operator,\n"
+             "step_fraction, min_quality, seconds, refusal; the one that is taken first)"}},
     "  harmorph displace mesh.su2 --given airfoil --wall field.txt -o moved.su2\n"
     "  harmorph displace mesh.su2 --given airfoil --wall large.txt --safe -o moved.su2\n",
     run_displace};

@@ -75,7 +75,7 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
 }
 
 Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
-                 const std::vector<double>& moves, const Threads& threads, bool heights) {
+                 const std::vector<double>& moves, const Threads& threads) {
     std::vector<std::unique_ptr<Basis>> others;
     std::vector<const hm_basis*> views;
     for (const std::string& path : arguments.all("--other")) {
@@ -83,32 +83,23 @@ Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basi
         views.push_back(others.back()->get());
     }
     hm_safe_options options = safe_options_of(arguments);
-    options.heights = heights ? 1 : 0;
     options.n_others = static_cast<std::int32_t>(views.size());
     options.others = views.data();
-    return Morph(basis, mesh, moves, options, threads);
-}
-
-// With --heights and --improve, the morph is tried without heights, too, as the improvement may
-// then end with better cells.
-Morph improved_safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
-                          const std::vector<double>& moves, const Threads& threads) {
-    const bool heights = arguments.has("--heights"), improves = arguments.has("--improve");
-    Morph morph = safe_morph(arguments, mesh, basis, moves, threads, heights);
-    if (improves && morph.valid()) morph.improve(basis, mesh, threads);
-    if (!heights) return morph;
-    if (improves && morph.safe.heights > 0) {
-        Morph without = safe_morph(arguments, mesh, basis, moves, threads, false);
-        if (without.valid()) without.improve(basis, mesh, threads);
-        if (without.valid() && without.quality.min_quality > morph.quality.min_quality)
-            morph = std::move(without);
-    }
-    if (morph.safe.heights < 1 && morph.valid()) {
-        warn(brief(100 * morph.safe.heights) +
-             " % of the distances from the wall came back by --heights: the rest "
-             "would have cost too much of the smallest quality");
-    }
-    return morph;
+    const std::int32_t own = basis.info().operator_kind;
+    if (arguments.has("--operator") && !compares_operators(arguments))
+        arguments.refuse("--operator expects auto: the basis has the operator");
+    std::vector<OperatorTrial> trials;
+    const auto run = [&](std::int32_t kind, OperatorTrial& trial) {
+        Morph morph(basis, mesh, moves, options, kind, threads);
+        trial.step_fraction = morph.safe.step_fraction;
+        trial.min_quality = morph.quality.min_quality;
+        trial.is_short = own != HM_CONFORMAL && !morph.refusal.empty() && !morph.impossible;
+        return morph;
+    };
+    Morph best =
+        best_of_operators(operators_to_compare(own), compares_operators(arguments), trials, run);
+    best.trials = trials;
+    return best;
 }
 
 // Refuses outputs that need the curves, if the places of the curves are unknown.
@@ -134,13 +125,14 @@ void run_morph(const Arguments& arguments) {
     const Threads threads(threads_of(arguments));
     const bool safe = arguments.has("--safe");
     for (const char* const option :
-         {"--reached", "--min-quality", "--max-height-change", "--strict"}) {
+         {"--reached", "--min-quality", "--max-height-change", "--strict", "--operator"}) {
         if (!safe && arguments.has(option))
             arguments.refuse(std::string(option) + " goes with --safe");
     }
-    Morph morph = safe ? improved_safe_morph(arguments, mesh, basis, moves, threads)
+    Morph morph = safe ? safe_morph(arguments, mesh, basis, moves, threads)
                        : Morph(basis, mesh, moves, repeats, threads);
     if (!safe && arguments.has("--improve") && morph.valid()) morph.improve(basis, mesh, threads);
+    if (safe) warn_of_heights(arguments, morph.safe, morph.valid());
     const bool strict = arguments.has("--strict") && !morph.warning.empty();
     const bool reached = morph.valid() && morph.refusal.empty() && !strict;
     OutputFiles files;  // --report and --moves-out are written for invalid meshes, too
@@ -234,11 +226,10 @@ const Command morph_command = {
              "for --safe: a basis of the same problem, solved with another operator or exponent\n"
              "(may be repeated)",
              FileUse::input},
-            {"--improve", nullptr,
-             "make the morphed mesh better where it is valid: inner points move to where cells are "
-             "more like those of\n"
-             "MESH, and the worst ones are raised; the first layer at walls gets its heights and "
-             "angles back"},
+            {"--operator", "auto",
+             "for --safe: laplace and conformal functions are both tried, and the mesh with the "
+             "larger smallest\n"
+             "quality is taken; what both reached and cost is reported"},
             {"--reached", "MOVES",
              "for --safe: where to write the movement that the mesh has (default where it falls "
              "short of the\n"
@@ -269,7 +260,8 @@ const Command morph_command = {
              "distances from the wall that came back), reached_moves (the file),\n"
              "turned_offset (of wall points from the curve, turned with the body beside the "
              "B-spline's movement),\n"
-             "start_quality, warning, worst_cells (cell, quality, start_quality, x, y); with "
+             "start_quality, end_point (of a wall, which leaves the line beside it; -1: none), "
+             "end_leaves, warning, worst_cells (cell, quality, start_quality, x, y); with "
              "--to-airfoil\n"
              "airfoil_max_error and airfoil_rms_error (distances of its points from the curve)"}},
     "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg "

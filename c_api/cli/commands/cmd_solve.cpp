@@ -7,6 +7,7 @@
 #include "basics/numbers.hpp"
 #include "basics/print.hpp"
 #include "basics/output_file.hpp"
+#include "commands/safe_way.hpp"
 #include "commands/solver.hpp"
 #include "commands/storage.hpp"
 #include "commands/task.hpp"
@@ -160,6 +161,8 @@ void run_solve(const Arguments& arguments) {
     if (!arguments.has("--curve") && !arguments.has("--rigid") && !arguments.has("--mode")) {
         arguments.refuse("--curve, --rigid or --mode is missing");
     }
+    if (compares_operators(arguments))
+        arguments.refuse("--operator auto goes with displace and with morph --safe");
     const Mesh mesh = read_mesh(arguments, 0);
     Modes modes(arguments, mesh);
     Task task = task_of(arguments, mesh);

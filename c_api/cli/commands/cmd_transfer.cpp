@@ -35,7 +35,8 @@ Task task_on(const Arguments& arguments, const Basis& basis, const Mesh& mesh, c
     task.given_points.clear();
     for (hm_condition& condition : task.conditions) {
         condition.marker = same_marker(arguments, mesh, condition.marker, fine);
-        if (condition.kind == HM_PERIODIC_PAIR || condition.kind == HM_ROTATION_PAIR) {
+        if (condition.kind == HM_PERIODIC_PAIR || condition.kind == HM_ROTATION_PAIR ||
+            condition.kind == HM_INTERFACE) {
             condition.partner = same_marker(arguments, mesh, condition.partner, fine);
         }
     }

@@ -75,7 +75,7 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& mo
 }
 
 Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target,
-             hm_safe_options options, const Threads& threads)
+             hm_safe_options options, std::int32_t operator_kind, const Threads& threads)
     : moves(target.size()),
       displacement(mesh.x.size()),
       moved(mesh.x.size()),
@@ -83,18 +83,26 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
       quality(sized<hm_quality_report>()),
       safe(sized<hm_safe_report>()) {
     const Stopwatch watch;
-    const Task task = task_of(basis);
+    Task task = task_of(basis);
+    const bool is_own = operator_kind == task.options.operator_kind;
+    if (!is_own) {
+        task.options.operator_kind = operator_kind;
+        task.options.exponent_quarters = 0;
+        task.options.offset_correction = 0;
+    }
     Solver solver(mesh, task, threads);
-    solver.prepare();
+    if (is_own) solver.prepare();
+    else solver.run();
+    const hm_basis* const functions = is_own ? basis.get() : solver.basis();
     std::size_t bytes = 0;
-    call(mesh, hm_morph_safe_size, solver.plan(), basis.get(), &bytes);
+    call(mesh, hm_morph_safe_size, solver.plan(), functions, &bytes);
     Block work(bytes);
     moved.x = mesh.x;
     moved.y = mesh.y;
     options.reached = moves.data();  // all values stay 0 if the target is refused
     const hm_points_out to = moved.write();
     hm_error error = {};
-    const hm_status status = hm_morph_safe(solver.plan(), basis.get(), target.data(), &to, nullptr,
+    const hm_status status = hm_morph_safe(solver.plan(), functions, target.data(), &to, nullptr,
                                            work.data(), bytes, &options, &safe, &error);
     if (status < 0 && status != HM_CROSSING) refuse(error, mesh);
     impossible = status == HM_CROSSING;
@@ -103,7 +111,6 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
     } else if (status != HM_OK) {
         refusal = error.text;
     }
-    least_quality = std::max(options.min_quality, 0.0) * safe.start_quality;
     seconds = watch.seconds();
     for (std::size_t point = 0; point < mesh.x.size(); ++point) {
         displacement.x[point] = moved.x[point] - mesh.x[point];
@@ -124,28 +131,11 @@ void Morph::improve(const Basis& basis, const Mesh& mesh, const Threads& threads
     const Task task = task_of(basis);
     Solver solver(mesh, task, threads);
     solver.prepare();
-    std::size_t bytes = 0;
-    call(mesh, hm_improve_size, solver.plan(), &bytes);
-    Block work(bytes);
-    // Rounding may have put sliding points beside the curves that hold the points.
-    if (slips(task)) solver.slide(moved, displacement);
-    const hm_points from = moved.read();
-    const hm_points_out to = moved.write();
-    call(mesh, hm_improve, solver.plan(), &from, &to, work.data(), bytes, nullptr, nullptr);
+    solver.improve(moved, displacement);
     seconds += watch.seconds();
-    for (std::size_t point = 0; point < mesh.x.size(); ++point) {
-        displacement.x[point] = moved.x[point] - mesh.x[point];
-        displacement.y[point] = moved.y[point] - mesh.y[point];
-    }
     const hm_step_report step_of_morph = step;
     judge(basis, mesh, threads);
     step = step_of_morph;
-    safe.n_worst = 0;  // the worst cells are those before the improvement
-    if (safe.min_quality >= least_quality) return;  // then the warning is about something else
-    warning.clear();
-    if (quality.min_quality >= least_quality) return;
-    warning = "the smallest quality is " + brief(quality.min_quality) +
-              ", less than was asked for: cell " + std::to_string(quality.min_quality_cell);
 }
 
 Curves Morph::moved_curves(const Basis& basis) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/basis_file.hpp"
+#include "commands/safe_way.hpp"
 #include "curves/curves.hpp"
 #include "basics/field.hpp"
 #include "basics/threads.hpp"
@@ -30,18 +31,19 @@ struct Morph {
     hm_quality_report quality;  // relative to the mesh before the morph
     double boundary_error =
         0;  // largest distance from the B-spline that `moves` moved from the place on the mesh
-    double seconds = 0;        // of hm_morph: the median of all repeats; or of hm_morph_safe
-    hm_safe_report safe;       // set by the safe morph, as are all members below
-    std::string refusal;       // why the mesh does not reach the target
-    bool impossible = false;   // no mesh can have the boundary of the target
-    std::string warning;       // the target is reached, but the mesh is poorer than was asked for
-    double least_quality = 0;  // the quality that was asked for, relative to the mesh before
+    double seconds = 0;       // of hm_morph: the median of all repeats; or of hm_morph_safe
+    hm_safe_report safe;      // set by the safe morph, as are all members below
+    std::string refusal;      // why the mesh does not reach the target
+    bool impossible = false;  // no mesh can have the boundary of the target
+    std::string warning;      // the target is reached, but the mesh is poorer than was asked for
+    std::vector<OperatorTrial> trials;  // the operators that were compared
 
     Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves_of_functions,
           std::int32_t repeats, const Threads& threads);
-    // The safe morph, which solves again where that is needed.
+    // The safe morph, which solves again where that is needed, and at the start where the operator
+    // is not that of the basis.
     Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target,
-          hm_safe_options options, const Threads& threads);
+          hm_safe_options options, std::int32_t operator_kind, const Threads& threads);
     // Moves inner points to where cells are better. Walls, and therefore `moves`, stay.
     void improve(const Basis& basis, const Mesh& mesh, const Threads& threads);
     bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }

@@ -22,6 +22,7 @@ void print_json(const Morph& morph, bool safe, const Companions& written,
     object.add("morph_seconds", morph.seconds);
     if (safe) {
         add_safe(object, morph.safe, morph.warning, &written.reached);
+        add_trials(object, morph.trials);
     }
     object.add("moved_curve", written.curve);
     if (airfoil)
@@ -40,6 +41,7 @@ void print_airfoil(const std::string& path, const ToAirfoil& airfoil) {
 
 void print_for_people(const Morph& morph, bool safe, const Companions& written) {
     const double admissible = safe ? morph.safe.admissible : valid_fraction(morph.step);
+    print_trials(morph.trials);
     if (safe) print_target(morph.safe);
     print("inverted cells   %d\n", morph.quality.inverted);
     const std::string step =

@@ -1,5 +1,6 @@
 #include "commands/safe_way.hpp"
 #include "basics/numbers.hpp"
+#include "basics/operators.hpp"
 #include "basics/print.hpp"
 
 namespace cli {
@@ -21,6 +22,7 @@ void add_safe(JsonObject& object, const hm_safe_report& safe, const std::string&
     object.add("last_step_admissible", safe.admissible).add("heights", safe.heights);
     if (reached_moves != nullptr) object.add("reached_moves", *reached_moves);
     object.add("turned_offset", safe.turned_offset).add("start_quality", safe.start_quality);
+    object.add("end_point", safe.end_point).add("end_leaves", safe.end_leaves);
     object.add("warning", warning);
     std::vector<JsonObject> worst(static_cast<std::size_t>(safe.n_worst));
     for (std::size_t i = 0; i < worst.size(); ++i) {
@@ -34,10 +36,57 @@ void add_safe(JsonObject& object, const hm_safe_report& safe, const std::string&
     object.add("worst_cells", worst);
 }
 
+bool OperatorTrial::is_better_than(const OperatorTrial& other) const {
+    if (refusal.empty() != other.refusal.empty()) return refusal.empty();
+    if (step_fraction != other.step_fraction) return step_fraction > other.step_fraction;
+    return min_quality > other.min_quality;
+}
+
+bool compares_operators(const Arguments& arguments) {
+    return arguments.has("--operator") && arguments.text("--operator") == "auto";
+}
+
+std::vector<std::int32_t> operators_to_compare(std::int32_t own) {
+    return {own, own == HM_CONFORMAL ? HM_LAPLACE : HM_CONFORMAL};
+}
+
+void add_trials(JsonObject& object, const std::vector<OperatorTrial>& trials) {
+    if (trials.empty()) return;
+    std::vector<JsonObject> list(trials.size());
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        list[i]
+            .add("operator", std::string(operator_named(trials[i].operator_kind).choice.name))
+            .add("step_fraction", trials[i].step_fraction)
+            .add("min_quality", trials[i].min_quality)
+            .add("seconds", trials[i].seconds)
+            .add("refusal", trials[i].refusal);
+    }
+    object.add("operators", list);
+}
+
+void print_trials(const std::vector<OperatorTrial>& trials) {
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        const OperatorTrial& trial = trials[i];
+        std::printf("%-16s %s: ", i == 0 ? "operator" : "not",
+                    operator_named(trial.operator_kind).choice.name);
+        if (trial.refusal.empty()) {
+            std::printf("%s %% of the way, quality %s at least, %s seconds\n",
+                        brief(100 * trial.step_fraction).c_str(), brief(trial.min_quality).c_str(),
+                        brief(trial.seconds).c_str());
+        } else {
+            std::printf("%s\n", trial.refusal.c_str());
+        }
+    }
+}
+
 void print_target(const hm_safe_report& safe) {
     print("target           %s %% of the way in %s, %s of the functions; strategy: %s\n",
           brief(100 * safe.step_fraction).c_str(), plural(safe.steps, "step").c_str(),
           plural(safe.resolves, "new solution").c_str(), strategy_name(safe.strategy));
+    if (safe.end_point >= 0) {
+        print("end of a wall    point %d leaves the line of the boundary beside it by %s\n",
+              safe.end_point, brief(safe.end_leaves).c_str());
+    }
 }
 
 void print_worst_cells(const hm_safe_report& safe) {
@@ -68,11 +117,24 @@ std::vector<Option> safe_options() {
              "for --safe: bring distances from the wall back to what they were, near it, as far as "
              "the smallest\n"
              "quality is neither halved nor less than is asked for; a warning says if only a part "
-             "comes back"}};
+             "comes back"},
+            {"--improve", nullptr,
+             "make the moved mesh better where it is valid: inner points move to where cells are "
+             "more like those of\n"
+             "MESH, and the worst ones are raised; the first layer at walls gets its heights and "
+             "angles back"}};
+}
+
+void warn_of_heights(const Arguments& arguments, const hm_safe_report& safe, bool is_valid) {
+    if (!arguments.has("--heights") || safe.heights >= 1 || !is_valid) return;
+    warn(brief(100 * safe.heights) +
+         " % of the distances from the wall came back by --heights: the rest would have cost too "
+         "much of the smallest quality");
 }
 
 hm_safe_options safe_options_of(const Arguments& arguments) {
     auto options = sized<hm_safe_options>();
+    options.improve = arguments.has("--improve") ? 1 : 0;
     options.heights = arguments.has("--heights") ? 1 : 0;
     const double quality = arguments.real("--min-quality", .05, 0, 1);
     options.min_quality = quality > 0 ? quality : -1;

@@ -5,13 +5,73 @@
 #include "basics/json.hpp"
 #include "basics/library.hpp"
 
+#include "basics/failure.hpp"
+#include "basics/stopwatch.hpp"
+
+#include <exception>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cli {
 
+// A safe morph by one of the operators that are compared.
+struct OperatorTrial {
+    std::int32_t operator_kind = 0;
+    double step_fraction = 0, min_quality = 0, seconds = 0;
+    std::string refusal;    // empty: there is a result
+    bool is_short = false;  // a valid mesh, but not all of the way
+
+    // A larger part of the way is better; then a larger smallest quality.
+    bool is_better_than(const OperatorTrial& other) const;
+};
+
+// --operator auto: conformal and Laplace functions are both tried, and the better mesh is taken.
+bool compares_operators(const Arguments& arguments);
+// The operator of the basis or of the options, and the one to be compared: conformal, or else
+// Laplace.
+std::vector<std::int32_t> operators_to_compare(std::int32_t own);
+void add_trials(JsonObject& object, const std::vector<OperatorTrial>& trials);
+void print_trials(const std::vector<OperatorTrial>& trials);
+
+// The result of run(operator_kind, trial), which fills in the trial: by the first operator, and by
+// the others too if `all` are to be compared or those before have stopped short of the target. The
+// best one is returned, and the trials, if there are several, in `trials`, the best first. Of all
+// that are compared, an operator that refuses the problem does not count if another one takes it.
+template <class Run>
+auto best_of_operators(const std::vector<std::int32_t>& kinds, bool all,
+                       std::vector<OperatorTrial>& trials, const Run& run) {
+    std::optional<decltype(run(0, trials.front()))> best;
+    std::exception_ptr reason;
+    for (const std::int32_t kind : kinds) {
+        if (!all && best && !trials.front().is_short) break;
+        OperatorTrial trial;
+        trial.operator_kind = kind;
+        const Stopwatch watch;
+        try {
+            auto result = run(kind, trial);
+            trial.seconds = watch.seconds();
+            const bool is_best = !best || trial.is_better_than(trials.front());
+            if (is_best) best.emplace(std::move(result));
+            trials.insert(is_best ? trials.begin() : trials.end(), trial);
+        } catch (const Failure& failure) {
+            if (!all && !best) throw;
+            trial.seconds = watch.seconds();
+            trial.refusal = failure.what();
+            if (!reason) reason = std::current_exception();
+            trials.push_back(trial);
+        }
+    }
+    if (!best) std::rethrow_exception(reason);
+    if (trials.size() == 1) trials.clear();
+    return std::move(*best);
+}
+
 std::vector<Option> safe_options();  // all but --other
 hm_safe_options safe_options_of(const Arguments& arguments);
+// A warning where --heights could not bring all of the distances back.
+void warn_of_heights(const Arguments& arguments, const hm_safe_report& safe, bool is_valid);
 
 // Adds the keys of JSON, and prints lines for people. reached_moves: the file of moves, or NULL
 // where the command has no such file.

@@ -76,4 +76,18 @@ void Solver::lay_out() {
     call(mesh_, hm_basis_init, &basis_, basis_block_.data(), bytes, analysis_);
 }
 
+void Solver::improve(Field& moved, Field& displacement) {
+    std::size_t bytes = 0;
+    call(mesh_, hm_improve_size, plan_, &bytes);
+    Block work(bytes);
+    slide(moved, displacement);  // rounded points may be beside their curves, where they are held
+    const hm_points from = moved.read();
+    const hm_points_out to = moved.write();
+    call(mesh_, hm_improve, plan_, &from, &to, work.data(), bytes, nullptr, nullptr);
+    for (std::size_t point = 0; point < mesh_.x.size(); ++point) {
+        displacement.x[point] = moved.x[point] - mesh_.x[point];
+        displacement.y[point] = moved.y[point] - mesh_.y[point];
+    }
+}
+
 }  // namespace cli

@@ -31,6 +31,9 @@ public:
     // displacement accordingly.
     void slide(Field& moved, Field& displacement);
 
+    // Puts inner points of a moved mesh where cells are better.
+    void improve(Field& moved, Field& displacement);
+
     hm_plan* plan() { return plan_; }
     const hm_basis* basis() const { return basis_; }
     hm_basis* unsolved() { return basis_; }  // after prepare()

@@ -5,6 +5,7 @@
 #include "commands/engine.hpp"
 #include "basics/numbers.hpp"
 #include "basics/operators.hpp"
+#include "commands/safe_way.hpp"
 #include "mesh/side_pair.hpp"
 
 #include <algorithm>
@@ -32,7 +33,8 @@ hm_condition condition_on(const MarkerPiece& on, std::int32_t kind) {
 void add_condition(const Arguments& arguments, const Mesh& mesh, Task& task,
                    const hm_condition& condition) {
     for (const hm_condition& other : task.conditions) {
-        if (other.marker == condition.marker && other.piece == 0 && condition.piece == 0) {
+        if (other.marker == condition.marker && other.piece == 0 && condition.piece == 0 &&
+            other.kind != HM_INTERFACE) {
             arguments.refuse("marker " +
                              in_quotes(mesh.markers[static_cast<std::size_t>(condition.marker)]) +
                              " has two conditions: name it once");
@@ -141,22 +143,59 @@ std::vector<std::int32_t> markers_called(const Mesh& mesh, const std::string& na
     }
 }
 
-// binding: "A:B", two names or patterns that stand for one marker each. Names may hold colons.
-void make_periodic(const Arguments& arguments, const Mesh& mesh, Task& task,
-                   const std::string& binding) {
+// The two markers of "A:B", two names or patterns that stand for one marker each. Names may hold
+// colons.
+std::pair<std::int32_t, std::int32_t> marker_pair(const Arguments& arguments, const Mesh& mesh,
+                                                  const std::string& option,
+                                                  const std::string& binding) {
     for (std::size_t colon = binding.find(':'); colon != std::string::npos;
          colon = binding.find(':', colon + 1)) {
-        const std::vector<std::int32_t> from = markers_called(mesh, binding.substr(0, colon)),
-                                        to = markers_called(mesh, binding.substr(colon + 1));
-        if (from.size() != 1 || to.size() != 1) continue;
-        const SidePair pair = side_pair(mesh, from[0], to[0]);
-        if (!pair.passage.empty()) task.passages.push_back(pair.passage);
-        return add_condition(arguments, mesh, task, pair.condition);
+        const std::vector<std::int32_t> one = markers_called(mesh, binding.substr(0, colon)),
+                                        other = markers_called(mesh, binding.substr(colon + 1));
+        if (one.size() == 1 && other.size() == 1) return {one[0], other[0]};
     }
-    arguments.refuse(
-        "--periodic expects two names of the mesh as A:B, each of which stands for one marker, "
-        "found " +
-        in_quotes(binding));
+    arguments.refuse(option +
+                     " expects two names of the mesh as A:B, each of which stands for one marker, "
+                     "found " +
+                     in_quotes(binding));
+}
+
+void make_periodic(const Arguments& arguments, const Mesh& mesh, Task& task,
+                   const std::string& binding) {
+    const auto [marker, partner] = marker_pair(arguments, mesh, "--periodic", binding);
+    const SidePair pair = side_pair(mesh, marker, partner);
+    if (!pair.passage.empty()) task.passages.push_back(pair.passage);
+    add_condition(arguments, mesh, task, pair.condition);
+}
+
+// Returns -1 if the mesh has no marker of this tag.
+std::int32_t marker_of(const Mesh& mesh, const std::string& tag) {
+    const auto found = std::find(mesh.markers.begin(), mesh.markers.end(), tag);
+    if (found == mesh.markers.end()) return -1;
+    return static_cast<std::int32_t>(std::distance(mesh.markers.begin(), found));
+}
+
+// The interfaces of the options and those that the mesh file names.
+void add_interfaces(const Arguments& arguments, const Mesh& mesh, Task& task) {
+    std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
+    const auto is_known = [&pairs](std::int32_t one, std::int32_t other) {
+        for (const auto& [first, second] : pairs) {
+            if ((first == one && second == other) || (first == other && second == one)) return true;
+        }
+        return false;
+    };
+    for (const std::string& binding : arguments.all("--interface"))
+        pairs.push_back(marker_pair(arguments, mesh, "--interface", binding));
+    for (const auto& [one, other] : mesh.interfaces) {
+        const std::int32_t marker = marker_of(mesh, one), partner = marker_of(mesh, other);
+        if (marker >= 0 && partner >= 0 && !is_known(marker, partner))
+            pairs.emplace_back(marker, partner);
+    }
+    for (const auto& [marker, partner] : pairs) {
+        hm_condition condition = condition_on(marker, HM_INTERFACE);
+        condition.partner = partner;
+        task.conditions.push_back(condition);
+    }
 }
 
 std::int32_t exponent_in_quarters(const Arguments& arguments) {
@@ -206,7 +245,11 @@ std::vector<Option> task_options() {
         {"--periodic", "E:F",
          "a pair of markers, one the other moved: their points move alike; or one the other "
          "turned, as\n"
-         "the sides of a passage of an annulus: then their points move turned (may be repeated)"}};
+         "the sides of a passage of an annulus: then their points move turned (may be repeated)"},
+        {"--interface", "E:F",
+         "a pair of markers that slide along each other, as those of a rotor and a stator: their "
+         "faces may\n"
+         "cross (may be repeated). Interfaces of OpenFOAM (cyclicAMI) are found in the mesh"}};
     for (const PlainCondition& plain : plain_conditions) {
         if (plain.is_common) of_conditions.push_back(plain.option);
     }
@@ -226,7 +269,8 @@ std::vector<Option> task_options() {
 Task task_of(const Arguments& arguments, const Mesh& mesh) {
     Task task;
     task.options.tolerance = arguments.positive("--tol", 1e-10);
-    task.options.operator_kind = operator_of(arguments);
+    task.options.operator_kind =
+        compares_operators(arguments) ? HM_CONFORMAL : operator_of(arguments);
     task.options.exponent_quarters = exponent_in_quarters(arguments);
     task.options.scheme =
         arguments.choice("--scheme", {{"compact", HM_COMPACT},
@@ -251,6 +295,7 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
     }
     for (const std::string& binding : arguments.all("--slip"))
         let_slide(arguments, mesh, task, binding);
+    add_interfaces(arguments, mesh, task);
     return task;
 }
 

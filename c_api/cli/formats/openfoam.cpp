@@ -20,7 +20,7 @@ namespace cli {
 namespace {
 
 struct Patch {
-    std::string name, type;
+    std::string name, type, neighbour;
     std::int64_t n_faces = -1, start_face = -1;
     std::size_t offset = 0;
 };
@@ -40,6 +40,7 @@ std::vector<Patch> read_boundary(const TextFile& file) {
             const std::string key(reader.word());
             if (key.empty()) reader.expected("an entry of the patch, or '}'");
             if (key == "type") patch.type = std::string(reader.word());
+            else if (key == "neighbourPatch") patch.neighbour = std::string(reader.word());
             else if (key == "nFaces") patch.n_faces = reader.count("the number of faces");
             else if (key == "startFace") patch.start_face = reader.count("the first face");
             for (std::string_view word = reader.word(); word != ";"; word = reader.word()) {
@@ -102,6 +103,7 @@ public:
         const std::vector<std::int64_t> plane = plane_faces(boundary);
         for (const std::int64_t face : plane) add_plane_face(face);
         add_sides();
+        add_interfaces();
         take_plane(mesh_, space_);
         mesh_.find_polygons();
     }
@@ -248,6 +250,20 @@ private:
                 space_.side_markers.push_back(marker);
                 space_.side_offset.push_back(
                     space_.points.offset[0][static_cast<std::size_t>(point(face, 0))]);
+            }
+        }
+    }
+
+    // Two patches that name each other as neighbours across a sliding interface.
+    void add_interfaces() {
+        for (std::size_t i = 0; i < patches_.size(); ++i) {
+            for (std::size_t k = i + 1; k < patches_.size(); ++k) {
+                const Patch &one = patches_[i], &other = patches_[k];
+                if (one.type != "cyclicAMI" || other.type != "cyclicAMI" || one.n_faces == 0 ||
+                    other.n_faces == 0 || one.neighbour != other.name ||
+                    other.neighbour != one.name)
+                    continue;
+                mesh_.interfaces.emplace_back(one.name, other.name);
             }
         }
     }

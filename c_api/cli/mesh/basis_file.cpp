@@ -146,8 +146,8 @@ void refuse_unknown_markers(const std::vector<hm_condition>& conditions, const s
     const auto n = static_cast<std::int32_t>(mesh.markers.size());
     for (std::size_t i = 0; i < conditions.size(); ++i) {
         const hm_condition& condition = conditions[i];
-        const bool is_pair =
-            condition.kind == HM_PERIODIC_PAIR || condition.kind == HM_ROTATION_PAIR;
+        const bool is_pair = condition.kind == HM_PERIODIC_PAIR ||
+                             condition.kind == HM_ROTATION_PAIR || condition.kind == HM_INTERFACE;
         for (const std::int32_t marker : {condition.marker, is_pair ? condition.partner : 0}) {
             if (0 <= marker && marker < n) continue;
             throw Failure(exit_file, path + ": the basis is damaged: its condition " +

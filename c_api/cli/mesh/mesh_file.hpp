@@ -10,6 +10,7 @@
 #include <map>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace cli {
@@ -31,6 +32,8 @@ struct Mesh {
     // Names that stand for other markers: faces in the groups "a" and "b" of a file have the marker
     // "a+b", which the names "a" and "b" stand for, with other markers perhaps.
     std::map<std::string, std::vector<std::string>> groups;
+    // Pairs of tags: the file says that these markers slide along each other.
+    std::vector<std::pair<std::string, std::string>> interfaces;
     std::vector<std::size_t> point_offset, cell_offset,
         face_offset;                   // places in file.text(); may be empty
     std::vector<std::string> remarks;  // for the user: sections that were passed over, and the like

@@ -7,7 +7,8 @@
 //   x, y [points]             coordinates before anything moves, in double precision
 //   cell [cells]              their places in the mesh; cell_start [cells+1], cell_points: rows of points
 //   has_polygons              the mesh is one of HM_CELLS_POLYGONS: cells of four corners may be divided, too
-//   face_points, face_markers boundary; markers: name, kind, and which curves or which body
+//   face_points, face_markers boundary; markers: name, kind, which curves or which body,
+//   and the marker across a sliding interface
 //   thin_edges [2*]           what is drawn of the mesh beyond the cells
 //   control, weights, curves  the B-spline as it was, see curve.js
 //   bodies                    marker and centre of each rigid body

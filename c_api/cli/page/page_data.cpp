@@ -163,9 +163,16 @@ private:
         static const char* const kinds[] = {"curve", "rigid",    "fixed", "slip",
                                             "free",  "periodic", "given", "rotation"};
         std::vector<hm_condition> conditions(mesh_.markers.size());
+        std::vector<std::int32_t> across(mesh_.markers.size(), -1);  // of sliding interfaces
         for (hm_condition& condition : conditions) condition.kind = HM_FIXED;
         for (const hm_condition& condition : basis_.conditions()) {
-            conditions[static_cast<std::size_t>(condition.marker)] = condition;
+            const auto marker = static_cast<std::size_t>(condition.marker);
+            if (condition.kind != HM_INTERFACE) {
+                conditions[marker] = condition;
+                continue;
+            }
+            across[marker] = condition.partner;
+            across[static_cast<std::size_t>(condition.partner)] = condition.marker;
         }
         std::vector<JsonObject> markers;
         for (std::size_t i = 0; i < conditions.size(); ++i) {
@@ -176,7 +183,8 @@ private:
             markers.back()
                 .add("first_curve", its.first_curve)
                 .add("n_curves", its.n_curves)
-                .add("body", its.body);
+                .add("body", its.body)
+                .add("across", across[i]);
         }
         object_.add("markers", markers);
     }

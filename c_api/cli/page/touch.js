@@ -98,6 +98,7 @@ class FirstTouch {
     }
 
     pair(one, other) {
+        if (one.across === other.marker) return;
         for (const point of [one.a, one.b]) this.point_against(point, other);
         for (const point of [other.a, other.b]) this.point_against(point, one);
     }

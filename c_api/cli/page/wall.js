@@ -5,7 +5,7 @@
 class Wall {
     constructor(data, model) {
         this.model = model;
-        this.faces = Wall.directed_faces(data); // of all markers: {a, b, marker}
+        this.faces = Wall.directed_faces(data); // of all markers: {a, b, marker, across}
         this.moves = data.markers.map((marker) => marker.kind === "curve" || marker.kind === "rigid");
         this.points = []; // of walls that move: {point, previous, next, above}
         this.slot = new Int32Array(model.n).fill(-1);
@@ -34,7 +34,9 @@ class Wall {
         });
         for_each_side(data, (a, b) => {
             const marker = markers.get(key(Math.min(a, b), Math.max(a, b)));
-            if (marker !== undefined) faces.push({ a, b, marker });
+            if (marker === undefined) return;
+            const across = data.markers[marker].across; // the marker on the other side of a sliding interface, or -1
+            faces.push({ a, b, marker, across });
         });
         return faces;
     }
@@ -142,12 +144,16 @@ class Wall {
         this.touch.judge(limit, this.crossing.length > 0);
     }
 
-    // Pairs of faces whose ends lie strictly on both sides of each other, found from left to right.
+    // Pairs of faces whose ends lie strictly on both sides of each other, found from left to right. Faces that cross
+    // each other before the movement do not count.
     find_crossings() {
-        const { x, y } = this.model;
+        const { x, y, x0, y0 } = this.model;
         const left = (face) => Math.min(x[face.a], x[face.b]),
             right = (face) => Math.max(x[face.a], x[face.b]);
-        const side = (a, b, c) => (x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a]);
+        const cross = (x, y, a, b, c, d) => {
+            const side = (a, b, c) => (x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a]);
+            return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+        };
         this.crossing = [];
         let open = [];
         for (const face of this.faces.slice().sort((one, other) => left(one) - left(other))) {
@@ -156,10 +162,10 @@ class Wall {
             open = open.filter((other) => right(other) >= begin);
             for (const other of open) {
                 const { a: c, b: d } = other;
+                if (face.across === other.marker) continue;
                 if (Math.max(y[a], y[b]) < Math.min(y[c], y[d]) || Math.max(y[c], y[d]) < Math.min(y[a], y[b]))
                     continue;
-                if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0)
-                    this.crossing.push([face, other]);
+                if (cross(x, y, a, b, c, d) && !cross(x0, y0, a, b, c, d)) this.crossing.push([face, other]);
             }
             open.push(face);
         }

@@ -1,0 +1,163 @@
+// Sliding interfaces: a rotor in a stator, which meet on one circle with different points.
+#include <harmorph_study.h>
+#include "fixtures/options.hpp"
+#include <doctest/doctest.h>
+
+#include <fixtures/annulus.hpp>
+#include <fixtures/safe_displaced.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+constexpr std::int32_t rotor_side = 31, stator_side = 32;
+
+// An annulus with one row of chords on each side of the circle of radius 1. The chords cross.
+Case rotor_in_stator(bool is_declared) {
+    Case out;
+    out.mesh = annulus(5, 24, 0.5, 1.0);
+    for (std::int32_t& marker : out.mesh.face_markers)
+        if (marker == far_field) marker = rotor_side;
+    Mesh const stator = annulus(6, 31, 1.0, 2.0);
+    std::int32_t const first = out.mesh.n_points();
+    for (std::int32_t k = 0; k < stator.n_points(); ++k) out.mesh.add_point(stator.point(k));
+    for (std::int32_t const point : stator.cells) out.mesh.cells.push_back(first + point);
+    std::int32_t const cells = out.mesh.cell_start.back();
+    for (std::size_t cell = 1; cell < stator.cell_start.size(); ++cell)
+        out.mesh.cell_start.push_back(cells + stator.cell_start[cell]);
+    for (std::size_t face = 0; face < stator.face_markers.size(); ++face) {
+        out.mesh.add_face(
+            first + stator.faces[2 * face], first + stator.faces[2 * face + 1],
+            stator.face_markers[face] == body ? stator_side : std::int32_t{far_field});
+    }
+    if (is_declared) out.add_condition(rotor_side, HM_INTERFACE).partner = stator_side;
+    return out;
+}
+
+Case rigid_rotor(bool is_declared) {
+    Case out = rotor_in_stator(is_declared);
+    out.set_rigid(body, 0, 0);
+    out.set_rigid(rotor_side, 0, 0);
+    return out;
+}
+
+std::vector<double> turn(double angle) { return {0, 0, std::cos(angle) - 1, std::sin(angle)}; }
+
+std::string refusal(Case& its) {
+    Attempt const attempt(its.problem());
+    CHECK(attempt.status == HM_BAD_CONDITION);
+    return attempt.error.text;
+}
+
+}  // namespace
+
+TEST_CASE("a rotor turns in its stator by any angle") {
+    Case its = rigid_rotor(true);
+    Safe safe(its);
+    for (double const angle : {0.03, 0.4, 2.0, 3.1}) {
+        INFO("angle " << angle);
+        std::vector<double> const move = turn(angle);
+        CHECK(safe.run(move) == HM_OK);
+        for (std::size_t k = 0; k < 24 * 6; ++k) {  // the rotor turns as a whole
+            Complex const start{its.mesh.x[k], its.mesh.y[k]};
+            CHECK(std::abs(Complex{safe.x[k], safe.y[k]} - std::polar(1.0, angle) * start) < 1e-13);
+        }
+        for (std::size_t k = 24 * 6; k < its.mesh.x.size(); ++k) {  // the stator rests
+            CHECK(safe.x[k] == its.mesh.x[k]);
+            CHECK(safe.y[k] == its.mesh.y[k]);
+        }
+    }
+}
+
+TEST_CASE("one step of a rotor: nothing touches, nothing crosses") {
+    Case its = rigid_rotor(true);
+    Solved const solved(its);
+    std::vector<double> const move = turn(0.4);
+    std::vector<double> dx(its.mesh.x.size()), dy(dx.size());
+    REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) ==
+            HM_OK);
+    hm_mesh const view = its.mesh.view();
+    hm_step_report step{};
+    hm_quality_report quality{};
+    step.struct_size = sizeof step;
+    quality.struct_size = sizeof quality;
+    REQUIRE(hm_assess(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, nullptr, &step,
+                      &quality, nullptr) == HM_OK);
+    CHECK(step.boundary > 1);  // farther on, the rotor grows until it reaches the outer boundary
+    CHECK(quality.self_crossing == 0);
+    // As a mesh of its own.
+    REQUIRE(hm_assess(solved.basis, &view, nullptr, nullptr, nullptr, nullptr, nullptr, &quality,
+                      nullptr) == HM_OK);
+    CHECK(quality.self_crossing == 0);
+}
+
+TEST_CASE("displacements that are given slide, too, in one step and safely") {
+    Case its = rotor_in_stator(true);
+    its.set_given(body);
+    its.set_given(rotor_side);
+    SafeDisplaced given(its);
+    Field const wall = given.similarity(std::polar(1.0, 0.3), 0);
+    CHECK(given.run(wall) == HM_OK);
+    CHECK(given.is_at(wall));
+}
+
+TEST_CASE("without the declaration a rotor may rest but not turn") {
+    Case its = rigid_rotor(false);
+    Safe safe(its);
+    CHECK(safe.run(turn(0)) == HM_OK);  // the two sides cross in the given mesh
+    CHECK(safe.untouched());
+    CHECK(safe.run(turn(0.1)) == HM_CROSSING);
+}
+
+TEST_CASE("a body that leaves the rotor is refused all the same") {
+    Case its = rotor_in_stator(true);
+    its.set_rigid(body, 0, 0);
+    Safe safe(its);
+    CHECK(safe.run({0.8, 0, 0, 0}) == HM_CROSSING);
+    CHECK(safe.run({5, 0, 0, 0}) == HM_CROSSING);
+}
+
+TEST_CASE("conditions of interfaces that contradict each other are refused") {
+    Case same = rotor_in_stator(false);
+    same.set_rigid(body, 0, 0);
+    same.add_condition(rotor_side, HM_INTERFACE).partner = rotor_side;
+    CHECK(refusal(same) == "marker 31 is named for both sides of an interface");
+    Case twice = rotor_in_stator(true);
+    twice.set_rigid(body, 0, 0);
+    twice.add_condition(far_field, HM_INTERFACE).partner = stator_side;
+    CHECK(refusal(twice) == "marker 32 is in two interfaces");
+    Case missing = rotor_in_stator(false);
+    missing.set_rigid(body, 0, 0);
+    missing.add_condition(rotor_side, HM_INTERFACE).partner = 77;
+    CHECK(refusal(missing) == "marker 77 of condition 1 is on no boundary face");
+}
+
+// Both halves of a channel end on the line x = 1 and slide along it: their walls end there.
+TEST_CASE("walls that end on an interface slide with it") {
+    Case its;
+    Mesh const left = square(6);
+    its.mesh = left;
+    for (std::int32_t& marker : its.mesh.face_markers)
+        marker = marker == right ? rotor_side : static_cast<std::int32_t>(body);
+    std::int32_t const first = left.n_points();
+    for (std::int32_t k = 0; k < left.n_points(); ++k)
+        its.mesh.add_point({left.point(k).x + 1, left.point(k).y});
+    for (std::size_t cell = 0; cell < 36; ++cell) {
+        const std::int32_t* const p = &left.cells[4 * cell];
+        its.mesh.add_cell({first + p[0], first + p[1], first + p[2], first + p[3]});
+    }
+    for (std::size_t face = 0; face < left.face_markers.size(); ++face) {
+        std::int32_t const marker = left.face_markers[face];
+        its.mesh.add_face(first + left.faces[2 * face], first + left.faces[2 * face + 1],
+                          marker == fixtures::left ? stator_side : std::int32_t{far_field});
+    }
+    its.add_condition(stator_side, HM_INTERFACE).partner = rotor_side;
+    its.set_rigid(body, 0.5, 0.5);
+    its.set_rigid(rotor_side, 0.5, 0.5);
+    Safe safe(its);
+    for (double const up : {0.01, 0.07, 1.0 / 6, 0.3, -0.5}) {
+        INFO("up " << up);
+        CHECK(safe.run({0, up, 0, 0}) == HM_OK);
+        CHECK(safe.y[0] == doctest::Approx(up));
+    }
+}
