@@ -9,10 +9,10 @@
     const stage = box("stage");
     check("the mesh has room", stage.width >= 400 && stage.height >= Math.min(300, 0.9 * innerHeight), `${stage.width} x ${stage.height}`);
     const [left, top, right, bottom] = [
-        app.camera.pixel_x(app.home[0]),
-        app.camera.pixel_y(app.home[3]),
-        app.camera.pixel_x(app.home[2]),
-        app.camera.pixel_y(app.home[1]),
+        app.camera.pixel_x(app.view.home[0]),
+        app.camera.pixel_y(app.view.home[3]),
+        app.camera.pixel_x(app.view.home[2]),
+        app.camera.pixel_y(app.view.home[1]),
     ];
     for (const id of ["hint", "left_out"]) {
         const its = box(id);
@@ -31,7 +31,7 @@
     const least = Math.min(...shown("aside *").map((its) => parseFloat(getComputedStyle(its).fontSize)));
     check("letters grow with the screen", least >= (innerWidth >= 2400 ? 18 : 11.5), least);
     if (matchMedia("(forced-colors: active)").matches) {
-        app.move_point(2, 0, 0.01);
+        app.movement.move_point(2, 0, 0.01);
         app.follow();
         const colour = (its, pseudo) => getComputedStyle(its, pseudo).backgroundColor;
         const panel = colour(document.querySelector("aside"));

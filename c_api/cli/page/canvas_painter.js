@@ -1,11 +1,11 @@
 "use strict";
-// Draws cells in colour and lines of the mesh on a 2D canvas, for browsers without WebGL 2 and without a graphics
-// processor. GlPainter has the same methods.
+// This painter draws cells in colour and lines of the mesh on a 2D canvas, for browsers without WebGL 2 or without a
+// graphics processor. GlPainter has the same methods.
 
-// What a value of a piece that is not between 0 and 1 means: an inverted cell, drawn above the others; nothing to draw.
+// A piece with one of these values belongs to an inverted cell, drawn above the others, or is not drawn.
 const cell_value = { bad: -1, hidden: 2 };
 
-// How strong lines are that fade, by the pixels between them.
+// Returns the strength of lines that fade, from 0 to 1; pixels is the distance between the lines.
 function line_strength(pixels) {
     return Math.min(Math.max((pixels - 1) / 6, 0), 1);
 }
@@ -20,7 +20,8 @@ class Raster {
         Object.assign(this, { width, height });
     }
 
-    // x, y pairs of all points and three of them, which are put in order from the top to the bottom.
+    // Fills a triangle. at holds x, y pairs; a, b, c are the places of three pairs, which are sorted from top to
+    // bottom.
     triangle(at, a, b, c, colour) {
         if (at[a + 1] > at[b + 1]) return this.triangle(at, b, a, c, colour);
         if (at[b + 1] > at[c + 1]) return this.triangle(at, a, c, b, colour);
@@ -45,11 +46,11 @@ class Raster {
 }
 
 class CanvasPainter {
-    // pieces: four points each, see Pieces.
+    // pieces holds four points for each piece; see Pieces.
     constructor(canvas, pieces) {
         this.canvas = canvas;
         this.pieces = pieces;
-        // Drawn by the processor: where a browser imitates a graphics processor, each frame would take seconds.
+        // The processor draws this canvas: a browser that imitates a graphics processor would take seconds for a frame.
         this.context = canvas.getContext("2d", { willReadFrequently: true });
     }
 
@@ -71,12 +72,12 @@ class CanvasPainter {
         this.raster = null;
     }
 
-    // Pixel pairs of all points.
+    // Takes the pixels of all points, in pairs.
     place(screen) {
         this.screen = screen;
     }
 
-    // Each piece in the colour of its value, 0..1, or as cell_value says.
+    // Fills each piece in the colour of its value, 0..1, or as cell_value says.
     fill_cells(values, scale, bad) {
         const colours = scale.pixels();
         this.fill((piece) => (values[piece] >= 0 && values[piece] <= 1 ? colours[Math.round(255 * values[piece])] : 0));
@@ -85,7 +86,7 @@ class CanvasPainter {
         this.fill((piece) => (values[piece] === cell_value.bad ? red : 0));
     }
 
-    // values: of the points.
+    // Fills each piece in the colour of the mean of its points' values.
     fill_points(values, scale) {
         const { pieces } = this,
             colours = scale.pixels();
@@ -96,7 +97,7 @@ class CanvasPainter {
         });
     }
 
-    // Pieces of colour 0 are left out.
+    // Fills pieces; a piece of colour 0 is left out.
     fill(colour_of_piece) {
         const { pieces, canvas } = this,
             at = this.screen.map((pixel) => pixel * this.ratio);
@@ -118,8 +119,8 @@ class CanvasPainter {
         this.context.putImageData(this.raster.image, 0, 0);
     }
 
-    // edges: pairs of points and, for each, the distance to the next edge beside it; scale: pixels for a length. Lines
-    // that lie closer together than half a pixel are thinned; where they fade, they hide no colours.
+    // Draws edges, which are pairs of points with the distance to the next edge beside each; scale is in pixels per
+    // unit of length. Lines that lie closer together than half a pixel are thinned; lines that fade hide no colours.
     lines({ pairs, spacing }, colour, scale, fade) {
         const levels = 4,
             paths = Array.from({ length: levels + 1 }, () => new Path2D());
@@ -154,7 +155,7 @@ class CanvasPainter {
         this.context.stroke(path);
     }
 
-    // Waits until all is drawn.
+    // Waits until everything is drawn.
     finish() {
         this.context.getImageData(0, 0, 1, 1);
     }

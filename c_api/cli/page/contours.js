@@ -1,13 +1,13 @@
 "use strict";
-// Contour lines of values at the points of the cells' pieces, each as one or two triangles.
+// Contour lines of values at the mesh points, found in the triangles of which the pieces of cells consist.
 
 class Contours {
     constructor() {
         this.positions = new Float32Array(4096);
-        this.n = 0; // segments
+        this.n = 0; // number of segments
     }
 
-    // screen: pixel pairs of the points; levels are the multiples of `distance`.
+    // Finds the contours at the multiples of `distance`; screen holds the pixels of the points, in pairs.
     find(points, screen, values, distance) {
         this.n = 0;
         for (let i = 0; i < points.length; i += 4) {
@@ -42,8 +42,8 @@ class Contours {
     }
 
     grow() {
-        const larger = new Float32Array(2 * this.positions.length);
-        larger.set(this.positions);
-        this.positions = larger;
+        const grown = new Float32Array(2 * this.positions.length);
+        grown.set(this.positions);
+        this.positions = grown;
     }
 }

@@ -1,5 +1,5 @@
 "use strict";
-// Pointers and keys: dragging control points and bodies, pan and zoom, with mouse, pen, fingers or keyboard.
+// Pointers and keys drag control points and bodies, pan and zoom: with mouse, pen, fingers or keyboard.
 
 class Drag {
     constructor(canvas, app) {
@@ -7,7 +7,7 @@ class Drag {
         canvas.addEventListener("pointerdown", (event) => this.down(event));
         canvas.addEventListener("pointermove", (event) => this.move(event));
         canvas.addEventListener("pointerup", (event) => this.up(event));
-        canvas.addEventListener("pointerleave", () => app.hover(-1));
+        canvas.addEventListener("pointerleave", () => app.selection.hover(-1));
         canvas.addEventListener("pointercancel", (event) => this.up(event));
         canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
         window.addEventListener("keydown", (event) => this.key(event));
@@ -23,7 +23,7 @@ class Drag {
         return [event.clientX - box.left, event.clientY - box.top];
     }
 
-    // What is under a pixel: {kind: "point" | "body" | "knob", place}, or null.
+    // Returns the handle under a pixel, {kind: "point" | "body" | "knob", place}, or null.
     find(px, py, reach) {
         const { app } = this,
             { camera, curves } = app;
@@ -34,7 +34,7 @@ class Drag {
             if (distance < least) [best, least] = [{ kind, place }, distance];
         };
         app.data.bodies.forEach((_, place) => {
-            const body = app.body_handle(place);
+            const body = app.view.body_handle(place);
             offer("body", place, camera.pixel_x(body.x), camera.pixel_y(body.y));
             offer("knob", place, body.knob_x, body.knob_y);
         });
@@ -71,12 +71,12 @@ class Drag {
             x = camera.plane_x(px),
             y = camera.plane_y(py);
         if (kind === "point") {
-            app.select(place);
+            app.selection.choose(place);
             return { kind, place, x, y, dx: app.moves[2 * place], dy: app.moves[2 * place + 1] };
         }
-        app.choose_body(place);
+        app.selection.choose_body(place);
         const body = app.shape.state.bodies[place],
-            handle = app.body_handle(place);
+            handle = app.view.body_handle(place);
         return { kind, place, x, y, start: { ...body }, angle: Math.atan2(y - handle.y, x - handle.x) };
     }
 
@@ -86,7 +86,7 @@ class Drag {
         if (!this.pointers.has(event.pointerId)) {
             const near = this.find(px, py, 16);
             canvas.classList.toggle("near", near !== null);
-            app.hover(near !== null && near.kind === "point" ? near.place : -1);
+            app.selection.hover(near !== null && near.kind === "point" ? near.place : -1);
             return;
         }
         const [old_x, old_y] = this.pointers.get(event.pointerId);
@@ -104,14 +104,18 @@ class Drag {
     drag_to(x, y) {
         const { app, grip } = this;
         if (grip.kind === "point") {
-            app.move_point(grip.place, app.rounded(grip.dx + x - grip.x), app.rounded(grip.dy + y - grip.y));
+            app.movement.move_point(
+                grip.place,
+                app.movement.rounded(grip.dx + x - grip.x),
+                app.movement.rounded(grip.dy + y - grip.y),
+            );
             return;
         }
         const body = app.shape.state.bodies[grip.place],
-            handle = app.body_handle(grip.place);
+            handle = app.view.body_handle(grip.place);
         if (grip.kind === "body") {
-            body.x = app.rounded(grip.start.x + x - grip.x);
-            body.y = app.rounded(grip.start.y + y - grip.y);
+            body.x = app.movement.rounded(grip.start.x + x - grip.x);
+            body.y = app.movement.rounded(grip.start.y + y - grip.y);
         } else {
             const turned = ((Math.atan2(y - handle.y, x - handle.x) - grip.angle) * 180) / Math.PI;
             const degrees = grip.start.degrees + turned;
@@ -131,7 +135,7 @@ class Drag {
         app.draw_soon();
     }
 
-    // What is dragged stays where it is.
+    // Ends a drag; the dragged handle stays at its place.
     release() {
         if (this.grip !== null && this.grip.kind !== "plane") this.app.commit();
         this.grip = null;
@@ -166,17 +170,17 @@ class Drag {
         if (control && key === "y") return does(() => app.redo());
         if (control || element("keys").open) return undefined;
         const on_canvas = event.target === this.canvas || event.target === document.body;
-        if (on_canvas && key === "tab" && app.step_selection(event.shiftKey ? -1 : 1)) return does(() => {});
+        if (on_canvas && key === "tab" && app.selection.step(event.shiftKey ? -1 : 1)) return does(() => {});
         const arrows = { arrowleft: [-1, 0], arrowright: [1, 0], arrowup: [0, 1], arrowdown: [0, -1] };
         if (on_canvas && key in arrows)
             return does(() => this.nudge(arrows[key], event.shiftKey ? 10 : event.altKey ? 0.1 : 1));
         const actions = {
-            escape: () => app.select(-1),
-            f: () => app.fit(),
-            l: () => app.show_limit(),
-            "+": () => app.zoom(1.4),
-            "=": () => app.zoom(1.4),
-            "-": () => app.zoom(1 / 1.4),
+            escape: () => app.selection.choose(-1),
+            f: () => app.view.fit(),
+            l: () => app.view.show_limit(),
+            "+": () => app.view.zoom(1.4),
+            "=": () => app.view.zoom(1.4),
+            "-": () => app.view.zoom(1 / 1.4),
             b: () => app.toggle("before"),
             p: () => app.toggle("polygon"),
             t: () => app.switch_theme(),
@@ -189,18 +193,18 @@ class Drag {
 
     nudge([right, up], factor) {
         const { app } = this,
-            length = (app.extent / 1000) * factor;
-        if (app.chosen_body >= 0) {
-            const body = app.shape.state.bodies[app.chosen_body];
-            body.x = app.rounded(body.x + right * length);
-            body.y = app.rounded(body.y + up * length);
+            length = (app.view.extent / 1000) * factor;
+        if (app.selection.body >= 0) {
+            const body = app.shape.state.bodies[app.selection.body];
+            body.x = app.movement.rounded(body.x + right * length);
+            body.y = app.movement.rounded(body.y + up * length);
             app.changed();
-        } else if (app.selected >= 0) {
-            const i = app.selected;
-            app.move_point(
+        } else if (app.selection.point >= 0) {
+            const i = app.selection.point;
+            app.movement.move_point(
                 i,
-                app.rounded(app.moves[2 * i] + right * length),
-                app.rounded(app.moves[2 * i + 1] + up * length),
+                app.movement.rounded(app.moves[2 * i] + right * length),
+                app.movement.rounded(app.moves[2 * i + 1] + up * length),
             );
         } else {
             app.camera.pan(-40 * right, 40 * up);

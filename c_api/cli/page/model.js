@@ -1,6 +1,7 @@
 "use strict";
-// The morph itself: X = X0 + sum_i F_i dP_i. Functions are in single precision, products and sums in double precision,
-// so a point is within 2^-24 sum_i |F_i| |dP_i| of where `harmorph morph` puts it, but for the rounding of sums.
+// The morph itself is X = X0 + sum_i F_i dP_i. Functions are in single precision, products and sums in double
+// precision; therefore a point is within 2^-24 sum_i |F_i| |dP_i| of the place that `harmorph morph` computes, apart
+// from the rounding of sums.
 
 class Model {
     constructor(data) {
@@ -16,7 +17,8 @@ class Model {
         this.y = data.y.slice();
     }
 
-    // moves [2*functions]: see hm_morph. Always from the start, so that no rounding gathers.
+    // moves [2*functions] is the array that hm_morph takes. The mesh always moves from the start, so that rounding
+    // errors do not accumulate.
     morph(moves) {
         this.dx.fill(0);
         this.dy.fill(0);
@@ -29,13 +31,13 @@ class Model {
         }
     }
 
-    // The values of one number of a function at all points.
+    // Returns the values of one number of a function at all points.
     values(i, number) {
         const begin = (i * this.numbers + number) * this.n;
         return this.functions.subarray(begin, begin + this.n);
     }
 
-    // What a movement of (1, 0) does to a point is |F|: the length of its first column.
+    // Returns |F| at all points: the length of the first column of F, by which a movement of (1, 0) displaces a point.
     size_of_function(i) {
         const a = this.values(i, 0);
         if (this.numbers === 1) return a;

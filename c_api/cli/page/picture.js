@@ -1,8 +1,8 @@
 "use strict";
-// What lies behind the handles: mesh before and after, cells in colour, contours.
+// The picture lies behind the overlay: the mesh before and after, cells in colour, contours.
 
-// The edges of the cells, each once, as a drawing takes them: pairs of points, and spacing: how far the next line beside
-// an edge is at least, before anything moves.
+// Returns the edges of the cells, each once: pairs of points, and spacing, the least distance to the next line beside
+// an edge, before anything moves.
 function edges_of(data) {
     const places = new Map(),
         pairs = [],
@@ -35,7 +35,7 @@ class Picture {
         this.screen = new Float32Array(2 * model.n);
         this.screen_before = new Float32Array(2 * model.n);
         this.edges = data.edges = data.edges || edges_of(data);
-        // How close these lie together says nothing of the mesh.
+        // These lines are thinned already.
         this.thin_edges = {
             pairs: new Uint32Array(data.thin_edges),
             spacing: new Float32Array(data.thin_edges.length / 2).fill(Infinity),
@@ -43,10 +43,10 @@ class Picture {
         this.piece_values = new Float32Array(data.pieces.points.length / 4);
         this.point_values = new Float32Array(model.n);
         this.contours = new Contours();
-        this.values = null; // of the function shown
+        this.values = null; // of the function that is shown
     }
 
-    // options: colour ("none", "quality", "function", ...), before, theme; values: of the function, at the points.
+    // options are colour ("none", "quality", "function", ...), before, and theme.
     draw(camera, ratio, options) {
         const { painter, model, screen, cells } = this,
             { colour } = options,
@@ -67,7 +67,7 @@ class Picture {
         if (shows_function) this.draw_contours();
     }
 
-    // Only edges that have visibly moved: elsewhere blue under red would be neither.
+    // Draws edges that have visibly moved; elsewhere red lines over blue ones would show neither colour.
     draw_before_and_after(camera) {
         const { screen, screen_before, model, painter } = this,
             edges = this.edges.pairs,
@@ -120,7 +120,7 @@ class Picture {
         return this.point_values;
     }
 
-    // The quality of each piece's cell, or of inverted cells alone.
+    // Returns the quality of the cell of each piece, or values that show inverted cells alone.
     values_of_pieces(all) {
         const { start } = this.data.pieces,
             { quality, n } = this.cells;
