@@ -151,12 +151,12 @@
         check("the verdict is announced by a live region", element("spoken").getAttribute("role") === "status");
         check("the gauge is a meter", element("gauge").getAttribute("role") === "meter" &&
             Number(element("gauge").getAttribute("aria-valuenow")) > 0);
-        const nameless = [...document.querySelectorAll("aside input:not([type=file]), button")].filter((its) => {
-            const name = its.getAttribute("aria-label") || its.textContent.trim() || its.title ||
-                (its.labels && [...its.labels].map((label) => label.textContent).join(""));
+        const nameless = [...document.querySelectorAll("aside input:not([type=file]), button")].filter((node) => {
+            const name = node.getAttribute("aria-label") || node.textContent.trim() || node.title ||
+                (node.labels && [...node.labels].map((label) => label.textContent).join(""));
             return !/[A-Za-z]/.test(name || "");
         });
-        check("everything has a name in letters", nameless.length === 0, nameless.map((its) => its.outerHTML).join());
+        check("everything has a name in letters", nameless.length === 0, nameless.map((node) => node.outerHTML).join());
         for (const group of document.querySelectorAll("[role=radiogroup]")) {
             const stops = [...group.children].filter((button) => button.tabIndex === 0);
             check(`one stop for Tab in ${group.id}`, stops.length === 1, stops.length);
@@ -166,7 +166,7 @@
         check("arrow keys choose the next colour", app.options.colour === "quality" && document.activeElement === quality);
         document.querySelector("#colour [data-value=none]").click();
         const problems = typeof axe === "undefined" ? [] : (await axe.run(document)).violations;
-        check("axe finds nothing", problems.length === 0, problems.map((its) => `${its.id} ${its.help}`).join("; "));
+        check("axe finds nothing", problems.length === 0, problems.map((node) => `${node.id} ${node.help}`).join("; "));
         back_to_start();
     };
 
