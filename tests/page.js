@@ -236,6 +236,8 @@
         document.querySelector(`#colour [data-value=${colour}]`).click();
         frame();
     }
+    document.getElementById("state_name").value = 'a "state" # 1';
+    document.getElementById("keep_state").click();
     const text = saved(),
         moves = app.moves.slice(),
         here = coordinates();

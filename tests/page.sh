@@ -198,6 +198,7 @@ for name in nose_radius edge_angle; do
 done
 sed -n '/^section$/,/^end$/p' "$tmp/use.result" | sed '1d;$d' >"$tmp/saved.dat"
 if "$harmorph" fit "$tmp/saved.dat" -o "$tmp/saved.curve" >"$tmp/log" 2>&1; then ok; else fail "the saved section"; fi
+scripted design whole tests/page_design.js --window-size=1280,800
 explore "$meshes/block.su2" "$tmp/slip.basis" -o "$tmp/block.html" || fail "explore"
 scripted bodies block tests/page_use.js
 for size in 500,844 844,390 1280,800 3840,2160; do

@@ -9,8 +9,8 @@ class Controls {
         this.choose("colour", app.options.colour, (value) => app.set({ colour: value }));
         this.choose("pair", app.options.pair, (value) => app.set({ pair: value }));
         // The number that is not typed keeps all its digits.
-        this.number_field(element("dx"), (dx) => app.movement.move_choice(dx, app.movement.of_choice()[1]));
-        this.number_field(element("dy"), (dy) => app.movement.move_choice(app.movement.of_choice()[0], dy));
+        this.number_field(element("dx"), (dx) => app.movement.move_choice(dx, app.movement.of_choice()[1], "dx"));
+        this.number_field(element("dy"), (dy) => app.movement.move_choice(app.movement.of_choice()[0], dy, "dy"));
         this.sliders = [];
         app.sections.forEach((section, place) => this.add_section(section, place));
         app.data.bodies.forEach((body, place) => this.add_body(body, place));
@@ -77,10 +77,10 @@ class Controls {
         const title = document.createElement("span"),
             small = document.createElement("small");
         const read = () => values()[name],
-            write = (value) => {
-                values()[name] = value;
-                this.app.changed();
-            };
+            write = (value) =>
+                this.app.movement.change(row, () => {
+                    values()[name] = value;
+                });
         row.className = "slider";
         title.textContent = label + " ";
         small.textContent = unit;

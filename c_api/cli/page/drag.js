@@ -3,7 +3,7 @@
 
 class Drag {
     constructor(canvas, app) {
-        Object.assign(this, { canvas, app, pointers: new Map(), grip: null });
+        Object.assign(this, { canvas, app, pointers: new Map(), grip: null, mirrors: false });
         canvas.addEventListener("pointerdown", (event) => this.down(event));
         canvas.addEventListener("pointermove", (event) => this.move(event));
         canvas.addEventListener("pointerup", (event) => this.up(event));
@@ -60,24 +60,27 @@ class Drag {
             return;
         }
         const found = this.find(px, py, event.pointerType === "touch" ? 28 : 16);
-        this.grip = found === null ? { kind: "plane" } : this.take(found, px, py);
+        if (found !== null) this.grip = this.take(found, px, py, event.shiftKey);
+        else this.grip = event.shiftKey ? { kind: "frame", px, py, to_x: px, to_y: py } : { kind: "plane" };
         canvas.classList.toggle("dragging", true);
         if (found !== null) app.said_hello();
     }
 
-    take({ kind, place }, px, py) {
+    // Returns the grip of a handle; a drag of one of several chosen points moves them all.
+    take({ kind, place }, px, py, adds) {
         const { app } = this,
-            { camera } = app,
+            { camera, selection } = app,
             x = camera.plane_x(px),
             y = camera.plane_y(py);
         if (kind === "point") {
-            app.selection.choose(place);
-            return { kind, place, x, y, dx: app.moves[2 * place], dy: app.moves[2 * place + 1] };
+            if (adds) selection.add_or_remove(place);
+            else if (!selection.points.has(place)) selection.choose(place);
+            return selection.points.has(place) ? { kind, x, y } : null;
         }
-        app.selection.choose_body(place);
-        const body = app.shape.state.bodies[place],
+        selection.choose_body(place);
+        const { degrees } = app.shape.state.bodies[place],
             handle = app.view.body_handle(place);
-        return { kind, place, x, y, start: { ...body }, angle: Math.atan2(y - handle.y, x - handle.x) };
+        return { kind, place, x, y, degrees, angle: Math.atan2(y - handle.y, x - handle.x) };
     }
 
     move(event) {
@@ -96,32 +99,27 @@ class Drag {
         if (this.grip.kind === "plane") {
             app.camera.pan(px - old_x, py - old_y);
             app.draw_soon();
+        } else if (this.grip.kind === "frame") {
+            Object.assign(this.grip, { to_x: px, to_y: py });
+            app.draw_soon();
         } else {
-            this.drag_to(app.camera.plane_x(px), app.camera.plane_y(py));
+            this.drag_to(app.camera.plane_x(px), app.camera.plane_y(py), event.altKey);
         }
     }
 
-    drag_to(x, y) {
+    // mirrors: the points across move the other way during this drag, whatever the user has chosen.
+    drag_to(x, y, mirrors) {
         const { app, grip } = this;
-        if (grip.kind === "point") {
-            app.movement.move_point(
-                grip.place,
-                app.movement.rounded(grip.dx + x - grip.x),
-                app.movement.rounded(grip.dy + y - grip.y),
-            );
+        if (grip.kind !== "knob") {
+            this.mirrors = mirrors;
+            app.movement.move_choice_by(x - grip.x, y - grip.y, mirrors ? "mirror" : undefined);
             return;
         }
-        const body = app.shape.state.bodies[grip.place],
-            handle = app.view.body_handle(grip.place);
-        if (grip.kind === "body") {
-            body.x = app.movement.rounded(grip.start.x + x - grip.x);
-            body.y = app.movement.rounded(grip.start.y + y - grip.y);
-        } else {
-            const turned = ((Math.atan2(y - handle.y, x - handle.x) - grip.angle) * 180) / Math.PI;
-            const degrees = grip.start.degrees + turned;
-            body.degrees = Number((degrees - 360 * Math.round((degrees - body.degrees) / 360)).toFixed(2));
-        }
-        app.changed();
+        const { degrees: last } = app.shape.state.bodies[grip.place],
+            handle = app.view.body_handle(grip.place),
+            turned = ((Math.atan2(y - handle.y, x - handle.x) - grip.angle) * 180) / Math.PI,
+            degrees = grip.degrees + turned;
+        app.movement.turn_choice(Number((degrees - 360 * Math.round((degrees - last) / 360)).toFixed(2)));
     }
 
     pinch(id, px, py) {
@@ -135,10 +133,27 @@ class Drag {
         app.draw_soon();
     }
 
-    // Ends a drag; the dragged handle stays at its place.
+    // Ends a drag; the dragged handle stays at its place, and a frame chooses the points inside.
     release() {
-        if (this.grip !== null && this.grip.kind !== "plane") this.app.commit();
+        const { app, grip } = this;
         this.grip = null;
+        this.mirrors = false;
+        if (grip !== null && grip.kind === "frame") this.choose_inside(grip);
+        else if (grip !== null && grip.kind !== "plane") app.commit();
+    }
+
+    choose_inside({ px, py, to_x, to_y }) {
+        const { app } = this,
+            { control } = app.curves,
+            { camera, selection, options } = app,
+            between = (a, b, c) => (a - b) * (a - c) <= 0;
+        const inside = [...Array(options.polygon ? app.data.n_control : 0).keys()].filter(
+            (i) =>
+                between(camera.pixel_x(control[2 * i]), px, to_x) &&
+                between(camera.pixel_y(control[2 * i + 1]), py, to_y),
+        );
+        if (inside.length > 0) selection.add(inside);
+        app.draw_soon();
     }
 
     up(event) {
@@ -168,8 +183,9 @@ class Drag {
         if (typing) return undefined;
         if (control && key === "z") return does(() => (event.shiftKey ? app.redo() : app.undo()));
         if (control && key === "y") return does(() => app.redo());
-        if (control || element("keys").open) return undefined;
         const on_canvas = event.target === this.canvas || event.target === document.body;
+        if (control && key === "a" && on_canvas) return does(() => app.selection.choose_all());
+        if (control || element("keys").open) return undefined;
         if (on_canvas && key === "tab" && app.selection.step(event.shiftKey ? -1 : 1)) return does(() => {});
         const arrows = { arrowleft: [-1, 0], arrowright: [1, 0], arrowup: [0, 1], arrowdown: [0, -1] };
         if (on_canvas && key in arrows)
@@ -184,6 +200,7 @@ class Drag {
             b: () => app.toggle("before"),
             p: () => app.toggle("polygon"),
             t: () => app.switch_theme(),
+            n: () => app.selection.extend(event.shiftKey ? -1 : 1),
             "?": () => element("keys").showModal(),
         };
         const colour = ["none", "quality", "angle", "height", "function"]["12345".indexOf(key)];
@@ -194,23 +211,13 @@ class Drag {
     nudge([right, up], factor) {
         const { app } = this,
             length = (app.view.extent / 1000) * factor;
-        if (app.selection.body >= 0) {
-            const body = app.shape.state.bodies[app.selection.body];
-            body.x = app.movement.rounded(body.x + right * length);
-            body.y = app.movement.rounded(body.y + up * length);
-            app.changed();
-        } else if (app.selection.point >= 0) {
-            const i = app.selection.point;
-            app.movement.move_point(
-                i,
-                app.movement.rounded(app.moves[2 * i] + right * length),
-                app.movement.rounded(app.moves[2 * i + 1] + up * length),
-            );
-        } else {
+        if (app.selection.is_empty()) {
             app.camera.pan(-40 * right, 40 * up);
             app.draw_soon();
             return;
         }
+        app.commit();
+        app.movement.move_choice_by(right * length, up * length);
         app.commit();
     }
 }

@@ -7,7 +7,8 @@ class Files {
     }
 
     save() {
-        this.write("moves.txt", [this.app.shape.text()], "text/plain");
+        const { shape, panel } = this.app;
+        this.write("moves.txt", [shape.text() + panel.design.states.text()], "text/plain");
         this.say(
             this.app.is_valid()
                 ? "Saved as moves.txt for harmorph morph --move"
@@ -49,7 +50,10 @@ class Files {
 
     load(text, name = "moves.txt") {
         try {
+            const { states } = this.app.panel.design,
+                found = states.read(text);
             this.app.after(() => this.app.shape.load(text));
+            states.add(found);
         } catch (error) {
             this.say(`${name}: ${error.message}`);
         }

@@ -15,6 +15,7 @@ class App {
         this.shape = new Shape(data, this.sections);
         this.still_faces = this.wall.faces.filter((face) => !this.wall.moves[face.marker]);
         this.options = { colour: "none", before: false, polygon: true, pair: "alone", theme: theme_of_system() };
+        Object.assign(this.options, { comb: false, pressure: false, attack: 2 }); // the angle of attack is in degrees
         this.moves = this.shape.moves();
         this.still = true;
         this.times = { morph: 0, judge: 0, draw: 0 }; // of the last frame [ms]

@@ -45,6 +45,17 @@ class Model {
         return a.map((value, k) => Math.hypot(value, b[k]));
     }
 
+    // Returns the displacement of point k by the movement (mx, my) of function i.
+    displacement(i, k, mx, my) {
+        const { numbers, n, functions } = this,
+            at = i * numbers * n + k,
+            a = functions[at];
+        if (numbers === 1) return [a * mx, a * my];
+        const b = functions[at + n];
+        if (numbers === 2) return [a * mx - b * my, a * my + b * mx];
+        return [a * mx + b * my, functions[at + 2 * n] * mx + functions[at + 3 * n] * my];
+    }
+
     add_function(i, mx, my) {
         const { n, dx, dy } = this,
             a = this.values(i, 0);

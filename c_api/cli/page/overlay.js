@@ -18,11 +18,13 @@ class Overlay {
         context.lineJoin = context.lineCap = "round";
         this.draw_walls();
         if (app.options.colour === "angle" || app.options.colour === "height") this.draw_ribbon();
+        if (app.options.comb) Comb.draw(this);
         if (app.options.polygon) this.draw_curves();
         this.draw_bad_cells();
         this.draw_limit();
         app.shape.state.bodies.forEach((body, place) => this.draw_body(place));
         if (app.options.polygon) this.draw_control_points();
+        if (app.drag && app.drag.grip !== null && app.drag.grip.kind === "frame") this.draw_frame(app.drag.grip);
         this.draw_scale();
     }
 
@@ -125,12 +127,13 @@ class Overlay {
         const { app, context } = this,
             { control } = app.curves,
             { unit } = app.view,
-            { point: selected, hovered } = app.selection,
-            partner = app.movement.partner_of(selected);
+            { points, hovered } = app.selection,
+            follows = app.options.pair !== "alone" || app.drag.mirrors,
+            partners = new Set(follows ? [...points].map((i) => app.pairs.partner[i]) : []);
         for (let i = 0; i < control.length / 2; ++i) {
             const x = this.px(control[2 * i]),
                 y = this.py(control[2 * i + 1]);
-            const chosen = i === selected,
+            const chosen = points.has(i),
                 near = i === hovered;
             if (chosen || near) {
                 context.beginPath();
@@ -140,11 +143,20 @@ class Overlay {
             }
             context.beginPath();
             context.arc(x, y, (chosen || near ? 8 : 6) * unit, 0, 7);
-            context.fillStyle = style_of(chosen || i === partner ? "--accent" : "--handle");
+            context.fillStyle = style_of(chosen || partners.has(i) ? "--accent" : "--handle");
             context.fill();
-            this.stroke(chosen || i === partner ? "--handle" : "--accent", 2.25);
+            this.stroke(chosen || partners.has(i) ? "--handle" : "--accent", 2.25);
             if (chosen || near) this.label(String(i + 1), x, y - 22 * unit);
         }
+    }
+
+    // Draws the frame that chooses control points.
+    draw_frame({ px, py, to_x, to_y }) {
+        this.context.beginPath();
+        this.context.rect(px, py, to_x - px, to_y - py);
+        this.context.fillStyle = style_of("--halo");
+        this.context.fill();
+        this.stroke("--accent", 1, [4, 4]);
     }
 
     label(text, x, y, name = "--ink") {

@@ -9,6 +9,7 @@ class Panel {
         element("name").textContent = element("name").title = `${app.data.mesh} · ${app.data.operator}`;
         element("section_box").hidden = app.sections.length === 0;
         this.controls = new Controls(app);
+        this.design = new Design(app, this.controls);
     }
 
     // Screen readers hear of a change once it is finished: while it goes on they would not come to an end.
@@ -28,6 +29,7 @@ class Panel {
         this.update_colours();
         this.update_section();
         this.controls.update();
+        this.design.update();
     }
 
     update_verdict() {

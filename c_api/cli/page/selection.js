@@ -1,10 +1,11 @@
 "use strict";
-// The selection is the control point or the rigid body that the user has chosen.
+// The selection holds the control points, or the rigid body, that the user has chosen.
 
 class Selection {
     constructor(app) {
         this.app = app;
-        this.point = this.body = this.hovered = -1; // -1: none
+        this.points = new Set(); // in the order of the user's choice
+        this.point = this.body = this.hovered = -1; // point is the one chosen last; -1: none
     }
 
     is_empty() {
@@ -14,14 +15,31 @@ class Selection {
     // Chooses by the place in a list of control points, then bodies; -1 chooses none.
     choose(place) {
         const { n_control } = this.app.data;
-        this.point = place < n_control ? place : -1;
-        this.body = place < n_control ? -1 : place - n_control;
-        this.app.set({});
-        if (place >= 0) this.app.panel.speak_choice();
+        this.set(place >= 0 && place < n_control ? [place] : [], place < n_control ? -1 : place - n_control);
     }
     choose_body(body) {
-        this.choose(this.app.data.n_control + body);
+        this.set([], body);
     }
+
+    // Adds control points to the chosen ones; the last of them comes last also if it was chosen before.
+    add(points) {
+        const last = points[points.length - 1];
+        this.set([...this.points, ...points].filter((point) => point !== last).concat(last ?? []));
+    }
+    add_or_remove(point) {
+        if (this.points.has(point)) this.set([...this.points].filter((other) => other !== point));
+        else this.add([point]);
+    }
+
+    set(points, body = -1) {
+        this.points = new Set(points);
+        this.point = points.length > 0 ? points[points.length - 1] : -1;
+        this.body = body;
+        this.app.set({});
+        if (!this.is_empty()) this.app.panel.speak_choice();
+    }
+
+    // Returns the place of the last chosen one in the list.
     place() {
         return this.body < 0 ? this.point : this.app.data.n_control + this.body;
     }
@@ -41,6 +59,14 @@ class Selection {
         this.choose(-1);
         this.step(by);
     }
+    // Adds the control point after, or before, the one chosen last.
+    extend(by) {
+        const { n_control } = this.app.data;
+        if (n_control > 0) this.add([this.point < 0 ? 0 : (this.point + by + n_control) % n_control]);
+    }
+    choose_all() {
+        this.add([...Array(this.app.data.n_control).keys()]);
+    }
 
     hover(point) {
         if (point === this.hovered) return;
@@ -49,8 +75,10 @@ class Selection {
     }
 
     name() {
-        const { data } = this.app;
+        const { data } = this.app,
+            more = this.points.size - 1;
         if (this.body >= 0) return `Body ${data.bodies[this.body].marker}`;
+        if (more > 0) return `Point ${this.point + 1} and ${more} more`;
         if (this.point >= 0) return `Control point ${this.point + 1}`;
         return data.n_control > 0 ? "Control points" : "Bodies";
     }

@@ -45,9 +45,35 @@ class Shape {
         this.last_valid = JSON.stringify(this.state);
     }
     back_to_valid() {
+        this.take(JSON.parse(this.last_valid));
+    }
+
+    // Takes an unfinished change back.
+    restart() {
+        this.state = JSON.parse(this.last);
+    }
+    // Returns the movements of the last finished state.
+    finished_moves() {
+        return this.moves(JSON.parse(this.last));
+    }
+
+    // Changes to another state.
+    take(state) {
         this.commit();
-        this.state = JSON.parse(this.last_valid);
+        this.state = state;
         this.commit();
+    }
+    // Returns true if a value has the form of a state: the same names and as many numbers.
+    is_state(value) {
+        const form = (part) =>
+            typeof part === "number" && Number.isFinite(part)
+                ? 0
+                : Array.isArray(part)
+                  ? part.map(form)
+                  : part !== null && typeof part === "object"
+                    ? Object.keys(part).sort().map((name) => [name, form(part[name])])
+                    : null;
+        return JSON.stringify(form(value)) === JSON.stringify(form(this.state));
     }
 
     reset() {
@@ -58,9 +84,9 @@ class Shape {
     }
 
     // Returns the array that hm_morph takes: dx,dy of control points, then each body's translation and s - 1.
-    moves() {
-        const moves = new Float64Array(2 * this.data.n_functions),
-            { state, data } = this;
+    moves(state = this.state) {
+        const { data } = this,
+            moves = new Float64Array(2 * data.n_functions);
         moves.set(state.points);
         this.sections.forEach((section, place) => {
             for (const [name, value] of Object.entries(state.variables[place])) {
