@@ -160,11 +160,11 @@
         const handle = app.view.body_handle(0),
             start = coordinates();
         drag([app.camera.pixel_x(handle.x), app.camera.pixel_y(handle.y)], 12, -9, 5);
-        const body = app.shape.state.bodies[0];
-        check("a body is where the pointer is", Math.abs(body.x - 12 / app.camera.scale) <= app.movement.digit, body.x);
+        const body = () => app.shape.state.bodies[0];
+        check("a body is where the pointer is", Math.abs(body().x - 12 / app.camera.scale) <= app.movement.digit, body().x);
         const moved = app.view.body_handle(0);
         drag([moved.knob_x, moved.knob_y], -14, -30, 5); // up, so counter-clockwise
-        check("its knob turns it", body.degrees > 10, body.degrees);
+        check("its knob turns it", body().degrees > 10, body().degrees);
         key("z", { ctrlKey: true });
         key("z", { ctrlKey: true });
         frame();

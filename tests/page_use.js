@@ -221,6 +221,7 @@
             painter.begin(camera.width, camera.height, 1, [1, 1, 1]);
             painter.place(picture.screen);
             painter.fill_cells(picture.values_of_pieces(true), scales.light.good, [1, 0, 0]);
+            painter.end();
             const copy = document.createElement("canvas");
             Object.assign(copy, { width: canvas.width, height: canvas.height });
             copy.getContext("2d").drawImage(canvas, 0, 0);

@@ -7,11 +7,22 @@ class Contours {
         this.n = 0; // number of segments
     }
 
-    // Finds the contours at the multiples of `distance`; screen holds the pixels of the points, in pairs.
-    find(points, screen, values, distance) {
+    // Finds the contours at the multiples of `distance` on a canvas; screen holds the pixels of the points, in pairs.
+    find(points, screen, values, distance, width, height) {
         this.n = 0;
+        const part = (k) => Math.floor(values[k] / distance), // a line passes between points of different parts
+            parts = Int32Array.from(values, (_, k) => part(k));
         for (let i = 0; i < points.length; i += 4) {
-            const [a, b, c, d] = [points[i], points[i + 1], points[i + 2], points[i + 3]];
+            const a = points[i],
+                b = points[i + 1],
+                c = points[i + 2],
+                d = points[i + 3];
+            if (parts[a] === parts[b] && parts[b] === parts[c] && parts[c] === parts[d]) continue;
+            const outside = (axis, size) => {
+                const [p, q, r, t] = [a, b, c, d].map((k) => screen[2 * k + axis]);
+                return Math.max(p, q, r, t) < 0 || Math.min(p, q, r, t) > size;
+            };
+            if (outside(0, width) || outside(1, height)) continue;
             this.triangle(a, b, c, screen, values, distance);
             if (d !== c) this.triangle(a, c, d, screen, values, distance);
         }

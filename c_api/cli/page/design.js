@@ -78,6 +78,6 @@ class Design {
         const rows = now.rings.flatMap((ring, k) =>
             ring.nodes.map(({ x, y }, i) => [x, y, now.cp[now.starts[k] + i]]),
         );
-        chart.show_in(box, "−cp along x: before in blue, now in red", "pressure", ["x", "y", "cp"], rows);
+        chart.show_in(box, "−cp before (blue) and now (red)", "pressure", ["x", "y", "cp"], rows);
     }
 }

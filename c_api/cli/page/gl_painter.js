@@ -183,6 +183,9 @@ class GlPainter {
         gl.disableVertexAttribArray(0);
     }
 
+    // Ends a picture: nothing is left to do.
+    end() {}
+
     finish() {
         this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, new Uint8Array(4));
     }

@@ -1,8 +1,9 @@
 "use strict";
 // The picture lies behind the overlay: the mesh before and after, cells in colour, contours.
 
-// Returns the edges of the cells, each once: pairs of points, and spacing, the least distance to the next line beside
-// an edge, before anything moves.
+// Returns the edges of the cells, each once: pairs of points, spacing, the least distance to the next line beside an
+// edge before anything moves, and least_scale, the scale from which on an edge is drawn where lines are thinned, because
+// they lie closer together than half a pixel. The edges are sorted by least_scale.
 function edges_of(data) {
     const places = new Map(),
         pairs = [],
@@ -26,7 +27,15 @@ function edges_of(data) {
             spacing[place] = Math.min(spacing[place], across);
         });
     }
-    return { pairs: new Uint32Array(pairs), spacing: new Float32Array(spacing) };
+    const part = (i) => ((i * 0.6180339887) % 1) / 2, // of the lines, equally distributed
+        order = Uint32Array.from(spacing.keys()),
+        least = Float32Array.from(spacing, (distance, i) => part(i) / distance);
+    order.sort((i, j) => least[i] - least[j]);
+    return {
+        pairs: Uint32Array.from({ length: pairs.length }, (_, k) => pairs[2 * order[k >> 1] + (k & 1)]),
+        spacing: Float32Array.from(order, (i) => spacing[i]),
+        least_scale: Float32Array.from(order, (i) => least[i]),
+    };
 }
 
 class Picture {
@@ -39,6 +48,7 @@ class Picture {
         this.thin_edges = {
             pairs: new Uint32Array(data.thin_edges),
             spacing: new Float32Array(data.thin_edges.length / 2).fill(Infinity),
+            least_scale: new Float32Array(data.thin_edges.length / 2),
         };
         this.piece_values = new Float32Array(data.pieces.points.length / 4);
         this.point_values = new Float32Array(model.n);
@@ -64,7 +74,8 @@ class Picture {
         painter.lines(this.thin_edges, [...line, strong / 3], camera.scale, false);
         painter.lines(this.edges, [...line, strong], camera.scale, is_coloured);
         if (options.before) this.draw_before_and_after(camera);
-        if (shows_function) this.draw_contours();
+        if (shows_function) this.draw_contours(camera);
+        painter.end();
     }
 
     // Draws edges that have visibly moved; elsewhere red lines over blue ones would show neither colour.
@@ -93,8 +104,8 @@ class Picture {
         painter.segments(this.after, n, [...colour_of("--after"), 0.7]);
     }
 
-    draw_contours() {
-        this.contours.find(this.data.pieces.points, this.screen, this.values, this.level_distance());
+    draw_contours({ width, height }) {
+        this.contours.find(this.data.pieces.points, this.screen, this.values, this.level_distance(), width, height);
         this.painter.segments(this.contours.positions, this.contours.n, [...colour_of("--ink"), 0.9]);
     }
 
