@@ -1,6 +1,6 @@
 "use strict";
-// The skew quality of single cells, as the page computes it: lines "cell TYPE QUALITY X Y X Y ...", with VTK's type of the
-// cell, and lines "check NAME ok" or "check NAME FAILED ..." as page.js leaves them.
+// The skew quality of single cells, as the page computes it: lines "cell TYPE QUALITY X Y X Y ...", with VTK's type of
+// the cell, and lines "check NAME ok" or "check NAME FAILED ..." as page.js leaves them.
 (() => {
     const lines = [];
     // Numbers between 0 and 1, the same in each run.

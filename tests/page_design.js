@@ -1,6 +1,7 @@
 "use strict";
 // What a designer does on the page of `harmorph explore`: several control points at once, mirrored drags, locks, the
-// curvature comb, kept states, and the pressure. Leaves lines "check NAME ok" or "check NAME FAILED ..." as page.js does.
+// curvature comb, kept states, and the pressure. Leaves lines "check NAME ok" or "check NAME FAILED ..." as page.js
+// does.
 (() => {
     const lines = [];
     const check = (name, holds, found = "") => lines.push(`check ${name} ${holds ? "ok" : `FAILED ${found}`}`);

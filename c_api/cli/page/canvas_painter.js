@@ -84,7 +84,8 @@ class CanvasPainter {
     lines({ pairs, spacing, least_scale }, colour, scale, fade) {
         const { at, raster } = this;
         raster.set_colour(colour);
-        for (let i = 0; i < spacing.length && least_scale[i] <= scale; ++i) {
+        for (let i = 0; i < spacing.length && least_scale[i] <= 2 * scale; ++i) {
+            if (least_scale[i] > scale) continue;
             const strength = fade ? line_strength(spacing[i] * scale) : 1;
             if (strength > 0) raster.line(at, 2 * pairs[2 * i], 2 * pairs[2 * i + 1], strength);
         }

@@ -63,7 +63,7 @@ class Legend {
                     summary: `${brief(least(wall.height))} to ${brief(most(wall.height))}, ${brief(mean(wall.height))} on average`,
                 };
             default: {
-                const [low, high] = picture.value_range(),
+                const [low, high] = picture.value_range,
                     i = this.app.selection.shown_function();
                 return {
                     values: picture.values,
@@ -73,7 +73,7 @@ class Legend {
                     high_text: brief(high),
                     name: i < data.n_control ? `function of control point ${i + 1}` : "function of the body",
                     colour_at: (value) => scale.function.css((value - low) / (high - low || 1)),
-                    summary: `lines every ${brief(picture.level_distance())}`,
+                    summary: `lines every ${brief(picture.level_distance)}`,
                 };
             }
         }

@@ -175,7 +175,7 @@ class App {
     set(options) {
         Object.assign(this.options, options);
         if (this.options.colour === "function")
-            this.picture.values = this.model.size_of_function(this.selection.shown_function());
+            this.picture.set_values(this.model.size_of_function(this.selection.shown_function()));
         this.panel.update();
         this.draw_soon();
     }

@@ -2,8 +2,9 @@
 // The picture lies behind the overlay: the mesh before and after, cells in colour, contours.
 
 // Returns the edges of the cells, each once: pairs of points, spacing, the least distance to the next line beside an
-// edge before anything moves, and least_scale, the scale from which on an edge is drawn where lines are thinned, because
-// they lie closer together than half a pixel. The edges are sorted by least_scale.
+// edge before anything moves, and least_scale, the scale from which on an edge is drawn where lines are thinned,
+// because they lie closer together than half a pixel. The edges are sorted by powers of two of least_scale; neighbours
+// in the mesh stay together.
 function edges_of(data) {
     const places = new Map(),
         pairs = [],
@@ -29,8 +30,9 @@ function edges_of(data) {
     }
     const part = (i) => ((i * 0.6180339887) % 1) / 2, // of the lines, equally distributed
         order = Uint32Array.from(spacing.keys()),
-        least = Float32Array.from(spacing, (distance, i) => part(i) / distance);
-    order.sort((i, j) => least[i] - least[j]);
+        least = Float32Array.from(spacing, (distance, i) => part(i) / distance),
+        power = Int32Array.from(least, (scale) => Math.max(-1000, Math.floor(Math.log2(scale))));
+    order.sort((i, j) => power[i] - power[j] || i - j);
     return {
         pairs: Uint32Array.from({ length: pairs.length }, (_, k) => pairs[2 * order[k >> 1] + (k & 1)]),
         spacing: Float32Array.from(order, (i) => spacing[i]),
@@ -51,7 +53,7 @@ class Picture {
             least_scale: new Float32Array(data.thin_edges.length / 2),
         };
         this.piece_values = new Float32Array(data.pieces.points.length / 4);
-        this.point_values = new Float32Array(model.n);
+        this.point_values = new Float32Array(model.n); // of the function that is shown, scaled to 0..1
         this.contours = new Contours();
         this.values = null; // of the function that is shown
     }
@@ -65,7 +67,7 @@ class Picture {
         painter.begin(camera.width, camera.height, ratio, colour_of("--canvas"));
         camera.project(model.x, model.y, screen);
         painter.place(screen);
-        if (shows_function) painter.fill_points(this.values_from_0_to_1(), scale.function);
+        if (shows_function) painter.fill_points(this.point_values, scale.function);
         if (colour === "quality" || cells.inverted > 0)
             painter.fill_cells(this.values_of_pieces(colour === "quality"), scale.good, colour_of("--bad"));
         const line = colour_of("--mesh"),
@@ -105,30 +107,22 @@ class Picture {
     }
 
     draw_contours({ width, height }) {
-        this.contours.find(this.data.pieces.points, this.screen, this.values, this.level_distance(), width, height);
+        this.contours.find(this.data.pieces.points, this.screen, this.values, this.level_distance, width, height);
         this.painter.segments(this.contours.positions, this.contours.n, [...colour_of("--ink"), 0.9]);
     }
 
-    value_range() {
+    // Takes the values of the function that is shown, at the points; sets their range and the distance of contour
+    // lines.
+    set_values(values) {
         let low = 0,
             high = 0;
-        for (const value of this.values) {
-            low = Math.min(low, value);
-            high = Math.max(high, value);
+        for (let k = 0; k < values.length; ++k) {
+            low = Math.min(low, values[k]);
+            high = Math.max(high, values[k]);
         }
-        return [low, high];
-    }
-
-    level_distance() {
-        const [low, high] = this.value_range();
-        return high - low > 1.2 ? 0.2 : 0.1;
-    }
-
-    values_from_0_to_1() {
-        const [low, high] = this.value_range(),
-            span = high - low || 1;
-        for (let k = 0; k < this.values.length; ++k) this.point_values[k] = (this.values[k] - low) / span;
-        return this.point_values;
+        Object.assign(this, { values, value_range: [low, high], level_distance: high - low > 1.2 ? 0.2 : 0.1 });
+        const span = high - low || 1;
+        for (let k = 0; k < values.length; ++k) this.point_values[k] = (values[k] - low) / span;
     }
 
     // Returns the quality of the cell of each piece, or values that show inverted cells alone.

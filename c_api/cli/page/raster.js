@@ -1,7 +1,7 @@
 "use strict";
-// A raster fills triangles and draws lines pixel by pixel: a canvas takes ten times as long for many small paths. A pixel
-// belongs to the triangle in which its centre lies, so that triangles with a common side leave no gap, and a triangle
-// without the centre of a pixel costs next to nothing.
+// A raster fills triangles and draws lines pixel by pixel: a canvas takes ten times as long for many small paths. A
+// pixel belongs to the triangle in which its centre lies, so that triangles with a common side leave no gap, and a
+// triangle without the centre of a pixel costs next to nothing.
 
 class Raster {
     constructor(width, height) {
@@ -11,7 +11,8 @@ class Raster {
         this.set_colour([0, 0, 0, 1]);
     }
 
-    // Fills a triangle. at holds x, y pairs; a, b, c are the places of three pairs, which are sorted from top to bottom.
+    // Fills a triangle. at holds x, y pairs; a, b, c are the places of three pairs, which are sorted from top to
+    // bottom.
     triangle(at, a, b, c, colour) {
         if (at[a + 1] > at[b + 1]) return this.triangle(at, b, a, c, colour);
         if (at[b + 1] > at[c + 1]) return this.triangle(at, a, c, b, colour);
@@ -53,9 +54,9 @@ class Raster {
             ((green + (Math.imul(this.green - green, part) >> 7)) & 0x00ff00);
     }
 
-    // Draws a line of one pixel's width between two pairs of at. In each column whose centre the line passes (or row, if
-    // the line is steep), two pixels share the line; so lines that follow each other leave no gap, and lines shorter than
-    // a pixel are as dense as they should be.
+    // Draws a line of one pixel's width between two pairs of at. In each column whose centre the line passes (or row,
+    // if the line is steep), two pixels share the line; so lines that follow each other leave no gap, and lines shorter
+    // than a pixel are as dense as they should be.
     line(at, a, b, strength) {
         const { width, height } = this,
             ax = at[a],

@@ -1,6 +1,7 @@
 "use strict";
-// Milliseconds of a frame of the page of `harmorph explore`, drawn in software: the median and the least of
-// eleven frames, each with another part of the plane. On a machine that does other things, the least is more reliable. Leaves lines of a table in the element `result`.
+// Milliseconds of a frame of the page of `harmorph explore`, drawn in software: the median and the least of eleven
+// frames, each with another part of the plane. On a machine that does other things, the least is more reliable. Leaves
+// lines of a table in the element `result`.
 (() => {
     const lines = [],
         text = (number) => number.toFixed(0).padStart(8),
