@@ -14,7 +14,7 @@ hm_mesh_report report_of(Analysis const& analysis) noexcept {
     filled.used_points = analysis.count_used_points();
     filled.cells = mesh.n_given_cells();
     mesh.for_each_cell([&](Index i, Cell const& cell) {
-        if (!mesh.is_part(i)) ++(cell.n == 3 ? filled.triangles : filled.quads);
+        if (!mesh.is_piece_or_guard(i)) ++(cell.n == 3 ? filled.triangles : filled.quads);
     });
     filled.polygons = filled.cells - filled.triangles - filled.quads;
     filled.edges =
@@ -54,7 +54,7 @@ struct Piece {
         auto const close = [&](Index piece, bool loop) {
             if (piece == number) is_loop = loop;
         };
-        n_pieces = boundary.for_each_piece(is_on, visit, close);
+        n_pieces = boundary.for_each_chain(is_on, visit, close);
     }
 };
 

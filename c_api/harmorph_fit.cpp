@@ -168,7 +168,7 @@ public:
             if (!failed(fault.status)) fit_piece(is_loop, fault);
             n_points_ = 0;
         };
-        Index const n_pieces = boundary.for_each_piece(is_on, visit, close);
+        Index const n_pieces = boundary.for_each_chain(is_on, visit, close);
         report = report_of(worst_, n_pieces);
         return fault.status;
     }

@@ -1,7 +1,7 @@
 // The C interface: design variables as maps to the control points.
 #include "base/range.hpp"
 #include "bspline/section_area.hpp"
-#include "bspline/variables.hpp"
+#include "bspline/variable_map.hpp"
 #include "section_view.hpp"
 
 namespace harmorph {
@@ -33,15 +33,15 @@ Status check_numbers(hm_variables const& v, Fault& fault) noexcept {
         return fault.refuse(Status::bad_argument, why, {}, {}, value);
     };
     Index const least = v.kind == HM_FFD || v.kind == HM_NACA4 ? 0 : 1;
-    if (v.n_upper < 0 || v.n_upper > Variables::most || v.n_lower < 0 ||
-        v.n_lower > Variables::most || v.n_upper + v.n_lower < least) {
+    if (v.n_upper < 0 || v.n_upper > Variables::max_count || v.n_lower < 0 ||
+        v.n_lower > Variables::max_count || v.n_upper + v.n_lower < least) {
         return fault.refuse(
             Status::bad_argument,
             "variables: n_upper and n_lower are # and @; together 1 to 64 on each side",
             plain(v.n_upper), plain(v.n_lower));
     }
-    if (v.degree_x < 0 || v.degree_x >= Variables::most || v.degree_y < 0 ||
-        v.degree_y >= Variables::most) {
+    if (v.degree_x < 0 || v.degree_x >= Variables::max_count || v.degree_y < 0 ||
+        v.degree_y >= Variables::max_count) {
         return fault.refuse(Status::bad_argument,
                             "variables: degree_x and degree_y are # and @, not 0 to 63",
                             plain(v.degree_x), plain(v.degree_y));

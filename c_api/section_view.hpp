@@ -37,14 +37,14 @@ inline Status open_section(const hm_curves* curves, const hm_section* given, Cur
             "section.first_curve and n_curves, # and @, exceed the curves of the set",
             curve_item(asked.first_curve), plain(asked.n_curves));
     }
-    if (asked.n_curves > Section::most_curves) {
+    if (asked.n_curves > Section::max_curves) {
         return fault.refuse(Status::bad_argument,
                             "section.n_curves is #: at most 8 curves form a section",
                             plain(asked.n_curves));
     }
-    section.nose = {asked.leading_x, asked.leading_y};
-    section.edge = {asked.trailing_x, asked.trailing_y};
-    if (!is_coordinate(section.nose) || !is_coordinate(section.edge)) {
+    section.leading_edge = {asked.leading_x, asked.leading_y};
+    section.trailing_edge = {asked.trailing_x, asked.trailing_y};
+    if (!is_coordinate(section.leading_edge) || !is_coordinate(section.trailing_edge)) {
         return fault.refuse(Status::bad_argument,
                             "section: an end of the chord line is not finite or beyond 1e100");
     }

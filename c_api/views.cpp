@@ -66,7 +66,7 @@ Status view_executor(const hm_executor* given, Executor& executor, Fault& fault)
     if (!read_struct(given, e))
         return fault.refuse(Status::bad_argument, "executor.struct_size is wrong");
     if (e.n_threads == 0) e.n_threads = 1;
-    if (e.n_threads < 1 || e.n_threads > Executor::most_threads) {
+    if (e.n_threads < 1 || e.n_threads > Executor::max_threads) {
         return fault.refuse(Status::bad_argument,
                             "executor.n_threads must be between 1 and 256, not #",
                             plain(e.n_threads));

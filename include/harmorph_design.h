@@ -102,6 +102,24 @@ HM_API hm_status hm_refit(const hm_curves* curves, int32_t curve, const hm_point
                           int32_t n, int32_t is_loop, int32_t on_chord, double* movement,
                           hm_refit_report* report, void* work, size_t work_bytes, hm_error* err);
 
+/* ---- Smooth gradients ---- */
+
+/* Smooths a gradient by the control points along the curves, so that an optimiser takes long steps
+ * without waves: smoothed s from the gradient g by (I + L^2 D^-1/2 K D^-1/2) s = g, where D_i is
+ * the integral of the basis function N_i, and K_ij that of N_i' N_j', by the arc length of the
+ * curves. Changes along less than L = length are damped. The matrix is symmetric and positive
+ * definite: s . g > 0, so that -s is a direction of descent; L = 0 returns g. gradient and smoothed
+ * [2*n_control], x,y pairs in any unit; the arrays may be the same. length [length of the curves]
+ * >= 0, at most 1e6 times the extent of the control points. At corners and tied ends both sides are
+ * coupled through the control point that they share, and only there; ends that share no control
+ * point are independent. A control point that no curve uses keeps its gradient. The gradient of
+ * another unit of length (dJ by millimetres) has the same shape. (A. Jameson, J. Sci. Comput. 3
+ * (1988) 233.) */
+HM_API hm_status hm_smooth_gradient_size(const hm_curves* curves, size_t* work_bytes,
+                                         hm_error* err);
+HM_API hm_status hm_smooth_gradient(const hm_curves* curves, double length, const double* gradient,
+                                    double* smoothed, void* work, size_t work_bytes, hm_error* err);
+
 /* ---- Measures of a section, with derivatives by the control points ---- */
 
 /* which curves are the outline of the section, and its chord */

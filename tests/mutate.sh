@@ -35,7 +35,7 @@ candidates() {
         find(" == ", " != "); find(" != ", " == "); find(" && ", " || "); find(" || ", " && ")
         find(" + ", " - "); find(" - ", " + "); find(" * ", " / "); find(" / ", " * ")
         find(" += ", " -= "); find(" -= ", " += "); find("++", "--")
-        find("if (!", "if ("); find("larger(", "smaller("); find("smaller(", "larger(")
+        find("if (!", "if ("); find("max(", "min("); find("min(", "max(")
         find("true", "false"); find("false", "true"); find(" + 1", " + 2"); find(" - 1", " - 2")
         if (match(text, /if \([a-z(]/)) mutant(RSTART, "if (", "if (!")
         if (match(text, /(continue|break);/)) mutant(RSTART, substr(text, RSTART, RLENGTH), ";")

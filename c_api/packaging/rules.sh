@@ -65,10 +65,13 @@ objects() { part=$1; shift; for source do object $part $source; done; }
 groups() {
     part=$1 size=$2 how=$3; shift 3
     while [ $# -gt 0 ]; do
-        members= number=0 first=$(basename $1 .cpp)
+        members= number=0 first=$(basename $1 .cpp) folder=$(basename $(dirname $1))
         while [ $# -gt 0 ] && [ $number -lt $size ]; do members="$members $1" number=$((number + 1)); shift; done
-        put objects/$part/${first}_and_$((number - 1)).cpp $how $members
-        object $part $build/objects/$part/${first}_and_$((number - 1)).cpp
+        group=${first}_and_$((number - 1))
+        # Files of different folders may have the same name.
+        case "$list " in *"/$group.o "*) group=${folder}_$group ;; esac
+        put objects/$part/$group.cpp $how $members
+        object $part $build/objects/$part/$group.cpp
     done
 }
 in_turn() { for file do echo "#include \"$file\""; done; }

@@ -1,10 +1,11 @@
-// One block of the caller's memory, cut into arrays. The same lay_out() runs on a counting arena
-// for a size query and on a placing arena for the initialisation, so that the two cannot disagree.
+// An arena cuts one block of the caller's memory into arrays. The same lay_out() runs on a counting
+// arena for a size query and on a placing arena for the initialisation, so that the two cannot
+// disagree.
 //
-//   block:  |slack|array|pad|array|pad| ... |      slack: up to the first multiple of `alignment`;
-//   counted in full, so
-//                                                  that a block of the stated size suffices
-//                                                  wherever it begins
+//   block:  |slack|array|pad|array|pad| ... |
+//
+// The slack reaches up to the first multiple of `alignment`. The size query counts the largest
+// possible slack, so that a block of the stated size suffices wherever it begins.
 #pragma once
 
 #include "base/span.hpp"
@@ -15,15 +16,16 @@ class Arena {
 public:
     static constexpr Size alignment = 64;  // a cache line, and the widest vector register
 
-    Arena() noexcept = default;  // counts
+    // An arena without a block only counts.
+    Arena() noexcept = default;
     Arena(void* block, Size bytes) noexcept {
         capacity_ = bytes < alignment - 1 ? 0 : bytes - (alignment - 1);
         Size const misplaced = reinterpret_cast<std::uintptr_t>(block) % alignment;
         base_ = static_cast<unsigned char*>(block) + (alignment - misplaced) % alignment;
     }
 
-    // A block whose beginning is the origin of all offsets, whatever its alignment: the same counts
-    // lay out the same block.
+    // Makes an arena whose offsets begin at the beginning of the block, however the block is
+    // aligned. Equal counts therefore give equal layouts.
     static Arena at_origin(void* block, Size bytes) noexcept {
         Arena arena;
         arena.base_ = static_cast<unsigned char*>(block);
@@ -33,8 +35,8 @@ public:
 
     bool placing() const noexcept { return base_ != nullptr; }
 
-    // Cuts off an array of n elements; a counting arena gives an empty one. What does not fit is
-    // noticed by overflown().
+    // Takes an array of n elements from the block; a counting arena gives an empty array. If the
+    // array does not fit, overflown() says so afterwards.
     template <class T, class Count>
     void take(Span<T>& out, Count n) noexcept {
         static_assert(__is_trivially_copyable(T), "nobody will run destructors");
@@ -51,8 +53,8 @@ public:
             out = {reinterpret_cast<T*>(base_ + start), count};
     }
 
-    // Arrays taken between mark() and release() share their memory with what is taken afterwards:
-    // marks nest like a stack.
+    // Arrays that are taken between mark() and release() share their memory with arrays that are
+    // taken after release(). Marks are released in the reverse order.
     Size mark() const noexcept { return used_; }
     void release(Size mark) noexcept {
         if (used_ > peak_) peak_ = used_;
@@ -60,7 +62,7 @@ public:
     }
 
     Size used() const noexcept { return used_ > peak_ ? used_ : peak_; }
-    // The bytes a block must have, wherever it begins.
+    // Returns the number of bytes that suffice for a block wherever it begins.
     Size bytes() const noexcept { return used() + alignment - 1; }
     bool overflown() const noexcept { return used() > (placing() ? capacity_ : limit - alignment); }
 

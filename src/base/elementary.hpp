@@ -1,12 +1,13 @@
-// Logarithm, exponential, powers and sines from series; <cmath> would bring a mathematics library.
-// Relative errors are a few units in the last place.
+// Computes logarithms, exponentials, powers and sines from series, because <cmath> would need a
+// mathematics library at link time. Relative errors are a few units in the last place.
 #pragma once
 
 #include "base/scalar.hpp"
 
 namespace harmorph {
 
-// Of x > 0, normal: x = 2^e m, sqrt(1/2) <= m < sqrt(2); log m = 2 artanh((m - 1) / (m + 1)).
+// Returns the natural logarithm of a normal number x > 0. With x = 2^e m and sqrt(1/2) <= m <
+// sqrt(2), log m = 2 artanh((m - 1) / (m + 1)).
 inline Real logarithm(Real x) noexcept {
     constexpr Real log_2 = 0.6931471805599453;
     Real power = power_of_two_at(x);
@@ -22,10 +23,10 @@ inline Real logarithm(Real x) noexcept {
     return static_cast<Real>(e) * log_2 + 2 * t * sum;
 }
 
-// 0 below -700; x <= 700.
+// Returns e^x for x <= 700; the result is 0 below x = -700.
 inline Real exponential(Real x) noexcept {
-    constexpr Real high = 0.693147180369123816490,
-                   low = 1.90821492927058770002e-10;  // log 2 in two parts
+    // The sum of both numbers is log 2 to more digits than one number holds.
+    constexpr Real high = 0.693147180369123816490, low = 1.90821492927058770002e-10;
     if (x < -700) return 0;
     Real const n = static_cast<Real>(static_cast<Index>(x / (high + low) + (x < 0 ? -0.5 : 0.5)));
     Real const r = (x - n * high) - n * low;  // |r| <= 0.35
@@ -37,14 +38,14 @@ inline Real exponential(Real x) noexcept {
     return sum * power;
 }
 
-// x^y, x >= 0; 0^0 = 1.
+// Returns x^y for x >= 0; 0^0 is 1.
 inline Real power(Real x, Real y) noexcept {
     if (y == 0 || x == 1) return 1;
     if (!(x >= 1e-300)) return 0;
     return exponential(clamp(y * logarithm(x), -701.0, 700.0));
 }
 
-// sin(pi x), 0 <= x <= 1.
+// Returns sin(pi x) for 0 <= x <= 1.
 inline Real sine_of_pi(Real x) noexcept {
     Real const t = 3.141592653589793 * (x > 0.5 ? 1 - x : x), s = t * t;
     Real sum = 1;

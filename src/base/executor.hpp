@@ -1,4 +1,5 @@
-// The caller's threads, if any. The core has none.
+// An executor runs tasks on the caller's threads, if the caller gives any. The core has no threads.
+// tests/base/test_shared_work.cpp covers this file.
 #pragma once
 
 #include "base/kernel.hpp"
@@ -11,13 +12,14 @@ struct Executor {
                 void* context) = nullptr;
     void* user = nullptr;
     Index n_threads = 1;
-    Kernel kernel = Kernel::automatic;  // of the processor, if the caller has found it out
+    // The kernel for this processor, if the caller has found it out.
+    Kernel kernel = Kernel::automatic;
 
-    static constexpr Index most_threads = 256;
+    static constexpr Index max_threads = 256;
 
     bool is_serial() const noexcept { return run == nullptr || n_threads < 2; }
 
-    // body(i) for i in 0 .. n-1, in any order and on any thread.
+    // Calls body(i) for each i in 0 .. n-1, in any order and on any thread.
     template <class Body>
     void for_each(Index n, Body const& body) const noexcept {
         if (is_serial() || n < 2) {
@@ -30,12 +32,13 @@ struct Executor {
         run(user, n, task, const_cast<void*>(static_cast<const void*>(&body)));
     }
 
-    // body(begin, end) for ranges that together are 0 .. n-1, of at least `least` items.
+    // Calls body(begin, end) for ranges that together cover 0 .. n-1. Each range has at least
+    // min_items items, unless n is smaller. Every thread gets several ranges, in case some threads
+    // are slower than others.
     template <class Body>
-    void for_ranges(Index n, Index least, Body const& body) const noexcept {
-        Index const most =
-            is_serial() ? 1 : 4 * n_threads;  // several each, in case some are slower
-        Index const ranges = clamp(n / least, Index{1}, most);
+    void for_ranges(Index n, Index min_items, Body const& body) const noexcept {
+        Index const max_ranges = is_serial() ? 1 : 4 * n_threads;
+        Index const ranges = clamp(n / min_items, Index{1}, max_ranges);
         auto const bound = [&](Index i) { return static_cast<Index>(Offset{n} * i / ranges); };
         for_each(ranges, [&](Index i) { body(bound(i), bound(i + 1)); });
     }

@@ -1,13 +1,13 @@
-// Sums of products that do not depend on order or grouping, so that any partition of the points and
-// any number of threads give the same bits: numbers are rounded to multiples of fixed powers of
-// two, one by one, and then added as integers. (Rounding to a common grid before adding: J. Demmel,
-// H. D. Nguyen, IEEE Trans. Comput. 64 (2015) 2060.)
+// Fixed-point sums of products do not depend on the order or grouping of the terms, so that any
+// partition of the points and any number of threads give the same bits. Each number is rounded to a
+// multiple of a fixed power of two, and the multiples are added as integers. (Rounding to a common
+// grid before adding: J. Demmel, H. D. Nguyen, IEEE Trans. Comput. 64 (2015) 2060.)
 //
-// A number t with |t| < 2^63 becomes the integer nearest to t, at a tie the even one: t alone
-// decides, whatever was added before. Where no instruction does that, two integers do: coarse, of
-// the multiple of 2^31 nearest to t, and fine, nearest to the remainder. Adding 1.5 * 2^52 units to
-// t does the rounding: the lowest bits of that sum are the multiple. A sum of up to 2^30 numbers
-// cannot overflow; the error is at most 1/2 for each of them.
+// A number t with |t| < 2^63 becomes the integer nearest to t, at a tie the even one; the result
+// depends on t alone. If the processor has no instruction for that, t is split into two integers:
+// coarse, the multiple of 2^31 nearest to t, and fine, the integer nearest to the remainder. Adding
+// 1.5 * 2^52 units to t does the rounding: the lowest bits of that sum are the multiple. A sum of
+// up to 2^30 numbers cannot overflow; the error is at most 1/2 for each of them.
 #pragma once
 
 #include "base/scalar.hpp"
@@ -15,7 +15,7 @@
 
 namespace harmorph {
 
-// coarse * 2^31 + fine: the same sum may be split in more ways than one.
+// The sum is coarse * 2^31 + fine; equal sums may be split differently.
 struct FixedSum {
     static constexpr int fine_bits = 31;
     static constexpr std::uint64_t fine_mask = (std::uint64_t{1} << fine_bits) - 1;
@@ -30,8 +30,8 @@ struct FixedSum {
         fine += other.fine;
         return *this;
     }
-    // In units of 2^63. All but the last bits are kept: they are below the spacing of numbers of
-    // that size.
+    // Returns the sum in units of 2^63. Only bits below the spacing of numbers of that size are
+    // lost.
     Real value() const noexcept {
         constexpr std::int64_t low_word = 0xffffffff;
         std::int64_t const carried = coarse + (fine >> fine_bits),
@@ -42,13 +42,14 @@ struct FixedSum {
     }
 };
 
-// The largest magnitude of some numbers; infinities, and above them NaN, are larger than all
-// others.
+// Collects the largest magnitude of some numbers. Infinities are larger than all finite numbers,
+// and NaN is larger than infinities.
 class LargestMagnitude {
 public:
     void include(Real x) noexcept { include_bits(bits_of(x) & ~sign); }
     void include(Span<const Real> numbers) noexcept {
-        constexpr Size lanes = 4;  // at once, as each comparison waits for the one before
+        // Four independent maxima hide the latency of the comparisons.
+        constexpr Size lanes = 4;
         std::uint64_t bits[lanes] = {};
         Size k = 0;
         for (; k + lanes <= numbers.size(); k += lanes) {
@@ -57,7 +58,7 @@ public:
                 bits[lane] = max(bits[lane], bits_of(numbers[k + lane]) & ~sign);
             }
         }
-        for (std::uint64_t const its : bits) include_bits(its);
+        for (std::uint64_t const lane_bits : bits) include_bits(lane_bits);
         for (; k < numbers.size(); ++k) include(numbers[k]);
     }
     void merge(LargestMagnitude const& others) noexcept { include_bits(others.bits_); }
@@ -73,38 +74,40 @@ private:
     std::uint64_t bits_ = 0;
 };
 
-// A power of two that brings numbers below 1.
+// A power of two by which numbers are divided so that they are below 1.
 struct BinaryScale {
-    static constexpr Index least = -950,
-                           most =
-                               1023;  // of one number: 2^63 divided by a smaller one would overflow
+    // Bounds of the exponent for one number: 2^63 divided by a smaller power would overflow.
+    static constexpr Index min_exponent = -950, max_exponent = 1023;
     static constexpr Index not_finite = 2147483647;
-    Index exponent = least;
+    Index exponent = min_exponent;
 
-    // An e such that |x| < 2^e, the smallest one but for tiny numbers; not_finite of infinities and
-    // NaN.
+    // Returns the smallest e >= min_exponent such that |x| < 2^e; for infinities and NaN, returns
+    // not_finite.
     static Index exponent_above(Real x) noexcept {
         if (!is_finite(x)) return not_finite;
         Index const field = static_cast<Index>(bits_of(x) >> 52 & 0x7ff);
-        return max(least, field - 1022);
+        return max(min_exponent, field - 1022);
     }
-    // Of products of numbers up to a and b: at most 2 a b, where these are not tiny.
+    // Returns the scale for products of numbers up to a with numbers up to b. The power of two is
+    // at most 2 a b, unless a or b is tiny.
     static BinaryScale of_products(Real a, Real b) noexcept {
         BinaryScale const scale_a{exponent_above(a)}, scale_b{exponent_above(b)};
-        if (!scale_a.finite() || !scale_b.finite() || scale_a.exponent + scale_b.exponent > most)
+        if (!scale_a.finite() || !scale_b.finite() ||
+            scale_a.exponent + scale_b.exponent > max_exponent)
             return {not_finite};
         return {scale_a.exponent + scale_b.exponent -
                 (scale_a.down(a) * scale_b.down(b) < 0.5 ? 1 : 0)};
     }
-    // The scale with which down() turns these products into numbers below 2^63, as FixedSum takes
-    // them.
+    // Returns the scale with which down() turns these products into numbers below 2^63, as FixedSum
+    // takes them.
     BinaryScale units() const noexcept { return {exponent - 63}; }
     bool finite() const noexcept { return exponent != not_finite; }
     bool valid() const noexcept {
-        return !finite() || (exponent >= 2 * least - 1 && exponent <= most);
+        return !finite() || (exponent >= 2 * min_exponent - 1 && exponent <= max_exponent);
     }
 
-    // x / 2^exponent, and back; in two steps, as one power of two might not be a number.
+    // down() divides by 2^exponent and up() multiplies by it, both in two steps, because one power
+    // of two may exceed the range of numbers.
     struct Factor {
         Real first, second;
         Real times(Real x) const noexcept { return x * first * second; }

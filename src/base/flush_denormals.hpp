@@ -1,12 +1,13 @@
-// Denormal numbers (below 1e-38 in single precision) cost processors about a hundred times the work
-// of others, and functions have many of them far from the wall. To the sums that they are added to
-// they do not matter.
+// Operations with denormal numbers (below 1e-38 in single precision) take about a hundred times as
+// long as others, and functions have many denormal values far from the wall. Taking them as zero
+// does not change the sums to which they are added.
 #pragma once
 
 namespace harmorph {
 
-// While a Flush exists, arithmetic of the thread that made it takes denormal numbers as 0; on
-// x86-64 only. In double precision (denormal below 1e-308) functions have hardly any.
+// While a Flush exists, the thread that made it computes with 0 in place of denormal numbers. This
+// happens on x86-64 only, and not in double precision, where numbers are denormal below 1e-308 and
+// functions have hardly any.
 template <class Number>
 class Flush {};
 
@@ -21,7 +22,8 @@ public:
     Flush(Flush const&) = delete;
 
 private:
-    static constexpr unsigned to_zero = 1u << 15, from_zero = 1u << 6;  // results; operands
+    // Bits of the control register MXCSR that replace denormal results and denormal operands by 0.
+    static constexpr unsigned to_zero = 1u << 15, from_zero = 1u << 6;
 
     unsigned before_;
 };

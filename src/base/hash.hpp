@@ -1,4 +1,5 @@
-// 64-bit fingerprints of numbers: they tell a damaged or foreign block, not an attacker.
+// Computes 64-bit fingerprints of numbers, which detect a damaged or foreign block. They do not
+// protect against intended manipulation.
 #pragma once
 
 #include <cstring>
@@ -19,7 +20,8 @@ private:
     std::uint64_t state_ = 0x6861726D6F727068u;
 };
 
-// Interleaved hashes, as each word waits for the one before: so many keep up with memory.
+// Each step of a hash waits for the step before it; eight interleaved hashes are as fast as the
+// memory.
 inline std::uint64_t hash_of_words(const unsigned char* data, Size words) noexcept {
     constexpr Size lanes = 8;
     Hash interleaved[lanes];
@@ -39,26 +41,27 @@ inline std::uint64_t hash_of_words(const unsigned char* data, Size words) noexce
     return all.value();
 }
 
-// `bytes` must be a multiple of 8. The block is hashed in pieces, the same for any number of
-// threads; with the number of each piece its hash becomes a term of a sum, which has no order.
+// `bytes` must be a multiple of 8. The block is divided into chunks that do not depend on the
+// number of threads. The hash of each chunk includes the number of the chunk, and the hashes are
+// added, so that their order does not matter.
 inline std::uint64_t hash_of_block(const void* block, Size bytes,
                                    Executor const& executor = {}) noexcept {
-    constexpr Size most = 8192;  // words of a piece
+    constexpr Size chunk_words = 8192;
     struct Terms {
         std::uint64_t sum = 0;
         void merge(Terms const& others) noexcept { sum += others.sum; }
     };
     const unsigned char* const data = static_cast<const unsigned char*>(block);
     Size const words = bytes / 8;
-    Index const pieces = static_cast<Index>((words + (most - 1)) / most);
+    Index const chunks = static_cast<Index>((words + (chunk_words - 1)) / chunk_words);
     Terms const terms =
-        reduce_ranges<Terms>(pieces, executor, [&](Index begin, Index end, Terms& its) {
-            for (Index piece = begin; piece < end; ++piece) {
-                Size const first = most * static_cast<Size>(piece);
+        reduce_ranges<Terms>(chunks, executor, [&](Index begin, Index end, Terms& range) {
+            for (Index chunk = begin; chunk < end; ++chunk) {
+                Size const first = chunk_words * static_cast<Size>(chunk);
                 Hash one;
-                one.add(hash_of_words(data + 8 * first, min(most, words - first)));
-                one.add(static_cast<std::uint64_t>(piece));
-                its.sum += one.value();
+                one.add(hash_of_words(data + 8 * first, min(chunk_words, words - first)));
+                one.add(static_cast<std::uint64_t>(chunk));
+                range.sum += one.value();
             }
         });
     Hash all;

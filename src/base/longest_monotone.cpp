@@ -3,7 +3,9 @@
 namespace harmorph {
 
 Index longest_run(Span<const Real> values, Span<Index> previous, Span<Index> run) noexcept {
-    Index length = 0;  // run[l]: the end of that run of l + 1 values which ends lowest
+    // Among all non-decreasing subsequences of l + 1 values so far, run[l] is the end of the one
+    // whose last value is smallest.
+    Index length = 0;
     for (Index k = 0; k < values.count(); ++k) {
         Index low = 0;
         Index high = length;

@@ -1,13 +1,13 @@
-// The longest non-decreasing part of a sequence.
+// Finds the longest non-decreasing subsequence of a sequence.
 #pragma once
 
 #include "base/span.hpp"
 
 namespace harmorph {
 
-// Positions of a longest non-decreasing subsequence of values [n], ascending, in run [0 .. returned
-// count). Patience sorting, O(n log n): Fredman, Discrete Math. 11 (1975) 29. previous [n], run
-// [n].
+// Writes the positions of a longest non-decreasing subsequence of values [n] to run [n], in
+// ascending order, and returns their number. previous [n] is working memory. The method is patience
+// sorting in O(n log n) steps: Fredman, Discrete Math. 11 (1975) 29.
 Index longest_run(Span<const Real> values, Span<Index> previous, Span<Index> run) noexcept;
 
 }  // namespace harmorph

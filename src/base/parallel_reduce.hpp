@@ -1,30 +1,35 @@
-// Sums and extremes over all cells, in ranges whose number does not depend on that of the threads.
+// Computes sums and extremes over all cells. The cells are divided into a fixed number of ranges,
+// so that the results do not depend on the number of threads. tests/base/test_shared_work.cpp
+// covers this file.
 #pragma once
 
 #include "base/executor.hpp"
 
 namespace harmorph {
 
-// Of 0 .. n-1, and where each of them begins.
+// The items 0 .. n-1 are divided into this number of ranges; range_start() returns the first item
+// of range i.
 inline constexpr Index reduced_ranges = 16;
 inline Index range_start(Index n, Index i) noexcept {
     return static_cast<Index>(Offset{n} * i / reduced_ranges);
 }
 
-// add(begin, end, result) for ranges that are together 0 .. n-1; Result has merge(later).
+// Calls add(begin, end, result) for ranges that together cover 0 .. n-1, and merges the results in
+// the order of the ranges by result.merge(later).
 template <class Result, class Add>
 Result reduce_ranges(Index n, Executor const& executor, Add const& add) noexcept {
-    Result part[reduced_ranges];
+    Result results[reduced_ranges];
     executor.for_each(reduced_ranges, [&](Index range) {
         Result result;
         add(range_start(n, range), range_start(n, range + 1), result);
-        part[range] = result;
+        results[range] = result;
     });
-    for (Index range = 1; range < reduced_ranges; ++range) part[0].merge(part[range]);
-    return part[0];
+    for (Index range = 1; range < reduced_ranges; ++range) results[0].merge(results[range]);
+    return results[0];
 }
 
-// The first of the items 0 .. n-1 that find(begin, end) finds in a range, or none.
+// Divides the items 0 .. n-1 into ranges, and returns the first item that find(begin, end) returns
+// for any of them, or none.
 template <class Find>
 Index find_in_ranges(Index n, Executor const& executor, Find const& find) noexcept {
     struct First {
@@ -35,7 +40,7 @@ Index find_in_ranges(Index n, Executor const& executor, Find const& find) noexce
     return reduce_ranges<First>(n, executor, add).item;
 }
 
-// visit(cell, result) for all cells.
+// Calls visit(cell, result) for all cells and returns the merged results.
 template <class Result, class Visit>
 Result reduce_cells(Index n_cells, Executor const& executor, Visit const& visit) noexcept {
     return reduce_ranges<Result>(n_cells, executor, [&](Index begin, Index end, Result& result) {

@@ -3,16 +3,16 @@
 #include <cfloat>
 #include <climits>
 
-// Errors are bounded for numbers that are rounded once, to 53 bits. The registers of the 8087
-// hold 64.
+// The error bounds hold for numbers that are rounded once, to 53 bits. The registers of the 8087
+// hold 64 bits.
 static_assert(FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1,
               "on 32-bit x86 compile with -msse2 -mfpmath=sse");
 
 namespace harmorph {
 namespace {
 
-// Largest size of coordinates for which products of four of their differences cannot overflow, and
-// a bound of the error by underflow: a few times 2^-1074 times the square of that size.
+// `large` is the largest coordinate for which products of four differences cannot overflow.
+// `underflow` bounds the error by underflow: a few times 2^-1074 times the square of `large`.
 constexpr Real large = 0x1p200, underflow = 0x1p-600;
 
 constexpr Real size_of(Vec2 p) noexcept { return max(abs(p.x), abs(p.y)); }
@@ -21,7 +21,7 @@ constexpr Real size_of(Vec2 a, Vec2 b, Vec2 c) noexcept {
 }
 constexpr int sign_of(Real x) noexcept { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
-// A finite number as whole * 2^shift, whole being odd or 0.
+// A finite number is represented as whole * 2^shift, where whole is odd or 0.
 struct Scaled {
     std::uint64_t whole = 0;
     Index shift = 0;
@@ -43,16 +43,16 @@ struct Scaled {
 };
 
 constexpr Index limb_bits = 32;
-// Doubles end at bits 1023 and -1074; a sign, and a bit each for the sums of two that are taken at
-// every degree.
-constexpr Index most_limbs = (1024 + 1074 + 3 + limb_bits - 1) / limb_bits;
+// The bits of doubles have the exponents -1074 to 1023. One more bit is needed for the sign, and
+// two for carries: at every degree, numbers are added in pairs.
+constexpr Index max_limbs = (1024 + 1074 + 3 + limb_bits - 1) / limb_bits;
 
-// A whole number of `degree` times as many limbs as a coordinate has, lowest first, in two's
-// complement.
+// An integer in two's complement, which has `degree` times as many limbs as a coordinate, the
+// lowest limb first.
 template <Index degree>
 struct Whole {
     Index n;
-    std::uint32_t limb[degree * most_limbs];
+    std::uint32_t limb[degree * max_limbs];
 
     bool is_negative() const noexcept { return limb[n - 1] >> (limb_bits - 1) != 0; }
     int sign() const noexcept {
@@ -70,7 +70,7 @@ struct Whole {
             carry >>= limb_bits;
         }
     }
-    // *this -= other * 2^(limb_bits * first_limb); what does not fit is dropped.
+    // Subtracts other * 2^(limb_bits * first_limb), modulo 2^(limb_bits * n).
     template <Index other_degree>
     void subtract(Whole<other_degree> const& other, Index first_limb) noexcept {
         std::uint64_t borrow = 0;
@@ -106,8 +106,8 @@ Whole<degree> operator-(Whole<degree> const& a, Whole<degree> const& b) noexcept
     return out;
 }
 
-// The product of the limbs as unsigned numbers. In two's complement a negative factor is 2^bits too
-// large as an unsigned number: so the other factor times 2^bits is subtracted.
+// The limbs are multiplied as unsigned numbers. A negative factor in two's complement is 2^bits too
+// large as an unsigned number, so the other factor times 2^bits is subtracted.
 template <Index p, Index q>
 Whole<p + q> operator*(Whole<p> const& a, Whole<q> const& b) noexcept {
     Whole<p + q> out;
@@ -127,8 +127,8 @@ Whole<p + q> operator*(Whole<p> const& a, Whole<q> const& b) noexcept {
     return out;
 }
 
-// A common power of two in which all coordinates are whole, and the limbs they need then: few,
-// unless sizes differ widely.
+// A grid is a power of two of which all coordinates are integer multiples. The multiples need few
+// limbs, unless the coordinates differ widely in size.
 struct Grid {
     Index shift = INT_MAX, end = INT_MIN;
 
@@ -155,9 +155,9 @@ struct Grid {
                     within = (scaled.shift - shift) % limb_bits;
         std::uint64_t const low = scaled.whole << within,
                             high = within > 0 ? scaled.whole >> (64 - within) : 0;
-        std::uint64_t const parts[] = {low & 0xFFFFFFFFu, low >> limb_bits, high};
+        std::uint64_t const words[] = {low & 0xFFFFFFFFu, low >> limb_bits, high};
         for (Index i = 0; i < 3 && first + i < out.n; ++i)
-            out.limb[first + i] = static_cast<std::uint32_t>(parts[i]);
+            out.limb[first + i] = static_cast<std::uint32_t>(words[i]);
         if (scaled.negative) out.negate();
         return out;
     }
@@ -194,12 +194,13 @@ int exact_in_circle_sign(Vec2 a, Vec2 b, Vec2 c, Vec2 d) noexcept {
 
 }  // namespace
 
-// Each product carries 4 rounding errors of epsilon / 2: of two differences, of the product, of the
-// sum. The bound takes 5, which covers terms of second order.
+// Each product has 4 rounding errors of epsilon / 2: two of the differences, one of the product and
+// one of the sum. The bound takes 5, which covers terms of second order.
 int orientation_sign(Vec2 a, Vec2 b, Vec2 c) noexcept {
     if (!(size_of(a, b, c) < large)) return exact_orientation_sign(a, b, c);
     Vec2 const p = a - c, q = b - c;
-    // A difference is 0 only where the numbers are equal: common points, and lines along the axes.
+    // A computed difference is 0 only if the numbers are equal. The sign of the other product then
+    // is exact; this is frequent for common points and for lines along the axes.
     if (p.x == 0 || q.y == 0) return -sign_of(p.y) * sign_of(q.x);
     if (p.y == 0 || q.x == 0) return sign_of(p.x) * sign_of(q.y);
     Real const left = p.x * q.y, right = p.y * q.x;
@@ -207,9 +208,9 @@ int orientation_sign(Vec2 a, Vec2 b, Vec2 c) noexcept {
     return abs(left - right) > bound ? sign_of(left - right) : exact_orientation_sign(a, b, c);
 }
 
-// The determinant of rows (x, y, x^2 + y^2) of a, b, c about d. Each product carries 11 rounding
-// errors of epsilon / 2: 4 in each of the two factors, one of the product, two of the sums. The
-// bound takes 12, which covers terms of second order.
+// The sign is that of the determinant with the rows (x, y, x^2 + y^2) of a - d, b - d and c - d.
+// Each product has 11 rounding errors of epsilon / 2: 4 in each of the two factors, one of the
+// product and two of the sums. The bound takes 12, which covers terms of second order.
 int in_circle_sign(Vec2 a, Vec2 b, Vec2 c, Vec2 d) noexcept {
     if (!(size_of(a, b, c) < large) || !(size_of(d) < large))
         return exact_in_circle_sign(a, b, c, d);

@@ -1,4 +1,4 @@
-// The caller's callback: told where the work is, it may ask to stop.
+// Calls the caller's progress callback, which is told how far the work is and may stop it.
 #pragma once
 
 #include "base/types.hpp"
@@ -22,7 +22,7 @@ struct Progress {
     Status report(Phase phase, Real fraction, Fault& fault) const noexcept {
         if (call == nullptr || call(user, static_cast<std::int32_t>(phase), fraction) == 0)
             return Status::ok;
-        return fault.refuse(Status::cancelled, "stopped by the progress callback");
+        return fault.refuse(Status::cancelled, "the progress callback stopped the call");
     }
 };
 

@@ -1,12 +1,13 @@
-// Whether numbers of the caller are what they should be, by their bits: a comparison with NaN would
-// raise an exception, which callers may trap.
+// Checks that numbers of the caller are finite and in range. Their bits are tested before they are
+// compared: a comparison with NaN would raise a floating-point exception, which callers may trap.
+// tests/base/test_scalar.cpp covers this file.
 #pragma once
 
 #include "base/vec2.hpp"
 
 namespace harmorph {
 
-// All false for NaN.
+// All three functions return false for NaN.
 inline bool is_at_most(Real x, Real size) noexcept { return is_finite(x) && abs(x) <= size; }
 inline bool is_between(Real low, Real x, Real high) noexcept {
     return is_finite(x) && low <= x && x <= high;

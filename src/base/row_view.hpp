@@ -1,4 +1,5 @@
-// Rows of numbers somewhere, one for each position: the functions' values at the unknowns' points.
+// A view of rows of numbers in an array of the caller or the core, with one row for each position:
+// for example the values of all functions at the unknowns' points.
 #pragma once
 
 #include "base/types.hpp"
@@ -8,11 +9,12 @@ namespace harmorph {
 template <class Number>
 struct RowsOf {
     Number* data = nullptr;
-    const Index* row_of =
-        nullptr;  // [n] row of each position, or null: row and position have the same number
-    Offset row_length = 0;  // numbers from one row to the next
-    Index width = 0;        // right-hand sides
-    Offset plane = 0;       // complex: from the real parts of a row to the imaginary parts
+    // [n] The row of each position; null means that row and position have the same number.
+    const Index* row_of = nullptr;
+    Offset row_length = 0;  // the distance from one row to the next, in numbers
+    Index width = 0;        // the number of right-hand sides
+    // The distance from the real parts of a row to the imaginary parts, for complex values.
+    Offset plane = 0;
 
     Number* operator[](Index position) const noexcept {
         return data + (row_of != nullptr ? row_of[position] : position) * row_length;

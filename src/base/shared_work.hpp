@@ -1,16 +1,16 @@
-// How the tasks of one Executor::for_each() share out work among themselves, where nobody knows
-// beforehand how long each piece takes. What is done must not depend on who does it.
+// Distributes items of work among the tasks of one Executor::for_each() at run time, because the
+// time of each item is not known beforehand. Results must not depend on which task does an item.
 #pragma once
 
 #include "base/scalar.hpp"
 
 namespace harmorph {
 
-// Operations of which a processor with threads does each as a whole. For a processor that has no
-// such instructions compilers would call a library, which the core does not have: there one task
-// does all the work.
+// These operations are atomic. For a processor without atomic instructions, compilers would call a
+// library, which the core does not have; there, one task does all the work.
 #if __GCC_ATOMIC_INT_LOCK_FREE == 2 && __GCC_ATOMIC_BOOL_LOCK_FREE == 2
-constexpr Index sharing(Index tasks) noexcept { return tasks; }  // so many may share
+// Returns how many of the tasks may share work.
+constexpr Index sharing(Index tasks) noexcept { return tasks; }
 inline Index count_up(Index& count) noexcept {
     return __atomic_fetch_add(&count, 1, __ATOMIC_RELAXED);
 }
@@ -30,7 +30,7 @@ inline bool take_flag(bool& flag) noexcept {
 }
 #endif
 
-// Numbers from 0 on, each given to one of the tasks that ask for the next one.
+// Gives out the numbers 0, 1, 2, ...; each number goes to one task only.
 class NextItem {
 public:
     Index take() noexcept { return count_up(next_); }
@@ -39,14 +39,14 @@ private:
     Index next_ = 0;
 };
 
-// Items 0 .. n-1 that become ready while others are worked on. A task that finds none ready may
-// end: whoever adds items takes them itself, if nobody else does.
+// Keeps the items 0 .. n-1 that become ready while tasks work on other items. A task that finds no
+// ready item may end, because the task that adds an item takes it later, if no other task does.
 template <Index n>
 class ReadyItems {
 public:
-    // What the caller wrote before is seen by the task that takes the item.
+    // The task that takes the item sees everything that the caller wrote before this call.
     void add(Index item) noexcept { raise_flag(is_ready_[item]); }
-    // The first one that is ready, which is no longer ready then; none if no item is.
+    // Returns the first ready item and marks it as not ready; returns none if no item is ready.
     Index take() noexcept {
         for (Index item = 0; item < n; ++item) {
             if (take_flag(is_ready_[item])) return item;

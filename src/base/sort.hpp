@@ -1,12 +1,13 @@
-// Counting, summing, filling: how every compressed row structure is built here (counting sort); and
-// a sort by insertion or by a heap for the few items without integer keys.
+// Every compressed row structure is built by a counting sort: counting, prefix sums, filling. Items
+// without integer keys are sorted by insertion or by a heap.
 #pragma once
 
 #include "base/span.hpp"
 
 namespace harmorph {
 
-// starts [n + 1]: in, n counts; out, the exclusive prefix sums, and the total as the last element.
+// Replaces n counts in starts [n + 1] by the exclusive prefix sums, with the total as the last
+// element, and returns the total.
 template <class T>
 T counts_to_starts(Span<T> starts) noexcept {
     T sum = 0;
@@ -18,15 +19,16 @@ T counts_to_starts(Span<T> starts) noexcept {
     return sum;
 }
 
-// Filling a row advances the start to the end of that row, which is where the next row starts: this
-// shifts them back.
+// Filling a row advances the start of the row to its end, where the next row starts. This function
+// shifts the starts back.
 template <class T>
 void rewind_starts(Span<T> starts) noexcept {
     for (Size i = starts.size() - 1; i > 0; --i) starts[i] = starts[i - 1];
     starts[0] = 0;
 }
 
-// In place; for few items, or many that are nearly in order. Stable.
+// Sorts in place and keeps the order of equal items. The sort is fast for few items, and for many
+// that are nearly in order.
 template <class T, class Before>
 void sort_by_insertion(Span<T> items, Before before) noexcept {
     for (Size i = 1; i < items.size(); ++i) {
@@ -37,7 +39,8 @@ void sort_by_insertion(Span<T> items, Before before) noexcept {
     }
 }
 
-// In place, no extra memory. Not stable: let `before` break ties.
+// Sorts in place without extra memory. The order of equal items may change, so `before` must break
+// ties.
 template <class T, class Before>
 void sort(Span<T> items, Before before) noexcept {
     constexpr Size few = 32;

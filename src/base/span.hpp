@@ -1,4 +1,4 @@
-// A view of contiguous elements, and copies and fills of them.
+// Defines a view of contiguous elements, and functions that copy and fill views.
 #pragma once
 
 #include <cstring>
@@ -7,7 +7,7 @@
 
 namespace harmorph {
 
-// The numbers first .. after - 1, for loops over them.
+// Loops run over the numbers first .. after - 1 of an IndexRange.
 struct IndexRange {
     Index first = 0, after = 0;
 

@@ -1,4 +1,5 @@
-// Tables with a row for each value of an enumeration, and sets of such values.
+// Supports tables with one row for each value of an enumeration, and sets of such values.
+// tests/base/test_scalar.cpp covers this file.
 #pragma once
 
 #include "base/types.hpp"
@@ -13,7 +14,7 @@ template <class Value>
 constexpr bool contains(unsigned set, Value value) noexcept {
     return (set >> static_cast<unsigned>(value) & 1u) != 0;
 }
-// Is the number that of a row of a table?
+// Returns whether the table has a row with this number.
 template <class Row, Size n>
 constexpr bool has_row(Row const (&)[n], std::int32_t number) noexcept {
     return number >= 0 && static_cast<Size>(number) < n;

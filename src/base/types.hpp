@@ -1,17 +1,17 @@
-// base: what every other folder is written with: types here; memory (arena), spans and sorts;
-// scalars, 2-D vectors and exact predicates; sums with the same bits for any grouping; the caller's
-// threads and progress callback. Nothing here knows meshes or curves, and nothing keeps state
-// between calls. Sources are given where a method has one.
+// The room base contains what all other rooms use: types; memory (arena), spans and sorts; scalars,
+// vectors and exact predicates; sums with the same bits for any grouping; the caller's threads and
+// progress callback. The room does not know meshes or curves, and keeps no state between calls. A
+// file names the source of its method, if the method has one.
 //
-// This file: index and number types, status, and the fault that explains a refusal.
+// This file defines index and number types, the status, and the fault that explains a refusal.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
-// Callers may trap floating-point exceptions. g++ heeds that; clang must be told, or it divides by
-// c in c > 0 ? b / c : 0 before it looks at c. For some processors it cannot be told: there it
-// ignores this.
+// Callers may trap floating-point exceptions. g++ respects that by default. clang needs this
+// pragma; otherwise it may divide in c > 0 ? b / c : 0 before it compares c. clang ignores the
+// pragma for processors for which it does not support it.
 #ifdef __clang__
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wignored-pragmas"
@@ -22,16 +22,17 @@
 namespace harmorph {
 
 using Index = std::int32_t;  // points, cells, edges, unknowns
-using Offset =
-    std::int64_t;          // positions in arrays that may exceed 2^31: the factor, function values
+// Positions in arrays that may exceed 2^31 elements: the factor and function values.
+using Offset = std::int64_t;
 using Size = std::size_t;  // bytes
 using Real = double;
 
 inline constexpr Index none = -1;
 inline constexpr Index max_degree = 5;
-inline constexpr Index max_order = max_degree + 1;  // functions that are not 0 at a parameter
+// At most this number of B-spline basis functions are not 0 at a parameter.
+inline constexpr Index max_order = max_degree + 1;
 
-// The numbers are those of the C header, which explains them.
+// The values are those of the C header, which explains them.
 enum class Status : std::int32_t {
     ok = 0,
     not_converged = 1,
@@ -54,7 +55,8 @@ enum class Status : std::int32_t {
 
 constexpr bool failed(Status status) noexcept { return static_cast<std::int32_t>(status) < 0; }
 
-// What a number in a fault counts. The numbers are those of the C header, which explains them.
+// An ItemKind says what the number in a fault counts. The values are those of the C header, which
+// explains them.
 enum class ItemKind : std::int32_t {
     nothing,
     point,
@@ -76,8 +78,9 @@ enum class ItemKind : std::int32_t {
     global_point
 };
 
-// One thing that a fault is about, counted from 0; markers and global points have the caller's own
-// numbers. A number without a kind, such as a count or an option, stands in the sentence alone.
+// An Item is one thing that a fault concerns. Items count from 0; markers and global points have
+// the caller's own numbers. A number without a kind, such as a count or an option, is in the text
+// only.
 struct Item {
     ItemKind kind = ItemKind::nothing;
     Offset number = 0;
@@ -106,9 +109,9 @@ constexpr Item global_point_item(Offset number) noexcept {
     return {ItemKind::global_point, number};
 }
 
-// Why a call was refused. In the sentence # stands for item, @ for other, ~ for value, $ for the
-// place and % for argument. A fault without a reason is all zeros, so that no image of it has to be
-// kept in the library's data.
+// A Fault says why a call was refused. In the sentence, # stands for item, @ for other, ~ for
+// value, $ for the place and % for argument. A fault without a reason consists of zeros, so that
+// the library has no initialised data for it.
 struct Fault {
     Status status = Status::ok;
     Item item, other;
@@ -129,7 +132,7 @@ struct Fault {
         place[1] = y;
         return why;
     }
-    // An argument of the call that cannot be used as it is.
+    // Refuses an argument of the call; % in the text stands for its name.
     Status refuse_argument(const char* name, const char* text) noexcept {
         refuse(Status::bad_argument, text);
         argument = name;

@@ -1,4 +1,4 @@
-// Points of the plane, signed areas, and a strided view of the caller's coordinates.
+// Defines points of the plane, signed areas, and a strided view of the caller's coordinates.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ constexpr Real dot(Vec2 a, Vec2 b) noexcept { return a.x * b.x + a.y * b.y; }
 constexpr Real cross(Vec2 a, Vec2 b) noexcept { return a.x * b.y - a.y * b.x; }
 constexpr Real square(Vec2 a) noexcept { return dot(a, a); }
 
-// As complex numbers x + i y.
+// These three functions treat vectors as complex numbers x + i y.
 constexpr Vec2 conjugate(Vec2 a) noexcept { return {a.x, -a.y}; }
 constexpr Vec2 product(Vec2 a, Vec2 b) noexcept {
     return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
@@ -30,19 +30,19 @@ constexpr Vec2 quotient(Vec2 a, Vec2 b) noexcept {
 constexpr Real largest_of(Vec2 a) noexcept { return max(abs(a.x), abs(a.y)); }
 inline Real length(Vec2 a) noexcept { return sqrt(square(a)); }
 
-// Coordinates that the arithmetic carries: third powers of them and of the smallest height of a
-// cell are neither infinite nor denormal, and nothing here multiplies more than three lengths
-// before it divides.
+// The bounds of coordinates and cell heights for which no operation overflows or underflows: third
+// powers of both are normal numbers, and no formula multiplies more than three lengths before it
+// divides.
 inline constexpr Real largest_coordinate = 1e100, smallest_height = 1e-100;
-// False for NaN.
+// Returns false if a coordinate is NaN.
 constexpr bool is_in_range(Vec2 p) noexcept {
     return abs(p.x) <= largest_coordinate && abs(p.y) <= largest_coordinate;
 }
 
-// Area of triangle a, b, c; positive when it runs counter-clockwise.
+// Returns the area of the triangle a, b, c, which is positive if a, b, c run counter-clockwise.
 constexpr Real triangle_area(Vec2 a, Vec2 b, Vec2 c) noexcept { return 0.5 * cross(b - a, c - a); }
 
-// Coordinates as the caller keeps them: x of point k at x[k * stride].
+// A view of the caller's coordinates: point k has the coordinates x[k * stride] and y[k * stride].
 template <class T>
 struct StridedPoints {
     T* x = nullptr;

@@ -1,4 +1,5 @@
-// Points of space, and a strided view of the caller's three coordinates.
+// Defines points of space, and a strided view of the caller's three coordinates.
+// tests/base/test_scalar.cpp covers this file.
 #pragma once
 
 #include "base/vec2.hpp"
@@ -24,20 +25,21 @@ constexpr Vec3 unit_vector(Index axis) noexcept {
     return {axis == 0 ? 1.0 : 0, axis == 1 ? 1.0 : 0, axis == 2 ? 1.0 : 0};
 }
 
-// Scaled first: squares of the coordinates may leave the range of numbers.
+// The vector is scaled first, because squares of its coordinates may overflow or underflow.
 inline Real length(Vec3 a) noexcept {
     Real const size = max(max(abs(a.x), abs(a.y)), abs(a.z));
     if (!(size > 0)) return size;
     Vec3 const scaled = {a.x / size, a.y / size, a.z / size};
     return size * sqrt(dot(scaled, scaled));
 }
-// Of length 1; 0 stays 0.
+// Returns the vector of length 1 in the direction of a; the zero vector has the direction 0.
 inline Vec3 direction(Vec3 a) noexcept {
     Real const size = length(a);
     return size > 0 ? Vec3{a.x / size, a.y / size, a.z / size} : Vec3{};
 }
 
-// Coordinates as the caller keeps them: x of point k at x[k * stride].
+// A view of the caller's coordinates: point k has the coordinates x[k * stride], y[k * stride] and
+// z[k * stride].
 template <class T>
 struct StridedSpacePoints {
     T* x = nullptr;

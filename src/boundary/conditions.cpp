@@ -17,27 +17,27 @@ Real square_of_distance(Vec2 p, Vec2 begin, Vec2 end) noexcept {
     return square(p - (begin + along * side));
 }
 
-// visit(face) for the faces of the piece of the condition's marker that is nearest to its point.
+// Calls visit(face) for the faces of the condition's marker in the piece nearest to condition.near.
 template <class Visit>
 void for_piece(Condition const& condition, Points points, Boundary const& boundary,
                Visit const& visit) noexcept {
-    Index nearest = none, its_loop = none;
-    Real least = infinity;
+    Index nearest = none, nearest_loop = none;
+    Real smallest = infinity;
     for (Index loop = 0; loop < boundary.n_loops; ++loop) {
         for (Index face = boundary.loop_start[loop]; face < boundary.loop_start[loop + 1]; ++face) {
             if (boundary.marker[face] != condition.marker) continue;
             Real const distance =
                 square_of_distance(condition.near, points[boundary.point[face]],
                                    points[boundary.point[boundary.after(face, loop)]]);
-            if (distance >= least && nearest != none) continue;
-            least = distance;
+            if (distance >= smallest && nearest != none) continue;
+            smallest = distance;
             nearest = face;
-            its_loop = loop;
+            nearest_loop = loop;
         }
     }
     if (nearest == none) return;
-    Index const begin = boundary.loop_start[its_loop],
-                n = boundary.loop_start[its_loop + 1] - begin;
+    Index const begin = boundary.loop_start[nearest_loop],
+                n = boundary.loop_start[nearest_loop + 1] - begin;
     auto const is_on = [&](Index k) { return boundary.marker[begin + k % n] == condition.marker; };
     Index first = nearest - begin;
     for (Index k = 1; k < n && is_on(first + n - 1); ++k) first = (first + n - 1) % n;
@@ -56,14 +56,14 @@ Status check_marker(Span<const Condition> conditions, Index i, Boundary const& b
         }
     }
     if (!has_faces(boundary, marker)) {
-        return fault.refuse(Status::bad_condition, "marker # of condition @ is on no boundary face",
+        return fault.refuse(Status::bad_condition, "no boundary face has marker # of condition @",
                             marker_item(marker), condition_item(i));
     }
     for (Index face = 0; face < boundary.count; ++face) {
         if (boundary.condition[face] == i) return Status::ok;
     }
     return fault.refuse(Status::bad_condition,
-                        "other conditions choose all of marker # that condition @ is for",
+                        "all faces of marker # that condition @ chooses have another condition",
                         marker_item(marker), condition_item(i));
 }
 
@@ -81,8 +81,8 @@ Status check_centre(Span<const Condition> conditions, Index i, Fault& fault) noe
     return Status::ok;
 }
 
-// Bodies are numbered from 0 without gaps, in any order; all markers of a body turn about one
-// centre.
+// Bodies must be numbered from 0 without gaps, in any order. All markers of a body must have the
+// same centre.
 Status check_body(Span<const Condition> conditions, Index i, Fault& fault) noexcept {
     HARMORPH_TRY(check_centre(conditions, i, fault));
     Condition const& condition = conditions[i];
@@ -93,13 +93,15 @@ Status check_body(Span<const Condition> conditions, Index i, Fault& fault) noexc
         if (other.body == condition.body &&
             (other.centre.x != condition.centre.x || other.centre.y != condition.centre.y)) {
             return fault.refuse(Status::bad_condition,
-                                "markers # and @ are one rigid body, but turn about two centres",
+                                "markers # and @ belong to one rigid body, but have different "
+                                "centres",
                                 marker_item(condition.marker), marker_item(other.marker));
         }
     }
     if (condition.body >= 0 && previous != none) return Status::ok;
     return fault.refuse(Status::bad_condition,
-                        "condition # names rigid body @, but not all before it are there",
+                        "condition # names rigid body @, but rigid bodies must be numbered without "
+                        "gaps",
                         condition_item(i), body_item(condition.body));
 }
 
@@ -113,14 +115,14 @@ Status check_partner(Span<const Condition> conditions, Index i, Boundary const& 
     for (Condition const& other : conditions) {
         if (other.marker != condition.partner) continue;
         return fault.refuse(Status::bad_condition,
-                            "marker #, the periodic partner of @, has a condition of its own",
+                            "marker #, the periodic partner of marker @, must not have a condition "
+                            "of its own",
                             marker_item(condition.partner), marker_item(condition.marker));
     }
     if (has_faces(boundary, condition.partner)) return Status::ok;
-    return fault.refuse(
-        Status::bad_condition,
-        "marker # is to be the periodic partner of marker @, but no boundary face has it",
-        marker_item(condition.partner), marker_item(condition.marker));
+    return fault.refuse(Status::bad_condition,
+                        "no boundary face has marker #, the periodic partner of marker @",
+                        marker_item(condition.partner), marker_item(condition.marker));
 }
 
 }  // namespace
@@ -151,22 +153,23 @@ Status check_conditions(Span<const Condition> conditions, Index n_curves, Bounda
         if (condition.n_curves == 0) {
             return fault.refuse(
                 Status::bad_condition,
-                "condition # is on a curve, but its n_curves is 0: there are @ curves",
+                "condition # puts a marker on curves, but its n_curves is 0; there are @ curves",
                 condition_item(i), plain(n_curves));
         }
         if (condition.first_curve < 0 || condition.n_curves < 1 || end > n_curves) {
             return fault.refuse(Status::bad_condition,
-                                "condition # names curves that do not exist; there are @",
+                                "condition # names curves that do not exist; there are @ curves",
                                 condition_item(i), plain(n_curves));
         }
     }
     if (any_wall) return Status::ok;
     return fault.refuse(Status::bad_condition,
-                        "no condition puts a marker on a curve, makes it a rigid body or gives its "
-                        "displacements: nothing moves");
+                        "nothing moves: no condition puts a marker on a curve, makes it a rigid "
+                        "body or gives its displacements");
 }
 
-// Pieces last; of several conditions that choose one, the first.
+// Conditions for pieces replace conditions for whole markers. If several conditions choose one
+// piece, the first counts.
 void assign_conditions(Points points, Span<const Condition> conditions,
                        Boundary& boundary) noexcept {
     for (Index face = 0; face < boundary.count; ++face) {

@@ -1,5 +1,5 @@
-// Boundary conditions: every point is on a wall (a curve, a rigid body, or given displacements),
-// fixed, slipping, free, inside, or used by no cell.
+// Defines boundary conditions. Every point is on a wall (a curve, a rigid body, or given
+// displacements), fixed, slipping, free, inside, or used by no cell.
 #pragma once
 
 #include "base/table.hpp"
@@ -19,18 +19,18 @@ enum class ConditionKind : std::int32_t {
     rotation = 7
 };
 
-// In the order of precedence: of several conditions at a point the first one counts. Points of a
-// periodic pair are inside. Of several walls, curves come first, then rigid bodies, then given
-// displacements.
+// The kinds are in the order of precedence: if several conditions meet at a point, the first kind
+// counts. Points of a periodic pair are inside. Among walls, curves precede rigid bodies, and these
+// precede given displacements.
 enum class PointKind : std::uint8_t { on_wall, fixed, slip, free, inside, unused };
 constexpr bool is_unknown(PointKind kind) noexcept {
     return kind == PointKind::slip || kind == PointKind::free || kind == PointKind::inside;
 }
 
-// Fields of a condition that are 0 in all kinds but some.
+// Fields of a condition that only some kinds have; they are 0 in all other kinds.
 enum class ConditionField : unsigned { curves, along, body, centre, partner, piece };
 
-// A row for each kind: what its points are, and which fields it has.
+// The table has one row for each kind: the kind of its points, and the fields that it has.
 struct ConditionTraits {
     PointKind points;
     unsigned fields;
@@ -58,16 +58,17 @@ inline constexpr ConditionTraits condition_traits[] = {
 struct Condition {
     Index marker = 0;
     ConditionKind kind = ConditionKind::fixed;
-    Index first_curve = 0,
-          n_curves =
-              0;     // on curve: one of these; slip: of those that are given for sliding, or none
-    Index body = 0;  // rigid: number of the body
-    Index partner = 0;              // of a pair: the marker that is this one, moved or turned
-    Vec2 centre;                    // rigid, rotation: what the body, or the marker, turns about
-    Index piece = 0, reserved = 0;  // 1: only the piece of the marker nearest to `near`
+    // The curves on which the points lie (on_curve), or along which they slide (slip). For slip,
+    // the numbers count the curves for sliding, and n_curves may be 0.
+    Index first_curve = 0, n_curves = 0;
+    Index body = 0;     // rigid: the number of the body
+    Index partner = 0;  // pairs: the marker onto which this marker is moved or turned
+    Vec2 centre;        // rigid, rotation: the centre of the rotation
+    // If piece is 1, the condition holds only on the piece of the marker nearest to `near`.
+    Index piece = 0, reserved = 0;
     Vec2 near;
 
-    // Does the kind stand in the table? Not so in damaged files.
+    // Returns whether the table has a row for the kind; a damaged file may contain another number.
     bool is_known() const noexcept {
         return has_row(condition_traits, static_cast<std::int32_t>(kind));
     }
@@ -75,47 +76,47 @@ struct Condition {
         return condition_traits[static_cast<std::int32_t>(kind)];
     }
     bool has(ConditionField field) const noexcept { return contains(traits().fields, field); }
-    // Do the points of the marker move as prescribed?
+    // Returns whether the points of the marker have prescribed movements.
     bool is_wall() const noexcept { return traits().points == PointKind::on_wall; }
-    // Is the marker one side of a pair whose other one moves alike, or alike but turned?
+    // Returns whether the marker is one side of a periodic pair.
     bool is_pair() const noexcept { return has(ConditionField::partner); }
     bool same_curves(Condition const& other) const noexcept {
         return first_curve == other.first_curve && n_curves == other.n_curves;
     }
 };
 
-// What the conditions together require; known before memory is laid out.
+// Collects what all conditions together require; this is known before memory is laid out.
 struct Demands {
-    Index bodies = 0;        // rigid ones
-    Offset slip_curves = 0;  // given for sliding
+    Index bodies = 0;        // the number of rigid bodies
+    Offset slip_curves = 0;  // the number of curves for sliding
     bool slip = false, free = false, given = false;
-    bool translation = false, rotation = false;  // pairs
+    bool translation = false, rotation = false;  // the kinds of periodic pairs
 
     bool periodic() const noexcept { return translation || rotation; }
 
-    // Is there anything to be solved for?
+    // Returns whether a function can be solved for.
     bool any_wall(Index n_curves) const noexcept { return n_curves > 0 || bodies > 0 || given; }
 
     void add(Condition const& condition) noexcept;
 };
 
-// Which condition each face has, in boundary.condition. A piece is a run of faces of one marker
-// along a loop.
+// Writes the condition of each face to boundary.condition. A piece of a marker is a chain of its
+// faces along a loop.
 void assign_conditions(Points points, Span<const Condition> conditions,
                        Boundary& boundary) noexcept;
 
-// Kinds, curves, bodies, markers that no face has, markers and pieces named twice. Conditions are
-// assigned.
+// Refuses wrong curves and bodies, markers without faces, and markers or pieces that are named
+// twice. Conditions must have been assigned.
 Status check_conditions(Span<const Condition> conditions, Index n_curves, Boundary const& boundary,
                         Fault& fault) noexcept;
 
-// The condition of a face; null means fixed.
+// Returns the condition of a face; null means fixed.
 inline const Condition* condition_of(Span<const Condition> conditions, Boundary const& boundary,
                                      Index face) noexcept {
     return boundary.condition[face] == none ? nullptr : &conditions[boundary.condition[face]];
 }
 
-// kinds [n_points]. Points that are joined to another one count as unused.
+// Computes kinds [n_points]. A point that is joined to another point counts as unused.
 void classify(Edges const& edges, Boundary const& boundary, Span<const Condition> conditions,
               Span<PointKind> kinds) noexcept;
 

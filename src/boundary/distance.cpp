@@ -8,19 +8,20 @@ namespace {
 
 constexpr Index in_group = FaceDistance::lanes;
 
-// Points in an order in which neighbours follow each other, whatever their numbers: by the squares
-// of a grid that is finest at the faces and reaches to infinity, in Morton order.
+// Sorts points so that neighbours follow each other, independently of their numbers: by the
+// squares, in Morton order, of a grid that is finest at the faces and reaches to infinity.
 struct SortedPoints {
-    static constexpr Index most = 512, levels = 5, side = 1 << levels, squares = side * side;
+    static constexpr Index max_points = 512, levels = 5, side = 1 << levels, squares = side * side;
 
-    Index n;  // a multiple of eight: the last point is repeated
-    Real x[most], y[most];
-    std::uint16_t number[most];
+    Index n;  // a multiple of eight; the last point is repeated
+    Real x[max_points], y[max_points];
+    std::uint16_t number[max_points];
 
     void sort(FaceDistance const& faces, const Vec2* point, Index n_points) noexcept {
-        Index square[most];
+        Index square[max_points];
         std::uint16_t start[squares] = {};
-        for (Index i = 0; i < n_points; ++i) {  // a loop of its own, so that compilers vectorise it
+        // Compilers vectorise this loop, because it does nothing else.
+        for (Index i = 0; i < n_points; ++i) {
             square[i] = spread(point[i].x - faces.middle.x, faces.half_size.x) |
                         spread(point[i].y - faces.middle.y, faces.half_size.y) << 1;
         }
@@ -37,27 +38,27 @@ private:
         y[at] = point.y;
         number[at] = static_cast<std::uint16_t>(new_number);
     }
-    // The bits of one coordinate, spread to every second bit of the number of a square. Half of the
-    // grid is within half_size.
+    // Returns the bits of one coordinate, spread to every second bit of the number of a square.
+    // Half of the grid lines are within half_size.
     static Index spread(Real from_middle, Real half_size) noexcept {
-        Real const part = from_middle / (abs(from_middle) + half_size);  // -1 .. 1
-        Index bits = static_cast<Index>((0.5 * side - 0.01) * (1 + (part > -1 ? part : -1)));
+        Real const scaled = from_middle / (abs(from_middle) + half_size);  // from -1 to 1
+        Index bits = static_cast<Index>((0.5 * side - 0.01) * (1 + (scaled > -1 ? scaled : -1)));
         bits = (bits | bits << 4) & 0x10f;
         bits = (bits | bits << 2) & 0x133;
         return (bits | bits << 1) & 0x155;
     }
 };
 
-// k [n] at points in units, which for_each_point(begin, end, take(number, point)) passes on by
-// their numbers.
+// Computes k [n] at points. for_each_point(begin, end, take) must call take(number, point) for
+// these points, in units.
 template <class ForEachPoint>
-void weigh(FaceDistance const& faces, Index quarters, Span<Real> k, Executor const& executor,
-           ForEachPoint for_each_point) noexcept {
-    if (faces.unit == 0 || quarters == 0) return fill(k, Real{1});
+void weigh(FaceDistance const& faces, Index exponent_quarters, Span<Real> k,
+           Executor const& executor, ForEachPoint for_each_point) noexcept {
+    if (faces.unit == 0 || exponent_quarters == 0) return fill(k, Real{1});
     DistanceKernels const& kernels = distance_kernels(faces.kernel);
-    constexpr Index least_blocks = 8;
-    constexpr Index block = SortedPoints::most;
-    executor.for_ranges((k.count() + block - 1) / block, least_blocks, [&](Index begin, Index end) {
+    constexpr Index min_blocks = 8;
+    constexpr Index block = SortedPoints::max_points;
+    executor.for_ranges((k.count() + block - 1) / block, min_blocks, [&](Index begin, Index end) {
         Index group = 0;
         for (Index number = begin; number < end; ++number) {
             Index const first = number * block, n = min(block, k.count() - first);
@@ -67,7 +68,8 @@ void weigh(FaceDistance const& faces, Index quarters, Span<Real> k, Executor con
             sorted.sort(faces, point, n);
             for (Index i = 0; i < sorted.n; i += in_group) {
                 Real weight[in_group];
-                kernels.weigh_eight(faces, quarters, sorted.x + i, sorted.y + i, weight, group);
+                kernels.weigh_eight(faces, exponent_quarters, sorted.x + i, sorted.y + i, weight,
+                                    group);
                 for (Index lane = 0; lane < in_group; ++lane)
                     k[first + sorted.number[i + lane]] = weight[lane];
             }
@@ -90,14 +92,14 @@ FaceDistance::Foot FaceDistance::foot(Vec2 from, Index& group) const noexcept {
     distance_kernels(kernel).nearest_square(*this, here, group);
     Segments const& segments = groups[group];
     Foot best;
-    Real least = infinity;
+    Real smallest = infinity;
     for (Index lane = 0; lane < in_group && in_group * group + lane < count; ++lane) {
         Vec2 const start{segments.x[lane], segments.y[lane]},
             along{segments.along_x[lane], segments.along_y[lane]};
         Real const t = clamp(dot(here - start, along) * segments.inverse[lane], 0.0, 1.0);
         Real const distance = square(here - start - t * along);
-        if (!(distance < least)) continue;
-        least = distance;
+        if (!(distance < smallest)) continue;
+        smallest = distance;
         best = {in_group * group + lane, t};
     }
     return best;
@@ -108,9 +110,9 @@ Vec2 FaceDistance::at(Foot const& foot, Points points) const noexcept {
     return (1 - foot.t) * points[face.point[0]] + foot.t * points[face.point[1]];
 }
 
-void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Index quarters,
-                 Span<Real> k, Executor const& executor) noexcept {
-    weigh(faces, quarters, k, executor, [&](Index begin, Index end, auto take) {
+void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points,
+                 Index exponent_quarters, Span<Real> k, Executor const& executor) noexcept {
+    weigh(faces, exponent_quarters, k, executor, [&](Index begin, Index end, auto take) {
         mesh.for_each_cell(begin, end, [&](Index number, Cell const& cell) {
             Vec2 sum = points[cell.point[0]] + points[cell.point[1]] + points[cell.point[2]];
             if (cell.n == 4) sum = sum + points[cell.point[3]];
@@ -120,8 +122,8 @@ void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Ind
 }
 
 void weigh_edges(FaceDistance const& faces, Span<const DelaunayEdge> edges, Points points,
-                 Index quarters, Span<Real> k, Executor const& executor) noexcept {
-    weigh(faces, quarters, k, executor, [&](Index begin, Index end, auto take) {
+                 Index exponent_quarters, Span<Real> k, Executor const& executor) noexcept {
+    weigh(faces, exponent_quarters, k, executor, [&](Index begin, Index end, auto take) {
         for (Index i = begin; i < end; ++i) {
             take(i, 0.5 * faces.inverse_unit * (points[edges[i].begin] + points[edges[i].end]));
         }

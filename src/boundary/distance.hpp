@@ -1,5 +1,5 @@
-// Exact distances to the nearest of chosen boundary faces, and weights of cells that grow towards
-// these faces.
+// Computes exact distances to the nearest of chosen boundary faces, and weights of cells that grow
+// towards these faces.
 #pragma once
 
 #include "mesh/boundary.hpp"
@@ -11,30 +11,30 @@
 
 namespace harmorph {
 
-// A tree with eight children for each node, over the faces in the order of their loops, in which
-// faces that follow each other lie close together (where they do not, searches are slower, not
-// wrong):
+// The faces are in a tree with eight children for each node, in the order of their loops, so that
+// consecutive faces are close together. If they are not, searches are slower, but not wrong.
 //
 //   height 0   groups of eight faces
-//   height 1   nodes of eight chords: each is a segment along a group, with a radius that contains
-//   the group height 2+  nodes of eight boxes: each bounds the groups below a node of the next
-//   lower height; up to one root
+//   height 1   nodes of eight chords: a chord is a segment along a group, with a radius such that
+//              the group lies within this distance of the segment
+//   height 2+  nodes of eight boxes: a box contains all groups below one node of the next lower
+//              height; the highest node is the root
 //
 // Boxes and radii include a margin for rounding, so that distances depend on the faces alone, to
 // the last bit.
 struct FaceDistance {
-    static constexpr Index lanes = 8, most_heights = 12;
-    static constexpr Real far_away =
-        1e100;  // in units: beyond every point, and the square does not overflow
-    static constexpr Real slack =
-        1e-12;  // relative; more than rounding leaves of any comparison here
+    static constexpr Index lanes = 8, max_heights = 12;
+    // A place in units that is farther away than every point, and whose square does not overflow.
+    static constexpr Real far_away = 1e100;
+    // A relative margin that is larger than the rounding error of any comparison in this file.
+    static constexpr Real slack = 1e-12;
 
     struct Face {
         Index point[2];
     };
     struct Segments {
-        Real x[lanes], y[lanes];              // of the first end
-        Real along_x[lanes], along_y[lanes];  // from there to the other end
+        Real x[lanes], y[lanes];              // the first end
+        Real along_x[lanes], along_y[lanes];  // the vector to the other end
         Real inverse[lanes];                  // 1 / length^2, or 0
 
         void set(Index lane, Vec2 from, Vec2 to) noexcept;
@@ -43,7 +43,8 @@ struct FaceDistance {
         Segments axis;
         Real radius[lanes];
 
-        void clear(Index lane) noexcept;  // far away from every point
+        // Moves the chord far away from every point.
+        void clear(Index lane) noexcept;
         void copy(Index lane, Chords const& other, Index other_lane) noexcept;
     };
     struct Boxes {
@@ -53,51 +54,56 @@ struct FaceDistance {
         void copy(Index lane, Boxes const& other, Index other_lane) noexcept;
     };
 
-    Kernel kernel = Kernel::baseline;  // any gives the same bits
+    Kernel kernel = Kernel::baseline;  // all kernels give the same bits
     Index count = 0;
-    Span<Face> faces;           // [max_faces], of which `count` are used
-    Real extent = 0;            // the larger of the width and height of all faces
-    Vec2 middle, half_size;     // of the bounding box, in units; half_size a little larger
-    Real unit = 0;              // largest power of two within the extent; 0: no extent
-    Real inverse_unit = 1;      // the tree is in units: coordinates times inverse_unit
-    Translations translations;  // of a periodic mesh; weights, not distances, take images of the
-                                // faces into account
+    Span<Face> faces;        // [max_faces], of which `count` are used
+    Real extent = 0;         // the larger of the width and height of all faces
+    Vec2 middle, half_size;  // of the bounding box, in units; half_size is a little larger
+    Real unit = 0;           // the largest power of two within the extent; 0 without extent
+    Real inverse_unit = 1;   // coordinates in the tree are multiplied by inverse_unit
+    // In a periodic mesh, weights take images of the faces into account; distances do not.
+    Translations translations;
     Rotation rotation;
-    struct Image {  // where a point has the same distance as from an image of the faces: turn point
-                    // + shift, in units
+    // The distance of a point from an image of the faces is the distance of turn * point + shift
+    // from the faces, in units.
+    struct Image {
         Vec2 turn{1, 0}, shift;
     };
     Index n_images = 0;
-    Image image[Translations::most_shifts];
+    Image image[Translations::max_shifts];
     Index root_height = 0;
-    Index height_start[most_heights] = {};  // in `boxes`
+    Index height_start[max_heights] = {};  // the first node of each height in `boxes`
     Span<Segments> groups;
     Span<Chords> chords;
     Span<Boxes> boxes;
 
     void lay_out(Arena& arena, Size max_faces) noexcept;
 
-    // Takes the faces for which is_chosen(face) holds.
+    // Chooses the faces for which is_chosen(face) holds.
     template <class IsChosen>
     void choose(Boundary const& boundary, IsChosen is_chosen) noexcept;
-    // After choose(), and whenever coordinates have changed. O(count).
+    // Builds the tree; must be called after choose(), and after coordinates have changed. The time
+    // is proportional to the number of faces.
     void build(Points points) noexcept;
 
-    // No face: infinity. Rounding leaves a few units in the last place of the distance and of the
-    // faces' lengths.
+    // Returns the distance to the nearest face, or infinity without faces. The rounding error is a
+    // few units in the last place of the distance and of the lengths of faces.
     Real distance(Vec2 from) const noexcept;
-    // The nearest point of the faces; none without faces. group: in, the group that is tried first;
-    // out, that of the foot: neighbouring points have neighbouring feet.
+    // A foot is the nearest point of the faces: (1 - t) point[0] + t point[1] of a face. Without
+    // faces, `face` is none.
     struct Foot {
         Index face = none;
-        Real t = 0;  // (1 - t) point[0] + t point[1]
+        Real t = 0;
     };
+    // Finds the foot of a point. The search begins at `group`, which then becomes the group of the
+    // foot: neighbouring points have neighbouring feet.
     Foot foot(Vec2 from, Index& group) const noexcept;
-    // May a face be nearer than `reach`? Cheap: asks the box round all faces, as they were built.
+    // Returns false if no face can be nearer than `reach`. This is fast, because only the bounding
+    // box of all faces is tested, as it was when the tree was built.
     bool may_reach(Vec2 from, Real reach) const noexcept {
         Vec2 const off = inverse_unit * from - middle;
-        Real const most = (1 + slack) * (inverse_unit * reach);
-        return !(abs(off.x) > half_size.x + most || abs(off.y) > half_size.y + most);
+        Real const limit = (1 + slack) * (inverse_unit * reach);
+        return !(abs(off.x) > half_size.x + limit || abs(off.y) > half_size.y + limit);
     }
     Vec2 at(Foot const& foot, Points points) const noexcept;
 
@@ -108,19 +114,20 @@ private:
     void set_box(Boxes& node, Index lane, Points points, Offset first, Offset last) const noexcept;
 };
 
-// k [n_cells] = (unit / d)^(quarters / 4), d the distance from the mean of the cell's corners,
-// quarters in 0..16. d counts as 1e-30 units at least, far below what coordinates resolve: so k is
-// always finite. Without faces, or with all of them in one point: k = 1. In a periodic mesh d is
-// the distance from the nearest image, one period, or two passages, away at most: then k does not
-// depend on where the mesh is cut. Fastest where cells with neighbouring numbers are neighbours in
-// the mesh: blocks of 512 cells are searched together.
-void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Index quarters,
-                 Span<Real> k, Executor const& executor) noexcept;
+// Computes k [n_cells] = (unit / d)^(exponent_quarters / 4), where exponent_quarters is 0 to 16 and
+// d is the distance of the faces from the mean of the cell's corners. A distance below 1e-30 units
+// counts as 1e-30 units, far below the resolution of coordinates, so k is always finite. If there
+// are no faces, or all faces are in one point, k is 1. In a periodic mesh, d is the distance from
+// the nearest image of the faces, at most one period or two passages away, so that k does not
+// depend on where the mesh is cut. Blocks of 512 cells are searched together; this is fastest if
+// cells with neighbouring numbers are neighbours in the mesh.
+void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points,
+                 Index exponent_quarters, Span<Real> k, Executor const& executor) noexcept;
 
-// k [n_edges] likewise, from the midpoints of the edges. Faces are edges as well, where d is 0:
-// such k enter no equation.
+// Computes k [n_edges] in the same way for the midpoints of edges. At edges that are faces, d is 0;
+// no equation contains their k.
 void weigh_edges(FaceDistance const& faces, Span<const DelaunayEdge> edges, Points points,
-                 Index quarters, Span<Real> k, Executor const& executor) noexcept;
+                 Index exponent_quarters, Span<Real> k, Executor const& executor) noexcept;
 
 template <class IsChosen>
 void FaceDistance::choose(Boundary const& boundary, IsChosen is_chosen) noexcept {

@@ -1,116 +1,17 @@
-// Searches of the tree of FaceDistance with the registers of one instruction set; compiled for each
-// by distance_table.cpp. All find the least of the same numbers, whichever parts of the tree they
-// skip: so the bits are the same.
+// Searches the tree of FaceDistance with the registers of one instruction set; distance_table.cpp
+// compiles this file for each set. All sets find the minimum of the same numbers, whichever nodes
+// of the tree they skip, so the bits are the same. tests/boundary/test_distance.cpp covers this
+// file.
+
+#include "boundary/distance_candidates.hpp"
 
 namespace harmorph::distances::HARMORPH_SET {
 namespace {
 
-using Registers = simd::HARMORPH_SET::Registers<Real>;
-using Vector = Registers::Vector;
-
-constexpr Index lanes = FaceDistance::lanes;
-constexpr Index width = Registers::lanes;
-constexpr Index vectors = lanes / width;
-constexpr Real slack = FaceDistance::slack;
-constexpr Real least_distance = 1e-30;
-
-HARMORPH_INLINE Real largest_of(Real* eight) noexcept {
-    for (Index half = lanes / 2; half > 0; half /= 2) {
-        for (Index k = 0; k < half; ++k) eight[k] = max(eight[k], eight[k + half]);
-    }
-    return eight[0];
-}
-HARMORPH_INLINE Real smallest_of(Real* eight) noexcept {
-    for (Index half = lanes / 2; half > 0; half /= 2) {
-        for (Index k = 0; k < half; ++k) eight[k] = min(eight[k], eight[k + half]);
-    }
-    return eight[0];
-}
-
-// Squared distances from several segments to one point, or from one segment to several points.
-template <class Segment, class Point>
-HARMORPH_INLINE Vector square_from(Segment begin_x, Segment begin_y, Segment along_x,
-                                   Segment along_y, Segment inverse, Point point_x,
-                                   Point point_y) noexcept {
-    Vector x = point_x - begin_x, y = point_y - begin_y;
-    Vector const nearest = (x * along_x + y * along_y) * inverse;
-    Vector const t = Registers::min(Registers::max(nearest, Vector{}), Vector{} + 1);
-    x -= t * along_x;
-    y -= t * along_y;
-    return x * x + y * y;
-}
-HARMORPH_INLINE Vector square_from(FaceDistance::Segments const& segments, Index lane,
-                                   Vec2 point) noexcept {
-    return square_from(Registers::load(segments.x + lane), Registers::load(segments.y + lane),
-                       Registers::load(segments.along_x + lane),
-                       Registers::load(segments.along_y + lane),
-                       Registers::load(segments.inverse + lane), point.x, point.y);
-}
-HARMORPH_INLINE Vector square_from(FaceDistance::Segments const& segments, Index lane, Vector x,
-                                   Vector y) noexcept {
-    return square_from(segments.x[lane], segments.y[lane], segments.along_x[lane],
-                       segments.along_y[lane], segments.inverse[lane], x, y);
-}
-
-template <class Corner, class Point>
-HARMORPH_INLINE Vector square_outside(Corner low_x, Corner low_y, Corner high_x, Corner high_y,
-                                      Point point_x, Point point_y) noexcept {
-    Vector const x = Registers::max(Registers::max(low_x - point_x, point_x - high_x), Vector{});
-    Vector const y = Registers::max(Registers::max(low_y - point_y, point_y - high_y), Vector{});
-    return x * x + y * y;
-}
-
-// Those of eight nodes that may contain a face within `reach` of a point: the one with the smallest
-// bound first, then the others in order.
-class Candidates {
-public:
-    HARMORPH_INLINE Candidates(FaceDistance::Boxes const& boxes, Vec2 from, Real reach) noexcept {
-        for (Index k = 0; k < lanes; k += width) {
-            add(k,
-                square_outside(Registers::load(boxes.low_x + k), Registers::load(boxes.low_y + k),
-                               Registers::load(boxes.high_x + k), Registers::load(boxes.high_y + k),
-                               from.x, from.y),
-                Vector{} + (1 + 2 * slack) * reach * reach);
-        }
-    }
-    HARMORPH_INLINE Candidates(FaceDistance::Chords const& chords, Vec2 from, Real reach) noexcept {
-        for (Index k = 0; k < lanes; k += width) {
-            Vector const limit = (1 + slack) * (reach + Registers::load(chords.radius + k));
-            add(k, square_from(chords.axis, k, from), limit * limit);
-        }
-    }
-    HARMORPH_INLINE void leave_out(Index lane) noexcept {
-        if (lane >= 0 && lane < lanes) left_ &= ~(1u << lane);
-    }
-    HARMORPH_INLINE bool next(Index& lane) noexcept {
-        if (left_ == 0) return false;
-        lane = __builtin_ctz(left_);
-        for (unsigned others = nearest_is_out_ ? 0 : left_ & (left_ - 1); others != 0;
-             others &= others - 1) {
-            Index const other = __builtin_ctz(others);
-            lane = square_[other] < square_[lane] ? other : lane;
-        }
-        nearest_is_out_ = true;
-        left_ &= ~(1u << lane);
-        return true;
-    }
-    HARMORPH_INLINE Real square(Index lane) const noexcept { return square_[lane]; }
-
-private:
-    HARMORPH_INLINE void add(Index first, Vector squares, Vector limits) noexcept {
-        Registers::store(square_ + first, squares);
-        left_ |= Registers::less(squares, limits) << first;
-    }
-
-    unsigned left_ = 0;
-    bool nearest_is_out_ = false;
-    Real square_[lanes];
-};
-
 // The state of a search for the face nearest to one point.
 struct One {
     Vec2 centre;
-    Index group;  // of the nearest face so far; at first, the group that is tried first
+    Index group;  // the group of the nearest face so far; initially the group that is tried first
     Real square = infinity, reach = infinity;
 
     HARMORPH_INLINE One(Vec2 point, Index first_group) noexcept
@@ -129,21 +30,22 @@ struct One {
         for (Index k = 0; k < lanes; k += width)
             Registers::store(squares + k, square_from(segments, k, centre));
         Real const nearest = smallest_of(squares);
-        if (!(nearest < square || (nearest == square && tried < group)))
-            return;  // whichever was tried first
+        // At equal distances the group with the smallest number counts, so that the result does not
+        // depend on the group that was tried first.
+        if (!(nearest < square || (nearest == square && tried < group))) return;
         square = nearest;
         reach = sqrt(nearest);
         group = tried;
     }
 };
 
-// The same for each of eight points, which should be neighbours: they share the branches, which are
-// hard to predict.
+// The state of a search for the faces nearest to each of eight points. The points should be
+// neighbours, because they share the branches, which are hard to predict.
 struct Eight {
     Vec2 centre;
     Index group;  // the last group that was nearest to one of the points
-    Real reach =
-        infinity;  // the face nearest to any of the points is no farther than this from the centre
+    // The face nearest to any of the points is not farther than this from the centre.
+    Real reach = infinity;
     Vector x[vectors], y[vectors], square[vectors], distance[vectors], from_centre[vectors];
 
     HARMORPH_INLINE Eight(const Real* new_x, const Real* new_y, Index first_group) noexcept
@@ -151,8 +53,7 @@ struct Eight {
         for (Index v = 0; v < vectors; ++v) square[v] = distance[v] = Vector{} + infinity;
         move(new_x, new_y, {});
     }
-    // Goes on with points that are moved to an image: the distances found so far remain upper
-    // bounds.
+    // Continues with images of the points; the distances found so far remain upper bounds.
     HARMORPH_INLINE void move(const Real* new_x, const Real* new_y,
                               FaceDistance::Image const& to) noexcept {
         for (Index v = 0; v < vectors; ++v) {
@@ -258,18 +159,18 @@ private:
     Index tried_;
 };
 
-// d^(-quarters / 4), from square roots alone.
-HARMORPH_INLINE Vector weight_of(Vector square, Index quarters) noexcept {
-    Vector const d =
-        Registers::max(Vector{} + least_distance, Registers::sqrt(square));  // NaN stays
+// Returns d^(-exponent_quarters / 4), computed by square roots alone.
+HARMORPH_INLINE Vector weight_of(Vector square, Index exponent_quarters) noexcept {
+    // The order of the arguments keeps NaN.
+    Vector const d = Registers::max(Vector{} + min_distance, Registers::sqrt(square));
     Vector power = Vector{} + 1;
-    if ((quarters & 16) != 0) power *= (d * d) * (d * d);
-    if ((quarters & 8) != 0) power *= d * d;
-    if ((quarters & 4) != 0) power *= d;
-    if ((quarters & 3) != 0) {
+    if ((exponent_quarters & 16) != 0) power *= (d * d) * (d * d);
+    if ((exponent_quarters & 8) != 0) power *= d * d;
+    if ((exponent_quarters & 4) != 0) power *= d;
+    if ((exponent_quarters & 3) != 0) {
         Vector const root = Registers::sqrt(d);
-        if ((quarters & 2) != 0) power *= root;
-        if ((quarters & 1) != 0) power *= Registers::sqrt(root);
+        if ((exponent_quarters & 2) != 0) power *= root;
+        if ((exponent_quarters & 1) != 0) power *= Registers::sqrt(root);
     }
     return 1 / power;
 }
@@ -282,8 +183,8 @@ Real nearest_square(FaceDistance const& tree, Vec2 from, Index& group) noexcept 
     return point.square;
 }
 
-void weigh_eight(FaceDistance const& tree, Index quarters, const Real* x, const Real* y, Real* k,
-                 Index& group) noexcept {
+void weigh_eight(FaceDistance const& tree, Index exponent_quarters, const Real* x, const Real* y,
+                 Real* k, Index& group) noexcept {
     Eight searches(x, y, group);
     searches.try_group(tree.groups[group], group);
     Search<Eight>(tree, searches, group).run();
@@ -293,7 +194,7 @@ void weigh_eight(FaceDistance const& tree, Index quarters, const Real* x, const 
         Search<Eight>(tree, searches, none).run();
     }
     for (Index v = 0; v < vectors; ++v)
-        Registers::store(k + v * width, weight_of(searches.square[v], quarters));
+        Registers::store(k + v * width, weight_of(searches.square[v], exponent_quarters));
 }
 
 constexpr DistanceKernels kernels{nearest_square, weigh_eight};

@@ -1,4 +1,5 @@
-// The searches of FaceDistance with one instruction set as a function table.
+// Defines the table of the kernels of FaceDistance for one instruction set.
+// tests/boundary/test_distance.cpp covers this file.
 #pragma once
 
 #include "boundary/distance.hpp"
@@ -6,13 +7,14 @@
 namespace harmorph {
 
 struct DistanceKernels {
-    // Squared distance in units, of a point in units. group: in, the group that is tried first,
-    // where a good guess saves time; out, the group of the nearest face.
+    // Returns the squared distance, in units, of a point in units. The search begins at `group`,
+    // where a good guess saves time; `group` then becomes the group of the nearest face.
     Real (*nearest_square)(FaceDistance const& tree, Vec2 from, Index& group) noexcept;
-    // k [lanes] of the points (x, y), searched together: fast if they are neighbours. group: in,
-    // the group that is tried first; out, a good one for the next points.
-    void (*weigh_eight)(FaceDistance const& tree, Index quarters, const Real* x, const Real* y,
-                        Real* k, Index& group) noexcept;
+    // Computes k [lanes] of the points (x, y), which are searched together; this is fast if they
+    // are neighbours. The search begins at `group`, which then becomes a good guess for the next
+    // points.
+    void (*weigh_eight)(FaceDistance const& tree, Index exponent_quarters, const Real* x,
+                        const Real* y, Real* k, Index& group) noexcept;
 };
 
 DistanceKernels const& distance_kernels(Kernel kernel) noexcept;

@@ -1,4 +1,4 @@
-// The tree of FaceDistance: how it is laid out and built.
+// Lays out and builds the tree of FaceDistance. tests/boundary/test_distance.cpp covers this file.
 #include "boundary/distance.hpp"
 
 namespace harmorph {
@@ -15,7 +15,7 @@ Real power_of_two_below(Real x) noexcept {
     return power;
 }
 
-// 0 where the inverse would not be finite: no floating-point exception is raised.
+// Returns 0 if the inverse would not be finite, so that no floating-point exception is raised.
 Real inverse_of(Real square) noexcept { return square >= 0x1p-1000 ? 1 / square : 0; }
 
 Real distance_from_segment(Vec2 from, Vec2 to, Vec2 point) noexcept {
@@ -89,13 +89,13 @@ void FaceDistance::build(Points points) noexcept {
     auto const at = [&](Index point) { return inverse_unit * points[point]; };
     Index const n_groups = in_eights(static_cast<Size>(count));
     for (Index lane = 0; lane < lanes * n_groups; ++lane) {
-        Face const& face = faces[min(lane, count - 1)];  // the last lanes hold the last face again
+        Face const& face = faces[min(lane, count - 1)];  // repeats the last face in the last lanes
         groups[lane / lanes].set(lane % lanes, at(face.point[0]), at(face.point[1]));
     }
     Index n_nodes = in_eights(static_cast<Size>(n_groups)), n_boxes = 0;
     for (Index lane = 0; lane < lanes * n_nodes; ++lane)
         set_chord(chords[lane / lanes], lane % lanes, points, lane);
-    Offset faces_below = lanes * lanes;  // of a lane's node
+    Offset faces_below = lanes * lanes;  // the number of faces below one lane of a node
     for (root_height = 1; n_nodes > 1; faces_below *= lanes) {
         height_start[++root_height] = n_boxes;
         n_nodes = in_eights(static_cast<Size>(n_nodes));
@@ -108,11 +108,11 @@ void FaceDistance::build(Points points) noexcept {
 }
 
 void FaceDistance::find_images(Points points) noexcept {
-    Vec2 shift[Translations::most_shifts];
+    Vec2 shift[Translations::max_shifts];
     n_images = translations.shifts(points, shift);
     for (Index k = 0; k < n_images; ++k) image[k] = {{1, 0}, inverse_unit * shift[k]};
     if (!rotation.any) return;
-    constexpr Index passages = 2;  // on either side: blades may overlap that far
+    constexpr Index passages = 2;  // blades may overlap two passages on either side
     for (Index times = -passages; times <= passages; ++times) {
         if (times != 0)
             image[n_images++] = {rotation.power(times),
@@ -130,21 +130,22 @@ void FaceDistance::find_unit(Points points) noexcept {
         for (Index const point : face.point) all.include(points[point]);
     }
     extent = max(all.size().x, all.size().y);
-    unit = power_of_two_below(extent);  // of a denormal number 0
+    unit = power_of_two_below(extent);  // is 0 for a denormal extent
     if (unit > 0) inverse_unit = 1 / unit;
     constexpr Real margin = 1.0 / 32;
     middle = 0.5 * (inverse_unit * all.low + inverse_unit * all.high);
     half_size = 0.5 * (inverse_unit * all.size()) + Vec2{margin, margin};
 }
 
-// From the beginning of the group's first face to the end of its last.
+// The chord runs from the beginning of the group's first face to the end of its last face.
 void FaceDistance::set_chord(Chords& node, Index lane, Points points, Index group) const noexcept {
     node.clear(lane);
     Index const first = lanes * group, n = min(lanes, count - first);
     if (n <= 0) return;
     Vec2 const from = inverse_unit * points[faces[first].point[0]];
     Vec2 const to = inverse_unit * points[faces[first + n - 1].point[1]];
-    Real radius = 0;  // the distance from a chord is convex: of each face, an end is farthest
+    // The distance from a chord is convex, so an end of each face is farthest.
+    Real radius = 0;
     for (Face const& face : faces.from(first, n)) {
         for (Index const point : face.point) {
             radius = max(radius, distance_from_segment(from, to, inverse_unit * points[point]));

@@ -5,7 +5,7 @@
 namespace harmorph {
 
 void WallPoints::lay_out(Arena& arena, Index n_points, Size max_faces) noexcept {
-    Size const n = most(n_points, max_faces);
+    Size const n = max_count(n_points, max_faces);
     arena.take(point, n);
     arena.take(previous, n);
     arena.take(next, n);
@@ -43,16 +43,16 @@ Vec2 WallPoints::turn(Index at_slot, Points before, Points after) const noexcept
     Vec2 sum{};
     Index const here = point[at_slot], from[] = {previous[at_slot], here},
                 to[] = {here, next[at_slot]};
-    Real weight[2] = {1, 1};  // those of the tangent
+    Real weight[2] = {1, 1};  // the weights of tangent()
     if (from[0] != none && to[1] != none) {
         for (Index face = 0; face < 2; ++face)
             weight[1 - face] = length(before[to[face]] - before[from[face]]);
     }
     for (Index face = 0; face < 2; ++face) {
         if (from[face] == none || to[face] == none) continue;
-        Vec2 const was = direction(before[to[face]] - before[from[face]]);
-        Vec2 const is = direction(after[to[face]] - after[from[face]]);
-        sum = sum + weight[face] * direction(turn_between(was, is));
+        Vec2 const old_side = direction(before[to[face]] - before[from[face]]);
+        Vec2 const new_side = direction(after[to[face]] - after[from[face]]);
+        sum = sum + weight[face] * direction(turn_between(old_side, new_side));
     }
     Vec2 const turn = direction(sum);
     return turn.x == 0 && turn.y == 0 ? Vec2{1, 0} : turn;
@@ -60,7 +60,7 @@ Vec2 WallPoints::turn(Index at_slot, Points before, Points after) const noexcept
 
 void FirstLayer::lay_out(Arena& arena, Mesh const& mesh, Size max_faces) noexcept {
     wall.lay_out(arena, mesh.n_points, max_faces);
-    arena.take(above, WallPoints::most(mesh.n_points, max_faces));
+    arena.take(above, WallPoints::max_count(mesh.n_points, max_faces));
 }
 
 void FirstLayer::find(Mesh const& mesh, Points points, Span<const Index> representative,
@@ -79,11 +79,11 @@ void FirstLayer::find(Mesh const& mesh, Points points, Span<const Index> represe
             Index const neighbours[] = {cell.next(k), cell.previous(k)};
             for (Index const neighbour : neighbours) {
                 Index const to = representative[neighbour];
-                bool const is_beyond =
-                    length(points[to] - points[neighbour]) > 0;  // on the other side of a pair
+                // The representative may be on the other side of a periodic pair.
+                bool const is_beyond = length(points[to] - points[neighbour]) > 0;
                 if (wall.slot[to] != none || is_beyond) continue;
-                Real const least = above[slot] == none ? 0 : slope(above[slot]);
-                if (slope(to) > least) above[slot] = to;
+                Real const largest = above[slot] == none ? 0 : slope(above[slot]);
+                if (slope(to) > largest) above[slot] = to;
             }
         }
     }
@@ -96,10 +96,11 @@ FirstLayerChange compare(FirstLayer const& layer, Points before, Points after) n
         Index const foot = layer.wall.point[slot], top = layer.above[slot];
         Vec2 const turn = layer.wall.turn(slot, before, after);
         Vec2 const normal = left_of(direction(layer.wall.tangent(slot, before)));
-        Vec2 const was = before[top] - before[foot],
-                   is = turned_back(after[top] - after[foot], turn);
-        Real const angle = in_degrees(abs(angle_of(turn_between(direction(was), direction(is)))));
-        Real const ratio = dot(is, normal) / dot(was, normal);
+        Vec2 const old_edge = before[top] - before[foot],
+                   new_edge = turned_back(after[top] - after[foot], turn);
+        Real const angle =
+            in_degrees(abs(angle_of(turn_between(direction(old_edge), direction(new_edge)))));
+        Real const ratio = dot(new_edge, normal) / dot(old_edge, normal);
         ++change.points;
         change.mean_angle += angle;
         change.mean_ratio += ratio;

@@ -18,40 +18,40 @@ public:
           wall_(wall) {}
 
     void run(Condition const& condition) noexcept {
-        collect_pieces(condition);
-        fill(work_.is_break.first(n_chain_), std::uint8_t{0});
+        collect_chains(condition);
+        fill(work_.is_break.first(n_points_), std::uint8_t{0});
         for (Curve const& curve : curves_.from(condition.first_curve, condition.n_curves))
             mark_breaks(curve);
-        for (Index piece = 0; piece < n_pieces_; ++piece) project_piece(piece, condition);
+        for (Index chain = 0; chain < n_chains_; ++chain) parametrise_chain(chain, condition);
     }
 
-    // The points of the marker that no wall before has, in order along the boundary.
+    // Adds the points of the condition that are on no wall yet, in order along the boundary.
     void add(Condition const& condition, Index number) noexcept {
         auto const visit = [&](Index, Index point) { put(point, number, 0); };
-        boundary_.for_each_piece(
+        boundary_.for_each_chain(
             [&](Index face) { return condition_of(conditions_, boundary_, face) == &condition; },
             visit, [](Index, bool) {});
     }
 
 private:
     bool belongs(Index face, Condition const& condition) const noexcept {
-        const Condition* const its = condition_of(conditions_, boundary_, face);
-        return its != nullptr && its->kind == ConditionKind::on_curve &&
-               its->same_curves(condition);
+        const Condition* const found = condition_of(conditions_, boundary_, face);
+        return found != nullptr && found->kind == ConditionKind::on_curve &&
+               found->same_curves(condition);
     }
 
-    void collect_pieces(Condition const& condition) noexcept {
-        n_pieces_ = n_chain_ = 0;
-        auto const visit = [&](Index piece, Index point) {
-            if (piece == n_pieces_) work_.piece_start[n_pieces_++] = n_chain_;
-            work_.chain[n_chain_++] = point;
+    void collect_chains(Condition const& condition) noexcept {
+        n_chains_ = n_points_ = 0;
+        auto const visit = [&](Index chain, Index point) {
+            if (chain == n_chains_) work_.chain_start[n_chains_++] = n_points_;
+            work_.chain_point[n_points_++] = point;
         };
-        auto const close = [&](Index piece, bool is_loop) {
-            work_.is_loop[piece] = is_loop ? 1 : 0;
+        auto const close = [&](Index chain, bool is_loop) {
+            work_.is_loop[chain] = is_loop ? 1 : 0;
         };
-        boundary_.for_each_piece([&](Index face) { return belongs(face, condition); }, visit,
+        boundary_.for_each_chain([&](Index face) { return belongs(face, condition); }, visit,
                                  close);
-        work_.piece_start[n_pieces_] = n_chain_;
+        work_.chain_start[n_chains_] = n_points_;
     }
 
     void mark_breaks(Curve const& curve) const noexcept {
@@ -60,11 +60,11 @@ private:
         for (Real const u : ends) {
             Vec2 const end = curve_point(curve, u);
             Index nearest = 0;
-            Real least = infinity;
-            for (Index k = 0; k < n_chain_; ++k) {
-                Real const distance = square(mesh_.points[work_.chain[k]] - end);
-                if (distance < least) {
-                    least = distance;
+            Real smallest = infinity;
+            for (Index k = 0; k < n_points_; ++k) {
+                Real const distance = square(mesh_.points[work_.chain_point[k]] - end);
+                if (distance < smallest) {
+                    smallest = distance;
                     nearest = k;
                 }
             }
@@ -72,38 +72,41 @@ private:
         }
     }
 
-    void project_piece(Index piece, Condition const& condition) noexcept {
-        Index const begin = work_.piece_start[piece], n = work_.piece_start[piece + 1] - begin;
-        bool const is_loop = work_.is_loop[piece] != 0;
-        Index first = 0;  // of a loop with breaks: one of them
+    void parametrise_chain(Index chain, Condition const& condition) noexcept {
+        Index const begin = work_.chain_start[chain], n = work_.chain_start[chain + 1] - begin;
+        bool const is_loop = work_.is_loop[chain] != 0;
+        Index first = 0;  // a break, if the chain is a loop with breaks
         if (is_loop) {
             while (first < n && work_.is_break[begin + first] == 0) ++first;
-            if (first == n) return project_segment(begin, n, 0, n, true, condition);
+            if (first == n) return parametrise_segment(begin, n, 0, n, true, condition);
         }
         Index const last = is_loop ? n : n - 1;
         for (Index from = 0; from < last;) {
             Index to = from + 1;
             while (to < last && work_.is_break[begin + (first + to) % n] == 0) ++to;
-            project_segment(begin, n, first + from, to - from + 1, false, condition);
+            parametrise_segment(begin, n, first + from, to - from + 1, false, condition);
             from = to;
         }
     }
 
-    // The n_segment points from place `first` of the piece on, round its end if need be.
-    void project_segment(Index begin, Index n_piece, Index first, Index n_segment, bool is_loop,
-                         Condition const& condition) noexcept {
-        auto const point_at = [&](Index k) { return work_.chain[begin + (first + k) % n_piece]; };
+    // Finds the parameters of the n_segment points from position `first` of the chain on; a segment
+    // of a loop may pass the end of the chain.
+    void parametrise_segment(Index begin, Index n_chain, Index first, Index n_segment, bool is_loop,
+                             Condition const& condition) noexcept {
+        auto const point_at = [&](Index k) {
+            return work_.chain_point[begin + (first + k) % n_chain];
+        };
         Span<Vec2> const position = work_.position.first(n_segment);
         for (Index k = 0; k < n_segment; ++k) position[k] = mesh_.points[point_at(k)];
         Span<Real> const u = work_.u.first(n_segment), best_u = work_.best_u.first(n_segment);
-        Real least = infinity;
+        Real smallest = infinity;
         Index best = condition.first_curve;
         for (Index curve = condition.first_curve;
              curve < condition.first_curve + condition.n_curves; ++curve) {
             Real const misfit =
                 project_chain(curves_[curve], position, is_loop, work_.projection, u);
-            if (misfit < least) {
-                least = misfit;
+            if (misfit < smallest) {
+                smallest = misfit;
                 best = curve;
                 copy(best_u, Span<const Real>(u));
             }
@@ -111,7 +114,7 @@ private:
         for (Index k = 0; k < n_segment; ++k) put(point_at(k), best, best_u[k]);
     }
 
-    // A point of two segments or two conditions keeps the first parameter it got.
+    // A point of two segments or two conditions keeps the first parameter.
     void put(Index point, Index curve, Real u) noexcept {
         if (work_.slot[point] != none) return;
         work_.slot[point] = wall_.count;
@@ -126,7 +129,7 @@ private:
     Span<const Curve> curves_;
     WallWork const& work_;
     Wall& wall_;
-    Index n_pieces_ = 0, n_chain_ = 0;  // of the condition at hand
+    Index n_chains_ = 0, n_points_ = 0;  // of the current condition
 };
 
 Status apply_given(GivenParameters const& given, Span<const Curve> curves,
@@ -142,24 +145,25 @@ Status apply_given(GivenParameters const& given, Span<const Curve> curves,
         Index const slot = work.slot[representative[point]];
         if (slot == none) {
             return fault.refuse(Status::bad_condition,
-                                "a parameter is given for point #, which is on no curve's marker",
+                                "a parameter is given for point #, whose marker is not on a curve",
                                 point_item(point));
         }
         Index const curve = given.curve[i];
         if (wall.curve[slot] >= curves.count()) {
             return fault.refuse(Status::bad_condition,
-                                "a parameter is given for point #, which is on no curve",
+                                "a parameter is given for point #, which is not on a curve",
                                 point_item(point));
         }
         if (curve < 0 || curve >= curves.count()) {
             return fault.refuse(Status::bad_condition,
-                                "given parameter # is on curve @, which does not exist",
+                                "given parameter # names curve @, which does not exist",
                                 entry_item(i), curve_item(curve));
         }
         if (!is_finite(given.u[i]) || given.u[i] < curves[curve].begin() ||
             given.u[i] > curves[curve].end()) {
             return fault.refuse(Status::bad_condition,
-                                "the parameter ~ given for point # is outside its curve",
+                                "the parameter ~ given for point # is outside the range of its "
+                                "curve",
                                 point_item(point), {}, given.u[i]);
         }
         wall.curve[slot] = curve;
@@ -171,7 +175,7 @@ Status apply_given(GivenParameters const& given, Span<const Curve> curves,
 }  // namespace
 
 void Wall::lay_out(Arena& arena, Mesh const& mesh) noexcept {
-    Size const n = 2 * Boundary::max_faces(mesh);  // no more than two ends each
+    Size const n = 2 * Boundary::max_faces(mesh);  // each face has two ends
     arena.take(point, n);
     arena.take(curve, n);
     arena.take(u, n);
@@ -179,11 +183,11 @@ void Wall::lay_out(Arena& arena, Mesh const& mesh) noexcept {
 }
 
 void WallWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
-    Size const n =
-        2 * Boundary::max_faces(mesh) + 1;  // pieces repeat their end points, a loop its first one
+    // Chains repeat their end points, and a loop repeats its first point.
+    Size const n = 2 * Boundary::max_faces(mesh) + 1;
     arena.take(slot, mesh.n_points);
-    arena.take(chain, n);
-    arena.take(piece_start, n);
+    arena.take(chain_point, n);
+    arena.take(chain_start, n);
     arena.take(is_loop, n);
     arena.take(is_break, n);
     arena.take(position, n);
@@ -249,9 +253,9 @@ void find_offsets(Points points, Span<const Condition> conditions, Span<const Cu
             continue;
         }
         for (Condition const& condition : conditions) {
-            bool const its =
+            bool const is_body =
                 condition.kind == ConditionKind::rigid && condition.body == curve - curves.count();
-            if (its) wall.offset[slot] = point - condition.centre;
+            if (is_body) wall.offset[slot] = point - condition.centre;
         }
     }
 }

@@ -1,5 +1,6 @@
-// The points that are moved: on curves, with parameters given by the caller or found by projection
-// along the boundary; on rigid bodies; and those whose displacements are given from call to call.
+// Finds the points that move: points on curves, whose parameters the caller gives or projection
+// along the boundary finds; points on rigid bodies; and points whose displacements are given in
+// each call.
 #pragma once
 
 #include "boundary/conditions.hpp"
@@ -9,29 +10,31 @@ namespace harmorph {
 
 struct Wall {
     Index count = 0;
-    Span<Index> point;  // [count] mesh points in the order in which the boundary loops pass them
-    Span<Index> curve;  // number of the curve; behind the last curve, that of the rigid body;
-                        // behind these: given
-    Span<Real> u;       // on a curve
-    Span<Vec2> offset;  // on a rigid body: from its centre; on a curve with offset correction: from
-                        // the curve; else 0
+    Span<Index> point;  // [count] mesh points in the order of the boundary loops
+    // The number of the curve. Numbers after the last curve are rigid bodies; the number after the
+    // last body stands for given displacements.
+    Span<Index> curve;
+    Span<Real> u;  // the parameter on a curve
+    // On a rigid body, the vector from the centre of the body; on a curve with offset correction,
+    // the vector from the curve; otherwise 0.
+    Span<Vec2> offset;
 
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
 };
 
-// How far a point is off its curve, e, where that is to turn with the curve. 0 at corners, where it
-// is not known what turns, and where e N_i' / C' would outgrow the functions N_i themselves, as it
-// does where C' vanishes.
+// Returns the offset e of a point from its curve, if the offset can turn with the curve. It is 0 at
+// corners, which have no single direction, and where e N_i' / C' would be larger than the functions
+// N_i, as it is if C' is nearly 0.
 Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept;
 
-// Working arrays of parametrise().
+// The working space of parametrise().
 struct WallWork {
-    Span<Index> slot;         // [n_points] number of the point on the wall, or none
-    Span<Index> chain;        // points of one condition's pieces of the boundary, in order
-    Span<Index> piece_start;  // pieces of `chain`
+    Span<Index> slot;         // [n_points] the number of the point on the wall, or none
+    Span<Index> chain_point;  // the points of all chains of one condition, in order
+    Span<Index> chain_start;  // where each chain begins in chain_point
     Span<std::uint8_t> is_loop;
-    Span<std::uint8_t> is_break;  // a curve begins or ends at this point of `chain`
-    Span<Vec2> position;          // of one segment between breaks
+    Span<std::uint8_t> is_break;  // whether a curve begins or ends at this entry of chain_point
+    Span<Vec2> position;          // the points of one segment between breaks
     Span<Real> u, best_u;
     ChainWork projection;
 
@@ -39,26 +42,26 @@ struct WallWork {
 };
 
 struct GivenParameters {
-    Index index_base = 0;  // of `point`
+    Index index_base = 0;  // the number of the first mesh point
     Span<const Index> point, curve;
     Span<const Real> u;
 };
 
-// Finds curve and parameter of every point on a marker that is on curves, the points of rigid
-// bodies, and those of given displacements. Curves meet, begin and end at break points of the
-// boundary: the points nearest to the ends of curves that are not periodic. Each segment between
-// breaks belongs to the curve it is closest to.
+// Finds the curve and the parameter of each point whose marker is on curves, the points of rigid
+// bodies, and the points with given displacements. Curves meet, begin and end at break points of
+// the boundary, which are the points nearest to the ends of curves that are not periodic. Each
+// segment between breaks belongs to the nearest curve.
 Status parametrise(Topology const& topology, Boundary const& boundary,
                    Span<const Condition> conditions, Span<const Curve> curves,
                    GivenParameters const& given, WallWork const& work, Wall& wall,
                    Fault& fault) noexcept;
 
-// wall.offset of all points.
+// Computes wall.offset of all points.
 void find_offsets(Points points, Span<const Condition> conditions, Span<const Curve> curves,
                   bool offset_correction, Wall& wall) noexcept;
 
-// Kinds of all points, and the parameters of those on curves: what right-hand sides and matrix are
-// made of.
+// Returns a fingerprint of the kinds of all points and of the wall, on which the matrix and the
+// right-hand sides depend.
 std::uint64_t fingerprint_of(Span<const PointKind> kinds, Wall const& wall) noexcept;
 
 }  // namespace harmorph

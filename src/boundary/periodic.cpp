@@ -5,14 +5,16 @@
 namespace harmorph {
 namespace {
 
-constexpr Real parallel_below = 1e-6;  // sine of the angle between two slip lines
-constexpr Real mapped_within = 1e-6;   // of the boundary's extent: what files with few digits keep
-constexpr Real turned_above = 1e-6;    // sine of half the least angle of a rotation, about
+constexpr Real parallel_below = 1e-6;  // the sine of the angle between two slip lines
+// The largest misfit as a fraction of the boundary's extent; files with few digits have this
+// precision.
+constexpr Real mapped_within = 1e-6;
+constexpr Real turned_above = 1e-6;  // the smallest angle of a rotation, in radians
 
-// What takes the points of one side to those of the other.
+// Maps the points of one side to the points of the other side.
 struct SideMap {
     Vec2 centre, turn{1, 0}, shift;
-    Vec2 of(Vec2 at) const noexcept { return centre + product(turn, at - centre) + shift; }
+    Vec2 image(Vec2 at) const noexcept { return centre + product(turn, at - centre) + shift; }
 };
 
 class Pair {
@@ -31,9 +33,11 @@ public:
         n_ = collect(condition.marker, 0);
         Index const n_partner = n_ > 0 ? collect(condition.partner, n_) : 0;
         if (n_ == 0 || n_partner == 0) {
-            return fault.refuse(Status::bad_condition,
-                                "periodic marker # is not one open piece of the boundary",
-                                marker_item(n_ == 0 ? condition.marker : condition.partner));
+            return fault.refuse(
+                Status::bad_condition,
+                "the faces of periodic marker # must form one connected line that is "
+                "not closed",
+                marker_item(n_ == 0 ? condition.marker : condition.partner));
         }
         if (n_ != n_partner) {
             return fault.refuse(
@@ -51,7 +55,7 @@ public:
         return Status::ok;
     }
 
-    // Representatives of representatives, once all pairs are tied.
+    // Replaces representatives by their own representatives, after all pairs are tied.
     void complete() const noexcept {
         for (Index k = 0; k < tied_.count(); ++k) {
             while (tied_[k] != tied_[tied_[k]]) {
@@ -61,8 +65,8 @@ public:
             }
         }
     }
-    // Turns unknowns so that points of this marker are not turned. So the strong couplings of thin
-    // cells along a side are between points that are turned alike.
+    // Changes the turns of unknowns so that points of this marker are not turned. The strong
+    // couplings of thin cells along a side then are between points with equal turns.
     void keep_unturned(Index marker) noexcept {
         Span<Index> const times = periodicity_.times;
         Index const n = collect(marker, 0);
@@ -80,7 +84,7 @@ public:
 
 private:
     Vec2 position(Index point) const noexcept { return mesh_.points[point]; }
-    // Both sides run with the mesh on their left, and so in opposite directions.
+    // Both sides have the mesh on their left, and therefore run in opposite directions.
     Index image_of(Index k) const noexcept { return chain_[2 * n_ - 1 - k]; }
 
     Status take_translation(Condition const& condition, Fault& fault) noexcept {
@@ -88,23 +92,28 @@ private:
         for (Index k = 0; k < n_; ++k) {
             map.shift = map.shift + (1.0 / n_) * (position(image_of(k)) - position(chain_[k]));
         }
-        HARMORPH_TRY(check_images(
-            map, "points # and @ of a periodic pair are no translates: off by ~", fault));
+        HARMORPH_TRY(check_images(map,
+                                  "points # and @ of a periodic pair do not match: the translated "
+                                  "point is ~ away from its "
+                                  "partner",
+                                  fault));
         if (periodicity_.translations.add(chain_[0], image_of(0), mesh_.points)) return Status::ok;
-        return fault.refuse(Status::bad_condition,
-                            "periodic marker #: there are already @ other translations",
-                            marker_item(condition.marker), plain(Translations::most));
+        return fault.refuse(
+            Status::bad_condition,
+            "periodic marker # needs another translation, but periodic pairs can have "
+            "at most @ different translations",
+            marker_item(condition.marker), plain(Translations::max_count));
     }
 
-    // The angle of least squares.
+    // Finds the angle of the rotation by least squares.
     Status take_rotation(Condition const& condition, Index& times, Fault& fault) noexcept {
         SideMap map;
         map.centre = condition.centre;
         Real radius = 0;
         for (Index k = 0; k < n_; ++k)
             radius = max(radius, length(position(chain_[k]) - map.centre));
-        Real const scale =
-            radius > 0 ? 1 / radius : 0;  // products of tiny coordinates would vanish
+        // Without this scale, products of tiny coordinates would underflow.
+        Real const scale = radius > 0 ? 1 / radius : 0;
         auto const from_centre = [&](Index point) {
             return scale * (position(point) - map.centre);
         };
@@ -113,22 +122,25 @@ private:
             sum = sum + product(conjugate(from_centre(chain_[k])), from_centre(image_of(k)));
         map.turn = direction(sum);
         HARMORPH_TRY(check_images(
-            map, "points # and @ of a rotation pair are not turned about its centre: off by ~",
+            map,
+            "points # and @ of a rotation pair do not match: the turned point is ~ away from its "
+            "partner",
             fault));
         if (length(map.turn - Vec2{1, 0}) < turned_above) {
             return fault.refuse(Status::bad_condition,
-                                "the sides of marker #, a rotation pair, are not turned: "
-                                "HM_PERIODIC_PAIR takes them",
+                                "the sides of the rotation pair of marker # are not turned; use "
+                                "HM_PERIODIC_PAIR for a translation",
                                 marker_item(condition.marker));
         }
         Rotation& rotation = periodicity_.rotation;
         if (!rotation.any) rotation = {true, map.centre, map.turn};
         times = rotation.times_of(map.centre, map.turn);
         if (times != 0) return Status::ok;
-        return fault.refuse(Status::bad_condition,
-                            "rotation pair of marker #: another pair turns about another centre or "
-                            "by another angle",
-                            marker_item(condition.marker));
+        return fault.refuse(
+            Status::bad_condition,
+            "the rotation pair of marker # has another centre or angle than another "
+            "rotation pair",
+            marker_item(condition.marker));
     }
 
     Status check_images(SideMap const& map, const char* sentence, Fault& fault) const noexcept {
@@ -140,7 +152,7 @@ private:
             low = {min(low.x, at.x), min(low.y, at.y)};
             high = {max(high.x, at.x), max(high.y, at.y)};
             distance = max(distance, length(image - at));
-            Real const misfit = length(image - map.of(at));
+            Real const misfit = length(image - map.image(at));
             if (misfit > worst) {
                 worst = misfit;
                 worst_at = k;
@@ -151,19 +163,20 @@ private:
                             point_item(image_of(worst_at)), worst);
     }
 
-    // The marker's points in order from place `begin` of the chain on; 0 unless they are one open
-    // piece.
+    // Writes the points of the marker in order to chain_, from position `begin` on, and returns
+    // their number; returns 0 unless the faces of the marker form one open chain.
     Index collect(Index marker, Index begin) noexcept {
         Index n = 0;
         bool closed = false;
         auto const visit = [&](Index, Index point) { chain_[begin + n++] = point; };
         auto const is_face = [&](Index face) { return boundary_.marker[face] == marker; };
-        auto const end_piece = [&](Index, bool is_loop) { closed = closed || is_loop; };
-        Index const pieces = boundary_.for_each_piece(is_face, visit, end_piece);
-        return pieces == 1 && !closed ? n : 0;
+        auto const end_chain = [&](Index, bool is_loop) { closed = closed || is_loop; };
+        Index const chains = boundary_.for_each_chain(is_face, visit, end_chain);
+        return chains == 1 && !closed ? n : 0;
     }
 
-    // What stands for a point, and how many times the point is turned against it.
+    // The root is the point that stands for a point; `times` is the number of turns from the root
+    // to the point.
     struct Root {
         Index point, times;
     };
@@ -176,21 +189,22 @@ private:
         return out;
     }
 
-    // The image is turned so many times against the point. Of two pairs that meet in a corner, one
-    // point may have images in both.
+    // Ties the image to the point; `times` is the number of turns from the point to the image. If
+    // two pairs meet in a corner, one point may have images in both pairs.
     Status tie(Index image, Index point, Index times, Fault& fault) noexcept {
         Root const a = root(point), b = root(image);
-        times += a.times - b.times;  // of b against a
+        times += a.times - b.times;  // from a to b
         bool const is_same = a.point == b.point;
         if (is_same && times == 0) return Status::ok;
         PointKind const kind =
             kinds_[a.point] < kinds_[b.point] ? kinds_[a.point] : kinds_[b.point];
         if (kind == PointKind::on_wall) {
             return fault.refuse(Status::bad_condition,
-                                "point # is on a periodic boundary and on a wall that moves",
+                                "point # is on a periodic boundary and on a moving wall",
                                 point_item(kinds_[a.point] == kind ? a.point : b.point));
         }
-        if (is_same) {  // the centre: only 0 is what it becomes by the rotation
+        // The point is the centre: only the displacement 0 is not changed by the rotation.
+        if (is_same) {
             kinds_[a.point] = PointKind::fixed;
             return Status::ok;
         }
@@ -217,7 +231,7 @@ private:
     Span<PointKind> kinds_;
     Span<Vec2> tangent_;
     Periodicity& periodicity_;
-    Index n_ = 0;  // points of each side
+    Index n_ = 0;  // the number of points of each side
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
-// Periodic pairs: two boundaries, one of which is the other moved by a translation or turned about
-// a centre. Their points move alike, or alike but turned.
+// Joins periodic pairs of boundaries. One boundary of a pair is the other one after a translation
+// or a rotation about a centre. Corresponding points have equal displacements, or equal
+// displacements after the rotation.
 #pragma once
 
 #include "boundary/conditions.hpp"
@@ -8,13 +9,13 @@
 
 namespace harmorph {
 
-// How the sides of pairs are mapped onto each other.
+// Describes how the sides of pairs are mapped onto each other.
 struct Periodicity {
     Translations translations;
     Rotation rotation;
-    // [n_points] where there is a rotation: the displacement of a point is that of its unknown,
-    // turned so many times. Points of the markers that are named first in their conditions are not
-    // turned.
+    // [n_points] If there is a rotation, the displacement of a point is the displacement of its
+    // unknown, turned this number of times. Points of the marker that a condition names first are
+    // not turned.
     Span<Index> times;
 
     void lay_out(Arena& arena, Index n_points, Demands const& demands) noexcept {
@@ -22,11 +23,11 @@ struct Periodicity {
     }
 };
 
-// Ties every point of a periodic partner to the image: both have one representative from now on,
-// and the kind of higher precedence. tangent: of slip lines, or empty; slip lines do not go with
-// rotations. chain [points on boundaries]: working space. Refuses pairs that are not one piece each
-// or not images of each other, walls that end on them, translations that form no lattice, and
-// rotations about several centres or by several angles.
+// Ties each point of a pair to its image: both get one representative, and the kind of higher
+// precedence. `tangent` has the tangents of slip lines, or is empty; slip lines cannot be combined
+// with rotations. chain [points on boundaries] is working space. Refuses sides that are not one
+// open chain or not images of each other, walls that end on a pair, translations that do not form a
+// lattice, and rotations with several centres or angles.
 Status tie_periodic(Topology& topology, Boundary const& boundary, Span<const Condition> conditions,
                     Span<Index> chain, Span<PointKind> kinds, Span<Vec2> tangent,
                     Periodicity& periodicity, Fault& fault) noexcept;

@@ -3,12 +3,12 @@
 namespace harmorph {
 namespace {
 
-// Sines of angles between neighbouring faces.
-constexpr Real straight_below = 1e-6;  // rounding of coordinates in files
-constexpr Real smooth_below = 0.02;    // never a corner
-constexpr Real corner_above = 0.5;     // always one
-constexpr Real corner_factor =
-    2.5;  // in between: where the boundary bends so much more than beside it
+// These bounds are sines of angles between neighbouring faces.
+constexpr Real straight_below = 1e-6;  // covers the rounding of coordinates in files
+constexpr Real smooth_below = 0.02;    // a smaller angle is never a corner
+constexpr Real corner_above = 0.5;     // a larger angle is always a corner
+// Between these bounds, an angle is a corner if it is larger than those beside it by this factor.
+constexpr Real corner_factor = 2.5;
 
 class SlipLines {
 public:
@@ -31,9 +31,10 @@ public:
         for (Index loop = 0; loop < boundary_.n_loops; ++loop) {
             Index const begin = boundary_.loop_start[loop],
                         n = boundary_.loop_start[loop + 1] - begin;
-            Index first = 0;  // face of the loop with which a line begins
+            Index first = 0;  // a face of the loop at which a line begins
             while (first < n && continues(loop, begin + first)) ++first;
-            if (first == n) {  // no line, or one without end
+            // The whole loop is one closed line, or has no line.
+            if (first == n) {
                 if (slips(begin)) HARMORPH_TRY(add_line({loop, 0, n, true}));
                 continue;
             }
@@ -51,7 +52,7 @@ public:
     }
 
 private:
-    // Faces of a loop that are one line.
+    // A line consists of n faces of a loop.
     struct Line {
         Index loop, first, n;
         bool closed;
@@ -61,7 +62,7 @@ private:
         Index const begin = boundary_.loop_start[line.loop];
         return begin + (line.first + k) % (boundary_.loop_start[line.loop + 1] - begin);
     }
-    // Point k of a line, 0 .. n.
+    // Returns point k of a line, from 0 to n.
     Index point_at(Line const& line, Index k) const noexcept {
         return k < line.n ? boundary_.point[face_at(line, k)]
                           : boundary_.point[boundary_.after(face_at(line, line.n - 1), line.loop)];
@@ -71,8 +72,8 @@ private:
         return condition_of(conditions_, boundary_, face);
     }
     bool slips(Index face) const noexcept {
-        const Condition* const its = condition(face);
-        return its != nullptr && its->kind == ConditionKind::slip;
+        const Condition* const found = condition(face);
+        return found != nullptr && found->kind == ConditionKind::slip;
     }
     Index before(Index loop, Index face) const noexcept {
         return face == boundary_.loop_start[loop] ? boundary_.loop_start[loop + 1] - 1 : face - 1;
@@ -81,12 +82,13 @@ private:
         return points_[boundary_.point[boundary_.after(face, loop)]] -
                points_[boundary_.point[face]];
     }
-    // Sine of the angle between two directions, positive to the left; 1 where they are opposite.
+    // Returns the sine of the angle between two directions, positive to the left; returns 1 if the
+    // angle is 90 degrees or more.
     static Real bend(Vec2 a, Vec2 b) noexcept {
         Real const scale = sqrt(square(a)) * sqrt(square(b));
         return dot(a, b) > 0 ? cross(a, b) / scale : 1;
     }
-    // Where the face begins.
+    // Returns the bend at the beginning of the face.
     Real bend_at(Index loop, Index face) const noexcept {
         return bend(side(loop, before(loop, face)), side(loop, face));
     }
@@ -95,15 +97,15 @@ private:
         return previous != face && slips(previous) && slips(face);
     }
 
-    // Does the face go on where the face before it ends, without a corner?
+    // Returns whether the face continues the line of the face before it, without a corner.
     bool continues(Index loop, Index face) const noexcept {
         Index const previous = before(loop, face);
         if (previous == face || slips(previous) != slips(face)) return false;
         if (!slips(face)) return true;
-        const Condition *const its = condition(face), *const of_previous = condition(previous);
-        if (!SlipAlong::is_along(its) && !SlipAlong::is_along(of_previous))
+        const Condition *const here = condition(face), *const of_previous = condition(previous);
+        if (!SlipAlong::is_along(here) && !SlipAlong::is_along(of_previous))
             return is_smooth(loop, face);
-        return its->same_curves(*of_previous) && !along_.is_corner(face);
+        return here->same_curves(*of_previous) && !along_.is_corner(face);
     }
     bool is_smooth(Index loop, Index face) const noexcept {
         Real const here = bend_at(loop, face);
@@ -112,21 +114,21 @@ private:
         bool any = false;
         Index const beside[] = {before(loop, face), boundary_.after(face, loop)};
         for (Index const other : beside) {
-            Real const its = is_between_slipping_faces(loop, other) ? bend_at(loop, other) : 1;
-            if (abs(its) > corner_above) continue;
-            if (here * its <= 0 || abs(here) > corner_factor * abs(its)) return false;
+            Real const next = is_between_slipping_faces(loop, other) ? bend_at(loop, other) : 1;
+            if (abs(next) > corner_above) continue;
+            if (here * next <= 0 || abs(here) > corner_factor * abs(next)) return false;
             any = true;
         }
         return any;
     }
 
     Status add_line(Line const& line) noexcept {
-        const Condition* const its = condition(face_at(line, 0));
-        if (SlipAlong::is_along(its)) {
+        const Condition* const slip = condition(face_at(line, 0));
+        if (SlipAlong::is_along(slip)) {
             for (Index k = 0; k < line.n + (line.closed ? 0 : 1); ++k)
                 along_.work.position[k] = points_[point_at(line, k)];
             auto const point = [&](Index k) { return point_at(line, k); };
-            HARMORPH_TRY(along_.add(*its, line.n, line.closed, point, curves_, fault_));
+            HARMORPH_TRY(along_.add(*slip, line.n, line.closed, point, curves_, fault_));
             put_tangents(line);
         } else if (line.closed || !is_straight(line)) {
             curves_.add(
@@ -149,7 +151,7 @@ private:
         return true;
     }
 
-    // Of the curve that was added last.
+    // Gives the points of the line the tangents of the curve that was added last.
     void put_tangents(Line const& line) noexcept {
         Index const begin = curves_.start[curves_.count - 1];
         for (Index k = 0; k <= line.n; ++k) put(line, k, curves_.tangent[begin + k]);

@@ -3,12 +3,12 @@
 namespace harmorph {
 namespace {
 
-constexpr Real most_offset = 0.05;  // of a line's length
+constexpr Real max_offset = 0.05;  // as a fraction of the length of the line
 
-// The parameters of points in order along a curve, as a way that goes on in one direction.
-class Way {
+// A path along a curve in one direction, through the parameters of points in order.
+class Path {
 public:
-    Way(Curve const& curve, Span<const Real> u, Index n, bool closed) noexcept
+    Path(Curve const& curve, Span<const Real> u, Index n, bool closed) noexcept
         : curve_(curve), u_(u), n_(n), closed_(closed), has_seam_(is_closed(curve)) {
         Index forwards = 0;
         for (Index k = 0; k < n; ++k) forwards += u[next(k)] > u[k] ? 1 : -1;
@@ -16,7 +16,7 @@ public:
     }
 
     Index next(Index k) const noexcept { return closed_ && k + 1 == n_ ? 0 : k + 1; }
-    // Part t, 0 .. 1, of the way from point k to the next one.
+    // Returns the parameter at the fraction t, from 0 to 1, of the path from point k to the next.
     Real at(Index k, Real t) const noexcept {
         Real const period = curve_.end() - curve_.begin();
         Real const begin = leaving(u_[k]), end = arriving(u_[next(k)]);
@@ -35,7 +35,8 @@ public:
     }
 
 private:
-    // At the seam of a closed curve begins what is ahead, and ends what is behind.
+    // The seam of a closed curve has two parameters. A path that leaves the seam uses the one from
+    // which the parameters continue; a path that arrives there uses the other one.
     Real leaving(Real u) const noexcept {
         if (has_seam_ && u == (ascends_ ? curve_.end() : curve_.begin()))
             return ascends_ ? curve_.begin() : curve_.end();
@@ -60,20 +61,20 @@ void SlipAlong::find_corners(Points points, Boundary const& boundary,
     fill(work.is_break.first(boundary.count), std::uint8_t{0});
     auto const mark_nearest = [&](Condition const& condition, Vec2 end) {
         Index nearest = none;
-        Real least = infinity;
-        auto const look = [&](Index face) {
+        Real smallest = infinity;
+        auto const try_face = [&](Index face) {
             Real const distance = square(points[boundary.point[face]] - end);
-            if (!(distance < least)) return;
-            least = distance;
+            if (!(distance < smallest)) return;
+            smallest = distance;
             nearest = face;
         };
         for (Index loop = 0; loop < boundary.n_loops; ++loop) {
             for (Index face = boundary.loop_start[loop]; face < boundary.loop_start[loop + 1];
                  ++face) {
-                const Condition* const its = condition_of(conditions, boundary, face);
-                if (!is_along(its) || !its->same_curves(condition)) continue;
-                look(face);
-                look(boundary.after(face, loop));
+                const Condition* const here = condition_of(conditions, boundary, face);
+                if (!is_along(here) || !here->same_curves(condition)) continue;
+                try_face(face);
+                try_face(boundary.after(face, loop));
             }
         }
         if (nearest != none) work.is_break[nearest] = 1;
@@ -93,45 +94,47 @@ Status SlipAlong::give(Condition const& condition, Index n, bool closed, SlipCur
     Index const n_points = closed ? n : n + 1, first = to.start[to.count - 1];
     Span<const Vec2> const position = work.position.first(n_points);
     Span<Real> const u = work.u.first(n_points), best_u = work.best_u.first(n_points);
-    Real least = infinity;
+    Real smallest = infinity;
     Index best = condition.first_curve;
     for (Index number = condition.first_curve; number < condition.first_curve + condition.n_curves;
          ++number) {
         Real const misfit = project_chain(curves[number], position, closed, work.projection, u);
-        if (!(misfit < least)) continue;
-        least = misfit;
+        if (!(misfit < smallest)) continue;
+        smallest = misfit;
         best = number;
         copy(best_u, Span<const Real>(u));
     }
     Curve const& curve = curves[best];
-    Way const way(curve, best_u, n, closed);
+    Path const path(curve, best_u, n, closed);
     auto const offset = [&](Index k) { return position[k] - curve_point(curve, best_u[k]); };
     Real size = 0, farthest = 0;
     Index where = 0;
-    for (Index k = 0; k < n; ++k) size += length(position[way.next(k)] - position[k]);
+    for (Index k = 0; k < n; ++k) size += length(position[path.next(k)] - position[k]);
     for (Index k = 0; k < n_points; ++k) {
         Real const distance = length(offset(k));
         if (distance > farthest) where = k;
         farthest = max(farthest, distance);
     }
-    if (farthest > most_offset * size) {
+    if (farthest > max_offset * size) {
         return fault.refuse(
             Status::bad_condition,
-            "point # is ~ from the curve that it should slide along: is the marker another one?",
+            "point # is ~ away from the curve along which it slides; check the marker of the "
+            "condition",
             point_item(to.point[first + where]), {}, farthest);
     }
     bool const smooth = to.give([&](Index j, Vec2& tangent) {
-        if (closed && j == n * SlipCurves::parts) j = 0;  // bit by bit
-        Index const k = min(j / SlipCurves::parts, n - 1);
-        Real const t = static_cast<Real>(j - k * SlipCurves::parts) / SlipCurves::parts,
-                   at = way.at(k, t);
-        tangent = way.tangent(at);
-        return curve_point(curve, at) + (1 - t) * offset(k) + t * offset(way.next(k));
+        // The end of a closed line has the same bits as its beginning.
+        if (closed && j == n * SlipCurves::divisions) j = 0;
+        Index const k = min(j / SlipCurves::divisions, n - 1);
+        Real const t = static_cast<Real>(j - k * SlipCurves::divisions) / SlipCurves::divisions,
+                   at = path.at(k, t);
+        tangent = path.tangent(at);
+        return curve_point(curve, at) + (1 - t) * offset(k) + t * offset(path.next(k));
     });
     if (smooth) return Status::ok;
     return fault.refuse(
         Status::bad_condition,
-        "the curve along which point # and those after it should slide has a corner between them",
+        "the curve along which point # and the following points slide has a corner between them",
         point_item(to.point[first]));
 }
 

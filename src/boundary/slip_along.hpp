@@ -1,9 +1,9 @@
-// Boundaries along which points slide as a given B-spline has it, instead of as their own points
-// have it.
+// Finds slip boundaries whose points slide along a given B-spline C, instead of a curve through the
+// points themselves.
 //
-// The curve is C(u) + e, e the offsets of the points from C, linear in u between two points: so
-// points are on it where they start. A point where an open curve ends, or where a closed one has
-// its corner, is a corner of the boundary.
+// The points slide along C(u) + e, where e is the offset of the points from C and varies linearly
+// in u between two points. The points therefore lie on this curve at the start. A point at which an
+// open B-spline ends, or a closed one has a corner, is a corner of the boundary.
 #pragma once
 
 #include "boundary/moving_boundary.hpp"
@@ -12,22 +12,22 @@
 namespace harmorph {
 
 struct SlipAlong {
-    Span<const Curve> curves;  // those of all conditions; none: no condition has any
-    WallWork work;             // `slot` is not used
+    Span<const Curve> curves;  // the curves for sliding of all conditions; may be empty
+    WallWork work;             // work.slot is not used
 
     static bool is_along(const Condition* condition) noexcept {
         return condition != nullptr && condition->kind == ConditionKind::slip &&
                condition->n_curves > 0;
     }
-    // Which faces begin at a corner.
+    // Finds the faces that begin at a corner.
     void find_corners(Points points, Boundary const& boundary,
                       Span<const Condition> conditions) const noexcept;
     bool is_corner(Index face) const noexcept { return work.is_break[face] != 0; }
 
-    // Adds the curve through the positions work.position [n + 1], of a closed line [n]: the one of
-    // the condition's curves that is nearest. Refused (Status::bad_condition): positions that are
-    // farther from it than a twentieth of their line's length, and where it has a corner between
-    // them, or turns by more than 30 degrees in an eighth of a face.
+    // Adds the curve through the positions work.position [n + 1], or [n] for a closed line, along
+    // the nearest of the condition's curves. Refuses (Status::bad_condition) positions that are
+    // farther from this curve than a twentieth of the length of the line. Also refuses a curve that
+    // has a corner between two positions, or turns by more than 30 degrees in an eighth of a face.
     template <class PointOf>
     Status add(Condition const& condition, Index n, bool closed, PointOf const& point_of,
                SlipCurves& to, Fault& fault) const noexcept {

@@ -6,21 +6,21 @@
 namespace harmorph {
 namespace {
 
-constexpr Index most_steps = 100;  // of Newton's method, or halvings, to a place on a segment
+constexpr Index max_steps = 100;  // steps of Newton's method or bisection on a segment
 
 Vec2 mirrored(Vec2 tangent, Vec2 chord) noexcept {
     return (2 * dot(tangent, chord)) * chord - tangent;
 }
 
-// Of the circle through three points, at the second one.
+// Returns the tangent of the circle through three points, at the second point.
 Vec2 circle_tangent(Vec2 before, Vec2 here, Vec2 after) noexcept {
     Vec2 const a = here - before, b = after - here;
     Real const length_a = length(a), length_b = length(b);
-    Real const part = length_a / (length_a + length_b);
-    return direction(((1 - part) / length_a) * a + (part / length_b) * b);
+    Real const share = length_a / (length_a + length_b);
+    return direction(((1 - share) / length_a) * a + (share / length_b) * b);
 }
 
-// A cubic on 0..1 by its ends and the derivatives there.
+// A cubic on 0..1, given by its ends and its derivatives at the ends.
 struct Cubic {
     Vec2 begin, end, leaving, arriving;
 
@@ -39,13 +39,14 @@ struct Cubic {
     }
 };
 
-// Is p well within the circle of curvature? `fall`: minus the derivative of (p - C(u)).C'(u).
+// Returns whether p is nearer to the curve than the centre of curvature, with a margin. `fall` is
+// minus the derivative of (p - C(u)).C'(u).
 bool is_regular(Real fall, Vec2 slope) noexcept { return fall > 1e-3 * square(slope); }
 
 }  // namespace
 
 void SlipCurves::lay_out(Arena& arena, Size max_faces, bool any_given) noexcept {
-    Size const n_between = any_given ? 2 * max_faces * (parts - 1) : 0;
+    Size const n_between = any_given ? 2 * max_faces * (divisions - 1) : 0;
     arena.take(start, max_faces + 1);
     arena.take(point, 2 * max_faces);
     arena.take(own, 2 * max_faces);
@@ -64,7 +65,7 @@ void SlipCurves::lay_out_copy(Arena& arena, SlipCurves const& other) noexcept {
     arena.take(at, n);
     arena.take(tangent, n);
     arena.take(is_given, other.count);
-    Index const n_between = other.between_at.empty() ? 0 : (parts - 1) * n;
+    Index const n_between = other.between_at.empty() ? 0 : (divisions - 1) * n;
     arena.take(between_at, n_between);
     arena.take(between_tangent, n_between);
 }
@@ -104,9 +105,9 @@ void SlipCurves::keep_sliding(Span<const PointKind> kinds) const noexcept {
 std::uint64_t SlipCurves::fingerprint_with(std::uint64_t others) const noexcept {
     Hash hash;
     hash.add(others);
-    auto const add = [&](Vec2 of) {
-        hash.add(bits_of(of.x));
-        hash.add(bits_of(of.y));
+    auto const add = [&](Vec2 v) {
+        hash.add(bits_of(v.x));
+        hash.add(bits_of(v.y));
     };
     bool any = false;
     for (Index curve = 0; curve < count; ++curve) {
@@ -115,7 +116,7 @@ std::uint64_t SlipCurves::fingerprint_with(std::uint64_t others) const noexcept 
         hash.add(static_cast<std::uint64_t>(curve));
         Index const first = start[curve], last = start[curve + 1] - 1;
         for (Index slot = first; slot <= last; ++slot) add(tangent[slot]);
-        for (Index k = (parts - 1) * first; k < (parts - 1) * last; ++k) {
+        for (Index k = (divisions - 1) * first; k < (divisions - 1) * last; ++k) {
             add(between_at[k]);
             add(between_tangent[k]);
         }
@@ -148,17 +149,18 @@ SlipCurves::Place SlipCurves::nearest(Index slot, Vec2 p) const noexcept {
         if ((ahead(next) >= 0) != forwards) return on_segment(curve, forwards ? here : next, p);
         here = next;
     }
-    if (closed)
-        return {at[slot], tangent[slot]};  // p is so far away that no place is the nearest one
+    // If no place of a closed curve is found, p is too far away to have a nearest place.
+    if (closed) return {at[slot], tangent[slot]};
     return {at[here] + ahead(here) * tangent[here], tangent[here]};
 }
 
-// In the first part at whose end p is straight beside the curve, or behind that.
+// Searches the first division of the segment whose end lies ahead of p, measured along the tangent
+// there.
 SlipCurves::Place SlipCurves::on_segment(Index curve, Index slot, Vec2 p) const noexcept {
     Vec2 place[2] = {at[slot], at[slot + 1]}, direction[2] = {tangent[slot], tangent[slot + 1]};
     if (is_given[curve] == 0) return on_cubic(place, direction, p);
-    for (Index part = 1; part < parts; ++part) {
-        Index const k = (parts - 1) * slot + part - 1;
+    for (Index division = 1; division < divisions; ++division) {
+        Index const k = (divisions - 1) * slot + division - 1;
         if (dot(p - between_at[k], between_tangent[k]) < 0) {
             place[1] = between_at[k];
             direction[1] = between_tangent[k];
@@ -170,17 +172,18 @@ SlipCurves::Place SlipCurves::on_segment(Index curve, Index slot, Vec2 p) const 
     return on_cubic(place, direction, p);
 }
 
-// Between two places of a curve that is close to its cubics, the tangents turn little and go from
-// the one to the other.
+// Returns whether a cubic between two places is close to the curve: both tangents must point from
+// the first place to the second and turn little.
 bool SlipCurves::is_smooth(const Vec2 (&at)[2], const Vec2 (&tangent)[2]) noexcept {
     constexpr Real cosine_of_30_degrees = 0.8660254037844386;
     Vec2 const side = at[1] - at[0];
-    Real const least = cosine_of_30_degrees * length(side);
-    return dot(tangent[0], side) > least && dot(tangent[1], side) > least &&
+    Real const min_progress = cosine_of_30_degrees * length(side);
+    return dot(tangent[0], side) > min_progress && dot(tangent[1], side) > min_progress &&
            dot(tangent[0], tangent[1]) > cosine_of_30_degrees;
 }
 
-// (p - C(u)).C'(u) is positive where the segment begins and not where it ends, or zero there.
+// Solves (p - C(u)).C'(u) = 0; the left side is not negative at the beginning of the segment and
+// not positive at its end.
 SlipCurves::Place SlipCurves::on_cubic(const Vec2 (&at)[2], const Vec2 (&tangent)[2],
                                        Vec2 p) noexcept {
     Vec2 const side = at[1] - at[0];
@@ -189,7 +192,7 @@ SlipCurves::Place SlipCurves::on_cubic(const Vec2 (&at)[2], const Vec2 (&tangent
     Real const speed = 2 * chord / (1 + along);
     Cubic const curve{at[0], at[1], speed * tangent[0], speed * tangent[1]};
     Real low = 0, high = 1, u = clamp(dot(p - at[0], side) / (chord * chord), 0.0, 1.0);
-    for (Index step = 0; step < most_steps && high - low > epsilon; ++step) {
+    for (Index step = 0; step < max_steps && high - low > epsilon; ++step) {
         Vec2 const slope = curve.slope(u), off = p - curve.at(u);
         Real const value = dot(off, slope), fall = square(slope) - dot(off, curve.bend(u));
         (value >= 0 ? low : high) = u;

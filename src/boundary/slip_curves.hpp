@@ -1,15 +1,16 @@
-// Smooth curves along which points slide: cubic segments through the points of a curved piece of
-// the boundary.
+// Stores the smooth curves along which points slide: cubic segments through the points of a curved
+// line of the boundary.
 //
-// The tangent at a point is that of the circle through the point and its neighbours on both sides;
-// at an end of the piece, the mirror image of the tangent beside it. A segment from p to q with the
-// unit tangents s and t is the cubic with the end points p and q and the derivatives m s and m t, m
-// = 2 |q - p| / (1 + (s + t).e / 2), e the direction of q - p. So straight parts are straight, and
-// an arc between points of a circle is off the circle by 4.6e-6 of the radius at 45 degrees, by a
-// part in 64 of that at half the angle. Behind an open end the curve goes on straight.
+// The tangent at a point is that of the circle through the point and its two neighbours; at an end
+// of the line, it is the mirror image of the tangent beside it. A segment from p to q with the unit
+// tangents s and t is the cubic with the end points p and q and the derivatives m s and m t, where
+// m = 2 |q - p| / (1 + (s + t).e / 2) and e is the direction of q - p. The segments of a straight
+// line are therefore straight. Between points of a circle, the error of a segment is 4.6e-6 of the
+// radius for an arc of 45 degrees, and 64 times smaller for half the angle. Beyond an open end, the
+// curve continues along a straight line.
 //
-// A curve that is given (slip_along.hpp) divides each of its segments into `parts`, at places and
-// with tangents of its own.
+// A given curve (slip_along.hpp) divides each of its segments into `divisions` cubics, and defines
+// the places and tangents between them.
 #pragma once
 
 #include "boundary/conditions.hpp"
@@ -17,59 +18,60 @@
 namespace harmorph {
 
 struct SlipCurves {
-    // Where a curve is nearest to a point p. The derivative of `at` by p is stretch * tangent
-    // tangent^T.
+    // The place of a curve that is nearest to a point p. The derivative of `at` by p is the matrix
+    // stretch * tangent tangent^T.
     struct Place {
         Vec2 at, tangent;
         Real stretch = 1;
     };
 
     Index count = 0;
-    Span<Index> start;  // [count + 1] first slot of each curve
+    Span<Index> start;  // [count + 1] the first slot of each curve
     Span<Index> point;  // [slots] mesh points in order along the boundary
-    Span<Index> own;  // [slots] the slot itself where its point slides, the first one at the end of
-                      // a closed curve; none where the point is held
-    Span<Vec2> at;    // [slots] where the points of the boundary are at the start; a closed curve
-                      // repeats the first
-    Span<Vec2> tangent;           // [slots] of length 1
+    // [slots] The slot itself if its point slides, and none if the point is fixed. At the end of a
+    // closed curve, the first slot stands for the last one.
+    Span<Index> own;
+    Span<Vec2> at;                // [slots] initial positions; a closed curve repeats the first one
+    Span<Vec2> tangent;           // [slots] unit vectors
     Span<std::uint8_t> is_given;  // [count]
-    Span<Vec2> between_at,
-        between_tangent;  // [(parts - 1) * slots] of given curves; empty if there are none
-    static constexpr Index parts = 8;
+    // [(divisions - 1) * slots] Places and tangents between the points of given curves; empty if no
+    // curve is given.
+    Span<Vec2> between_at, between_tangent;
+    static constexpr Index divisions = 8;
 
     Index n_slots() const noexcept { return count == 0 ? 0 : start[count]; }
-    bool is_last(Index slot) const noexcept {
-        return slot + 1 == start[curve_of(slot) + 1];
-    }  // of its curve
+    // Returns whether the slot is the last one of its curve.
+    bool is_last(Index slot) const noexcept { return slot + 1 == start[curve_of(slot) + 1]; }
 
-    // Counted generously, from the faces; exactly as many as another one has.
+    // lay_out() takes arrays for the largest possible curves, lay_out_copy() for a copy of others.
     void lay_out(Arena& arena, Size max_faces, bool any_given) noexcept;
     void lay_out_copy(Arena& arena, SlipCurves const& other) noexcept;
     void copy_from(SlipCurves const& other) noexcept;
 
-    // A curve through positions at(0), ..., at(n) and mesh points point(k); closed: the last one is
-    // the first one.
+    // Adds a curve through position(0), ..., position(n) and the mesh points point_of(k). If the
+    // curve is closed, the last point is the first one.
     template <class At, class PointOf>
     void add(Index n, bool closed, At const& position, PointOf const& point_of) noexcept;
-    // The one that was added last is given: its tangents and what is between its points, along(j,
-    // tangent) -> place for j = 0 .. n * parts. False if it does not run smoothly from each of
-    // these places to the next.
+    // Makes the curve that was added last a given curve: along(j, tangent) returns the places for j
+    // = 0 .. n * divisions, and sets their tangents. Returns false if the curve does not run
+    // smoothly from each of these places to the next.
     template <class Along>
     bool give(Along const& along) noexcept;
-    // Points of other kinds do not slide.
+    // Lets only points of the kind slip slide.
     void keep_sliding(Span<const PointKind> kinds) const noexcept;
-    // That of the other conditions, with the curves that are given; the same one if there are none.
+    // Returns the fingerprint `others` of the other conditions, combined with the given curves; if
+    // there are none, returns `others`.
     std::uint64_t fingerprint_with(std::uint64_t others) const noexcept;
 
-    // visit(slot, point) for the points that slide.
+    // Calls visit(slot, point) for the points that slide.
     template <class Visit>
     void for_each(Visit const& visit) const noexcept {
         for (Index slot = 0; slot < n_slots(); ++slot) {
             if (own[slot] == slot) visit(slot, point[slot]);
         }
     }
-    // Sought along the curve from the slot on, to the first place where p is straight beside the
-    // curve.
+    // Searches the curve from the slot on, and returns the first place at which the vector to p is
+    // normal to the curve.
     Place nearest(Index slot, Vec2 p) const noexcept;
 
 private:
@@ -100,13 +102,13 @@ bool SlipCurves::give(Along const& along) noexcept {
     is_given[count - 1] = 1;
     Vec2 place[2], direction[2];
     bool smooth = true;
-    for (Index j = 0; j <= parts * n; ++j) {
+    for (Index j = 0; j <= divisions * n; ++j) {
         place[1] = along(j, direction[1]);
         smooth = smooth && (j == 0 || is_smooth(place, direction));
-        Index const slot = begin + j / parts, part = j % parts;
-        if (part == 0) tangent[slot] = direction[1];
-        else between_at[(parts - 1) * slot + part - 1] = place[1];
-        if (part != 0) between_tangent[(parts - 1) * slot + part - 1] = direction[1];
+        Index const slot = begin + j / divisions, division = j % divisions;
+        if (division == 0) tangent[slot] = direction[1];
+        else between_at[(divisions - 1) * slot + division - 1] = place[1];
+        if (division != 0) between_tangent[(divisions - 1) * slot + division - 1] = direction[1];
         place[0] = place[1];
         direction[0] = direction[1];
     }

@@ -3,9 +3,10 @@
 namespace harmorph {
 namespace {
 
-constexpr Index least_followers = 4096;  // for a thread
+// Fewer points are not given to a thread, because starting a thread takes longer.
+constexpr Index min_followers = 4096;
 
-// The kinds of faces that followers distinguish.
+// Distinguishes the faces of curves and the faces of other boundaries.
 struct Faces {
     Boundary const& boundary;
     Span<const Condition> conditions;
@@ -18,7 +19,7 @@ struct Faces {
     bool is_on_curve(Index face) const noexcept {
         return kind(face) == ConditionKind::slip && slot_at[boundary.point[face]] != none;
     }
-    // Do its points follow, like those inside?
+    // Returns whether the points of the face follow, like inner points.
     bool follows(Index face) const noexcept {
         if (kind(face) == ConditionKind::free || kind(face) == ConditionKind::periodic) return true;
         for (Condition const& condition : conditions) {
@@ -31,7 +32,7 @@ struct Faces {
     bool is_other(Index face) const noexcept { return !follows(face) && !is_on_curve(face); }
 };
 
-// Where each point begins a face of a curve.
+// Finds the slot at which each point begins a face of a curve.
 void find_slots(SlipCurves const& curves, Span<Index> slot_at) noexcept {
     fill(slot_at, none);
     for (Index curve = 0; curve < curves.count; ++curve) {
@@ -40,27 +41,28 @@ void find_slots(SlipCurves const& curves, Span<Index> slot_at) noexcept {
     }
 }
 
-// body(point) for the points that follow.
+// Calls body(point) for the points that follow.
 template <class Body>
 void for_followers(Span<const PointKind> kinds, Executor const& executor,
                    Body const& body) noexcept {
-    executor.for_ranges(kinds.count(), least_followers, [&](Index begin, Index end) {
+    executor.for_ranges(kinds.count(), min_followers, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
             if (kinds[k] == PointKind::inside || kinds[k] == PointKind::free) body(k);
         }
     });
 }
 
-// (o / (s + o))^(quarters / 4 + 1)
-Real share_of(Real from_curve, Real from_others, Index quarters) noexcept {
+// Returns (o / (s + o))^(exponent_quarters / 4 + 1).
+Real share_of(Real from_curve, Real from_others, Index exponent_quarters) noexcept {
     Real const nearness = from_others < infinity ? from_others / (from_curve + from_others) : 1;
     Real const root = sqrt(sqrt(nearness));
     Real share = nearness;
-    for (Index i = 0; i < quarters; ++i) share *= root;
+    for (Index i = 0; i < exponent_quarters; ++i) share *= root;
     return share;
 }
 
-// Points that are joined to another one follow as that one does, or follow it alone if it slides.
+// A point that is joined to another point follows like that point, or follows only that point if it
+// slides.
 void follow_representatives(Topology const& topology, Span<const PointKind> kinds,
                             SlipCurves const& curves, SlipFollowers const& followers) noexcept {
     Span<Index> const slot = followers.slot;
@@ -101,7 +103,7 @@ void SlipFollowers::copy_from(SlipFollowers const& other) noexcept {
 
 void SlipFollowers::find(Topology const& topology, Boundary const& boundary,
                          Span<const Condition> conditions, Span<const PointKind> kinds,
-                         SlipCurves const& curves, Index quarters,
+                         SlipCurves const& curves, Index exponent_quarters,
                          Executor const& executor) noexcept {
     if (curves.count == 0) {
         slot = {};
@@ -127,7 +129,8 @@ void SlipFollowers::find(Topology const& topology, Boundary const& boundary,
     for_followers(kinds, executor, [&](Index k) {
         if (slot[k] == none) return;
         Real const t = weight[2 * k];
-        Real const share = share_of(weight[2 * k + 1], faces.distance(points[k]), quarters);
+        Real const share =
+            share_of(weight[2 * k + 1], faces.distance(points[k]), exponent_quarters);
         weight[2 * k] = (1 - t) * share;
         weight[2 * k + 1] = t * share;
     });

@@ -13,7 +13,7 @@ struct WallBox {
     Real extent() const noexcept { return max(high.x - low.x, high.y - low.y); }
 };
 
-// A curve lies in the box of its control polygon.
+// Returns the extent of the control polygon, whose bounding box contains the curve.
 Real extent_of(Curve const& curve) noexcept {
     WallBox box;
     for (Index k = 0; k < curve.n_indices; ++k) box.add(curve.point(k));
@@ -38,27 +38,29 @@ public:
         }
         if (farthest_ != none) return refuse_far(fault);
         if (beyond_ == none) return Status::ok;
-        return fault.refuse(Status::far_from_curve,
-                            "point # is ~ beyond the end of its curve: points there move as one; "
-                            "is a curve missing?",
-                            point_item(wall_.point[beyond_]), {}, beyond_distance_);
+        return fault.refuse(
+            Status::far_from_curve,
+            "point # is ~ beyond the end of its curve, where all points move alike; "
+            "check whether a curve is missing",
+            point_item(wall_.point[beyond_]), {}, beyond_distance_);
     }
 
 private:
     Status look_at(Index slot, Fault& fault) noexcept {
-        Index const its_curve = wall_.curve[slot];
-        Curve const& curve = curves_[its_curve];
+        Index const number = wall_.curve[slot];
+        Curve const& curve = curves_[number];
         Vec2 const point = points_[wall_.point[slot]];
         Real const distance = length(curve_point(curve, wall_.u[slot]) - point);
         if (distance == 0) return Status::ok;
-        if (measured_ != its_curve) {  // slots of a curve follow each other
-            measured_ = its_curve;
+        // The slots of a curve are consecutive, so the extent is computed once.
+        if (measured_ != number) {
+            measured_ = number;
             curve_extent_ = extent_of(curve);
         }
         Real const extent = min(curve_extent_, wall_extent_);
-        Real const part = extent > smallest_height ? distance / extent : infinity;
-        if (part > largest_) {
-            largest_ = part;
+        Real const relative = extent > smallest_height ? distance / extent : infinity;
+        if (relative > largest_) {
+            largest_ = relative;
             largest_distance_ = distance;
             farthest_ = slot;
         }
@@ -69,26 +71,26 @@ private:
             beyond_distance_ = distance;
         }
         for (Index other = 0; other < curves_.count(); ++other) {
-            if (named_together(its_curve, other)) continue;
+            if (named_together(number, other)) continue;
             if (!(project(curves_[other], point).distance < much_nearer * distance)) continue;
             return fault.refuse(Status::bad_condition,
-                                "point # is ~ from its curve, but on curve @, which its "
-                                "condition does not "
-                                "name",
+                                "point # is ~ away from its curve, but lies on curve @, which its "
+                                "condition does not name",
                                 point_item(wall_.point[slot]), curve_item(other), distance);
         }
         return Status::ok;
     }
 
-    // The length of the shorter face at the point. Neighbours along the wall have neighbouring
-    // slots.
+    // Returns the length of the shorter face at the point. Neighbours along the wall have
+    // neighbouring slots.
     Real face_at(Index slot) const noexcept {
-        Real least = infinity;
+        Real shortest = infinity;
         for (Index next = slot - 1; next <= slot + 1; next += 2) {
             if (next < 0 || next >= wall_.count || wall_.curve[next] >= curves_.count()) continue;
-            least = min(least, length(points_[wall_.point[next]] - points_[wall_.point[slot]]));
+            shortest =
+                min(shortest, length(points_[wall_.point[next]] - points_[wall_.point[slot]]));
         }
-        return least;
+        return shortest;
     }
 
     bool named_together(Index a, Index b) const noexcept {
@@ -106,24 +108,24 @@ private:
     Status refuse_far(Fault& fault) const noexcept {
         bool const is_another = largest_ > 1;
         return fault.refuse(is_another ? Status::bad_condition : Status::far_from_curve,
-                            is_another ? "point # is ~ from its curve, farther than that is large: "
-                                         "is its marker another one?"
-                                       : "point # is ~ from its curve, above .05 of the extent of "
-                                         "curve or wall: is the curve "
-                                         "its own?",
+                            is_another
+                                ? "point # is ~ away from its curve, more than the extent of "
+                                  "the curve or wall; check the marker of the condition"
+                                : "point # is ~ away from its curve, more than 0.05 of the "
+                                  "extent of the curve or wall; check the curve",
                             point_item(wall_.point[farthest_]), {}, largest_distance_);
     }
 
-    static constexpr Real far = 0.05;            // of the extent
-    static constexpr Real share_of_face = 0.25;  // a fit that follows the faces is nearer
-    static constexpr Real much_nearer = 0.0625;
+    static constexpr Real far = 0.05;            // as a fraction of the extent
+    static constexpr Real share_of_face = 0.25;  // points of a good fit are nearer to the curve
+    static constexpr Real much_nearer = 0.0625;  // as a fraction of the distance
 
     Points points_;
     Span<const Condition> conditions_;
     Span<const Curve> curves_;
     Wall const& wall_;
-    Real wall_extent_ = 0;   // of all points on curves
-    Index measured_ = none;  // the curve with the extent below
+    Real wall_extent_ = 0;   // the extent of all points on curves
+    Index measured_ = none;  // the curve whose extent is curve_extent_
     Real curve_extent_ = 0;
     Index farthest_ = none, beyond_ = none;  // slots
     Real largest_ = far, largest_distance_ = 0, beyond_distance_ = 0;

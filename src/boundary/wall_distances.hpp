@@ -1,14 +1,14 @@
-// Whether the points of a wall lie on the curves that they were given.
+// Checks that the points of a wall lie on their curves.
 #pragma once
 
 #include "boundary/moving_boundary.hpp"
 
 namespace harmorph {
 
-// Refused: a point that is farther from its curve than curve or wall is large, and a point that
-// lies on another curve, which no condition names together with its own. Status::far_from_curve: a
-// point that is .05 of that extent away, or that lies beyond the end of its curve, where several
-// points would move as one.
+// Refuses a point whose distance from its curve is larger than the extent of the curve or of the
+// wall, and a point that lies on another curve, which no condition names together with its curve.
+// Warns (Status::far_from_curve) of a point that is more than 0.05 of this extent away, or that
+// lies beyond the end of its curve, where all points have the same displacement.
 Status check_distances(Points points, Span<const Condition> conditions, Span<const Curve> curves,
                        Wall const& wall, Fault& fault) noexcept;
 

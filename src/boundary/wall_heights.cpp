@@ -5,28 +5,31 @@
 namespace harmorph {
 namespace {
 
-constexpr Real most_reach = 0.25;
-constexpr Real growth = 0.5;    // of the reach, per length along the wall
-constexpr Real least_jump = 3;  // of feet, against the distance of two points of one cell
-constexpr Index least_points_near_walls = 4096;  // for a thread
+constexpr Real max_reach = 0.25;  // as a fraction of the extent of all walls
+constexpr Real growth = 0.5;      // the largest growth of the reach, per length along the wall
+// The nearest wall changes between two points of one cell if the distance of their feet is larger
+// than the distance of the points by this factor.
+constexpr Real min_jump = 3;
+// Fewer points are not given to a thread, because starting a thread takes longer.
+constexpr Index min_points_near_walls = 4096;
 
 Real fade(Real x) noexcept { return x < 1 ? 1 - x * (3 - 2 * sqrt(x)) : 0; }
 
 }  // namespace
 
 void WallHeights::lay_out(Arena& arena, Mesh const& mesh, Size max_faces) noexcept {
-    Size const most = WallPoints::most(mesh.n_points, max_faces);
+    Size const max_count = WallPoints::max_count(mesh.n_points, max_faces);
     wall.lay_out(arena, mesh.n_points, max_faces);
     arena.take(foot, mesh.n_points);
-    arena.take(reach, most);
-    arena.take(turn, most);
+    arena.take(reach, max_count);
+    arena.take(turn, max_count);
 }
 
 void WallHeights::find(Mesh const& mesh, Points before, Span<const PointKind> kinds,
                        Span<const Index> representative, FaceDistance const& walls,
                        Executor const& executor) noexcept {
     wall.find(mesh.n_points, walls);
-    executor.for_ranges(mesh.n_points, least_points_near_walls, [&](Index begin, Index end) {
+    executor.for_ranges(mesh.n_points, min_points_near_walls, [&](Index begin, Index end) {
         Index group = 0;
         for (Index k = begin; k < end; ++k) {
             foot[k] =
@@ -59,34 +62,34 @@ void WallHeights::bound_by_curvature(FaceDistance const& walls, Points before) n
         Vec2 const here = before[wall.point[slot]];
         Vec2 const behind = here - before[wall.previous[slot]],
                    ahead = before[wall.next[slot]] - here;
-        Real const curving = length(direction(ahead) - direction(behind)),
-                   most = most_reach * walls.extent;
+        Real const turning = length(direction(ahead) - direction(behind)),
+                   limit = max_reach * walls.extent;
         Real const mean = 0.5 * (length(ahead) + length(behind));
-        reach[slot] = mean < most * curving ? mean / curving : most;
+        reach[slot] = mean < limit * turning ? mean / turning : limit;
     }
 }
 
-// Bounds the reach beside a boundary that is no wall here, and where two points of one cell have
-// feet far from each other, because the nearest wall changes between them.
+// Bounds the reach beside boundaries that are not walls, and where two points of one cell have feet
+// far from each other, because the nearest wall changes between the points.
 void WallHeights::bound_by_jumps(Mesh const& mesh, Points before, Span<const Index> representative,
                                  FaceDistance const& walls) noexcept {
     auto const bound = [&](Index near_point) {
-        Real const most = height(walls, near_point, before);
+        Real const limit = height(walls, near_point, before);
         for (Index const end : walls.faces[foot[near_point].face].point) {
-            reach[wall.slot[end]] = min(reach[wall.slot[end]], most);
+            reach[wall.slot[end]] = min(reach[wall.slot[end]], limit);
         }
     };
     auto const has_foot = [&](Index near_point) { return foot[near_point].face != none; };
     auto const is_jump = [&](Index a, Index b) {
         if (!has_foot(b)) return wall.slot[b] == none;
         Real const between_feet = length(walls.at(foot[a], before) - walls.at(foot[b], before));
-        return between_feet > least_jump * length(before[a] - before[b]);
+        return between_feet > min_jump * length(before[a] - before[b]);
     };
     for (Index i = 0; i < mesh.n_cells; ++i) {
         Cell const cell = mesh.cell(i);
         for (Index k = 0; k < cell.n; ++k) {
             Index const here = representative[cell.point[k]];
-            if (!has_foot(here) || !(height(walls, here, before) < most_reach * walls.extent))
+            if (!has_foot(here) || !(height(walls, here, before) < max_reach * walls.extent))
                 continue;
             Index const next = representative[cell.next(k)],
                         previous = representative[cell.previous(k)];
@@ -95,12 +98,13 @@ void WallHeights::bound_by_jumps(Mesh const& mesh, Points before, Span<const Ind
     }
 }
 
-// Twice along the faces in either direction goes round every loop, wherever it begins.
+// Limits the growth of the reach along the wall. Two passes over the faces in both directions go
+// round every loop, wherever it begins.
 void WallHeights::grade(FaceDistance const& walls, Points before) noexcept {
     auto const limit = [&](Index face, Index from) {
         Index const a = walls.faces[face].point[from], b = walls.faces[face].point[1 - from];
-        Real const most = reach[wall.slot[a]] + growth * length(before[a] - before[b]);
-        reach[wall.slot[b]] = min(reach[wall.slot[b]], most);
+        Real const bound = reach[wall.slot[a]] + growth * length(before[a] - before[b]);
+        reach[wall.slot[b]] = min(reach[wall.slot[b]], bound);
     };
     for (Index pass = 0; pass < 2; ++pass) {
         for (Index face = 0; face < walls.count; ++face) limit(face, 0);
@@ -113,7 +117,7 @@ void WallHeights::restore(FaceDistance const& walls, Points before, MutablePoint
                           Executor const& executor) const noexcept {
     Points const after{points.x, points.y, points.stride};
     for (Index slot = 0; slot < wall.count; ++slot) turn[slot] = wall.turn(slot, before, after);
-    executor.for_ranges(foot.count(), least_points_near_walls, [&](Index begin, Index end) {
+    executor.for_ranges(foot.count(), min_points_near_walls, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
             FaceDistance::Foot const& foot_of_k = foot[k];
             if (foot_of_k.face == none) continue;

@@ -1,5 +1,5 @@
-// Distances from the walls brought back to what they were before a deformation: near them entirely,
-// farther away less.
+// Restores the distances from the walls that the mesh had before a deformation: completely near the
+// walls, and less farther away.
 #pragma once
 
 #include "boundary/conditions.hpp"
@@ -7,36 +7,39 @@
 
 namespace harmorph {
 
-// Every point near a wall has a foot: the nearest point of the wall. A deformation that preserves
+// Every point near a wall has a foot, the nearest point of the wall. A deformation that preserves
 // angles (the conformal basis) still scales the height above the moved foot with the stretch of the
-// wall. So the point moves along the normal n, which turns with the wall, by
+// wall. Therefore the point moves along the normal n, which turns with the wall, by
 //
-//   n (d - h) fade(d / reach),   d, h: heights before and after;   fade(x) = 1 - 3 x + 2 x sqrt(x)
-//   up to x = 1, then 0.
+//   n (d - h) fade(d / reach),
 //
-// fade and its derivative vanish at the reach, and the corrected heights above one foot keep their
-// order as long as the wall is stretched by more than 0.22 (d/dx (x fade) >= -0.28). Rigid motion
-// is not changed beyond rounding; a mesh that has not moved is not changed at all.
+// where d and h are the heights before and after the deformation, and fade(x) is 1 - 3 x + 2 x
+// sqrt(x) up to x = 1 and 0 beyond. fade and its derivative are 0 at the reach. The corrected
+// heights above one foot keep their order if the wall is stretched by more than 0.22, because d/dx
+// (x fade) >= -0.28. A rigid motion is changed by rounding only; a mesh that has not moved is not
+// changed at all.
 //
-// The reach is a function along the wall: the radius of curvature, or a quarter of the extent of
-// all walls where that is less; 0 where a wall ends; never beyond points from which another part of
-// the wall is as near (a gap, a concave corner). Along the wall the reach grows by at most half of
-// the distance.
+// The reach is a function along the wall: the smaller of the radius of curvature and a quarter of
+// the extent of all walls. At the end of a wall the reach is 0. It does not include points that are
+// equally near to another wall (in a gap or a concave corner). Along the wall the reach grows by at
+// most half of the distance.
 struct WallHeights {
     WallPoints wall;
-    Span<FaceDistance::Foot> foot;  // [n_points] none: far from walls, or not to be moved
-    Span<Real> reach;               // [wall.most]
-    Span<Vec2> turn;  // [wall.most] of the wall at its points, in the deformation at hand
+    // [n_points] The foot of each point; its face is none if the point is far from all walls or
+    // must not move.
+    Span<FaceDistance::Foot> foot;
+    Span<Real> reach;  // [wall.max_count]
+    Span<Vec2> turn;   // [wall.max_count] the rotation of the wall in the current deformation
 
     void lay_out(Arena& arena, Mesh const& mesh, Size max_faces) noexcept;
-    // kinds, representative [n_points]: only points inside move, points that are joined to others
-    // with these.
+    // kinds and representative [n_points]: only inner points move; points that are joined to others
+    // move with their representatives.
     void find(Mesh const& mesh, Points before, Span<const PointKind> kinds,
               Span<const Index> representative, FaceDistance const& walls,
               Executor const& executor) noexcept;
-    // points: in, the deformed mesh; out, with heights restored; points on boundaries stay. amount
-    // 1: entirely, 0: not at all. Cells may be inverted afterwards, where they nearly were before
-    // or where the stretch varies strongly: check them.
+    // Restores the heights in the deformed mesh `points`; points on boundaries do not move. amount
+    // is from 0 (no change) to 1 (complete). Afterwards the caller must check the cells: some may
+    // be inverted, if they nearly were before or if the stretch of the wall varies strongly.
     void restore(FaceDistance const& walls, Points before, MutablePoints points,
                  Span<const Index> representative, Real amount,
                  Executor const& executor) const noexcept;

@@ -1,5 +1,6 @@
-// The outline of an airfoil as points from the trailing edge round to the trailing edge, and how
-// far along its side each point is. Two airfoils are compared point by point by these shares.
+// Describes the outline of an airfoil by points from the trailing edge round to the trailing edge.
+// Each point has a share of the arc, by which the points of two airfoils are compared.
+// tests/bspline/test_airfoil_samples.cpp covers this file.
 #pragma once
 
 #include "base/arena.hpp"
@@ -16,8 +17,8 @@ void reverse(Span<T> list) noexcept {
     }
 }
 
-// Turns the order of a closed list, whose last element repeats the first one: the list begins and
-// ends with the element at this position.
+// Rotates a closed list, whose last element repeats the first one, so that the list begins and ends
+// with the element at this position.
 template <class T>
 void begin_loop_at(Span<T> list, Index first) noexcept {
     Index const n = list.count() - 1;
@@ -29,23 +30,24 @@ void begin_loop_at(Span<T> list, Index first) noexcept {
 
 struct AirfoilLine {
     Span<Vec2> at;
-    // Share of the arc: 0 at the beginning, 1 at the leading edge, 2 at the end.
+    // The share of the arc is 0 at the beginning, 1 at the leading edge, and 2 at the end.
     Span<Real> share;
-    Index n = 0;  // points in use
+    Index n = 0;  // the number of points
     // The trailing edge is the middle between both ends; the leading edge is the point farthest
     // from the trailing edge.
     Vec2 leading, trailing;
 
     void lay_out(Arena& arena, Index max_points) noexcept;
     void add(Vec2 point) noexcept { at[n++] = point; }
-    // Leading edge, trailing edge and shares of the points at hand. False: all points coincide.
+    // Computes the leading edge, the trailing edge and the shares. Returns false if a side has no
+    // length.
     bool measure() noexcept;
 
     bool runs_clockwise() const noexcept;
     void reverse() noexcept { harmorph::reverse(at.first(n)); }
-    // A closed line, whose last point is its first one, begins and ends at this point.
+    // Lets a closed line, whose last point is the first one, begin and end at this point.
     void begin_at(Index point) noexcept { begin_loop_at(at.first(n), point); }
-    // The interval, and the position in it from 0 to 1, that has this share.
+    // Returns the interval that contains this share, and the position in the interval from 0 to 1.
     Index interval_of(Real wanted, Real& position) const noexcept;
 };
 

@@ -38,7 +38,7 @@ void AirfoilSamples::gather(Index n) noexcept {
         along_[k] = points.at[static_cast<Index>((Offset{course.first} + k) % n)];
 }
 
-// One spline for each run of points between two corners.
+// Each sequence of points between two corners has one spline.
 void AirfoilSamples::sample() noexcept {
     Index const last = course.n_positions - 1;
     line.n = 0;

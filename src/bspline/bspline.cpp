@@ -16,22 +16,23 @@ Status check_knots(Curve const& curve, Index number, Fault& fault) noexcept {
     for (Index k = 0; k < n_knots; ++k) {
         if (!is_finite(curve.knots[k])) return refuse("knot # of curve @ is not finite", k);
         if (k > 0 && curve.knots[k] < curve.knots[k - 1])
-            return refuse("knot # of curve @ is smaller than the one before it", k);
+            return refuse("knot # of curve @ is smaller than the knot before it", k);
     }
     // Within these limits no quotient of basis functions or of their derivatives overflows.
-    constexpr Real longest = 1e100, shortest = 1e-100, least_part = 1e-18;
+    constexpr Real longest = 1e100, shortest = 1e-100, min_fraction = 1e-18;
     if (!is_at_most(curve.knots[0], longest) || !is_at_most(curve.knots[n_knots - 1], longest) ||
         !(curve.end() - curve.begin() >= shortest))
         return refuse(
-            "from knot # on, where the curve begins, curve @ has no length, or knots beyond 1e100",
+            "the range of curve @, which begins at knot #, has no length, or a knot is beyond "
+            "1e100",
             curve.degree);
-    Real const least = least_part * (curve.knots[n_knots - 1] - curve.knots[0]);
+    Real const min_interval = min_fraction * (curve.knots[n_knots - 1] - curve.knots[0]);
     for (Index k = 1; k < n_knots; ++k) {
         Real const interval = curve.knots[k] - curve.knots[k - 1];
-        if (interval > 0 && interval < least)
+        if (interval > 0 && interval < min_interval)
             return refuse(
-                "knot # of curve @ differs from the one before it by less than "
-                "1e-18 of all",
+                "knot # of curve @ differs from the knot before it by less than 1e-18 of the range "
+                "of all knots",
                 k);
     }
 
@@ -51,36 +52,37 @@ Status check_control(Curve const& curve, Index number, Fault& fault) noexcept {
                             "curve # uses @ control points in order, but there are fewer",
                             curve_item(number), plain(curve.n_indices));
     for (Index k = 0; k < curve.n_indices; ++k) {
-        // Not by control_point(): the subtraction may overflow before anything is known about the
-        // index.
+        // control_point() cannot be used, because the subtraction may overflow for a wrong index.
         Offset const c =
             curve.indices != nullptr ? static_cast<Offset>(curve.indices[k]) - curve.index_base : k;
         if (c < 0 || c >= curve.n_control)
             return fault.refuse(
-                Status::bad_curve, "index # of curve @ is ~: there is no such control point",
+                Status::bad_curve, "index # of curve @ is ~, but there is no such control point",
                 entry_item(k), curve_item(number), static_cast<Real>(curve.indices[k]));
         Index const point = static_cast<Index>(c);
         Vec2 const place{curve.control[2 * point], curve.control[2 * point + 1]};
         if (!is_finite(place.x) || !is_finite(place.y))
-            return fault.refuse(Status::bad_curve, "control point # of curve @ is not finite",
+            return fault.refuse(Status::bad_curve,
+                                "control point # of curve @ has a coordinate that is not finite",
                                 control_point_item(point), curve_item(number));
         if (!is_coordinate(place))
             return fault.refuse(Status::bad_curve,
-                                "control point # of curve @ has a coordinate beyond 1e100: ~",
+                                "control point # of curve @ has the coordinate ~, which is larger "
+                                "than the limit of 1e100",
                                 control_point_item(point), curve_item(number),
                                 abs(place.x) > abs(place.y) ? place.x : place.y);
         if (curve.weights != nullptr && !is_between(1e-10, curve.weights[point], 1e10))
-            return fault.refuse(Status::bad_curve,
-                                "the weight of control point # of curve @ is ~, not "
-                                "between 1e-10 and 1e10",
-                                control_point_item(point), curve_item(number),
-                                curve.weights[point]);
+            return fault.refuse(
+                Status::bad_curve,
+                "the weight of control point # of curve @ is ~, but must be between "
+                "1e-10 and 1e10",
+                control_point_item(point), curve_item(number), curve.weights[point]);
     }
     return Status::ok;
 }
 
-// Products of a rational curve by Leibniz' rule (equation 4.8), for each basis function:
-// R_k = w_k N_k / W, hence R_k^(d) = (w_k N_k^(d) - sum_i binomial(d, i) W^(i) R_k^(d - i)) / W.
+// Makes the basis functions rational (equation 4.8). For R_k = w_k N_k / W, Leibniz' rule gives
+// R_k^(d) = (w_k N_k^(d) - sum_i binomial(d, i) W^(i) R_k^(d - i)) / W.
 void make_rational(Curve const& curve, Index span, Index n_derivatives,
                    CurveBasis& basis) noexcept {
     Real sum[max_order] = {};  // W and its derivatives
@@ -101,13 +103,13 @@ void make_rational(Curve const& curve, Index span, Index n_derivatives,
         }
 }
 
-// Raises values and derivatives (each of the degree before) to degree j. The divided forms (u - a)
-// / h and (b - u) / h are exactly 1 and 0 at clamped ends, where P&T's A2.2 may be one rounding
-// off.
+// Computes values and derivatives of degree j from those of degree j - 1. The quotients (u - a) / h
+// and (b - u) / h are exactly 1 and 0 at clamped ends, where algorithm A2.2 of Piegl & Tiller may
+// have a rounding error.
 void raise_degree(Curve const& curve, Index span, Real u, Index j, Index n_derivatives,
                   CurveBasis& basis) noexcept {
-    Real const* const low =
-        curve.knots + span + 1 - j;  // function r of degree j - 1 lives on [low[r], high[r]]
+    // Function r of degree j - 1 is not 0 in [low[r], high[r]].
+    Real const* const low = curve.knots + span + 1 - j;
     Real const* const high = curve.knots + span + 1;
     for (Index d = min(n_derivatives, j); d >= 1; --d) {  // equation 2.7
         Real carried = 0;
@@ -132,12 +134,13 @@ void raise_degree(Curve const& curve, Index span, Real u, Index j, Index n_deriv
 
 Status check_curve(Curve const& curve, Index number, Fault& fault) noexcept {
     if (curve.degree < 1 || curve.degree > max_degree)
-        return fault.refuse(Status::bad_curve, "curve # has degree @; 1 to 5 are possible",
+        return fault.refuse(Status::bad_curve,
+                            "curve # has degree @, but the degree must be 1 to 5",
                             curve_item(number), plain(curve.degree));
     if (curve.n_indices <= curve.degree ||
         curve.n_indices > std::numeric_limits<Index>::max() - max_order)
         return fault.refuse(Status::bad_curve,
-                            "curve # has @ control points: more than the degree are needed",
+                            "curve # has @ control points, but must have more than its degree",
                             curve_item(number), plain(curve.n_indices));
     HARMORPH_TRY(check_knots(curve, number, fault));
     return check_control(curve, number, fault);

@@ -1,12 +1,13 @@
-// Derivatives by control points, gathered in reverse: whoever knows the derivative of a value by a
-// point of a curve, or by a derivative of the curve there, adds it here.
+// Collects the derivatives of a value by the control points (reverse differentiation): the caller
+// adds the derivative of the value by a point of a curve, or by a derivative of the curve at this
+// point. tests/bspline/test_section_measures.cpp covers this file.
 #pragma once
 
 #include "bspline/bspline.hpp"
 
 namespace harmorph {
 
-// A parameter and the span whose polynomials count there.
+// A parameter of a curve, and the span whose polynomials are evaluated there.
 struct CurvePlace {
     const Curve* curve = nullptr;
     Index span = none;
@@ -22,11 +23,12 @@ struct CurvePlace {
 
 class ControlGradient {
 public:
-    ControlGradient() noexcept = default;  // not wanted: everything added is forgotten
+    // Without an array, add() does nothing.
+    ControlGradient() noexcept = default;
     explicit ControlGradient(Real* xy) noexcept : xy_(xy) {}  // [2 * n_control]
 
     bool wanted() const noexcept { return xy_ != nullptr; }
-    // by [n + 1]: derivatives of the value by C(u), C'(u), .., the n-th derivative.
+    // by [n + 1] are the derivatives of the value by C(u), C'(u), ..., up to the n-th derivative.
     void add(CurvePlace const& place, Index n, const Vec2* by) const noexcept {
         if (!wanted()) return;
         CurveBasis const basis = curve_basis_in(*place.curve, place.span, place.u, n);

@@ -4,17 +4,19 @@ namespace harmorph {
 namespace {
 
 // Directions are taken over several lengths, and the smallest turn counts. A corner turns the
-// direction over all of them, the zigzag of coordinates with few digits only over short ones,
-// roundness and a corner nearby only over long ones.
+// direction over all lengths. The zigzag of coordinates with few digits turns it over short lengths
+// only, and a round arc or a corner nearby over long lengths only.
 constexpr Real window[] = {2e-5, 5e-4, 1e-2};
 
-constexpr Real least_corner = 0.087;  // turn of the weakest corner: 5 degrees
-constexpr Real longest_base =
-    0.15;  // thick trailing edges of wind turbines have a tenth of the chord
-constexpr Real side_straightness = 0.02;  // of the side's length
-constexpr Real coordinate_noise = 2e-6;   // six digits
-constexpr Real flat_turn = 1e-4;          // of a point that divides a straight facet
-constexpr Index most_flat = 3;            // more of them in a row are a straight side
+constexpr Real min_corner_turn = 0.087;  // 5 degrees
+// Thick trailing edges of wind turbines have a tenth of the chord.
+constexpr Real max_base_length = 0.15;
+constexpr Real side_straightness = 0.02;  // as a fraction of the length of the side
+constexpr Real coordinate_noise = 2e-6;   // the precision of coordinates with six digits
+// A point with a smaller turn divides a straight facet; more than max_flat_points of them in a row
+// are a straight side.
+constexpr Real flat_turn = 1e-4;
+constexpr Index max_flat_points = 3;
 
 Vec2 normalised(Vec2 a) noexcept { return (1 / length(a)) * a; }
 
@@ -29,27 +31,26 @@ OutlineBend bend_at(Outline const& outline, Index point, Real reach) noexcept {
     if (a == none || b == none) return {infinity, infinity};
     Vec2 const back = outline.points[point] - outline.points[a];
     Vec2 const forth = outline.points[b] - outline.points[point];
-    if (square(back) == 0 || square(forth) == 0)
-        return {infinity, infinity};  // round the body and back
+    // A reach of the whole loop leads back to the point.
+    if (square(back) == 0 || square(forth) == 0) return {infinity, infinity};
     Real const turn = length(normalised(forth) - normalised(back));
-    return {turn, 2 * turn /
-                      (length(back) +
-                       length(forth))};  // on a circle exactly 1 / radius, for equal chords
+    // On a circle the curvature is exactly 1 / radius if both chords are equal.
+    return {turn, 2 * turn / (length(back) + length(forth))};
 }
 
-// The first of the values [begin, end) of a growing array that is not below `least`; end if there
-// is none.
-Index first_not_below(Span<const Real> values, Index begin, Index end, Real least) noexcept {
+// Returns the first of the values [begin, end) of a growing array that is not below `bound`, or
+// end.
+Index first_not_below(Span<const Real> values, Index begin, Index end, Real bound) noexcept {
     while (begin < end) {
         Index const middle = begin + (end - begin) / 2;
-        if (values[middle] < least) begin = middle + 1;
+        if (values[middle] < bound) begin = middle + 1;
         else end = middle;
     }
     return begin;
 }
 
-// The next point in one direction, past those that only divide a facet: they would make its ends
-// stand out.
+// next() returns the next point in one direction, without points that only divide a facet: with
+// these points, the ends of the facet would look like corners.
 struct Walk {
     Outline const& outline;
     bool forward;
@@ -59,14 +60,15 @@ struct Walk {
         Index at = point, flat = 0;
         do {
             at = forward ? outline.ahead(at, window[0]) : outline.behind(at, window[0]);
-        } while (at != none && at != point && outline.turn[at] < flat_turn && flat++ < most_flat);
+        } while (at != none && at != point && outline.turn[at] < flat_turn &&
+                 flat++ < max_flat_points);
         return at;
     }
     Real turn(Index point) const noexcept { return point == none ? 0 : outline.turn[point]; }
 };
 
-// Is `turn` more than what the next two turns promise? On rounded noses turns grow up to fourfold
-// from point to point.
+// Returns whether `turn` is larger than the next two turns let expect. On rounded leading edges,
+// turns grow up to fourfold from point to point.
 bool stands_out(Real turn, Real next, Real after) noexcept {
     Real const growth = after > 0 ? clamp(next / after, Real(1), Real(4)) : 4;
     return turn > 2.5 * growth * next;
@@ -74,8 +76,8 @@ bool stands_out(Real turn, Real next, Real after) noexcept {
 
 struct OutlineSide {
     bool is_smooth = false;
-    bool has_partner = false;  // the next point is as sharp: the other end of a base, if that one's
-                               // far side is smooth
+    // The next point is as sharp, which makes it the other end of a base if its far side is smooth.
+    bool has_partner = false;
 };
 
 OutlineSide look(Walk const& walk, Index point) noexcept {
@@ -88,7 +90,8 @@ OutlineSide look(Walk const& walk, Index point) noexcept {
     return {stands_out(walk.turn(first), walk.turn(second), walk.turn(third)), true};
 }
 
-// Of points within one short window only the sharpest can be a corner; of equal ones the first.
+// Within one short window, only the sharpest point can be a corner; if several are equally sharp,
+// only the first.
 bool is_sharpest(Outline const& outline, Index point, bool forward) noexcept {
     Index const n = outline.count();
     Index const limit = Walk{outline, forward}.next(point);
@@ -102,7 +105,7 @@ bool is_sharpest(Outline const& outline, Index point, bool forward) noexcept {
 }
 
 bool is_corner(Outline const& outline, Index point) noexcept {
-    if (outline.turn[point] < least_corner) return false;
+    if (outline.turn[point] < min_corner_turn) return false;
     if (!is_sharpest(outline, point, true) || !is_sharpest(outline, point, false)) return false;
     OutlineSide const back = look({outline, false}, point);
     OutlineSide const forth = look({outline, true}, point);
@@ -148,7 +151,8 @@ Index Outline::ahead(Index point, Real reach) const noexcept {
 Index Outline::behind(Index point, Real reach) const noexcept {
     Index const n = count();
     Real const target = arc[point] - reach;
-    // The last not above: the one before the first above; arcs grow strictly but for rounding.
+    // The last value that is not above the target precedes the first one that is above; arc lengths
+    // grow strictly, except for rounding.
     Index found = first_not_below(arc, 0, point, target);
     if (found < point && arc[found] == target) return found;
     if (found > 0) return found - 1;
@@ -168,7 +172,7 @@ bool is_short_side(Outline const& outline, Index from, Index to) noexcept {
     Vec2 const start = outline.points[from];
     Vec2 const along = outline.points[to] - start;
     Real const gap = length(along);
-    if (from == to || gap > longest_base) return false;
+    if (from == to || gap > max_base_length) return false;
     Index const n = outline.count();
     Real walked = 0;
     for (Index k = from; k != to;) {

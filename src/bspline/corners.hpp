@@ -1,4 +1,5 @@
-// The outline of a body as points in order: turning, curvature, corners, straight pieces.
+// Computes turning and curvature of an outline, which is given as points in order, and finds
+// corners and short straight sides.
 #pragma once
 
 #include "base/arena.hpp"
@@ -6,33 +7,35 @@
 
 namespace harmorph {
 
-// Points about their centroid in units of the extent (nearly the largest distance of two points):
-// all lengths are fractions of it.
+// The origin is the centroid of the points, and the unit of length is the extent, which is nearly
+// the largest distance of two points.
 struct Outline {
     Span<const Vec2> points;
     bool is_loop = false;
-    Span<Real> arc;   // [n + 1] arc length up to each point; the last: of all (of a loop, round it)
-    Span<Real> turn;  // [n] 2 sin(angle / 2) of the change of direction: the angle, for small ones;
-                      // 0 at open ends
+    Span<Real> arc;  // [n + 1] the arc length up to each point; the last entry is the total length
+    // [n] 2 sin(angle / 2) of the change of direction, which is the angle if it is small; 0 at open
+    // ends.
+    Span<Real> turn;
     Span<Real> curvature;  // [n] 1 / radius
 
     void lay_out(Arena& arena, Index n) noexcept;
-    void measure() noexcept;  // fills arc, turn and curvature from points
+    // Computes arc, turn and curvature from the points.
+    void measure() noexcept;
 
     Index count() const noexcept { return points.count(); }
-    // The first point at least `reach` of arc length away (never the point itself); none: an open
-    // end is nearer.
+    // Return the first point ahead or behind whose arc length from `point` is at least `reach`, or
+    // none if an open end is nearer. The result is never the point itself.
     Index ahead(Index point, Real reach) const noexcept;
     Index behind(Index point, Real reach) const noexcept;
 };
 
-// The points where the direction jumps, in order: corner [n]; returns how many. Rounded noses and
-// edges with few points turn as sharply from point to point, but over more than two points: they
-// are not corners.
+// Writes the points at which the direction jumps to corner [n], in order, and returns their number.
+// A rounded leading or trailing edge with few points turns as sharply from point to point, but over
+// more than two points; its points are not corners.
 Index find_corners(Outline const& outline, Span<Index> corner) noexcept;
 
-// Do the points from corner `from` to corner `to` lie on a straight line that is short compared
-// with the body?
+// Returns whether the points from corner `from` to corner `to` lie on a straight line that is short
+// compared with the body.
 bool is_short_side(Outline const& outline, Index from, Index to) noexcept;
 
 }  // namespace harmorph

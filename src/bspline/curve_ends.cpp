@@ -1,20 +1,24 @@
 #include "bspline/curve_ends.hpp"
 
+#include "base/sort.hpp"
+
 namespace harmorph {
 namespace {
 
-// Of the angle between the directions before and behind a base: about -cos 45 degrees, so wedges up
-// to 45 degrees have bases.
+// The directions before and after a base differ by an angle whose cosine is below this, about -cos
+// 45 degrees, so wedges up to 45 degrees have bases.
 constexpr Real cosine_of_return = -0.7;
-constexpr Real at_the_end = 0.95;  // of the chord: how far from the nose a base is at least
-constexpr Real blunt_turn = 1;     // 2 sin(angle / 2) of 60 degrees
-// Along a side, away from a base: a body that widens by more than 45 degrees within so much of the
-// extent begins there, and what ends in the straight piece is a horn or a lip on it.
-constexpr Real cosine_of_widening = 0.7, longest_horn = 0.25, direction_reach = 0.01;
+// The smallest distance of a base from the leading edge, as a fraction of the chord.
+constexpr Real min_base_distance = 0.95;
+constexpr Real blunt_turn = 1;  // 2 sin(angle / 2) for 60 degrees
+// If the outline widens by more than 45 degrees within max_horn_length of the extent beside a
+// straight side, the body begins there, and the straight side is the end of a horn or lip.
+constexpr Real cosine_of_widening = 0.7, max_horn_length = 0.25, direction_reach = 0.01;
 
-// Of the points that turn within `tie` of the most, those farthest from the centroid (the origin),
-// of these the one nearest to either end of the list: rounding, turning and reversing the outline
-// shall not change the choice.
+// Returns one of the points whose turn is the largest, within the fraction `tie`: the point
+// farthest from the centroid (the origin), and among several such points the one nearest to either
+// end of the list. Rounding, rotation and reversal of the outline therefore do not change the
+// choice.
 template <class Candidates>
 Index sharpest_of(Outline const& outline, Candidates const& candidates, Index n,
                   Real tie) noexcept {
@@ -50,17 +54,18 @@ Index following(Span<const Index> corner, Index j) noexcept {
 
 Index farthest_from(Outline const& outline, Vec2 from) noexcept {
     Index farthest = 0;
-    Real most = 0;
+    Real largest = 0;
     for (Index k = 0; k < outline.count(); ++k) {
-        Real const distance = square(outline.points[k] - from);
-        if (!(distance > most)) continue;
-        most = distance;
+        Real const squared = square(outline.points[k] - from);
+        if (!(squared > largest)) continue;
+        largest = squared;
         farthest = k;
     }
     return farthest;
 }
 
-// Does the outline come back over this side? Directions are taken over the side's own length.
+// Returns whether the outline reverses its direction at this side. Directions are taken over the
+// length of the side.
 bool comes_back(Outline const& outline, Index from, Index to) noexcept {
     Real const reach = length(outline.points[to] - outline.points[from]);
     Vec2 const in = outline.points[from] - outline.points[outline.behind(from, reach)];
@@ -68,8 +73,8 @@ bool comes_back(Outline const& outline, Index from, Index to) noexcept {
     return dot(in, out) < cosine_of_return * length(in) * length(out);
 }
 
-// Does the side that leaves a base at `end`, where the base comes from `start`, turn away from the
-// body?
+// Returns whether the outline turns away from the body on the side that begins at `end`, one end of
+// a base; the other end is `start`.
 bool widens(Outline const& outline, Index start, Index end, bool forward) noexcept {
     auto const next = [&](Index point, Real reach) {
         return forward ? outline.ahead(point, reach) : outline.behind(point, reach);
@@ -78,7 +83,7 @@ bool widens(Outline const& outline, Index start, Index end, bool forward) noexce
     Vec2 const away = outline.points[next(end, length(base))] - outline.points[end];
     Real const inwards = cross(base, away);
     Real walked = 0;
-    for (Index k = end; walked < longest_horn;) {
+    for (Index k = end; walked < max_horn_length;) {
         Index const after = next(k, direction_reach);
         Vec2 const direction = outline.points[after] - outline.points[k];
         Real const turn = dot(away, direction);
@@ -95,13 +100,14 @@ bool is_base(Outline const& outline, Index from, Index to) noexcept {
     if (!is_short_side(outline, from, to) || !comes_back(outline, from, to)) return false;
     if (widens(outline, from, to, true) || widens(outline, to, from, false)) return false;
     Vec2 const begin = outline.points[from], end = outline.points[to];
-    Vec2 const nose = outline.points[farthest_from(outline, 0.5 * (begin + end))];
-    Real const chord = length(outline.points[farthest_from(outline, nose)] - nose);
-    return max(length(begin - nose), length(end - nose)) > at_the_end * chord;
+    Vec2 const leading_edge = outline.points[farthest_from(outline, 0.5 * (begin + end))];
+    Real const chord = length(outline.points[farthest_from(outline, leading_edge)] - leading_edge);
+    return max(length(begin - leading_edge), length(end - leading_edge)) >
+           min_base_distance * chord;
 }
 
-// Which corner a base begins at; none if there is no base, or one at either end of the body. Of
-// several at one end, as a step makes them, the shortest.
+// Returns the corner at which a base begins, or none if there is no base or if both ends of the
+// body have one. If there are several at one end, as in a step, the shortest is returned.
 Index find_base(Outline const& outline, Span<const Index> corner) noexcept {
     auto const middle = [&](Index j) {
         return 0.5 * (outline.points[corner[j]] + outline.points[following(corner, j)]);
@@ -121,15 +127,6 @@ Index find_base(Outline const& outline, Span<const Index> corner) noexcept {
 
 void remove(Span<Index> list, Index n, Index at) noexcept {
     for (Index j = at; j + 1 < n; ++j) list[j] = list[j + 1];
-}
-
-void sort_ascending(Span<Index> list, Index n) noexcept {  // a few corners, nearly in order
-    for (Index j = 1; j < n; ++j)
-        for (Index i = j; i > 0 && list[i] < list[i - 1]; --i) {
-            Index const larger_one = list[i - 1];
-            list[i - 1] = list[i];
-            list[i] = larger_one;
-        }
 }
 
 }  // namespace
@@ -159,7 +156,7 @@ Index drop_facets(Outline const& outline, Span<Index> corner, Index n) noexcept 
     if (!outline.is_loop || n < 2) return n;
     bool const round_the_end = is_facet(corner[n - 1], corner[0]);
     Index kept = 0;
-    bool drops = round_the_end;  // the corner at hand ends a facet
+    bool drops = round_the_end;  // whether the current corner ends a facet
     for (Index j = 0; j < n; ++j) {
         bool const begins = j + 1 < n ? is_facet(corner[j], corner[j + 1]) : round_the_end;
         if (!drops && !begins) corner[kept++] = corner[j];
@@ -169,7 +166,7 @@ Index drop_facets(Outline const& outline, Span<Index> corner, Index n) noexcept 
 }
 
 Index corners_on(Course const& course, Outline const& outline, Span<Index> corner,
-                 Index most) noexcept {
+                 Index max_corners) noexcept {
     Index const n = outline.count();
     Index kept = 0;
     for (Index const point : corner) {
@@ -183,13 +180,13 @@ Index corners_on(Course const& course, Outline const& outline, Span<Index> corne
         return outline.turn[position < n - course.first ? course.first + position
                                                         : position - (n - course.first)];
     };
-    for (; kept > most; --kept) {
+    for (; kept > max_corners; --kept) {
         Index bluntest = 0;
         for (Index j = 1; j < kept; ++j)
             if (turn(j) < turn(bluntest)) bluntest = j;
         remove(corner, kept, bluntest);
     }
-    sort_ascending(corner, kept);
+    sort_by_insertion(corner.first(kept), [](Index a, Index b) { return a < b; });
     return kept;
 }
 

@@ -1,5 +1,5 @@
-// How a fitted curve closes: where the curve begins, which way it runs round the body, and which
-// corners are on it.
+// Decides how a fitted curve closes: where the curve begins, in which direction it runs round the
+// body, and which corners are on it.
 #pragma once
 
 #include "bspline/corners.hpp"
@@ -8,7 +8,7 @@ namespace harmorph {
 
 enum class Closure : std::int32_t { automatic = 0, open = 1, tied = 2, periodic = 3 };
 
-// Why a curve closes as it does.
+// The reason for the choice of the closure.
 enum class ClosureReason : std::int32_t {
     wish = 0,
     no_loop = 1,
@@ -17,39 +17,43 @@ enum class ClosureReason : std::int32_t {
     base = 4
 };
 
-// The curve's positions 0 .. n_positions - 1 are the points first, first + 1, ... (mod n). A tied
-// or periodic curve has the first point at both ends.
+// The positions 0 .. n_positions - 1 of the curve are the points first, first + 1, ... (mod n). A
+// tied or periodic curve has the first point at both ends.
 struct Course {
     Closure closure = Closure::open;
     ClosureReason reason = ClosureReason::no_loop;
     Index first = 0;
     Index n_positions = 0;
-    Index base_points =
-        0;  // points on the blunt base, which a second curve takes; both ends counted
+    // The number of points on the blunt base, for which there is a second curve; both ends count.
+    Index base_points = 0;
 
     bool closes() const noexcept {
         return closure == Closure::tied || closure == Closure::periodic;
     }
 };
 
-// Automatic, for a loop: without corners periodic; with a blunt base open, the long way from one
-// corner of the base to the other; else tied at the sharpest corner. Tied or periodic as the caller
-// chooses: begins at the sharpest corner, or without corners at the point where the outline turns
-// most. Open: from the first point to the last.
+// Chooses the course of the curve. With Closure::automatic, the curve of a loop is periodic if
+// there are no corners, open if there is a blunt base, and otherwise tied at the sharpest corner.
+// The open curve runs the long way from one corner of the base to the other. If the caller chooses
+// tied or periodic, the curve begins at the sharpest corner, or without corners at the point where
+// the outline turns most. An open curve that the caller chooses runs from the first point to the
+// last.
 //
-// A base is a straight piece from a corner to the next one, at the end of the section farthest from
-// the nose, where the outline reverses: the directions before the first corner and behind the
-// second are nearly opposite. Facets of a nose or of a rounded edge with few points are no bases,
-// as the outline turns less there. Neither are the two ends of a plate, which has no nose.
+// A base is a straight side between two consecutive corners, at the end of the section farthest
+// from the leading edge. The outline reverses there: the directions before the first corner and
+// after the second one are nearly opposite. At facets of a rounded edge with few points the outline
+// turns less, so they are not bases. The two ends of a plate are not bases either, because a plate
+// has no leading edge.
 Course choose_course(Outline const& outline, Span<const Index> corner, Closure wanted) noexcept;
 
-// Removes both corners of a short straight piece with less than 60 degrees of turning at either: a
-// facet of a round edge. The corners of a base stay. Returns how many corners are left.
+// Removes both corners of each facet of a round edge, a short straight side with less than 60
+// degrees of turning at either end. The corners of a base stay. Returns the number of corners left.
 Index drop_facets(Outline const& outline, Span<Index> corner, Index n) noexcept;
 
-// Turns corners (points) into those inside the course (positions, ascending), the sharpest `most`
-// of them; a periodic curve is to be smooth and has none. Returns how many are left.
+// Replaces the points in `corner` by their positions inside the course, in ascending order, and
+// keeps the max_corners sharpest. A periodic curve is smooth and has no corners. Returns the number
+// of corners left.
 Index corners_on(Course const& course, Outline const& outline, Span<Index> corner,
-                 Index most) noexcept;
+                 Index max_corners) noexcept;
 
 }  // namespace harmorph

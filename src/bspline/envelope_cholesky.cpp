@@ -21,7 +21,7 @@ void EnvelopeMatrix::shape(Index n, Index bandwidth, bool closes) noexcept {
     fill(entries_.first(end), Real(0));
 }
 
-Index EnvelopeMatrix::factor(Real least) const noexcept {
+Index EnvelopeMatrix::factor(Real min_pivot) const noexcept {
     for (Index i = 0; i < n_; ++i) {
         Real const diagonal = at(i, i);
         for (Index j = first_column(i); j <= i; ++j) {
@@ -31,7 +31,7 @@ Index EnvelopeMatrix::factor(Real least) const noexcept {
             if (j < i) {
                 at(i, j) = sum / at(j, j);
             } else {
-                if (!(sum > least * diagonal)) return i;
+                if (!(sum > min_pivot * diagonal)) return i;
                 at(i, i) = sqrt(sum);
             }
         }

@@ -1,7 +1,5 @@
 #include "bspline/finer_curves.hpp"
 
-#include "base/range.hpp"
-
 namespace harmorph {
 
 Real polar_form(Curve const& curve, Index span, const Real* argument, Real* value) noexcept {
@@ -24,64 +22,13 @@ Real polar_form(Curve const& curve, Index span, const Real* argument, Real* valu
     return largest;
 }
 
-bool has_periodic_points(Curve const& curve) noexcept {
-    Index const p = curve.degree, n = curve.n_indices - p;
-    if (curve.indices == nullptr || n < 1) return false;
-    Real const period = curve.end() - curve.begin();
-    for (Index k = 0; k < p; ++k) {
-        if (curve.indices[k] != curve.indices[k + n]) return false;
-    }
-    for (Index k = 0; k <= 2 * p; ++k) {
-        if (!(abs(curve.knots[k + n] - curve.knots[k] - period) <= 1e-12 * period)) return false;
-    }
-    return true;
-}
-
-// ---- What is asked
-
-Status CurveRefinement::check(Curve const& old, Fault& fault) const noexcept {
-    if (elevates) {
-        if (old.degree < max_degree) return Status::ok;
-        return fault.refuse(Status::bad_curve, "curve # has degree @, the largest",
-                            curve_item(curve), plain(old.degree));
-    }
-    bool const periodic = has_periodic_points(old);
-    for (Index k = 0; k < knots.count(); ++k) {
-        Real const u = knots[k];
-        bool const inside =
-            is_finite(u) && (u > old.begin() || (periodic && u == old.begin())) && u < old.end();
-        if (!inside) {
-            return fault.refuse(Status::bad_argument,
-                                "knot # to be inserted, ~, is not inside curve @", knot_item(k),
-                                curve_item(curve), u);
-        }
-        Index fold = 0;
-        for (Real const other : knots) fold += other == u ? 1 : 0;
-        for (Index i = 0; i < old.n_indices + old.degree + 1; ++i)
-            fold += old.knots[i] == u ? 1 : 0;
-        if (fold > old.degree) {
-            return fault.refuse(
-                Status::bad_curve,
-                "knot #, ~, would be repeated @ times, more often than the degree allows",
-                knot_item(k), plain(fold), u);
-        }
-    }
-    return Status::ok;
-}
-
-// Inserted knots with their images on either side of a period; or every knot twice.
-Index CurveRefinement::most_knots(Curve const& old) const noexcept {
-    Index const n = old.n_indices + old.degree + 1;
-    return max_order + (elevates ? 2 * n : n + 3 * knots.count());
-}
-
 void FinerCounts::include(Curve const& old, bool changes,
                           CurveRefinement const& refinement) noexcept {
     ++n_curves;
     n_control = old.n_control;
     rational = old.weights != nullptr;
     if (changes) {
-        most_knots = refinement.most_knots(old);
+        max_knots = refinement.max_knots(old);
     } else {
         other_indices += old.n_indices;
         other_knots += old.n_indices + old.degree + 1;
@@ -91,12 +38,12 @@ void FinerCounts::include(Curve const& old, bool changes,
 void FinerCurves::lay_out(Arena& arena, FinerCounts const& counts) noexcept {
     old_control = counts.n_control;
     arena.take(curve, counts.n_curves);
-    arena.take(control, 2 * counts.most_control());
-    arena.take(weights, counts.rational ? counts.most_control() : 0);
-    arena.take(matrix, counts.most_control() * counts.n_control);
-    arena.take(all_, counts.most_knots);
-    arena.take(knots_, counts.most_knots);
-    arena.take(indices_, counts.most_knots);
+    arena.take(control, 2 * counts.max_control());
+    arena.take(weights, counts.rational ? counts.max_control() : 0);
+    arena.take(matrix, counts.max_control() * counts.n_control);
+    arena.take(all_, counts.max_knots);
+    arena.take(knots_, counts.max_knots);
+    arena.take(indices_, counts.max_knots);
     arena.take(other_indices_, counts.other_indices);
     arena.take(other_knots_, counts.other_knots);
     arena.take(number_, counts.n_control);
@@ -132,9 +79,9 @@ void FinerCurves::repeat_each_knot(Curve const& old) noexcept {
     }
 }
 
-// From all_ the knots that the curve needs: knots_[degree] the last of those at the beginning,
-// knots_[n_positions] the first of those at the end; of a periodic curve the last, as at the
-// beginning.
+// Copies the knots that the curve needs from all_ to knots_. knots_[degree] is the last knot at the
+// beginning, and knots_[n_positions] the first knot at the end; for a periodic curve it is the last
+// knot at the end, as at the beginning.
 void FinerCurves::choose_window(Curve const& old, Index degree) noexcept {
     Index begin = 0, end = n_all_ - 1;
     while (begin + 1 < n_all_ && all_[begin + 1] <= old.begin()) ++begin;
@@ -153,8 +100,8 @@ void FinerCurves::choose_window(Curve const& old, Index degree) noexcept {
 
 // ---- Control points
 
-// The coefficients, of the control points of one span of the old curve, of a control point with
-// these knots; returns the largest number on the way to them.
+// Computes a new control point with these knots, as coefficients of the control points of one span
+// of the old curve. Returns the largest intermediate number.
 Real FinerCurves::coefficients(Curve const& old, Index span, const Real* argument,
                                Real* sum) const noexcept {
     for (Index k = 0; k < max_order; ++k) sum[k] = 0;
@@ -162,7 +109,7 @@ Real FinerCurves::coefficients(Curve const& old, Index span, const Real* argumen
         bool equal = true;
         for (Index r = 0; r < degree_; ++r) equal = equal && old.knots[i + 1 + r] == argument[r];
         if (!equal) continue;
-        sum[i - (span - old.degree)] = 1;  // exactly that control point
+        sum[i - (span - old.degree)] = 1;  // the new control point is an old one
         return 0;
     }
     Real largest = 0;
@@ -180,21 +127,23 @@ Real FinerCurves::coefficients(Curve const& old, Index span, const Real* argumen
     return largest;
 }
 
-// The row of the control point at a position, appended to the matrix: from the span of all it acts
-// on, and of a periodic curve of all that it acts on a period later, where the least is lost by
-// rounding. Far from the arguments of a polar form, large numbers cancel.
+// Appends the row of the control point at a position to the matrix. The coefficients can be
+// computed from each span in which the control point counts; for a periodic curve, also one period
+// later. The span with the smallest intermediate numbers is used, because large numbers would
+// cancel far from the arguments of the polar form.
 void FinerCurves::put_row(Curve const& old, Index position) noexcept {
-    Real sum[max_order] = {}, least = 0;
+    Real sum[max_order] = {}, smallest = 0;
     Index span = none;
     for (Index at = position; at < n_positions_; at += period_) {
-        for (Index its = max(at, degree_); its <= min(at + degree_, n_positions_ - 1); ++its) {
-            if (!(knots_[its] < knots_[its + 1])) continue;
+        for (Index new_span = max(at, degree_); new_span <= min(at + degree_, n_positions_ - 1);
+             ++new_span) {
+            if (!(knots_[new_span] < knots_[new_span + 1])) continue;
             Real candidate[max_order];
-            Index const old_span = knot_span(old, knots_[its]);
+            Index const old_span = knot_span(old, knots_[new_span]);
             Real const largest = coefficients(old, old_span, knots_.data() + at + 1, candidate);
-            if (span != none && !(largest < least)) continue;
+            if (span != none && !(largest < smallest)) continue;
             for (Index k = 0; k < max_order; ++k) sum[k] = candidate[k];
-            least = largest;
+            smallest = largest;
             span = old_span;
         }
         if (period_ == 0) break;
@@ -204,9 +153,9 @@ void FinerCurves::put_row(Curve const& old, Index position) noexcept {
     Real weight = 0;
     for (Index k = 0; k <= old.degree; ++k) {
         Index const i = span - old.degree + k;
-        Real const part = sum[k] * old.weight(i);
-        weight += part;
-        row[old.control_point(i)] += part;
+        Real const term = sum[k] * old.weight(i);
+        weight += term;
+        row[old.control_point(i)] += term;
     }
     if (weights.empty()) return;
     for (Real& number : row) number /= weight;
@@ -222,7 +171,8 @@ void FinerCurves::number_changed(Curve const& old) noexcept {
         }
         put_row(old, position);
         Span<const Real> const row = matrix.from(Offset{n_control} * old_control, old_control);
-        Index same = none, others = 0;  // is it one of the old control points?
+        // The new control point is an old one if its row has a single entry 1.
+        Index same = none, others = 0;
         for (Index i = 0; i < old_control; ++i) {
             if (row[i] == 1) same = i;
             else if (row[i] != 0) ++others;
@@ -237,7 +187,7 @@ void FinerCurves::number_changed(Curve const& old) noexcept {
     }
 }
 
-// Old control points that other curves still need, or that no curve uses.
+// Keeps the old control points that other curves need, or that no curve uses.
 void FinerCurves::number_others(Index changed) noexcept {
     Curve const& any = curve[changed];
     for (Index i = 0; i < old_control; ++i) {
@@ -255,8 +205,8 @@ void FinerCurves::publish(Index changed, Curve const& old) noexcept {
     for (Index k = 0; k < n_control; ++k) {
         Vec2 sum;
         for (Index i = 0; i < old_control; ++i) {
-            Real const part = matrix[Offset{k} * old_control + i];
-            if (part != 0) sum = sum + part * Vec2{from[2 * i], from[2 * i + 1]};
+            Real const entry = matrix[Offset{k} * old_control + i];
+            if (entry != 0) sum = sum + entry * Vec2{from[2 * i], from[2 * i + 1]};
         }
         control[2 * k] = sum.x;
         control[2 * k + 1] = sum.y;
@@ -265,27 +215,27 @@ void FinerCurves::publish(Index changed, Curve const& old) noexcept {
     for (Index k = 0; k < n_positions_; ++k) indices_[k] += base;
     Offset used_indices = 0, used_knots = 0;
     for (Index c = 0; c < curve.count(); ++c) {
-        Curve& its = curve[c];
+        Curve& view = curve[c];
         if (c == changed) {
-            its.degree = degree_;
-            its.n_indices = n_positions_;
-            its.indices = indices_.data();
-            its.knots = knots_.data();
+            view.degree = degree_;
+            view.n_indices = n_positions_;
+            view.indices = indices_.data();
+            view.knots = knots_.data();
         } else {
             Index* const indices = other_indices_.data() + used_indices;
             Real* const knots = other_knots_.data() + used_knots;
-            Index const n_knots = its.n_indices + its.degree + 1;
-            for (Index k = 0; k < its.n_indices; ++k)
-                indices[k] = number_[its.control_point(k)] + base;
-            for (Index k = 0; k < n_knots; ++k) knots[k] = its.knots[k];
-            used_indices += its.n_indices;
+            Index const n_knots = view.n_indices + view.degree + 1;
+            for (Index k = 0; k < view.n_indices; ++k)
+                indices[k] = number_[view.control_point(k)] + base;
+            for (Index k = 0; k < n_knots; ++k) knots[k] = view.knots[k];
+            used_indices += view.n_indices;
             used_knots += n_knots;
-            its.indices = indices;
-            its.knots = knots;
+            view.indices = indices;
+            view.knots = knots;
         }
-        its.n_control = n_control;
-        its.control = control.data();
-        its.weights = weights.empty() ? nullptr : weights.data();
+        view.n_control = n_control;
+        view.control = control.data();
+        view.weights = weights.empty() ? nullptr : weights.data();
     }
 }
 

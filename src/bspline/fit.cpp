@@ -5,26 +5,26 @@
 namespace harmorph {
 namespace {
 
-constexpr Index knot_rounds = 24;      // knots moved to where the errors are
-constexpr Index solves_per_round = 3;  // each followed by a correction of the parameters
-constexpr Index final_solves = 20;     // with the best knots
-constexpr Real exact = 1e-14;          // an error, in units of the extent, that cannot get better
+constexpr Index knot_rounds = 24;      // each round moves knots to where the errors are
+constexpr Index solves_per_round = 3;  // a correction of the parameters follows each solve
+constexpr Index final_solves = 20;     // the final solves use the best knots
+constexpr Real exact = 1e-14;          // errors below this fraction of the extent are rounding
 
 }  // namespace
 
 Status check_fit(Index n_points, FitOptions const& options, Fault& fault) noexcept {
     if (options.degree < 1 || options.degree > max_degree)
-        return fault.refuse(Status::bad_curve, "the degree of a fit is 1 to 5, not #",
+        return fault.refuse(Status::bad_curve, "the degree of a fit must be 1 to 5, not #",
                             plain(options.degree));
     if (options.n_control <= options.degree)
         return fault.refuse(Status::bad_curve,
-                            "# control points are not enough: more than the degree, @, are needed",
+                            "# control points are too few: a fit needs more than the degree, @",
                             plain(options.n_control), plain(options.degree));
     if (n_points < options.n_control)
-        return fault.refuse(Status::bad_curve, "# points do not determine @ control points",
+        return fault.refuse(Status::bad_curve, "# points are too few to determine @ control points",
                             plain(n_points), plain(options.n_control));
     if (n_points > std::numeric_limits<Index>::max() - 2 * max_order)
-        return fault.refuse(Status::bad_curve, "# points are too many", plain(n_points));
+        return fault.refuse(Status::bad_curve, "# points are too many for a fit", plain(n_points));
     return Status::ok;
 }
 
@@ -62,7 +62,7 @@ Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options,
     outline_.is_loop = is_loop;
     if (!is_loop && (options.closure == Closure::tied || options.closure == Closure::periodic))
         return fault.refuse(Status::bad_curve,
-                            "only a loop of points can have a tied or periodic curve");
+                            "a tied or periodic curve needs points that form a closed loop");
     outline_.measure();
     Index n_corners = drop_facets(outline_, corner_, find_corners(outline_, corner_));
     report = {};
@@ -70,31 +70,33 @@ Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options,
     course_ = choose_course(outline_, corner_.first(n_corners), options.closure);
     if (course_.n_positions < options.n_control)
         return fault.refuse(Status::bad_curve,
-                            "# points without those on the base do not determine @ control points",
+                            "without the points on the blunt base, # points are too few to "
+                            "determine @ control points",
                             plain(course_.n_positions), plain(options.n_control));
     shape_curve(options);
-    Index const most = corners_possible(options.degree, squares_.curve.n_indices);
-    n_corners = corners_on(course_, outline_, corner_.first(n_corners), most);
+    Index const max_corners = corners_possible(options.degree, squares_.curve.n_indices);
+    n_corners = corners_on(course_, outline_, corner_.first(n_corners), max_corners);
     gather(n_corners);
     HARMORPH_TRY(check_growth(fault));
     approximate(n_corners);
-    if (best_error_ == infinity)
-        return fault.refuse(Status::bad_curve, "the points do not determine the curve");
+    constexpr const char* undetermined =
+        "the points do not determine the curve; use fewer control points";
+    if (best_error_ == infinity) return fault.refuse(Status::bad_curve, undetermined);
     publish(points);
-    for (Index c = 0; c < n_curves;
-         ++c) {  // its control points may lie far away, its knots too close
+    // Control points may lie too far away, and knots too close together.
+    for (Index c = 0; c < n_curves; ++c) {
         Fault why;
         if (failed(check_curve(curve[c], c, why)))
-            return fault.refuse(Status::bad_curve, "the points do not determine the curve");
+            return fault.refuse(Status::bad_curve, undetermined);
     }
     report_errors(points, n, report);
-    if (!is_finite(report.max_error))
-        return fault.refuse(Status::bad_curve, "the points do not determine the curve");
+    if (!is_finite(report.max_error)) return fault.refuse(Status::bad_curve, undetermined);
     report.backtrack_point = find_backtrack();
     if (report.backtrack_point == none) return Status::ok;
     Index const next = report.backtrack_point + 1 == n ? 0 : report.backtrack_point + 1;
     return fault.refuse(Status::backtracks,
-                        "between points # and @ the curve runs back: fewer control points help",
+                        "the fitted curve runs backwards between points # and @; use fewer control "
+                        "points",
                         point_item(report.backtrack_point), point_item(next));
 }
 
@@ -111,8 +113,8 @@ void Fit::shape_curve(FitOptions const& options) noexcept {
     squares_.set_up(shape, along_.first(course_.n_positions));
 }
 
-// The points and their curvature along the curve. Corners have none: their bend is not to attract
-// knots.
+// Collects the points and their curvature along the curve. A corner gets the curvature beside it,
+// so that the turn of the corner does not attract knots.
 void Fit::gather(Index n_corners) noexcept {
     Index const m = course_.n_positions;
     for (Index k = 0; k < m; ++k) {
@@ -130,20 +132,21 @@ void Fit::gather(Index n_corners) noexcept {
     for (Index k = 0; k < m; ++k) {
         start_[k] = arc_[k] / arc_[m - 1];
         Real const reach = arc_[min(k + 1, m - 1)] - arc_[max(k - 1, Index(0))];
-        squares_.weight[k] =
-            0.5 * reach;  // the sum of squares becomes the integral along the curve
+        // With these weights, the sum of squares approximates the integral along the curve.
+        squares_.weight[k] = 0.5 * reach;
     }
     sites_.u = start_.first(m);
     sites_.mass = mass_.first(m - 1);
     sites_.capped = capped_.first(m - 1);
 }
 
-// Knots between equal parameters would be equal, more of them than the degree allows.
+// Refuses equal parameters: the knots between them would be equal, more often than the degree
+// allows.
 Status Fit::check_growth(Fault& fault) const noexcept {
     for (Index k = 0; k + 1 < course_.n_positions; ++k) {
         if (start_[k] < start_[k + 1]) continue;
         return fault.refuse(Status::bad_curve,
-                            "points # and @ follow each other and coincide but for rounding",
+                            "the consecutive points # and @ are equal to rounding",
                             point_item(point_at(k)), point_item(point_at(k + 1)));
     }
     return Status::ok;
@@ -154,7 +157,7 @@ void Fit::use_corners(Index n) noexcept {
     sites_.section_spans = section_spans_.first(n + 1);
 }
 
-// A control point is on the curve where as many knots as the degree follow it in one place.
+// A control point lies on the curve if the knots that follow it are equal, as many as the degree.
 void Fit::pin_ends_and_corners() noexcept {
     Curve const& shape = squares_.curve;
     fill(squares_.pinned, none);
@@ -174,7 +177,8 @@ void Fit::start_parameters() noexcept {
     squares_.start();
 }
 
-// Keeps the best control points, with their knots and pins.
+// Solves and corrects the parameters several times, and keeps the best control points with their
+// knots and pinned points.
 void Fit::solve_and_correct(Index times, Real acceleration) noexcept {
     Real along = 0.02;
     for (Index k = 0; k < times && best_error_ > exact; ++k) {
@@ -207,7 +211,8 @@ void Fit::approximate(Index n_corners) noexcept {
     best_error_ = infinity;
     use_corners(n_corners);
     find_knots();
-    if (n_corners > 0) {  // corners found in noise cost more than they give
+    // Without corners the fit may be better, if noise was taken for corners.
+    if (n_corners > 0) {
         use_corners(0);
         find_knots();
     }

@@ -1,5 +1,5 @@
-// Least-squares B-spline through ordered points: corners, knots by arc length and curvature, tied
-// or free ends.
+// Fits a B-spline to points in order by least squares. The curve has the corners of the outline,
+// its knots follow arc length and curvature, and its ends are tied or free.
 #pragma once
 
 #include "bspline/curve_ends.hpp"
@@ -20,18 +20,18 @@ struct FitReport {
     Index max_error_point = none;
     Closure closure = Closure::open;  // never automatic
     ClosureReason reason = ClosureReason::no_loop;
-    Index corners = 0;             // of the outline, those at the ends counted
-    Index first_point = 0;         // where the first curve begins
-    Index base_points = 0;         // on a blunt base, both ends counted
-    Index backtrack_point = none;  // between this point and the next the first curve runs back
+    Index corners = 0;      // the number of corners of the outline; corners at the ends count
+    Index first_point = 0;  // the point at which the first curve begins
+    Index base_points = 0;  // the number of points on a blunt base; both ends count
+    // The first curve runs backwards between this point and the next one.
+    Index backtrack_point = none;
 };
 
-// Degree, number of control points and number of points; to be called before lay_out.
+// Checks degree, number of control points and number of points; must be called before lay_out().
 Status check_fit(Index n_points, FitOptions const& options, Fault& fault) noexcept;
 
-// The fitted curves (parameters from 0 to 1) and the room the fit needs; all arrays are views of
-// one arena. The result turns, moves, grows and reverses with the points, but for rounding. run()
-// may be called again.
+// Holds the fitted curves (with parameters from 0 to 1) and the working space. The result is
+// rotated, translated, scaled and reversed with the points, to rounding. run() may be called again.
 struct Fit {
     Index n_curves = 0;  // 2 with a blunt base
     Curve curve[2];
@@ -54,8 +54,8 @@ private:
     void publish(Points points) noexcept;
     void report_errors(Points points, Index n, FitReport& report) const noexcept;
     Index find_backtrack() const noexcept;
-    Index point_at(
-        Index position) const noexcept {  // the caller's point at a position along the curve
+    // Returns the caller's point at a position along the curve.
+    Index point_at(Index position) const noexcept {
         return static_cast<Index>((static_cast<Offset>(course_.first) + position) %
                                   outline_.count());
     }
@@ -65,11 +65,10 @@ private:
     Course course_;
     KnotSites sites_;
     LeastSquares squares_;
-    Span<Index> corner_;  // [n] points; then positions
-    Span<Vec2> along_;    // [n + 1] the points along the curve
-    Span<Real> arc_, curvature_,
-        start_;                 // [n + 1] along the curve; start_: arc_ as a part of the whole
-    Span<Real> mass_, capped_;  // [n + 1]
+    Span<Index> corner_;                  // [n] points at first, then positions
+    Span<Vec2> along_;                    // [n + 1] the points along the curve
+    Span<Real> arc_, curvature_, start_;  // [n + 1] along the curve; start_ is arc_ / total length
+    Span<Real> mass_, capped_;            // [n + 1]
     Span<Index> section_spans_, indices_, base_indices_, best_pinned_;
     Span<Real> knots_, best_knots_, base_knots_, span_error_, best_u_;
     Real best_error_ = infinity;

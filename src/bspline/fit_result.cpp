@@ -1,20 +1,21 @@
-// What a fit has found: control points in the caller's units, errors, and where the curve runs
-// back.
+// Writes the results of a fit: control points in the caller's units, errors, and the point at which
+// the curve runs backwards. tests/bspline/test_fit.cpp covers this file.
 #include "bspline/fit.hpp"
 #include "bspline/projection.hpp"
 
 namespace harmorph {
 namespace {
 
-constexpr Real shortest_step =
-    1e-5;  // between points: below, digits of coordinates decide where it leads
-constexpr Real against =
-    -0.25;  // cosine of the angle between curve and step where the curve runs back
-constexpr Index looks_per_step = 32;
+// The direction of a shorter step between points depends on the last digits of coordinates.
+constexpr Real min_step = 1e-5;
+// The curve runs backwards if the cosine of the angle between the curve and the step is below this.
+constexpr Real cosine_of_backtrack = -0.25;
+constexpr Index samples_per_step = 32;
 
 }  // namespace
 
-// Back to the caller's units; control points that a point was pinned to get its bits.
+// Converts the control points to the caller's units. A control point that is pinned at a point gets
+// exactly the coordinates of the point.
 void Fit::publish(Points points) noexcept {
     Index const n_control = squares_.curve.n_control;
     for (Index i = 0; i < n_control; ++i) {
@@ -54,16 +55,17 @@ void Fit::report_errors(Points points, Index n, FitReport& report) const noexcep
     report.rms_error = sqrt(sum / n);
 }
 
-// The point behind which the published curve runs against the step to the next point; or none.
+// Returns the point after which the curve runs against the step to the next point, or none.
 Index Fit::find_backtrack() const noexcept {
     for (Index k = 0; k + 1 < course_.n_positions; ++k) {
         Vec2 const step = along_[k + 1] - along_[k];
-        if (!(length(step) > shortest_step)) continue;
-        for (Index look = 0; look < looks_per_step; ++look) {
-            Real const share = (look + 0.5) / looks_per_step;
+        if (!(length(step) > min_step)) continue;
+        for (Index sample = 0; sample < samples_per_step; ++sample) {
+            Real const share = (sample + 0.5) / samples_per_step;
             Vec2 c[2];
             curve_point(curve[0], (1 - share) * best_u_[k] + share * best_u_[k + 1], 1, c);
-            if (dot(c[1], step) < against * length(c[1]) * length(step)) return point_at(k);
+            if (dot(c[1], step) < cosine_of_backtrack * length(c[1]) * length(step))
+                return point_at(k);
         }
     }
     return none;

@@ -3,9 +3,10 @@
 namespace harmorph {
 namespace {
 
-constexpr Real unimportant_error = 1e-9;  // in units of the extent: no mass is moved for less
+constexpr Real unimportant_error = 1e-9;  // in units of the extent; smaller errors move no mass
 
-struct KnotSection {  // positions first .. last between two corners or ends
+// The positions first .. last between two corners or ends.
+struct KnotSection {
     Index first = 0, last = 0;
 };
 
@@ -21,8 +22,8 @@ Real sum_of(Span<const Real> mass, KnotSection section) noexcept {
     return sum;
 }
 
-// Every section has one span; the others go one by one to the section with the largest mass per
-// span (Sainte-Lague). A section that has as many spans as intervals is served last.
+// Each section gets one span; each of the others goes to the section with the largest mass per span
+// (the method of Sainte-Lague). A section that has as many spans as intervals comes last.
 void share_spans(KnotSites const& sites, Index n_spans) noexcept {
     Index const n_sections = sites.section_spans.count();
     fill(sites.section_spans, Index(1));
@@ -43,15 +44,15 @@ void share_spans(KnotSites const& sites, Index n_spans) noexcept {
     }
 }
 
-// No interval may have more mass than one span, so that each span contains a point. This ensures
-// the Schoenberg-Whitney condition: points can be assigned one to one to basis functions that are
-// not 0 there. Too few points: equal masses.
+// Limits the mass of an interval to that of one span, so that each span contains a point. This
+// ensures the Schoenberg-Whitney condition: points can be assigned one to one to basis functions
+// that are not 0 there. If there are too few points, all masses become equal.
 void cap_mass(KnotSites const& sites, KnotSection section, Index n_spans) noexcept {
     for (Index k = section.first; k < section.last; ++k) sites.capped[k] = sites.mass[k];
-    Real const most = 1 / static_cast<Real>(min(n_spans, section.last - section.first));
+    Real const max_share = 1 / static_cast<Real>(min(n_spans, section.last - section.first));
     bool capped = true;
     for (Index round = 0; capped && round < 50; ++round) {
-        Real const cap = most * sum_of(sites.capped, section);
+        Real const cap = max_share * sum_of(sites.capped, section);
         capped = false;
         for (Index k = section.first; k < section.last; ++k) {
             if (sites.capped[k] <= cap * (1 + 1e-9)) continue;
@@ -61,7 +62,7 @@ void cap_mass(KnotSites const& sites, KnotSection section, Index n_spans) noexce
     }
 }
 
-// Writes the n_spans - 1 knots inside the section.
+// Writes the n_spans - 1 knots inside the section, and returns the place after them.
 Real* divide(KnotSites const& sites, KnotSection section, Index n_spans, Real* knot) noexcept {
     cap_mass(sites, section, n_spans);
     Real const sum = sum_of(sites.capped, section);
@@ -70,13 +71,13 @@ Real* divide(KnotSites const& sites, KnotSection section, Index n_spans, Real* k
     for (Index j = 1; j < n_spans; ++j) {
         Real const target = sum * static_cast<Real>(j) / static_cast<Real>(n_spans);
         while (k + 1 < section.last && below + sites.capped[k] < target) below += sites.capped[k++];
-        Real const part = clamp((target - below) / sites.capped[k], Real(0), Real(1));
-        *knot++ = sites.u[k] + part * (sites.u[k + 1] - sites.u[k]);
+        Real const share = clamp((target - below) / sites.capped[k], Real(0), Real(1));
+        *knot++ = sites.u[k] + share * (sites.u[k + 1] - sites.u[k]);
     }
     return knot;
 }
 
-// x^(1/q) by Newton's method, for 1e-3 <= x <= 1e3.
+// Returns x^(1/q) by Newton's method, for 1e-3 <= x <= 1e3.
 Real root(Real x, Index q) noexcept {
     Real y = max(x, Real(1));
     for (Index iteration = 0; iteration < 50; ++iteration) {
@@ -87,7 +88,8 @@ Real root(Real x, Index q) noexcept {
     return y;
 }
 
-// The largest error in each span; a point at a knot counts on both sides, whatever its rounding.
+// Finds the largest error in each span. A point at a knot counts in both spans, whatever its
+// rounding error.
 void gather_errors(Curve const& curve, Span<const Real> u, Span<const Real> error,
                    Span<Real> span_error) noexcept {
     constexpr Real margin = 1e-9;
@@ -100,7 +102,7 @@ void gather_errors(Curve const& curve, Span<const Real> u, Span<const Real> erro
         }
 }
 
-// The mean over [low, high] of a value per span.
+// Returns the mean over [low, high] of a function that has one value in each span.
 Real mean_over(Curve const& curve, Span<const Real> span_value, Real low, Real high) noexcept {
     Real sum = 0;
     Real at = low;

@@ -3,15 +3,15 @@
 namespace harmorph {
 namespace {
 
-// Where the points do not determine a control point, second differences of control points are
-// minimised, with a weight far below that of the points and above rounding.
+// Second differences of control points are minimised with this weight, which is far below that of
+// the points and above rounding, so that control points are determined even if the points do not
+// determine them.
 constexpr Real smoothing = 1e-12;
 
-Index bandwidth(Index degree) noexcept {
-    return 2 * max(degree, Index(2)) + 1;
-}  // 2: the second differences
+// Second differences couple a control point with two others on either side.
+Index bandwidth(Index degree) noexcept { return 2 * max(degree, Index(2)) + 1; }
 
-struct SymmetricBlock {  // symmetric
+struct SymmetricBlock {
     Real xx = 0, xy = 0, yy = 0;
 };
 
@@ -24,7 +24,8 @@ Vec2 operator*(SymmetricBlock a, Vec2 p) noexcept {
 
 constexpr SymmetricBlock unit{1, 0, 1};
 
-// Squared distance from a line, and `along` times the square of what lies along it.
+// Returns the quadratic form of the squared distance from a line with this tangent, plus `along`
+// times the squared component along the line.
 SymmetricBlock metric(Vec2 tangent, Real along) noexcept {
     Real const less = 1 - along;
     return {1 - less * tangent.x * tangent.x, -less * tangent.x * tangent.y,
@@ -36,7 +37,8 @@ void add_to_right(LeastSquares const& fit, Index i, Vec2 value) noexcept {
     fit.control[2 * i + 1] += value.y;
 }
 
-// The equations of a pinned control point are replaced by its position.
+// Adds a product of two basis functions to the equations. The position of a pinned control point is
+// known, so its products go to the right-hand side.
 void add_product(LeastSquares const& fit, Index i, Index j, SymmetricBlock const& a) noexcept {
     if (fit.pinned[i] != none) return;
     if (fit.pinned[j] != none) return add_to_right(fit, i, -1.0 * (a * fit.points[fit.pinned[j]]));
@@ -61,15 +63,16 @@ void add_points(LeastSquares const& fit, Real along) noexcept {
     }
 }
 
-// The parameter at which a linear function has the value of its control point (Greville abscissa).
+// Returns the Greville abscissa: the parameter at which a linear function has the value of its
+// control point.
 Real greville(Curve const& curve, Index k) noexcept {
     Real sum = 0;
     for (Index j = 1; j <= curve.degree; ++j) sum += curve.knots[k + j];
     return sum / curve.degree;
 }
 
-// Second differences by Greville abscissae, which are 0 for straight lines passed at constant
-// speed.
+// Adds second differences with respect to the Greville abscissae, which are 0 for a straight line
+// with constant speed.
 void add_smoothing(LeastSquares const& fit, Real strength) noexcept {
     Curve const& curve = fit.curve;
     for (Index k = 1; k + 1 < curve.n_indices; ++k) {
@@ -83,8 +86,8 @@ void add_smoothing(LeastSquares const& fit, Real strength) noexcept {
     }
 }
 
-// One step of Newton's method for every point but the first and the last; error: the distances
-// before it.
+// Makes one step of Newton's method for the parameter of each point, except the first and the last.
+// `error` becomes the distances before the step.
 void step_to_feet(LeastSquares const& fit) noexcept {
     Index const last = fit.points.count() - 1;
     for (Index k = 0; k <= last; ++k) {
@@ -94,15 +97,16 @@ void step_to_feet(LeastSquares const& fit) noexcept {
         fit.error[k] = length(offset);
         Real const speed = square(c[1]);
         fit.tangent[k] = speed > 0 ? (1 / sqrt(speed)) * c[1] : Vec2{};
-        Real const curvature =
-            max(speed + dot(offset, c[2]), 0.5 * speed);  // far from the curve: no maximum
+        // The bound avoids steps towards a maximum of the distance, far from the curve.
+        Real const curvature = max(speed + dot(offset, c[2]), 0.5 * speed);
         if (k == 0 || k == last || !(curvature > 0)) continue;
         fit.u[k] = clamp(fit.u[k] - dot(offset, c[1]) / curvature, fit.u[0], fit.u[last]);
     }
 }
 
-// Where parameters have overtaken each other: the mean of the largest so far and the smallest from
-// here on. Both do not decrease, and the mean is the same from either end.
+// Restores the order of the parameters: each becomes the mean of the largest parameter up to the
+// point and the smallest one from the point on. Both do not decrease, and the mean does not depend
+// on the direction of the curve.
 void put_in_order(LeastSquares const& fit) noexcept {
     Index const n = fit.points.count();
     for (Index k = 0; k < n; ++k) {

@@ -7,7 +7,8 @@ void PointSpline::lay_out(Arena& arena, Index max_points) noexcept {
     matrix_.lay_out(arena, max_points, 1, true);
 }
 
-// Unknown k is the second derivative at point k of a closed spline, at point k + 1 of an open one.
+// Unknown k is the second derivative at point k if the spline is closed, and at point k + 1 if it
+// is open.
 void PointSpline::pass_through(Span<const Vec2> points, bool is_closed) noexcept {
     points_ = points;
     Index const last = points.count() - 1;

@@ -1,16 +1,17 @@
-// Monotone parameters for points in order along a curve: project_chain of projection.hpp.
+// Finds monotone parameters for points in order along a curve: project_chain() of projection.hpp.
+// tests/bspline/test_project_chain.cpp covers this file.
 #include "base/longest_monotone.hpp"
 #include "bspline/projection.hpp"
 
 namespace harmorph {
 namespace {
 
-// An order of the points in which their parameters should not decrease: position k is point (start
-// + step * k) mod n.
+// An order of the points in which their parameters should not decrease: position k is the point
+// (start + step * k) mod n; step is 1 or -1.
 struct Direction {
     Index n = 0;
     Index start = 0;
-    Index step = 1;  // or -1
+    Index step = 1;
 
     Index point(Index k) const noexcept {
         Offset const p = static_cast<Offset>(start) + static_cast<Offset>(step) * k;
@@ -51,7 +52,8 @@ Index Chain::nearest_to_seam() const noexcept {
     return nearest;
 }
 
-// Leaves the positions of the run in work.run.
+// Returns the length of the longest non-decreasing subsequence, whose positions are in work.run
+// afterwards.
 Index Chain::run_length(Direction const& direction) const noexcept {
     for (Index k = 0; k < direction.n; ++k) work.ordered[k] = work.trial[direction.point(k)];
     return longest_run(work.ordered.first(direction.n), work.previous, work.run);
@@ -64,8 +66,8 @@ void Chain::take_longer(Direction const& candidate, Direction& best, Index& leng
     best = candidate;
 }
 
-// The points pass the seam where the parameter falls from about end() to about begin(); a wrong
-// projection may fall nearly as far, so several falls are tried.
+// The points pass the seam where the parameter falls from about end() to about begin(). At a wrong
+// projection it may fall nearly as far, so the largest falls are tried one after the other.
 void Chain::try_largest_falls(Index step, Direction& best, Index& length) const noexcept {
     constexpr Index n_tried = 4;
     Index const n = points.count();
@@ -89,7 +91,8 @@ void Chain::try_largest_falls(Index step, Direction& best, Index& length) const 
         take_longer({n, start[j], step}, best, length);
 }
 
-// Positions first .. last - 1 within low .. high: the middle one, then those on either side of it.
+// Projects the positions first .. last - 1 into the range low .. high: first the middle position,
+// then those on either side of it.
 void Chain::fill_between(Direction const& direction, Index first, Index last, Real low,
                          Real high) const noexcept {
     while (first < last) {

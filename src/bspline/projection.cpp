@@ -12,8 +12,8 @@ struct Candidate {
     }
 };
 
-// A lower bound for a span's distance: its points lie in the convex hull of degree + 1 control
-// points, hence in their box.
+// Returns a lower bound of the squared distance of a span. The points of the span lie in the convex
+// hull of degree + 1 control points, and therefore in their bounding box.
 Real box_square_distance(Curve const& curve, Index span, Vec2 q) noexcept {
     Vec2 low = curve.point(span);
     Vec2 high = low;
@@ -29,10 +29,10 @@ Real box_square_distance(Curve const& curve, Index span, Vec2 q) noexcept {
 
 Real rounding_of(Vec2 q) noexcept { return epsilon * (abs(q.x) + abs(q.y)); }
 
-// Minimum of |C(u) - q| in low <= u <= high of one span: Newton for (C - q) . C' = 0 (P&T
-// equation 6.3), bisection whenever Newton leaves the bracket or does not halve its step. The
-// distance is flat at its minimum and cannot tell which of two iterates is better; the slope can,
-// so the last one counts.
+// Finds the minimum of |C(u) - q| for low <= u <= high in one span, by Newton's method for (C - q)
+// . C' = 0 (Piegl & Tiller, equation 6.3). The bracket is bisected if Newton's method leaves the
+// bracket or does not halve its step. The last iterate is returned, because it has the smallest
+// slope; the distances of two iterates near the minimum differ by less than rounding.
 Candidate minimum_between(Curve const& curve, Index span, Vec2 q, Real low, Real high,
                           Real u) noexcept {
     Real step = high - low;
@@ -58,14 +58,14 @@ Candidate minimum_between(Curve const& curve, Index span, Vec2 q, Real low, Real
     return {u, square(last - q)};
 }
 
-// The squared distance is a polynomial of degree 2p in a span (p: the curve's degree) and has at
-// most p minima there; 4p samples separate them. Every sampled minimum that may lie below the best
+// In a span of a curve of degree p, the squared distance is a polynomial of degree 2p, which has at
+// most p minima; 4p samples separate them. Each sampled minimum that may be lower than the best one
 // is refined.
 void search_span(Curve const& curve, SpanSamples const& samples, Vec2 q, Candidate& best) noexcept {
     Index const n = 4 * curve.degree, span = samples.span;
     auto const parameter = [&](Index j) { return samples.parameter(j, n); };
     const Vec2* const point = samples.point;
-    Real found[SpanSamples::most];
+    Real found[SpanSamples::max_samples];
     for (Index j = 0; j <= n; ++j) found[j] = square(point[j] - q);
     for (Index j = 0; j <= n; ++j) {
         Index const before = j > 0 ? j - 1 : 0;
@@ -76,8 +76,8 @@ void search_span(Curve const& curve, SpanSamples const& samples, Vec2 q, Candida
         if (nearest > 0 && nearest * nearest > best.square_distance) continue;
         Candidate const minimum =
             minimum_between(curve, span, q, parameter(before), parameter(after), parameter(j));
-        bool const lost =
-            found[j] < 0.99 * minimum.square_distance;  // there were two, and this is the other one
+        // If the bracket has two minima, the wrong one may be found; the sample is then nearer.
+        bool const lost = found[j] < 0.99 * minimum.square_distance;
         best.take_nearer(lost ? Candidate{parameter(j), found[j]} : minimum);
     }
 }
@@ -101,7 +101,8 @@ Projector::Projector(Curve const& curve) noexcept
 Projection Projector::nearest(Vec2 point, Real low, Real high, Real hint) noexcept {
     low = clamp(low, curve_.begin(), curve_.end());
     high = clamp(high, low, curve_.end());
-    // The hint is an upper bound, a little raised so that the minimum next to it wins.
+    // The distance at the hint is an upper bound; it is raised a little so that the minimum beside
+    // the hint is taken.
     hint = clamp(hint, low, high);
     Real const bound = length(curve_point(curve_, hint) - point) + 8 * rounding_of(point);
     Candidate best{hint, bound * bound};
@@ -115,7 +116,7 @@ Projection Projector::nearest(Vec2 point, Real low, Real high, Real hint) noexce
             search_span(curve_, samples, point, best);
         }
     }
-    // A point that coincides with the curve's end within rounding is the end.
+    // A point that coincides with an end of the curve, to rounding, gets the parameter of the end.
     Real const limit = sqrt(best.square_distance) + 8 * rounding_of(point);
     if (low <= curve_.begin() && length(begin_ - point) <= limit) best.u = curve_.begin();
     else if (high >= curve_.end() && length(end_ - point) <= limit) best.u = curve_.end();

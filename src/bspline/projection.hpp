@@ -1,5 +1,5 @@
-// From points to parameters: the nearest point of a curve, and monotone parameters for points in
-// order along it.
+// Finds the parameters of points: the nearest point of a curve, and monotone parameters for points
+// in order along a curve.
 #pragma once
 
 #include "base/arena.hpp"
@@ -12,22 +12,23 @@ struct Projection {
     Real distance = 0;
 };
 
-// Nearest point of the part low <= u <= high: nearest sample (samples per knot span), then Newton
-// inside a bracket. Where two parts are equally near, low or else the first found from low on wins.
-// A point that coincides with the curve's beginning or end within rounding gets exactly begin() or
-// end(); on a closed curve begin(), if it is within the part.
+// Returns the nearest point of the curve in the range low <= u <= high. Each knot span is sampled,
+// and Newton's method starts inside a bracket at the nearest samples. If several points are equally
+// near, low wins, or else the first point found from low on. A point that coincides with the
+// beginning or end of the curve, to rounding, gets exactly begin() or end(); on a closed curve it
+// gets begin(), if that is in the range.
 Projection project(Curve const& curve, Vec2 point, Real low, Real high) noexcept;
 inline Projection project(Curve const& curve, Vec2 point) noexcept {
     return project(curve, point, curve.begin(), curve.end());
 }
 
-// Points of a part of one span, at equal distances of the parameter.
+// Samples a range of one span at equal distances of the parameter.
 struct SpanSamples {
-    static constexpr Index most = 4 * max_degree + 1;
+    static constexpr Index max_samples = 4 * max_degree + 1;
 
     Index span = none;
     Real low, high;
-    Vec2 point[most];
+    Vec2 point[max_samples];
 
     SpanSamples() noexcept : low(0), high(0) {}
     Real parameter(Index j, Index n) const noexcept {
@@ -36,11 +37,11 @@ struct SpanSamples {
     void take(Curve const& curve, Index new_span, Real new_low, Real new_high) noexcept;
 };
 
-// The same for many points of one curve: keeps the samples of the spans searched last.
+// Projects many points to one curve: keeps the samples of the spans that were searched last.
 class Projector {
 public:
     explicit Projector(Curve const& curve) noexcept;
-    // Faster when `hint` is a parameter near the answer's.
+    // The search is faster if `hint` is near the parameter of the nearest point.
     Projection nearest(Vec2 point, Real low, Real high, Real hint) noexcept;
 
 private:
@@ -50,24 +51,27 @@ private:
     SpanSamples recent_[n_recent];
 };
 
-// Is C(begin) = C(end), and is the curve smooth there (periodic) or has it a corner (tied)?
+// A curve is closed if C(begin) = C(end). A closed curve is periodic if it is smooth there, and
+// tied if it has a corner there.
 bool is_closed(Curve const& curve) noexcept;
 bool is_periodic(Curve const& curve) noexcept;
 
-// Working arrays of project_chain, for up to n points.
+// The working space of project_chain() for up to n points.
 struct ChainWork {
     Span<Index> previous, run;
     Span<Real> trial, ordered;
     void lay_out(Arena& arena, Index n) noexcept;
 };
 
-// Parameters u [n] of points that follow each other along the curve, in either direction, made
-// monotone: every point is projected for itself, the longest monotone run is trusted, and the
-// others are projected again between their trusted neighbours (thin trailing edges: the nearest
-// point may lie on the other side). A loop of points on a closed curve may begin anywhere: monotone
-// but for one step from end() to begin(), where the points pass the curve's seam. On a tied curve
-// the point of a loop that is nearest to the tied ends gets exactly begin(). Points of one open
-// piece of a closed curve may pass the seam once, too. Returns the sum of the squared distances.
+// Finds monotone parameters u [n] for a chain of points, which follow each other along the curve in
+// either direction. Each point is projected alone, and the longest monotone subsequence is trusted.
+// The other points are projected again between their trusted neighbours, because at a thin trailing
+// edge the nearest point may lie on the other side.
+//
+// A loop of points on a closed curve may begin anywhere. Its parameters are monotone except for one
+// step from end() to begin(), where the points pass the seam of the curve. On a tied curve, the
+// point of the loop that is nearest to the tied ends gets exactly begin(). An open chain on a
+// closed curve may pass the seam once, too. Returns the sum of the squared distances.
 Real project_chain(Curve const& curve, Span<const Vec2> points, bool is_loop, ChainWork const& work,
                    Span<Real> u) noexcept;
 

@@ -1,6 +1,6 @@
-// Gauss' rule with 10 points: exact for polynomials up to degree 19, which moments of curves of
-// degree 5 have; other functions by halving intervals until the sum does not change but for
-// rounding.
+// Integrates by Gauss' rule with 10 points, which is exact for polynomials up to degree 19; moments
+// of curves of degree 5 need this degree. For other functions, intervals are halved until the sum
+// changes by rounding only. tests/bspline/test_section_measures.cpp covers this file.
 #pragma once
 
 #include "base/scalar.hpp"
@@ -14,13 +14,13 @@ struct Gauss10 {
     static constexpr Real weight[5] = {0.2955242247147529, 0.2692667193099964, 0.2190863625159820,
                                        0.1494513491505806, 0.0666713443086881};
 
-    // body(u, weight) for the points of an interval; the weights' sum is high - low.
+    // Calls body(u, weight) for the points of an interval; the sum of the weights is high - low.
     template <class Body>
     static void for_each(Real low, Real high, Body const& body) noexcept {
-        Real const half = 0.5 * (high - low), middle = low + half;
+        Real const half_width = 0.5 * (high - low), middle = low + half_width;
         for (Index k = 0; k < n; ++k) {
             Real const at = k % 2 == 0 ? -place[k / 2] : place[k / 2];
-            body(middle + half * at, half * weight[k / 2]);
+            body(middle + half_width * at, half_width * weight[k / 2]);
         }
     }
 };
@@ -30,12 +30,13 @@ struct Sums {
     Real value[n] = {};
 };
 
-// leaf(a, b) for pieces of the interval, in order, on which Gauss' rule has converged for
-// integrand(u), the first n / 2 sums, each but for rounding of itself or of the sum n / 2 places
-// behind it, whose integrand is not negative.
+// Divides the interval until Gauss' rule has converged, and calls leaf(a, b) for the subintervals
+// in order. integrand(u) has n values; the first n / 2 integrals must converge. Integral i has
+// converged if halving the subinterval changes it only by rounding of itself or of integral n / 2 +
+// i, whose integrand must not be negative and states the size of the terms.
 template <Index n, class Integrand, class Leaf>
 void for_converged(Real low, Real high, Integrand const& integrand, Leaf const& leaf) noexcept {
-    constexpr Index deepest = 12;
+    constexpr Index max_level = 12;
     auto const integral = [&](Real a, Real b) {
         Sums<n> sum;
         Gauss10::for_each(a, b, [&](Real u, Real weight) {
@@ -44,25 +45,24 @@ void for_converged(Real low, Real high, Integrand const& integrand, Leaf const& 
         });
         return sum;
     };
-    // Pieces still to do, the next one last: its length is (high - low) / 2^level.
-    Index level[deepest + 2], n_open = 1;
+    // Subintervals that remain, the next one last; each has the length (high - low) / 2^level.
+    Index level[max_level + 2], n_open = 1;
     level[0] = 0;
     Real from = low;
     while (n_open > 0) {
-        Index const its = level[--n_open];
+        Index const now = level[--n_open];
         Real width = high - low;
-        for (Index k = 0; k < its; ++k) width *= 0.5;
+        for (Index k = 0; k < now; ++k) width *= 0.5;
         Real const to = n_open == 0 ? high : from + width, middle = from + 0.5 * (to - from);
         Sums<n> const whole = integral(from, to), left = integral(from, middle),
                       right = integral(middle, to);
-        bool converged = its == deepest;
+        bool converged = now == max_level;
         if (!converged) {
             converged = true;
             for (Index i = 0; i < n / 2; ++i) {
-                Real const halves = left.value[i] + right.value[i];
-                Real const about =
-                    abs(left.value[i]) + abs(right.value[i]) + whole.value[n / 2 + i];
-                converged = converged && abs(whole.value[i] - halves) <= 64 * epsilon * about;
+                Real const both = left.value[i] + right.value[i];
+                Real const size = abs(left.value[i]) + abs(right.value[i]) + whole.value[n / 2 + i];
+                converged = converged && abs(whole.value[i] - both) <= 64 * epsilon * size;
             }
         }
         if (converged) {
@@ -70,8 +70,8 @@ void for_converged(Real low, Real high, Integrand const& integrand, Leaf const& 
             leaf(middle, to);
             from = to;
         } else {
-            level[n_open++] = its + 1;
-            level[n_open++] = its + 1;
+            level[n_open++] = now + 1;
+            level[n_open++] = now + 1;
         }
     }
 }

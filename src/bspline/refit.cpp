@@ -5,12 +5,13 @@
 namespace harmorph {
 namespace {
 
-constexpr Index samples_per_span = 32;     // of the curve, to find shares of the arc
-constexpr Index samples_per_control = 12;  // of the points, at least
+constexpr Index samples_per_span = 32;     // samples of the curve, which give the shares of the arc
+constexpr Index samples_per_control = 12;  // a lower bound for the samples of the points
 constexpr Index min_samples = 400;
 constexpr Index max_rounds = 60;
 constexpr Real first_along = 0.05, last_along = 1e-4;  // see LeastSquares::solve
-constexpr Real settled = 1e-11;  // change of control points that ends the rounds
+constexpr Real max_slide = 0.02;  // as a fraction of the extent, see Refit::solve
+constexpr Real settled = 1e-11;   // a smaller change of the control points ends the rounds
 // The ends of an outline are closer to each other than this share of the chord.
 constexpr Real max_gap = 0.5;
 
@@ -31,7 +32,8 @@ Closure closure_of(Curve const& curve) noexcept {
     return Closure::periodic;
 }
 
-// A periodic curve repeats the first `degree` control points at the end, a tied one the first.
+// A periodic curve repeats the first `degree` control points at the end; a tied curve repeats the
+// first control point.
 Index count_distinct(Curve const& curve, Closure closure) noexcept {
     if (closure == Closure::periodic) return curve.n_indices - curve.degree;
     return closure == Closure::tied ? curve.n_indices - 1 : curve.n_indices;
@@ -52,6 +54,7 @@ void Refit::lay_out(Arena& arena, Curve const& curve, Index n_points) noexcept {
     arena.take(source_u_, n_source);
     Index const wanted = max(min_samples, samples_per_control * n);
     samples_.lay_out(arena, n_points, wanted);
+    arena.take(start_u_, samples_.max_samples());
     squares_.lay_out(arena, samples_.max_samples(), n, curve.degree);
 }
 
@@ -66,7 +69,7 @@ Status Refit::run(Curve const& curve, Curve const* base, Points points, Index n_
     publish(curve, base);
     measure_errors(curve, base, n_points, report);
     if (is_finite(report.max_error)) return Status::ok;
-    return fault.refuse(Status::bad_curve, "the points do not determine the curve");
+    return fault.refuse(Status::bad_curve, "the points do not determine the curve on these knots");
 }
 
 Status Refit::take_curve(Curve const& curve, Fault& fault) noexcept {
@@ -89,7 +92,7 @@ Status Refit::take_curve(Curve const& curve, Fault& fault) noexcept {
     extent_ = max(high.x - low.x, high.y - low.y);
     if (!(extent_ > 0))
         return fault.refuse(Status::bad_curve,
-                            "the control points of the curve are all in one place");
+                            "all control points of the curve are in the same place");
     own_ = curve;
     for (Index k = 0; k < n; ++k) {
         Vec2 const p = to_unit(curve.point(k));
@@ -112,7 +115,7 @@ Status Refit::take_curve(Curve const& curve, Fault& fault) noexcept {
                         "to the trailing edge");
 }
 
-// A periodic curve has no trailing edge: its samples begin at the largest x.
+// A periodic curve has no trailing edge, so the samples begin at the largest x.
 void Refit::sample_curve() noexcept {
     Index n = 0, first = 0;
     for (Index span = own_.degree; span < own_.n_indices; ++span) {
@@ -157,8 +160,8 @@ Status Refit::place_samples(RefitOptions const& options, RefitReport& report,
     bool const is_blunt = found == Closure::open;
     if (closure_ == Closure::open && !is_blunt)
         return fault.refuse(Status::bad_curve,
-                            "the trailing edge of the points is sharp, and that of the curve is "
-                            "blunt: its base cannot vanish");
+                            "the trailing edge of the points is sharp, but the curve has a blunt "
+                            "base, which cannot vanish");
     if (closure_ != Closure::open && is_blunt) {
         report.closed_width = extent_ * gap;
         taper();
@@ -166,8 +169,8 @@ Status Refit::place_samples(RefitOptions const& options, RefitReport& report,
     return Status::ok;
 }
 
-// Both ends move to the middle between them, and each side follows in proportion to the arc from
-// the leading edge.
+// Moves both ends to the middle between them; each side moves in proportion to the arc from the
+// leading edge.
 void Refit::taper() noexcept {
     AirfoilLine& line = samples_.line;
     Vec2 const first = line.at[0], last = line.at[line.n - 1];
@@ -176,8 +179,9 @@ void Refit::taper() noexcept {
     line.at[line.n - 1] = line.at[0];
 }
 
-// Each sample begins at the parameter with the same share of the arc. Along a periodic curve the
-// samples begin where the parameters do; the sample that closes the line is left out.
+// The initial parameter of each sample is that with the same share of the arc. Along a periodic
+// curve, the samples begin where the parameters begin, and the sample that closes the line is
+// omitted.
 void Refit::start_parameters() noexcept {
     AirfoilLine& line = samples_.line;
     Real const period = own_.end() - own_.begin();
@@ -199,6 +203,7 @@ void Refit::start_parameters() noexcept {
     }
     squares_.set_up(own_, line.at.first(line.n));
     squares_.start();
+    copy(start_u_.first(line.n), Span<const Real>(squares_.u));
     fill(squares_.weight, Real(1));
     fill(squares_.pinned, none);
     if (closure_ == Closure::periodic) return;
@@ -206,12 +211,29 @@ void Refit::start_parameters() noexcept {
     if (closure_ == Closure::open) squares_.pinned[own_.n_control - 1] = line.n - 1;
 }
 
+// Returns the largest distance by which a sample has moved along the curve since its parameter was
+// found from the share of the arc.
+Real Refit::largest_slide() const noexcept {
+    Real largest = 0;
+    for (Index k = 0; k < squares_.u.count(); ++k) {
+        Vec2 c[2];
+        curve_point(squares_.curve, squares_.u[k], 1, c);
+        largest = max(largest, abs(squares_.u[k] - start_u_[k]) * length(c[1]));
+    }
+    return largest;
+}
+
+// Each round brings the curve nearer to the samples, but lets the parameters slide along the curve.
+// The rounds end before the slide distorts the mesh, because wall points move with their
+// parameters.
 void Refit::solve() noexcept {
+    copy(best_, Span<const Real>(unit_));
     Real best_error = infinity, along = 1;
     for (Index round = 0; round < max_rounds; ++round) {
         squares_.solve(along);
         along = max(first_along * along, last_along);
         Real const error = squares_.correct_parameters();
+        if (round > 0 && largest_slide() > max_slide) return;
         if (!(error < best_error)) continue;
         best_error = error;
         Real change = 0;
@@ -222,7 +244,8 @@ void Refit::solve() noexcept {
     }
 }
 
-// The straight base keeps its place between the two ends that it has in common with the airfoil.
+// The control points of the straight base keep their places relative to both ends, which belong to
+// the airfoil, too.
 void Refit::publish(Curve const& curve, Curve const* base) noexcept {
     for (Index i = 0; i < control.count(); ++i) control[i] = curve.control[i];
     auto const old_place = [&](Index i) {

@@ -1,5 +1,5 @@
-// The control points with which the curve of an airfoil, on the knots that the curve has, becomes
-// another airfoil, which is given by points in order.
+// Computes control points with which the curve of an airfoil, without a change of the knots,
+// becomes another airfoil, which is given by points in order.
 #pragma once
 
 #include "bspline/airfoil_samples.hpp"
@@ -9,24 +9,25 @@ namespace harmorph {
 
 struct RefitOptions {
     bool is_loop = true;
-    bool on_chord = false;  // turn, scale and shift the points: chord line onto chord line
+    // If true, the points are turned, scaled and shifted so that both chord lines coincide.
+    bool on_chord = false;
 };
 
 struct RefitReport {
     Real max_error = 0, rms_error = 0;  // [length] distances of the points from the moved curves
     Index max_error_point = none;
-    Real chord = 0;  // [length] leading to trailing edge of the points, in units of the curve
-    Real closed_width = 0;  // [length] of a blunt base that was tapered to one point; 0: none
+    Real chord = 0;  // [length] the chord of the placed points, in the units of the curve
+    // [length] The width of a blunt base that was tapered to one point, or 0.
+    Real closed_width = 0;
 };
 
 class Refit {
 public:
-    // curve: checked, an outline from the trailing edge round to the trailing edge: open, tied or
-    // periodic. base: the curve of a blunt base, which has both ends in common with the first
-    // curve, or null.
     void lay_out(Arena& arena, Curve const& curve, Index n_points) noexcept;
-    // control [2 * curve.n_control]: the control points of the set, those of curve and base at
-    // their new places; valid only after Status::ok.
+    // `curve` must have been checked; it is an open, tied or periodic outline from the trailing
+    // edge round to the trailing edge. `base` is the curve of a blunt base, which has both ends in
+    // common with `curve`, or null. After Status::ok, control [2 * curve.n_control] contains all
+    // control points, with those of `curve` and `base` at the new places.
     Status run(Curve const& curve, Curve const* base, Points points, Index n_points,
                RefitOptions const& options, RefitReport& report, Fault& fault) noexcept;
 
@@ -40,6 +41,7 @@ private:
     Status place_samples(RefitOptions const& options, RefitReport& report, Fault& fault) noexcept;
     void taper() noexcept;
     void start_parameters() noexcept;
+    Real largest_slide() const noexcept;
     void solve() noexcept;
     void publish(Curve const& curve, Curve const* base) noexcept;
     void measure_errors(Curve const& curve, Curve const* base, Index n,
@@ -52,13 +54,14 @@ private:
     Vec2 centre_;
     Real extent_ = 1;
     Closure closure_ = Closure::open;
-    Curve own_;            // the curve with its control points in its own numbering
-    Span<Index> local_;    // [n_control] of the set: number in the curve's own numbering, or none
-    Span<Index> indices_;  // of own_
-    Span<Real> weights_;   // of own_
-    Span<Real> unit_, best_;  // [2 * own_.n_control] before; after
+    Curve own_;               // a copy of the curve that numbers only its own control points
+    Span<Index> local_;       // [n_control] the number of each control point in own_, or none
+    Span<Index> indices_;     // of own_
+    Span<Real> weights_;      // of own_
+    Span<Real> unit_, best_;  // [2 * own_.n_control] control points before and after the fit
     AirfoilLine source_;
     Span<Real> source_u_;  // parameters of the points of source_
+    Span<Real> start_u_;   // parameters of the samples before any correction
     AirfoilSamples samples_;
     Vec2 turn_{1, 0}, shift_;  // from unit points to units of the curve, as complex numbers
     LeastSquares squares_;

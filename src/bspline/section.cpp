@@ -5,9 +5,9 @@
 namespace harmorph {
 
 CurvePlace Section::end_of(Index number, bool at_end) const noexcept {
-    Curve const& its = curve[number];
-    Real const u = at_end == backwards[number] ? its.begin() : its.end();
-    return {&its, knot_span(its, u), u};
+    Curve const& found = curve[number];
+    Real const u = at_end == backwards[number] ? found.begin() : found.end();
+    return {&found, knot_span(found, u), u};
 }
 
 Real Section::extent() const noexcept {
@@ -32,7 +32,7 @@ Status Section::connect(Fault& fault) noexcept {
         if (meet(end_of(c - 1, true), end_of(c, false))) continue;
         backwards[c] = true;
         if (meet(end_of(c - 1, true), end_of(c, false))) continue;
-        // The first curve may itself run the other way.
+        // The first curve may run in the opposite direction.
         if (c == 1) {
             backwards[0] = true;
             backwards[1] = false;
@@ -42,7 +42,7 @@ Status Section::connect(Fault& fault) noexcept {
         }
         return fault.refuse(
             Status::bad_curve,
-            "curve @ of the section does not begin or end where the one before ends", {},
+            "curve @ of the section does not begin or end where the curve before it ends", {},
             curve_item(first_curve + c));
     }
     Curve const& last = curve[n_curves - 1];
@@ -51,96 +51,102 @@ Status Section::connect(Fault& fault) noexcept {
     return Status::ok;
 }
 
-Status Section::find_chord(bool wants_nose, Fault& fault) noexcept {
+Status Section::find_chord(bool wants_leading_edge, Fault& fault) noexcept {
     if (!has_fixed_chord) {
         if (n_sides == 1 && is_periodic(curve[0])) {
             return fault.refuse(Status::bad_curve,
-                                "a periodic section has no trailing edge: its chord must be given");
+                                "a periodic section has no trailing edge, so the ends of the chord "
+                                "must be given");
         }
-        edge = 0.5 * (first_end().point() + last_end().point());
+        trailing_edge = 0.5 * (first_end().point() + last_end().point());
     }
-    if (!has_fixed_chord || wants_nose) HARMORPH_TRY(find_nose(fault));
-    if (!has_fixed_chord) nose = nose_place.point();
+    if (!has_fixed_chord || wants_leading_edge) HARMORPH_TRY(find_leading_edge(fault));
+    if (!has_fixed_chord) leading_edge = leading_edge_place.point();
     if (square(chord()) > 0) return Status::ok;
     return fault.refuse(Status::bad_curve, "the chord of the section has no length");
 }
 
-// The largest of samples, then the zero of the slope of the squared distance beside it.
-Status Section::find_nose(Fault& fault) noexcept {
+// Finds the sample that is farthest from the trailing edge, and then the maximum of the distance
+// beside this sample.
+Status Section::find_leading_edge(Fault& fault) noexcept {
     Real largest = 0, low = 0, high = 0;
-    nose_place = {};
+    leading_edge_place = {};
     for_each_span(0, n_sides, [&](Index c, Index span, Real from, Real to) {
         Index const n = 8 * curve[c].degree;
         for (Index j = 0; j <= n; ++j) {
             CurvePlace const place{&curve[c], span, j == n ? to : from + (to - from) * j / n};
-            Real const found = square(place.point() - edge);
+            Real const found = square(place.point() - trailing_edge);
             if (!(found > largest)) continue;
             largest = found;
-            nose_place = place;
+            leading_edge_place = place;
             low = max(from, place.u - (to - from) / n);
             high = min(to, place.u + (to - from) / n);
         }
     });
-    if (nose_place.curve == nullptr)
-        return fault.refuse(Status::bad_curve, "the section has no extent");
+    if (leading_edge_place.curve == nullptr)
+        return fault.refuse(Status::bad_curve, "all points of the section are in the same place");
+    leading_edge_is_smooth = refine_leading_edge(low, high);
+    if (leading_edge_is_smooth) {
+        Vec2 c[3];
+        leading_edge_place.derivatives(2, c);
+        leading_edge_is_smooth = square(c[1]) + dot(c[0] - trailing_edge, c[2]) < 0;
+    }
+    return Status::ok;
+}
+
+// Moves leading_edge_place to the parameter between low and high at which the slope of the squared
+// distance is 0. If the place is a knot, the parameter may lie on the other side of the knot.
+// Returns whether there is such a parameter.
+bool Section::refine_leading_edge(Real low, Real high) noexcept {
+    Curve const& side = *leading_edge_place.curve;
     auto const slope_in = [&](Index span, Real u) {
         Vec2 c[2];
-        curve_point_in(*nose_place.curve, span, u, 1, c);
-        return dot(c[1], c[0] - edge);
+        curve_point_in(side, span, u, 1, c);
+        return dot(c[1], c[0] - trailing_edge);
     };
     auto const try_span = [&](Index span, Real from, Real to) {
         if (!(slope_in(span, from) >= 0 && slope_in(span, to) <= 0)) return false;
-        nose_place.span = span;
-        nose_place.u = sign_change(from, to, [&](Real u) { return slope_in(span, u); });
+        leading_edge_place.span = span;
+        leading_edge_place.u = sign_change(from, to, [&](Real u) { return slope_in(span, u); });
         return true;
     };
-    Curve const& its = *nose_place.curve;
-    Index const span = nose_place.span;
-    nose_is_smooth = try_span(span, low, high);
-    // The largest sample may be a knot, and the zero on its other side.
-    if (!nose_is_smooth && nose_place.u == its.knots[span] && span > its.degree) {
+    Index const span = leading_edge_place.span;
+    if (try_span(span, low, high)) return true;
+    if (leading_edge_place.u == side.knots[span] && span > side.degree) {
         Index before = span - 1;
-        while (before > its.degree && !(its.knots[before] < its.knots[before + 1])) --before;
-        Real const width = its.knots[before + 1] - its.knots[before];
-        Real const end = its.knots[before + 1];
-        if (width > 0) nose_is_smooth = try_span(before, end - width / (8 * its.degree), end);
+        while (before > side.degree && !(side.knots[before] < side.knots[before + 1])) --before;
+        Real const end = side.knots[before + 1], width = end - side.knots[before];
+        if (width > 0 && try_span(before, end - width / (8 * side.degree), end)) return true;
     }
-    if (!nose_is_smooth && nose_place.u == its.knots[span + 1] && span + 1 < its.n_indices) {
+    if (leading_edge_place.u == side.knots[span + 1] && span + 1 < side.n_indices) {
         Index after = span + 1;
-        while (after + 1 < its.n_indices && !(its.knots[after] < its.knots[after + 1])) ++after;
-        Real const width = its.knots[after + 1] - its.knots[after];
-        if (width > 0)
-            nose_is_smooth =
-                try_span(after, its.knots[after], its.knots[after] + width / (8 * its.degree));
+        while (after + 1 < side.n_indices && !(side.knots[after] < side.knots[after + 1])) ++after;
+        Real const begin = side.knots[after], width = side.knots[after + 1] - begin;
+        if (width > 0 && try_span(after, begin, begin + width / (8 * side.degree))) return true;
     }
-    if (nose_is_smooth) {
-        Vec2 c[3];
-        nose_place.derivatives(2, c);
-        nose_is_smooth = square(c[1]) + dot(c[0] - edge, c[2]) < 0;
-    }
-    return Status::ok;
+    return false;
 }
 
 void Section::pull_chord(ChordDerivative const& by,
                          ControlGradient const& gradient) const noexcept {
     if (has_fixed_chord || !gradient.wanted()) return;
-    pull_nose(by.nose, 0, gradient);
-    gradient.add(first_end(), 0.5 * by.edge);
-    gradient.add(last_end(), 0.5 * by.edge);
+    pull_leading_edge(by.leading_edge, 0, gradient);
+    gradient.add(first_end(), 0.5 * by.trailing_edge);
+    gradient.add(last_end(), 0.5 * by.trailing_edge);
 }
 
-// The parameter u is where g = C' . (C - edge) = 0, hence du = -(C' . (dC - d edge) + (C - edge) .
-// dC') / g'. At a corner u stays.
-void Section::pull_nose(Vec2 by_point, Real by_parameter,
-                        ControlGradient const& gradient) const noexcept {
+// With the trailing edge T, the parameter u satisfies g = C' . (C - T) = 0, hence du = -(C' . (dC -
+// dT) + (C - T) . dC') / g'. At a corner u does not change.
+void Section::pull_leading_edge(Vec2 by_point, Real by_parameter,
+                                ControlGradient const& gradient) const noexcept {
     if (!gradient.wanted()) return;
-    if (!nose_is_smooth) return gradient.add(nose_place, by_point);
+    if (!leading_edge_is_smooth) return gradient.add(leading_edge_place, by_point);
     Vec2 c[3];
-    nose_place.derivatives(2, c);
-    Vec2 const away = c[0] - edge;
+    leading_edge_place.derivatives(2, c);
+    Vec2 const away = c[0] - trailing_edge;
     Real const factor = -(by_parameter + dot(by_point, c[1])) / (square(c[1]) + dot(away, c[2]));
     Vec2 const by[2] = {by_point + factor * c[1], factor * away};
-    gradient.add(nose_place, 1, by);
+    gradient.add(leading_edge_place, 1, by);
     if (has_fixed_chord) return;
     gradient.add(first_end(), -0.5 * factor * c[1]);
     gradient.add(last_end(), -0.5 * factor * c[1]);

@@ -1,57 +1,60 @@
-// The section of a body: the curves that are its outline, its chord, the points on normals to the
-// chord.
+// A section of a body consists of the curves of the outline and the chord.
+// tests/bspline/test_section_measures.cpp covers this file.
 #pragma once
 
 #include "bspline/control_gradient.hpp"
 
 namespace harmorph {
 
-// What a value depends on besides points of the outline: the two ends of the chord line.
+// The derivatives of a value by the two ends of the chord line.
 struct ChordDerivative {
-    Vec2 nose, edge;
+    Vec2 leading_edge, trailing_edge;
 };
 
 struct Section {
-    static constexpr Index most_curves = 8;
+    static constexpr Index max_curves = 8;
 
-    // To be set: curves that have been checked; the chord line, if it does not move.
+    // The caller of connect() sets the curves, which must have been checked, and the ends of the
+    // chord line, if the chord does not follow the curves.
     Index n_curves = 0;
-    Index first_curve = 0;  // the number that curve[0] has in the caller's set
-    Curve curve[most_curves];
+    Index first_curve = 0;  // the number of curve[0] in the caller's set
+    Curve curve[max_curves];
     bool has_fixed_chord = false;
-    Vec2 nose, edge;  // ends of the chord line
+    Vec2 leading_edge, trailing_edge;  // the ends of the chord line
 
-    // Made by connect():
-    Index n_sides = 0;  // curves without a blunt base
-    bool backwards[most_curves] = {};
-    bool is_closed = false;  // the last end is the first
-    Real sign = 1;           // of the enclosed area: -1 clockwise
-    // Made by find_chord(), if the chord is that of the curves:
-    bool nose_is_smooth = false;
-    CurvePlace nose_place;  // where the outline is farthest from `edge`
+    // connect() sets:
+    Index n_sides = 0;  // the number of curves without a blunt base
+    bool backwards[max_curves] = {};
+    bool is_closed = false;  // whether the last end is the first end
+    Real sign = 1;           // 1 if the outline is counter-clockwise, -1 if clockwise
+                             // find_chord() sets, if it finds the leading edge of the curves:
+    bool leading_edge_is_smooth = false;
+    CurvePlace leading_edge_place;  // the place farthest from trailing_edge
 
-    // Joins the curves to an outline; refuses curves whose ends do not meet. The sign is not known
-    // yet.
+    // Joins the curves to an outline; refuses curves whose ends do not meet. area_moments() sets
+    // the sign later.
     Status connect(Fault& fault) noexcept;
-    // Needed by all that has to do with the chord; `nose_place` only if the chord is that of the
-    // curves or wanted.
-    Status find_chord(bool wants_nose, Fault& fault) noexcept;
+    // Must be called before functions that use the chord. Finds leading_edge_place only if the
+    // chord follows the curves, or if wants_leading_edge is true.
+    Status find_chord(bool wants_leading_edge, Fault& fault) noexcept;
 
     CurvePlace first_end() const noexcept { return end_of(0, false); }
     CurvePlace last_end() const noexcept { return end_of(n_sides - 1, true); }
-    CurvePlace end_of(Index number,
-                      bool at_end) const noexcept;  // of a curve, in the direction of the outline
-    Vec2 chord() const noexcept { return edge - nose; }
-    Real extent() const noexcept;  // of the control points' box
+    // Returns an end of a curve, in the direction of the outline.
+    CurvePlace end_of(Index number, bool at_end) const noexcept;
+    Vec2 chord() const noexcept { return trailing_edge - leading_edge; }
+    // Returns the larger side of the bounding box of the control points.
+    Real extent() const noexcept;
 
-    // From derivatives by the ends of the chord line to the control points.
+    // Adds to the gradient, given the derivatives of a value by the ends of the chord line.
     void pull_chord(ChordDerivative const& by, ControlGradient const& gradient) const noexcept;
-    // A value's derivatives by the point of the outline at the leading edge, and by its parameter.
-    void pull_nose(Vec2 by_point, Real by_parameter,
-                   ControlGradient const& gradient) const noexcept;
+    // Adds to the gradient, given the derivatives of a value by the point of the outline at the
+    // leading edge and by the parameter of this point.
+    void pull_leading_edge(Vec2 by_point, Real by_parameter,
+                           ControlGradient const& gradient) const noexcept;
 
-    // body(curve, span, low, high) for all spans of the curves from `first` to `end`, each from
-    // knot to knot.
+    // Calls body(curve, span, low, high) for all spans of the curves first .. end - 1, where low
+    // and high are the knots at the ends of the span.
     template <class Body>
     void for_each_span(Index first, Index end, Body const& body) const noexcept {
         for (Index c = first; c < end; ++c) {
@@ -63,15 +66,16 @@ struct Section {
     }
 
 private:
-    Status find_nose(Fault& fault) noexcept;
+    Status find_leading_edge(Fault& fault) noexcept;
+    bool refine_leading_edge(Real low, Real high) noexcept;
 };
 
-// Two numbers without another one in between.
+// Two neighbouring floating-point numbers.
 struct Neighbours {
     Real low, high;
 };
 
-// Where f, of different signs at low and high (or 0), changes its sign.
+// Finds where f changes sign by bisection; f must have different signs, or be 0, at low and high.
 template <class Function>
 Neighbours sign_change_between(Real low, Real high, Function const& f) noexcept {
     bool const rises = f(low) < 0;

@@ -5,8 +5,9 @@
 namespace harmorph {
 namespace {
 
-// About a point near the section, where little cancels: integrals of 1, x, y, y^2, x^2, x y over
-// the area, as integrals along the outline of x dy - y dx and so on.
+// The integrals of 1, x, y, y^2, x^2 and x y over the area are computed along the outline, as the
+// integral of (x dy - y dx) / 2 for the area. The origin is a point near the section, so that
+// little cancels.
 enum : Index { n_integrals = 6 };
 using Integrals = Sums<n_integrals>;
 
@@ -15,7 +16,7 @@ Integrals integrand(Vec2 p, Vec2 d) noexcept {
              -p.y * p.y * p.y * d.x / 3, p.x * p.x * p.x * d.y / 3, 0.5 * p.x * p.x * p.y * d.y}};
 }
 
-// Derivatives of sum of by * integrand with respect to the point and to its derivative.
+// Computes the derivatives of the sum of by * integrand by the point p and by the derivative d.
 void differentiate(Integrals const& by, Vec2 p, Vec2 d, Vec2& by_point,
                    Vec2& by_derivative) noexcept {
     const Real* const w = by.value;
@@ -30,9 +31,10 @@ void differentiate(Integrals const& by, Vec2 p, Vec2 d, Vec2& by_point,
 
 Vec2 reference_of(Section const& section) noexcept { return section.curve[0].point(0); }
 
-// body(low, high, curve, span) for pieces of spans on which Gauss' rule is exact.
+// Calls body(low, high, curve, span) for subintervals of spans on which Gauss' rule is exact to
+// rounding.
 template <class Body>
-void for_each_piece(Section const& section, Body const& body) noexcept {
+void for_each_interval(Section const& section, Body const& body) noexcept {
     Vec2 const reference = reference_of(section);
     Real const extent = section.extent();
     section.for_each_span(0, section.n_curves, [&](Index c, Index span, Real low, Real high) {
@@ -55,7 +57,8 @@ void for_each_piece(Section const& section, Body const& body) noexcept {
     });
 }
 
-// From the outline's last end straight to its first one, where that is a way.
+// The straight line from the last end of the outline to the first end. Its length is 0 if the
+// outline is closed.
 struct Closing {
     CurvePlace from, to;
     Vec2 a, b;
@@ -74,7 +77,7 @@ Integrals integrals_of(Section const& section) noexcept {
         Integrals const at = integrand(p - reference, d);
         for (Index i = 0; i < n_integrals; ++i) sum.value[i] += weight * at.value[i];
     };
-    for_each_piece(section, [&](Real low, Real high, Index c, Index span) {
+    for_each_interval(section, [&](Real low, Real high, Index c, Index span) {
         Real const sense = section.backwards[c] ? -1 : 1;
         Gauss10::for_each(low, high, [&](Real u, Real weight) {
             Vec2 point[2];
@@ -95,13 +98,14 @@ Status area_moments(Section& section, AreaMoments& moments, Fault& fault) noexce
     Integrals sum = integrals_of(section);
     Real const extent = section.extent();
     if (!(abs(sum.value[0]) > 64 * epsilon * extent * extent)) {
-        return fault.refuse(Status::bad_curve, "the section encloses no area: ~", {}, {},
-                            sum.value[0]);
+        return fault.refuse(Status::bad_curve,
+                            "the section encloses no area: the integral along the outline is ~", {},
+                            {}, sum.value[0]);
     }
     section.sign = sum.value[0] < 0 ? -1 : 1;
     for (Real& value : sum.value) value *= section.sign;
     Real const area = sum.value[0];
-    Vec2 const c = {sum.value[1] / area, sum.value[2] / area};  // against the reference
+    Vec2 const c = {sum.value[1] / area, sum.value[2] / area};  // relative to the reference
     moments.area = area;
     moments.centroid = reference_of(section) + c;
     moments.xx = sum.value[3] - area * c.y * c.y;
@@ -115,13 +119,13 @@ void pull_area_moments(Section const& section, AreaMoments const& moments, AreaD
     if (!gradient.wanted()) return;
     Vec2 const reference = reference_of(section), c = moments.centroid - reference;
     Real const area = moments.area;
-    // c = (I1, I2) / I0, xx = I3 - I2^2 / I0, ...
+    // With the integrals I0 to I5, c = (I1, I2) / I0, xx = I3 - I2^2 / I0, and so on.
     Integrals w{{by.area - dot(by.centroid, c) / area + by.xx * c.y * c.y + by.yy * c.x * c.x +
                      by.xy * c.x * c.y,
                  by.centroid.x / area - 2 * by.yy * c.x - by.xy * c.y,
                  by.centroid.y / area - 2 * by.xx * c.y - by.xy * c.x, by.xx, by.yy, by.xy}};
     for (Real& value : w.value) value *= section.sign;
-    for_each_piece(section, [&](Real low, Real high, Index number, Index span) {
+    for_each_interval(section, [&](Real low, Real high, Index number, Index span) {
         Real const sense = section.backwards[number] ? -1 : 1;
         Gauss10::for_each(low, high, [&](Real u, Real weight) {
             CurvePlace const place{&section.curve[number], span, u};

@@ -6,9 +6,9 @@
 namespace harmorph {
 namespace {
 
-// Is the point inside? Crossings of the outline with the ray upwards from it: an odd number.
-// Samples between which the outline passes the ray's line are on either side of it, whether or not
-// one of them lies on it.
+// Returns whether the point is inside: the ray upwards from the point then crosses the outline an
+// odd number of times. A sample exactly above or below the point counts as right of the ray, so
+// that no crossing is counted twice.
 bool is_inside(Section const& section, Vec2 q) noexcept {
     bool inside = false;
     auto const pass = [&](Vec2 a, Vec2 b, auto const& height) {
@@ -40,7 +40,7 @@ bool is_inside(Section const& section, Vec2 q) noexcept {
     return inside;
 }
 
-// The outline's point nearest to q.
+// Finds the point of the outline nearest to q.
 Clearance nearest_to(Section const& section, Vec2 q) noexcept {
     Clearance out;
     Real nearest = infinity;
@@ -95,7 +95,7 @@ Clearance measure_clearance(Section const& section, Points polygon, Index n) noe
             };
             Vec2 point[2];
             at(low, point);
-            try_foot(point[0]);  // the outline may have a corner here
+            try_foot(point[0]);  // the outline may have a corner at the beginning of a span
             Index const samples = 4 * curve.degree;
             Real u = low, before = tilt(low);
             for (Index j = 1; j <= samples; ++j) {

@@ -1,4 +1,5 @@
-// The clearance between a section and a polygon that is to fit inside.
+// Computes the clearance between a section and a polygon that must fit inside.
+// tests/bspline/test_section_measures.cpp covers this file.
 #pragma once
 
 #include "bspline/section.hpp"
@@ -6,17 +7,19 @@
 namespace harmorph {
 
 struct Clearance {
-    Real value = 0;      // smallest signed distance, > 0 where the polygon's point is inside
-    CurvePlace nearest;  // of the outline
-    bool on_closing =
-        false;  // the nearest point is on the straight line that closes the outline, this far along
+    Real value = 0;      // the smallest signed distance, positive if the polygon is inside
+    CurvePlace nearest;  // the nearest place of the outline
+    // If true, the nearest point lies on the straight line that closes the outline, at the fraction
+    // `along` of this line.
+    bool on_closing = false;
     Real along = 0;
-    Vec2 towards;  // unit vector from the polygon to the outline, of the other direction where
-                   // outside
+    // The unit vector from the polygon to the outline, or the opposite vector if the polygon's
+    // point is outside.
+    Vec2 towards;
 };
 
-// n >= 1 points. The smallest distance belongs to a corner of the polygon or to a place where the
-// outline is parallel to a side: these are tried.
+// The polygon has n >= 1 points. The smallest distance is at a corner of the polygon, or at a place
+// where the outline is parallel to a side, so all these are tried.
 Clearance measure_clearance(Section const& section, Points polygon, Index n) noexcept;
 void pull_clearance(Section const& section, Clearance const& clearance,
                     ControlGradient const& gradient) noexcept;

@@ -8,11 +8,11 @@ namespace {
 
 constexpr Vec2 right_of(Vec2 v) noexcept { return {v.y, -v.x}; }
 
-// Curvature k = C' x C'' / |C'|^3 and its derivative by the parameter, of derivatives c[1..3] of a
-// curve; and the derivatives of both by C', C'' and C'''. In terms of t = C' / |C'|, a = C'' /
-// |C'|^2 and b = C''' / |C'|^3, so that no power of the speed overflows. Where the curve stands
-// still, or nearly so, there is none, and all numbers are 0: within these bounds no measure
-// overflows.
+// Computes the curvature k = C' x C'' / |C'|^3 and its derivative by the parameter from the
+// derivatives c[1], c[2], c[3] of a curve, and the derivatives of both numbers by C', C'' and C'''.
+// The formulas use t = C' / |C'|, a = C'' / |C'|^2 and b = C''' / |C'|^3, so that no power of the
+// speed |C'| overflows. If the speed is 0 or nearly 0, the curvature does not exist, and all
+// numbers are 0. Within the bounds below no measure overflows.
 struct Curvature {
     bool exists = false;
     Real value = 0, slope = 0, speed = 0;
@@ -32,8 +32,7 @@ struct Curvature {
         speed = found;
         value = x;
         slope = speed * (y - 3 * x * d);
-        // Of the cross products by their factors: of C' x C'' by C' it is C'' turned right, by C''
-        // it is C' turned left.
+        // The derivative of C' x C'' by C' is C'' turned right, and by C'' it is C' turned left.
         Vec2 const by_second = per * (per * left_of(t));
         value_by[1] = per * (right_of(a) - 3 * x * t);
         value_by[2] = by_second;
@@ -54,9 +53,10 @@ Curvature curvature_at(CurvePlace const& place) noexcept {
     return Curvature(c);
 }
 
-Status refuse_still(Section const& section, CurvePlace const& place, Fault& fault) noexcept {
+Status refuse_zero_speed(Section const& section, CurvePlace const& place, Fault& fault) noexcept {
     return fault.refuse(
-        Status::bad_curve, "curve @ stands still at parameter ~: it has no curvature there", {},
+        Status::bad_curve,
+        "curve @ has no curvature at parameter ~, because its derivative is 0 there", {},
         curve_item(section.first_curve + static_cast<Index>(place.curve - section.curve)), place.u);
 }
 
@@ -69,8 +69,8 @@ Status check_speed(Section const& section, Fault& fault) noexcept {
             Vec2 point[2];
             curve_point_in(section.curve[c], span, low + (high - low) * j / n, 1, point);
             if (length(point[1]) * (high - low) > smallest) continue;
-            status =
-                refuse_still(section, {&section.curve[c], span, low + (high - low) * j / n}, fault);
+            status = refuse_zero_speed(
+                section, {&section.curve[c], span, low + (high - low) * j / n}, fault);
         }
     });
     return status;
@@ -78,42 +78,43 @@ Status check_speed(Section const& section, Fault& fault) noexcept {
 
 }  // namespace
 
-Status nose_radius(Section const& section, Real& radius, ControlGradient const& gradient,
-                   Fault& fault) noexcept {
-    Curvature const at = curvature_at(section.nose_place);
-    Real const bend = section.sign *
-                      (section.backwards[section.nose_place.curve - section.curve] ? -1 : 1) *
-                      at.value;
-    if (!section.nose_is_smooth || !at.exists || !(abs(bend) * section.extent() > 1e-12)) {
+Status leading_edge_radius(Section const& section, Real& radius, ControlGradient const& gradient,
+                           Fault& fault) noexcept {
+    Curvature const at = curvature_at(section.leading_edge_place);
+    Real const bend =
+        section.sign *
+        (section.backwards[section.leading_edge_place.curve - section.curve] ? -1 : 1) * at.value;
+    if (!section.leading_edge_is_smooth || !at.exists || !(abs(bend) * section.extent() > 1e-12)) {
         return fault.refuse(
             Status::bad_curve,
-            "the leading edge is a corner or straight: it has no radius of curvature");
+            "the leading edge is a corner or straight, so it has no radius of curvature");
     }
     radius = 1 / bend;
-    Real const by_value = -radius * radius * bend / at.value;  // bend / value: the sign
+    Real const by_value = -radius * radius * bend / at.value;  // bend / at.value is the sign
     Vec2 const by[3] = {{}, by_value * at.value_by[1], by_value * at.value_by[2]};
-    gradient.add(section.nose_place, 2, by);
-    section.pull_nose({}, by_value * at.slope, gradient);
+    gradient.add(section.leading_edge_place, 2, by);
+    section.pull_leading_edge({}, by_value * at.slope, gradient);
     return Status::ok;
 }
 
-Status smallest_radius(Section const& section, Bend& bend, ControlGradient const& gradient,
-                       Fault& fault) noexcept {
+Status smallest_radius(Section const& section, SmallestRadius& bend,
+                       ControlGradient const& gradient, Fault& fault) noexcept {
     HARMORPH_TRY(check_speed(section, fault));
     Real largest = 0;
-    CurvePlace still;  // where there is no curvature
+    CurvePlace zero_speed;  // a place without curvature, if there is one
     section.for_each_span(0, section.n_curves, [&](Index c, Index span, Real low, Real high) {
         Curve const& curve = section.curve[c];
         auto const include = [&](Real u) {
             CurvePlace const place{&curve, span, u};
             Curvature const at = curvature_at(place);
-            if (!at.exists) still = place;
+            if (!at.exists) zero_speed = place;
             if (abs(at.value) <= largest) return;
             largest = abs(at.value);
             bend.place = place;
         };
         Index const n = 8 * curve.degree;
-        auto const slope = [&](Real u) {  // of k^2 / 2
+        // The slope of half the squared curvature.
+        auto const slope = [&](Real u) {
             Curvature const at = curvature_at({&curve, span, u});
             return at.value * at.slope;
         };
@@ -127,10 +128,10 @@ Status smallest_radius(Section const& section, Bend& bend, ControlGradient const
             before = after;
         }
     });
-    if (still.curve != nullptr) return refuse_still(section, still, fault);
+    if (zero_speed.curve != nullptr) return refuse_zero_speed(section, zero_speed, fault);
     if (!(largest * section.extent() > 1e-12)) {
         return fault.refuse(Status::bad_curve,
-                            "the outline is straight: it has no radius of curvature");
+                            "the outline is straight, so it has no radius of curvature");
     }
     bend.radius = 1 / largest;
     Curvature const at = curvature_at(bend.place);
@@ -145,18 +146,18 @@ Status curvature_variation(Section const& section, Real& variation, ControlGradi
     for (Index c = 0; c < section.n_sides; ++c) {
         if (section.curve[c].degree > 1) continue;
         return fault.refuse(Status::bad_curve,
-                            "curve @ of the section has degree 1 and no curvature", {},
+                            "curve @ of the section has degree 1, so it has no curvature", {},
                             curve_item(section.first_curve + c));
     }
     HARMORPH_TRY(check_speed(section, fault));
     variation = 0;
-    CurvePlace still;
+    CurvePlace zero_speed;
     section.for_each_span(0, section.n_sides, [&](Index c, Index span, Real low, Real high) {
         auto const integrand = [&](Real u) {
             CurvePlace const place{&section.curve[c], span, u};
             Curvature const at = curvature_at(place);
             if (!at.exists) {
-                still = place;
+                zero_speed = place;
                 return Sums<2>{};
             }
             Real const square_value = at.value * at.value;
@@ -170,7 +171,7 @@ Status curvature_variation(Section const& section, Real& variation, ControlGradi
                 place.derivatives(3, point);
                 Curvature const at(point);
                 if (!at.exists) {
-                    still = place;
+                    zero_speed = place;
                     return;
                 }
                 variation += weight * at.slope * at.slope / at.speed;
@@ -185,7 +186,7 @@ Status curvature_variation(Section const& section, Real& variation, ControlGradi
             });
         });
     });
-    if (still.curve != nullptr) return refuse_still(section, still, fault);
+    if (zero_speed.curve != nullptr) return refuse_zero_speed(section, zero_speed, fault);
     return Status::ok;
 }
 

@@ -1,25 +1,27 @@
-// Curvature of a section: at the leading edge, its largest value, its variation; with derivatives.
+// Computes measures of the curvature of a section and their derivatives: the radius at the leading
+// edge, the smallest radius, and the variation. tests/bspline/test_section_measures.cpp covers this
+// file.
 #pragma once
 
 #include "bspline/section.hpp"
 
 namespace harmorph {
 
-// Radius of curvature at the leading edge, > 0 where convex. Needs area_moments (the orientation)
-// and find_chord(true).
-Status nose_radius(Section const& section, Real& radius, ControlGradient const& gradient,
-                   Fault& fault) noexcept;
+// Computes the radius of curvature at the leading edge, which is positive if the outline is convex
+// there. area_moments() and section.find_chord(true) must have been called.
+Status leading_edge_radius(Section const& section, Real& radius, ControlGradient const& gradient,
+                           Fault& fault) noexcept;
 
-struct Bend {
+struct SmallestRadius {
     CurvePlace place;
     Real radius = 0;
 };
-// The smallest radius of curvature of the curves, > 0; corners do not count.
-Status smallest_radius(Section const& section, Bend& bend, ControlGradient const& gradient,
-                       Fault& fault) noexcept;
+// Computes the smallest radius of curvature of the curves, which is positive; corners do not count.
+Status smallest_radius(Section const& section, SmallestRadius& bend,
+                       ControlGradient const& gradient, Fault& fault) noexcept;
 
-// The integral of (d curvature / d arc length)^2 over the arc length: the minimum variation
-// functional of H. Moreton and C. Sequin, Comput. Graph. 26 (1992) 167.
+// Computes the integral of (d curvature / d arc length)^2 over the arc length: the minimum
+// variation functional of H. Moreton and C. Sequin, Comput. Graph. 26 (1992) 167.
 Status curvature_variation(Section const& section, Real& variation, ControlGradient const& gradient,
                            Fault& fault) noexcept;
 

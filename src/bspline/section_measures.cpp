@@ -33,7 +33,7 @@ Status measure_area(Section& section, QuantityKind kind, ControlGradient const& 
 Status measure_chord(Section& section, ControlGradient const& gradient, Measured& measured,
                      Fault& fault) noexcept {
     HARMORPH_TRY(section.find_chord(false, fault));
-    measured = {length(section.chord()), section.nose};
+    measured = {length(section.chord()), section.leading_edge};
     Vec2 const along = direction(section.chord());
     section.pull_chord({-1 * along, along}, gradient);
     return Status::ok;
@@ -59,20 +59,20 @@ Status measure_stations(Section& section, Quantity const& quantity, ControlGradi
     return pull_station(section, which, found, 1, gradient, fault);
 }
 
-Status measure_nose(Section& section, ControlGradient const& gradient, Measured& measured,
-                    Fault& fault) noexcept {
+Status measure_leading_edge(Section& section, ControlGradient const& gradient, Measured& measured,
+                            Fault& fault) noexcept {
     AreaMoments moments;
-    HARMORPH_TRY(area_moments(section, moments, fault));  // for the orientation
+    HARMORPH_TRY(area_moments(section, moments, fault));  // sets the orientation of the section
     HARMORPH_TRY(section.find_chord(true, fault));
-    measured.at = section.nose_place.point();
-    return nose_radius(section, measured.value, gradient, fault);
+    measured.at = section.leading_edge_place.point();
+    return leading_edge_radius(section, measured.value, gradient, fault);
 }
 
-// Between the tangents that leave the trailing edge at both ends of the outline, through the
-// inside. The range is -90 .. 270 degrees: a smooth outline has 180, and rounding does not decide
-// between 180 and -180.
-Status measure_edge_angle(Section& section, ControlGradient const& gradient, Measured& measured,
-                          Fault& fault) noexcept {
+// Measures the angle between the tangents at both ends of the outline, through the inside of the
+// section. The range is -90 to 270 degrees: a smooth outline has 180 degrees, and rounding cannot
+// change this to -180.
+Status measure_trailing_edge_angle(Section& section, ControlGradient const& gradient,
+                                   Measured& measured, Fault& fault) noexcept {
     AreaMoments moments;
     HARMORPH_TRY(area_moments(section, moments, fault));
     CurvePlace const first = section.first_end(), last = section.last_end();
@@ -86,7 +86,8 @@ Status measure_edge_angle(Section& section, ControlGradient const& gradient, Mea
     if (!(square(from) > 0) || !(square(to) > 0)) {
         return fault.refuse(
             Status::bad_curve,
-            "the trailing edge has no directions: the curve stands still at its ends");
+            "the angle of the trailing edge is not defined, because the derivative of the curve is "
+            "0 there");
     }
     Real const sign = section.sign * in_degrees(1);
     Real const angle = sign * angle_of(turn_between(from, to));
@@ -98,17 +99,17 @@ Status measure_edge_angle(Section& section, ControlGradient const& gradient, Mea
     return Status::ok;
 }
 
-Status measure_edge_gap(Section& section, ControlGradient const& gradient, Measured& measured,
-                        Fault& fault) noexcept {
+Status measure_trailing_edge_gap(Section& section, ControlGradient const& gradient,
+                                 Measured& measured, Fault& fault) noexcept {
     AreaMoments moments;
     HARMORPH_TRY(area_moments(section, moments, fault));
     HARMORPH_TRY(section.find_chord(false, fault));
-    // Counter-clockwise the first end is the upper one.
+    // If the outline is counter-clockwise, the first end is the upper one.
     CurvePlace const first = section.first_end(), last = section.last_end();
     Vec2 const along = section.chord(), gap = section.sign * (first.point() - last.point());
     Real const size = length(along);
     Vec2 const normal = (1 / size) * left_of(along);
-    measured = {dot(gap, normal) + 0.0, first.point()};  // not -0
+    measured = {dot(gap, normal) + 0.0, first.point()};  // adding 0 avoids -0
     gradient.add(first, section.sign * normal);
     gradient.add(last, -section.sign * normal);
     Vec2 const by_along = (1 / size) * (Vec2{gap.y, -gap.x} - (measured.value / size) * along);
@@ -122,7 +123,7 @@ Status measure_curvature(Section& section, QuantityKind kind, ControlGradient co
         measured.at = section.first_end().point();
         return curvature_variation(section, measured.value, gradient, fault);
     }
-    Bend bend;
+    SmallestRadius bend;
     HARMORPH_TRY(smallest_radius(section, bend, gradient, fault));
     measured = {bend.radius, bend.place.point()};
     return Status::ok;
@@ -146,10 +147,12 @@ Status measure(Section& section, Quantity const& quantity, ControlGradient const
         case QuantityKind::max_thickness:
         case QuantityKind::max_camber:
             return measure_stations(section, quantity, gradient, measured, fault);
-        case QuantityKind::nose_radius: return measure_nose(section, gradient, measured, fault);
-        case QuantityKind::edge_angle:
-            return measure_edge_angle(section, gradient, measured, fault);
-        case QuantityKind::edge_gap: return measure_edge_gap(section, gradient, measured, fault);
+        case QuantityKind::leading_edge_radius:
+            return measure_leading_edge(section, gradient, measured, fault);
+        case QuantityKind::trailing_edge_angle:
+            return measure_trailing_edge_angle(section, gradient, measured, fault);
+        case QuantityKind::trailing_edge_gap:
+            return measure_trailing_edge_gap(section, gradient, measured, fault);
         case QuantityKind::min_radius:
         case QuantityKind::curvature_variation:
             return measure_curvature(section, quantity.kind, gradient, measured, fault);

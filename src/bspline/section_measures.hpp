@@ -1,4 +1,4 @@
-// One number for a section, and its derivatives: all quantities that can be asked for.
+// Measures a section: computes one of the quantities below and its derivatives.
 #pragma once
 
 #include "bspline/section_area.hpp"
@@ -18,9 +18,9 @@ enum class QuantityKind : std::int32_t {
     camber = 8,
     max_thickness = 9,
     max_camber = 10,
-    nose_radius = 11,
-    edge_angle = 12,
-    edge_gap = 13,
+    leading_edge_radius = 11,
+    trailing_edge_angle = 12,
+    trailing_edge_gap = 13,
     min_radius = 14,
     curvature_variation = 15,
     clearance = 16
@@ -38,7 +38,7 @@ struct Measured {
     Vec2 at;
 };
 
-// section.connect() has been called.
+// section.connect() must have been called.
 Status measure(Section& section, Quantity const& quantity, ControlGradient const& gradient,
                Measured& measured, Fault& fault) noexcept;
 

@@ -5,8 +5,8 @@
 namespace harmorph {
 namespace {
 
-// The outline's points on the normal to the chord through a point of it: the highest and the
-// lowest.
+// Finds the highest and the lowest point of the outline on the normal to the chord through a point
+// of the chord.
 bool find_points(Section const& section, Vec2 through, CurvePlace& top,
                  CurvePlace& bottom) noexcept {
     Vec2 const along = section.chord(), up = left_of(along);
@@ -29,13 +29,14 @@ bool find_points(Section const& section, Vec2 through, CurvePlace& top,
             curve_point_in(curve, span, u, 0, &point);
             return dot(point - through, along);
         };
-        Real least = infinity, most = -infinity;  // the span lies in the hull of its control points
+        // The span lies in the convex hull of its control points.
+        Real first = infinity, last = -infinity;
         for (Index k = span - curve.degree; k <= span; ++k) {
             Real const at = dot(curve.point(k) - through, along);
-            least = min(least, at);
-            most = max(most, at);
+            first = min(first, at);
+            last = max(last, at);
         }
-        if (least > 0 || most < 0) return;
+        if (first > 0 || last < 0) return;
         Index const n = 4 * curve.degree;
         Real u = low, before = ahead(low);
         for (Index j = 1; j <= n; ++j) {
@@ -48,7 +49,7 @@ bool find_points(Section const& section, Vec2 through, CurvePlace& top,
     return highest > lowest;
 }
 
-// Derivatives of the value by the two points held at their parameters, by the point of the chord
+// The derivatives of the value by the two points at fixed parameters, by the point of the chord
 // line, and by the chord.
 struct StationDerivative {
     Vec2 top[1], bottom[1], point, along;
@@ -64,16 +65,16 @@ StationDerivative differentiate(Section const& section, StationValue which,
     bool const camber = which == StationValue::camber;
     Real const of_top = camber ? 0.5 : 1, of_bottom = camber ? 0.5 : -1;
     Vec2 offset;  // the value is offset . normal
-    auto const pull = [&](CurvePlace const& place, Real part, Vec2& by_point) {
+    auto const pull = [&](CurvePlace const& place, Real share, Vec2& by_point) {
         Vec2 c[2];
         place.derivatives(1, c);
         Vec2 const from_chord = c[0] - station.point;
-        offset = offset + part * from_chord;
-        // The parameter is where (C - point) . along = 0.
+        offset = offset + share * from_chord;
+        // At the parameter of the place, (C - point) . along = 0.
         Real const slope = dot(c[1], along), tangent = length(c[1]);
         out.finite = out.finite && abs(slope) > 1e-9 * tangent * size;
-        Real const factor = -part * dot(c[1], normal) / slope;
-        by_point = part * normal + factor * along;
+        Real const factor = -share * dot(c[1], normal) / slope;
+        by_point = share * normal + factor * along;
         out.point = out.point - factor * along;
         out.along = out.along + factor * from_chord;
     };
@@ -88,7 +89,7 @@ StationDerivative differentiate(Section const& section, StationValue which,
 Real value_at(Section const& section, StationValue which, Real at, Station& station) noexcept {
     Vec2 const along = section.chord();
     station.at = at;
-    station.point = section.nose + at * along;
+    station.point = section.leading_edge + at * along;
     if (!find_points(section, station.point, station.top, station.bottom))
         return station.value = -infinity;
     Vec2 const normal = (1 / length(along)) * left_of(along);
@@ -97,7 +98,7 @@ Real value_at(Section const& section, StationValue which, Real at, Station& stat
     return station.value = 0.5 * dot(top - station.point + bottom - station.point, normal);
 }
 
-// Along the chord, per chord.
+// Returns the derivative of the value along the chord, per length of the chord.
 Real slope_at(Section const& section, StationValue which, Station const& station) noexcept {
     return dot(differentiate(section, which, station).point, section.chord());
 }
@@ -109,11 +110,11 @@ Status measure_station(Section const& section, StationValue which, Real at, Stat
     if (value_at(section, which, at, station) > -infinity) return Status::ok;
     return fault.refuse(
         Status::bad_curve,
-        "the normal to the chord at station ~ meets the outline at less than two points", {}, {},
+        "the normal to the chord at station ~ meets the outline at fewer than two points", {}, {},
         at);
 }
 
-// Stations in the distance t^2 (3 - 2 t) are dense at the ends, where slopes are steep.
+// The stations t^2 (3 - 2 t) are dense at both ends, where slopes are steep.
 Status measure_extreme(Section const& section, StationValue which, ExtremeStation& extreme,
                        Fault& fault) noexcept {
     constexpr Index n = 128;
@@ -137,7 +138,8 @@ Status measure_extreme(Section const& section, StationValue which, ExtremeStatio
         return fault.refuse(Status::bad_curve,
                             "no normal to the chord meets the outline at two points");
     }
-    auto const rise = [&](Real at) {  // 0 where there is nothing
+    // The rise is 0 where the normal does not meet the outline.
+    auto const rise = [&](Real at) {
         Station there;
         bool const found = value_at(section, which, at, there) > -infinity;
         return found ? sign * slope_at(section, which, there) : 0;
@@ -160,8 +162,9 @@ Status pull_station(Section const& section, StationValue which, Station const& s
     StationDerivative const by = differentiate(section, which, station);
     if (!by.finite) {
         return fault.refuse(Status::bad_curve,
-                            "at station ~ the outline is parallel to the normal of the chord", {},
-                            {}, station.at);
+                            "the derivative at station ~ is infinite, because the outline is "
+                            "parallel to the normal of the chord",
+                            {}, {}, station.at);
     }
     gradient.add(station.top, weight * by.top[0]);
     gradient.add(station.bottom, weight * by.bottom[0]);

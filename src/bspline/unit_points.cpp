@@ -6,7 +6,8 @@ Status UnitPoints::take(Points points, Index n, bool is_loop, Fault& fault) noex
     Vec2 sum;
     for (Index k = 0; k < n; ++k) {
         if (!is_finite(points[k].x) || !is_finite(points[k].y))
-            return fault.refuse(Status::bad_curve, "point # is not finite", point_item(k));
+            return fault.refuse(Status::bad_curve, "point # has a coordinate that is not finite",
+                                point_item(k));
         if (!is_in_range(points[k]))
             return fault.refuse(Status::bad_curve, "point # has a coordinate beyond 1e100",
                                 point_item(k));
@@ -21,20 +22,21 @@ Status UnitPoints::take(Points points, Index n, bool is_loop, Fault& fault) noex
     };
     Vec2 const end = farthest_from(centre);
     extent = length(farthest_from(end) - end);
-    if (!is_finite(extent)) return fault.refuse(Status::bad_curve, "the points are too far apart");
-    if (extent == 0) return fault.refuse(Status::bad_curve, "all points are in one place");
+    if (!is_finite(extent))
+        return fault.refuse(Status::bad_curve, "the distances between the points are too large");
+    if (extent == 0) return fault.refuse(Status::bad_curve, "all points are in the same place");
     for (Index k = 0; k < n; ++k) at[k] = to_unit(points[k]);
     for (Index k = 0; k + (is_loop ? 0 : 1) < n; ++k) {
         Index const next = k + 1 == n ? 0 : k + 1;
         if (square(at[next] - at[k]) == 0)
-            return fault.refuse(Status::bad_curve, "points # and @ follow each other and coincide",
+            return fault.refuse(Status::bad_curve, "the consecutive points # and @ are equal",
                                 point_item(k), point_item(next));
     }
     Vec2 const first = points[0], last = points[n - 1];
     if (!is_loop && first.x == last.x && first.y == last.y)
         return fault.refuse(
             Status::bad_curve,
-            "the first point and the last one, #, are equal: fit a loop without the last one",
+            "the first point and the last point, #, are equal; fit a loop without the last point",
             point_item(n - 1));
     return Status::ok;
 }

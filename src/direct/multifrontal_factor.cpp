@@ -124,7 +124,7 @@ Status Multifrontal::factorise_in(Matrix const& matrix, Progress const& progress
     Factorisation<Number> const factorisation(*this, matrix);
     fill(numbers<Number>().least_left, Number{1});
     fill(numbers<Number>().least_pivot, Number{1});
-    Fault fault_of[Executor::most_threads];
+    Fault fault_of[Executor::max_threads];
     // The one with the first position: it does not depend on the number of threads.
     auto const take_first = [](Fault const& other, Fault& first) {
         bool const is_first = !failed(first.status) || other.item.number < first.item.number;

@@ -12,23 +12,24 @@ Status refuse_unmarked(Edges const& edges, Fault& fault) noexcept {
     edges.for_each([&](Index edge, Index low, Index high) {
         if (edges.second[edge] != Edges::unmarked || failed(fault.status)) return;
         fault.refuse(Status::bad_mesh,
-                     "the edge between points # and @ has one cell and no marker: a marker or a "
-                     "cell is missing",
+                     "the edge between points # and @ has a cell on one side only and no marker: a "
+                     "marker or a cell is missing",
                      point_item(low), point_item(high));
     });
     return fault.status;
 }
 
-// A face that the caller gives is a boundary edge of the cells, or the first cause why it is not.
+// Refuses a face of the caller that is not a boundary edge of the cells.
 Status check_face(BoundaryFace face, Edges const& edges, Index edge, Fault& fault) noexcept {
     const char* wrong = nullptr;
     if (face.begin == face.end) {
-        wrong = "the boundary has an edge from point # to point @, the same point";
+        wrong = "a boundary face has the end points # and @, which are the same point";
     } else if (edge == none) {
         wrong =
-            "the boundary edge between points # and @ is an edge of no cell; are cells missing?";
+            "the boundary face between points # and @ is not an edge of any cell; check whether "
+            "cells are missing";
     } else if (!edges.is_boundary(edge)) {
-        wrong = "the boundary edge between points # and @ has cells on both sides";
+        wrong = "the boundary face between points # and @ has cells on both sides";
     }
     return wrong == nullptr ? Status::ok
                             : fault.refuse(Status::bad_mesh, wrong, point_item(face.begin),
@@ -73,12 +74,12 @@ Status Boundary::mark(Topology& topology, Fault& fault) noexcept {
         if (failed(check_face(face, edges, edge, fault))) return false;
         if (edges.second[edge] == Edges::unmarked) {
             given_marker[count] = face.marker;
-            given_begin[count] = edge;  // which way it runs is not known yet
+            given_begin[count] = edge;  // order() replaces the edge by its first point
             given_end[count] = min(representative[face.begin], representative[face.end]);
             edges.second[edge] = marked_with(count++);
         } else if (given_marker[face_of_edge(edges.second[edge])] != face.marker) {
             fault.refuse(Status::bad_mesh,
-                         "the boundary edge between points # and @ is on two markers",
+                         "the boundary face between points # and @ belongs to two markers",
                          point_item(face.begin), point_item(face.end));
             return false;
         }
@@ -98,7 +99,8 @@ Status Boundary::order(Topology const& topology, Fault& fault) noexcept {
         given_end[face] = downwards ? low : high;
     }
     fill(head.first(topology.mesh.n_points), none);
-    for (Index face = count; face-- > 0;) {  // faces that begin at each point, in the given order
+    // Faces that begin at the same point form a list in the given order.
+    for (Index face = count; face-- > 0;) {
         next[face] = head[given_begin[face]];
         head[given_begin[face]] = face;
     }
@@ -107,8 +109,7 @@ Status Boundary::order(Topology const& topology, Fault& fault) noexcept {
     for (Index first = 0; first < count; ++first) {
         if (head[given_begin[first]] == none) continue;
         loop_start[n_loops++] = placed;
-        // At every point as many faces begin as end, so a walk comes to its end only where it
-        // began.
+        // At every point, as many faces begin as end, so the loop closes at its first point.
         for (Index at = given_begin[first]; head[at] != none;) {
             Index const face = head[at];
             head[at] = next[face];
@@ -125,7 +126,8 @@ Index join_cuts(Topology& topology, Span<Index> points) noexcept {
     Mesh const& mesh = topology.mesh;
     Edges const& edges = topology.edges;
     Size n = 0;
-    fill(points, none);  // first as a set: points[k] = k if k is an end of an unmarked edge
+    // At first, points[k] is k if point k is an end of an unmarked edge, and none otherwise.
+    fill(points, none);
     edges.for_each([&](Index edge, Index low, Index high) {
         if (edges.second[edge] == Edges::unmarked) {
             points[low] = low;

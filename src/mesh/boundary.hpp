@@ -1,4 +1,5 @@
-// The boundary of the mesh as directed faces, the mesh on their left, in order along closed loops.
+// The boundary of the mesh consists of directed faces in order along closed loops, with the mesh on
+// their left.
 #pragma once
 
 #include "base/arena.hpp"
@@ -9,47 +10,49 @@ namespace harmorph {
 struct Boundary {
     Index count = 0;  // faces
     Index n_loops = 0;
-    Span<Index> point;  // [count] where each face begins; the end is the beginning of the next face
-                        // of the loop
-    Span<Index> marker;      // [count]
-    Span<Index> condition;   // [count] number of the condition that holds there, or none: see
-                             // boundary/conditions
+    // [count] The point at which each face begins; the face ends where the next face of the loop
+    // begins.
+    Span<Index> point;
+    Span<Index> marker;  // [count]
+    // [count] The number of the condition that holds on each face, or none; see
+    // boundary/conditions.
+    Span<Index> condition;
     Span<Index> loop_start;  // [n_loops + 1]
 
-    Span<Index> given_begin, given_end,
-        given_marker;  // [max_faces] as marked; order() directs them
+    // [max_faces] The faces that mark() has found; order() directs them.
+    Span<Index> given_begin, given_end, given_marker;
     Span<Index> head;  // [n_points] working space of order()
-    Span<Index> next;  // [max_faces]
+    Span<Index> next;  // [max_faces] working space of order()
 
-    // As many faces as the caller gives, segments of lists counted generously, and all sides of
-    // blocks.
+    // Returns an upper bound of the number of faces: those that the caller gives, the segments of
+    // point lists, and the edges along all sides of blocks.
     static Size max_faces(Mesh const& mesh) noexcept;
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
 
-    // Finds the edge of every face and list segment and notes the marker there (edges.second).
-    // Cells need no orientation yet.
+    // Finds the edge of every face and list segment and writes the number of the face to
+    // edges.second. The cells need not be oriented yet.
     Status mark(Topology& topology, Fault& fault) noexcept;
     // Refuses a boundary edge without a marker, and puts the faces in order.
     Status order(Topology const& topology, Fault& fault) noexcept;
 
-    // Pieces: runs of faces for which is_on(face) holds. visit(piece, point) for their points in
-    // order, then close(piece, is_loop); the first point of a whole loop is not repeated. Returns
-    // how many pieces there are.
+    // A chain is a longest sequence of connected faces for which is_on(face) holds. Calls
+    // visit(chain, point) for the points of each chain in order, then close(chain, is_loop). The
+    // first point of a whole loop is not repeated. Returns the number of chains.
     template <class IsOn, class Visit, class Close>
-    Index for_each_piece(IsOn is_on, Visit visit, Close close) const noexcept;
+    Index for_each_chain(IsOn is_on, Visit visit, Close close) const noexcept;
 
-    // The next face of the same loop.
+    // Returns the next face of the same loop.
     Index after(Index face, Index loop) const noexcept {
         return face + 1 == loop_start[loop + 1] ? loop_start[loop] : face + 1;
     }
 };
 
 template <class IsOn, class Visit, class Close>
-Index Boundary::for_each_piece(IsOn is_on, Visit visit, Close close) const noexcept {
-    Index piece = 0;
+Index Boundary::for_each_chain(IsOn is_on, Visit visit, Close close) const noexcept {
+    Index chain = 0;
     for (Index loop = 0; loop < n_loops; ++loop) {
         Index const begin = loop_start[loop], n = loop_start[loop + 1] - begin;
-        Index gap = none;  // a face that is not on: behind it a piece may begin
+        Index gap = none;  // a face outside all chains; a chain may begin after it
         for (Index k = 0; k < n && gap == none; ++k) {
             if (!is_on(begin + k)) gap = k;
         }
@@ -57,18 +60,20 @@ Index Boundary::for_each_piece(IsOn is_on, Visit visit, Close close) const noexc
         for (Index k = 0; k < n; ++k) {
             Index const face = begin + (gap == none ? k : (gap + 1 + k) % n);
             bool const on = is_on(face);
-            if (on || inside)
-                visit(piece, point[face]);  // where a face begins, or the last of a piece ends
-            if (!on && inside) close(piece++, false);
+            // A chain consists of the first points of its faces and the last point of its last
+            // face.
+            if (on || inside) visit(chain, point[face]);
+            if (!on && inside) close(chain++, false);
             inside = on;
         }
-        if (inside) close(piece++, true);
+        if (inside) close(chain++, true);
     }
-    return piece;
+    return chain;
 }
 
-// Joins the points of a cut: edges without marker whose end points coincide bit by bit in pairs.
-// `points` [n_points] is working space. Returns how many points were joined to another.
+// Joins the points of a cut: ends of edges without a marker are joined if they have exactly the
+// same coordinates. `points` [n_points] is working space. Returns the number of points that were
+// joined to another point.
 Index join_cuts(Topology& topology, Span<Index> points) noexcept;
 
 }  // namespace harmorph

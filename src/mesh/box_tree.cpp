@@ -17,8 +17,9 @@ void exchange(BoxTree::Entry& a, BoxTree::Entry& b) noexcept {
     b = old_a;
 }
 
-// Hoare's selection: no entry before entry k is greater, none behind it is smaller. Sorts instead
-// after 64 pivots, where bad pivots would make the selection quadratic.
+// Reorders the entries by Hoare's selection, so that no entry before entry k is greater and no
+// entry after it is smaller. After 64 pivots the entries are sorted instead, because bad pivots
+// would make the selection quadratic.
 void select(Span<BoxTree::Entry> entries, Index k, bool vertical) noexcept {
     Index low = 0, high = entries.count() - 1;
     for (Index pivots = 0; low < high; ++pivots) {

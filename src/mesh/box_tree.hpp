@@ -1,4 +1,4 @@
-// Items by their bounding boxes in a balanced tree: which of them is nearest to a point?
+// Keeps items in a balanced tree of bounding boxes, and finds the item nearest to a point.
 #pragma once
 
 #include "base/arena.hpp"
@@ -30,11 +30,11 @@ struct Nearest {
     Real squared = infinity;  // the squared distance
 };
 
-// A complete binary tree: node 1 is the root, node k has the children 2k and 2k + 1. Node j of
-// level l contains the entries n j / 2^l .. n (j + 1) / 2^l - 1, so the structure follows from n
-// alone, without pointers.
+// The tree is a complete binary tree: node 1 is the root, and node k has the children 2k and 2k +
+// 1. Node j of level l contains the entries n j / 2^l .. n (j + 1) / 2^l - 1, so the structure
+// follows from n alone, without pointers.
 struct BoxTree {
-    static constexpr Index most_levels = 31;
+    static constexpr Index max_levels = 31;
 
     struct Entry {
         Vec2 centre;
@@ -42,14 +42,15 @@ struct BoxTree {
     };
 
     Index n = 0, levels = 0;
-    Span<Entry> entry;  // [n] in the tree's order
+    Span<Entry> entry;  // [n] in the order of the tree
     Span<Box> box;      // [2^(levels + 1)]
 
     void lay_out(Arena& arena, Index n_items) noexcept;
-    void set_count(Index n_items) noexcept;  // of a tree that was laid out for at least as many
+    // Changes the number of items; the tree must have been laid out for at least as many.
+    void set_count(Index n_items) noexcept;
 
-    // box_of(item) for items 0 .. n-1. Ranges are halved at the median of the centres, across their
-    // larger extent.
+    // Builds the tree from box_of(item) for the items 0 .. n-1. The entries of each node are
+    // divided at the median of their centres in the direction in which the centres extend farther.
     template <class BoxOf>
     void build(BoxOf const& box_of) noexcept {
         for (Index item = 0; item < n; ++item) entry[item] = {box_of(item).centre(), item};
@@ -65,7 +66,8 @@ struct BoxTree {
         unite();
     }
 
-    // The nearest item by squared_distance(item), if it is nearer than `best`.
+    // Returns the item with the smallest squared_distance(item) if it is nearer than `best`, and
+    // `best` otherwise.
     template <class SquaredDistance>
     Nearest nearest(Vec2 point, Nearest best,
                     SquaredDistance const& squared_distance) const noexcept;
@@ -85,7 +87,7 @@ Nearest BoxTree::nearest(Vec2 point, Nearest best,
         Index node;
         Real squared;
     };
-    Waiting waiting[most_levels + 1];
+    Waiting waiting[max_levels + 1];
     Index const leaves = Index{1} << levels;
     Index n_waiting = 0;
     if (n > 0) waiting[n_waiting++] = {1, box[1].squared_distance(point)};

@@ -1,4 +1,5 @@
-// The corners, sides and areas of one cell, gathered once.
+// Computes the corners, sides and areas of one cell. tests/mesh/test_orientation.cpp and
+// tests/morph/test_quality.cpp cover this file.
 #pragma once
 
 #include "base/predicates.hpp"
@@ -6,7 +7,7 @@
 
 namespace harmorph {
 
-// Points in order round the cell, counter-clockwise where the cell is not inverted; n is 3 or 4.
+// The n corners are in counter-clockwise order, unless the cell is inverted; n is 3 or 4.
 struct CellShape {
     Index n;
     Vec2 at[4];
@@ -18,8 +19,9 @@ struct CellShape {
     }
 };
 
-// Sides from each corner to the next, and twice the signed area of each corner: the cross product
-// of the two sides there. A triangle has one area for all corners.
+// Each side runs from a corner to the next one. The area of a corner is the signed area of the
+// triangle of the corner and its two neighbours, half the cross product of the two sides there. All
+// corners of a triangle have the same area.
 struct CellCorners {
     Vec2 side[4];
     Real twice_area[4];
@@ -33,41 +35,41 @@ struct CellCorners {
         for (Index k = 0; k < 4; ++k) side[k] = shape.at[(k + 1) & 3] - shape.at[k];
         for (Index k = 0; k < 4; ++k) twice_area[k] = cross(side[(k + 3) & 3], side[k]);
     }
-    // NaN if any corner's is NaN or infinite: a minimum alone may lose that, the sum does not.
+    // Returns the smallest of twice_area, or NaN if any of them is NaN or infinite. The sum finds
+    // such numbers, because a minimum may drop NaN.
     Real smallest() const noexcept {
         Real const sum = (twice_area[0] + twice_area[1]) + (twice_area[2] + twice_area[3]),
                    zero = sum - sum;
         if (zero != 0) return zero;
         return min(min(twice_area[0], twice_area[1]), min(twice_area[2], twice_area[3]));
     }
-    // Of the sides: the square of the longest one.
+    // Returns the square of the length of the longest side.
     Real longest_square(Index n) const noexcept {
         Real const three = max(max(square(side[0]), square(side[1])), square(side[2]));
         return n == 3 ? three : max(three, square(side[3]));
     }
-    // Of the corners: twice the area divided by the longer of the two sides. Corners have to be
-    // positive.
+    // The height of a corner is twice its area divided by the longer of the two sides. Returns the
+    // smallest height; all areas must be positive.
     Real smallest_height(Index n) const noexcept {
-        Real least = infinity;
+        Real lowest = infinity;
         for (Index k = 0; k < n; ++k) {
             Index const before = k == 0 ? n - 1 : k - 1;
-            least = min(least, twice_area[k] / sqrt(max(square(side[before]), square(side[k]))));
+            lowest = min(lowest, twice_area[k] / sqrt(max(square(side[before]), square(side[k]))));
         }
-        return least;
+        return lowest;
     }
-    // Of the whole cell.
+    // Returns the area of the whole cell.
     Real cell_area(Index n) const noexcept {
         return 0.5 * (n == 3 ? twice_area[0] : twice_area[0] + twice_area[2]);
     }
 };
 
-// Of areas and squares of lengths between these, products of six are numbers, with all their
-// digits.
-inline constexpr Real smallest_of_products = 0x1p-150, largest_of_products = 0x1p150;
+// A product of six factors (areas or squared lengths) between these bounds is a normal number.
+inline constexpr Real min_factor = 0x1p-150, max_factor = 0x1p150;
 
-// The least height that a cell at coordinates of this size may have. A movement rounds each
-// coordinate by up to 2^-53 of its size, which changes a height by no more than 2^-50 of that: 16
-// such changes do not turn a corner over.
+// Returns the smallest height that a cell may have if its coordinates have this size. A movement
+// rounds each coordinate by up to 2^-53 of its size, which changes a height by at most 2^-50 of the
+// size: 16 such changes do not invert a corner.
 inline Real resolved_height(Real size) noexcept { return max(0x1p-46 * size, smallest_height); }
 inline Real resolved_height(CellShape const& shape) noexcept {
     Real size = 0;
@@ -75,12 +77,13 @@ inline Real resolved_height(CellShape const& shape) noexcept {
     return resolved_height(size);
 }
 
-// A corner has no positive area, or a coordinate is not finite.
+// Returns whether a corner has no positive area or a coordinate is not finite.
 inline bool is_inverted(CellShape const& shape) noexcept {
     return !(CellCorners(shape).smallest() > 0);
 }
 
-// The same of finite coordinates, without rounding.
+// Returns whether a corner has no positive area, decided without rounding; all coordinates must be
+// finite.
 inline bool is_inverted_exactly(CellShape const& shape) noexcept {
     Index const n = shape.n;
     for (Index k = 0; k < (n == 3 ? 1 : 4); ++k) {

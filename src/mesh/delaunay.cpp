@@ -5,7 +5,7 @@
 namespace harmorph {
 namespace {
 
-// Sides are 3 * triangle + the corner they are opposite to.
+// The number of a side is 3 * triangle + the corner opposite to the side.
 constexpr Index triangle_of(Index side) noexcept { return side / 3; }
 constexpr Index next_side(Index side) noexcept { return side % 3 == 2 ? side - 2 : side + 1; }
 
@@ -15,30 +15,31 @@ Size Triangulation::max_triangles(Mesh const& mesh) noexcept {
     return static_cast<Size>(mesh.n_cells) * (mesh.layout == CellLayout::triangles ? 1 : 2);
 }
 
-void Triangulation::lay_out(Arena& arena, Mesh const& of) noexcept {
-    Size const n = max_triangles(of);
+void Triangulation::lay_out(Arena& arena, Mesh const& counts) noexcept {
+    Size const n = max_triangles(counts);
     arena.take(corner_, 3 * n);
     arena.take(across_, 3 * n);
     arena.take(waiting_, n);
     arena.take(is_waiting_, n);
     mesh = Mesh{};
-    mesh.n_points = of.n_points;
+    mesh.n_points = counts.n_points;
     mesh.layout = CellLayout::triangles;
     mesh.n_cells = static_cast<Index>(min(n, static_cast<Size>(Mesh::max_cells)));
     edges.lay_out(arena, mesh);
 }
 
-Status Triangulation::build(Topology const& of, Fault& fault) noexcept {
-    if (max_triangles(of.mesh) > static_cast<Size>(Mesh::max_cells)) {
+Status Triangulation::build(Topology const& given, Fault& fault) noexcept {
+    if (max_triangles(given.mesh) > static_cast<Size>(Mesh::max_cells)) {
         return fault.refuse(Status::unsupported,
-                            "the bounded scheme can split no more than 2^28 cells, the mesh has #",
-                            plain(of.mesh.n_cells));
+                            "the bounded scheme can split at most 2^28 cells into triangles, but "
+                            "the mesh has # cells",
+                            plain(given.mesh.n_cells));
     }
-    mesh.points = of.mesh.points;
-    representative = of.representative;
+    mesh.points = given.mesh.points;
+    representative = given.representative;
     mesh.cell_points = corner_.data();
     mesh.n_cells = 0;
-    HARMORPH_TRY(split(of, fault));
+    HARMORPH_TRY(split(given, fault));
     HARMORPH_TRY(edges.build(mesh, representative, fault));
     find_neighbours();
     flip_all();
@@ -52,19 +53,19 @@ void Triangulation::add(Index a, Index b, Index c) noexcept {
     corner_[corner + 2] = c;
 }
 
-// Quads along the diagonal that is Delaunay: the fewer flips remain.
-Status Triangulation::split(Topology const& of, Fault& fault) noexcept {
-    for (Index i = 0; i < of.mesh.n_cells; ++i) {
-        Cell cell = of.cell(i);
+// Splits each quad along its Delaunay diagonal, so that few flips remain.
+Status Triangulation::split(Topology const& given, Fault& fault) noexcept {
+    for (Index i = 0; i < given.mesh.n_cells; ++i) {
+        Cell cell = given.cell(i);
         Vec2 at[4];
         for (Index k = 0; k < cell.n; ++k) {
             cell.point[k] = representative[cell.point[k]];
-            at[k] = of.mesh.points[cell.point[k]];
+            at[k] = given.mesh.points[cell.point[k]];
         }
         for (Index k = 0; k < (cell.n == 3 ? 1 : 4); ++k) {
             if (orientation_sign(at[k], at[(k + 1) % cell.n], at[(k + 2) % cell.n]) > 0) continue;
-            return fault.refuse(Status::bad_mesh, "cell # is inverted or empty",
-                                cell_item(of.mesh.number(i)));
+            return fault.refuse(Status::bad_mesh, "cell # is inverted or has no area",
+                                cell_item(given.mesh.number(i)));
         }
         Index const* const p = cell.point;
         if (cell.n == 3) {
@@ -101,12 +102,13 @@ bool Triangulation::is_delaunay(Index side) const noexcept {
     return in_circle_sign(at(side), at(begin), at(end), at(other)) <= 0;
 }
 
-//      end               end          Triangle `apex, begin, end` becomes `apex, begin, opposite`,
-//     / | \             /   \         triangle `opposite, end, begin` becomes `opposite, end,
-//     apex`:
-// apex  |  opposite  apex --- opposite    each changes its third corner, and two of its sides.
-//     \ | /             \   /
-//     begin             begin
+//       end                 end
+//      / | \               /   \        before: (apex, begin, end), (opposite, end, begin)
+//  apex  |  opposite   apex --- opposite
+//      \ | /               \   /        after: (apex, begin, opposite), (opposite, end, apex)
+//      begin               begin
+//
+// Each triangle changes its third corner and two of its sides.
 void Triangulation::flip(Index side) const noexcept {
     auto const join = [&](Index one, Index other) {
         across_[one] = other;
@@ -133,8 +135,8 @@ void Triangulation::flip_all() noexcept {
     fill(is_waiting_, std::uint8_t{0});
     for (Index triangle = mesh.n_cells; triangle-- > 0;) push(triangle);
     flips = 0;
-    // Of every edge that may have to be flipped, a triangle waits. If both do, the second to come
-    // asks.
+    // For every edge that may have to be flipped, at least one of its triangles is on the stack. If
+    // both are, the edge is tested when the second one is taken from the stack.
     while (n > 0) {
         Index const triangle = waiting_[--n];
         is_waiting_[triangle] = 0;

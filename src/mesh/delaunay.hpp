@@ -1,5 +1,5 @@
-// The constrained Delaunay triangulation of the points of the mesh: quads are split, then edges
-// flipped.
+// Computes the constrained Delaunay triangulation of the points of the mesh: quads are split into
+// triangles, then edges are flipped.
 #pragma once
 
 #include "base/arena.hpp"
@@ -7,42 +7,47 @@
 
 namespace harmorph {
 
-// An edge of the triangulation with the third points of the triangles at its sides; right is none
-// on the boundary. The triangles begin, end, left and end, begin, right run counter-clockwise.
+// An edge of the triangulation, with the third points of the triangles on both sides; right is none
+// on the boundary. The triangles (begin, end, left) and (end, begin, right) run counter-clockwise.
 struct DelaunayEdge {
     Index begin, end, left, right;
 };
 
-// Lawson flips (Software for C1 surface interpolation, in: Mathematical Software III, 1977): an
-// inner edge whose opposite point lies strictly inside the circle through its other triangle is
-// replaced by the other diagonal of the two. Boundary edges stay, so the domain does. No flip can
-// fail: such two triangles form a strictly convex quad. The algorithm ends: each flip lowers the
-// surface of (x, y, x^2 + y^2) over the mesh, so no triangulation occurs twice, and there are
-// finitely many; this needs exact decisions, see predicates.hpp. Points joined by a cut are one
-// point. Edges of a periodic pair are boundary: a flip across would be decided with translated
-// coordinates, which carry rounding errors. The cells are triangles, all counter-clockwise, over
-// the representatives of the points, without boundary faces.
+// The method is that of Lawson (Software for C1 surface interpolation, in: Mathematical Software
+// III, 1977). Consider an inner edge and its two triangles. If the third point of one triangle lies
+// strictly inside the circle through the other triangle, the edge is flipped, that is, replaced by
+// the other diagonal of the two triangles. Boundary edges are never flipped, so the domain does not
+// change. A flip is always possible, because two such triangles form a strictly convex quad. The
+// algorithm ends, because each flip lowers the surface (x, y, x^2 + y^2) over the mesh: no
+// triangulation occurs twice, and there are finitely many. This needs exact decisions, see
+// predicates.hpp.
+//
+// Points that a cut joins are one point. Edges of a periodic pair are boundary edges: a flip across
+// them would be decided with translated coordinates, which have rounding errors. All cells of the
+// triangulation are counter-clockwise triangles of representative points; there are no boundary
+// faces.
 struct Triangulation : Topology {
     Index flips = 0;
 
-    // Sizes from the counts alone.
-    void lay_out(Arena& arena, Mesh const& mesh) noexcept;
+    // Takes arrays whose sizes depend on the counts of the mesh alone.
+    void lay_out(Arena& arena, Mesh const& counts) noexcept;
     // Refuses a cell that has a corner without positive area.
-    Status build(Topology const& of, Fault& fault) noexcept;
+    Status build(Topology const& given, Fault& fault) noexcept;
 
-    // visit(DelaunayEdge), in the order of `edges`.
+    // Calls visit(DelaunayEdge) for all edges, in the order of `edges`.
     template <class Visit>
     void for_each_edge(Visit visit) const noexcept;
 
 private:
     Span<Index> corner_;  // [3 * triangles]
-    Span<Index>
-        across_;  // [3 * triangles] the neighbour's side at the side opposite to a corner, or none
+                          // [3 * triangles] For the side opposite to each corner, the same edge as
+                          // a side of the neighbour triangle, or none.
+    Span<Index> across_;
     Span<Index> waiting_;  // [triangles] a stack
     Span<std::uint8_t> is_waiting_;
 
     static Size max_triangles(Mesh const& mesh) noexcept;
-    Status split(Topology const& of, Fault& fault) noexcept;
+    Status split(Topology const& given, Fault& fault) noexcept;
     void add(Index a, Index b, Index c) noexcept;
     void find_neighbours() const noexcept;
     void flip_all() noexcept;
@@ -50,7 +55,8 @@ private:
     void flip(Index side) const noexcept;
 };
 
-// The point of a counter-clockwise triangle that is not on the side with this code (see Edges).
+// Returns the third point of the counter-clockwise triangle that has the side with this code (see
+// Edges) between begin and end.
 inline Index apex_of(Mesh const& triangles, Index begin, Index end, Index code) noexcept {
     Cell const cell = triangles.cell(cell_of_side(code));
     for (Index k = 0; k < 2; ++k) {

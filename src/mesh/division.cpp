@@ -1,12 +1,13 @@
-// Apart from the pieces themselves, so that a program which only moves meshes does not link it.
+// Divides polygons into pieces. This is a source of its own, so that a program which only moves
+// meshes does not link it. tests/mesh/test_pieces.cpp covers this file.
 #include "mesh/pieces.hpp"
 
 namespace harmorph {
 namespace {
 
-// The corners of one polygon, counter-clockwise where the polygon is not inverted.
+// The corners of one polygon. `reversed` says that the caller's order is clockwise.
 struct Corners {
-    const Index* number;  // as the caller has them
+    const Index* number;  // in the caller's numbering
     Index n;
     Points points;
     Index index_base;
@@ -19,7 +20,8 @@ struct Corners {
         Real const area = cross(at(b) - at(a), at(c) - at(b));
         return reversed ? -area : area;
     }
-    // Half of what is largest for triangles of equal sides; of no triangle: 0.
+    // Returns the quality of a triangle: twice the area divided by the sum of the squared sides,
+    // which is largest for equal sides. If all three points coincide, the quality is 0.
     Real shape(Index a, Index b, Index c) const noexcept {
         Real const squares = square(at(b) - at(a)) + square(at(c) - at(b)) + square(at(a) - at(c));
         return squares > 0 ? twice_area(a, b, c) / squares : 0;
@@ -42,9 +44,9 @@ struct Corners {
 
 Mesh PolygonDivision::lay_out(Arena& arena, Mesh const& polygons) noexcept {
     if (polygons.layout != CellLayout::polygons) return polygons;
-    Index most_corners = 0;
+    Index max_corners = 0;
     for (Index i = 0; i < polygons.n_cells; ++i) {
-        most_corners = max(most_corners, polygons.cell_start[i + 1] - polygons.cell_start[i]);
+        max_corners = max(max_corners, polygons.cell_start[i + 1] - polygons.cell_start[i]);
     }
     Mesh mesh = polygons;
     mesh.layout = CellLayout::quads;
@@ -52,8 +54,8 @@ Mesh PolygonDivision::lay_out(Arena& arena, Mesh const& polygons) noexcept {
     mesh.n_cells = polygons.max_pieces();
     mesh.n_guards = static_cast<Index>(polygons.n_corners());
     pieces.lay_out(arena, polygons.n_cells, mesh.n_cells, mesh.n_guards);
-    arena.take(worst, Offset{most_corners} * most_corners);
-    arena.take(apex, Offset{most_corners} * most_corners);
+    arena.take(worst, Offset{max_corners} * max_corners);
+    arena.take(apex, Offset{max_corners} * max_corners);
     return mesh;
 }
 
@@ -109,9 +111,8 @@ void PolygonDivision::add(Index a, Index b, Index c, Index d) noexcept {
     to[3] = d;
 }
 
-// The triangles of the corners i .. j are the best one at their side from j to i, and those of the
-// corners i .. k and k
-// .. j on both sides of its apex k.
+// The best division of the corners i .. j consists of a triangle with the corners i, j and an apex
+// k, and of the best divisions of the corners i .. k and k .. j.
 template <class Corners>
 void PolygonDivision::divide(Corners const& corners) noexcept {
     Index const n = corners.n;
@@ -123,9 +124,9 @@ void PolygonDivision::divide(Corners const& corners) noexcept {
             Index best = none;
             Real best_worst = 0;
             for (Index k = i + 1; k < j; ++k) {
-                Real const parts = min(worst[at(i, k)], worst[at(k, j)]);
-                if (best != none && !(parts > best_worst)) continue;
-                Real const all = min(parts, corners.shape(i, k, j));
+                Real const others = min(worst[at(i, k)], worst[at(k, j)]);
+                if (best != none && !(others > best_worst)) continue;
+                Real const all = min(others, corners.shape(i, k, j));
                 if (best != none && !(all > best_worst)) continue;
                 best = k;
                 best_worst = all;
@@ -134,7 +135,8 @@ void PolygonDivision::divide(Corners const& corners) noexcept {
             apex[at(i, j)] = best;
         }
     }
-    // From the last side down, sides of triangles are marked by a negative apex.
+    // A negative apex marks the sides of triangles, beginning with the side between the first and
+    // the last corner.
     auto const mark = [&](Index i, Index j) {
         if (j > i + 1) apex[at(i, j)] = ~apex[at(i, j)];
     };

@@ -9,7 +9,8 @@ bool comes_before(Edges::Side a, Edges::Side b) noexcept {
     return a.end != b.end ? a.end < b.end : a.code < b.code;
 }
 
-// Without a branch that could be mispredicted, as there is no order in which a point's sides come.
+// Sorts a few sides without branches: the sides of a point come in no particular order, so branches
+// would often be mispredicted.
 template <Size n>
 void sort_few(Span<Edges::Side> sides) noexcept {
     std::uint64_t key[n];
@@ -29,7 +30,7 @@ void sort_few(Span<Edges::Side> sides) noexcept {
     }
 }
 
-// Most points begin up to four edges of two cells each.
+// At most points, up to four edges begin, and each has two sides.
 void sort_sides(Span<Edges::Side> sides) noexcept {
     switch (sides.size()) {
         case 0:
@@ -45,8 +46,8 @@ void sort_sides(Span<Edges::Side> sides) noexcept {
     }
 }
 
-// visit(smaller point, side) for every side of every cell. Returns the first cell that has a side
-// of no length, or none.
+// Calls visit(smaller point, side) for every side of every cell. Returns the first cell that has a
+// side from a point to the same point, or none.
 template <class PointOf, class Visit>
 Index visit_sides(Mesh const& mesh, PointOf point_of, Visit visit) noexcept {
     return mesh.find_cell([&](Index i, Cell const& cell) {
@@ -81,7 +82,8 @@ Status Edges::build(Mesh const& mesh, Span<const Index> representative, Fault& f
     Index const bad_cell =
         for_each_side(mesh, representative, [&](Index point, Side) { ++start[point]; });
     if (bad_cell != none) {
-        return fault.refuse(Status::bad_mesh, "cell # has two corners that a cut makes one point",
+        return fault.refuse(Status::bad_mesh,
+                            "cell # has two corners that a cut joins into one point",
                             cell_item(mesh.number(bad_cell)));
     }
     counts_to_starts(start);
@@ -89,15 +91,16 @@ Status Edges::build(Mesh const& mesh, Span<const Index> representative, Fault& f
                   [&](Index point, Side side) { first[start[point]++] = side; });
 
     n_boundary = 0;
-    Index against = 0;  // sides of two cells that run the same way
+    Index against = 0;  // 1 if two cells run along a common edge in the same direction
     Index n_edges = 0;
     Index sides_begin = 0;
     for (Index point = 0; point < mesh.n_points; ++point) {
-        Index const sides_end = start[point];  // filling has advanced it
+        Index const sides_end = start[point];  // filling has advanced the start to the end
         Span<Side> const sides = first.from(sides_begin, sides_end - sides_begin);
         sort_sides(sides);
         start[point] = n_edges;
-        for (Size k = 0; k < sides.size();) {  // edges overwrite sides that have been read
+        // Edges overwrite sides that have been read.
+        for (Size k = 0; k < sides.size();) {
             Side const side = sides[k++];
             Index other = unmarked;
             if (k < sides.size() && sides[k].end == side.end) {

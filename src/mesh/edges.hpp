@@ -1,4 +1,4 @@
-// The edges of the mesh, each with the cells on both sides.
+// Finds the edges of the mesh, each with the cells on both sides.
 #pragma once
 
 #include "base/arena.hpp"
@@ -6,34 +6,35 @@
 
 namespace harmorph {
 
-// Edges are kept with their smaller point, sorted by their larger one. A side is 2 * cell, + 1 if
-// the cell runs along the edge from the larger point to the smaller.
+// Edges are stored with the smaller of their two points, in the order of the larger one. A side is
+// an edge seen from one of its cells.
 struct Edges {
-    static constexpr Index unmarked =
-        -1;  // in `second`: boundary edge, no face known; below: -2 - number of the face
+    // In `second`, -1 marks a boundary edge without a face; -2 - number stands for that face.
+    static constexpr Index unmarked = -1;
 
     struct Side {
-        Index end;   // larger point
-        Index code;  // 2 * cell + backwards
+        Index end;   // the larger point
+        Index code;  // 2 * cell, + 1 if the cell runs from the larger point to the smaller one
     };
 
     Span<Index> start;     // [n_points + 1]
     Span<Side> first;      // [count]
-    Span<Index> second;    // [count] code of the other cell, or < 0
-    Index n_boundary = 0;  // edges with a cell on one side only
-    bool agree = false;    // the two cells of every other edge run along it in opposite directions
+    Span<Index> second;    // [count] code of the other cell, or negative on the boundary
+    Index n_boundary = 0;  // the number of edges with a cell on one side only
+    bool agree = false;    // the two cells of every inner edge run along it in opposite directions
 
-    // Arrays for as many edges as there could be.
+    // Takes arrays for the largest possible number of edges.
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
-    // representative [n_points]: the point that stands for each; empty: itself. Refuses an edge of
-    // more than two cells.
+    // representative [n_points] is the point that stands for each point; if the array is empty,
+    // each point stands for itself. Refuses an edge of more than two cells.
     Status build(Mesh const& mesh, Span<const Index> representative, Fault& fault) noexcept;
 
     Index count() const noexcept { return start[start.size() - 1]; }
-    Index find(Index a, Index b) const noexcept;  // none if there is no such edge
+    // Returns the edge between two points, or none.
+    Index find(Index a, Index b) const noexcept;
     bool is_boundary(Index edge) const noexcept { return second[edge] < 0; }
 
-    // visit(edge, smaller point, larger point)
+    // Calls visit(edge, smaller point, larger point) for all edges.
     template <class Visit>
     void for_each(Visit visit) const noexcept {
         for (Index point = 0; point + 1 < start.count(); ++point) {

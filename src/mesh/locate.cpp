@@ -3,11 +3,13 @@
 namespace harmorph {
 namespace {
 
-constexpr Real rounding = 1e-12;  // of a side's length
+// Points closer to a side than this fraction of the side's length are inside the cell.
+constexpr Real rounding = 1e-12;
 
-// From a convex cell; 0 inside. Only sides that the point is beyond can be the nearest.
+// Returns the squared distance from a convex cell, which is 0 inside the cell. The nearest side is
+// among those that have the point on their outer side.
 Real squared_distance(CellShape const& shape, Vec2 point) noexcept {
-    Real least = infinity;
+    Real nearest = infinity;
     bool inside = true;
     for (Index k = 0; k < shape.n; ++k) {
         Vec2 const side = shape.at[k + 1 == shape.n ? 0 : k + 1] - shape.at[k],
@@ -15,9 +17,9 @@ Real squared_distance(CellShape const& shape, Vec2 point) noexcept {
         if (!(cross(side, to_point) < -rounding * square(side))) continue;
         inside = false;
         Real const t = clamp(dot(to_point, side) / square(side), 0.0, 1.0);
-        least = min(least, square(to_point - t * side));
+        nearest = min(nearest, square(to_point - t * side));
     }
-    return inside ? 0 : least;
+    return inside ? 0 : nearest;
 }
 
 Real longest_side(CellShape const& shape) noexcept {
@@ -28,16 +30,17 @@ Real longest_side(CellShape const& shape) noexcept {
     return sqrt(longest);
 }
 
-// weight[corner] += share * barycentric coordinates in the triangle of corners a, b, c.
+// Adds share times the barycentric coordinates in the triangle of the corners a, b, c to the
+// weights of these corners.
 void add_barycentric(CellShape const& shape, Vec2 point, Index a, Index b, Index c, Real share,
                      Real* weight) noexcept {
     Vec2 const ab = shape.at[b] - shape.at[a], ac = shape.at[c] - shape.at[a],
                ap = point - shape.at[a];
     Real const twice_area = cross(ab, ac);
-    Real const of_b = cross(ap, ac) / twice_area, of_c = cross(ab, ap) / twice_area;
-    weight[a] += share * (1 - of_b - of_c);
-    weight[b] += share * of_b;
-    weight[c] += share * of_c;
+    Real const at_b = cross(ap, ac) / twice_area, at_c = cross(ab, ap) / twice_area;
+    weight[a] += share * (1 - at_b - at_c);
+    weight[b] += share * at_b;
+    weight[c] += share * at_c;
 }
 
 bool is_right_of(Vec2 from, Vec2 to, Vec2 point) noexcept {

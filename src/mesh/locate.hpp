@@ -1,5 +1,5 @@
-// The cell of a mesh that contains a point, or the nearest cell, and the interpolation weights of
-// the corners.
+// Finds the cell of a mesh that contains a point, or the nearest cell, and the interpolation
+// weights of the corners.
 #pragma once
 
 #include "mesh/box_tree.hpp"
@@ -8,10 +8,10 @@
 
 namespace harmorph {
 
-// A linear field has the value sum_k weight_k f(point_k) at the point, interpolated inside the cell
-// and extrapolated outside. The weights add up to 1; at a point of the mesh the weight of that
-// point is exactly 1. In a quad they are the mean over the two splits into triangles, as in the
-// equations.
+// A linear field f has the value sum_k weight_k f(point_k) at the located point; the sum
+// interpolates inside the cell and extrapolates outside. The weights add up to 1; at a point of the
+// mesh, the weight of that point is exactly 1. In a quad, the weights are the mean over the two
+// splits into triangles, as in the equations.
 struct CellWeights {
     Index n = 0;
     Index point[4] = {};
@@ -20,8 +20,8 @@ struct CellWeights {
 
 struct Location {
     Index cell = none;
-    Real distance = 0;      // from the cell; 0: inside, or within rounding of it
-    Real longest_side = 0;  // of the cell
+    Real distance = 0;      // from the cell; 0 inside the cell, to rounding
+    Real longest_side = 0;  // the length of the longest side of the cell
     CellWeights weights;
 };
 
@@ -33,8 +33,8 @@ struct Locator {
     // The mesh must have no inverted cell.
     void build(OrientedMesh const& mesh) noexcept;
 
-    // hint: a cell that may well be the one, or none. A point on a common side belongs to either
-    // cell.
+    // hint is a cell that probably contains the point, or none. A point on a common side of two
+    // cells may be found in either cell.
     Location locate(Vec2 point, Index hint) const noexcept;
 
 private:

@@ -1,18 +1,21 @@
-// Median-dual geometry: the control volume of each point, bounded by lines from edge midpoints to
-// cell barycentres.
+// Computes the faces of the median dual, which bound the control volume of each point: lines from
+// edge midpoints to cell barycentres.
 #pragma once
 
 #include "mesh/topology.hpp"
 
 namespace harmorph {
 
-// The barycentre is the mean of a cell's corners. What bounds the volume of a point on the boundary
-// is closed by half of each of the two boundary edges there. Areas of volumes: see ControlVolumes.
+// The barycentre is the mean of a cell's corners. The volume of a point on the boundary is also
+// bounded by the nearer halves of the two boundary edges at the point. ControlVolumes computes the
+// areas of the volumes.
 struct MedianDual {
     struct Face {
-        Index begin, end;  // the points of an edge, the smaller first
-        Vec2 normal;  // of the face between their volumes, from begin to end, as long as the face
-        Vec2 along;   // the edge itself
+        Index begin, end;  // the points of an edge, the smaller number first
+        // The normal of the face between the volumes of both points; it points from begin to end
+        // and is as long as the face.
+        Vec2 normal;
+        Vec2 along;  // the edge from begin to end
     };
     Span<Face> faces;  // [edges]
 

@@ -6,7 +6,7 @@
 namespace harmorph {
 namespace {
 
-// point(k): corner k of the cell.
+// Checks the n points point_of(k) of cell i.
 template <class PointOf>
 Status check_cell(Mesh const& mesh, Index i, Index n, PointOf point_of, Fault& fault) noexcept {
     for (Index k = 0; k < n; ++k) {
@@ -17,7 +17,7 @@ Status check_cell(Mesh const& mesh, Index i, Index n, PointOf point_of, Fault& f
         }
         for (Index earlier = 0; earlier < k; ++earlier) {
             if (point_of(earlier) != point) continue;
-            return fault.refuse(Status::bad_mesh, "cell # has point @ twice", cell_item(i),
+            return fault.refuse(Status::bad_mesh, "cell # contains point @ twice", cell_item(i),
                                 point_item(point));
         }
     }
@@ -50,14 +50,14 @@ Status check_cells(Mesh const& mesh, Fault& fault, Executor const& executor) noe
         mesh, i, bad.n, [&](Index k) { return bad.point[k]; }, fault);
 }
 
-// Sums that no array's length contradicts, and no overflow.
+// Checks that the sizes of all blocks add up to n_points and n_cells.
 Status check_blocks(Mesh const& mesh, Fault& fault) noexcept {
     Offset points = 0, cells = 0;
     for (Index b = 0; b < mesh.n_blocks; ++b) {
         Offset const ni = mesh.block_sizes[2 * b], nj = mesh.block_sizes[2 * b + 1];
         if (ni < 2 || nj < 2 || ni * nj > Mesh::max_points) {
             return fault.refuse(Status::bad_mesh,
-                                "block # has ni or nj below 2, or more than 2^30 points",
+                                "block # has ni or nj below 2, or has more than 2^30 points",
                                 block_item(b));
         }
         points += ni * nj;
@@ -65,12 +65,12 @@ Status check_blocks(Mesh const& mesh, Fault& fault) noexcept {
     }
     if (points != mesh.n_points) {
         return fault.refuse(Status::bad_mesh,
-                            "the blocks have ~ points together, but mesh.n_points is #",
+                            "all blocks together have ~ points, but mesh.n_points is #",
                             plain(mesh.n_points), {}, static_cast<Real>(points));
     }
     if (cells != mesh.n_cells) {
         return fault.refuse(Status::bad_mesh,
-                            "the blocks have ~ cells together, but mesh.n_cells is #",
+                            "all blocks together have ~ cells, but mesh.n_cells is #",
                             plain(mesh.n_cells), {}, static_cast<Real>(cells));
     }
     return Status::ok;
@@ -83,14 +83,14 @@ Status check_boundary(Mesh const& mesh, Fault& fault) noexcept {
     if (mesh.n_lists > 0 && (mesh.list_start == nullptr || mesh.list_points == nullptr ||
                              mesh.list_markers == nullptr)) {
         return fault.refuse(Status::bad_argument,
-                            "mesh.list_start, list_points or list_markers is NULL");
+                            "mesh.list_start, mesh.list_points or mesh.list_markers is NULL");
     }
     for (Index list = 0; list < mesh.n_lists; ++list) {
         if (mesh.list_start[0] != mesh.index_base ||
             mesh.list_start[list + 1] < mesh.list_start[list]) {
             return fault.refuse(Status::bad_mesh,
-                                "mesh.list_start must begin with index_base and never decrease; "
-                                "see list #",
+                                "mesh.list_start must begin with index_base and must not decrease; "
+                                "the error is at list #",
                                 list_item(list));
         }
     }
@@ -101,7 +101,7 @@ Status check_boundary(Mesh const& mesh, Fault& fault) noexcept {
             fault.refuse(Status::bad_mesh,
                          list == none
                              ? "boundary face # names point @, which does not exist"
-                             : "number # of mesh.list_points is point @, which does not exist",
+                             : "entry # of mesh.list_points names point @, which does not exist",
                          list == none ? side_item(number) : entry_item(number), point_item(point));
             return false;
         }
@@ -135,7 +135,7 @@ Status check_range(Points points, Index n_points, Fault& fault, Executor const& 
                             point_item(k));
     }
     return fault.refuse(Status::bad_mesh,
-                        "point # has the coordinate ~; they may be as large as 1e100",
+                        "point # has the coordinate ~, which is larger than the limit of 1e100",
                         point_item(k), {}, abs(p.x) > abs(p.y) ? p.x : p.y);
 }
 
@@ -152,7 +152,8 @@ Status check_counts(Mesh const& mesh, Fault& fault) noexcept {
     if (mesh.n_blocks < (blocks ? 1 : 0) || mesh.n_blocks > (blocks ? Mesh::max_blocks : 0)) {
         return fault.refuse(Status::bad_argument,
                             blocks ? "mesh.n_blocks must be between 1 and 65536, not #"
-                                   : "mesh.n_blocks is #, but only HM_CELLS_BLOCKS has blocks",
+                                   : "mesh.n_blocks is #, but must be 0, as only the layout "
+                                     "HM_CELLS_BLOCKS has blocks",
                             plain(mesh.n_blocks));
     }
     if (blocks && mesh.block_sizes == nullptr) {
@@ -166,8 +167,9 @@ Status check_counts(Mesh const& mesh, Fault& fault) noexcept {
     if (mesh.n_quads < 0 || mesh.n_quads > (mixed ? mesh.n_cells : 0)) {
         return fault.refuse(
             Status::bad_argument,
-            mixed ? "mesh.n_quads must be between 0 and n_cells, not #"
-                  : "mesh.n_quads is #, but only HM_CELLS_MIXED has quads in an array of their own",
+            mixed ? "mesh.n_quads must be between 0 and mesh.n_cells, not #"
+                  : "mesh.n_quads is #, but must be 0, as only the layout HM_CELLS_MIXED has a "
+                    "separate array of quads",
             plain(mesh.n_quads));
     }
     if (mesh.n_faces < 0 || mesh.n_lists < 0) {
@@ -177,10 +179,9 @@ Status check_counts(Mesh const& mesh, Fault& fault) noexcept {
     return Status::ok;
 }
 
-// Cells whose points begin at cell_start[i]: 3 to most_corners of them, or the refusal says how
-// many.
-Status check_rows(Mesh const& mesh, Index most_corners, const char* refusal,
-                  Fault& fault) noexcept {
+// Checks cell_start: each cell must have 3 to max_corners points. Otherwise `refusal` is the text
+// of the error.
+Status check_rows(Mesh const& mesh, Index max_corners, const char* refusal, Fault& fault) noexcept {
     if (mesh.cell_start == nullptr)
         return fault.refuse(Status::bad_argument, "mesh.cell_start is NULL");
     if (mesh.cell_start[0] != mesh.index_base) {
@@ -189,19 +190,18 @@ Status check_rows(Mesh const& mesh, Index most_corners, const char* refusal,
     }
     for (Index i = 0; i < mesh.n_cells; ++i) {
         Offset const n = Offset{mesh.cell_start[i + 1]} - mesh.cell_start[i];
-        if (n >= 3 && n <= most_corners) continue;
+        if (n >= 3 && n <= max_corners) continue;
         return fault.refuse(Status::bad_mesh, refusal, cell_item(i), {}, static_cast<Real>(n));
     }
     return Status::ok;
 }
 
-// The polygons are counted before the arrays of their triangles are laid out.
 Status check_polygons(Mesh const& mesh, Fault& fault) noexcept {
     if (mesh.layout != CellLayout::polygons) return Status::ok;
-    HARMORPH_TRY(check_rows(mesh, Mesh::most_corners,
-                            "polygon # has ~ points; 3 to 1024 are possible", fault));
+    HARMORPH_TRY(check_rows(mesh, Mesh::max_corners,
+                            "polygon # has ~ points, but must have 3 to 1024", fault));
     if (mesh.n_corners() <= Mesh::max_cells) return Status::ok;
-    return fault.refuse(Status::bad_mesh, "the polygons have more than 2^29 corners together");
+    return fault.refuse(Status::bad_mesh, "all polygons together have more than 2^29 corners");
 }
 
 Status check_layout(Mesh const& mesh, Fault& fault) noexcept {
@@ -209,12 +209,12 @@ Status check_layout(Mesh const& mesh, Fault& fault) noexcept {
         if (mesh.ni < 2 || mesh.nj < 2 || Offset{mesh.ni} * mesh.nj != mesh.n_points) {
             return fault.refuse(
                 Status::bad_mesh,
-                "a structured block needs ni, nj >= 2 and ni*nj = n_points; ni is #, nj is @",
+                "a structured mesh needs ni, nj >= 2 and ni*nj = n_points, but ni is # and nj is @",
                 plain(mesh.ni), plain(mesh.nj));
         }
         if (Offset{mesh.ni - 1} * (mesh.nj - 1) != mesh.n_cells) {
             return fault.refuse(Status::bad_mesh,
-                                "a structured block has (ni-1)*(nj-1) cells, mesh.n_cells says #",
+                                "a structured mesh has (ni-1)*(nj-1) cells, but mesh.n_cells is #",
                                 plain(mesh.n_cells));
         }
         return Status::ok;
@@ -228,7 +228,7 @@ Status check_layout(Mesh const& mesh, Fault& fault) noexcept {
         return fault.refuse(Status::bad_argument, "mesh.quad_points is NULL");
     }
     if (mesh.layout != CellLayout::rows) return Status::ok;
-    return check_rows(mesh, 4, "cell # has ~ points; only 3 or 4 are possible", fault);
+    return check_rows(mesh, 4, "cell # has ~ points, but must have 3 or 4", fault);
 }
 
 Status check_mesh(Mesh const& mesh, Fault& fault, Executor const& executor) noexcept {

@@ -1,10 +1,9 @@
-// The caller's mesh as it stands in the caller's arrays: cells in any of seven layouts; boundary as
-// faces, point lists, or sides of blocks. Polygons become a mesh of their pieces, see pieces.hpp.
+// A Mesh is a view of the caller's arrays: cells in one of seven layouts, and the boundary as
+// faces, point lists, or sides of blocks. Polygons are replaced by their pieces, see pieces.hpp.
 #pragma once
 
 #include "base/executor.hpp"
-#include "base/span.hpp"
-#include "base/vec2.hpp"
+#include "mesh/cell.hpp"
 
 namespace harmorph {
 
@@ -18,62 +17,6 @@ enum class CellLayout : std::int32_t {
     polygons = 6
 };
 
-// What the corner of a polygon was before anything moved.
-enum class CornerKind : std::uint8_t { convex = 0, flat = 1, reflex = 2 };
-
-// The points of one cell, counted from 0, in order round it; n is 3 or 4.
-struct Cell {
-    Index n = 0;
-    Index point[4] = {};
-
-    Index next(Index corner) const noexcept { return point[corner + 1 == n ? 0 : corner + 1]; }
-    Index previous(Index corner) const noexcept { return point[corner == 0 ? n - 1 : corner - 1]; }
-    void reverse() noexcept {
-        for (Index k = 0; k < n / 2; ++k) {
-            Index const its = point[k];
-            point[k] = point[n - 1 - k];
-            point[n - 1 - k] = its;
-        }
-    }
-};
-
-// The caller's number counted from 0. Whatever the caller gives, this does not overflow: the
-// smallest number of all becomes the largest, which does not exist either.
-constexpr Index from_zero(Index number, Index index_base) noexcept {
-    return static_cast<Index>(static_cast<std::uint32_t>(number) -
-                              static_cast<std::uint32_t>(index_base));
-}
-
-struct BoundaryFace {
-    Index begin = none, end = none;  // points, counted from 0
-    Index marker = 0;
-};
-
-// One of several structured blocks; its points and cells are numbered row by row.
-struct GridBlock {
-    Index ni = 0, nj = 0;
-    Index first_point = 0, first_cell = 0;
-
-    Index n_points() const noexcept { return ni * nj; }
-    Index n_cells() const noexcept { return (ni - 1) * (nj - 1); }
-    Cell cell(Index i) const noexcept {  // i counts from the first cell of the block
-        Index const corner =
-            first_point + i + i / (ni - 1);  // a row of cells has one cell less than points
-        return {4, {corner, corner + 1, corner + 1 + ni, corner + ni}};
-    }
-    // Edges along a side, and their ends. Sides: i = 0, i = ni-1, j = 0, j = nj-1.
-    Index edges_along(Index side) const noexcept { return (side < 2 ? nj : ni) - 1; }
-    Index point_along(Index side, Index k) const noexcept {
-        Index const i = side == 0   ? 0
-                        : side == 1 ? ni - 1
-                                    : k,
-                    j = side == 2   ? 0
-                        : side == 3 ? nj - 1
-                                    : k;
-        return first_point + i + ni * j;
-    }
-};
-
 struct Mesh {
     Index index_base = 0;
     Index n_points = 0;
@@ -82,12 +25,12 @@ struct Mesh {
     Index n_cells = 0;
     const Index* cell_start = nullptr;
     const Index* cell_points = nullptr;
-    Index n_quads = 0;  // mixed: the last cells, after the triangles
+    Index n_quads = 0;  // layout mixed: the last cells, after the triangles
     const Index* quad_points = nullptr;
     Index ni = 0, nj = 0;
-    Index n_blocks = 0;  // blocks: ni, nj of each, and the markers of its four sides
-    const Index* block_sizes = nullptr;
-    const Index* block_markers = nullptr;
+    Index n_blocks = 0;
+    const Index* block_sizes = nullptr;    // [2 * n_blocks] ni and nj
+    const Index* block_markers = nullptr;  // [4 * n_blocks] the markers of the sides
     Index n_faces = 0;
     const Index* face_points = nullptr;
     const Index* face_markers = nullptr;
@@ -95,48 +38,49 @@ struct Mesh {
     const Index* list_start = nullptr;
     const Index* list_points = nullptr;
     const Index* list_markers = nullptr;
-    Index n_given = 0;                   // pieces of polygons: how many polygons
-    const Index* piece_start = nullptr;  // where the pieces of each begin
-    const Index* guard_start = nullptr;  // where the guards of each begin
-    Index n_guards = 0;  // triangles behind the cells whose areas must be positive, too
+    // If the cells are pieces of polygons, n_given is the number of polygons.
+    Index n_given = 0;
+    const Index* piece_start = nullptr;      // [n_given + 1] the first piece of each polygon
+    const Index* guard_start = nullptr;      // [n_given + 1] the first guard of each polygon
+    Index n_guards = 0;                      // guards are numbered after the cells
     const CornerKind* guard_kind = nullptr;  // [n_guards]
 
-    static constexpr Index most_corners = 1024;  // of a polygon
+    static constexpr Index max_corners = 1024;  // of a polygon
     static constexpr Index max_blocks = Index{1} << 16;
     static constexpr Index no_marker = INT32_MIN;  // in block_markers
     static constexpr Index max_points = Index{1} << 30;
-    static constexpr Index max_cells = Index{1}
-                                       << 29;  // four corners of each are counted in an Index
+    // An Index can count the four corners of all cells.
+    static constexpr Index max_cells = Index{1} << 29;
 
-    // Whatever the layout but polygons: a quad whose last point is repeated is a triangle. Guards
-    // are numbered behind the cells.
+    // Returns a cell of any layout except polygons, or a guard, if i is not less than n_cells. A
+    // quad whose last point is repeated is a triangle.
     Cell cell(Index i) const noexcept;
-    // The first of all cells for which is(i, cell) holds, or none. Faster than asking for cell
-    // after cell: in each of its two calls of `is` the compiler knows how many points there are,
-    // and keeps them in registers.
-    template <class Is>
-    Index find_cell(Is is) const noexcept {
-        return find_cell(0, n_cells, is);
+    // Returns the first cell for which matches(i, cell) holds, or none. This is faster than a loop
+    // over cell(i): matches() is called separately for triangles and quads, so that the compiler
+    // knows the number of points and keeps them in registers.
+    template <class Matches>
+    Index find_cell(Matches matches) const noexcept {
+        return find_cell(0, n_cells, matches);
     }
-    template <class Is>
-    Index find_cell(Index begin, Index end, Is is) const noexcept;
-    // visit(i, cell)
+    template <class Matches>
+    Index find_cell(Index begin, Index end, Matches matches) const noexcept;
+    // Calls visit(i, cell) for all cells, or for the cells begin .. end - 1.
     template <class Visit>
     void for_each_cell(Visit visit) const noexcept {
         for_each_cell(0, n_cells, visit);
     }
     template <class Visit>
     void for_each_cell(Index begin, Index end, Visit visit) const noexcept {
-        find_cell(begin, end, [&](Index i, Cell const& its) { return visit(i, its), false; });
+        find_cell(begin, end, [&](Index i, Cell const& cell) { return visit(i, cell), false; });
     }
-    Index n_triangles() const noexcept { return n_cells - n_quads; }  // mixed
+    Index n_triangles() const noexcept { return n_cells - n_quads; }  // for the layout mixed
     Index n_checked() const noexcept { return n_cells + n_guards; }
-    // Polygons are divided into pieces (pieces.hpp), which are the cells of this mesh then. Only
-    // what follows distinguishes such a mesh from others.
+    // If the caller's cells are polygons, the cells of this mesh are their pieces (pieces.hpp).
+    // Only the following functions distinguish such a mesh from others.
     bool has_pieces() const noexcept { return piece_start != nullptr; }
     Index n_given_cells() const noexcept { return has_pieces() ? n_given : n_cells; }
     Index n_pieces() const noexcept { return has_pieces() ? n_cells : 0; }
-    // The cells that one of the caller's cells consists of, and its guards.
+    // Return the pieces and the guards of one of the caller's cells.
     IndexRange pieces_of(Index given) const noexcept {
         return has_pieces() ? IndexRange{piece_start[given], piece_start[given + 1]}
                             : IndexRange{given, given + 1};
@@ -144,53 +88,55 @@ struct Mesh {
     IndexRange guards_of(Index given) const noexcept {
         return has_pieces() ? IndexRange{guard_start[given], guard_start[given + 1]} : IndexRange{};
     }
-    // The caller's cell that a cell or a guard is or belongs to; none of none.
+    // Returns the number of the caller's cell to which a cell or guard belongs; none stays none.
     Index number(Index i) const noexcept;
-    // One of several pieces of a cell, or a guard.
-    bool is_part(Index i) const noexcept;
-    Offset n_corners() const noexcept {
-        return Offset{cell_start[n_cells]} - index_base;
-    }  // polygons
+    // Returns whether i is one of several pieces of a polygon, or a guard.
+    bool is_piece_or_guard(Index i) const noexcept;
+    // Returns the number of all corners, for the layout polygons.
+    Offset n_corners() const noexcept { return Offset{cell_start[n_cells]} - index_base; }
     Index max_pieces() const noexcept {
         return static_cast<Index>(n_corners() - 2 * Offset{n_cells});
     }
-    // Upper bound of the number of cell sides, from the counts alone.
+    // Returns an upper bound of the number of cell sides, which depends on the counts alone.
     Size max_sides() const noexcept { return Size{4} * static_cast<Size>(n_cells); }
 
-    // visit(block) until it returns true; which is returned, or a block of no cells.
+    // Returns the first block for which visit(block) returns true, or a block without cells.
     template <class Visit>
     GridBlock find_block(Visit visit) const noexcept;
 
-    // Faces, then the segments of the lists, then the sides of blocks. visit(face, list or none,
-    // its number among its kind) may stop with false.
+    // Calls visit(face, list, number) for the faces, then for the segments of the point lists, then
+    // for the edges along sides of blocks. `list` is none unless the face is a segment of a list;
+    // `number` is the face, the entry of list_points, or the side of a block. A visit that returns
+    // false ends the loop, and the function returns false.
     template <class Visit>
     bool for_each_face(Visit visit) const noexcept;
 };
 
-// Counter-clockwise area (half the cross product of the diagonals, for a quad).
+// Returns the area of a cell, positive if the cell is counter-clockwise. The area of a quad is half
+// the cross product of the diagonals.
 Real cell_area(Cell const& cell, Points points) noexcept;
 
-// Of coordinates that come with a call: finite, and no larger than the arithmetic carries.
+// Refuses coordinates that are not finite or exceed the largest coordinate.
 Status check_range(Points points, Index n_points, Fault& fault,
                    Executor const& executor = {}) noexcept;
 
-// Ranges of the counts alone: all that a size query may look at.
+// Checks the ranges of the counts. A size query reads only these counts and, for polygons,
+// cell_start, which check_polygons() checks.
 Status check_counts(Mesh const& mesh, Fault& fault) noexcept;
-// Where the corners of polygons begin: all that a size query looks at besides.
 Status check_polygons(Mesh const& mesh, Fault& fault) noexcept;
-// Cell lists or block dimensions: where each cell's points are; not yet which.
+// Checks where the points of each cell are stored: the starts of cell lists, or block dimensions.
 Status check_layout(Mesh const& mesh, Fault& fault) noexcept;
 
-// Counts, pointers, indices, repeated points in a cell, coordinates: everything that needs no
-// neighbourhood.
+// Checks everything that needs no neighbours: counts, pointers, indices, repeated points in a cell,
+// and coordinates.
 Status check_mesh(Mesh const& mesh, Fault& fault, Executor const& executor = {}) noexcept;
 
 inline Cell Mesh::cell(Index i) const noexcept {
     if (layout == CellLayout::structured) return GridBlock{ni, nj, 0, 0}.cell(i);
     if (layout == CellLayout::blocks) {
-        GridBlock const its = find_block(
+        GridBlock const found = find_block(
             [i](GridBlock const& block) { return i - block.first_cell < block.n_cells(); });
-        return its.cell(i - its.first_cell);
+        return found.cell(i - found.first_cell);
     }
     const Index* first = cell_points;
     Index width = 4;
@@ -219,7 +165,7 @@ inline Index Mesh::number(Index i) const noexcept {
     return low;
 }
 
-inline bool Mesh::is_part(Index i) const noexcept {
+inline bool Mesh::is_piece_or_guard(Index i) const noexcept {
     if (!has_pieces()) return false;
     Index const cell = number(i);
     return i >= n_cells || pieces_of(cell).count() > 1;
@@ -238,14 +184,14 @@ GridBlock Mesh::find_block(Visit visit) const noexcept {
     return {};
 }
 
-template <class Is>
-Index Mesh::find_cell(Index begin, Index end, Is is) const noexcept {
+template <class Matches>
+Index Mesh::find_cell(Index begin, Index end, Matches matches) const noexcept {
     if (layout == CellLayout::blocks) {
         Index found = none;
         find_block([&](GridBlock const& block) {
             Index const last = min(end, block.first_cell + block.n_cells());
             for (Index i = max(begin, block.first_cell); i < last; ++i) {
-                if (!is(i, block.cell(i - block.first_cell))) continue;
+                if (!matches(i, block.cell(i - block.first_cell))) continue;
                 found = i;
                 return true;
             }
@@ -253,12 +199,13 @@ Index Mesh::find_cell(Index begin, Index end, Is is) const noexcept {
         });
         return found;
     }
-    Mesh const mesh = *this;  // what is() writes cannot change a copy
+    // matches() cannot change a copy, so the compiler need not read the fields of the mesh again.
+    Mesh const mesh = *this;
     for (Index i = begin; i < end; ++i) {
-        Cell const its = mesh.cell(i);
-        const Index(&p)[4] = its.point;
-        if (its.n == 3 ? is(i, Cell{3, {p[0], p[1], p[2]}})
-                       : is(i, Cell{4, {p[0], p[1], p[2], p[3]}}))
+        Cell const cell = mesh.cell(i);
+        const Index(&p)[4] = cell.point;
+        if (cell.n == 3 ? matches(i, Cell{3, {p[0], p[1], p[2]}})
+                        : matches(i, Cell{4, {p[0], p[1], p[2], p[3]}}))
             return i;
     }
     return none;
@@ -268,9 +215,9 @@ template <class Visit>
 bool Mesh::for_each_face(Visit visit) const noexcept {
     for (Index face = 0; face < n_faces; ++face) {
         Index const* const ends = face_points + 2 * Offset{face};
-        BoundaryFace const its{from_zero(ends[0], index_base), from_zero(ends[1], index_base),
-                               face_markers[face]};
-        if (!visit(its, none, face)) return false;
+        BoundaryFace const given{from_zero(ends[0], index_base), from_zero(ends[1], index_base),
+                                 face_markers[face]};
+        if (!visit(given, none, face)) return false;
     }
     for (Index list = 0; list < n_lists; ++list) {
         for (Index k = list_start[list] - index_base; k + 1 < list_start[list + 1] - index_base;
@@ -281,14 +228,14 @@ bool Mesh::for_each_face(Visit visit) const noexcept {
         }
     }
     if (block_markers == nullptr) return true;
-    Index number = 0;  // of a side
+    Index number = 0;  // counts the sides of all blocks
     GridBlock const stopped = find_block([&](GridBlock const& block) {
         for (Index side = 0; side < 4; ++side, ++number) {
             Index const marker = block_markers[number];
             for (Index k = 0; marker != no_marker && k < block.edges_along(side); ++k) {
-                BoundaryFace const its{block.point_along(side, k), block.point_along(side, k + 1),
-                                       marker};
-                if (!visit(its, none, number)) return true;
+                BoundaryFace const edge{block.point_along(side, k), block.point_along(side, k + 1),
+                                        marker};
+                if (!visit(edge, none, number)) return true;
             }
         }
         return false;

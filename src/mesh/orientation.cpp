@@ -5,25 +5,27 @@
 namespace harmorph {
 namespace {
 
-// Union-find with parity: every cell knows a cell it agrees with, and in which sense.
+// A union-find structure with parity: every cell refers to another cell whose orientation is known
+// to be equal or opposite.
 class Agreement {
 public:
     explicit Agreement(Span<Index> parent) noexcept : parent_(parent) {
         for (Index cell = 0; cell < parent.count(); ++cell) parent_[cell] = 2 * cell;
     }
 
-    // 2 * root + 1 if the cell runs against its root.
+    // Returns 2 * root, + 1 if the cell has the opposite orientation to its root.
     Index root(Index cell) const noexcept {
         Index code = 2 * cell;
         while (parent_[code >> 1] >> 1 != code >> 1) {
             Index& step = parent_[code >> 1];
-            step = parent_[step >> 1] ^ (step & 1);  // halves the path
+            step = parent_[step >> 1] ^ (step & 1);  // path halving
             code = step ^ (code & 1);
         }
         return code;
     }
 
-    // False if the two are known to be in another sense.
+    // Notes that cells a and b have equal (opposite = 0) or opposite (1) orientations. Returns
+    // false if this contradicts what is known.
     bool unite(Index a, Index b, Index opposite) const noexcept {
         Index const root_a = root(a), root_b = root(b);
         Index const parity = (root_a ^ root_b ^ opposite) & 1;
@@ -44,18 +46,18 @@ void OrientationWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
     arena.take(balance, mesh.n_cells);
 }
 
-Sense common_sense(Mesh const& mesh, Real& least_height) noexcept {
-    constexpr Real rounding = 1e-9;  // of the few operations below, generously
+Sense common_orientation(Mesh const& mesh, Real& min_height) noexcept {
+    constexpr Real rounding = 1e-9;  // a generous bound of the rounding errors below
     bool const clockwise = cell_area(mesh.cell(0), mesh.points) < 0;
-    Real least = infinity;  // square of a corner's smallest height
+    Real min_square = infinity;  // a lower bound of the squared heights of all corners
     Index const inverted = mesh.find_cell([&](Index, Cell const& cell) {
         CellCorners const corners({cell, mesh.points, clockwise});
         Real const area = corners.smallest();
         if (!(area > 0)) return true;
-        least = min(least, area / corners.longest_square(cell.n) * area);
+        min_square = min(min_square, area / corners.longest_square(cell.n) * area);
         return false;
     });
-    least_height = inverted == none ? (1 - rounding) * sqrt(least) : 0;
+    min_height = inverted == none ? (1 - rounding) * sqrt(min_square) : 0;
     return inverted != none ? Sense::mixed
            : clockwise      ? Sense::clockwise
                             : Sense::counter_clockwise;
@@ -67,7 +69,8 @@ Status orient(Topology& topology, Sense sense, OrientationWork const& work, Inde
     Edges const& edges = topology.edges;
     Span<std::uint8_t> const reversed = topology.reversed;
     inverted = none;
-    if (edges.agree && sense != Sense::mixed) {  // the case of nearly all files
+    // Nearly all meshes have cells of one orientation.
+    if (edges.agree && sense != Sense::mixed) {
         fill(reversed, static_cast<std::uint8_t>(sense == Sense::clockwise ? 1 : 0));
         return Status::ok;
     }
@@ -79,7 +82,8 @@ Status orient(Topology& topology, Sense sense, OrientationWork const& work, Inde
         if (!agreement.unite(cell_of_side(code), cell_of_side(other), same_direction)) {
             return fault.refuse(
                 Status::bad_mesh,
-                "cells # and @ cannot be oriented alike: the mesh has a one-sided strip",
+                "cells # and @ cannot have the same orientation: the mesh contains a one-sided "
+                "(Moebius) strip of cells",
                 cell_item(mesh.number(cell_of_side(code))),
                 cell_item(mesh.number(cell_of_side(other))));
         }

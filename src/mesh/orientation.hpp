@@ -1,5 +1,5 @@
-// Which cells run clockwise: neighbours with the same orientation traverse their common edge in
-// opposite directions.
+// Finds out which cells run clockwise. Two neighbours with the same orientation run along their
+// common edge in opposite directions.
 #pragma once
 
 #include "base/arena.hpp"
@@ -8,19 +8,22 @@
 namespace harmorph {
 
 struct OrientationWork {
-    Span<Index> parent;  // [n_cells] 2 * cell it agrees with, + 1 if in the opposite sense
-    Span<Real> balance;  // [n_cells] area of a connected part, signed by agreement with the root
+    Span<Index>
+        parent;  // [n_cells] 2 * a cell whose orientation is known to be equal, + 1 if opposite
+    Span<Real> balance;  // [n_cells] signed area of a connected component, at the root cell
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
 };
 
-// Of all cells, none of them inverted, or mixed.
+// The orientation that all cells have in common, if no cell is inverted; mixed otherwise.
 enum class Sense : std::int32_t { mixed, counter_clockwise, clockwise };
-// least_height: out, no corner of any cell is lower; 0 where the sense is mixed.
-Sense common_sense(Mesh const& mesh, Real& least_height) noexcept;
+// Returns the common orientation of all cells. min_height becomes a lower bound of the heights of
+// all corners, or 0 if the orientation is mixed.
+Sense common_orientation(Mesh const& mesh, Real& min_height) noexcept;
 
-// Sets topology.reversed. sense: the cells' common one. In each connected part the sense with the
-// larger total area is the right one, so that few inverted cells do not turn the others. inverted:
-// the first cell that has a corner of no positive area then, or none.
+// Sets topology.reversed; sense is the common orientation of the cells. In each connected
+// component, the orientation with the larger total area is taken as counter-clockwise, so that a
+// few inverted cells do not reverse the others. inverted becomes the first cell that then has a
+// corner without positive area, or none.
 Status orient(Topology& topology, Sense sense, OrientationWork const& work, Index& inverted,
               Fault& fault) noexcept;
 

@@ -1,5 +1,5 @@
-// The rotation of a periodic mesh, one passage of an annulus: it maps one boundary of each rotation
-// pair to the other.
+// The rotation of a periodic mesh, such as one passage of an annulus, maps one boundary of each
+// rotation pair to the other boundary. tests/boundary/test_rotation.cpp covers this file.
 #pragma once
 
 #include "base/vec2.hpp"
@@ -9,9 +9,9 @@ namespace harmorph {
 struct Rotation {
     bool any = false;
     Vec2 centre;
-    Vec2 turn{1, 0};  // cosine and sine of the angle, as a complex number: e^(i angle)
+    Vec2 turn{1, 0};  // cosine and sine of the angle, the complex number e^(i angle)
 
-    // turn^times, exactly 1 for 0 times.
+    // Returns turn^times, which is exactly 1 for times = 0.
     Vec2 power(Index times) const noexcept {
         Vec2 out{1, 0};
         for (Index k = 0; k < absolute_of(times); ++k) out = k == 0 ? turn : product(out, turn);
@@ -21,10 +21,11 @@ struct Rotation {
         return centre + product(power(times), point - centre);
     }
 
-    // Several pairs of markers may turn about the same centre by the same angle, or back: times is
-    // 1 or -1 then, and 0 where they do not.
+    // Several pairs of markers may have this rotation. Returns 1 if another pair has the same
+    // centre and turn, -1 if it has the opposite turn, and 0 otherwise.
     Index times_of(Vec2 other_centre, Vec2 other_turn) const noexcept {
-        constexpr Real same_within = 1e-5;  // the precision of coordinates in files with few digits
+        // Files with few digits have coordinates of this precision.
+        constexpr Real same_within = 1e-5;
         if (other_centre.x != centre.x || other_centre.y != centre.y) return 0;
         if (length(other_turn - turn) <= same_within) return 1;
         return length(other_turn - conjugate(turn)) <= same_within ? -1 : 0;

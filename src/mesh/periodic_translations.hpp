@@ -1,4 +1,5 @@
-// The translations of a periodic mesh: they map one boundary of each periodic pair to the other.
+// The translations of a periodic mesh map one boundary of each periodic pair to the other boundary.
+// tests/boundary/test_periodic.cpp covers this file.
 #pragma once
 
 #include "mesh/mesh.hpp"
@@ -8,32 +9,37 @@ namespace harmorph {
 // Each translation is stored as a point and the image of this point, so that it follows the
 // coordinates of the mesh.
 struct Translations {
-    // A lattice of the plane has two generators, a third may be their sum or difference
-    static constexpr Index most = 3;
-    static constexpr Index most_shifts = 2 * most + 2 * most * (most - 1);
+    // A lattice of the plane has two generators; a third translation may be their sum or
+    // difference.
+    static constexpr Index max_count = 3;
+    static constexpr Index max_shifts = 2 * max_count + 2 * max_count * (max_count - 1);
 
     Index n = 0;
-    Index point[most] = {}, image[most] = {};
+    Index point[max_count] = {}, image[max_count] = {};
 
-    Vec2 of(Index k, Points points) const noexcept { return points[image[k]] - points[point[k]]; }
+    Vec2 shift_of(Index k, Points points) const noexcept {
+        return points[image[k]] - points[point[k]];
+    }
 
-    // Several pairs of markers may have the same one. False: too many.
+    // Adds a translation, unless an equal or opposite one is known, as several pairs of markers may
+    // have the same translation. Returns false if there are too many.
     bool add(Index new_point, Index new_image, Points points) noexcept {
-        constexpr Real same_within =
-            1e-5;  // of the length: the precision of coordinates in files with few digits
+        // Files with few digits have coordinates of this relative precision.
+        constexpr Real same_within = 1e-5;
         Vec2 const shift = points[new_image] - points[new_point];
         for (Index k = 0; k < n; ++k) {
-            Vec2 const known = of(k, points);
+            Vec2 const known = shift_of(k, points);
             if (min(length(shift - known), length(shift + known)) <= same_within * length(known))
                 return true;
         }
-        if (n == most) return false;
+        if (n == max_count) return false;
         point[n] = new_point;
         image[n++] = new_image;
         return true;
     }
 
-    // To all neighbours: each translation and its opposite, and sums of two. Returns how many.
+    // Writes the shifts to all neighbouring periods: each translation, the sums and differences of
+    // two translations, and the opposites of all these. Returns the number of shifts.
     Index shifts(Points points, Vec2* out) const noexcept {
         Index count = 0;
         auto const put = [&](Vec2 shift) {
@@ -41,10 +47,10 @@ struct Translations {
             out[count++] = -1.0 * shift;
         };
         for (Index k = 0; k < n; ++k) {
-            put(of(k, points));
+            put(shift_of(k, points));
             for (Index other = 0; other < k; ++other) {
-                put(of(k, points) + of(other, points));
-                put(of(k, points) - of(other, points));
+                put(shift_of(k, points) + shift_of(other, points));
+                put(shift_of(k, points) - shift_of(other, points));
             }
         }
         return count;

@@ -1,16 +1,17 @@
-// How the cells of a mesh are connected: the orientation of each, which points are joined, and the
-// edges between cells.
+// Describes how the cells of a mesh are connected: the orientation of each cell, the points that
+// are joined, and the edges between cells. tests/mesh/test_orientation.cpp covers this file.
 #pragma once
 
 #include "mesh/edges.hpp"
 
 namespace harmorph {
 
-// The caller's cells, whichever way they run, read counter-clockwise.
+// Gives all cells of the caller in counter-clockwise order.
 struct OrientedMesh {
     Mesh mesh;
-    Span<std::uint8_t> reversed;  // [cells and guards] 1: the cell's points are in clockwise order;
-                                  // empty: of no cell
+    // [cells and guards] 1 if the cell's points are in clockwise order; the array is empty if no
+    // cell is clockwise.
+    Span<std::uint8_t> reversed;
 
     Cell cell(Index i) const noexcept {
         Cell out = mesh.cell(i);
@@ -19,13 +20,14 @@ struct OrientedMesh {
     }
 };
 
-// Made by Analysis::run() in this order: points that a cut joins have one representative, edges are
-// those between representatives, cells are oriented by their common edges. Periodic pairs are
-// joined last: their points have one representative then, but each side keeps separate edges.
-// Nothing here depends on coordinates; `mesh` still points to those the mesh was analysed with.
+// Analysis::run() builds the topology in this order: points that a cut joins get one
+// representative, the edges between representatives are found, and cells are oriented by their
+// common edges. The points of periodic pairs are joined last, so that both sides of a pair keep
+// separate edges. The topology does not depend on coordinates; `mesh` still points to the
+// coordinates with which the mesh was analysed.
 struct Topology : OrientedMesh {
     Edges edges;
-    Span<Index> representative;  // [n_points] of points that are joined: the smallest
+    Span<Index> representative;  // [n_points] the smallest of the points to which a point is joined
 
     void lay_out(Arena& arena, Mesh const& counts) noexcept {
         arena.take(reversed, counts.n_checked());

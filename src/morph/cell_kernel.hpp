@@ -56,10 +56,10 @@ public:
         Vector size = is_compared ? most_of(reference_area, -reference_area) : smallest;
         Vector const least = least_of(size, smallest),
                      most = most_of(sum, size);  // one is NaN where anything is
-        regular_ = (Registers::less(zero + smallest_of_products, least) &
-                    Registers::less(most, zero + largest_of_products)) == all;
+        regular_ = (Registers::less(zero + min_factor, least) &
+                    Registers::less(most, zero + max_factor)) == all;
         if (!regular_) {
-            auto const in_range = (least > smallest_of_products) & (most < largest_of_products);
+            auto const in_range = (least > min_factor) & (most < max_factor);
 #pragma GCC unroll 4
             for (Index k = 0; k < n; ++k) squares[k] = in_range ? squares[k] : one;
 #pragma GCC unroll 4

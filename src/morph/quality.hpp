@@ -27,8 +27,7 @@ inline Fraction skew_fraction(Index n, CellCorners const& corners) noexcept {
     Real const squares = n == 3
                              ? square_of[0] + square_of[1] + square_of[2]  // = 2 (a.a + b.b - a.b)
                              : (square_of[0] + square_of[2]) + (square_of[1] + square_of[3]);
-    bool const in_range =
-        corners.smallest() > smallest_of_products && squares < largest_of_products;
+    bool const in_range = corners.smallest() > min_factor && squares < max_factor;
     Fraction skew;
     if (n == 3) {
         skew_of_triangle(area[0], squares, skew.above, skew.under);
@@ -74,8 +73,7 @@ struct CellMeasure {
         if (!(skew.above > 0)) return 0;
         Real const size = abs(reference_area), less = min(area, size), more = max(area, size);
         if (size == 0) return skew.above / skew.under;
-        bool const in_range =
-            less > smallest_of_products && more < largest_of_products && size == size;
+        bool const in_range = less > min_factor && more < max_factor && size == size;
         if (in_range) return skew.above * sqrt(area * size) / (skew.under * more);
         return skew.above / skew.under * sqrt(less / more);
     }

@@ -26,7 +26,7 @@ Status solve_in_blocks(BlockIteration const& engine, Index functions, Progress c
                        IterationReport& report, Fault& fault, Solve const& solve) noexcept {
     Index const width = engine.iteration.block_width;
     Index const blocks = (functions + width - 1) / width;
-    IterationReport of_worker[Executor::most_threads];
+    IterationReport of_worker[Executor::max_threads];
     fill(engine.worker_history, 0.0);
     Status status = Status::ok;
     for (Index first = 0; first < blocks && !failed(status); first += engine.workers) {

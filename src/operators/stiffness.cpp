@@ -180,7 +180,7 @@ Index assemble_stiffness(OrientedMesh const& cells, Points points, Span<const Re
     auto const add = matrix.kind() == MatrixKind::real      ? add_cells<MatrixKind::real>
                      : matrix.kind() == MatrixKind::complex ? add_cells<MatrixKind::complex>
                                                             : add_cells<MatrixKind::coupled_xy>;
-    Index bad_cell[Executor::most_threads];
+    Index bad_cell[Executor::max_threads];
     Index const n_ranges = matrix.for_row_ranges(executor, [&](Index range, RowRange rows) {
         matrix.clear_rows(rows);
         bad_cell[range] = add(cells, points, conductivity, half, matrix, rows);

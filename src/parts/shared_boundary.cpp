@@ -235,7 +235,7 @@ Status SharedBoundary::analyse(PartProblem const& problem, Fault& fault) noexcep
                                      tangent, slip_curves, fault));
     }
     if (!problem.demands.translation) return fault.status;
-    return tie_periodic(topology, boundary, conditions, wall_work.chain, kinds, tangent,
+    return tie_periodic(topology, boundary, conditions, wall_work.chain_point, kinds, tangent,
                         periodicity, fault);
 }
 

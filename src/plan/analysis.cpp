@@ -68,7 +68,7 @@ Status Analysis::analyse_mesh(Fault& fault) noexcept {
     Sense sense = Sense::mixed;
     problem_.executor.for_each(3, [&](Index part) {  // none needs another
         if (part == 0) edges.build(mesh, {}, fault);
-        if (part == 1) sense = common_sense(mesh, least_height_);
+        if (part == 1) sense = common_orientation(mesh, least_height_);
         if (part == 2 && has_conditions()) mesh_fingerprint_ = fingerprint_of(given);
     });
     HARMORPH_TRY(fault.status);
@@ -123,7 +123,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
                                      kinds_, tangent_, slip_curves_, fault));
     }
     if (problem_.demands.periodic()) {
-        HARMORPH_TRY(tie_periodic(topology_, boundary_, conditions_, wall_work_.chain, kinds_,
+        HARMORPH_TRY(tie_periodic(topology_, boundary_, conditions_, wall_work_.chain_point, kinds_,
                                   tangent_, periodicity_, fault));
         slip_curves_.keep_sliding(kinds_);
     }

@@ -1,4 +1,4 @@
-// AVX2 and FMA. See baseline.hpp for the manual.
+// Registers for AVX2 and FMA. baseline.hpp documents the members.
 #define HARMORPH_SET avx2
 #define HARMORPH_TARGET "avx2,fma"
 #include "simd/begin.hpp"
@@ -8,8 +8,8 @@
 
 namespace harmorph::simd::avx2 {
 
-// The same picks for words of 32 bits, as masks: which word, whether of the second vector, whether
-// of any.
+// The picks of all sets, expressed for words of 32 bits: the number of each word, and masks that
+// say whether the word comes from the second vector, and whether any word is picked.
 template <Index words>
 struct LanePicks {
     __m256i from, second, present;

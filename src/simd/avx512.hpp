@@ -1,5 +1,6 @@
-// AVX-512: F, DQ, VL. See baseline.hpp for the manual. Where an intrinsic has a zero-masked form,
-// that form is taken: gcc warns that the plain form reads an uninitialised register.
+// Registers for AVX-512 with the extensions F, DQ and VL. baseline.hpp documents the members. The
+// zero-masked forms of intrinsics are used, because gcc warns that the plain forms read an
+// uninitialised register.
 #define HARMORPH_SET avx512
 #define HARMORPH_TARGET "avx512f,avx512dq,avx512vl,avx2,fma"
 #include "simd/begin.hpp"
@@ -69,8 +70,8 @@ private:
     }
 };
 
-// 8 numbers, as wide as a slab of the dense kernels: half of an AVX-512 register, but 32 registers
-// where AVX2 has 16.
+// A register holds 8 numbers, the width of a slab of the dense kernels. This is half of an AVX-512
+// register, but there are 32 registers, where AVX2 has 16.
 template <>
 struct Registers<float> : Register<float, 8> {
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept {

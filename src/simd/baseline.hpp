@@ -1,5 +1,6 @@
-// Whatever the compiler may assume: SSE2 on x86-64, plain vectors elsewhere. The manual of
-// Registers.
+// Registers for the instructions that the compiler may use without options: SSE2 on x86-64, plain
+// vectors elsewhere. This file documents Registers for all sets, and tests/simd/test_registers.cpp
+// covers them.
 #define HARMORPH_SET baseline
 #include "simd/begin.hpp"
 #if !defined(HARMORPH_REGISTERS_BASELINE)
@@ -8,18 +9,18 @@
 
 namespace harmorph::simd::baseline {
 
-// One register of numbers and the operations of the instruction set; see Register in begin.hpp for
-// the rest. + - * / are the compiler's vector operators, which are never contracted to fused
-// operations.
+// Registers defines a register of numbers and the operations of the instruction set; the operations
+// that all sets have in common are in Register (register.hpp). The operators + - * / are the
+// compiler's vector operators, which are never contracted to fused operations.
 template <class Of>
 struct Registers;
 
 template <>
 struct Registers<double> : Register<double, 2> {
-    static constexpr Index count = 16;  // of the processor
+    static constexpr Index count = 16;  // the number of registers of the processor
 
-    // Numbers in double or in single precision; load_part: the first n, 0 <= n < lanes, and zeros.
-    // No others are read.
+    // load() reads numbers in double or in single precision. load_part() reads only the first n
+    // numbers, 0 <= n < lanes, and sets the other lanes to 0.
     using Register::load;
     static HARMORPH_INLINE Vector load(const float* from) noexcept {
 #if defined(__SSE2__)
@@ -36,7 +37,7 @@ struct Registers<double> : Register<double, 2> {
         return Vector{n > 0 ? static_cast<double>(*from) : 0, 0};
     }
 
-    // Lane by lane; b where one of the two is NaN.
+    // max() and min() work lane by lane and return b if a or b is NaN.
     static HARMORPH_INLINE Vector max(Vector a, Vector b) noexcept {
 #if defined(__SSE2__)
         return Vector(_mm_max_pd(a, b));
@@ -51,7 +52,7 @@ struct Registers<double> : Register<double, 2> {
         return Vector{a[0] < b[0] ? a[0] : b[0], a[1] < b[1] ? a[1] : b[1]};
 #endif
     }
-    // A bit for each lane in which a < b, the first lane's lowest.
+    // Returns one bit for each lane, which is 1 if a < b there; the lowest bit is the first lane's.
     static HARMORPH_INLINE unsigned less(Vector a, Vector b) noexcept {
 #if defined(__SSE2__)
         return static_cast<unsigned>(_mm_movemask_pd(_mm_cmplt_pd(a, b)));
@@ -67,10 +68,11 @@ struct Registers<double> : Register<double, 2> {
 #endif
     }
 
-    // Whether the set has round(v): to the nearest integers, in two's complement.
+    // If true, the set has round(v), which returns the nearest integers in two's complement.
     static constexpr bool rounds = false;
 
-    // c + a b and c - a b, with one rounding where the set has fused instructions.
+    // These functions return c + a b and c - a b, with one rounding if the set has fused
+    // instructions.
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept {
         return c + a * b;
     }
@@ -78,8 +80,8 @@ struct Registers<double> : Register<double, 2> {
         return c - a * b;
     }
 
-    // Numbers picked from two registers: lane k of the result is lane picked[k] of the first
-    // register, or lane picked[k] - lanes of the second, or 0 where picked[k] is none.
+    // pick() takes numbers from two registers: lane k of the result is lane picked[k] of the first
+    // register, lane picked[k] - lanes of the second register, or 0 if picked[k] is none.
     struct Picks {
         Index from[lanes];
     };

@@ -12,7 +12,8 @@ namespace {
 
 constexpr bool has_bit(unsigned word, int bit) noexcept { return (word >> bit & 1) != 0; }
 
-// Which register files the operating system saves: bits 1, 2: SSE and AVX; 5, 6, 7: AVX-512.
+// Returns which registers the operating system saves: bits 1 and 2 stand for SSE and AVX, bits 5, 6
+// and 7 for AVX-512.
 unsigned saved_registers() noexcept {
     unsigned low, high;
     __asm__ volatile("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
@@ -21,9 +22,9 @@ unsigned saved_registers() noexcept {
 
 }  // namespace
 
-// Bit numbers: Intel 64 and IA-32 Architectures Software Developer's Manual, volume 2A, CPUID.
-// Every question is a trap on a virtual machine, so there are only two: all x86-64 processors have
-// leaf 1, and all that have AVX have leaf 7.
+// The bit numbers are those of Intel 64 and IA-32 Architectures Software Developer's Manual, volume
+// 2A, CPUID. Each CPUID instruction is slow on a virtual machine, so there are only two. All x86-64
+// processors have leaf 1, and all processors with AVX have leaf 7.
 Kernel best_kernel() noexcept {
     unsigned a = 0, b = 0, c = 0, d = 0;
     __cpuid(1, a, b, c, d);
@@ -38,7 +39,7 @@ Kernel best_kernel() noexcept {
     return has_avx512 && has_avx2 ? Kernel::avx512 : has_avx2 ? Kernel::avx2 : Kernel::baseline;
 }
 
-// A processor with AVX-512 has AVX2, too.
+// A processor whose best kernel is AVX-512 can run AVX2 kernels, too.
 bool has_kernel(Kernel kernel) noexcept {
     if (kernel == Kernel::automatic || kernel == Kernel::baseline) return true;
     return (kernel == Kernel::avx2 || kernel == Kernel::avx512) && kernel <= best_kernel();

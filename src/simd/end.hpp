@@ -1,4 +1,4 @@
-// Closes what begin.hpp opened.
+// Ends the code of one instruction set, which begin.hpp began.
 #if defined(HARMORPH_TARGET)
 #if defined(__clang__)
 HARMORPH_PRAGMA(clang attribute pop)

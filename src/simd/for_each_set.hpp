@@ -1,12 +1,13 @@
 // Compiles the kernels in the file HARMORPH_KERNELS once for each instruction set of the
-// architecture, as foreach_target of the library Highway does. The file stands in namespaces called
-// HARMORPH_SET, uses simd::HARMORPH_SET::Registers, whose manual is baseline.hpp, and specialises
-// simd::table. Shared headers are included before.
+// architecture, as foreach_target of the library Highway does. The file puts its code into
+// namespaces called HARMORPH_SET, uses simd::HARMORPH_SET::Registers, which baseline.hpp documents,
+// and specialises simd::table. Headers that all sets share are included before this file.
 //
-// A new instruction set is a header here that defines Registers, three lines below, a number in
-// enum Kernel, a case in table_of(), and the question to the processor in cpu.cpp.
+// A new instruction set needs a header in this room that defines Registers, three lines below, a
+// number in enum Kernel, a case in table_of(), and a test of the processor in cpu.cpp.
+// tests/simd/test_registers.cpp covers the registers of all sets that the processor has.
 #if !defined(HARMORPH_KERNELS)
-#error "HARMORPH_KERNELS is the file of the kernels"
+#error "HARMORPH_KERNELS must name the file of the kernels"
 #endif
 
 #include <type_traits>

@@ -1,18 +1,18 @@
 // A family of kernels is a struct of function pointers; each instruction set has one such struct,
-// the table of the set.
+// the table of the set. tests/simd/test_registers.cpp covers this file.
 #pragma once
 
 #include "simd/cpu.hpp"
 
 namespace harmorph::simd {
 
-// Specialised in the file of the kernels; null for an instruction set that this architecture does
-// not have.
+// The file of the kernels specialises this pointer for each set; it is null for an instruction set
+// that this architecture does not have.
 template <class Kernels, Kernel set>
 inline constexpr const Kernels* table = nullptr;
 
-// To be called where the tables are specialised; `kernel` is one for which has_kernel() holds,
-// automatic being the baseline.
+// Must be called in the source that specialises the tables, for a kernel for which has_kernel()
+// holds; for automatic, the function returns the baseline's table.
 template <class Kernels>
 Kernels const& table_of(Kernel kernel) noexcept {
     constexpr const Kernels* baseline = table<Kernels, Kernel::baseline>;

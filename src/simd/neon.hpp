@@ -1,5 +1,5 @@
-// NEON. Every 64-bit ARM processor has it, so neither a test of the processor nor a compiler option
-// is needed. See baseline.hpp for the manual.
+// Registers for NEON. Every 64-bit ARM processor has NEON, so neither a test of the processor nor a
+// compiler option is needed. baseline.hpp documents the members.
 #define HARMORPH_SET neon
 #include "simd/begin.hpp"
 #if !defined(HARMORPH_REGISTERS_NEON)
@@ -8,7 +8,8 @@
 
 namespace harmorph::simd::neon {
 
-// Picks for bytes: 0 .. 15 of the first register, 16 .. 31 of the second, 255: a zero.
+// The picks of all sets, expressed for bytes: 0 to 15 are bytes of the first register, 16 to 31
+// bytes of the second, and 255 is a zero.
 template <Index lanes>
 struct BytePicks {
     uint8x16_t from;
@@ -46,7 +47,7 @@ struct Registers<double> : Register<double, 2> {
         return Vector{n > 0 ? static_cast<double>(*from) : 0, 0};
     }
 
-    // vmaxq and vminq give NaN where any is NaN.
+    // vmaxq and vminq return NaN if a or b is NaN, so max() and min() use comparisons.
     static HARMORPH_INLINE Vector max(Vector a, Vector b) noexcept {
         return vbslq_f64(vcgtq_f64(a, b), a, b);
     }

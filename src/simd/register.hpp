@@ -1,14 +1,14 @@
-// What the registers of all instruction sets have in common, in the namespace of the set that is
-// open; see begin.hpp.
+// Defines the operations that registers of all instruction sets have in common, in the namespace of
+// the current set; see begin.hpp.
 
 namespace harmorph::simd::HARMORPH_SET {
 
-// What every register of `n` numbers has. Addresses in memory need no alignment.
+// A register of n numbers. Addresses in memory need no alignment.
 template <class Of, Index n>
 struct Register {
     static constexpr Index lanes = n;
     typedef Of Vector __attribute__((vector_size(n * sizeof(Of))));
-    // Unsigned integers as wide as the numbers, for their bits.
+    // A Word is an unsigned integer as wide as a number, and holds the bits of the number.
     using Word = typename std::conditional<sizeof(Of) == 8, std::uint64_t, std::uint32_t>::type;
     typedef Word Words __attribute__((vector_size(n * sizeof(Of))));
 
@@ -24,9 +24,8 @@ struct Register {
     static HARMORPH_INLINE void store_words(Word* to, Words v) noexcept {
         *reinterpret_cast<StoredWords*>(to) = v;
     }
-    static HARMORPH_INLINE Vector all(Of x) noexcept {
-        return x - Vector{};
-    }  // the bits of x: -0.0 - 0.0 is -0.0
+    // Subtracting 0.0 keeps the bits of x: -0.0 - 0.0 is -0.0.
+    static HARMORPH_INLINE Vector all(Of x) noexcept { return x - Vector{}; }
 
 private:
     typedef Of Stored __attribute__((vector_size(n * sizeof(Of)), aligned(sizeof(Of)), may_alias));

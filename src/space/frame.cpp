@@ -3,10 +3,12 @@
 namespace harmorph {
 namespace {
 
-constexpr Real default_tolerance = 1e-5;  // of the extent: numbers of six digits are that accurate
-constexpr Real parallel = 1e-4;           // sine of the angle between planes that count as parallel
+// The default tolerance as a fraction of the extent, the precision of numbers with six digits.
+constexpr Real default_tolerance = 1e-5;
+// Planes count as parallel if the sine of the angle between them is not above this.
+constexpr Real parallel = 1e-4;
 
-// A coordinate, with all its bits where the direction is an axis.
+// Returns the coordinate of the point in this direction, exactly if the direction is an axis.
 Real along(Vec3 point, Vec3 direction) noexcept {
     for (Index axis = 0; axis < 3; ++axis) {
         if (direction[axis] == 1) return point[axis];
@@ -14,19 +16,19 @@ Real along(Vec3 point, Vec3 direction) noexcept {
     return dot(point, direction);
 }
 
-// Of the component that is largest in size.
+// Returns the axis of the component with the largest magnitude.
 Index largest_axis(Vec3 v) noexcept {
     Index axis = abs(v.y) > abs(v.x) ? 1 : 0;
     return abs(v.z) > abs(v[axis]) ? 2 : axis;
 }
 
-// The points of the faces, or all others.
+// A group consists of the points of the faces, or of all other points.
 struct Group {
     SpaceMesh const& mesh;
     Span<const std::uint8_t> in_faces;
     std::uint8_t faces;
 
-    // visit(point) until it returns true; none if it never does.
+    // Returns the first point for which visit(point) returns true, or none.
     template <class Visit>
     Index find(Visit visit) const noexcept {
         for (Index k = 0; k < mesh.n_points; ++k) {
@@ -34,15 +36,15 @@ struct Group {
         }
         return none;
     }
-    // The point for which value(point) is largest.
+    // Returns the point for which value(point) is largest.
     template <class Value>
     Index largest(Value value) const noexcept {
         Index best = none;
-        Real most = -1;
+        Real largest_value = -1;
         find([&](Index k) {
-            Real const its = value(mesh.points[k]);
-            if (its > most) {
-                most = its;
+            Real const found = value(mesh.points[k]);
+            if (found > largest_value) {
+                largest_value = found;
                 best = k;
             }
             return false;
@@ -51,14 +53,14 @@ struct Group {
     }
 };
 
-struct Flat {
-    bool exists = false;  // false: the points lie on a line, or there are none
+struct FlatPlane {
+    bool exists = false;  // false if the points lie on a line, or if there are no points
     Vec3 point, normal;
 };
 
-// The plane through three points that are far apart.
-Flat plane_through(Group const& group) noexcept {
-    Flat flat;
+// Returns the plane through three points of the group that are far apart.
+FlatPlane plane_through(Group const& group) noexcept {
+    FlatPlane flat;
     Index const first = group.find([](Index) { return true; });
     if (first == none) return flat;
     Vec3 const a = group.mesh.points[first];
@@ -73,21 +75,21 @@ Flat plane_through(Group const& group) noexcept {
 }
 
 Real extent(SpaceMesh const& mesh) noexcept {
-    Real most = 0;
+    Real largest = 0;
     for (Index axis = 0; axis < 3; ++axis) {
         Real low = infinity, high = -infinity;
         for (Index k = 0; k < mesh.n_points; ++k) {
             low = min(low, mesh.points[k][axis]);
             high = max(high, mesh.points[k][axis]);
         }
-        most = max(most, high - low);
+        largest = max(largest, high - low);
     }
-    return most;
+    return largest;
 }
 
-// A coordinate plane where all points agree in one coordinate, within the tolerance: z first, then
-// y, then x.
-void snap_to_coordinates(Group const& group, Real tolerance, Flat& flat) noexcept {
+// If all points have the same z, y or x, within the tolerance, the plane becomes a coordinate
+// plane; z is tested first.
+void snap_to_coordinates(Group const& group, Real tolerance, FlatPlane& flat) noexcept {
     for (Index axis = 2; axis >= 0; --axis) {
         Real const at = flat.point[axis];
         if (group.find([&](Index k) { return abs(group.mesh.points[k][axis] - at) > tolerance; }) !=
@@ -98,16 +100,17 @@ void snap_to_coordinates(Group const& group, Real tolerance, Flat& flat) noexcep
     }
 }
 
-Index first_outside(Group const& group, Flat const& flat, Real tolerance) noexcept {
+Index first_outside(Group const& group, FlatPlane const& flat, Real tolerance) noexcept {
     return group.find([&](Index k) {
         return abs(along(group.mesh.points[k] - flat.point, flat.normal)) > tolerance;
     });
 }
 
-void directions_of_planes(Flat const& flat, Frame& frame) noexcept {
+void directions_of_planes(FlatPlane const& flat, Frame& frame) noexcept {
     Vec3 n = flat.normal;
     Index const largest = largest_axis(n);
-    if ((n[largest] < 0) != (largest == 1)) n = -1.0 * n;  // x-z has the normal -y
+    // The x-y plane gets the normal z, the y-z plane x, and the x-z plane -y.
+    if ((n[largest] < 0) != (largest == 1)) n = -1.0 * n;
     Index const first = largest == 0 ? 1 : 0, second = largest == 2 ? 1 : 2;
     Index const axis = abs(n[first]) <= abs(n[second]) ? first : second;
     frame.x = direction(unit_vector(axis) - n[axis] * n);
@@ -116,17 +119,18 @@ void directions_of_planes(Flat const& flat, Frame& frame) noexcept {
     frame.origin = along(flat.point, flat.normal) * flat.normal;
 }
 
-// The line that two planes have in common.
 struct Line {
     Vec3 point, direction;
 };
 
-bool contains(Flat const& flat, Line const& line, Real size, Real tolerance) noexcept {
+bool contains(FlatPlane const& flat, Line const& line, Real size, Real tolerance) noexcept {
     return abs(along(line.point - flat.point, flat.normal)) <= tolerance &&
            abs(dot(line.direction, flat.normal)) * size <= tolerance;
 }
 
-Line common_line(Flat const& a, Flat const& b, Real size, Real tolerance) noexcept {
+// Returns the intersection of two planes: a coordinate axis, if both planes contain the axis within
+// the tolerance.
+Line intersection(FlatPlane const& a, FlatPlane const& b, Real size, Real tolerance) noexcept {
     for (Index axis = 0; axis < 3; ++axis) {
         Line const coordinate{{}, unit_vector(axis)};
         if (contains(a, coordinate, size, tolerance) && contains(b, coordinate, size, tolerance))
@@ -139,8 +143,8 @@ Line common_line(Flat const& a, Flat const& b, Real size, Real tolerance) noexce
             line[largest_axis(line)] < 0 ? -1.0 * line : line};
 }
 
-Status directions_of_wedge(Group const& faces, Flat const& flat, Line const& axis, Frame& frame,
-                           Fault& fault) noexcept {
+Status directions_of_wedge(Group const& faces, FlatPlane const& flat, Line const& axis,
+                           Frame& frame, Fault& fault) noexcept {
     frame.origin = axis.point;
     frame.x = axis.direction;
     frame.y = direction(cross(flat.normal, axis.direction));
@@ -151,13 +155,14 @@ Status directions_of_wedge(Group const& faces, Flat const& flat, Line const& axi
         [&](Index k) { return frame.in_plane(faces.mesh.points[k]).y < -frame.tolerance; });
     if (beyond == none) return Status::ok;
     return fault.refuse(Status::bad_mesh,
-                        "the axis of the wedge crosses the mesh: point # is on its other side",
+                        "the axis of the wedge crosses the mesh: point # is not on the same side "
+                        "of the axis as the other points",
                         point_item(beyond));
 }
 
-// The axis that the caller gives.
-Status given_axis(SpaceMesh const& mesh, Flat const& flat, Real size, Real tolerance, Line& line,
-                  Fault& fault) noexcept {
+// Sets the line to the axis that the caller gives, which must lie in the plane of the faces.
+Status given_axis(SpaceMesh const& mesh, FlatPlane const& flat, Real size, Real tolerance,
+                  Line& line, Fault& fault) noexcept {
     line = {mesh.axis_point, direction(mesh.axis)};
     if (!contains(flat, line, size, tolerance)) {
         return fault.refuse(Status::bad_argument,
@@ -180,7 +185,7 @@ PlacedPoint Frame::placed(Vec3 point) const noexcept {
     Real const r = length(Vec3{radius.x, radius.y, 0});
     out.place = {along(from_axis, x), r};
     if (r > tolerance) out.turn = (1 / r) * radius;
-    out.across = out.turn.y >= 0 ? 1 - out.turn.x : 3 + out.turn.x;  // grows with the angle
+    out.across = out.turn.y >= 0 ? 1 - out.turn.x : 3 + out.turn.x;
     return out;
 }
 
@@ -194,20 +199,24 @@ Status find_frame(SpaceMesh const& mesh, Span<const std::uint8_t> in_faces, Fram
     Group const faces{mesh, in_faces, 1}, others{mesh, in_faces, 0};
     Real const size = extent(mesh);
     frame.tolerance = mesh.tolerance > 0 ? mesh.tolerance : default_tolerance * size;
-    Flat flat = plane_through(faces);
+    FlatPlane flat = plane_through(faces);
     if (!flat.exists)
-        return fault.refuse(Status::bad_mesh, "all points of space.face_points lie on one line");
+        return fault.refuse(
+            Status::bad_mesh,
+            "all points of space.face_points lie on one line, so they define no plane");
     snap_to_coordinates(faces, frame.tolerance, flat);
     Index const outside = first_outside(faces, flat, frame.tolerance);
     if (outside != none) {
         Real const distance = abs(dot(mesh.points[outside] - flat.point, flat.normal));
         return fault.refuse(Status::bad_mesh,
-                            "point # of the faces is ~ outside the plane of the others",
+                            "the points of the faces must lie in one plane, but point # is ~ away "
+                            "from the plane of the others",
                             point_item(outside), {}, distance);
     }
-    Flat second = plane_through(others);
-    bool const flat_too = second.exists && first_outside(others, second, frame.tolerance) == none;
-    bool const inclined = flat_too && length(cross(flat.normal, second.normal)) > parallel;
+    FlatPlane const second = plane_through(others);
+    bool const second_is_flat =
+        second.exists && first_outside(others, second, frame.tolerance) == none;
+    bool const inclined = second_is_flat && length(cross(flat.normal, second.normal)) > parallel;
     bool const has_axis = length(mesh.axis) > 0;
     frame.kind = mesh.kind != SpaceKind::found ? mesh.kind
                  : inclined                    ? SpaceKind::wedge
@@ -218,14 +227,14 @@ Status find_frame(SpaceMesh const& mesh, Span<const std::uint8_t> in_faces, Fram
     }
     if (!has_axis && !inclined) {
         return fault.refuse(Status::bad_argument,
-                            "space.axis is 0, but the other points lie in no inclined plane that "
-                            "would tell the axis");
+                            "space.axis is 0, and the axis cannot be found, because the other "
+                            "points do not lie in one inclined plane; set space.axis");
     }
     Line axis;
     if (has_axis) {
         HARMORPH_TRY(given_axis(mesh, flat, size, frame.tolerance, axis, fault));
     } else {
-        axis = common_line(flat, second, size, frame.tolerance);
+        axis = intersection(flat, second, size, frame.tolerance);
     }
     return directions_of_wedge(faces, flat, axis, frame, fault);
 }

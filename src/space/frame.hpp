@@ -1,4 +1,6 @@
-// Where the plane of the faces is, which directions its coordinates have, and for a wedge the axis.
+// Finds the coordinate frame of the plane in which the faces lie: the origin, the directions of the
+// coordinates, and for a wedge the axis. In this library, a frame is a set of coordinate
+// directions.
 #pragma once
 
 #include "base/span.hpp"
@@ -6,26 +8,25 @@
 
 namespace harmorph {
 
-// A point of space as the plane sees it: its place in the plane, after a movement across the layers
-// or a turn about the axis; and where it is on this way, the distance from the plane or cosine and
-// sine of the angle.
+// A point of space is projected into the plane by a movement across the layers, or in a wedge by a
+// turn about the axis.
 struct PlacedPoint {
-    Vec2 place;
-    Real across = 0;
-    Vec2 turn{1, 0};
+    Vec2 place;       // the projection in plane coordinates
+    Real across = 0;  // the distance from the plane; in a wedge, a number that grows with the angle
+    Vec2 turn{1, 0};  // in a wedge, cosine and sine of the angle
 };
 
 struct Frame {
     SpaceKind kind = SpaceKind::planes;
-    Vec3 origin, x, y, normal;  // unit vectors, right-handed; x is a wedge's axis
-    Real tolerance = 0;         // how far points may be from where they should be
+    Vec3 origin, x, y, normal;  // right-handed unit vectors; x is the axis of a wedge
+    Real tolerance = 0;         // the largest permitted distance of points from the plane
 
     PlacedPoint placed(Vec3 point) const noexcept;
-    // Of a point of the faces: it is in the plane.
+    // Returns the plane coordinates of a point of the faces, which lies in the plane.
     Vec2 in_plane(Vec3 point) const noexcept;
-    // The movement in space of a movement in the plane, for a point with this turn.
+    // Returns the movement in space for a movement in the plane, at a point with this turn.
     Vec3 moved(Vec2 step, Vec2 turn) const noexcept { return step.x * x + step.y * radial(turn); }
-    // The transpose.
+    // Is the transpose of moved().
     Vec2 projected(Vec3 step, Vec2 turn) const noexcept {
         return {dot(step, x), dot(step, radial(turn))};
     }
@@ -36,7 +37,7 @@ private:
     }
 };
 
-// in_faces [n_points]: 1 for the points of the faces. Refuses faces that are not in one plane.
+// in_faces [n_points] is 1 for the points of the faces. Refuses faces that are not in one plane.
 Status find_frame(SpaceMesh const& mesh, Span<const std::uint8_t> in_faces, Frame& frame,
                   Fault& fault) noexcept;
 

@@ -3,22 +3,23 @@
 namespace harmorph {
 namespace {
 
-constexpr Index least_plane_points = 4096;  // points for which another thread is worth its start
+// Fewer points are not given to a thread, because starting a thread takes longer.
+constexpr Index min_plane_points = 4096;
 
 Real moved_by_step(Real old, Real step) noexcept { return step == 0 ? old : old + step; }
 
 }  // namespace
 
 void Plane::lay_out(Arena& arena, SpaceMesh const& mesh) noexcept {
-    Index const most = mesh.max_plane_points();
+    Index const max_points = mesh.max_plane_points();
     arena.take(follows, mesh.n_points);
-    arena.take(space_point, most);
-    arena.take(follower_start, Size{1} + static_cast<Size>(most));
+    arena.take(space_point, max_points);
+    arena.take(follower_start, Size{1} + static_cast<Size>(max_points));
     arena.take(follower, mesh.n_points);
-    arena.take(x, most);
-    arena.take(y, most);
-    arena.take(work_x, most);
-    arena.take(work_y, most);
+    arena.take(x, max_points);
+    arena.take(y, max_points);
+    arena.take(work_x, max_points);
+    arena.take(work_y, max_points);
     arena.take(cell_start, Size{1} + static_cast<Size>(mesh.n_faces));
     arena.take(cell_points, mesh.n_corners());
     arena.take(side_points, 2 * Size(mesh.n_sides));
@@ -43,7 +44,7 @@ Mesh Plane::mesh() const noexcept {
 
 void Plane::spread(Points displacement, SpacePoints from, MutableSpacePoints to,
                    Executor const& executor) const noexcept {
-    executor.for_ranges(n_space_points, least_plane_points, [&](Index begin, Index end) {
+    executor.for_ranges(n_space_points, min_plane_points, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
             Vec3 const step = frame.moved(displacement[follows[k] - index_base], turn_of(k));
             Vec3 const old = from.given() ? from[k] : Vec3{};
@@ -55,7 +56,7 @@ void Plane::spread(Points displacement, SpacePoints from, MutableSpacePoints to,
 
 void Plane::gather(SpacePoints by_space_points, MutablePoints by_points,
                    Executor const& executor) const noexcept {
-    executor.for_ranges(n_points, least_plane_points, [&](Index begin, Index end) {
+    executor.for_ranges(n_points, min_plane_points, [&](Index begin, Index end) {
         for (Index p = begin; p < end; ++p) {
             Vec2 sum;
             for (Index at = follower_start[p]; at < follower_start[p + 1]; ++at) {

@@ -1,5 +1,5 @@
-// The mesh of one symmetry plane of a mesh of three dimensions, and which of its points each point
-// of space follows.
+// A Plane is the mesh of one symmetry plane of a mesh one cell thick. Each point of space follows
+// one point of the plane.
 #pragma once
 
 #include "base/arena.hpp"
@@ -12,40 +12,41 @@ namespace harmorph {
 struct Plane {
     Frame frame;
     Index index_base = 0;
-    Index n_points = 0;  // of the plane
+    Index n_points = 0;  // in the plane
     Index n_space_points = 0;
     Index n_faces = 0, n_sides = 0;
-    bool has_polygons = false;  // faces of more than four points
-    Index layers = 0;           // most points that follow one point of the plane, itself included
-    Real max_distance = 0;      // of a point from the place of its plane point
+    bool has_polygons = false;  // true if a face has more than four points
+    // The largest number of points that follow one point of the plane; the point itself counts.
+    Index layers = 0;
+    Real max_distance = 0;  // the largest distance of a projected point from its point of the plane
     Index max_distance_point = none;
 
     // Numbers that the caller sees count from index_base: follows, space_point, cells and faces.
-    Span<Index> follows;         // [n_space_points] point of the plane
-    Span<Index> space_point;     // [n_points] the point of the faces that it is
+    Span<Index> follows;         // [n_space_points] the point of the plane
+    Span<Index> space_point;     // [n_points] the number of the plane's point in space
     Span<Index> follower_start;  // [n_points + 1] from 0
-    Span<Index> follower;  // [n_space_points] points of space from 0, increasing for each point of
-                           // the plane
-    Span<Real> x, y;       // [n_points]
+    // [n_space_points] The points of space that follow each point of the plane, from 0, in
+    // increasing order.
+    Span<Index> follower;
+    Span<Real> x, y;            // [n_points]
     Span<Real> work_x, work_y;  // [n_points] a displacement, or derivatives summed over the layers
     Span<Index> cell_start, cell_points;
     Span<Index> side_points, side_markers;
-    Span<Vec2>
-        turn;  // [n_space_points] of a wedge: cosine and sine of each point's angle; else empty
+    // [n_space_points] In a wedge, cosine and sine of each point's angle; otherwise empty.
+    Span<Vec2> turn;
 
-    // Arrays for as many points as there could be.
+    // Takes arrays for the largest possible number of points.
     void lay_out(Arena& arena, SpaceMesh const& mesh) noexcept;
 
     Mesh mesh() const noexcept;
-    Vec2 turn_of(Index k) const noexcept {
-        return turn.empty() ? Vec2{1, 0} : turn[k];
-    }  // of point k of space
+    // Returns the turn of point k of space.
+    Vec2 turn_of(Index k) const noexcept { return turn.empty() ? Vec2{1, 0} : turn[k]; }
 
-    // to = from + displacement of the plane point; `from` not given: 0. Components that are 0 keep
-    // the bits.
+    // Computes to = from + the displacement of the plane's point; without `from`, only the
+    // displacement. A component of the displacement that is 0 does not change the coordinate.
     void spread(Points displacement, SpacePoints from, MutableSpacePoints to,
                 Executor const& executor) const noexcept;
-    // The transpose.
+    // Sums derivatives over the followers; this is the transpose of spread().
     void gather(SpacePoints by_space_points, MutablePoints by_points,
                 Executor const& executor) const noexcept;
 };

@@ -14,13 +14,13 @@ bool same(Vec2 a, Vec2 b) noexcept { return a.x == b.x && a.y == b.y; }
 }  // namespace
 
 void PlaneSearch::lay_out(Arena& arena, SpaceMesh const& mesh) noexcept {
-    Index const most = mesh.max_plane_points();
+    Index const max_points = mesh.max_plane_points();
     arena.take(in_faces, mesh.n_points);
-    arena.take(reach, most);
-    arena.take(first_at_place, most);
-    arena.take(next_at_place, most);
+    arena.take(reach, max_points);
+    arena.take(first_at_place, max_points);
+    arena.take(next_at_place, max_points);
     arena.take(ambiguous, mesh.n_points);
-    tree.lay_out(arena, most);
+    tree.lay_out(arena, max_points);
 }
 
 Status PlaneSearch::run(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexcept {
@@ -49,7 +49,7 @@ Status PlaneSearch::run(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexc
     return copy_sides(mesh, plane, fault);
 }
 
-// In the order of the points of space.
+// The points of the plane have the order of the points of space.
 void PlaneSearch::number_points(SpaceMesh const& mesh, Plane& plane) noexcept {
     plane.n_points = 0;
     for (Index k = 0; k < mesh.n_points; ++k) {
@@ -76,7 +76,8 @@ void PlaneSearch::copy_cells(SpaceMesh const& mesh, Plane& plane) noexcept {
     plane.cell_start[mesh.n_faces] = n + plane.index_base;
 }
 
-// A quarter of the shortest edge, and the tolerance.
+// A follower may be as far away as the tolerance, but not farther than a quarter of the shortest
+// edge at the point of the plane.
 void PlaneSearch::find_reach(Plane const& plane) noexcept {
     fill(reach, plane.frame.tolerance * plane.frame.tolerance);
     for (Index i = 0; i < plane.n_faces; ++i) {
@@ -85,22 +86,22 @@ void PlaneSearch::find_reach(Plane const& plane) noexcept {
         for (Index k = begin; k < end; ++k) {
             Index const a = plane.cell_points[k] - plane.index_base;
             Index const b = plane.cell_points[k + 1 == end ? begin : k + 1] - plane.index_base;
-            Real const its = square(place_of(plane, b) - place_of(plane, a)) / 16;
-            if (its == 0) continue;
-            reach[a] = min(reach[a], its);
-            reach[b] = min(reach[b], its);
+            Real const bound = square(place_of(plane, b) - place_of(plane, a)) / 16;
+            if (bound == 0) continue;
+            reach[a] = min(reach[a], bound);
+            reach[b] = min(reach[b], bound);
         }
     }
 }
 
-// Lists of the points with the same coordinates.
+// Builds lists of points with the same coordinates.
 void PlaneSearch::find_places(Plane const& plane) noexcept {
     for (Index p = 0; p < plane.n_points; ++p) {
         Vec2 const here = place_of(plane, p);
         Index first = p;
         tree.nearest(here, {none, tiny_square}, [&](Index other) {
             if (other < first && same(place_of(plane, other), here)) first = other;
-            return infinity;  // so that all others are visited
+            return infinity;  // lets the search visit all other points
         });
         first_at_place[p] = first;
         next_at_place[p] = none;
@@ -117,13 +118,13 @@ Status PlaneSearch::follow(SpaceMesh const& mesh, Plane& plane, Fault& fault) no
     Size n_ambiguous = 0;
     for (Index k = 0; k < mesh.n_points; ++k) {
         if (in_faces[k] != 0) continue;
-        PlacedPoint const its = plane.frame.placed(mesh.points[k]);
-        auto const squared = [&](Index p) { return square(place_of(plane, p) - its.place); };
-        Nearest const near = tree.nearest(its.place, {}, squared);
+        PlacedPoint const placed = plane.frame.placed(mesh.points[k]);
+        auto const squared = [&](Index p) { return square(place_of(plane, p) - placed.place); };
+        Nearest const near = tree.nearest(placed.place, {}, squared);
         if (near.item == none || !(near.squared <= reach[near.item])) {
             constexpr const char* text =
-                "point # is ~ away from being opposite to a point of the faces: "
-                "the mesh is not a plane one, extruded";
+                "the mesh is not an extruded or turned plane mesh: the projection of point # is ~ "
+                "away from the nearest point of the faces";
             return fault.refuse(Status::bad_mesh, text, point_item(k), {}, sqrt(near.squared));
         }
         Real const distance = sqrt(near.squared);
@@ -133,16 +134,16 @@ Status PlaneSearch::follow(SpaceMesh const& mesh, Plane& plane, Fault& fault) no
         }
         Index const first = first_at_place[near.item];
         plane.follows[k] = first + plane.index_base;
-        if (!plane.turn.empty()) plane.turn[k] = its.turn;
-        if (next_at_place[first] != none) ambiguous[n_ambiguous++] = {first, k, its.across};
+        if (!plane.turn.empty()) plane.turn[k] = placed.turn;
+        if (next_at_place[first] != none) ambiguous[n_ambiguous++] = {first, k, placed.across};
     }
     resolve(plane, n_ambiguous);
     return Status::ok;
 }
 
-// Of n points at one place of the plane, each layer has n points opposite: in the order of their
-// numbers they follow in the order of the plane's. A layer that has joined them has fewer, which
-// follow the first.
+// If n points of the plane coincide, each layer normally has n points opposite to them. In the
+// order of their numbers, these follow the n points of the plane. If a layer has fewer points,
+// because it joins them, all follow the first point of the plane.
 void PlaneSearch::resolve(Plane& plane, Size n_ambiguous) noexcept {
     Span<Ambiguous> const all = ambiguous.first(n_ambiguous);
     sort(all, [](Ambiguous const& a, Ambiguous const& b) {
@@ -155,10 +156,11 @@ void PlaneSearch::resolve(Plane& plane, Size n_ambiguous) noexcept {
         for (Index p = place; p != none; p = next_at_place[p]) ++n;
         while (end < n_ambiguous && all[end].place == place) ++end;
         for (Size layer = begin; (end - begin) % n == 0 && layer < end; layer += n) {
-            Span<Ambiguous> const its = all.from(layer, n);
-            sort(its, [](Ambiguous const& a, Ambiguous const& b) { return a.point < b.point; });
+            Span<Ambiguous> const opposite = all.from(layer, n);
+            sort(opposite,
+                 [](Ambiguous const& a, Ambiguous const& b) { return a.point < b.point; });
             Index p = place;
-            for (Ambiguous const& one : its) {
+            for (Ambiguous const& one : opposite) {
                 plane.follows[one.point] = p + plane.index_base;
                 p = next_at_place[p];
             }
@@ -178,7 +180,7 @@ Status PlaneSearch::list_followers(Plane& plane, Fault& fault) noexcept {
             plane.frame.kind == SpaceKind::wedge && plane.y[p] <= plane.frame.tolerance;
         if (start[p] > 1 || plane.layers == 1 || on_axis) continue;
         return fault.refuse(Status::bad_mesh,
-                            "point # of the faces has no point opposite in another layer",
+                            "point # of the faces has no opposite point in another layer",
                             point_item(plane.space_point[p] - plane.index_base));
     }
     counts_to_starts(start);
@@ -202,7 +204,7 @@ Status PlaneSearch::copy_sides(SpaceMesh const& mesh, Plane& plane, Fault& fault
         if (n != 2) {
             return fault.refuse(
                 Status::bad_mesh,
-                "side # has points of ~ different points of the plane; 2 are possible",
+                "the points of side # belong to ~ points of the plane, but must belong to 2",
                 side_item(i), {}, static_cast<Real>(n));
         }
         plane.side_points[2 * i] = ends[0];

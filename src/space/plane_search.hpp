@@ -1,4 +1,5 @@
-// Finds the mesh of a plane, and which of its points each point of space follows.
+// Finds the mesh of a plane, and the point of the plane that each point of space follows.
+// tests/space/test_plane.cpp and tests/space/test_refused_planes.cpp cover this file.
 #pragma once
 
 #include "mesh/box_tree.hpp"
@@ -6,19 +7,19 @@
 
 namespace harmorph {
 
-// Working space, needed during the search only.
+// Holds the working space, which is needed during the search only.
 struct PlaneSearch {
-    // A point that is opposite to a place where the plane has several points.
+    // A point of space that is opposite to a place where the plane has several points.
     struct Ambiguous {
-        Index place;  // the first of these points
-        Index point;  // of space
+        Index place;  // the first point of the plane at this place
+        Index point;  // the point of space
         Real across;
     };
 
     Span<std::uint8_t> in_faces;  // [n_space_points]
-    Span<Real> reach;             // [n_points] squared: how far a follower may be
-    Span<Index> first_at_place;   // [n_points] the first of the points with the same coordinates
-    Span<Index> next_at_place;    // [n_points] the next of them; none: there is no more
+    Span<Real> reach;             // [n_points] the squared largest distance of a follower
+    Span<Index> first_at_place;   // [n_points] the first point with the same coordinates
+    Span<Index> next_at_place;    // [n_points] the next point with the same coordinates, or none
     Span<Ambiguous> ambiguous;    // [n_space_points]
     BoxTree tree;
 

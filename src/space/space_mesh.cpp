@@ -13,8 +13,8 @@ Status check_rows(SpaceMesh const& mesh, Fault& fault) noexcept {
     }
     for (Index i = 0; i < mesh.n_faces; ++i) {
         Offset const n = Offset{mesh.face_start[i + 1]} - mesh.face_start[i];
-        if (n >= 3 && n <= SpaceMesh::most_corners) continue;
-        return fault.refuse(Status::bad_mesh, "face # has ~ points; 3 to 1024 are possible",
+        if (n >= 3 && n <= SpaceMesh::max_corners) continue;
+        return fault.refuse(Status::bad_mesh, "face # has ~ points, but must have 3 to 1024",
                             cell_item(i), {}, static_cast<Real>(n));
     }
     return Status::ok;
@@ -50,7 +50,7 @@ Status check_coordinates(SpaceMesh const& mesh, Fault& fault) noexcept {
         Real const size = max(max(abs(p.x), abs(p.y)), abs(p.z));
         if (size <= largest_coordinate) continue;
         return fault.refuse(Status::bad_mesh,
-                            "point # has the coordinate ~; they may be as large as 1e100",
+                            "point # has the coordinate ~, which is larger than the limit of 1e100",
                             point_item(k), {}, size);
     }
     return Status::ok;
@@ -86,7 +86,9 @@ Status check_counts(SpaceMesh const& mesh, Fault& fault) noexcept {
                             plain(mesh.n_sides));
     }
     if (mesh.n_corners() < 3 || mesh.n_corners() > Offset{INT32_MAX} - 1) {
-        return fault.refuse(Status::bad_mesh, "space.face_start says there are ~ corners of faces",
+        return fault.refuse(Status::bad_mesh,
+                            "by space.face_start the faces have ~ corners, but there must be 3 to "
+                            "2^31 - 2",
                             {}, {}, static_cast<Real>(mesh.n_corners()));
     }
     return Status::ok;
@@ -95,7 +97,8 @@ Status check_counts(SpaceMesh const& mesh, Fault& fault) noexcept {
 Status check_space_mesh(SpaceMesh const& mesh, Fault& fault) noexcept {
     HARMORPH_TRY(check_counts(mesh, fault));
     if (mesh.points.x == nullptr || mesh.points.y == nullptr || mesh.points.z == nullptr) {
-        return fault.refuse(Status::bad_argument, "space.points.x, y or z is NULL");
+        return fault.refuse(Status::bad_argument,
+                            "space.points.x, space.points.y or space.points.z is NULL");
     }
     if (mesh.points.stride < 1)
         return fault.refuse(Status::bad_argument, "space.points.stride is negative");
@@ -106,14 +109,16 @@ Status check_space_mesh(SpaceMesh const& mesh, Fault& fault) noexcept {
                             "space.side_points or space.side_markers is NULL");
     }
     if (!is_finite(mesh.tolerance) || mesh.tolerance < 0) {
-        return fault.refuse(Status::bad_argument, "space.tolerance must be a length, not ~", {}, {},
+        return fault.refuse(Status::bad_argument,
+                            "space.tolerance must be a length of 0 or more, not ~", {}, {},
                             mesh.tolerance);
     }
     bool const finite = are_finite(mesh.axis) && are_finite(mesh.axis_point);
     bool const has_axis = finite && (length(mesh.axis) > 0 || length(mesh.axis_point) > 0);
     if (!finite || (has_axis && mesh.kind != SpaceKind::wedge)) {
         return fault.refuse(Status::bad_argument,
-                            "space.axis or axis_point is not finite, or the kind is not HM_WEDGE");
+                            "space.axis and space.axis_point must be finite, and 0 unless the kind "
+                            "is HM_WEDGE");
     }
     HARMORPH_TRY(check_rows(mesh, fault));
     HARMORPH_TRY(check_faces(mesh, fault));

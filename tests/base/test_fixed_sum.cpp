@@ -75,7 +75,7 @@ TEST_CASE("scales: above every number, exact both ways") {
         CHECK(std::ilogb(x) + 1 == e);
     }
     for (double const x : {0.0, smallest, 1e-305})
-        CHECK(BinaryScale::exponent_above(x) == BinaryScale::least);
+        CHECK(BinaryScale::exponent_above(x) == BinaryScale::min_exponent);
     CHECK(BinaryScale::exponent_above(std::nan("")) == BinaryScale::not_finite);
     CHECK(BinaryScale::exponent_above(-HUGE_VAL) == BinaryScale::not_finite);
     for (int const e : {-1901, -1023, -7, -1, 0, 1, 2, 513, 1023}) {

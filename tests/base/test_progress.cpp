@@ -104,6 +104,7 @@ TEST_CASE("cancelled at any moment: nothing is lost, and doing it again gives th
             if (done) return;
             CHECK(attempt.status == HM_CANCELLED);
             CHECK(attempt.error.code == HM_CANCELLED);
+            CHECK(std::string(attempt.error.text) == "the progress callback stopped the call");
             CHECK(listener.events.size() == stop + 1);  // nothing was reported after that
             cancelled = true;
         };

@@ -9,6 +9,8 @@
 
 #include <harmorph_pthreads.h>
 
+#include <algorithm>
+
 using harmorph::Index;
 
 namespace {
@@ -74,6 +76,23 @@ TEST_CASE("the first item that is found in ranges, whatever their order") {
                     });
                 CHECK(found == (first < n ? first : harmorph::none));
             }
+        }
+    }
+    CHECK(order.calls > 0);
+}
+
+TEST_CASE("ranges cover all items once, and none is shorter than allowed") {
+    fixtures::Backwards order;
+    for (harmorph::Executor const& executor :
+         {harmorph::Executor{}, {fixtures::Backwards::run, &order, 3}}) {
+        for (Index const n : {0, 1, 99, 100, 101, 5000}) {
+            constexpr Index min_items = 100;
+            std::vector<int> visited(static_cast<std::size_t>(n), 0);
+            executor.for_ranges(n, min_items, [&](Index begin, Index end) {
+                CHECK(end - begin >= std::min(n, min_items));
+                for (Index k = begin; k < end; ++k) ++visited[static_cast<std::size_t>(k)];
+            });
+            CHECK(visited == std::vector<int>(static_cast<std::size_t>(n), 1));
         }
     }
     CHECK(order.calls > 0);

@@ -249,7 +249,7 @@ TEST_CASE("what is no pair is refused, with the place") {
     {
         Attempt const attempt(its.problem(), &options);
         CHECK(attempt.status == HM_BAD_CONDITION);
-        CHECK(std::string(attempt.error.text).find("no translates") != std::string::npos);
+        CHECK(std::string(attempt.error.text).find("the translated point is") != std::string::npos);
         std::int32_t const l = points_on(its.mesh, left)[4], r = points_on(its.mesh, right)[4];
         CHECK((attempt.error.item == l || attempt.error.item == r));
         CHECK(attempt.error.value == doctest::Approx(1e-4).epsilon(0.2));
@@ -272,12 +272,12 @@ TEST_CASE("what is no pair is refused, with the place") {
         if (its.mesh.face_markers[face] == right && std::fabs(a.y - 0.5) < 0.01)
             its.mesh.face_markers[face] = 50;
     }
-    CHECK(refused(its, "not one open piece", right) == HM_BAD_CONDITION);
+    CHECK(refused(its, "must form one connected line", right) == HM_BAD_CONDITION);
 
     its = two_body_case(Cells::quads, 4, 3);  // closed
     its.conditions.pop_back();
     its.set_periodic(second_body, far_field);
-    CHECK(refused(its, "not one open piece", second_body) == HM_BAD_CONDITION);
+    CHECK(refused(its, "must form one connected line", second_body) == HM_BAD_CONDITION);
 
     its = good;  // of conditions
     its.conditions.back().partner = left;
@@ -290,7 +290,7 @@ TEST_CASE("what is no pair is refused, with the place") {
     CHECK(refused(its, "condition of its own", right) == HM_BAD_CONDITION);
     its = good;
     its.conditions.back().partner = 99;
-    CHECK(refused(its, "no boundary face has it", 99) == HM_BAD_CONDITION);
+    CHECK(refused(its, "no boundary face has marker", 99) == HM_BAD_CONDITION);
 
     its = good;  // a wall that ends on the pair
     its.curves.add([] {
@@ -303,7 +303,7 @@ TEST_CASE("what is no pair is refused, with the place") {
     its.put_on_curves(bottom, 1);
     Attempt const attempt(its.problem(), &options);
     CHECK(attempt.status == HM_BAD_CONDITION);
-    CHECK(std::string(attempt.error.text).find("a wall that moves") != std::string::npos);
+    CHECK(std::string(attempt.error.text).find("a moving wall") != std::string::npos);
     CHECK((attempt.error.item == 0 || attempt.error.item == 8));
 }
 

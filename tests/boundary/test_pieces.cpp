@@ -126,7 +126,8 @@ TEST_CASE("pieces that contradict each other are refused by name") {
     choose_piece(twice, 0.5, 0.5);
     twice.put_on_curves(body, 1);
     choose_piece(twice, 0.4, 0.5);
-    CHECK(refusal(twice) == "other conditions choose all of marker 1 that condition 1 is for");
+    CHECK(refusal(twice) ==
+          "all faces of marker 1 that condition 1 chooses have another condition");
 
     Case none_left = one_marker();
     none_left.put_on_curves(body, 0);
@@ -134,7 +135,8 @@ TEST_CASE("pieces that contradict each other are refused by name") {
     none_left.put_on_curves(body, 1);
     choose_piece(none_left, 1.5, 0.5);
     none_left.add_condition(body, HM_FIXED);
-    CHECK(refusal(none_left) == "other conditions choose all of marker 1 that condition 2 is for");
+    CHECK(refusal(none_left) ==
+          "all faces of marker 1 that condition 2 chooses have another condition");
 
     Case wholes = one_marker();
     wholes.put_on_curves(body, 0);

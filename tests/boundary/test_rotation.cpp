@@ -298,8 +298,7 @@ TEST_CASE("what is no rotation pair is refused, with the place") {
     {
         Attempt const attempt(its.problem(), &options);
         CHECK(attempt.status == HM_BAD_CONDITION);
-        CHECK(std::string(attempt.error.text).find("are not turned about its centre") !=
-              std::string::npos);
+        CHECK(std::string(attempt.error.text).find("the turned point is") != std::string::npos);
         CHECK(attempt.error.item == points_on(its.mesh, left)[4]);
         CHECK(attempt.error.value == doctest::Approx(1e-4).epsilon(0.3));
     }
@@ -313,26 +312,26 @@ TEST_CASE("what is no rotation pair is refused, with the place") {
     CHECK(Attempt(its.problem(), &options).status == HM_OK);
     its = good;
     its.conditions.back().x = 0.01;
-    refused(its, HM_BAD_CONDITION, "are not turned about its centre", options);
+    refused(its, HM_BAD_CONDITION, "the turned point is", options);
     its.conditions.back().x = 1e101;
     refused(its, HM_BAD_CONDITION, "a coordinate beyond 1e100", options);
     its.conditions.back().x = std::nan("");
     refused(its, HM_BAD_CONDITION, "is not finite", options);
     its = good;
     its.conditions.back().kind = HM_PERIODIC_PAIR;
-    refused(its, HM_BAD_CONDITION, "no translates", options);
+    refused(its, HM_BAD_CONDITION, "the translated point is", options);
     its = cascade(Cells::quads);  // translates are turned about nothing
     its.conditions.pop_back();
     its.set_rotation(left, right);
-    refused(its, HM_BAD_CONDITION, "are not turned about its centre", options);
+    refused(its, HM_BAD_CONDITION, "the turned point is", options);
     its = bent(cascade(Cells::quads, 0), 1, 0);  // a whole annulus, cut
-    refused(its, HM_BAD_CONDITION, "are not turned: HM_PERIODIC_PAIR", options);
+    refused(its, HM_BAD_CONDITION, "are not turned; use HM_PERIODIC_PAIR", options);
     its = cascade(Cells::quads);  // a quarter turn about each of two corners
     its.conditions.pop_back();
     its.set_rotation(bottom, left);
     CHECK(Attempt(its.problem(), &options).status == HM_OK);
     its.set_rotation(right, top, 1, 1);
-    refused(its, HM_BAD_CONDITION, "another pair turns about another centre", options);
+    refused(its, HM_BAD_CONDITION, "has another centre or angle", options);
     its = good;
     its.conditions.back().piece = 1;
     refused(its, HM_BAD_CONDITION, "chooses a piece, which a periodic pair cannot", options);

@@ -167,9 +167,10 @@ TEST_CASE("curves that do not fit are refused, with the point") {
     far.condition();
     hm_error error = refusal(far);
     CHECK(error.code == HM_BAD_CONDITION);
-    CHECK(std::string(error.text)
-              .find("from the curve that it should slide along: is the marker another one?") !=
-          std::string::npos);
+    CHECK(
+        std::string(error.text)
+            .find("away from the curve along which it slides; check the marker of the condition") !=
+        std::string::npos);
     CHECK(error.value == doctest::Approx(1));
     CHECK(far.is_outer(static_cast<std::size_t>(error.item)));
 
@@ -188,7 +189,7 @@ TEST_CASE("curves that do not fit are refused, with the point") {
     error = refusal(corners);
     CHECK(error.code == HM_BAD_CONDITION);
     CHECK(
-        std::string(error.text).find("and those after it should slide has a corner between them") !=
+        std::string(error.text).find("and the following points slide has a corner between them") !=
         std::string::npos);
 
     Along of(circle(2, 0));

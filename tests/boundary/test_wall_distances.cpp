@@ -70,7 +70,7 @@ TEST_CASE("a curve in another unit is much larger than the wall: refused") {
         Attempt attempt;
         CHECK(!attempt.analyse(its.problem()));
         CHECK(attempt.status == HM_BAD_CONDITION);
-        CHECK(std::string(attempt.error.text).find("farther than that is large") !=
+        CHECK(std::string(attempt.error.text).find("more than the extent of the curve or wall") !=
               std::string::npos);
     }
 }
@@ -83,6 +83,6 @@ TEST_CASE("a warning about distances is a whole sentence") {
     CHECK(attempt.analyse(its.problem()));
     CHECK(attempt.status == HM_FAR_FROM_CURVE);
     CHECK(std::string(attempt.error.text)
-              .find("from its curve, above .05 of the extent of curve or wall: is the curve its "
-                    "own?") != std::string::npos);
+              .find("away from its curve, more than 0.05 of the extent of the curve or wall; check "
+                    "the curve") != std::string::npos);
 }

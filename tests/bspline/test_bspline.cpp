@@ -180,26 +180,26 @@ TEST_CASE("what is wrong with a curve is said, and where") {
     Fault fault;
     Spline bad = good;
     bad.degree = 6;
-    CHECK(refusal(bad, "has degree @; 1 to 5 are possible", &fault) == Status::bad_curve);
+    CHECK(refusal(bad, "has degree @, but the degree must be 1 to 5", &fault) == Status::bad_curve);
     CHECK(fault.other.number == 6);
     bad = good;
     bad.knots.resize(7);
-    CHECK(refusal(bad, "more than the degree") == Status::bad_curve);
+    CHECK(refusal(bad, "more than its degree") == Status::bad_curve);
     bad = good;
     bad.knots[5] = nan;
     CHECK(refusal(bad, "not finite", &fault) == Status::bad_curve);
     CHECK(fault.item.number == 5);
     bad = good;
     bad.knots[6] = bad.knots[5] - 0.1;
-    CHECK(refusal(bad, "is smaller than the one before it", &fault) == Status::bad_curve);
+    CHECK(refusal(bad, "is smaller than the knot before it", &fault) == Status::bad_curve);
     CHECK(fault.item.number == 6);
     bad = good;
     bad.knots.assign(12, 2);
-    CHECK(refusal(bad, "has no length, or knots beyond 1e100") == Status::bad_curve);
+    CHECK(refusal(bad, "has no length, or a knot is beyond 1e100") == Status::bad_curve);
     for (double const factor : {1e-104, 1e100}) {  // too short, too long for derivatives
         bad = good;
         for (double& knot : bad.knots) knot *= factor;
-        CHECK(refusal(bad, "has no length, or knots beyond 1e100") == Status::bad_curve);
+        CHECK(refusal(bad, "has no length, or a knot is beyond 1e100") == Status::bad_curve);
     }
     bad = good;
     for (double& knot : bad.knots) knot -= good.knots[6];

@@ -248,7 +248,10 @@ TEST_CASE("knots that cannot be inserted are refused by name, with nothing writt
     Finer const absent = refined(set.view(), 1, {1});
     CHECK(absent.status == HM_BAD_ARGUMENT);
     CurveSet fifth(fixtures::clamped(5, 9, 9));
-    CHECK(elevated(fifth.view(), 0).status == HM_BAD_CURVE);
+    Finer const sixth = elevated(fifth.view(), 0);
+    CHECK(sixth.status == HM_BAD_CURVE);
+    CHECK(std::string(sixth.error.text) ==
+          "the degree of curve 0 cannot be raised, because 5 is the largest degree");
 
     double const u = 2.2;
     std::size_t bytes = 0;

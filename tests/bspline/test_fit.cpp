@@ -246,11 +246,11 @@ TEST_CASE("what cannot be fitted is refused, and why") {
     refused(points, options(0, 20), true, "degree", 0);
     refused(points, options(6, 20), true, "degree", 6);
     refused(points, options(3, 3), true, "more than the degree", 3);
-    refused(points, options(3, 61), true, "do not determine", 60);
+    refused(points, options(3, 61), true, "are too few to determine", 60);
     refused(naca({0, 0.4, 0.12, true}, 12, 0.8, 6), options(3, 28), true, "base", 25);
     refused(points, options(3, 20, Closure::tied), false, "loop", none);
     refused(points, options(3, 20, Closure::periodic), false, "loop", none);
-    refused(std::vector<Vec2>(30, Vec2{2, 3}), {}, true, "one place", none);
+    refused(std::vector<Vec2>(30, Vec2{2, 3}), {}, true, "in the same place", none);
 
     std::vector<Vec2> bad = points;
     bad[17].y = std::numeric_limits<double>::quiet_NaN();
@@ -259,12 +259,12 @@ TEST_CASE("what cannot be fitted is refused, and why") {
     refused(bad, {}, true, "not finite", 17);
     bad = points;
     bad[18] = bad[17];
-    refused(bad, {}, true, "coincide", 17);
+    refused(bad, {}, true, "are equal", 17);
     bad = points;
     bad.back() = bad.front();
-    refused(bad, {}, true, "coincide", 59);
-    refused(bad, {}, false, "the last one", 59);  // a loop whose curve would be open
-    refused(bad, options(3, 20, Closure::open), false, "the last one", 59);
+    refused(bad, {}, true, "are equal", 59);
+    refused(bad, {}, false, "without the last point", 59);  // a loop whose curve would be open
+    refused(bad, options(3, 20, Closure::open), false, "without the last point", 59);
     bad = points;
     bad[3].x = 1e308;
     refused(bad, {}, true, "beyond 1e100", 3);
@@ -296,7 +296,7 @@ TEST_CASE("a curve that runs back between two points is said") {
     REQUIRE(at != none);
     CHECK(run.fault.item.number == at);
     CHECK(std::string(run.fault.sentence) ==
-          "between points # and @ the curve runs back: fewer control points help");
+          "the fitted curve runs backwards between points # and @; use fewer control points");
     // It does: of some piece of the curve near that step the direction is against it.
     Curve const& curve = run.fit.curve[0];
     Vec2 const from = square[static_cast<std::size_t>(at)],

@@ -52,6 +52,18 @@ double difference(RefitRun const& a, RefitRun const& b) {
     return out;
 }
 
+int crossings(std::vector<Vec2> const& line) {
+    auto const crosses = [&](std::size_t i, std::size_t j) {
+        Vec2 const a = line[i], b = line[i + 1], c = line[j], d = line[j + 1];
+        return triangle_area(a, b, c) * triangle_area(a, b, d) < 0 &&
+               triangle_area(c, d, a) * triangle_area(c, d, b) < 0;
+    };
+    int out = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        for (std::size_t j = i + 2; j + 1 < line.size(); ++j) out += crosses(i, j) ? 1 : 0;
+    return out;
+}
+
 Naca4 const plain_section{0, 0.4, 0.12, false}, cambered{0.04, 0.4, 0.15, false};
 FitOptions const twenty{3, 20, Closure::automatic};
 
@@ -89,6 +101,27 @@ TEST_CASE(
         last = run.report.max_error;
         CHECK(std::fabs(run.report.chord - 1) < 2e-3);
         CHECK(run.report.closed_width == 0);
+    }
+}
+
+// Camber far in front: without a bound on the slide of control points some moved curves cross
+// themselves at the leading edge, although all points are near the curve.
+TEST_CASE("the moved curve does not cross itself") {
+    FitRun const fit(naca(plain_section), twenty);
+    for (double const camber : {0.03, 0.05, 0.07}) {
+        for (double const front : {0.15, 0.2, 0.25}) {
+            for (double const thickness : {0.12, 0.16, 0.2}) {
+                RefitRun const run(fit.fit.curve[0], nullptr,
+                                   naca({camber, front, thickness, false}, 60));
+                REQUIRE(!failed(run.status));
+                Curve moved = fit.fit.curve[0];
+                moved.control = run.refit.control.data();
+                CAPTURE(camber);
+                CAPTURE(front);
+                CAPTURE(thickness);
+                CHECK(crossings(sampled(moved, 300)) == 0);
+            }
+        }
     }
 }
 
@@ -143,7 +176,7 @@ TEST_CASE("what is no airfoil is refused, and so is a section without the base o
                       run.fault.sentence);
     };
     std::vector<Vec2> const section = naca(cambered);
-    refused({blunt.fit.curve[0], &blunt.fit.curve[1], section}, "its base cannot vanish");
+    refused({blunt.fit.curve[0], &blunt.fit.curve[1], section}, "which cannot vanish");
     std::vector<Vec2> upper(section.begin(), section.begin() + 61);
     refused({sharp.fit.curve[0], nullptr, upper, {false, false}},
             "points are not the outline of an airfoil");
@@ -151,7 +184,7 @@ TEST_CASE("what is no airfoil is refused, and so is a section without the base o
     refused({side.fit.curve[0], nullptr, section}, "curve is not the outline of an airfoil");
     std::vector<Vec2> twice = section;
     twice[5] = twice[6];
-    refused({sharp.fit.curve[0], nullptr, twice}, "coincide");
+    refused({sharp.fit.curve[0], nullptr, twice}, "are equal");
     fixtures::Spline eight = fixtures::clamped(3, 8, 1);
     eight.indices = {0, 1, 2, 3, 2, 4, 5, 0};
     refused({eight.curve(), nullptr, section}, "uses control point # twice");

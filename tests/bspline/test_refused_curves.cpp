@@ -63,9 +63,11 @@ TEST_CASE("points of curves, and knots that are to be inserted") {
          [&](hm_error* e) { return hm_curve_point(&its.set, 1, 1, 0, xy, e); }},
         {HM_BAD_ARGUMENT, "there is no curve -1; the set has 1",
          [&](hm_error* e) { return hm_curve_point(&its.set, -1, 1, 0, xy, e); }},
-        {HM_BAD_ARGUMENT, "knot 0 to be inserted, 4, is not inside curve 0", refine(4)},
-        {HM_BAD_ARGUMENT, "knot 0 to be inserted, 0, is not inside curve 0", refine(0)},
-        {HM_BAD_ARGUMENT, "knot 0 to be inserted, NaN, is not inside curve 0",
+        {HM_BAD_ARGUMENT, "knot 0 to be inserted, 4, is not inside the range of curve 0",
+         refine(4)},
+        {HM_BAD_ARGUMENT, "knot 0 to be inserted, 0, is not inside the range of curve 0",
+         refine(0)},
+        {HM_BAD_ARGUMENT, "knot 0 to be inserted, NaN, is not inside the range of curve 0",
          refine(not_a_number)},
         {HM_BAD_CURVE, "knot 0, 2, would be repeated 2 times, more often than the degree allows",
          refine(2)},
@@ -106,7 +108,7 @@ TEST_CASE("sections: which curves, and an outline round nothing") {
              quantity.kind = HM_CHORD;
              return hm_measure(&its.set, &section, 1, &quantity, &value, nullptr, nullptr, e);
          }},
-        {HM_BAD_CURVE, "the section has no extent",
+        {HM_BAD_CURVE, "all points of the section are in the same place",
          [&](hm_error* e) {
              return hm_measure(&point.set, nullptr, 1, &quantity, &value, nullptr, nullptr, e);
          }},
@@ -122,7 +124,7 @@ TEST_CASE("sections: which curves, and an outline round nothing") {
              section = {sizeof section, 0, 1, 0, 0, 1, 0};
              return hm_measure(&its.set, &section, 1, &quantity, &value, nullptr, nullptr, e);
          }},
-        {HM_BAD_CURVE, "the section encloses no area: 0",
+        {HM_BAD_CURVE, "the section encloses no area: the integral along the outline is 0",
          [&](hm_error* e) {
              quantity.kind = HM_AREA;
              return hm_measure(&flat.set, nullptr, 1, &quantity, &value, nullptr, nullptr, e);
@@ -148,8 +150,8 @@ TEST_CASE("a curve that stands still has no curvature there") {
           HM_BAD_CURVE);
     std::string const text = error.text;
     INFO(text);
-    CHECK(text.find("curve 0 stands still at parameter ") == 0);
-    CHECK(text.find(": it has no curvature there") != std::string::npos);
+    CHECK(text.find("curve 0 has no curvature at parameter ") == 0);
+    CHECK(text.find(", because its derivative is 0 there") != std::string::npos);
     CHECK(value == 7);
 }
 

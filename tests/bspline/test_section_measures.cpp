@@ -434,7 +434,7 @@ TEST_CASE("what cannot be measured is refused with the reason, outputs untouched
     cusp.knots = {0, 0, 0, 0, 1, 1, 1, 1};
     CurveSet still(cusp);
     for (int const kind : {HM_MIN_RADIUS, HM_CURVATURE_VARIATION})
-        CHECK(refusal(still, quantity(kind), "stands still at parameter 5.00000e-1") ==
+        CHECK(refusal(still, quantity(kind), "has no curvature at parameter 5.00000e-1") ==
               HM_BAD_CURVE);
     CHECK(refusal(set, quantity(HM_THICKNESS, 1.5), "station") == HM_BAD_ARGUMENT);
     CHECK(refusal(set, quantity(HM_AREA, 0.5), "station") == HM_BAD_ARGUMENT);
@@ -445,7 +445,7 @@ TEST_CASE("what cannot be measured is refused with the reason, outputs untouched
     outside.struct_size = sizeof outside;
     outside.leading_x = 10;
     outside.trailing_x = 11;
-    CHECK(refusal(set, quantity(HM_THICKNESS, 0.5), "less than two", &outside) == HM_BAD_CURVE);
+    CHECK(refusal(set, quantity(HM_THICKNESS, 0.5), "fewer than two", &outside) == HM_BAD_CURVE);
     outside.n_curves = 2;
     CHECK(refusal(set, quantity(HM_AREA), "exceed", &outside) == HM_BAD_ARGUMENT);
     CurveSet apart = section(true, false);

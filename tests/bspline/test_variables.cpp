@@ -308,7 +308,8 @@ TEST_CASE(
     double const peaks[] = {0.3, 0.6, 0.3};
     hm_variables twice = kind(HM_HICKS_HENNE, 3, 0);
     twice.peaks = peaks;
-    CHECK(refusal(twice, "variable 2 is a combination") == HM_BAD_CONDITION);
+    CHECK(refusal(twice, "variable 2 is a linear combination of the variables before it") ==
+          HM_BAD_CONDITION);
     double const outside[] = {0.3, 1.0};
     hm_variables bad = kind(HM_HICKS_HENNE, 2, 0);
     bad.peaks = outside;

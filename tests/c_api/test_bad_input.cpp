@@ -219,7 +219,7 @@ TEST_CASE("bad boundaries") {
         {HM_BAD_MESH, "does not exist", 3, [](Case& c) { c.mesh.faces[7] = -1; }},
         {HM_BAD_MESH, "on both sides", 8,
          [](Case& c) { c.mesh.faces[8] = 8, c.mesh.faces[9] = 9; }},
-        {HM_BAD_MESH, "an edge of no cell", 1,
+        {HM_BAD_MESH, "is not an edge of any cell", 1,
          [](Case& c) { c.mesh.faces[8] = 1, c.mesh.faces[9] = 12; }},
         {HM_BAD_MESH, "the same point", 7, [](Case& c) { c.mesh.faces[8] = c.mesh.faces[9] = 7; }},
         {HM_BAD_MESH, "no marker", 24, drop_last_face},
@@ -245,11 +245,14 @@ TEST_CASE("bad boundaries") {
             m.list_markers = markers;
         };
     };
-    check_refused({HM_BAD_MESH, "never decrease", 1, {}, lists({0, 3, 2}, {0, 1, 2})});
+    check_refused({HM_BAD_MESH, "must not decrease", 1, {}, lists({0, 3, 2}, {0, 1, 2})});
     check_refused({HM_BAD_MESH, "begin with", 0, {}, lists({1, 3}, {0, 1, 2})});
     check_refused({HM_BAD_MESH, "on both sides", 1, {}, lists({0, 3}, {0, 1, 8})});
-    check_refused(
-        {HM_BAD_MESH, "an edge of no cell", 13, {}, lists({0, 3, 6}, {0, 1, 2, 6, 13, 26})});
+    check_refused({HM_BAD_MESH,
+                   "is not an edge of any cell",
+                   13,
+                   {},
+                   lists({0, 3, 6}, {0, 1, 2, 6, 13, 26})});
     check_refused({HM_BAD_MESH, "does not exist", 1, {}, lists({0, 3}, {0, 1, 48})});
     check_refused({HM_BAD_MESH, "two markers", 0, {}, lists({0, 0, 2}, {0, 1})});
 }
@@ -283,7 +286,7 @@ TEST_CASE(
         INFO(attempt.error.text);
         CHECK(attempt.status == HM_BAD_MESH);
         std::string const text = attempt.error.text;
-        CHECK(text.find("an edge of no cell") != std::string::npos);
+        CHECK(text.find("is not an edge of any cell") != std::string::npos);
         std::int32_t const* const ends = in_lists ? points.data() : view.face_points;
         CHECK(attempt.error.item == ends[0]);
         CHECK(text.find("points " + std::to_string(ends[0]) + " and " + std::to_string(ends[1])) !=
@@ -313,7 +316,7 @@ TEST_CASE("bad cells in two arrays") {
                 [](hm_mesh& m) { m.quad_points = nullptr; });
         refused(HM_BAD_ARGUMENT, "cell_points is NULL", nobody,
                 [](hm_mesh& m) { m.cell_points = nullptr; });
-        refused(HM_BAD_ARGUMENT, "only HM_CELLS_MIXED", mixed.n_quads(),
+        refused(HM_BAD_ARGUMENT, "only the layout HM_CELLS_MIXED", mixed.n_quads(),
                 [](hm_mesh& m) { m.cell_layout = HM_CELLS_TRIANGLES; });
         // Cells are counted through: quad k is cell n_triangles + k.
         mixed.quads[4 * 5 + 2] = 48 + base;
@@ -373,25 +376,27 @@ TEST_CASE("bad curves") {
 TEST_CASE("bad conditions and parameters") {
     Spoiled const all[] = {
         {HM_BAD_CONDITION, "no condition", nobody, [](Case& c) { c.conditions.clear(); }},
-        {HM_BAD_CONDITION, "on no boundary face", 77, [](Case& c) { c.set_free(77); }},
+        {HM_BAD_CONDITION, "no boundary face has marker", 77, [](Case& c) { c.set_free(77); }},
         {HM_BAD_CONDITION, "two conditions", body, [](Case& c) { c.set_free(body); }},
         {HM_BAD_ARGUMENT, "kind", 0, [](Case& c) { c.conditions[0].kind = HM_ROTATION_PAIR + 1; }},
         {HM_BAD_ARGUMENT, "struct_size", 0, [](Case& c) { c.conditions[0].struct_size = 0; }},
         {HM_BAD_CONDITION, "curves that do not exist", 0,
          [](Case& c) { c.conditions[0].n_curves = 2; }},
-        {HM_BAD_CONDITION, "its n_curves is 0: there are 1", 0,
+        {HM_BAD_CONDITION, "its n_curves is 0; there are 1", 0,
          [](Case& c) { c.conditions[0].n_curves = 0; }},
         {HM_BAD_CONDITION, "curves that do not exist", 0,
          [](Case& c) { c.conditions[0].first_curve = -1; }},
         {HM_BAD_CONDITION, "nothing moves", nobody,
          [](Case& c) { c.conditions.clear(), c.set_free(body); }},
         {HM_BAD_CONDITION, "does not exist", 48, [](Case& c) { c.give(48, 0); }},
-        {HM_BAD_CONDITION, "on no curve", 8, [](Case& c) { c.give(8, 0); }},
-        {HM_BAD_CONDITION, "on no curve", 0, [](Case& c) { c.give(0, 0); }},  // on a fixed marker
+        {HM_BAD_CONDITION, "marker is not on a curve", 8, [](Case& c) { c.give(8, 0); }},
+        {HM_BAD_CONDITION, "marker is not on a curve", 0,
+         [](Case& c) { c.give(0, 0); }},  // on a fixed marker
         {HM_BAD_CONDITION, "which does not exist", 0, [](Case& c) { c.give(16, 0, 1); }},
-        {HM_BAD_CONDITION, "outside its curve", 17,
+        {HM_BAD_CONDITION, "outside the range of its curve", 17,
          [](Case& c) { c.give(16, 4), c.give(17, 4.001); }},
-        {HM_BAD_CONDITION, "outside its curve", 17, [](Case& c) { c.give(17, not_a_number); }},
+        {HM_BAD_CONDITION, "outside the range of its curve", 17,
+         [](Case& c) { c.give(17, not_a_number); }},
     };
     for (Spoiled const& bad : all) check_refused(bad);
 }

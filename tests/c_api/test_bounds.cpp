@@ -209,7 +209,7 @@ TEST_CASE("what else a call finds wrong in its numbers") {
     few.n_control = 1;
     const hm_curves* fitted = nullptr;
     says(hm_fit(&fitted, values.data(), 8000, &points, 40, 0, &few, nullptr, &error), HM_BAD_CURVE,
-         "are not enough");
+         "are too few");
 
     // Reports and arrays that are not wanted.
     std::int32_t const degree = set.view().curve[0].degree + 1;
@@ -283,7 +283,7 @@ TEST_CASE("rigid bodies are numbered without a gap") {
         CHECK(attempt.status == (second == 1 ? HM_OK : HM_BAD_CONDITION));
         if (second == 1) continue;
         CHECK(std::string(attempt.error.text) ==
-              "condition 1 names rigid body 2, but not all before it are there");
+              "condition 1 names rigid body 2, but rigid bodies must be numbered without gaps");
     }
 }
 

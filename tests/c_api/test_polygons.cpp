@@ -198,7 +198,7 @@ TEST_CASE(
         CHECK(std::string(error.text).find(words) != std::string::npos);
     };
     start[3] = start[2] + 2;
-    refused(HM_BAD_MESH, "polygon 2 has 2 points; 3 to 1024");
+    refused(HM_BAD_MESH, "polygon 2 has 2 points, but must have 3 to 1024");
     start = its.mesh.cell_start;
     start[0] = 1;
     refused(HM_BAD_MESH, "must begin with index_base");
@@ -218,7 +218,7 @@ TEST_CASE(
     not_analysed("cell 1 names point 1000");
     cells = its.mesh.cells;
     cells[8] = cells[6];
-    not_analysed("cell 1 has point");
+    not_analysed("cell 1 contains point");
     cells = its.mesh.cells;
     std::swap(cells[7], cells[9]);  // its sides cross
     not_analysed("");

@@ -154,7 +154,8 @@ TEST_CASE("coordinates beyond 1e100 are refused, with the point and the value") 
     CHECK(refused.error.item == 17);
     CHECK(refused.error.value == -1.5e100);
     CHECK(refused.error.text ==
-          std::string("point 17 has the coordinate -1.50000e100; they may be as large as 1e100"));
+          std::string(
+              "point 17 has the coordinate -1.50000e100, which is larger than the limit of 1e100"));
 }
 
 TEST_CASE("control points and centres beyond 1e100 are refused") {

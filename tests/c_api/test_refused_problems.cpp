@@ -173,17 +173,19 @@ TEST_CASE("counts and arrays of a problem and of the mesh") {
         {HM_BAD_ARGUMENT, "mesh.n_faces and mesh.n_lists must not be negative",
          [](auto&, auto&, auto& m) { m.n_lists = -1; }},
         {HM_BAD_MESH,
-         "a structured block needs ni, nj >= 2 and ni*nj = n_points; ni is 1, nj is 48",
+         "a structured mesh needs ni, nj >= 2 and ni*nj = n_points, but ni is 1 and nj is 48",
          [](auto&, auto&, auto& m) { m.cell_layout = HM_CELLS_STRUCTURED, m.ni = 1, m.nj = 48; }},
-        {HM_BAD_MESH, "a structured block needs ni, nj >= 2 and ni*nj = n_points; ni is 7, nj is 7",
+        {HM_BAD_MESH,
+         "a structured mesh needs ni, nj >= 2 and ni*nj = n_points, but ni is 7 and nj is 7",
          [](auto&, auto&, auto& m) {
              m.cell_layout = HM_CELLS_STRUCTURED, m.ni = m.nj = 7, m.n_cells = 36;
          }},
-        {HM_BAD_MESH, "a structured block has (ni-1)*(nj-1) cells, mesh.n_cells says 34",
+        {HM_BAD_MESH, "a structured mesh has (ni-1)*(nj-1) cells, but mesh.n_cells is 34",
          [](auto&, auto&, auto& m) {
              m.cell_layout = HM_CELLS_STRUCTURED, m.ni = 8, m.nj = 6, m.n_cells = 34;
          }},
-        {HM_BAD_ARGUMENT, "mesh.n_blocks is 1, but only HM_CELLS_BLOCKS has blocks",
+        {HM_BAD_ARGUMENT,
+         "mesh.n_blocks is 1, but must be 0, as only the layout HM_CELLS_BLOCKS has blocks",
          [](auto&, auto&, auto& m) { m.n_blocks = 1; }},
         {HM_BAD_ARGUMENT, "mesh.n_blocks must be between 1 and 65536, not 0",
          [](auto&, auto&, auto& m) { m.cell_layout = HM_CELLS_BLOCKS; }},
@@ -207,7 +209,7 @@ TEST_CASE("counts and arrays of a problem and of the mesh") {
          [](auto&, auto&, auto& m) { m.points.stride = -1; }},
         {HM_BAD_ARGUMENT, "mesh.face_points or mesh.face_markers is NULL",
          [](auto&, auto&, auto& m) { m.face_points = nullptr; }},
-        {HM_BAD_ARGUMENT, "mesh.list_start, list_points or list_markers is NULL",
+        {HM_BAD_ARGUMENT, "mesh.list_start, mesh.list_points or mesh.list_markers is NULL",
          [](auto&, auto&, auto& m) { m.n_lists = 1; }},
     });
 }
@@ -252,21 +254,21 @@ TEST_CASE("arrays of curves, and the kinds of conditions") {
 }
 
 TEST_CASE("a mesh that contradicts itself, and conditions that contradict each other") {
-    check({{"the boundary edge between points 0 and 1 is on two markers",
+    check({{"the boundary face between points 0 and 1 belongs to two markers",
             [](Case& c) { c.mesh.add_face(0, 1, 77); }},
-           {"cell 0 has point 0 twice", [](Case& c) { c.mesh.cells[1] = 0; }}},
+           {"cell 0 contains point 0 twice", [](Case& c) { c.mesh.cells[1] = 0; }}},
           HM_BAD_MESH);
-    check({{"markers 1 and 13 are one rigid body, but turn about two centres",
+    check({{"markers 1 and 13 belong to one rigid body, but have different centres",
             [](Case& c) {
                 c.conditions.clear();
                 c.curves = {};
                 c.set_rigid(body, 3, 3);
                 c.set_rigid(top, 2, 3);
             }},
-           {"a parameter is given for point 0, which is on no curve's marker",
+           {"a parameter is given for point 0, whose marker is not on a curve",
             [](Case& c) { c.give(0, 0.5); }},
-           {"point 16 is 1.41421e2 from its curve, farther than that is large: is its marker "
-            "another one?",
+           {"point 16 is 1.41421e2 away from its curve, more than the extent of the curve or wall; "
+            "check the marker of the condition",
             [](Case& c) {
                 for (double& number : c.curves.control) number += 100;
             }}},
@@ -285,7 +287,7 @@ TEST_CASE("polygons with more corners than cells can be counted") {
     hm_problem const problem = its.problem(mesh);
     Options const options = laplace();
     std::size_t bytes = 0;
-    check_texts({{HM_BAD_MESH, "the polygons have more than 2^29 corners together",
+    check_texts({{HM_BAD_MESH, "all polygons together have more than 2^29 corners",
                   [&](hm_error* e) { return hm_analysis_size(&problem, &options, &bytes, e); }}});
 }
 
@@ -324,7 +326,8 @@ TEST_CASE("four translations of a periodic mesh, which no lattice has") {
     Attempt const attempt(its.problem());
     CHECK(attempt.status == HM_BAD_CONDITION);
     CHECK(std::string(attempt.error.text) ==
-          "periodic marker 54: there are already 3 other translations");
+          "periodic marker 54 needs another translation, but periodic pairs can have at most 3 "
+          "different translations");
 }
 
 TEST_CASE("a fit: options, and counts of points") {
@@ -346,8 +349,8 @@ TEST_CASE("a fit: options, and counts of points") {
         };
     };
     check_texts({
-        {HM_BAD_CURVE, "points 1 and 2 follow each other and coincide", fit(twice, HM_OPEN)},
-        {HM_BAD_CURVE, "only a loop of points can have a tied or periodic curve",
+        {HM_BAD_CURVE, "the consecutive points 1 and 2 are equal", fit(twice, HM_OPEN)},
+        {HM_BAD_CURVE, "a tied or periodic curve needs points that form a closed loop",
          fit(apart, HM_PERIODIC)},
         {HM_BAD_ARGUMENT, "fit options: struct_size is wrong",
          [&](hm_error* e) {
@@ -358,7 +361,7 @@ TEST_CASE("a fit: options, and counts of points") {
              return options.struct_size = sizeof options, options.closed = 9,
                     hm_fit_size(20, &options, &bytes, e);
          }},
-        {HM_BAD_CURVE, "2147483647 points are too many",
+        {HM_BAD_CURVE, "2147483647 points are too many for a fit",
          [&](hm_error* e) {
              return options.closed = 0, hm_fit_size(2147483647, &options, &bytes, e);
          }},

@@ -74,7 +74,7 @@ TEST_CASE(
     short_of_quads.n_cells = mixed.n_triangles();
     Attempt const triangles(its.problem(short_of_quads));
     CHECK(triangles.status == HM_BAD_MESH);
-    CHECK(says(triangles.error, "are cells missing?"));
+    CHECK(says(triangles.error, "check whether cells are missing"));
 }
 
 TEST_CASE("a struct of a younger caller is longer: what is unknown is left alone") {

@@ -27,6 +27,6 @@ refuses "a basis with its names cut off" 3 'it has 2 names of markers, expected 
     --move "$no_moves"
 refuses "messages name markers: periodic" 2 "has a condition of its own (marker 0 is 'block', marker 3 is 'low')" \
     solve "$box" --rigid block --periodic low:block -o "$tmp/x"
-refuses "messages name markers: one piece" 2 "is not one open piece of the boundary (marker 0 is 'block')" \
+refuses "messages name markers: one piece" 2 "must form one connected line that is not closed (marker 0 is 'block')" \
     solve "$box" --rigid high \
     --periodic block:low -o "$tmp/x"

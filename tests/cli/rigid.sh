@@ -42,7 +42,7 @@ runs "a piece of a marker" 0 solve "$tmp/sides.su2" $on_block --slip low@6:9 -o 
 runs "a piece of a marker: morph" 0 morph "$tmp/sides.su2" "$tmp/piece.basis" --move "$tmp/turn40.txt" \
     -o "$tmp/piece.su2"
 check "a piece of a marker: below is fixed" near $(place 5 0 "$tmp/piece.su2") 5 0
-refuses "a piece of a marker, twice" 2 'choose all of' solve "$tmp/sides.su2" $on_block --slip low@6:9,low@6:12 \
-    -o "$tmp/x"
+refuses "a piece of a marker, twice" 2 'have another condition' solve "$tmp/sides.su2" $on_block \
+    --slip low@6:9,low@6:12 -o "$tmp/x"
 refuses "a piece of an unknown marker" 2 "'top'" solve "$box" $on_block --slip top@6:9 -o "$tmp/x"
 runs "--rigid, a piece" 0 solve "$box" --rigid block@6:4 -o "$tmp/piece.basis"

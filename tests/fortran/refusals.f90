@@ -25,13 +25,13 @@ contains
         its_x(11) = its_x(10)
         its_y(11) = its_y(10)
         call curves%fit(its_x, its_y, .true., stat=stat, err=err)
-        call check(err%text == "points 10 and 11 follow each other and coincide", "two points of a fit: " // err%text)
+        call check(err%text == "the consecutive points 10 and 11 are equal", "two points of a fit: " // err%text)
         call check(err%item == 10, "the first of them")
         call curves%set(reshape([0, 0, 1, 0, 2, 1, 3, 0] * 1._dp, [2, 4]))
         call curves%add(1, [0, 0, 1, 1] * 1._dp, [1_c_int32_t, 2_c_int32_t])
         call curves%add(2, [0, 0, 0, 2, 1, 1, 1] * 1._dp)
         call curves%check(stat, err)
-        call check(err%text == "knot 5 of curve 2 is smaller than the one before it", "a knot: " // err%text)
+        call check(err%text == "knot 5 of curve 2 is smaller than the knot before it", "a knot: " // err%text)
         call check(err%item == 5, "its number")
         copy = curves
         copy%curve(2)%knots = [0, 0, 0, 1, 2, 2, 2] * 1._dp
@@ -43,7 +43,7 @@ contains
         copy%curve(2)%degree = 0
         copy%curve(2)%knots = [0, 0, 1, 1, 1] * 1._dp
         call copy%check(stat, err)
-        call check(err%text == "curve 2 has degree 0; 1 to 5 are possible", "a degree: " // err%text)
+        call check(err%text == "curve 2 has degree 0, but the degree must be 1 to 5", "a degree: " // err%text)
         call check(err%item == 2, "of the second curve")
         move = 0
         move(2, n_control) = nan

@@ -19,8 +19,11 @@ executions=0 edges=0 findings=0
 export ASAN_OPTIONS="quarantine_size_mb=8:malloc_context_size=8${ASAN_OPTIONS:+:$ASAN_OPTIONS}"
 
 build() {   # compiler, flags to compile, flags to link, flags of files whose branches are followed
-    $MAKE -s JOBS="$JOBS" BUILD="$dir" CXX="$1" CXXFLAGS="$flags $2" LDFLAGS="$3" LEVEL="-O2 ${4-}" \
-        LEVEL_OF_CALLS="-O2 ${4-}" LEVEL_OF_LOOPS=-O1 LOOPS="$tables" fuzzer || exit 1
+    {
+        for table in $tables; do echo "$table -O1"; done
+        for folder in src/ c_api/; do echo "$folder -O2 ${4-}"; done
+    } >"$dir/levels"
+    $MAKE -s JOBS="$JOBS" BUILD="$dir" LEVELS="$dir/levels" CXX="$1" CXXFLAGS="$flags $2" LDFLAGS="$3" fuzzer || exit 1
 }
 run_libfuzzer() {   # target
     mkdir -p "$dir/$1" "$dir/findings"

@@ -181,19 +181,18 @@ TEST_CASE("blocks: what is wrong is refused") {
             [](Blocks&, hm_mesh& m) { m.block_sizes = nullptr; });
     refused(HM_BAD_ARGUMENT, "n_blocks must be", [](Blocks&, hm_mesh& m) { m.n_blocks = 0; });
     refused(HM_BAD_ARGUMENT, "n_blocks must be", [](Blocks&, hm_mesh& m) { m.n_blocks = -1; });
-    refused(HM_BAD_ARGUMENT, "only HM_CELLS_BLOCKS",
+    refused(HM_BAD_ARGUMENT, "only the layout HM_CELLS_BLOCKS",
             [](Blocks&, hm_mesh& m) { m.cell_layout = HM_CELLS_QUADS; });
     refused(HM_BAD_MESH, "block 1 has ni or nj below 2", [](Blocks& b, hm_mesh& m) {
         b.sizes[2] = 1;
         m.n_cells = 80;
     });
-    refused(HM_BAD_MESH, "together, but mesh.n_points is",
+    refused(HM_BAD_MESH, "points, but mesh.n_points is",
             [](Blocks& b, hm_mesh&) { b.sizes[0] += 1; });
-    refused(HM_BAD_MESH, "together, but mesh.n_cells is",
-            [](Blocks&, hm_mesh& m) { m.n_cells = 5; });
-    refused(HM_BAD_MESH, "has one cell and no marker",
+    refused(HM_BAD_MESH, "cells, but mesh.n_cells is", [](Blocks&, hm_mesh& m) { m.n_cells = 5; });
+    refused(HM_BAD_MESH, "has a cell on one side only and no marker",
             [](Blocks& b, hm_mesh&) { b.markers[2] = HM_NO_MARKER; });
-    refused(HM_BAD_MESH, "has one cell and no marker",
+    refused(HM_BAD_MESH, "has a cell on one side only and no marker",
             [](Blocks& b, hm_mesh&) { b.x[0] *= 1 + 1e-9; });
     refused(HM_BAD_MESH, "more than two cells", [](Blocks& b, hm_mesh& m) {  // a block twice
         b.sizes.insert(b.sizes.end(), {b.sizes[0], b.sizes[1]});

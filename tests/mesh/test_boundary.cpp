@@ -145,7 +145,7 @@ TEST_CASE("pieces: runs of faces that are on, across the place where a loop is c
             std::int32_t const marker = seen->boundary().marker[face];
             return marker == first || marker == second;
         };
-        std::int32_t const n = seen->boundary().for_each_piece(
+        std::int32_t const n = seen->boundary().for_each_chain(
             is_on,
             [&](std::int32_t piece, std::int32_t point) {
                 pieces.resize(static_cast<std::size_t>(piece) + 1);

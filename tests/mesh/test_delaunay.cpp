@@ -239,7 +239,8 @@ TEST_CASE("more cells than can be split are refused before anything is read") {
     harmorph::Triangulation triangulation;
     harmorph::Fault fault;
     CHECK(triangulation.build(of, fault) == harmorph::Status::unsupported);
-    CHECK(std::string(fault.sentence) ==
-          "the bounded scheme can split no more than 2^28 cells, the mesh has #");
+    CHECK(
+        std::string(fault.sentence) ==
+        "the bounded scheme can split at most 2^28 cells into triangles, but the mesh has # cells");
     CHECK(fault.item.number == of.mesh.n_cells);
 }

@@ -102,7 +102,8 @@ TEST_CASE("a cell of which two corners are one point") {
     Edges const found(mesh, true, {std::min(one, other), std::max(one, other)});
     CHECK(found.status == harmorph::Status::bad_mesh);
     CHECK(found.fault.item.number == 0);
-    CHECK(std::string(found.fault.sentence) == "cell # has two corners that a cut makes one point");
+    CHECK(std::string(found.fault.sentence) ==
+          "cell # has two corners that a cut joins into one point");
 }
 
 TEST_CASE("points that stand for themselves need no list") {

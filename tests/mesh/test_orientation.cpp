@@ -83,14 +83,14 @@ TEST_CASE(
                 lowest = std::fmin(lowest, corners.smallest_height(cell.n));
                 bound = std::fmin(bound, corners.smallest() / longest);
             });
-            harmorph::Sense const sense = common_sense(view, found);
+            harmorph::Sense const sense = common_orientation(view, found);
             CHECK(sense ==
                   (clockwise ? harmorph::Sense::clockwise : harmorph::Sense::counter_clockwise));
             CHECK(found <= lowest);
             CHECK(found <= bound);
             CHECK(found > (1 - 1e-8) * bound);
             reverse_some(mesh, 4);
-            CHECK(common_sense(core_mesh(mesh), found) == harmorph::Sense::mixed);
+            CHECK(common_orientation(core_mesh(mesh), found) == harmorph::Sense::mixed);
             CHECK(found == 0);
         }
     }

@@ -129,7 +129,7 @@ TEST_CASE("a polygon is divided into n - 2 triangles of positive area; each corn
             double sum = 0, smallest = 1;
             for (std::int32_t i = 0; i < its.pieces.n_checked(); ++i) {
                 CHECK(its.pieces.number(i) == 0);
-                CHECK(its.pieces.is_part(i));
+                CHECK(its.pieces.is_piece_or_guard(i));
                 if (i >= its.pieces.n_cells) continue;
                 double const twice = sense * its.twice_area_of(i);
                 smallest = std::min(smallest, twice);
@@ -158,7 +158,7 @@ TEST_CASE(
     CHECK(triangle.pieces.cell(0).n == 3);
     CHECK(quad.pieces.n_checked() == 1);
     CHECK(quad.pieces.cell(0).n == 4);
-    CHECK(!quad.pieces.is_part(0));
+    CHECK(!quad.pieces.is_piece_or_guard(0));
     Divided const bow({{0, 0}, {1, 1}, {1, 0}, {0, 1.2}});
     double smallest = 1, largest = -1;
     for (std::int32_t i = 0; i < bow.pieces.n_cells; ++i) {
@@ -186,7 +186,7 @@ TEST_CASE("numbers of pieces and guards are those of the cells, also of cells th
             CHECK(std::count(corners.begin(), corners.end(), piece.point[k]) == 1);
         }
         if (i < pieces.n_cells) ++found[static_cast<std::size_t>(cell)];
-        CHECK(pieces.is_part(i) == (corners.size() > 4));
+        CHECK(pieces.is_piece_or_guard(i) == (corners.size() > 4));
     }
     for (std::int32_t cell = 0; cell < mesh.n_cells(); ++cell) {
         std::int32_t const n = static_cast<std::int32_t>(corners_of(mesh, cell).size());

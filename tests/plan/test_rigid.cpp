@@ -190,7 +190,7 @@ TEST_CASE("bodies are checked: gaps, centres, numbers out of range, parameters o
     Case const good = flap();
     Case its = good;
     its.conditions.back().body = 1;
-    CHECK(refused(its, "not all before it are there") == HM_BAD_CONDITION);
+    CHECK(refused(its, "must be numbered without gaps") == HM_BAD_CONDITION);
     for (std::int32_t const wrong : {-1, 1 << 20, 2147483647, -2147483647 - 1}) {
         its.conditions.back().body = wrong;
         CHECK(refused(its, "rigid body") == HM_BAD_CONDITION);
@@ -205,7 +205,7 @@ TEST_CASE("bodies are checked: gaps, centres, numbers out of range, parameters o
     its.conditions.pop_back();
     its.set_rigid(31, 1.5, 0.5);
     its.set_rigid(32, 1.5, 0.6);
-    CHECK(refused(its, "two centres") == HM_BAD_CONDITION);
+    CHECK(refused(its, "different centres") == HM_BAD_CONDITION);
     its.conditions.back().body = 1;  // two bodies may
     Options const options = options_of(HM_CONFORMAL);
     CHECK(Attempt(its.problem(), &options).status == HM_OK);
@@ -214,5 +214,5 @@ TEST_CASE("bodies are checked: gaps, centres, numbers out of range, parameters o
     CHECK(refused(its, "two conditions") == HM_BAD_CONDITION);
     its = good;
     its.give(points_on(its.mesh, second_body)[3], 0.5);
-    CHECK(refused(its, "on no curve") == HM_BAD_CONDITION);
+    CHECK(refused(its, "which is not on a curve") == HM_BAD_CONDITION);
 }

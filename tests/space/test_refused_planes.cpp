@@ -26,14 +26,14 @@ TEST_CASE(
     REQUIRE(Plane(good.view()).status == HM_OK);
     Extruded bad = good;
     bad.x[static_cast<std::size_t>(n + 9)] += 0.1;
-    refused(bad, "point 57 is 1.00000e-1 away from being opposite", n + 9);
+    refused(bad, "the projection of point 57 is 1.00000e-1 away", n + 9);
     bad = good;
     for (std::size_t k = static_cast<std::size_t>(n); k < bad.x.size(); ++k)
         bad.x[k] *= 1.01;  // a tapered wing
-    refused(bad, "away from being opposite", n + 1);
+    refused(bad, "away from the nearest point", n + 1);
     bad = good;
     bad.z[5] += 0.2;
-    refused(bad, "point 5 of the faces is 2.00000e-1 outside the plane", 5);
+    refused(bad, "point 5 is 2.00000e-1 away from the plane", 5);
     bad = good;
     bad.x[3] = std::nan("");
     refused(bad, "point 3 has a coordinate that is not finite", 3);
@@ -41,7 +41,7 @@ TEST_CASE(
     bad.y[3] = 1e101;
     refused(bad, "1e100", 3);
     bad.y[3] = 1e100;
-    refused(bad, "away from being opposite", n + 3);
+    refused(bad, "away from the nearest point", n + 3);
     bad = good;
     bad.faces[6] = 2 * n;
     refused(bad, "face 1 names point 96", 1);
@@ -51,14 +51,14 @@ TEST_CASE(
     bad = good;
     bad.sides[1] = bad.sides[0];
     bad.sides[2] = bad.sides[3];
-    refused(bad, "side 0 has points of 1 different points of the plane", 0);
+    refused(bad, "the points of side 0 belong to 1 points of the plane", 0);
     bad = good;
     bad.sides[1] = 20;
-    refused(bad, "side 0 has points of 3 different", 0);
+    refused(bad, "the points of side 0 belong to 3 points", 0);
     bad = good;
     bad.x[static_cast<std::size_t>(n + 9)] = bad.x[static_cast<std::size_t>(n + 10)];
     bad.y[static_cast<std::size_t>(n + 9)] = bad.y[static_cast<std::size_t>(n + 10)];
-    refused(bad, "point 9 of the faces has no point opposite", 9);
+    refused(bad, "point 9 of the faces has no opposite point", 9);
     bad = good;
     bad.face_start[0] = 1;
     refused(bad, "face_start must begin with index_base, not 1", 1);
@@ -98,9 +98,12 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
     bad_argument("space.kind -1 is unknown", [](hm_space_mesh& s) { s.kind = -1; });
     bad_argument("space.index_base must be 0 or 1, not 2",
                  [](hm_space_mesh& s) { s.index_base = 2; });
-    bad_argument("space.points.x, y or z is NULL", [](hm_space_mesh& s) { s.points.x = nullptr; });
-    bad_argument("space.points.x, y or z is NULL", [](hm_space_mesh& s) { s.points.y = nullptr; });
-    bad_argument("space.points.x, y or z is NULL", [](hm_space_mesh& s) { s.points.z = nullptr; });
+    bad_argument("space.points.x, space.points.y or space.points.z is NULL",
+                 [](hm_space_mesh& s) { s.points.x = nullptr; });
+    bad_argument("space.points.x, space.points.y or space.points.z is NULL",
+                 [](hm_space_mesh& s) { s.points.y = nullptr; });
+    bad_argument("space.points.x, space.points.y or space.points.z is NULL",
+                 [](hm_space_mesh& s) { s.points.z = nullptr; });
     bad_argument("space.points.stride is negative", [](hm_space_mesh& s) { s.points.stride = -1; });
     bad_argument("space.face_points is NULL", [](hm_space_mesh& s) { s.face_points = nullptr; });
     bad_argument("space.side_points or space.side_markers is NULL",
@@ -111,19 +114,22 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
                  [](hm_space_mesh& s) { s.n_sides = -1; });
     bad_argument("space.n_sides must be between 0 and 2^29, not 536870913",
                  [](hm_space_mesh& s) { s.n_sides = (1 << 29) + 1; });
-    bad_argument("space.tolerance must be a length, not -1",
+    bad_argument("space.tolerance must be a length of 0 or more, not -1",
                  [](hm_space_mesh& s) { s.tolerance = -1; });
-    bad_argument("space.tolerance must be a length, not NaN",
+    bad_argument("space.tolerance must be a length of 0 or more, not NaN",
                  [](hm_space_mesh& s) { s.tolerance = std::nan(""); });
-    bad_argument("space.axis or axis_point is not finite, or the kind is not HM_WEDGE",
-                 [](hm_space_mesh& s) { s.axis[2] = 1; });  // of no wedge
-    bad_argument("space.axis or axis_point is not finite, or the kind is not HM_WEDGE",
-                 [](hm_space_mesh& s) {
-                     s.kind = HM_WEDGE;
-                     s.axis[2] = std::nan("");
-                 });
     bad_argument(
-        "space.axis is 0, but the other points lie in no inclined plane that would tell the axis",
+        "space.axis and space.axis_point must be finite, and 0 unless the kind is HM_WEDGE",
+        [](hm_space_mesh& s) { s.axis[2] = 1; });  // of no wedge
+    bad_argument(
+        "space.axis and space.axis_point must be finite, and 0 unless the kind is HM_WEDGE",
+        [](hm_space_mesh& s) {
+            s.kind = HM_WEDGE;
+            s.axis[2] = std::nan("");
+        });
+    bad_argument(
+        "space.axis is 0, and the axis cannot be found, because the other points do not lie in one "
+        "inclined plane; set space.axis",
         [](hm_space_mesh& s) { s.kind = HM_WEDGE; });
     refused(HM_BAD_MESH, "space.n_points must be between 3 and 2^30, not 2",
             [](hm_space_mesh& s) { s.n_points = 2; });
@@ -142,7 +148,8 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
         {{HM_UNSUPPORTED, "space: fields are set that this version of the library does not know",
           [&](hm_error* e) { return hm_plane_size(&younger.known, &bytes, e); }}});
     static std::int32_t const no_corners[200] = {};
-    refused(HM_BAD_MESH, "space.face_start says there are 0 corners of faces",
+    refused(HM_BAD_MESH,
+            "by space.face_start the faces have 0 corners, but there must be 3 to 2^31 - 2",
             [](hm_space_mesh& s) { s.face_start = no_corners; });
     REQUIRE(plane.status == HM_OK);
     Solved const solved(its);
@@ -193,12 +200,13 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
 }
 
 TEST_CASE(
-    "coordinates may be as large as 1e100, and no larger; cells of three and four corners are no "
+    "coordinates larger than the limit of 1e100, and no larger; cells of three and four corners "
+    "are no "
     "polygons") {
     Extruded space(tiny_case().mesh, along_axis(2));
     CHECK(Plane(space.view()).mesh.cell_layout != HM_CELLS_POLYGONS);
     space.x[0] = 1e100;  // no plane mesh, but not for that
-    CHECK(!says(Plane(space.view()).error, "may be as large"));
+    CHECK(!says(Plane(space.view()).error, "larger than the limit"));
     space.x[0] = std::nextafter(1e100, 2e100);
-    CHECK(says(Plane(space.view()).error, "may be as large as 1e100"));
+    CHECK(says(Plane(space.view()).error, "larger than the limit of 1e100"));
 }

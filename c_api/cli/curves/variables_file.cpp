@@ -50,6 +50,20 @@ std::vector<double> VariableMap::control_moves(const std::vector<double>& values
     return moves;
 }
 
+std::vector<double> VariableMap::variable_gradient(const std::vector<double>& gradient) const {
+    const auto n = static_cast<std::size_t>(variables);
+    std::vector<double> by(2 * n);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(points); ++i) {
+        for (std::size_t j = 0; j < n; ++j) {
+            const double a = matrix[2 * (i * n + j)], b = matrix[2 * (i * n + j) + 1],
+                         x = gradient[2 * i], y = gradient[2 * i + 1];
+            by[2 * j] += a * x + b * y;
+            by[2 * j + 1] += a * y - b * x;
+        }
+    }
+    return by;
+}
+
 VariableMap read_variables(const std::string& path) {
     const TextFile file(path);
     LineReader lines(file, '#');

@@ -19,6 +19,9 @@ struct VariableMap {
 
     // Movements of the control points for those of the variables, both pairs.
     std::vector<double> control_moves(const std::vector<double>& values) const;
+    // The transpose: derivatives by the values, both pairs. gradient: by the control points at
+    // least.
+    std::vector<double> variable_gradient(const std::vector<double>& gradient) const;
 };
 
 VariableMap read_variables(const std::string& path);

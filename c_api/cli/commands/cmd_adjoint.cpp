@@ -1,0 +1,172 @@
+// harmorph adjoint: from derivatives by mesh points, as an adjoint flow solver writes them, to
+// derivatives by control points, bodies and design variables.
+#include <harmorph_design.h>
+#include "basics/json.hpp"
+#include "basics/numbers.hpp"
+#include "basics/output_file.hpp"
+#include "basics/threads.hpp"
+#include "commands/commands.hpp"
+#include "curves/gradient_file.hpp"
+#include "mesh/sensitivity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace cli {
+
+namespace {
+
+SensitivityColumns columns_of(const Arguments& arguments) {
+    SensitivityColumns columns;
+    if (arguments.has("--x")) columns.x = arguments.text("--x");
+    if (arguments.has("--y")) columns.y = arguments.text("--y");
+    if (!arguments.has("--normal")) {
+        for (const char* option : {"--into", "--per-length"})
+            if (arguments.has(option))
+                arguments.refuse(std::string(option) + " goes with --normal");
+        return columns;
+    }
+    for (const char* option : {"--x", "--y"})
+        if (arguments.has(option))
+            arguments.refuse(std::string(option) + " and --normal exclude each other");
+    columns.normal = arguments.text("--normal");
+    if (!arguments.has("--into"))
+        arguments.refuse("--normal needs --into fluid or --into body: where the normals point");
+    columns.into_fluid = arguments.choice("--into", {{"fluid", 1}, {"body", 0}}) == 1;
+    columns.per_length = arguments.has("--per-length");
+    return columns;
+}
+
+// The largest s for which the movement -s * gradient inverts no cell and makes the boundary touch
+// nowhere.
+double admissible_descent(const Mesh& mesh, const Basis& basis, std::vector<double> gradient,
+                          const Threads& threads) {
+    for (double& g : gradient) g = -g;
+    Field by(mesh.x.size());
+    const hm_points_out out = by.write();
+    call(mesh, hm_morph, basis.get(), gradient.data(), nullptr, &out, threads.executor());
+    const hm_mesh view = mesh.view();
+    const hm_points along = by.read();
+    auto step = sized<hm_step_report>();
+    call(mesh, hm_assess, basis.get(), &view, nullptr, &along, nullptr, threads.executor(), &step,
+         nullptr);
+    return std::min(step.admissible, step.boundary);
+}
+
+void smooth(const Mesh& mesh, const Basis& basis, double length, std::vector<double>& gradient) {
+    std::size_t bytes = 0;
+    call(mesh, hm_smooth_gradient_size, &basis.curves(), &bytes);
+    Block work(bytes);
+    call(mesh, hm_smooth_gradient, &basis.curves(), length, gradient.data(), gradient.data(),
+         static_cast<void*>(work.data()), bytes);
+}
+
+Gradient gradient_of(const Arguments& arguments, const std::string& path, const Mesh& mesh,
+                     const Basis& basis, const Threads& threads) {
+    const Sensitivity sensitivity = read_sensitivity(path, columns_of(arguments), mesh);
+    Gradient found;
+    found.objective = path;
+    found.points = sensitivity.rows;
+    found.by_functions.resize(2 * static_cast<std::size_t>(basis.functions()));
+    const hm_points by = sensitivity.by.read();
+    call(mesh, hm_adjoint, basis.get(), &by, found.by_functions.data(), threads.executor());
+    if (arguments.has("--smooth")) {
+        if (basis.n_control() == 0)
+            arguments.refuse("--smooth: the basis has no curve along which to smooth");
+        smooth(mesh, basis, arguments.positive("--smooth", 0), found.by_functions);
+    }
+    found.admissible_descent = admissible_descent(mesh, basis, found.by_functions, threads);
+    return found;
+}
+
+void run_adjoint(const Arguments& arguments) {
+    const std::vector<std::string> paths = arguments.all("--sensitivity");
+    if (paths.empty()) arguments.refuse("--sensitivity is required");
+    const Mesh mesh = read_mesh(arguments, 0);
+    const Basis basis(arguments.operand(1), mesh);
+    const Threads threads(threads_of(arguments));
+    std::optional<VariableMap> map;
+    if (arguments.has("--variables")) {
+        map = read_variables(arguments.text("--variables"));
+        if (map->points != basis.n_control()) {
+            throw Failure(exit_file, arguments.text("--variables") + ": its variables are of " +
+                                         plural(map->points, "control point") +
+                                         ", the curves of the basis have " +
+                                         std::to_string(basis.n_control()));
+        }
+    }
+    std::vector<Gradient> gradients;
+    for (const std::string& path : paths)
+        gradients.push_back(gradient_of(arguments, path, mesh, basis, threads));
+    if (arguments.has("-o")) {
+        OutputFiles files;
+        const std::string& path = arguments.text("-o");
+        write_gradients(files.add(path), path, gradients, basis, mesh, map ? &*map : nullptr);
+        files.commit();
+    }
+    if (arguments.has("--json")) {
+        std::printf("%s\n",
+                    gradients_json(gradients, basis, mesh, map ? &*map : nullptr).text().c_str());
+        return;
+    }
+    for (const Gradient& gradient : gradients) {
+        std::printf(
+            "objective        %s: derivatives at %s of the mesh's %d\n", gradient.objective.c_str(),
+            plural(static_cast<std::int64_t>(gradient.points), "point").c_str(), mesh.points());
+        const double most = gradient.admissible_descent;
+        std::printf("steepest descent %s\n",
+                    std::isinf(most) ? "no limit"
+                                     : (brief(most) + " times the gradient, subtracted from the "
+                                                      "control points, is admissible")
+                                           .c_str());
+    }
+}
+
+}  // namespace
+
+const Command adjoint_command = {
+    "adjoint",
+    {"MESH", "BASIS"},
+    "Derivatives by control points from derivatives by mesh points",
+    "An adjoint flow solver writes the derivatives of an objective by the coordinates of all mesh "
+    "points. This command\n"
+    "multiplies them by the transpose of the morph: the result are derivatives by what BASIS "
+    "moves, exact to rounding.\n"
+    "FILE is a table \"point dJ/dx dJ/dy\" (points from 0, in the order of MESH), a CSV file with "
+    "the names of columns in\n"
+    "its first line (SU2's volume and surface files), or a binary restart file of SU2. Rows are "
+    "matched by the column\n"
+    "PointID, or by x and y; where a file has both, they must agree. Points without a row have "
+    "derivative 0.\n"
+    "The output has the lines of a file of moves: \"index dJ/dx dJ/dy\", \"rigid MARKER dJ/dx "
+    "dJ/dy dJ/ddegrees dJ/dscale\",\n"
+    "\"mode K dJ/damplitude dJ/damplitude-y\"; with --variables \"variable dJ/dvalue "
+    "dJ/dvalue-y\". Morphs are linear in\n"
+    "the control points: second derivatives by control points are F^T H F with the solver's H, "
+    "and have no other term.\n",
+    std::vector<Option>{
+        {"--sensitivity", "FILE", "derivatives by mesh points; may be repeated, once an objective"},
+        {"--x", "NAME", "the column of dJ/dx (default: Sensitivity_x)"},
+        {"--y", "NAME", "the column of dJ/dy (default: Sensitivity_y)"},
+        {"--normal", "NAME",
+         "the column of derivatives along the normals of the boundary, instead of --x and --y"},
+        {"--into", "SIDE", "for --normal: the normals point into the fluid or into the body"},
+        {"--per-length", nullptr,
+         "for --normal: the values are by the length of the wall (default: by point)"},
+        {"--variables", "MAP",
+         "derivatives by the design variables in MAP, a file of `harmorph variables`"},
+        {"--smooth", "LENGTH",
+         "smooth the gradient along the curves: changes along less than LENGTH are damped"},
+        {"-o", "FILE", "where to write the gradient: .csv, .json, or else text"},
+        {"--json", nullptr, "print one JSON object with all gradients"},
+        format_option,
+        zone_option,
+        threads_option},
+    "  harmorph adjoint mesh.su2 airfoil.basis --sensitivity vol_sens.csv -o drag.gradient\n"
+    "  harmorph adjoint mesh.su2 airfoil.basis --sensitivity drag.csv --sensitivity lift.csv "
+    "--variables cst.map -o g.csv\n",
+    run_adjoint};
+
+}  // namespace cli

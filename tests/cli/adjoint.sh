@@ -1,0 +1,123 @@
+# Sensitivities of flow solvers, turned into gradients by control points, variables and bodies.
+
+mesh=$tmp/demo/mesh.su2 basis=$tmp/demo/airfoil.basis
+[ -e "$basis" ] || makes demo "$tmp/demo" --mesh "$meshes/naca0012.su2"
+# Derivatives of a function of all mesh points, as tables in several layouts.
+awk -v out="$tmp/sens" -v n=0 '/^NPOIN/ { inside = 1; next } /^[A-Z]/ { inside = 0 }
+    inside {
+        dx = sin(3 * n) / (1 + $1 * $1 + $2 * $2); dy = cos(5 * n) / (1 + $1 * $1 + $2 * $2)
+        x[n] = $1; y[n] = $2; a[n] = sprintf("%.15g", dx); b[n++] = sprintf("%.15g", dy)
+    }
+    END {
+        print "# point dJ/dx dJ/dy" >out ".txt"
+        print "\"PointID\",\"x\",\"y\",\"Pressure\",\"Sensitivity_x\",\"Sensitivity_y\"" >out ".csv"
+        print "x,y,jx,jy" >out "-placed.csv"
+        print "Sensitivity_x,Sensitivity_y" >out "-ordered.csv"
+        for (k = n - 1; k >= 0; k--) {
+            print k, a[k], b[k] >out ".txt"
+            printf "%d, %.9e, %.9e, 1.5, %s, %s\n", k, x[k], y[k], a[k], b[k] >out ".csv"
+            printf "%.8e,%.8e,%s,%s\n", x[k], y[k], a[k], b[k] >out "-placed.csv"
+        }
+        for (k = 0; k < n; k++) printf "%s,%s\n", a[k], b[k] >out "-ordered.csv"
+    }' "$mesh"
+runs "adjoint: a table" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/sens.txt" -o "$tmp/gradient" --json
+check "adjoint: all points have a row" test "$(number points)" -gt 1000
+check "adjoint: a limit of the descent" awk -v s="$(number admissible_descent)" 'BEGIN { exit !(s > 0) }'
+lines() { grep -v '^#' "$1"; }
+same_lines() { lines "$1" >"$tmp/a" && lines "$2" >"$tmp/b" && cmp "$tmp/a" "$tmp/b"; }
+for layout in .csv -ordered.csv; do
+    runs "adjoint: sens$layout" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/sens$layout" -o "$tmp/other"
+    check "adjoint: sens$layout: the same bits" same_lines "$tmp/gradient" "$tmp/other"
+done
+runs "adjoint: by coordinates, other columns" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/sens-placed.csv" \
+    --x jx --y jy --threads 2 -o "$tmp/other"
+check "adjoint: by coordinates: the same bits" same_lines "$tmp/gradient" "$tmp/other"
+if command -v perl >/dev/null; then
+    perl -e 'binmode STDOUT; open my $f, "<", $ARGV[0]; <$f>; my @r = map { [split /,/] } <$f>;
+        print pack("i<5", 535532, 3, scalar @r, 0, 0);
+        print map { pack "a33", $_ } "Pressure", "Sensitivity_x", "Sensitivity_y";
+        print pack("d<3", 1, @$_) for @r' "$tmp/sens-ordered.csv" >"$tmp/restart.dat"
+    runs "adjoint: SU2's restart" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/restart.dat" -o "$tmp/other"
+    check "adjoint: SU2's restart: the same bits" same_lines "$tmp/gradient" "$tmp/other"
+    head -c 3000 "$tmp/restart.dat" >"$tmp/short.dat"
+    refuses "adjoint: a short restart" 3 'and is shorter' adjoint "$mesh" "$basis" \
+        --sensitivity "$tmp/short.dat" -o "$tmp/x"
+fi
+
+# The transpose: the derivatives by the mesh points times the movement of these, and the gradient times the movement of
+# the control points, are one number.
+printf '3 .01 .02\n9 -.02 .01\n14 .005 -.01\n' >"$tmp/three.moves"
+runs "adjoint: a movement" 0 morph "$mesh" "$basis" --move "$tmp/three.moves" -o "$tmp/moved.su2" --csv "$tmp/where.csv"
+cat >"$tmp/pairing.awk" <<'END'
+FILENAME == ARGV[1] && !/^#/ { gx[$1] = $2; gy[$1] = $3; next }
+FILENAME == ARGV[2] { by += gx[$1] * $2 + gy[$1] * $3; next }
+FILENAME == ARGV[3] && !/^#/ { sx[$1] = $2; sy[$1] = $3; next }
+/^NPOIN/ { inside = 1; n = 0; next }
+/^[A-Z]/ { inside = 0 }
+inside && FILENAME == ARGV[4] { x[n] = $1; y[n++] = $2; next }
+inside { on += sx[n] * ($1 - x[n]) + sy[n] * ($2 - y[n]); n++ }
+END { print by, on; exit !(by != 0 && (by - on) ^ 2 < 1e-26) }
+END
+check "adjoint: the dot product" awk -f "$tmp/pairing.awk" "$tmp/gradient" "$tmp/three.moves" "$tmp/sens.txt" \
+    "$mesh" "$tmp/moved.su2"
+
+# Variables: the transpose of the map.
+makes variables "$tmp/demo/airfoil.curve" --cst 4,4 -o "$tmp/cst.map"
+runs "adjoint: by variables" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/sens.txt" --variables "$tmp/cst.map" \
+    -o "$tmp/by-variables"
+check "adjoint: by variables: the transpose of the map" awk '
+    FILENAME == ARGV[1] && !/^#/ { gx[$1] = $2; gy[$1] = $3; next }
+    FILENAME == ARGV[2] { if (NF == 4 && !/^#/) v[$2] += gx[$1] * $3 + gy[$1] * $4; next }
+    !/^#/ { n++; d = $2 - v[$1]; if (d < 0) d = -d; if (d > worst) worst = d }
+    END { print n, worst; exit !(n == 8 && worst < 1e-12) }' "$tmp/gradient" "$tmp/cst.map" "$tmp/by-variables"
+
+# Derivatives along normals, by the length of the wall: those of the area of the polygon. A shift has none, and a scale
+# about the origin twice the area.
+awk '/^MARKER_TAG/ { here = /airfoil/ } /^[A-Z]/ { if (!/^MARKER_ELEMS/) next; next }
+    here && $1 == 3 { on[$2]; on[$3] } END { print "PointID,one"; for (k in on) print k ",1" }' "$mesh" >"$tmp/one.csv"
+runs "adjoint: along normals" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/one.csv" --normal one --into fluid \
+    --per-length -o "$tmp/area"
+check "adjoint: along normals: the area" awk '
+    FILENAME == ARGV[1] && /^[0-9]/ && NF == 3 { gx[$1] = $2; gy[$1] = $3; x += $2; y += $3; next }
+    FILENAME == ARGV[2] && /^control/ { split($0, c, ","); by += gx[c[3]] * c[5] + gy[c[3]] * c[6] }
+    END { print x, y, by / 2; exit !(x * x + y * y < 1e-20 && by / 2 > .081 && by / 2 < .0825) }' \
+    "$tmp/area" "$tmp/where.csv"
+runs "adjoint: into the body" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/one.csv" --normal one --into body \
+    --per-length -o "$tmp/other"
+check "adjoint: into the body: the opposite" \
+    awk '/^#/ { next } NR == FNR { x[$1] = $2; next } x[$1] + $2 != 0 { exit 1 }' \
+    "$tmp/area" "$tmp/other"
+
+# Smoothed: still a direction of descent.
+runs "adjoint: smooth" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/sens.txt" --smooth 0.2 -o "$tmp/smooth"
+check "adjoint: smooth: positive" awk '/^#/ { next } NR == FNR { x[$1] = $2; y[$1] = $3; next }
+    { both += x[$1] * $2 + y[$1] * $3; changed = changed || x[$1] != $2 } END { exit !(both > 0 && changed) }' \
+    "$tmp/gradient" "$tmp/smooth"
+runs "adjoint: two objectives as CSV" 0 adjoint "$mesh" "$basis" --sensitivity "$tmp/sens.txt" \
+    --sensitivity "$tmp/sens.csv" -o "$tmp/both.csv"
+check "adjoint: two objectives: twice 20 rows" test "$(grep -c ',point,' "$tmp/both.csv")" -eq 40
+
+# What is refused, with file and line.
+adjoint() { # adjoint NAME TEXT FILE OPTION...
+    name=$1 text=$2 file=$3; shift 3
+    refuses "adjoint: $name" 3 "$text" adjoint "$mesh" "$basis" --sensitivity "$file" -o "$tmp/x" "$@"
+}
+sed '5s/^[^,]*,\([^,]*,[^,]*,[^,]*\),[^,]*/0,\1,nan/' "$tmp/sens.csv" >"$tmp/bad.csv"
+adjoint "NaN" 'bad.csv:5' "$tmp/bad.csv"
+sed '7s/, *\([-0-9.e+]*\)/, 77/' "$tmp/sens.csv" >"$tmp/bad.csv"
+adjoint "another mesh" 'those of another mesh' "$tmp/bad.csv"
+adjoint "a column that is not there" "no column 'Sens'" "$tmp/sens.csv" --x Sens
+sed '3s/^[^,]*/77/' "$tmp/sens-placed.csv" >"$tmp/bad.csv"
+adjoint "a place without a point" 'no point at' "$tmp/bad.csv" --x jx --y jy
+sed '9s/,[^,]*$//' "$tmp/sens.csv" >"$tmp/bad.csv"
+adjoint "a row without a column" 'bad.csv:9' "$tmp/bad.csv"
+sed '$d' "$tmp/sens-ordered.csv" >"$tmp/bad.csv"
+adjoint "a row that is missing" 'but the mesh has' "$tmp/bad.csv"
+{ cat "$tmp/sens.txt"; echo '4 1 1'; } >"$tmp/bad.txt"
+adjoint "a point twice" 'has values already' "$tmp/bad.txt"
+echo '999999 1 1' >"$tmp/bad.txt"
+adjoint "a point that is not there" 'no point 1e+06' "$tmp/bad.txt"
+: >"$tmp/bad.txt"
+adjoint "an empty file" 'has no numbers' "$tmp/bad.txt"
+refuses "adjoint: normals without a side" 2 '--into fluid or --into body' adjoint "$mesh" "$basis" \
+    --sensitivity "$tmp/one.csv" --normal one
