@@ -31,6 +31,7 @@
 #   make manual           build/harmorph.1, the manual page of the program
 #   make dist             build/harmorph-VERSION.tar.gz, the same bytes wherever it is made
 #   make install          headers, library, program, manual page, Fortran source, harmorph.pc, CMake config
+#   make install-library  headers, library, harmorph.pc and CMake config alone; the program is not built
 #   make install-shared   the shared library and its symbolic link
 #   make uninstall        takes the same files away
 #   make clean
@@ -42,7 +43,7 @@
 .PHONY: all rules deform-driver test-programs unit fuzzer fuzz test library-only tests-only coverage mutate sanitize test-petsc mpi \
 	check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
-	amalgamation compilers cross shared install-shared abi manual dist
+	amalgamation compilers cross shared install-shared install-library abi manual dist
 
 BUILD = build
 PREFIX = /usr/local
@@ -217,21 +218,27 @@ INSTALLED = bin/harmorph share/man/man1/harmorph.1 lib/libharmorph.so* include/h
 	share/harmorph/harmorph_mpi.c share/harmorph/harmorph_petsc.c share/harmorph/read_su2.c share/harmorph/read_su2.h \
 	share/harmorph/naca0012.su2
 
-install: manual
-	@to='$(DESTDIR)$(PREFIX)'; set -e; \
-	mkdir -p "$$to/bin" "$$to/include" "$$to/lib/pkgconfig" "$$to/lib/cmake/harmorph"; \
-	cp $(PROGRAM) "$$to/bin/"; \
-	mkdir -p "$$to/share/man/man1"; \
-	cp $(BUILD)/harmorph.1 "$$to/share/man/man1/"; \
+# Copies headers, library, harmorph.pc and the CMake files into the folder $$to.
+INSTALL_LIBRARY = to='$(DESTDIR)$(PREFIX)'; set -e; \
+	mkdir -p "$$to/include" "$$to/lib/pkgconfig" "$$to/lib/cmake/harmorph"; \
 	cp include/*.h "$$to/include/"; \
 	cp $(LIBRARY) "$$to/lib/"; \
-	version=`sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' include/harmorph.h`; \
+	version=`sed -n 's/^\#define HM_VERSION "\(.*\)"/\1/p' include/harmorph.h`; \
 	sed "s|@UP@|../..|; s|@VERSION@|$$version|" c_api/packaging/harmorph.pc.in >"$$to/lib/pkgconfig/harmorph.pc"; \
-	cp c_api/packaging/harmorphConfig.cmake c_api/packaging/harmorphConfigVersion.cmake "$$to/lib/cmake/harmorph/"; \
-	mkdir -p "$$to/share/harmorph"; \
+	cp c_api/packaging/harmorphConfig.cmake c_api/packaging/harmorphConfigVersion.cmake "$$to/lib/cmake/harmorph/"
+
+install: manual
+	@$(INSTALL_LIBRARY); \
+	mkdir -p "$$to/bin" "$$to/share/man/man1" "$$to/share/harmorph"; \
+	cp $(PROGRAM) "$$to/bin/"; \
+	cp $(BUILD)/harmorph.1 "$$to/share/man/man1/"; \
 	cp $(BUILD)/harmorph*.f90 $(BUILD)/harmorph_mpi.c $(BUILD)/harmorph_petsc.c fortran/*.f90 \
 	    c_api/examples/read_su2.c c_api/examples/read_su2.h tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
 	echo "harmorph $$version is in $$to"
+
+install-library: library-only
+	@$(INSTALL_LIBRARY); \
+	echo "the library of harmorph $$version is in $$to"
 
 install-shared: shared
 	@mkdir -p '$(DESTDIR)$(PREFIX)/lib'

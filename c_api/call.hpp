@@ -1,4 +1,5 @@
-// What all entry points of the C interface have in common.
+// This header contains what all entry points of the C interface have in common: the fault of a
+// call, checks of arguments, and the layout of objects in the caller's blocks.
 #pragma once
 
 #include "base/arena.hpp"
@@ -10,14 +11,14 @@
 
 namespace harmorph {
 
-// The fault of one call, and what the caller's arrays count from, which whoever reads the arrays
-// writes here.
+// The fault of one call, together with the index bases of the caller's arrays. The function that
+// reads an array sets the base.
 struct CallFault : Fault {
     Bases bases;
 };
 
-// An entry point: body(fault) returns the fault's status. The caller's error is filled here, and
-// only here.
+// Runs the body of an entry point. body(fault) returns the status of the fault. No other function
+// fills the caller's error.
 template <class Body>
 hm_status guarded(hm_error* err, Body const& body) noexcept {
     CallFault fault;
@@ -25,7 +26,7 @@ hm_status guarded(hm_error* err, Body const& body) noexcept {
     return tell(err, fault, fault.bases);
 }
 
-// Arguments that must not be NULL, by the names they have in the header.
+// An argument that must not be NULL, by its name in the header.
 struct Argument {
     const char* name;
     const void* pointer;
@@ -38,7 +39,7 @@ Status require(const Argument (&arguments)[n], Fault& fault) noexcept {
     return Status::ok;
 }
 
-// A size query: *bytes of a block for what lay_out(arena) takes.
+// Answers a size query: *bytes is the size of a block for everything that lay_out(arena) takes.
 template <class LayOut>
 Status count_bytes(size_t* bytes, Fault& fault, LayOut const& lay_out) noexcept {
     HARMORPH_TRY(require({{"bytes", bytes}}, fault));
@@ -49,7 +50,7 @@ Status count_bytes(size_t* bytes, Fault& fault, LayOut const& lay_out) noexcept 
     return Status::ok;
 }
 
-// An initialisation: the same lay_out(arena) in the caller's block.
+// Lays out the caller's block for an initialisation, by the same lay_out(arena).
 template <class LayOut>
 Status place(void* block, Size bytes, Fault& fault, LayOut const& lay_out) noexcept {
     HARMORPH_TRY(require({{"block", block}}, fault));
@@ -58,8 +59,8 @@ Status place(void* block, Size bytes, Fault& fault, LayOut const& lay_out) noexc
     return arena.verify(bytes, fault);
 }
 
-// An object that stands in the block in front of its arrays: made beside the block, copied into it
-// when it is complete.
+// An object that lies in the block in front of its arrays. The object is made outside the block,
+// and copied into the block when it is complete.
 template <class Object>
 struct InBlock {
     Span<Object> in_block;

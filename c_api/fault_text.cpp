@@ -29,7 +29,8 @@ public:
         if (value < 0) put('-');
         while (n > 0) put(digits[--n]);
     }
-    // Six significant digits; plain for whole numbers below 1e15, otherwise with an exponent.
+    // Writes whole numbers below 1e15 without an exponent, and all other numbers with six
+    // significant digits and an exponent.
     void put_real(Real value) noexcept {
         if (value != value) return put("NaN");
         if (value < 0) put('-');
@@ -60,7 +61,7 @@ private:
     Size room_;
 };
 
-// The number that the first thing of this kind has for the caller.
+// The number that the first item of this kind has for the caller.
 Index base_of(ItemKind kind, Bases bases) noexcept {
     Index const known = bases.mesh != none ? bases.mesh : bases.curves;
     switch (kind) {
@@ -77,7 +78,7 @@ Index base_of(ItemKind kind, Bases bases) noexcept {
     return known != none ? known : 0;
 }
 
-// An item as the caller counts it.
+// An item, numbered from the index base of the caller.
 struct NumberedItem {
     ItemKind kind;
     Index base;
@@ -88,7 +89,7 @@ struct NumberedItem {
 
     void tell(int32_t& to_kind, int32_t& to_number, int32_t& to_base) const noexcept {
         if (kind == ItemKind::nothing || number > INT32_MAX)
-            return;  // too large a number is in the text alone
+            return;  // a number that does not fit into int32_t appears in the text only
         to_kind = static_cast<int32_t>(kind);
         to_number = static_cast<int32_t>(number);
         to_base = base;
@@ -127,7 +128,8 @@ hm_status tell(hm_error* err, Fault const& fault, Bases bases) noexcept {
     err->item = err->other = -1;
     (has_first ? item : other).tell(err->item_kind, err->item, err->item_base);
     if (has_first) other.tell(err->other_kind, err->other, err->other_base);
-    // A count or an option; the value of a bad basis is the number of bytes that are missing.
+    // A refused count or option becomes the value. For a bad basis, the value is the number of
+    // missing bytes.
     bool const found = !has_first && fault.value == 0 && fault.status != Status::bad_basis;
     err->value = found ? static_cast<Real>(fault.item.number) : fault.value;
     if (is_finite(fault.place[0]) && is_finite(fault.place[1])) {

@@ -1,4 +1,5 @@
-// From the core's fault to the caller's hm_error: numbers in the caller's numbering, one sentence.
+// Translates a fault of the core into the caller's hm_error: the numbers of items count from the
+// caller's index bases, and the text is one sentence.
 #pragma once
 
 #include "harmorph.h"
@@ -6,14 +7,14 @@
 
 namespace harmorph {
 
-// What the caller counts from: `mesh` holds for everything but curves, control points and knots,
-// for which `curves` does. Where only one of them is known, it holds for both.
+// The index bases of the caller. `mesh` holds for all items except curves, control points and
+// knots, for which `curves` holds. Where only one of the two is known, it holds for all items.
 struct Bases {
     Index mesh = none;
     Index curves = none;
 };
 
-// Fills *err (may be null) and returns the status. A fault without status clears the error.
+// Fills *err, which may be null, and returns the status. A fault with Status::ok clears the error.
 hm_status tell(hm_error* err, Fault const& fault, Bases bases = {}) noexcept;
 
 }  // namespace harmorph

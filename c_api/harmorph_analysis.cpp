@@ -1,4 +1,4 @@
-// The C interface: from a problem to its analysis, and what an analysis says about the mesh.
+// The C interface: makes the analysis of a problem, and reports on the mesh and its boundary.
 #include "request.hpp"
 #include "morph/quality.hpp"
 
@@ -17,8 +17,8 @@ hm_mesh_report report_of(Analysis const& analysis) noexcept {
         if (!mesh.is_piece_or_guard(i)) ++(cell.n == 3 ? filled.triangles : filled.quads);
     });
     filled.polygons = filled.cells - filled.triangles - filled.quads;
-    filled.edges =
-        analysis.topology().edges.count() - (mesh.n_cells - filled.cells);  // without diagonals
+    filled.edges = analysis.topology().edges.count() -
+                   (mesh.n_cells - filled.cells);  // diagonals of polygons do not count
     filled.boundary_edges = analysis.boundary().count;
     filled.boundary_loops = analysis.boundary().n_loops;
     filled.inverted = quality.inverted;
@@ -29,14 +29,14 @@ hm_mesh_report report_of(Analysis const& analysis) noexcept {
     return filled;
 }
 
-// One of the pieces of boundary that have one of the markers.
+// One of the pieces of the boundary that the given markers form.
 struct Piece {
     Index number;
     Index n_points = 0;
     bool is_loop = false;
-    Index n_pieces = 0;  // of all
+    Index n_pieces = 0;  // number of all pieces
 
-    // points: NULL, or room for all points of the piece.
+    // Finds the points of the piece. points is NULL, or has room for all of them.
     void find(Analysis const& analysis, Span<const Index> markers, Index* points) noexcept {
         n_points = 0;
         Boundary const& boundary = analysis.boundary();
@@ -97,10 +97,10 @@ hm_status hm_analysis_init(hm_analysis** analysis, void* block, size_t bytes,
 
 hm_status hm_analysis_report(const hm_analysis* analysis, hm_mesh_report* report, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Analysis* of = nullptr;
-        HARMORPH_TRY(open_analysis(analysis, of, fault));
-        HARMORPH_TRY(check_report(report, fault));
-        write_struct(report_of(*of), report);
+        const Analysis* opened = nullptr;
+        HARMORPH_TRY(open_analysis(analysis, opened, fault));
+        HARMORPH_TRY(check_report(report, "report", fault));
+        write_struct(report_of(*opened), report);
         return Status::ok;
     });
 }
@@ -109,34 +109,39 @@ hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_markers,
                                const int32_t* markers, int32_t piece, int32_t* points,
                                int32_t capacity, int32_t* n, int32_t* is_loop, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Analysis* of = nullptr;
-        HARMORPH_TRY(open_analysis(analysis, of, fault));
+        const Analysis* opened = nullptr;
+        HARMORPH_TRY(open_analysis(analysis, opened, fault));
         HARMORPH_TRY(require({{"markers", markers}, {"n", n}, {"is_loop", is_loop}}, fault));
         if (n_markers < 1 || capacity < 0) {
             return fault.refuse(Status::bad_argument,
-                                "n_markers is #, capacity is @: one is too small", plain(n_markers),
-                                plain(capacity));
+                                "n_markers is # and capacity is @; n_markers must be at least 1, "
+                                "and capacity at least 0",
+                                plain(n_markers), plain(capacity));
         }
         if (capacity > 0) HARMORPH_TRY(require({{"points", points}}, fault));
         Span<const Index> const asked(markers, static_cast<Size>(n_markers));
         Piece found{piece};
-        found.find(*of, asked, nullptr);
+        found.find(*opened, asked, nullptr);
         if (found.n_pieces == 0) {
-            return fault.refuse(Status::bad_condition,
-                                "no boundary face has these markers; the first one is #",
-                                marker_item(markers[0]));
+            return fault.refuse(
+                Status::bad_condition,
+                "no face of the boundary has one of the given markers, the first of which is #",
+                marker_item(markers[0]));
         }
         if (piece < 0 || piece >= found.n_pieces) {
-            return fault.refuse(Status::bad_condition,
-                                "these markers have # pieces of boundary, there is no piece @",
-                                plain(found.n_pieces), entry_item(piece));
+            return fault.refuse(
+                Status::bad_condition,
+                "the given markers form # pieces of the boundary, so piece @ does not exist",
+                plain(found.n_pieces), entry_item(piece));
         }
         *n = found.n_points;
         if (found.n_points > capacity) {
-            return fault.refuse(Status::bad_argument, "points has room for #, the boundary has @",
-                                plain(capacity), plain(found.n_points));
+            return fault.refuse(
+                Status::bad_argument,
+                "points has room for # points, but this piece of the boundary has @",
+                plain(capacity), plain(found.n_points));
         }
-        found.find(*of, asked, points);
+        found.find(*opened, asked, points);
         *is_loop = found.is_loop ? 1 : 0;
         return Status::ok;
     });

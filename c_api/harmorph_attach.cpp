@@ -1,5 +1,6 @@
-// The C interface: a basis from a block that was saved. In a file of its own: a solver that reads a
-// saved basis links this call, the morph and the adjoint, and little else.
+// The C interface: attaches a basis to a block that was saved. This call has a file of its own, so
+// that a solver that reads a saved basis links this call, the morph and the adjoint, and little
+// else.
 #include "handles.hpp"
 
 using namespace harmorph;
@@ -12,7 +13,7 @@ hm_status hm_basis_attach(const hm_basis** basis, const void* block, size_t byte
         HARMORPH_TRY(require({{"basis", basis}, {"block", block}}, fault));
         if (reinterpret_cast<std::uintptr_t>(block) % 8 != 0) {
             return fault.refuse(Status::bad_argument,
-                                "the block of a basis must be aligned to 8 bytes");
+                                "the address of the block must be a multiple of 8 bytes");
         }
         Mesh view;
         if (mesh != nullptr) {

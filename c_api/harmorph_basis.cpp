@@ -1,4 +1,4 @@
-// The C interface: what a basis holds. Nothing here needs a plan.
+// The C interface: reads the contents of a basis. These calls need no plan.
 #include "handles.hpp"
 
 namespace harmorph {
@@ -18,7 +18,7 @@ hm_basis_info info_of(Basis const& basis) noexcept {
     filled.operator_kind = static_cast<std::int32_t>(header.method.operator_kind);
     filled.scheme = static_cast<std::int32_t>(header.method.scheme);
     filled.engine = static_cast<std::int32_t>(header.method.engine);
-    filled.exponent_quarters = header.method.quarters;
+    filled.exponent_quarters = header.method.exponent_quarters;
     filled.bodies = header.counts.bodies;
     filled.offset_correction = header.method.offset_correction;
     filled.storage = static_cast<std::int32_t>(header.counts.storage);
@@ -32,15 +32,15 @@ hm_basis_info info_of(Basis const& basis) noexcept {
     return filled;
 }
 
-// The basis, and room for all of its curves.
+// Opens the basis and checks that there is room for all of its curves.
 Status open_curves(const hm_basis* handle, hm_curves* out, const hm_curve* curve, Index capacity,
                    Basis& basis, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"curve", curve}}, fault));
-    HARMORPH_TRY(check_report(out, fault));
+    HARMORPH_TRY(check_report(out, "out", fault));
     HARMORPH_TRY(open_basis(handle, basis, fault));
     Index const n = basis.header->counts.curves;
     if (capacity >= n) return Status::ok;
-    return fault.refuse(Status::bad_argument, "curve has room for #, the basis has @",
+    return fault.refuse(Status::bad_argument, "curve has room for # curves, but the basis has @",
                         plain(capacity), plain(n));
 }
 
@@ -66,7 +66,7 @@ extern "C" {
 hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         Basis b;
-        HARMORPH_TRY(check_report(info, fault));
+        HARMORPH_TRY(check_report(info, "info", fault));
         HARMORPH_TRY(open_basis(basis, b, fault));
         write_struct(info_of(b), info);
         return Status::ok;
@@ -105,16 +105,20 @@ hm_status hm_basis_conditions(const hm_basis* basis, hm_condition* out, int32_t 
     return guarded(err, [&](CallFault& fault) {
         Basis b;
         HARMORPH_TRY(require({{"n", n}}, fault));
-        if (capacity < 0) return fault.refuse(Status::bad_argument, "capacity is negative");
-        if (capacity > 0) HARMORPH_TRY(check_report(out, fault));
+        if (capacity < 0) {
+            return fault.refuse(Status::bad_argument, "capacity must be at least 0, not #",
+                                plain(capacity));
+        }
+        if (capacity > 0) HARMORPH_TRY(check_report(out, "out", fault));
         HARMORPH_TRY(open_basis(basis, b, fault));
         *n = b.conditions.count();
         if (*n > capacity) {
             return fault.refuse(Status::bad_argument,
-                                "out has room for #, the basis has @ conditions", plain(capacity),
-                                plain(*n));
+                                "out has room for # conditions, but the basis has @",
+                                plain(capacity), plain(*n));
         }
-        for (Index i = *n; i-- > 0;) {  // the first one tells the size of all
+        for (Index i = *n;
+             i-- > 0;) {  // backwards, because the first struct contains the size of all
             hm_condition* const to = element(out, i);
             to->struct_size = out->struct_size;
             write_struct(struct_of(b.conditions[i]), to);
@@ -131,11 +135,12 @@ hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t numbe
         HARMORPH_TRY(open_solved(basis, b, fault));
         Index const first = b.header->counts.first_stored;
         if (function < first || function - first >= b.n_functions()) {
-            return fault.refuse(Status::bad_argument, "there is no function #; the basis has @",
+            return fault.refuse(Status::bad_argument, "function # does not exist; the basis has @",
                                 function_item(function), plain(b.n_functions()));
         }
         if (number < 0 || number >= numbers_of(b.kind())) {
-            return fault.refuse(Status::bad_argument, "values have no number #; they have @",
+            return fault.refuse(Status::bad_argument,
+                                "number # does not exist; numbers_per_value of this basis is @",
                                 entry_item(number), plain(numbers_of(b.kind())));
         }
         b.column(number * b.n_functions() + function - first, values);

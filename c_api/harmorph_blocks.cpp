@@ -1,17 +1,17 @@
-// The C interface: structured blocks whose coordinates lie in arrays of their own.
+// The C interface: copies structured blocks whose coordinates lie in separate arrays.
 #include "views.hpp"
 
 namespace harmorph {
 namespace {
 
-// Distances [doubles] from one point of a block to the next along i, and along j; row 0: see the
-// header.
+// Distances [doubles] from one point of a block to the next along i (step) and along j (row). The
+// header says what row 0 means.
 struct Distances {
     std::int64_t step, row;
 };
 
-// Can an array have these distances? No product overflows here, nor later when points are visited.
-// Distances that make two points one are not those of an array that is written.
+// Tells whether an array can have these distances. No product overflows here, or later when points
+// are visited. In an array that is written, no two points may have the same place.
 bool is_of_points(Distances d, GridBlock const& block, bool written) noexcept {
     constexpr std::int64_t largest = std::int64_t{1} << 40, longest = std::int64_t{1} << 60;
     if (d.step < 1 || d.step > largest || d.row < 0 || d.row > largest) return false;
@@ -21,7 +21,7 @@ bool is_of_points(Distances d, GridBlock const& block, bool written) noexcept {
     return !written || row > (ni - 1) * d.step || d.step > (nj - 1) * row;
 }
 
-// The blocks of one call, and where their points lie among those of the mesh.
+// The blocks of one call, and the places of their points among those of the mesh.
 struct BlocksOfMesh {
     Mesh mesh;
     Index first = 0, n = 0;
@@ -30,19 +30,22 @@ struct BlocksOfMesh {
                 CallFault& fault) noexcept {
         HARMORPH_TRY(view_mesh(given, mesh, fault));
         if (mesh.layout != CellLayout::blocks) {
-            return fault.refuse(Status::bad_argument,
-                                "the mesh has no blocks: mesh.cell_layout is not HM_CELLS_BLOCKS");
+            return fault.refuse(
+                Status::bad_argument,
+                "the mesh has no blocks, because mesh.cell_layout is not HM_CELLS_BLOCKS");
         }
         HARMORPH_TRY(check_layout(mesh, fault));
         first = from;
         n = count;
         if (first >= 0 && n >= 1 && n <= mesh.n_blocks && first <= mesh.n_blocks - n)
             return Status::ok;
-        return fault.refuse(Status::bad_argument, "first # and n @ are not blocks of the mesh",
+        return fault.refuse(Status::bad_argument,
+                            "first is # and n is @, but they must name at least one block, and "
+                            "only blocks of the mesh",
                             block_item(first), plain(n));
     }
 
-    // visit(number among those of the call, block), until it returns true.
+    // Calls visit(k, block) for the blocks of the call, k from 0, until visit returns true.
     template <class Visit>
     void each(Visit const& visit) const noexcept {
         Index b = 0;
@@ -52,20 +55,21 @@ struct BlocksOfMesh {
         });
     }
 
-    // Numbers of one block, const or not.
+    // Checks the arrays of all blocks; Given is the const or the other struct.
     template <class Given>
     Status check(const Given* blocks, bool written, Fault& fault) const noexcept {
         HARMORPH_TRY(require({{"blocks", blocks}}, fault));
         each([&](Index k, GridBlock const& block) {
-            Given const& of = blocks[k];
-            if (of.x == nullptr || of.y == nullptr) {
+            Given const& given = blocks[k];
+            if (given.x == nullptr || given.y == nullptr) {
                 fault.refuse(Status::bad_argument, "x or y of block # is NULL",
                              block_item(first + k));
                 return true;
             }
-            if (!is_of_points({stride_of(of.stride), of.row}, block, written)) {
+            if (!is_of_points({stride_of(given.stride), given.row}, block, written)) {
                 fault.refuse(Status::bad_argument,
-                             "stride or row of block # is not that of an array of points",
+                             "stride or row of block # is negative, beyond 2^40, or puts two "
+                             "points at one place",
                              block_item(first + k));
                 return true;
             }
@@ -74,7 +78,8 @@ struct BlocksOfMesh {
         return fault.status;
     }
 
-    // move(number in the mesh's arrays, number in the block's) for each point.
+    // Calls move(arrays of the block, number in the arrays of the mesh, number in those of the
+    // block) for each point.
     template <class Given, class Move>
     void each_point(const Given* blocks, Move const& move) const noexcept {
         each([&](Index k, GridBlock const& block) {
@@ -99,14 +104,14 @@ extern "C" {
 hm_status hm_blocks_gather(const hm_mesh* mesh, int32_t first, int32_t n,
                            const hm_block_points* blocks, const hm_points_out* to, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        BlocksOfMesh its;
+        BlocksOfMesh asked;
         MutablePoints all;
-        HARMORPH_TRY(its.open(mesh, first, n, fault));
-        HARMORPH_TRY(its.check(blocks, false, fault));
+        HARMORPH_TRY(asked.open(mesh, first, n, fault));
+        HARMORPH_TRY(asked.check(blocks, false, fault));
         HARMORPH_TRY(view_points(to, "to", all, fault));
-        its.each_point(blocks, [&](hm_block_points const& of, Index point, std::int64_t at) {
-            all.x[point * all.stride] = of.x[at];
-            all.y[point * all.stride] = of.y[at];
+        asked.each_point(blocks, [&](hm_block_points const& given, Index point, std::int64_t at) {
+            all.x[point * all.stride] = given.x[at];
+            all.y[point * all.stride] = given.y[at];
         });
         return Status::ok;
     });
@@ -115,15 +120,16 @@ hm_status hm_blocks_gather(const hm_mesh* mesh, int32_t first, int32_t n,
 hm_status hm_blocks_scatter(const hm_mesh* mesh, int32_t first, int32_t n, const hm_points* from,
                             const hm_block_points_out* blocks, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        BlocksOfMesh its;
+        BlocksOfMesh asked;
         Points all;
-        HARMORPH_TRY(its.open(mesh, first, n, fault));
-        HARMORPH_TRY(its.check(blocks, true, fault));
+        HARMORPH_TRY(asked.open(mesh, first, n, fault));
+        HARMORPH_TRY(asked.check(blocks, true, fault));
         HARMORPH_TRY(view_points(from, "from", all, fault));
-        its.each_point(blocks, [&](hm_block_points_out const& of, Index point, std::int64_t at) {
-            of.x[at] = all.x[point * all.stride];
-            of.y[at] = all.y[point * all.stride];
-        });
+        asked.each_point(blocks,
+                         [&](hm_block_points_out const& given, Index point, std::int64_t at) {
+                             given.x[at] = all.x[point * all.stride];
+                             given.y[at] = all.y[point * all.stride];
+                         });
         return Status::ok;
     });
 }

@@ -1,4 +1,4 @@
-// The C interface: functions of design variables in place of those of control points.
+// The C interface: replaces the functions of control points by functions of design variables.
 #include "handles.hpp"
 #include "basis/combination.hpp"
 
@@ -10,13 +10,16 @@ Status open_source(const hm_basis* handle, Index n, Index numbers, Basis& basis,
     HARMORPH_TRY(open_complete(handle, basis, fault));
     HARMORPH_TRY(basis.require_double(fault));
     if (numbers != 1 && numbers != 2) {
-        return fault.refuse(Status::bad_argument, "numbers must be 1 or 2, not #", plain(numbers));
+        return fault.refuse(Status::bad_argument,
+                            "numbers must be 1 (real values) or 2 (complex values), not #",
+                            plain(numbers));
     }
     Index const shapes = basis.header->counts.shapes();
     if (n >= 1 && n <= shapes) return Status::ok;
     return fault.refuse(n < 1 ? Status::bad_argument : Status::bad_condition,
-                        n < 1 ? "n is #: at least one function is made"
-                              : "# variables of @ control points: some are combinations of others",
+                        n < 1 ? "n must be at least 1, not #"
+                              : "# variables cannot be independent, because the basis has only @ "
+                                "functions to combine",
                         plain(n), plain(shapes));
 }
 
@@ -28,7 +31,8 @@ Status check_matrix(Basis const& basis, Index n, Index numbers, const double* ma
         if (is_finite(matrix[k])) continue;
         Index const row = static_cast<Index>(k / (Offset{n} * numbers)),
                     column = static_cast<Index>(k / numbers % n);
-        return fault.refuse(Status::bad_argument, "the matrix is not finite in row # and column @",
+        return fault.refuse(Status::bad_argument,
+                            "the matrix has a number that is not finite in row # and column @",
                             entry_item(row), variable_item(column));
     }
     return Status::ok;

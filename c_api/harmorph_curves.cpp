@@ -7,12 +7,12 @@
 namespace harmorph {
 namespace {
 
-// One curve of the caller's set, checked.
+// Opens one curve of the caller's set and checks it.
 Status open_curve(const hm_curves* curves, Index number, Curve& curve, CallFault& fault) noexcept {
     CurvesView view;
     HARMORPH_TRY(view_curves(curves, view, fault));
     if (number < 0 || number >= view.count()) {
-        return fault.refuse(Status::bad_argument, "there is no curve #; the set has @",
+        return fault.refuse(Status::bad_argument, "curve # does not exist; curves.n_curves is @",
                             curve_item(number), plain(view.count()));
     }
     HARMORPH_TRY(view.curve(number, curve, fault));
@@ -25,7 +25,9 @@ Status check_parameter(Curve const& curve, Real u, Index n_derivatives, Fault& f
                             plain(n_derivatives));
     }
     if (is_between(curve.begin(), u, curve.end())) return Status::ok;
-    return fault.refuse(Status::bad_argument, "the parameter ~ is outside the curve", {}, {}, u);
+    return fault.refuse(Status::bad_argument,
+                        "u is ~, which is outside the range of the parameter of the curve", {}, {},
+                        u);
 }
 
 }  // namespace
@@ -89,7 +91,7 @@ hm_status hm_curve_project(const hm_curves* curves, int32_t number, double x, do
         HARMORPH_TRY(require({{"u", u}, {"distance", distance}}, fault));
         if (!is_coordinate({x, y})) {
             return fault.refuse(Status::bad_argument,
-                                "the point to project is not finite, or beyond 1e100");
+                                "x or y of the point to project is not finite or beyond 1e100");
         }
         HARMORPH_TRY(open_curve(curves, number, curve, fault));
         Projection const foot = project(curve, {x, y});

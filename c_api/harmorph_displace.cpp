@@ -1,4 +1,5 @@
-// The C interface: displacements given at points of the wall, and the transpose.
+// The C interface: carries given displacements of wall points to the mesh, and the transpose; makes
+// functions from tables of given displacements.
 #include <type_traits>
 
 #include "given_list.hpp"
@@ -16,7 +17,7 @@ Status check_fields(Plan const& plan, Index n_fields, Fault& fault) noexcept {
                         plain(n_fields));
 }
 
-// What both calls have in common: the plan, the list of wall points, and working memory.
+// The plan, the list of wall points, and the working memory of hm_displace and hm_displace_adjoint.
 struct DisplaceCall {
     Plan* plan = nullptr;
     PointList list;
@@ -26,7 +27,7 @@ struct DisplaceCall {
                 Size bytes, const hm_solve_report* report, CallFault& fault) noexcept {
         HARMORPH_TRY(open_plan(handle, plan, fault));
         HARMORPH_TRY(check_fields(*plan, n_fields, fault));
-        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(view_given_list(*plan, n, points, list, fault));
         HARMORPH_TRY(place(work, bytes, fault,
                            [&](Arena& arena) { displacement.lay_out(arena, *plan, n_fields); }));
@@ -44,7 +45,7 @@ struct DisplaceCall {
         return Status::ok;
     }
 
-    // body(first field, views of the fields of a block)
+    // Calls body(first field, views) for blocks of fields.
     template <class Given, class Body>
     static Status for_each_block(const Given* given, Index n_fields, Body const& body) noexcept {
         View<Given> views[GivenWall::fields_at_once];
@@ -79,11 +80,11 @@ private:
     using View = std::conditional_t<std::is_same<Given, hm_points>::value, Points, MutablePoints>;
 };
 
-// Plan, basis and modes of the two calls for tables.
+// The arguments that hm_tabulate_size and hm_tabulate have in common.
 struct TableCall {
     Basis basis;
 
-    // hm_plan and Plan, both const or neither.
+    // Handle is hm_plan and Object is Plan; either both are const or neither.
     template <class Handle, class Object>
     Status open(Handle* handle, Object*& plan, const hm_basis* given, Index n_modes, Index numbers,
                 CallFault& fault) noexcept {
@@ -93,7 +94,9 @@ struct TableCall {
         HARMORPH_TRY(check_fields(*plan, n_modes, fault));
         HARMORPH_TRY(plan->check_fit(basis, fault));
         if (numbers == 1 || numbers == 2) return Status::ok;
-        return fault.refuse(Status::bad_argument, "numbers must be 1 or 2, not #", plain(numbers));
+        return fault.refuse(Status::bad_argument,
+                            "numbers must be 1 (real values) or 2 (complex values), not #",
+                            plain(numbers));
     }
 };
 
@@ -118,9 +121,10 @@ hm_status hm_given_points(const hm_plan* plan, int32_t* points, int32_t capacity
         Span<const Index> const given = p->given().point;
         *n = given.count();
         if (capacity < *n) {
-            return fault.refuse(Status::bad_argument,
-                                "points has room for #, the displacements of @ points are given",
-                                plain(capacity), plain(*n));
+            return fault.refuse(
+                Status::bad_argument,
+                "points has room for # points, but @ points have given displacements",
+                plain(capacity), plain(*n));
         }
         for (Index k = 0; k < *n; ++k) points[k] = given[k] + p->mesh().index_base;
         return Status::ok;
@@ -221,30 +225,31 @@ hm_status hm_tabulate(hm_basis** tabulated, void* block, size_t bytes, hm_plan* 
         Basis made;
         HARMORPH_TRY(require({{"tabulated", tabulated}, {"modes", modes}}, fault));
         HARMORPH_TRY(table.open(plan, call.plan, basis, n_modes, numbers, fault));
-        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(view_given_list(*call.plan, n, points, call.list, fault));
         if (n > 2 * call.plan->mesh().n_points) {
-            return fault.refuse(Status::bad_argument,
-                                "the list is longer than twice the mesh: # points", plain(n));
-        }
-        Plan& its = *call.plan;
-        bool const moved = table.basis.header->counts.functions() > 0 &&
-                           table.basis.header->coordinates != its.coordinates();
-        if (moved)
             return fault.refuse(
-                Status::bad_basis,
-                "the basis was solved on other coordinates than the plan was factored on");
+                Status::bad_argument,
+                "n is #, but the list may have at most twice as many points as the mesh", plain(n));
+        }
+        Plan& p = *call.plan;
+        bool const moved = table.basis.header->counts.functions() > 0 &&
+                           table.basis.header->coordinates != p.coordinates();
+        if (moved)
+            return fault.refuse(Status::bad_basis,
+                                "the basis was solved on other coordinates than those of the "
+                                "plan's factor; solve the basis again");
         HARMORPH_TRY(place(work, work_bytes, fault, [&](Arena& arena) {
-            rows.lay_out(arena, its, 2 * its.mesh().n_points, fields_of(table.basis, n_modes));
+            rows.lay_out(arena, p, 2 * p.mesh().n_points, fields_of(table.basis, n_modes));
         }));
-        HARMORPH_TRY(rows.displacement.find_places(its, call.list, fault));
+        HARMORPH_TRY(rows.displacement.find_places(p, call.list, fault));
         Modes const given{n_modes, numbers, modes};
         HARMORPH_TRY(given.check(n, fault));
         HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) {
             made.lay_out(arena, tabulated_counts(table.basis, n_modes, numbers));
         }));
         SolveReport solved;
-        HARMORPH_TRY(tabulate(its, table.basis, call.list, given, rows, made, solved, fault));
+        HARMORPH_TRY(tabulate(p, table.basis, call.list, given, rows, made, solved, fault));
         *tabulated = reinterpret_cast<hm_basis*>(made.header);
         call.displacement.n_fields = n_modes;
         call.write(solved, report);

@@ -1,4 +1,4 @@
-// The C interface: the cells of a mesh that is given as edges.
+// The C interface: forms the cells of a mesh that is given as edges.
 #include <limits>
 
 #include "call.hpp"
@@ -9,12 +9,12 @@ namespace {
 
 constexpr Index most_sides = 1024;
 
-// Arrays [n_edges] of the caller, and the cells that are made of them.
+// The edges of the caller, and the cells that are made from them.
 struct EdgeCells {
     hm_edge_mesh given;
-    Span<Index> start;        // [n_cells + 1] where the points of a cell begin, from index_base
+    Span<Index> start;        // [n_cells + 1] begin of the points of each cell, from index_base
     Span<Index> points;       // [sides of all cells] from index_base
-    Span<Index> edge;         // [sides of all cells] edges of a cell, from 0: working space
+    Span<Index> edge;         // [sides of all cells] edges of each cell, from 0; working memory
     Span<Index> face_points;  // [2 * faces]
     Span<Index> face_marker;  // [faces]
     Index n_sides = 0, n_faces = 0;
@@ -92,14 +92,17 @@ Status EdgeCells::check_edge(Index e, Fault& fault) const noexcept {
         }
     }
     if (cell_of(e, 0) != cell_of(e, 1)) return Status::ok;
-    return fault.refuse(Status::bad_mesh, "edge # has the same cell on both sides, or no cell",
+    return fault.refuse(Status::bad_mesh,
+                        "edge # has the same cell on both sides, or no cell on either side",
                         side_item(e));
 }
 
 Status EdgeCells::read(const hm_edge_mesh* from, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"edges", from}}, fault));
     if (!read_struct(from, given)) {
-        return fault.refuse(Status::bad_argument, "edges.struct_size is wrong");
+        return fault.refuse(
+            Status::bad_argument,
+            "edges.struct_size is not the size of an hm_edge_mesh; begin with HM_INIT(edges)");
     }
     fault.bases.mesh = given.index_base;
     HARMORPH_TRY(check_sizes(fault));
@@ -110,13 +113,13 @@ Status EdgeCells::read(const hm_edge_mesh* from, CallFault& fault) noexcept {
         n_faces += is_face(e) ? 1 : 0;
     }
     if (sides > std::numeric_limits<Index>::max()) {
-        return fault.refuse(Status::bad_mesh, "the cells have more than 2^31 sides together");
+        return fault.refuse(Status::bad_mesh, "the cells together have more than 2^31 - 1 sides");
     }
     n_sides = static_cast<Index>(sides);
     return Status::ok;
 }
 
-// Count, sum up, fill: the edges of each cell in the order of their numbers.
+// Lists the edges of each cell, in the order of their numbers: counts, sums up and fills.
 void EdgeCells::sort_edges() const noexcept {
     for (Index cell = 0; cell <= given.n_cells; ++cell) start[cell] = 0;
     for (Index e = 0; e < given.n_edges; ++e) {
@@ -134,11 +137,12 @@ void EdgeCells::sort_edges() const noexcept {
     start[0] = 0;
 }
 
-// Walks round a cell: each edge must lead to the next one, and the last one to the first.
+// Orders the edges of a cell around the cell. Each edge must lead to the next one, and the last one
+// to the first.
 Status EdgeCells::order(Index cell, Fault& fault) const noexcept {
     Index const begin = start[cell], n = start[cell + 1] - begin;
     if (n < 3 || n > most_sides) {
-        return fault.refuse(Status::bad_mesh, "cell # has @ edges; 3 to 1024 are possible",
+        return fault.refuse(Status::bad_mesh, "cell # has @ edges, but a cell must have 3 to 1024",
                             cell_item(cell), plain(n));
     }
     Index at = end_of(edge[begin], 0);
@@ -150,7 +154,8 @@ Status EdgeCells::order(Index cell, Fault& fault) const noexcept {
         }
         if (found == n) {
             return fault.refuse(Status::bad_mesh,
-                                "the edges of cell # do not form one closed loop: see point @",
+                                "the edges of cell # do not form one closed loop; they are not "
+                                "connected at point @",
                                 cell_item(cell), point_item(at));
         }
         Index const e = edge[begin + found];
@@ -160,9 +165,10 @@ Status EdgeCells::order(Index cell, Fault& fault) const noexcept {
         at = end_of(e, end_of(e, 0) == at ? 1 : 0);
     }
     if (at + given.index_base == points[begin]) return Status::ok;
-    return fault.refuse(Status::bad_mesh,
-                        "the edges of cell # do not form one closed loop: see point @",
-                        cell_item(cell), point_item(at));
+    return fault.refuse(
+        Status::bad_mesh,
+        "the edges of cell # do not form one closed loop; they are not connected at point @",
+        cell_item(cell), point_item(at));
 }
 
 void EdgeCells::list_faces() const noexcept {
@@ -215,7 +221,7 @@ hm_status hm_mesh_from_edges(hm_mesh* mesh, void* block, size_t bytes, const hm_
     return guarded(err, [&](CallFault& fault) {
         EdgeCells cells;
         HARMORPH_TRY(require({{"block", block}}, fault));
-        HARMORPH_TRY(check_report(mesh, fault));
+        HARMORPH_TRY(check_report(mesh, "mesh", fault));
         HARMORPH_TRY(cells.read(edges, fault));
         HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { cells.lay_out(arena); }));
         HARMORPH_TRY(cells.run(fault));

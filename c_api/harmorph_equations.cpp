@@ -1,4 +1,4 @@
-// The C interface: the equations of a part, and their matrix entries.
+// The C interface: makes the equations of a part, and gives their matrix entries.
 #include "harmorph_parts.h"
 #include "part_handles.hpp"
 #include "request.hpp"
@@ -10,9 +10,9 @@ struct EquationsRequest : Request {
     const Part* part = nullptr;
     Index n_edges = 0;
 
-    Status read_all(const hm_part* of, Index edges, const hm_problem* given,
+    Status read_all(const hm_part* opened, Index edges, const hm_problem* given,
                     const hm_options* options, CallFault& fault) noexcept {
-        HARMORPH_TRY(open_part(of, part, fault));
+        HARMORPH_TRY(open_part(opened, part, fault));
         n_edges = edges;
         if (edges < 0 || edges > Mesh::max_points / 2) {
             return fault.refuse(Status::bad_argument, "n_edges must be between 0 and 2^29, not #",
@@ -22,24 +22,23 @@ struct EquationsRequest : Request {
         Method const& method = problem.method;
         const char* wrong = nullptr;
         if (method.scheme != Scheme::compact)
-            wrong = "meshes in parts go with the compact scheme only";
+            wrong = "a mesh in parts needs the compact scheme (HM_COMPACT)";
         if (method.engine != Engine::direct)
-            wrong = "meshes in parts: options.engine must be HM_DIRECT";
+            wrong = "options.engine must be HM_DIRECT for a mesh in parts";
         if (method.precision != Precision::in_double)
-            wrong = "meshes in parts: options.precision must be HM_DOUBLE";
+            wrong = "options.precision must be HM_DOUBLE for a mesh in parts";
         if (problem.demands.rotation) {
-            wrong = "meshes in parts do not go with HM_ROTATION_PAIR; HM_PERIODIC_PAIR does";
+            wrong = "HM_ROTATION_PAIR is not available for a mesh in parts; HM_PERIODIC_PAIR is";
         }
         if (problem.demands.slip_curves > 0) {
-            wrong =
-                "meshes in parts do not go with curves that are given for sliding "
-                "(hm_condition.along)";
+            wrong = "hm_condition.along is not available for a mesh in parts; leave it NULL";
         }
-        if (!problem.given.point.empty()) wrong = "meshes in parts: problem.n_given must be 0";
+        if (!problem.given.point.empty()) wrong = "problem.n_given must be 0 for a mesh in parts";
         if (wrong != nullptr) return fault.refuse(Status::unsupported, wrong);
         if (n_conditions > 0) return Status::ok;
         return fault.refuse(Status::bad_condition,
-                            "there are no curves, no rigid bodies and no given displacements");
+                            "there is nothing to solve, because the problem has no curves, rigid "
+                            "bodies or given displacements");
     }
     PartProblem asked() const noexcept {
         return {problem.method, problem.demands, problem.executor};
@@ -59,7 +58,7 @@ hm_equations_info info_of(PartEquations const& equations) noexcept {
                                                    : numbers_of(counts.kind) * counts.functions() /
                                                          equations.matrix.components();
     filled.field_columns = equations.matrix.kind() == MatrixKind::real ? 2 : 1;
-    filled.unknown = equations.name.data();
+    filled.unknown = equations.unknown_number.data();
     filled.own = equations.is_own.data();
     equations.for_each_entry(0, equations.matrix.n,
                              [&](Index, Index, Real, Real) { ++filled.entries; });
@@ -107,10 +106,10 @@ hm_status hm_equations_init(hm_equations** equations, void* block, size_t bytes,
 hm_status hm_equations_info_get(const hm_equations* equations, hm_equations_info* info,
                                 hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const PartEquations* of = nullptr;
-        HARMORPH_TRY(open(equations, "equations", of, fault));
-        HARMORPH_TRY(check_report(info, fault));
-        write_struct(info_of(*of), info);
+        const PartEquations* opened = nullptr;
+        HARMORPH_TRY(open(equations, "equations", opened, fault));
+        HARMORPH_TRY(check_report(info, "info", fault));
+        write_struct(info_of(*opened), info);
         return Status::ok;
     });
 }
@@ -119,26 +118,29 @@ hm_status hm_equations_entries(const hm_equations* equations, int32_t first, int
                                int32_t* row, int32_t* column, double* values, int64_t capacity,
                                int64_t* n_entries, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const PartEquations* of = nullptr;
-        HARMORPH_TRY(open(equations, "equations", of, fault));
+        const PartEquations* opened = nullptr;
+        HARMORPH_TRY(open(equations, "equations", opened, fault));
         HARMORPH_TRY(require({{"n_entries", n_entries}}, fault));
-        if (first < 0 || n < 0 || n > of->matrix.n - first) {
-            return fault.refuse(Status::bad_argument, "from unknown # on there are no @ unknowns",
+        if (first < 0 || n < 0 || n > opened->matrix.n - first) {
+            return fault.refuse(Status::bad_argument,
+                                "first is # and n is @, but unknowns first to first + n - 1 must "
+                                "exist in this part",
                                 entry_item(first), plain(n));
         }
         *n_entries = 0;
-        of->for_each_entry(first, n, [&](Index, Index, Real, Real) { ++*n_entries; });
+        opened->for_each_entry(first, n, [&](Index, Index, Real, Real) { ++*n_entries; });
         if (capacity < *n_entries) {
-            return fault.refuse(Status::bad_argument,
-                                "there is room for fewer entries than there are");
+            return fault.refuse(
+                Status::bad_argument,
+                "capacity is smaller than the number of entries, which *n_entries now contains");
         }
         if (capacity > 0)
             HARMORPH_TRY(require({{"row", row}, {"column", column}, {"values", values}}, fault));
-        of->for_each_entry(first, n, [&](Index i, Index j, Real re, Real im) {
+        opened->for_each_entry(first, n, [&](Index i, Index j, Real re, Real im) {
             *row++ = i;
             *column++ = j;
             *values++ = re;
-            if (of->numbers() == 1) return;
+            if (opened->numbers() == 1) return;
             *values++ = -im;
             *values++ = im;
             *values++ = re;

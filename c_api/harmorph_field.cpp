@@ -1,4 +1,4 @@
-// The C interface: one field of given displacements in a part.
+// The C interface: computes one field of given displacements in a part.
 #include "base/range.hpp"
 #include "operators/right_hand_sides.hpp"
 #include "harmorph_parts.h"
@@ -8,7 +8,7 @@
 namespace harmorph {
 namespace {
 
-// One field of displacements: rows of two numbers, x and y.
+// One field of displacements, in the caller's working memory: two numbers, x and y, for each point.
 struct FieldCall {
     PartEquations* equations = nullptr;
     Span<Real> rows;
@@ -27,7 +27,7 @@ struct FieldCall {
                 equations->wall.point.first(equations->wall.count),
                 equations->matrix.components()};
     }
-    // body(column, its numbers among those of all columns)
+    // Calls body(column, numbers of that column) for each column.
     template <class Number, class Body>
     void for_each_column(Number* numbers, Body const& body) const noexcept {
         Index const n = values().columns(equations->matrix);
@@ -51,23 +51,24 @@ hm_status hm_field_init(hm_equations* equations, const hm_points* displacement, 
         HARMORPH_TRY(call.open_field(equations, work, fault));
         HARMORPH_TRY(require({{"right_hand_sides", right_hand_sides}}, fault));
         HARMORPH_TRY(view_points(displacement, "displacement", given, fault));
-        PartEquations const& of = *call.equations;
-        Index const kind = of.shared.curves.count() + of.problem.demands.bodies;
+        PartEquations const& opened = *call.equations;
+        Index const kind = opened.shared.curves.count() + opened.problem.demands.bodies;
         fill(call.rows, 0.0);
-        for (Index k = 0; k < of.wall.count; ++k) {
-            Index const point = of.wall.point[k];
-            if (of.wall.curve[k] != kind) continue;
+        for (Index k = 0; k < opened.wall.count; ++k) {
+            Index const point = opened.wall.point[k];
+            if (opened.wall.curve[k] != kind) continue;
             if (!is_coordinate(given[point])) {
                 return fault.refuse(Status::bad_argument,
-                                    "the displacement of point # is not finite, or beyond 1e100",
+                                    "the displacement of point # is not finite or beyond 1e100",
                                     point_item(point));
             }
             call.rows[2 * Offset{point}] = given[point].x;
             call.rows[2 * Offset{point} + 1] = given[point].y;
         }
-        subtract_couplings(of.matrix, call.values());
-        call.for_each_column(right_hand_sides,
-                             [&](Index column, double* to) { of.get(call.values(), column, to); });
+        subtract_couplings(opened.matrix, call.values());
+        call.for_each_column(right_hand_sides, [&](Index column, double* to) {
+            opened.get(call.values(), column, to);
+        });
         return Status::ok;
     });
 }
@@ -78,11 +79,12 @@ hm_status hm_field_residual(hm_equations* equations, double* work, const double*
         FieldCall call;
         HARMORPH_TRY(call.open_field(equations, work, fault));
         HARMORPH_TRY(require({{"values", values}, {"residuals", residuals}}, fault));
-        PartEquations const& of = *call.equations;
-        call.for_each_column(
-            values, [&](Index column, const double* from) { of.set(call.values(), column, from); });
+        PartEquations const& opened = *call.equations;
+        call.for_each_column(values, [&](Index column, const double* from) {
+            opened.set(call.values(), column, from);
+        });
         call.for_each_column(residuals, [&](Index column, double* to) {
-            of.find_residual(call.values(), column, to);
+            opened.find_residual(call.values(), column, to);
         });
         return Status::ok;
     });
@@ -96,11 +98,12 @@ hm_status hm_field_finish(hm_equations* equations, double* work, const double* v
         HARMORPH_TRY(call.open_field(equations, work, fault));
         HARMORPH_TRY(require({{"values", values}}, fault));
         HARMORPH_TRY(view_points(displacement, "displacement", to, fault));
-        PartEquations const& of = *call.equations;
-        call.for_each_column(
-            values, [&](Index column, const double* from) { of.set(call.values(), column, from); });
-        of.finish(call.values());
-        for (Index k = 0; k < of.part.own().n_points; ++k) {
+        PartEquations const& opened = *call.equations;
+        call.for_each_column(values, [&](Index column, const double* from) {
+            opened.set(call.values(), column, from);
+        });
+        opened.finish(call.values());
+        for (Index k = 0; k < opened.part.own().n_points; ++k) {
             to.set(k, {call.rows[2 * Offset{k}], call.rows[2 * Offset{k} + 1]});
         }
         return Status::ok;

@@ -1,4 +1,4 @@
-// The C interface: the same curves with more control points.
+// The C interface: gives a curve more control points.
 #include "call.hpp"
 #include "bspline/finer_curves.hpp"
 #include "views.hpp"
@@ -6,17 +6,19 @@
 namespace harmorph {
 namespace {
 
-// What a size query and the call itself read: the curves, and how one of them changes.
+// The arguments that hm_refine_size and hm_refine have in common: the curves, and the change of one
+// of them.
 struct FinerTask {
     CurvesView view;
     CurveRefinement refinement;
     FinerCounts counts;
-    Index degree = 0;  // the degree asked for; 0: that of the curve
+    Index degree = 0;  // the new degree; 0: the degree of the curve stays
 
     Status open(const hm_curves* curves, CallFault& fault) noexcept {
         HARMORPH_TRY(view_curves(curves, view, fault));
         if (refinement.curve < 0 || refinement.curve >= view.count()) {
-            return fault.refuse(Status::bad_argument, "there is no curve #; the set has @",
+            return fault.refuse(Status::bad_argument,
+                                "curve # does not exist; curves.n_curves is @",
                                 curve_item(refinement.curve), plain(view.count()));
         }
         for (Index i = 0; i < view.count(); ++i) {
@@ -32,15 +34,16 @@ struct FinerTask {
 private:
     Status check_refinement(Curve const& curve, Fault& fault) const noexcept {
         if (degree != 0 && degree != curve.degree + 1) {
-            return fault.refuse(Status::bad_argument,
-                                "a curve of degree # can be raised to the degree above, not to @",
-                                plain(curve.degree), plain(degree));
+            return fault.refuse(
+                Status::bad_argument,
+                "degree is @, but a curve of degree # can only be raised by one degree",
+                plain(curve.degree), plain(degree));
         }
         return refinement.check(curve, fault);
     }
 };
 
-// Which curve changes, and how. The degree of the curve is known once the curves are read.
+// Reads which curve changes, and how. The degree is checked when the curves have been read.
 Status view_refinement(Index curve, Index degree, Index n, const double* u, FinerTask& task,
                        Fault& fault) noexcept {
     constexpr Index most = Index{1} << 24;
@@ -48,9 +51,10 @@ Status view_refinement(Index curve, Index degree, Index n, const double* u, Fine
         return fault.refuse(Status::bad_argument, "n must be between 0 and 2^24, not #", plain(n));
     }
     if (degree != 0 && n != 0) {
-        return fault.refuse(Status::bad_argument,
-                            "either the degree is raised or knots are inserted: n must be 0, not #",
-                            plain(n));
+        return fault.refuse(
+            Status::bad_argument,
+            "n is #, but it must be 0 where the degree is raised; insert the knots by another call",
+            plain(n));
     }
     if (n > 0) HARMORPH_TRY(require({{"u", u}}, fault));
     task.refinement.curve = curve;
@@ -60,7 +64,7 @@ Status view_refinement(Index curve, Index degree, Index n, const double* u, Fine
     return Status::ok;
 }
 
-// The block: the caller's structs, then the core's arrays.
+// The block of the result: the structs for the caller, then the arrays of the core.
 struct FinerBlock {
     Span<hm_curves> set;
     Span<hm_curve> curve;
@@ -95,7 +99,7 @@ Status make_finer(FinerTask& task, const hm_curves** finer, const double** matri
     HARMORPH_TRY(
         place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, task.counts); }));
     for (Index i = 0; i < task.view.count(); ++i)
-        task.view.curve(i, made.finer.curve[i], fault);  // checked by open()
+        task.view.curve(i, made.finer.curve[i], fault);  // cannot fail: open() has checked it
     HARMORPH_TRY(made.finer.run(task.refinement, fault));
     *finer = made.present(task.view.set.index_base);
     if (matrix != nullptr) *matrix = made.finer.matrix.data();

@@ -1,4 +1,4 @@
-// The C interface: B-splines through points in order, and through the walls of a mesh.
+// The C interface: fits B-splines to points in order, and to the walls of a mesh.
 #include <limits>
 
 #include "bspline/fit.hpp"
@@ -7,7 +7,7 @@
 namespace harmorph {
 namespace {
 
-// The structs of the caller for a set of fitted curves, index_base 0.
+// The structs that the caller receives for a set of fitted curves, index_base 0.
 struct FittedSet {
     Span<hm_curves> set;
     Span<hm_curve> curve;
@@ -52,7 +52,7 @@ hm_fit_report report_of(FitReport const& fitted, Index n_pieces) noexcept {
     return filled;
 }
 
-// The result of hm_fit_marker: the curves of all pieces over common control points.
+// The result of hm_fit_marker: the curves of all pieces, in one set.
 struct PiecesBlock {
     FittedSet made;
     Span<Real> control;
@@ -61,7 +61,8 @@ struct PiecesBlock {
     Index n_curves = 0, n_control = 0;
     Size n_indices = 0, n_knots = 0;
 
-    // A piece has more points than the degree, and each face has at most two points.
+    // A piece has more points than the degree, and a face has two points; these limits bound all
+    // arrays.
     void lay_out(Arena& arena, Offset max_faces, FitOptions const& options) noexcept {
         Offset const pieces = max_faces / options.degree;
         Offset const points = 2 * max_faces, wanted = pieces * options.n_control;
@@ -93,7 +94,7 @@ struct PiecesBlock {
     }
 };
 
-// Walls of a mesh that are to be fitted, read from the caller's arguments.
+// The walls of a mesh that are to be fitted, from the caller's arguments.
 struct WallRequest {
     Request request;  // the mesh alone
     Span<const Index> markers;
@@ -117,7 +118,7 @@ struct WallRequest {
     Offset max_faces() const noexcept {
         return static_cast<Offset>(Boundary::max_faces(request.problem.mesh));
     }
-    // A piece of the boundary has one point more than faces, at most.
+    // A piece of the boundary has at most one point more than it has faces.
     Index max_points() const noexcept {
         constexpr Offset limit = std::numeric_limits<Index>::max() - 2 * max_order;
         return static_cast<Index>(min(max(max_faces() + 1, Offset{options.n_control}), limit));
@@ -159,7 +160,7 @@ public:
         Boundary const& boundary = work_.analysis.boundary();
         for (Index const marker : wall_.markers) {
             if (has_face(boundary, marker)) continue;
-            return fault.refuse(Status::bad_condition, "no boundary face has the marker #",
+            return fault.refuse(Status::bad_condition, "no face of the boundary has the marker #",
                                 marker_item(marker));
         }
         auto const is_on = [&](Index face) { return wall_.is_on(boundary.marker[face]); };
@@ -184,7 +185,7 @@ private:
         if (position == none) return none;
         return work_.point[position] + wall_.request.problem.mesh.index_base;
     }
-    // A fit counts the points of a piece; the caller counts those of the mesh.
+    // Replaces the position in a piece, which the fit names, by the point of the mesh.
     void name_point(Item& item) const noexcept {
         if (item.kind == ItemKind::point) item = point_item(work_.point[item.number]);
     }
@@ -245,7 +246,7 @@ hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes, const hm_p
         Points view;
         FitOptions asked;
         HARMORPH_TRY(require({{"curves", curves}, {"block", block}}, fault));
-        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(view_points(points, "points", view, fault));
         HARMORPH_TRY(view_fit_options(options, asked, fault));
         HARMORPH_TRY(check_fit(n, asked, fault));
@@ -287,7 +288,7 @@ hm_status hm_fit_marker(const hm_curves** curves, void* block, size_t bytes, con
     return guarded(err, [&](CallFault& fault) {
         WallRequest wall;
         HARMORPH_TRY(require({{"curves", curves}, {"block", block}, {"work", work}}, fault));
-        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(wall.read(mesh, n_markers, markers, options, fault));
         PiecesBlock made;
         FitWork arrays;

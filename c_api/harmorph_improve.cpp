@@ -1,4 +1,4 @@
-// The C interface: better cells in a valid mesh.
+// The C interface: improves the cells of a valid mesh.
 #include "handles.hpp"
 #include "morph/quality.hpp"
 #include "safe/mesh_improvement.hpp"
@@ -6,36 +6,41 @@
 namespace harmorph {
 namespace {
 
-// The mesh's own coordinates are a reference as long as they are those of the analysis: of a mesh
-// that was moved in place, they are the mesh that is to become better.
+// Refuses the mesh's own coordinates as the reference after a morph in place: they are then those
+// of the mesh that is to be improved.
 Status check_own_reference(Plan const& plan, Fault& fault) noexcept {
     Points const own = plan.mesh().points;
     if (coordinates_fingerprint(own, plan.mesh().n_points) ==
         plan.equations().analysed_coordinates())
         return Status::ok;
-    return fault.refuse(
-        Status::bad_mesh,
-        "the mesh's coordinates have changed since the analysis: give those as the reference");
+    return fault.refuse(Status::bad_mesh,
+                        "the mesh has moved since the analysis; give the coordinates before the "
+                        "movement as options.reference");
 }
 
-// reference: in, the mesh's own coordinates.
+// On entry, reference is the mesh's own coordinates.
 Status view_improve_options(const hm_improve_options* given, ImproveOptions& options,
                             Points& reference, Fault& fault) noexcept {
     constexpr Index most_iterations = 10000;
     hm_improve_options o = {};
     if (given == nullptr) return Status::ok;
     if (!read_struct(given, o))
-        return fault.refuse(Status::bad_argument, "improve options: struct_size is wrong");
+        return fault.refuse(Status::bad_argument,
+                            "options.struct_size is not the size of an hm_improve_options; begin "
+                            "with HM_INIT(options)");
     if (asks_for_more(given)) {
-        return fault.refuse(
-            Status::unsupported,
-            "improve options: fields are set that this version of the library does not know");
+        return fault.refuse(Status::unsupported,
+                            "options contains fields that are set but unknown to this version of "
+                            "the library; use the header of this version");
     }
-    if (o.max_iterations < 0 || o.max_iterations > most_iterations || o.reserved != 0) {
-        return fault.refuse(
-            Status::bad_argument,
-            "improve options: max_iterations is #, not 0 .. @, or reserved is not 0",
-            plain(o.max_iterations), plain(most_iterations));
+    if (o.max_iterations < 0 || o.max_iterations > most_iterations) {
+        return fault.refuse(Status::bad_argument,
+                            "options.max_iterations must be between 0 and 10000, not #",
+                            plain(o.max_iterations));
+    }
+    if (o.reserved != 0) {
+        return fault.refuse(Status::bad_argument, "options.reserved must be 0, not #",
+                            plain(o.reserved));
     }
     if (o.reference != nullptr)
         HARMORPH_TRY(view_points(o.reference, "reference", reference, fault));
@@ -82,7 +87,7 @@ hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* 
         MutablePoints after;
         ImproveOptions asked;
         HARMORPH_TRY(open_plan(plan, p, fault));
-        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
         reference = p->mesh().points;
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(to, "to", after, fault));

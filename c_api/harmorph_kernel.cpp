@@ -1,4 +1,4 @@
-// The C interface: the vector instructions of this processor.
+// The C interface: names the best kernel of this processor.
 #include "harmorph.h"
 #include "simd/cpu.hpp"
 

@@ -1,4 +1,4 @@
-// The C interface: measures of a section.
+// The C interface: measures a section.
 #include "base/range.hpp"
 #include "bspline/section_measures.hpp"
 #include "section_view.hpp"
@@ -9,20 +9,24 @@ namespace {
 Status view_quantity(const hm_quantity* array, Index number, Quantity& out, Fault& fault) noexcept {
     hm_quantity q;
     if (!read_struct(array, q) || !read_struct(element(array, number), q)) {
-        return fault.refuse(Status::bad_argument, "struct_size of quantity # is wrong",
-                            quantity_item(number));
+        return fault.refuse(
+            Status::bad_argument,
+            "struct_size of quantity # is not the size of an hm_quantity; begin with HM_INIT",
+            quantity_item(number));
     }
     if (q.kind < HM_AREA || q.kind > HM_CLEARANCE) {
-        return fault.refuse(Status::bad_argument, "quantity # has the unknown kind @",
-                            quantity_item(number), plain(q.kind));
+        return fault.refuse(
+            Status::bad_argument,
+            "the kind of quantity # is @, but it must be one of HM_AREA to HM_CLEARANCE",
+            quantity_item(number), plain(q.kind));
     }
     out.kind = static_cast<QuantityKind>(q.kind);
     bool const has_station =
         out.kind == QuantityKind::thickness || out.kind == QuantityKind::camber;
     if (has_station ? !(is_finite(q.station) && q.station > 0 && q.station < 1) : q.station != 0) {
         const char* const text =
-            has_station ? "quantity #: the station is ~, not between 0 and 1"
-                        : "quantity # has a station, which is of thickness and camber only";
+            has_station ? "the station of quantity # is ~, but it must lie between 0 and 1"
+                        : "quantity # has a station, but only HM_THICKNESS and HM_CAMBER use one";
         return fault.refuse(Status::bad_argument, text, quantity_item(number), {}, q.station);
     }
     out.station = q.station;
@@ -30,9 +34,9 @@ Status view_quantity(const hm_quantity* array, Index number, Quantity& out, Faul
     constexpr Index most = Index{1} << 20;
     if (has_polygon ? q.n_polygon < 1 || q.n_polygon > most || q.polygon == nullptr
                     : q.n_polygon != 0) {
-        const char* const text = has_polygon
-                                     ? "quantity #: the polygon is NULL, empty or longer than 2^20"
-                                     : "quantity # has a polygon, which is of clearance only";
+        const char* const text =
+            has_polygon ? "the polygon of quantity # is NULL, empty or longer than 2^20 points"
+                        : "quantity # has a polygon, but only HM_CLEARANCE uses one";
         return fault.refuse(Status::bad_argument, text, quantity_item(number));
     }
     out.polygon = {q.polygon, has_polygon ? q.polygon + 1 : nullptr, 2};
@@ -40,7 +44,7 @@ Status view_quantity(const hm_quantity* array, Index number, Quantity& out, Faul
     for (Index k = 0; k < out.n_polygon; ++k) {
         if (is_coordinate(out.polygon[k])) continue;
         return fault.refuse(Status::bad_argument,
-                            "quantity #: point @ of the polygon is not finite or beyond 1e100",
+                            "point @ of the polygon of quantity # is not finite or beyond 1e100",
                             quantity_item(number), entry_item(k));
     }
     return Status::ok;
@@ -61,8 +65,7 @@ hm_status hm_measure(const hm_curves* curves, const hm_section* section, int32_t
         Section outline;
         HARMORPH_TRY(require({{"quantities", quantities}, {"values", values}}, fault));
         if (n < 1)
-            return fault.refuse(Status::bad_argument, "n is #: at least one quantity is measured",
-                                plain(n));
+            return fault.refuse(Status::bad_argument, "n must be at least 1, not #", plain(n));
         HARMORPH_TRY(open_section(curves, section, view, outline, fault));
         Measured measured;
         auto const find = [&](Index k, ControlGradient const& gradient) {
@@ -72,7 +75,8 @@ hm_status hm_measure(const hm_curves* curves, const hm_section* section, int32_t
                 fault.item = quantity_item(k);
             return fault.status;
         };
-        for (Index k = 0; k < n; ++k) HARMORPH_TRY(find(k, {}));  // before anything is written
+        for (Index k = 0; k < n; ++k)
+            HARMORPH_TRY(find(k, {}));  // all quantities are checked before anything is written
         Offset const length = 2 * Offset{view.set.n_control};
         for (Index k = 0; k < n; ++k) {
             ControlGradient gradient;

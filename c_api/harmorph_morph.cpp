@@ -1,4 +1,4 @@
-// The C interface: movements of the mesh points, and the transpose.
+// The C interface: moves the mesh points, and computes the transpose.
 #include "handles.hpp"
 #include "morph/adjoint.hpp"
 #include "morph/morph.hpp"
@@ -6,7 +6,8 @@
 namespace harmorph {
 namespace {
 
-// Have two arrays of the same stride a number of points in common, though not of the same number?
+// Tells whether two arrays of the same stride overlap such that point k of one is another point of
+// the other.
 bool are_shifted(const double* a, const double* b, std::ptrdiff_t stride, Index n) noexcept {
     std::uintptr_t const bytes =
         a < b ? reinterpret_cast<std::uintptr_t>(b) - reinterpret_cast<std::uintptr_t>(a)
@@ -20,7 +21,9 @@ Status check_apart(Points from, MutablePoints to, Index n, Fault& fault) noexcep
     bool const apart =
         !are_shifted(from.x, to.x, to.stride, n) && !are_shifted(from.y, to.y, to.stride, n);
     if (apart && from.x != to.y && from.y != to.x) return Status::ok;
-    return fault.refuse_argument("to", "% has numbers of `from`, but of other points");
+    return fault.refuse_argument("to",
+                                 "% has numbers in common with `from`, but at other points; give "
+                                 "the same arrays or separate ones");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The C interface: a part of a mesh that no process has as a whole, and the edges where parts end.
+// The C interface: makes a part of a mesh that no process has as a whole, and matches the edges
+// where parts end.
 #include "parts/shared_boundary.hpp"
 #include "harmorph_parts.h"
 #include "part_handles.hpp"
@@ -14,7 +15,9 @@ Status view_part_mesh(const hm_part_mesh* given, PartMesh& part, CallFault& faul
     HARMORPH_TRY(require({{"mesh", given}}, fault));
     hm_part_mesh p;
     if (!read_struct(given, p))
-        return fault.refuse(Status::bad_argument, "the struct_size of the part is wrong");
+        return fault.refuse(
+            Status::bad_argument,
+            "mesh.struct_size is not the size of an hm_part_mesh; begin with HM_INIT(mesh)");
     HARMORPH_TRY(require({{"part.numbers", p.numbers}}, fault));
     HARMORPH_TRY(view_mesh(p.mesh, part.mesh, fault));
     part.number = p.numbers;
@@ -54,11 +57,11 @@ hm_status hm_part_init(hm_part** part, void* block, size_t bytes, const hm_part_
 
 hm_status hm_part_cells(const hm_part* part, hm_mesh* own, const int32_t** cell, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Part* of = nullptr;
-        HARMORPH_TRY(open_part(part, of, fault));
+        const Part* opened = nullptr;
+        HARMORPH_TRY(open_part(part, opened, fault));
         HARMORPH_TRY(require({{"cell", cell}}, fault));
-        HARMORPH_TRY(check_report(own, fault));
-        Mesh const& mesh = of->cells;
+        HARMORPH_TRY(check_report(own, "own", fault));
+        Mesh const& mesh = opened->cells;
         hm_mesh filled = {};
         filled.index_base = mesh.index_base;
         filled.n_points = mesh.n_points;
@@ -69,17 +72,17 @@ hm_status hm_part_cells(const hm_part* part, hm_mesh* own, const int32_t** cell,
         filled.cell_start = mesh.cell_start;
         filled.cell_points = mesh.cell_points;
         write_struct(filled, own);
-        *cell = of->given_cell.empty() ? nullptr : of->given_cell.data();
+        *cell = opened->given_cell.empty() ? nullptr : opened->given_cell.data();
         return Status::ok;
     });
 }
 
 hm_status hm_part_points(const hm_part* part, uint8_t* role, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Part* of = nullptr;
-        HARMORPH_TRY(open_part(part, of, fault));
+        const Part* opened = nullptr;
+        HARMORPH_TRY(open_part(part, opened, fault));
         HARMORPH_TRY(require({{"role", role}}, fault));
-        std::memcpy(role, of->in_cell.data(), of->in_cell.size());
+        std::memcpy(role, opened->in_cell.data(), opened->in_cell.size());
         return Status::ok;
     });
 }
@@ -87,16 +90,17 @@ hm_status hm_part_points(const hm_part* part, uint8_t* role, hm_error* err) {
 hm_status hm_part_edges(const hm_part* part, hm_edge* edges, int32_t capacity, int32_t* n,
                         hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Part* of = nullptr;
-        HARMORPH_TRY(open_part(part, of, fault));
+        const Part* opened = nullptr;
+        HARMORPH_TRY(open_part(part, opened, fault));
         HARMORPH_TRY(require({{"n", n}}, fault));
         if (capacity > 0) HARMORPH_TRY(require({{"edges", edges}}, fault));
-        *n = of->n_open;
-        if (capacity < of->n_open) {
-            return fault.refuse(Status::bad_argument, "edges has room for #, the part has @",
-                                plain(capacity), plain(of->n_open));
+        *n = opened->n_open;
+        if (capacity < opened->n_open) {
+            return fault.refuse(Status::bad_argument,
+                                "edges has room for # edges, but the part has @", plain(capacity),
+                                plain(opened->n_open));
         }
-        of->for_each_open([&](OpenEdge const& edge) {
+        opened->for_each_open([&](OpenEdge const& edge) {
             std::memcpy(static_cast<void*>(edges++), &edge, sizeof edge);
         });
         return Status::ok;
@@ -106,7 +110,9 @@ hm_status hm_part_edges(const hm_part* part, hm_edge* edges, int32_t capacity, i
 hm_status hm_match_edges(hm_edge* edges, int64_t* n, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         HARMORPH_TRY(require({{"n", n}}, fault));
-        if (*n < 0) return fault.refuse(Status::bad_argument, "the number of edges is negative");
+        if (*n < 0)
+            return fault.refuse(Status::bad_argument,
+                                "*n must be the number of edges, but it is negative");
         if (*n > 0) HARMORPH_TRY(require({{"edges", edges}}, fault));
         Offset left = 0;
         HARMORPH_TRY(

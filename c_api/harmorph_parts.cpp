@@ -1,5 +1,5 @@
-// The C interface: meshes in parts. Rows of some points, shares of the functions, the sums of the
-// adjoint.
+// The C interface for several processes: bases of some points, shares of the functions, parcels,
+// the sums of the adjoint.
 #include "handles.hpp"
 #include "basis/packed_rows.hpp"
 #include "morph/adjoint.hpp"
@@ -11,7 +11,7 @@ Status view_list(Basis const& basis, Index n, const Index* points, PointList& li
                  Fault& fault) noexcept {
     HARMORPH_TRY(PointList::check_length(n, fault));
     if (n > 0 && points == nullptr)
-        return fault.refuse(Status::bad_argument, "the list of points is NULL");
+        return fault.refuse(Status::bad_argument, "points is NULL, but n is #", plain(n));
     list = {basis.header->index_base, {points, static_cast<Size>(n)}};
     return list.check(basis.n_points(), fault);
 }
@@ -20,8 +20,10 @@ Status count_share(Analysis const& analysis, Index first, Index n, BasisCounts& 
                    Fault& fault) noexcept {
     BasisCounts const all = analysis.basis_counts();
     if (first < 0 || n < 0 || n > all.functions() - first) {
-        return fault.refuse(Status::bad_argument, "from function # on there are no @ functions",
-                            function_item(first), plain(n));
+        return fault.refuse(
+            Status::bad_argument,
+            "first is # and n is @, but functions first to first + n - 1 must exist",
+            function_item(first), plain(n));
     }
     counts = all.share(first, n);
     return Status::ok;
@@ -29,11 +31,12 @@ Status count_share(Analysis const& analysis, Index first, Index n, BasisCounts& 
 
 Status check_scale(Index scale, Fault& fault) noexcept {
     if (BinaryScale{scale}.valid()) return Status::ok;
-    return fault.refuse(Status::bad_argument, "scale is #, which hm_adjoint_scale never says",
+    return fault.refuse(Status::bad_argument,
+                        "scale is #, but it must be a number that hm_adjoint_scale returned",
                         plain(scale));
 }
 
-// All that calls with a gradient by mesh points have in common.
+// The arguments that the calls with derivatives by mesh points have in common.
 struct GradientCall {
     Basis basis;
     Points points;
@@ -85,14 +88,16 @@ hm_status hm_extract_init(hm_basis** rows, void* block, size_t bytes, const hm_b
 hm_status hm_share_of(const hm_analysis* analysis, int32_t part, int32_t n_parts, int32_t* first,
                       int32_t* n, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Analysis* of = nullptr;
+        const Analysis* opened = nullptr;
         HARMORPH_TRY(require({{"first", first}, {"n", n}}, fault));
         if (part < 0 || part >= n_parts) {
-            return fault.refuse(Status::bad_argument, "there is no part # of @", entry_item(part),
-                                plain(n_parts));
+            return fault.refuse(
+                Status::bad_argument,
+                "part is #, but it must be at least 0 and below n_parts, which is @",
+                entry_item(part), plain(n_parts));
         }
-        HARMORPH_TRY(open_complete(analysis, of, fault));
-        Offset const functions = of->basis_counts().functions();
+        HARMORPH_TRY(open_complete(analysis, opened, fault));
+        Offset const functions = opened->basis_counts().functions();
         *first = static_cast<Index>(functions * part / n_parts);
         *n = static_cast<Index>(functions * (part + Offset{1}) / n_parts) - *first;
         return Status::ok;
@@ -102,10 +107,10 @@ hm_status hm_share_of(const hm_analysis* analysis, int32_t part, int32_t n_parts
 hm_status hm_share_size(const hm_analysis* analysis, int32_t first, int32_t n, size_t* bytes,
                         hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Analysis* of = nullptr;
+        const Analysis* opened = nullptr;
         BasisCounts counts;
-        HARMORPH_TRY(open_complete(analysis, of, fault));
-        HARMORPH_TRY(count_share(*of, first, n, counts, fault));
+        HARMORPH_TRY(open_complete(analysis, opened, fault));
+        HARMORPH_TRY(count_share(*opened, first, n, counts, fault));
         Basis made;
         return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, counts); });
     });
@@ -114,12 +119,12 @@ hm_status hm_share_size(const hm_analysis* analysis, int32_t first, int32_t n, s
 hm_status hm_share_init(hm_basis** share, void* block, size_t bytes, const hm_analysis* analysis,
                         int32_t first, int32_t n, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Analysis* of = nullptr;
+        const Analysis* opened = nullptr;
         BasisCounts counts;
         HARMORPH_TRY(require({{"share", share}}, fault));
-        HARMORPH_TRY(open_complete(analysis, of, fault));
-        HARMORPH_TRY(count_share(*of, first, n, counts, fault));
-        return make_basis(*of, counts, block, bytes, share, fault);
+        HARMORPH_TRY(open_complete(analysis, opened, fault));
+        HARMORPH_TRY(count_share(*opened, first, n, counts, fault));
+        return make_basis(*opened, counts, block, bytes, share, fault);
     });
 }
 
@@ -179,8 +184,10 @@ hm_status hm_adjoint_sums(const hm_basis* basis, const hm_points* dj, int32_t sc
         HARMORPH_TRY(check_scale(scale, fault));
         Index const least = adjoint_scale(call.basis, call.points, call.threads).exponent;
         if (scale < least) {
-            return fault.refuse(Status::bad_argument, "scale is #, these points alone need @",
-                                plain(scale), plain(least));
+            return fault.refuse(
+                Status::bad_argument,
+                "scale is #, but these points need at least @; take the largest scale of all parts",
+                plain(scale), plain(least));
         }
         adjoint_sums(call.basis, call.points, {scale}, sums, call.threads);
         return Status::ok;

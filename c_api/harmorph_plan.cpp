@@ -40,22 +40,23 @@ extern "C" {
 
 hm_status hm_plan_size(const hm_analysis* analysis, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Analysis* of = nullptr;
-        HARMORPH_TRY(open_complete(analysis, of, fault));
+        const Analysis* opened = nullptr;
+        HARMORPH_TRY(open_complete(analysis, opened, fault));
         InBlock<Plan> made;
-        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, *of); });
+        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, *opened); });
     });
 }
 
 hm_status hm_plan_init(hm_plan** plan, void* block, size_t bytes, const hm_analysis* analysis,
                        hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Analysis* of = nullptr;
+        const Analysis* opened = nullptr;
         HARMORPH_TRY(require({{"plan", plan}}, fault));
-        HARMORPH_TRY(open_complete(analysis, of, fault));
+        HARMORPH_TRY(open_complete(analysis, opened, fault));
         InBlock<Plan> made;
-        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, *of); }));
-        made.object.init(*of);
+        HARMORPH_TRY(
+            place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, *opened); }));
+        made.object.init(*opened);
         made.give(plan);
         return Status::ok;
     });
@@ -63,21 +64,21 @@ hm_status hm_plan_init(hm_plan** plan, void* block, size_t bytes, const hm_analy
 
 hm_status hm_basis_size(const hm_analysis* analysis, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Analysis* of = nullptr;
-        HARMORPH_TRY(open_complete(analysis, of, fault));
+        const Analysis* opened = nullptr;
+        HARMORPH_TRY(open_complete(analysis, opened, fault));
         Basis made;
         return count_bytes(bytes, fault,
-                           [&](Arena& arena) { made.lay_out(arena, of->basis_counts()); });
+                           [&](Arena& arena) { made.lay_out(arena, opened->basis_counts()); });
     });
 }
 
 hm_status hm_basis_init(hm_basis** basis, void* block, size_t bytes, const hm_analysis* analysis,
                         hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Analysis* of = nullptr;
+        const Analysis* opened = nullptr;
         HARMORPH_TRY(require({{"basis", basis}}, fault));
-        HARMORPH_TRY(open_complete(analysis, of, fault));
-        return make_basis(*of, of->basis_counts(), block, bytes, basis, fault);
+        HARMORPH_TRY(open_complete(analysis, opened, fault));
+        return make_basis(*opened, opened->basis_counts(), block, bytes, basis, fault);
     });
 }
 
@@ -97,7 +98,7 @@ hm_status hm_plan_solve(hm_plan* plan, hm_basis* basis, hm_solve_report* report,
         Basis b;
         HARMORPH_TRY(open_basis(basis, b, fault));
         HARMORPH_TRY(open_plan(plan, p, fault));
-        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
         SolveReport solved;
         HARMORPH_TRY(p->solve(b, solved, fault));
         if (report != nullptr) write_struct(report_of(solved, b, *p), report);

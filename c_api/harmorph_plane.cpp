@@ -1,4 +1,4 @@
-// The C interface: meshes of three dimensions that are one cell thick.
+// The C interface: finds and moves the plane of a mesh that is one cell thick.
 #include "handles.hpp"
 #include "morph/adjoint.hpp"
 #include "morph/morph.hpp"
@@ -11,13 +11,18 @@ Status view_space(const hm_space_mesh* given, SpaceMesh& mesh, CallFault& fault)
     HARMORPH_TRY(require({{"space", given}}, fault));
     hm_space_mesh m;
     if (!read_struct(given, m))
-        return fault.refuse(Status::bad_argument, "space.struct_size is wrong");
+        return fault.refuse(
+            Status::bad_argument,
+            "space.struct_size is not the size of an hm_space_mesh; begin with HM_INIT(space)");
     if (asks_for_more(given)) {
         return fault.refuse(Status::unsupported,
-                            "space: fields are set that this version of the library does not know");
+                            "space contains fields that are set but unknown to this version of the "
+                            "library; use the header of this version");
     }
     if (m.kind < HM_SPACE_AUTO || m.kind > HM_WEDGE) {
-        return fault.refuse(Status::bad_argument, "space.kind # is unknown", plain(m.kind));
+        return fault.refuse(Status::bad_argument,
+                            "space.kind is #, but it must be HM_SPACE_AUTO, HM_PLANES or HM_WEDGE",
+                            plain(m.kind));
     }
     mesh.index_base = fault.bases.mesh = m.index_base;
     mesh.n_points = m.n_points;
@@ -44,7 +49,7 @@ struct PlaneBlock : InBlock<Plane> {
     }
 };
 
-// hm_plane and Plane, both const or neither.
+// Opens a plane. Handle is hm_plane and Object is Plane; either both are const or neither.
 template <class Handle, class Object>
 Status open_plane_mesh(Handle* handle, Object*& plane, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"plane", handle}}, fault));
@@ -65,19 +70,21 @@ Status view_space_points(const Given* given, const char* name, View& points,
     return Status::ok;
 }
 
-// A basis with all functions, of the plane's mesh, or of a list with as many points.
+// Opens a basis with all functions that belongs to the mesh of the plane. A basis of a list of
+// points must have as many points.
 Status open_basis_of(Plane const& plane, const hm_basis* handle, Basis& basis,
                      CallFault& fault) noexcept {
     HARMORPH_TRY(open_complete(handle, basis, fault));
     BasisHeader const& header = *basis.header;
     if (basis.n_points() != plane.n_points) {
-        return fault.refuse(Status::bad_basis, "the basis has # points, but the plane @",
+        return fault.refuse(Status::bad_basis, "the basis has # points, but the plane has @",
                             plain(basis.n_points()), plain(plane.n_points));
     }
     if (header.counts.cells == 0) return Status::ok;
     if (header.counts.cells == plane.n_faces && header.topology.sample == sample_of(plane.mesh()))
         return Status::ok;
-    return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: the cells differ");
+    return fault.refuse(Status::bad_basis,
+                        "the basis belongs to another mesh, because the cells differ");
 }
 
 void put(Vec3 from, double (&to)[3]) noexcept {
@@ -106,35 +113,35 @@ hm_status hm_plane_init(hm_plane** plane, void* block, size_t bytes, const hm_sp
                         hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         SpaceMesh mesh;
-        PlaneBlock its;
+        PlaneBlock made;
         HARMORPH_TRY(require({{"plane", plane}}, fault));
         HARMORPH_TRY(view_space(space, mesh, fault));
-        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { its.lay_out(arena, mesh); }));
+        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, mesh); }));
         HARMORPH_TRY(check_space_mesh(mesh, fault));
-        HARMORPH_TRY(its.search.run(mesh, its.object, fault));
-        its.give(plane);
+        HARMORPH_TRY(made.search.run(mesh, made.object, fault));
+        made.give(plane);
         return Status::ok;
     });
 }
 
 hm_status hm_plane_info_get(const hm_plane* plane, hm_plane_info* info, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Plane* its = nullptr;
-        HARMORPH_TRY(open_plane_mesh(plane, its, fault));
-        HARMORPH_TRY(check_report(info, fault));
+        const Plane* opened = nullptr;
+        HARMORPH_TRY(open_plane_mesh(plane, opened, fault));
+        HARMORPH_TRY(check_report(info, "info", fault));
         hm_plane_info filled = {};
-        filled.kind = static_cast<std::int32_t>(its->frame.kind);
-        filled.n_points = its->n_points;
-        filled.n_space_points = its->n_space_points;
-        filled.layers = its->layers;
-        put(its->frame.origin, filled.origin);
-        put(its->frame.x, filled.x_direction);
-        put(its->frame.y, filled.y_direction);
-        put(its->frame.normal, filled.normal);
-        filled.max_distance = its->max_distance;
-        filled.max_distance_point = numbered(its->max_distance_point, its->index_base);
-        filled.follows = its->follows.data();
-        filled.space_point = its->space_point.data();
+        filled.kind = static_cast<std::int32_t>(opened->frame.kind);
+        filled.n_points = opened->n_points;
+        filled.n_space_points = opened->n_space_points;
+        filled.layers = opened->layers;
+        put(opened->frame.origin, filled.origin);
+        put(opened->frame.x, filled.x_direction);
+        put(opened->frame.y, filled.y_direction);
+        put(opened->frame.normal, filled.normal);
+        filled.max_distance = opened->max_distance;
+        filled.max_distance_point = numbered(opened->max_distance_point, opened->index_base);
+        filled.follows = opened->follows.data();
+        filled.space_point = opened->space_point.data();
         write_struct(filled, info);
         return Status::ok;
     });
@@ -142,10 +149,10 @@ hm_status hm_plane_info_get(const hm_plane* plane, hm_plane_info* info, hm_error
 
 hm_status hm_plane_mesh(const hm_plane* plane, hm_mesh* mesh, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Plane* its = nullptr;
-        HARMORPH_TRY(open_plane_mesh(plane, its, fault));
-        HARMORPH_TRY(check_report(mesh, fault));
-        Mesh const from = its->mesh();
+        const Plane* opened = nullptr;
+        HARMORPH_TRY(open_plane_mesh(plane, opened, fault));
+        HARMORPH_TRY(check_report(mesh, "mesh", fault));
+        Mesh const from = opened->mesh();
         hm_mesh filled = {};
         filled.index_base = from.index_base;
         filled.n_points = from.n_points;
@@ -166,20 +173,20 @@ hm_status hm_plane_morph(hm_plane* plane, const hm_basis* basis, const double* m
                          const hm_space_points* from, const hm_space_points_out* to,
                          const hm_executor* executor, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        Plane* its = nullptr;
+        Plane* opened = nullptr;
         Basis b;
         Executor threads;
         SpacePoints before;
         MutableSpacePoints after;
-        HARMORPH_TRY(open_plane_mesh(plane, its, fault));
-        HARMORPH_TRY(open_basis_of(*its, basis, b, fault));
+        HARMORPH_TRY(open_plane_mesh(plane, opened, fault));
+        HARMORPH_TRY(open_basis_of(*opened, basis, b, fault));
         HARMORPH_TRY(view_executor(executor, threads, fault));
         HARMORPH_TRY(check_move(b, move, fault));
         if (from != nullptr) HARMORPH_TRY(view_space_points(from, "from", before, fault));
         HARMORPH_TRY(view_space_points(to, "to", after, fault));
-        MutablePoints const displacement{its->work_x.data(), its->work_y.data(), 1};
+        MutablePoints const displacement{opened->work_x.data(), opened->work_y.data(), 1};
         morph(b, move, {}, displacement, threads);
-        its->spread(displacement, before, after, threads);
+        opened->spread(displacement, before, after, threads);
         return Status::ok;
     });
 }
@@ -187,17 +194,17 @@ hm_status hm_plane_morph(hm_plane* plane, const hm_basis* basis, const double* m
 hm_status hm_plane_adjoint(hm_plane* plane, const hm_basis* basis, const hm_space_points* dj,
                            double* gradient, const hm_executor* executor, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        Plane* its = nullptr;
+        Plane* opened = nullptr;
         Basis b;
         Executor threads;
         SpacePoints by_points;
         HARMORPH_TRY(require({{"gradient", gradient}}, fault));
-        HARMORPH_TRY(open_plane_mesh(plane, its, fault));
-        HARMORPH_TRY(open_basis_of(*its, basis, b, fault));
+        HARMORPH_TRY(open_plane_mesh(plane, opened, fault));
+        HARMORPH_TRY(open_basis_of(*opened, basis, b, fault));
         HARMORPH_TRY(view_executor(executor, threads, fault));
         HARMORPH_TRY(view_space_points(dj, "dj", by_points, fault));
-        MutablePoints const sums{its->work_x.data(), its->work_y.data(), 1};
-        its->gather(by_points, sums, threads);
+        MutablePoints const sums{opened->work_x.data(), opened->work_y.data(), 1};
+        opened->gather(by_points, sums, threads);
         adjoint_morph(b, sums, gradient, threads);
         return Status::ok;
     });
@@ -207,17 +214,17 @@ hm_status hm_plane_spread(const hm_plane* plane, const hm_points* displacement,
                           const hm_space_points* from, const hm_space_points_out* to,
                           const hm_executor* executor, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Plane* its = nullptr;
+        const Plane* opened = nullptr;
         Executor threads;
         Points steps;
         SpacePoints before;
         MutableSpacePoints after;
-        HARMORPH_TRY(open_plane_mesh(plane, its, fault));
+        HARMORPH_TRY(open_plane_mesh(plane, opened, fault));
         HARMORPH_TRY(view_executor(executor, threads, fault));
         HARMORPH_TRY(view_points(displacement, "displacement", steps, fault));
         if (from != nullptr) HARMORPH_TRY(view_space_points(from, "from", before, fault));
         HARMORPH_TRY(view_space_points(to, "to", after, fault));
-        its->spread(steps, before, after, threads);
+        opened->spread(steps, before, after, threads);
         return Status::ok;
     });
 }
@@ -226,15 +233,15 @@ hm_status hm_plane_gather(const hm_plane* plane, const hm_space_points* dj,
                           const hm_points_out* plane_dj, const hm_executor* executor,
                           hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Plane* its = nullptr;
+        const Plane* opened = nullptr;
         Executor threads;
         SpacePoints by_points;
         MutablePoints sums;
-        HARMORPH_TRY(open_plane_mesh(plane, its, fault));
+        HARMORPH_TRY(open_plane_mesh(plane, opened, fault));
         HARMORPH_TRY(view_executor(executor, threads, fault));
         HARMORPH_TRY(view_space_points(dj, "dj", by_points, fault));
         HARMORPH_TRY(view_points(plane_dj, "plane_dj", sums, fault));
-        its->gather(by_points, sums, threads);
+        opened->gather(by_points, sums, threads);
         return Status::ok;
     });
 }

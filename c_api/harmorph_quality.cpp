@@ -1,5 +1,5 @@
-// The C interface: is a mesh valid, how far may it move, how good are its cells, and is its wall
-// where the curves are?
+// The C interface: judges validity, admissible step and quality of a mesh, and the distance of its
+// wall from the moved curves.
 #include "handles.hpp"
 #include "basis/basis_measures.hpp"
 #include "morph/assessment.hpp"
@@ -9,32 +9,34 @@
 namespace harmorph {
 namespace {
 
-// Basis and mesh that belong together, as far as counts, layout and a sample of the cells tell.
+// Opens a basis and a mesh. They must belong together, as far as counts, layout and a sample of the
+// cells tell.
 Status open_pair(const hm_basis* handle, const hm_mesh* given, Basis& basis, Mesh& mesh,
                  OrientedMesh& cells, CallFault& fault) noexcept {
     HARMORPH_TRY(open_basis(handle, basis, fault));
     HARMORPH_TRY(view_mesh(given, mesh, fault));
     HARMORPH_TRY(check_layout(mesh, fault));
     if (basis.header->counts.cells == 0) {
-        return fault.refuse(
-            Status::bad_basis,
-            "the basis is of a list of points: it knows no cells and goes with no mesh");
+        return fault.refuse(Status::bad_basis,
+                            "the basis was made for a list of points, so it has no cells and "
+                            "cannot be used with a mesh");
     }
     if (mesh.layout == CellLayout::polygons && !basis.pieces.given()) {
         return fault.refuse(Status::bad_basis,
-                            "the basis belongs to another mesh: it has no polygons");
+                            "the basis belongs to another mesh, because it has no polygons");
     }
     cells = basis.cells(mesh);
     if (mesh.n_points != basis.n_points() || mesh.n_cells != basis.header->counts.cells) {
         return fault.refuse(Status::bad_basis,
-                            "the basis belongs to another mesh: it has # points and @ cells",
+                            "the basis belongs to another mesh, which has # points and @ cells",
                             plain(basis.n_points()), plain(basis.header->counts.cells));
     }
     if (sample_of(mesh) == basis.header->topology.sample) return Status::ok;
-    return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: the cells differ");
+    return fault.refuse(Status::bad_basis,
+                        "the basis belongs to another mesh, because the cells differ");
 }
 
-// Coordinates of the mesh's points that the call gives; NULL: the mesh's own.
+// Views the given coordinates of the mesh points, or the mesh's own if given is NULL.
 Status view_coordinates(const hm_points* given, const char* name, Mesh const& mesh, Points& points,
                         Fault& fault) noexcept {
     hm_points const own = {mesh.points.x, mesh.points.y, mesh.points.stride};
@@ -73,7 +75,7 @@ hm_quality_report report_of(Quality const& quality, Crossing const& crossing,
     return filled;
 }
 
-// The admissible step where there is a displacement; the quality where it is wanted.
+// Computes the admissible step if there is a displacement, and the quality if it is wanted.
 Assessment judge(OrientedMesh const& cells, Points start, Points displacement, Points reference,
                  bool wants_quality, Executor const& executor) noexcept {
     if (!displacement.given()) return {{}, measure_quality(cells, start, reference, executor)};
@@ -103,11 +105,12 @@ hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_points*
         Mesh view;
         OrientedMesh cells;
         Points start, change, undeformed;
-        HARMORPH_TRY(check_report_if(step, fault));
-        HARMORPH_TRY(check_report_if(quality, fault));
+        HARMORPH_TRY(check_report_if(step, "step", fault));
+        HARMORPH_TRY(check_report_if(quality, "quality", fault));
         if (displacement == nullptr && step != nullptr) {
-            return fault.refuse_argument("displacement",
-                                         "% is NULL, but an admissible step is asked for");
+            return fault.refuse_argument(
+                "displacement",
+                "% is NULL, but without a displacement there is no admissible step");
         }
         HARMORPH_TRY(open_pair(basis, mesh, b, view, cells, fault));
         HARMORPH_TRY(view_coordinates(from, "from", view, start, fault));

@@ -1,4 +1,4 @@
-// The C interface: the movement that a mesh has made since its basis was made.
+// The C interface: finds the movement that a mesh has made since its basis was made.
 #include "handles.hpp"
 #include "base/range.hpp"
 #include "basis/wall_movement.hpp"
@@ -45,8 +45,8 @@ hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double
         HARMORPH_TRY(open_complete(basis, b, fault));
         HARMORPH_TRY(view_points(at, "at", now, fault, b.n_points()));
         if (!(tolerance >= 0)) {
-            return fault.refuse(Status::bad_argument, "tolerance must be 0 or positive, not ~", {},
-                                {}, tolerance);
+            return fault.refuse(Status::bad_argument, "tolerance must be at least 0, not ~", {}, {},
+                                tolerance);
         }
         HARMORPH_TRY(check_wall(b, now, fault));
         HARMORPH_TRY(place(work, bytes, fault,
@@ -59,7 +59,7 @@ hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double
             Vec2 const place = now[worst.point];
             return fault.refuse_at(place.x, place.y, Status::bad_mesh,
                                    "the wall is on no curve of this basis: point # at $ is ~ away "
-                                   "from the nearest one",
+                                   "from the best-fitting curve",
                                    point_item(worst.point), {}, worst.error);
         }
         for (Index i = 0; i < b.n_functions(); ++i) {

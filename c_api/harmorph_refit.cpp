@@ -1,4 +1,4 @@
-// The C interface: another airfoil on the knots of a curve.
+// The C interface: fits another airfoil on the knots of a curve.
 #include "bspline/refit.hpp"
 #include "call.hpp"
 #include "views.hpp"
@@ -6,7 +6,7 @@
 namespace harmorph {
 namespace {
 
-// The curve of an airfoil in the caller's set, with its blunt base.
+// The curve of an airfoil in the caller's set, and its blunt base if it has one.
 struct AirfoilCurves {
     CurvesView view;
     Curve curve, base;
@@ -15,8 +15,9 @@ struct AirfoilCurves {
     Status open(const hm_curves* curves, Index number, Index n_points, CallFault& fault) noexcept {
         HARMORPH_TRY(view_curves(curves, view, fault));
         if (number < 0 || number >= view.count()) {
-            return fault.refuse(Status::bad_argument, "there is no curve #; the set has @ curves",
-                                curve_item(number), plain(view.count()));
+            return fault.refuse(Status::bad_argument,
+                                "curve # does not exist; curves.n_curves is @", curve_item(number),
+                                plain(view.count()));
         }
         constexpr Index min_points = 3, max_points = Index{1} << 24;
         if (n_points < min_points || n_points > max_points) {
@@ -82,7 +83,7 @@ hm_status hm_refit(const hm_curves* curves, int32_t curve, const hm_points* poin
         Refit refit;
         RefitReport found;
         HARMORPH_TRY(require({{"movement", movement}, {"work", work}}, fault));
-        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(view_points(points, "points", view, fault));
         HARMORPH_TRY(airfoil.open(curves, curve, n, fault));
         HARMORPH_TRY(place(work, work_bytes, fault,

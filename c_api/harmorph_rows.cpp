@@ -1,4 +1,5 @@
-// The C interface: right-hand sides, values and residuals of the functions at the points of a part.
+// The C interface: gives right-hand sides and residuals of the functions at the points of a part,
+// and takes their values.
 #include "base/range.hpp"
 #include "operators/right_hand_sides.hpp"
 #include "harmorph_parts.h"
@@ -7,7 +8,7 @@
 namespace harmorph {
 namespace {
 
-// Equations and rows that were made of them.
+// Equations, and rows that were made from them.
 struct RowsCall {
     const PartEquations* equations = nullptr;
     Basis basis;
@@ -15,17 +16,17 @@ struct RowsCall {
     Status open_both(const hm_equations* handle, const hm_basis* rows, CallFault& fault) noexcept {
         HARMORPH_TRY(open(handle, "equations", equations, fault));
         HARMORPH_TRY(open_basis(rows, basis, fault));
-        if (!equations->made(basis))
-            return fault.refuse(Status::bad_basis, "the rows were made of other equations");
+        if (!equations->matches(basis))
+            return fault.refuse(Status::bad_basis, "the rows were made from other equations");
         if (basis.header->solved == 0) return Status::ok;
         return fault.refuse(Status::bad_basis,
-                            "the rows are finished: make new ones by hm_rows_init");
+                            "the rows are finished; make new ones by hm_rows_init");
     }
     Status check_column(Index column, Argument const& numbers, Fault& fault) const noexcept {
         HARMORPH_TRY(require({numbers}, fault));
         if (column >= 0 && column < equations->columns(basis)) return Status::ok;
-        return fault.refuse(Status::bad_argument, "there is no column # of @", entry_item(column),
-                            plain(equations->columns(basis)));
+        return fault.refuse(Status::bad_argument, "column # does not exist; there are @ columns",
+                            entry_item(column), plain(equations->columns(basis)));
     }
 };
 
@@ -38,28 +39,29 @@ extern "C" {
 
 hm_status hm_rows_size(const hm_equations* equations, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const PartEquations* of = nullptr;
-        HARMORPH_TRY(open(equations, "equations", of, fault));
+        const PartEquations* opened = nullptr;
+        HARMORPH_TRY(open(equations, "equations", opened, fault));
         Basis made;
-        return count_bytes(bytes, fault,
-                           [&](Arena& arena) { made.lay_out(arena, of->basis_source().counts()); });
+        return count_bytes(bytes, fault, [&](Arena& arena) {
+            made.lay_out(arena, opened->basis_source().counts());
+        });
     });
 }
 
 hm_status hm_rows_init(hm_basis** rows, void* block, size_t bytes, const hm_equations* equations,
                        hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const PartEquations* of = nullptr;
+        const PartEquations* opened = nullptr;
         HARMORPH_TRY(require({{"rows", rows}}, fault));
-        HARMORPH_TRY(open(equations, "equations", of, fault));
-        BasisCounts const counts = of->basis_source().counts();
+        HARMORPH_TRY(open(equations, "equations", opened, fault));
+        BasisCounts const counts = opened->basis_source().counts();
         Basis made;
         HARMORPH_TRY(
             place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, counts); }));
-        init_basis(made, counts, of->basis_source());
+        init_basis(made, counts, opened->basis_source());
         made.header->coordinates =
-            of->coordinates;  // tells rows from other bases that are not solved
-        set_right_hand_sides(of->matrix, made, of->dofs(made));
+            opened->coordinates;  // distinguishes rows from other bases that are not solved
+        set_right_hand_sides(opened->matrix, made, opened->dofs(made));
         *rows = reinterpret_cast<hm_basis*>(made.header);
         return Status::ok;
     });
@@ -104,7 +106,7 @@ hm_status hm_rows_finish(hm_equations* equations, hm_basis* rows, double largest
         HARMORPH_TRY(call.open_both(equations, rows, fault));
         if (!is_finite(largest) || largest < 0) {
             return fault.refuse(Status::bad_argument,
-                                "largest must be finite and not negative, not ~", {}, {}, largest);
+                                "largest must be finite and at least 0, not ~", {}, {}, largest);
         }
         call.equations->finish(call.basis, largest);
         return Status::ok;

@@ -1,5 +1,5 @@
-// The C interface: large movements that stay valid, for which the functions are solved again on the
-// way.
+// The C interface: makes large movements that stay valid, for which the functions are solved again
+// on the way.
 #include "given_list.hpp"
 #include "base/range.hpp"
 #include "morph/quality.hpp"
@@ -14,43 +14,50 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
                          double*& reached, Fault& fault) noexcept {
     hm_safe_options o = {};
     if (given != nullptr && !read_struct(given, o)) {
-        return fault.refuse(Status::bad_argument, "safe options: struct_size is wrong");
+        return fault.refuse(Status::bad_argument,
+                            "options.struct_size is not the size of an hm_safe_options; begin with "
+                            "HM_INIT(options)");
     }
     if (given != nullptr && asks_for_more(given)) {
-        return fault.refuse(
-            Status::unsupported,
-            "safe options: fields are set that this version of the library does not know");
+        return fault.refuse(Status::unsupported,
+                            "options contains fields that are set but unknown to this version of "
+                            "the library; use the header of this version");
     }
-    if (o.skipped_strategies < 0 || o.skipped_strategies >= 2 << HM_STRATEGY_IMPROVED ||
-        o.reserved != 0) {
-        return fault.refuse(
-            Status::bad_argument,
-            "safe options: skipped_strategies is #, which names strategies there are not, or "
-            "reserved is not 0",
-            plain(o.skipped_strategies));
-    }
-    if (o.n_others < 0 || o.n_others > others.count() || (o.n_others > 0 && o.others == nullptr)) {
+    if (o.skipped_strategies < 0 || o.skipped_strategies >= 2 << HM_STRATEGY_IMPROVED) {
         return fault.refuse(Status::bad_argument,
-                            "safe options: others is NULL, or n_others is #, not 0 .. @",
+                            "options.skipped_strategies is #, but it must be a sum of 1 << "
+                            "HM_STRATEGY_..., that is between 0 and 31",
+                            plain(o.skipped_strategies));
+    }
+    if (o.reserved != 0) {
+        return fault.refuse(Status::bad_argument, "options.reserved must be 0, not #",
+                            plain(o.reserved));
+    }
+    if (o.n_others < 0 || o.n_others > others.count()) {
+        return fault.refuse(Status::bad_argument,
+                            others.empty() ? "options.n_others must be 0 in hm_displace_safe, not #"
+                                           : "options.n_others must be between 0 and @, not #",
                             plain(o.n_others), plain(others.count()));
+    }
+    if (o.n_others > 0 && o.others == nullptr) {
+        return fault.refuse(Status::bad_argument, "options.others is NULL, but n_others is #",
+                            plain(o.n_others));
     }
     if (o.max_resolves != 0) options.most_resolves = max(o.max_resolves, Index{0});
     if (!is_between(0, o.heights, 1)) {
-        return fault.refuse(Status::bad_argument,
-                            "safe options: heights must be between 0 and 1, not ~", {}, {},
-                            o.heights);
+        return fault.refuse(Status::bad_argument, "options.heights must be between 0 and 1, not ~",
+                            {}, {}, o.heights);
     }
     options.heights = o.heights;
     if (o.min_quality != o.min_quality || o.min_quality > 1) {
-        return fault.refuse(Status::bad_argument,
-                            "safe options: min_quality must be at most 1, not ~", {}, {},
-                            o.min_quality);
+        return fault.refuse(Status::bad_argument, "options.min_quality must be at most 1, not ~",
+                            {}, {}, o.min_quality);
     }
     if (o.min_quality != 0) options.min_quality = max(o.min_quality, 0.0);
     if (o.max_height_change != o.max_height_change ||
         (o.max_height_change != 0 && o.max_height_change <= 1)) {
         return fault.refuse(Status::bad_argument,
-                            "safe options: max_height_change must be 0 or above 1, not ~", {}, {},
+                            "options.max_height_change must be 0 or above 1, not ~", {}, {},
                             o.max_height_change);
     }
     if (o.max_height_change != 0) options.most_height_change = o.max_height_change;
@@ -58,7 +65,8 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
     options.skipped = static_cast<std::uint32_t>(o.skipped_strategies);
     for (Index i = 0; i < o.n_others; ++i) {
         if (o.others[i] == nullptr) {
-            return fault.refuse(Status::bad_argument, "basis # of others is NULL", entry_item(i));
+            return fault.refuse(Status::bad_argument, "basis # of options.others is NULL",
+                                entry_item(i));
         }
         others[i] = Basis::view(static_cast<const void*>(o.others[i]));
     }
@@ -88,7 +96,8 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     filled.mean_angle_change = safe.first_layer.mean_angle;
     filled.max_angle_change = safe.first_layer.largest_angle;
     filled.angle_point = numbered(safe.first_layer.largest_angle_point, base);
-    bool const has_heights = safe.first_layer.points > 0;  // none after a refusal, as nothing moved
+    bool const has_heights =
+        safe.first_layer.points > 0;  // a refused movement has none, because nothing moved
     filled.mean_height_ratio = has_heights ? safe.first_layer.mean_ratio : 1;
     filled.min_height_ratio = has_heights ? safe.first_layer.min_ratio : 1;
     filled.max_height_ratio = has_heights ? safe.first_layer.max_ratio : 1;
@@ -114,29 +123,30 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     return filled;
 }
 
-// A safe morph begins where its functions were solved: curves and offsets are those of these
-// coordinates.
+// Checks that the mesh has the coordinates on which the functions were solved, because the curves
+// and offsets of the basis belong to these coordinates.
 Status check_start(Plan const& plan, Basis const& basis, Fault& fault) noexcept {
     if (basis.header->counts.functions() == 0) return Status::ok;
     if (basis.header->coordinates ==
         coordinates_fingerprint(plan.mesh().points, plan.mesh().n_points))
         return Status::ok;
-    return fault.refuse(
-        Status::bad_mesh,
-        "the mesh has moved since the basis was solved: solve again, or put the points back");
+    return fault.refuse(Status::bad_mesh,
+                        "the mesh has moved since the basis was solved; solve the basis again, or "
+                        "restore the coordinates");
 }
 
-// The derivative is cleared before the other bases are read.
+// Refuses a derivative that is one of the other bases: it is cleared before they are read.
 Status check_derivative_is_apart(Basis const& derivative, Span<const Basis> others,
                                  Fault& fault) noexcept {
     for (Index i = 0; i < others.count(); ++i) {
         if (derivative.header == nullptr || derivative.header != others[i].header) continue;
-        return fault.refuse(Status::bad_argument, "derivative is basis # of others", entry_item(i));
+        return fault.refuse(Status::bad_argument,
+                            "derivative must not be basis # of options.others", entry_item(i));
     }
     return Status::ok;
 }
 
-// What both calls have in common.
+// The arguments and results that hm_morph_safe and hm_displace_safe have in common.
 struct SafeCall {
     MutablePoints to;
     SafeOptions options;
@@ -144,14 +154,14 @@ struct SafeCall {
     double* reached_movement = nullptr;
     hm_safe_report* report = nullptr;
 
-    Status open(const hm_points_out* given, const hm_safe_options* asked,
-                hm_safe_report* its_report, Span<Basis> others, CallFault& fault) noexcept {
-        report = its_report;
-        HARMORPH_TRY(check_report_if(report, fault));
+    Status open(const hm_points_out* given, const hm_safe_options* asked, hm_safe_report* wanted,
+                Span<Basis> others, CallFault& fault) noexcept {
+        report = wanted;
+        HARMORPH_TRY(check_report_if(report, "report", fault));
         HARMORPH_TRY(view_points(given, "to", to, fault));
         return view_safe_options(asked, others, options, reached_movement, fault);
     }
-    // n_functions: of the caller's basis.
+    // n_functions is the number of functions of the caller's basis.
     Status finish(Plan const& plan, SafeMorph const& safe, Size n_functions,
                   Status status) const noexcept {
         if (failed(status) && status != Status::crossing) return status;
@@ -166,8 +176,8 @@ struct SafeCall {
     }
 };
 
-// Plan and basis of given displacements: the basis is solved, if it has functions, and none of them
-// is a mode.
+// Opens plan and basis for given displacements. A basis with functions must be solved, and none of
+// its functions may be a mode.
 template <class Handle, class Object>
 Status open_plan_of_given(Handle* handle, Object*& plan, const hm_basis* given, Basis& basis,
                           CallFault& fault) noexcept {
@@ -177,9 +187,9 @@ Status open_plan_of_given(Handle* handle, Object*& plan, const hm_basis* given, 
     HARMORPH_TRY(require_given_points(*plan, fault));
     HARMORPH_TRY(plan->check_fit(basis, fault));
     if (basis.header->counts.modes == 0) return Status::ok;
-    return fault.refuse(
-        Status::unsupported,
-        "the basis has functions by table, which move the same points: hm_morph_safe");
+    return fault.refuse(Status::unsupported,
+                        "the basis has functions given by table, which move the same points; call "
+                        "hm_morph_safe instead");
 }
 
 }  // namespace
@@ -212,7 +222,8 @@ hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move
         SafeCall call;
         HARMORPH_TRY(open_solved(basis, b, fault));
         if (derivative == basis)
-            return fault.refuse(Status::bad_argument, "derivative is the basis itself");
+            return fault.refuse(Status::bad_argument,
+                                "derivative and basis must be two different bases");
         if (derivative != nullptr) sum = view_basis(derivative, fault);
         HARMORPH_TRY(open_plan(plan, p, fault));
         HARMORPH_TRY(call.open(to, options, report, {others, most_others}, fault));

@@ -1,4 +1,4 @@
-// The C interface: functions in single precision.
+// The C interface: stores functions in single precision.
 #include "handles.hpp"
 #include "basis/single_precision.hpp"
 

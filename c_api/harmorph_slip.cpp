@@ -1,12 +1,12 @@
-// The C interface: points that slide along curves, back onto their curves.
+// The C interface: puts points that slip along curves back onto their curves.
 #include "handles.hpp"
 #include "base/range.hpp"
-#include "morph/slide.hpp"
+#include "morph/slip_projection.hpp"
 
 namespace harmorph {
 namespace {
 
-Sliding sliding_of(Analysis const& analysis) noexcept {
+SlipProjection sliding_of(Analysis const& analysis) noexcept {
     return {analysis.slip_curves(), analysis.slip_followers(), analysis.problem().mesh.n_points};
 }
 
@@ -14,7 +14,8 @@ Status check_sliding(SlipCurves const& curves, Points points, Fault& fault) noex
     curves.for_each([&](Index, Index point) {
         if (failed(fault.status) || is_coordinate(points[point])) return;
         fault.refuse(Status::bad_mesh,
-                     "sliding point # has a coordinate that is not finite, or larger than 1e100",
+                     "point #, which slips along a curve, has a coordinate that is not finite or "
+                     "beyond 1e100",
                      point_item(point));
     });
     return fault.status;
@@ -30,14 +31,14 @@ extern "C" {
 hm_status hm_slip(const hm_analysis* analysis, const hm_points* from, const hm_points_out* to,
                   hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Analysis* of = nullptr;
+        const Analysis* opened = nullptr;
         Points before;
         MutablePoints after;
-        HARMORPH_TRY(open_complete(analysis, of, fault));
+        HARMORPH_TRY(open_complete(analysis, opened, fault));
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(to, "to", after, fault));
-        HARMORPH_TRY(check_sliding(of->slip_curves(), before, fault));
-        sliding_of(*of).slide(before, after);
+        HARMORPH_TRY(check_sliding(opened->slip_curves(), before, fault));
+        sliding_of(*opened).project(before, after);
         return Status::ok;
     });
 }
@@ -45,15 +46,15 @@ hm_status hm_slip(const hm_analysis* analysis, const hm_points* from, const hm_p
 hm_status hm_slip_adjoint(const hm_analysis* analysis, const hm_points* from, const hm_points* dj,
                           const hm_points_out* dj_from, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
-        const Analysis* of = nullptr;
+        const Analysis* opened = nullptr;
         Points before, derivative;
         MutablePoints transposed;
-        HARMORPH_TRY(open_complete(analysis, of, fault));
+        HARMORPH_TRY(open_complete(analysis, opened, fault));
         HARMORPH_TRY(view_points(from, "from", before, fault));
         HARMORPH_TRY(view_points(dj, "dj", derivative, fault));
         HARMORPH_TRY(view_points(dj_from, "dj_from", transposed, fault));
-        HARMORPH_TRY(check_sliding(of->slip_curves(), before, fault));
-        sliding_of(*of).transpose(before, derivative, transposed);
+        HARMORPH_TRY(check_sliding(opened->slip_curves(), before, fault));
+        sliding_of(*opened).transpose(before, derivative, transposed);
         return Status::ok;
     });
 }

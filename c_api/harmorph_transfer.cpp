@@ -1,4 +1,4 @@
-// The C interface: from a coarse mesh to a fine one.
+// The C interface: transfers functions from a coarse mesh to a fine one.
 #include "handles.hpp"
 #include "basis/basis_measures.hpp"
 #include "plan/transfer.hpp"
@@ -6,7 +6,7 @@
 namespace harmorph {
 namespace {
 
-// The coarse basis has all functions, and was solved on this mesh.
+// Opens the coarse basis, which must have all functions and must have been solved on this mesh.
 Status open_coarse(const hm_basis* handle, const hm_mesh* given, Basis& coarse, Mesh& mesh,
                    CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"coarse", handle}}, fault));
@@ -18,8 +18,9 @@ Status open_coarse(const hm_basis* handle, const hm_mesh* given, Basis& coarse, 
     Status const status =
         check_basis(handle, static_cast<Size>(coarse.header->bytes), &mesh, fault);
     if (status != Status::moved) return status;
-    return fault.refuse(Status::bad_basis,
-                        "the coarse mesh's coordinates are not those its basis was solved on");
+    return fault.refuse(
+        Status::bad_basis,
+        "the coordinates of the coarse mesh are not those on which the coarse basis was solved");
 }
 
 Status open_target(const hm_basis* handle, Analysis const& analysis, Basis& fine,
@@ -33,7 +34,7 @@ Status open_target(const hm_basis* handle, Analysis const& analysis, Basis& fine
                          fine.header->conditions == analysis.conditions_fingerprint() &&
                          fine.header->method.agrees_with(analysis.problem().method);
     if (belongs) return Status::ok;
-    return fault.refuse(Status::bad_basis, "basis and analysis do not belong together");
+    return fault.refuse(Status::bad_basis, "the basis was not made from this analysis");
 }
 
 hm_transfer_report report_of(TransferReport const& done, Basis const& fine,
@@ -77,15 +78,15 @@ hm_status hm_transfer(hm_basis* basis, void* block, size_t bytes, const hm_analy
         const Analysis* fine_analysis = nullptr;
         Basis fine, source;
         Mesh source_mesh;
-        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(check_report_if(report, "report", fault));
         if (basis != nullptr && basis == coarse) {
             return fault.refuse(Status::bad_argument,
-                                "the coarse basis is also the basis to be filled");
+                                "basis and coarse must be two different bases");
         }
         HARMORPH_TRY(open_complete(analysis, fine_analysis, fault));
         HARMORPH_TRY(open_coarse(coarse, coarse_mesh, source, source_mesh, fault));
         HARMORPH_TRY(open_target(basis, *fine_analysis, fine,
-                                 fault));  // whose points errors name from here on
+                                 fault));  // errors name points of the fine mesh from here on
         Transfer transfer;
         HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) {
             transfer.lay_out(arena, *fine_analysis, source_mesh);

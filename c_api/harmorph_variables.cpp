@@ -1,4 +1,4 @@
-// The C interface: design variables as maps to the control points.
+// The C interface: computes the map from design variables to control points.
 #include "base/range.hpp"
 #include "bspline/section_area.hpp"
 #include "bspline/variable_map.hpp"
@@ -7,24 +7,27 @@
 namespace harmorph {
 namespace {
 
-// Fields of another kind than the one that is asked for would be left out silently.
+// Refuses fields that belong to another kind of variable, which would otherwise be ignored
+// silently.
 Status check_fields(hm_variables const& v, Fault& fault) noexcept {
     const char* wrong = nullptr;
     bool const ffd = v.kind == HM_FFD;
     bool const box = !(v.x_min == 0 && v.y_min == 0 && v.x_max == 0 && v.y_max == 0);
     if (!ffd && (v.degree_x != 0 || v.degree_y != 0 || box))
-        wrong = "variables: degrees and box are of HM_FFD only";
+        wrong = "degree_x, degree_y and the box of variables must be 0 unless the kind is HM_FFD";
     if (ffd && (v.n_upper != 0 || v.n_lower != 0))
-        wrong = "variables: n_upper and n_lower are not of HM_FFD";
-    if (v.kind == HM_NACA4 && v.n_lower != 0) wrong = "variables: n_lower is not of HM_NACA4";
+        wrong = "variables.n_upper and n_lower must be 0 for HM_FFD";
+    if (v.kind == HM_NACA4 && v.n_lower != 0) wrong = "variables.n_lower must be 0 for HM_NACA4";
     if (v.peaks != nullptr && (ffd || v.kind == HM_CST)) {
-        wrong = "variables: peaks are of HM_HICKS_HENNE and HM_NACA4 only";
+        wrong = "variables.peaks must be NULL unless the kind is HM_HICKS_HENNE or HM_NACA4";
     }
     if (v.kind != HM_CST && !(v.leading_exponent == 0 && v.trailing_exponent == 0)) {
-        wrong = "variables: the exponents are of HM_CST only";
+        wrong =
+            "leading_exponent and trailing_exponent of variables must be 0 unless the kind is "
+            "HM_CST";
     }
     if (v.kind != HM_HICKS_HENNE && v.width != 0)
-        wrong = "variables: the width is of HM_HICKS_HENNE only";
+        wrong = "variables.width must be 0 unless the kind is HM_HICKS_HENNE";
     return wrong == nullptr ? Status::ok : fault.refuse(Status::bad_argument, wrong);
 }
 
@@ -35,28 +38,32 @@ Status check_numbers(hm_variables const& v, Fault& fault) noexcept {
     Index const least = v.kind == HM_FFD || v.kind == HM_NACA4 ? 0 : 1;
     if (v.n_upper < 0 || v.n_upper > Variables::max_count || v.n_lower < 0 ||
         v.n_lower > Variables::max_count || v.n_upper + v.n_lower < least) {
-        return fault.refuse(
-            Status::bad_argument,
-            "variables: n_upper and n_lower are # and @; together 1 to 64 on each side",
-            plain(v.n_upper), plain(v.n_lower));
+        return fault.refuse(Status::bad_argument,
+                            "variables.n_upper is # and n_lower is @; each must be between 0 and "
+                            "64, and their sum at least 1 (0 for HM_NACA4)",
+                            plain(v.n_upper), plain(v.n_lower));
     }
     if (v.degree_x < 0 || v.degree_x >= Variables::max_count || v.degree_y < 0 ||
         v.degree_y >= Variables::max_count) {
-        return fault.refuse(Status::bad_argument,
-                            "variables: degree_x and degree_y are # and @, not 0 to 63",
-                            plain(v.degree_x), plain(v.degree_y));
+        return fault.refuse(
+            Status::bad_argument,
+            "variables.degree_x is # and degree_y is @, but each must be between 0 and 63",
+            plain(v.degree_x), plain(v.degree_y));
     }
     if (!is_between(0, v.leading_exponent, 10)) {
-        return refuse("variables: leading_exponent is ~, not 0 to 10", v.leading_exponent);
+        return refuse("variables.leading_exponent must be between 0 and 10, not ~",
+                      v.leading_exponent);
     }
     if (!is_between(0, v.trailing_exponent, 10)) {
-        return refuse("variables: trailing_exponent is ~, not 0 to 10", v.trailing_exponent);
+        return refuse("variables.trailing_exponent must be between 0 and 10, not ~",
+                      v.trailing_exponent);
     }
     if (v.width != 0 && !is_between(1, v.width, 100))
-        return refuse("variables: the width is ~, not 1 to 100", v.width);
+        return refuse("variables.width must be 0 or between 1 and 100, not ~", v.width);
     for (Index k = 0; v.peaks != nullptr && k < v.n_upper + v.n_lower; ++k) {
         if (is_finite(v.peaks[k]) && v.peaks[k] > 1e-6 && v.peaks[k] < 1 - 1e-6) continue;
-        return fault.refuse(Status::bad_argument, "variables: peak # is ~, not between 0 and 1",
+        return fault.refuse(Status::bad_argument,
+                            "peak # of variables.peaks is ~, but it must lie between 0 and 1",
                             entry_item(k), {}, v.peaks[k]);
     }
     return Status::ok;
@@ -82,10 +89,14 @@ Status open_variables(const hm_variables* given, CurvesView const& view, Variabl
     HARMORPH_TRY(require({{"variables", given}}, fault));
     hm_variables v;
     if (!read_struct(given, v))
-        return fault.refuse(Status::bad_argument, "variables.struct_size is wrong");
+        return fault.refuse(Status::bad_argument,
+                            "variables.struct_size is not the size of an hm_variables; begin with "
+                            "HM_INIT(variables)");
     if (v.kind < HM_FFD || v.kind > HM_NACA4) {
-        return fault.refuse(Status::bad_argument, "variables.kind is #, which is unknown",
-                            plain(v.kind));
+        return fault.refuse(
+            Status::bad_argument,
+            "variables.kind is #, but it must be HM_FFD, HM_CST, HM_HICKS_HENNE or HM_NACA4",
+            plain(v.kind));
     }
     HARMORPH_TRY(check_fields(v, fault));
     HARMORPH_TRY(check_numbers(v, fault));
@@ -105,10 +116,12 @@ Status open_variables(const hm_variables* given, CurvesView const& view, Variabl
     if (is_coordinate(out.low) && is_coordinate(out.high) && out.low.x < out.high.x &&
         out.low.y < out.high.y)
         return Status::ok;
-    return fault.refuse(Status::bad_argument, "variables: the box is empty or not finite");
+    return fault.refuse(Status::bad_argument,
+                        "the box of the variables is empty or not finite; x_min must be below "
+                        "x_max, and y_min below y_max");
 }
 
-// What both calls read.
+// The arguments that hm_variables_size and hm_variables_map have in common.
 struct VariablesTask {
     CurvesView view;
     Section section;
@@ -120,7 +133,7 @@ struct VariablesTask {
         HARMORPH_TRY(open_variables(given, view, variables, fault));
         if (!variables.needs_chord()) return Status::ok;
         AreaMoments moments;
-        HARMORPH_TRY(area_moments(section, moments, fault));  // for the orientation
+        HARMORPH_TRY(area_moments(section, moments, fault));  // finds the orientation
         return section.find_chord(true, fault);
     }
     void lay_out(Arena& arena, VariableMap& map) const noexcept {

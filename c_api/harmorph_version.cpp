@@ -1,4 +1,4 @@
-// The C interface: versions, the names of the statuses, structs with their size and zeros.
+// The C interface: versions, names of statuses, initialisation of structs.
 #include "harmorph.h"
 
 #include <cstring>

@@ -1,4 +1,5 @@
-// Handles of harmorph_parts.h: hm_part and hm_equations are the objects in their blocks.
+// Opens the handles of harmorph_parts.h. An hm_part and an hm_equations point to the objects at the
+// beginning of their blocks.
 #pragma once
 
 #include "handles.hpp"

@@ -7,7 +7,9 @@ Status Request::read(const hm_problem* given, const hm_options* options,
     HARMORPH_TRY(require({{"problem", given}}, fault));
     hm_problem p;
     if (!read_struct(given, p))
-        return fault.refuse(Status::bad_argument, "problem.struct_size is wrong");
+        return fault.refuse(
+            Status::bad_argument,
+            "problem.struct_size is not the size of an hm_problem; begin with HM_INIT(problem)");
     HARMORPH_TRY(view_mesh(p.mesh, problem.mesh, fault));
     return read_rest(p, options, fault);
 }
@@ -17,7 +19,9 @@ Status Request::read_without_mesh(const hm_problem* given, const hm_options* opt
     HARMORPH_TRY(require({{"problem", given}}, fault));
     hm_problem p;
     if (!read_struct(given, p))
-        return fault.refuse(Status::bad_argument, "problem.struct_size is wrong");
+        return fault.refuse(
+            Status::bad_argument,
+            "problem.struct_size is not the size of an hm_problem; begin with HM_INIT(problem)");
     return read_rest(p, options, fault);
 }
 
@@ -29,9 +33,15 @@ Status Request::read_rest(hm_problem const& p, const hm_options* options,
         n_curves = curves.count();
     }
     HARMORPH_TRY(read_conditions(p, fault));
-    if (p.n_given < 0 || (p.n_given > 0 && (!p.given_points || !p.given_curves || !p.given_u))) {
-        return fault.refuse(Status::bad_argument,
-                            "given parameters: negative number, or an array is NULL");
+    if (p.n_given < 0) {
+        return fault.refuse(Status::bad_argument, "problem.n_given must be at least 0, not #",
+                            plain(p.n_given));
+    }
+    if (p.n_given > 0 && (!p.given_points || !p.given_curves || !p.given_u)) {
+        return fault.refuse(
+            Status::bad_argument,
+            "problem.given_points, given_curves or given_u is NULL, but problem.n_given is #",
+            plain(p.n_given));
     }
     Size const n = static_cast<Size>(p.n_given);
     problem.given = {
@@ -40,17 +50,19 @@ Status Request::read_rest(hm_problem const& p, const hm_options* options,
 }
 
 const hm_curves* Request::along_of(Index number) const noexcept {
-    hm_condition its;
-    return read_struct(element(condition, number), its) ? its.along : nullptr;
+    hm_condition given;
+    return read_struct(element(condition, number), given) ? given.along : nullptr;
 }
 
-// Conditions with the same set of curves for sliding share its first place.
+// Copies curves and conditions. Conditions with the same set `along` share the copies of its
+// curves.
 Status Request::copy_to(Span<Curve> to_curves, Span<Curve> to_slip, Span<Condition> to_conditions,
                         CallFault& fault) const noexcept {
     for (Index i = 0; i < n_curves; ++i) HARMORPH_TRY(curves.curve(i, to_curves[i], fault));
     Index n_slip = 0;
     for (Index i = 0; i < n_conditions; ++i) {
-        view_condition(condition, i, to_conditions[i], fault);  // checked when read
+        view_condition(condition, i, to_conditions[i],
+                       fault);  // cannot fail: read() has checked it
         const hm_curves* const along = along_of(i);
         if (along == nullptr) continue;
         CurvesView set;
@@ -70,21 +82,29 @@ Status Request::copy_to(Span<Curve> to_curves, Span<Curve> to_slip, Span<Conditi
 Status Request::check_rotation(Fault& fault) const noexcept {
     const char* wrong = nullptr;
     if (problem.method.scheme != Scheme::compact)
-        wrong = "rotation pairs go with the compact scheme only";
+        wrong = "HM_ROTATION_PAIR needs the compact scheme (HM_COMPACT)";
     if (problem.method.engine != Engine::direct)
-        wrong = "rotation pairs go with the direct engine only";
+        wrong = "HM_ROTATION_PAIR needs the direct engine (HM_DIRECT)";
     if (problem.demands.slip)
-        wrong = "rotation pairs do not go with slipping boundaries; fixed and free ones do";
+        wrong =
+            "HM_ROTATION_PAIR cannot be combined with slip (HM_SLIP), but with fixed and free "
+            "boundaries";
     if (problem.demands.translation)
-        wrong = "rotation pairs (HM_ROTATION_PAIR) do not go with HM_PERIODIC_PAIR";
+        wrong = "HM_ROTATION_PAIR cannot be combined with HM_PERIODIC_PAIR";
     return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
 }
 
-// Without anything that moves nothing is to be solved, and conditions do not count.
+// Reads the conditions. If no wall moves, there is nothing to solve, and the conditions are
+// ignored.
 Status Request::read_conditions(hm_problem const& p, Fault& fault) noexcept {
-    if (p.n_conditions < 0 || (p.n_conditions > 0 && p.conditions == nullptr)) {
+    if (p.n_conditions < 0) {
+        return fault.refuse(Status::bad_argument, "problem.n_conditions must be at least 0, not #",
+                            plain(p.n_conditions));
+    }
+    if (p.n_conditions > 0 && p.conditions == nullptr) {
         return fault.refuse(Status::bad_argument,
-                            "n_conditions is negative, or conditions is NULL");
+                            "problem.conditions is NULL, but problem.n_conditions is #",
+                            plain(p.n_conditions));
     }
     for (Index i = 0; i < p.n_conditions; ++i) {
         Condition added;
@@ -93,32 +113,35 @@ Status Request::read_conditions(hm_problem const& p, Fault& fault) noexcept {
     }
     if (!problem.demands.any_wall(n_curves)) return Status::ok;
     if (p.n_conditions == 0) {
-        return fault.refuse(Status::bad_condition,
-                            "there are curves, but no condition that puts a marker on one");
+        return fault.refuse(
+            Status::bad_condition,
+            "the problem has curves, but no condition that puts a marker on a curve");
     }
     condition = p.conditions;
     n_conditions = p.n_conditions;
     SchemeTraits const& scheme = problem.method.scheme_row();
     if (problem.demands.slip && !scheme.takes_slip) {
-        return fault.refuse(Status::unsupported,
-                            problem.method.bounded()
-                                ? "the bounded scheme does not go with slipping boundaries"
-                                : "schemes of nodal gradients do not go with slipping boundaries");
+        return fault.refuse(
+            Status::unsupported,
+            problem.method.bounded()
+                ? "the bounded scheme (HM_BOUNDED) cannot be combined with slip (HM_SLIP)"
+                : "schemes with nodal gradients cannot be combined with slip (HM_SLIP); use "
+                  "HM_COMPACT");
     }
     if (problem.demands.given && !scheme.takes_given) {
         return fault.refuse(Status::unsupported,
-                            "schemes of nodal gradients do not go with given displacements");
+                            "schemes with nodal gradients cannot be combined with given "
+                            "displacements (HM_GIVEN); use HM_COMPACT");
     }
     if (problem.demands.slip && !problem.method.traits().takes_slip) {
-        return fault.refuse(
-            Status::unsupported,
-            "slipping boundaries go with the direct engine and with multigrid only");
+        return fault.refuse(Status::unsupported,
+                            "slip (HM_SLIP) needs the engine HM_DIRECT or HM_MULTIGRID");
     }
     if (problem.demands.rotation) HARMORPH_TRY(check_rotation(fault));
     if (!problem.demands.free || problem.method.operator_row().takes_free) return Status::ok;
-    return fault.refuse(
-        Status::unsupported,
-        "the conformal operator does not go with free boundaries; slipping ones do");
+    return fault.refuse(Status::unsupported,
+                        "the conformal operator cannot be combined with free boundaries (HM_FREE); "
+                        "use slip (HM_SLIP) or another operator");
 }
 
 }  // namespace harmorph

@@ -1,5 +1,5 @@
-// A problem read from the caller's structs, before anything is laid out: what it asks, beside the
-// mesh.
+// Reads a problem from the caller's structs, before anything is laid out: mesh, options, curves,
+// conditions.
 #pragma once
 
 #include "handles.hpp"
@@ -13,10 +13,10 @@ struct Request {
     const hm_condition* condition = nullptr;
     Index n_conditions = 0;
 
-    // problem->mesh, options, curves and conditions. given parameters count from the mesh's index
-    // base.
+    // Reads mesh, options, curves and conditions. The given parameters count from the index base of
+    // the mesh.
     Status read(const hm_problem* given, const hm_options* options, CallFault& fault) noexcept;
-    // Everything but the mesh.
+    // Reads everything except the mesh.
     Status read_without_mesh(const hm_problem* given, const hm_options* options,
                              CallFault& fault) noexcept;
     Index n_control() const noexcept { return n_curves > 0 ? curves.set.n_control : 0; }

@@ -3,7 +3,7 @@
 namespace harmorph {
 namespace {
 
-// 0 where sizes or their sum are out of range.
+// Counts the cells of all blocks. Returns 0 if a size or the sum is out of range.
 Index cells_of_blocks(hm_mesh const& mesh) noexcept {
     Offset n = 0;
     for (Index b = 0; mesh.block_sizes != nullptr && b < min(mesh.n_blocks, Mesh::max_blocks);
@@ -22,10 +22,14 @@ Status view_mesh(const hm_mesh* given, Mesh& mesh, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"mesh", given}}, fault));
     hm_mesh m;
     if (!read_struct(given, m))
-        return fault.refuse(Status::bad_argument, "mesh.struct_size is wrong");
+        return fault.refuse(
+            Status::bad_argument,
+            "mesh.struct_size is not the size of an hm_mesh; begin with HM_INIT(mesh)");
     if (m.cell_layout < HM_CELLS_ROWS || m.cell_layout > HM_CELLS_POLYGONS) {
-        return fault.refuse(Status::bad_argument, "mesh.cell_layout # is unknown",
-                            plain(m.cell_layout));
+        return fault.refuse(
+            Status::bad_argument,
+            "mesh.cell_layout is #, but it must be one of HM_CELLS_ROWS to HM_CELLS_POLYGONS",
+            plain(m.cell_layout));
     }
     mesh = Mesh{};
     mesh.index_base = fault.bases.mesh = m.index_base;
@@ -64,7 +68,9 @@ Status view_executor(const hm_executor* given, Executor& executor, Fault& fault)
     if (given == nullptr) return Status::ok;
     hm_executor e;
     if (!read_struct(given, e))
-        return fault.refuse(Status::bad_argument, "executor.struct_size is wrong");
+        return fault.refuse(
+            Status::bad_argument,
+            "executor.struct_size is not the size of an hm_executor; begin with HM_INIT(executor)");
     if (e.n_threads == 0) e.n_threads = 1;
     if (e.n_threads < 1 || e.n_threads > Executor::max_threads) {
         return fault.refuse(Status::bad_argument,
@@ -72,8 +78,10 @@ Status view_executor(const hm_executor* given, Executor& executor, Fault& fault)
                             plain(e.n_threads));
     }
     if (e.kernel < HM_KERNEL_AUTO || e.kernel > HM_KERNEL_NEON) {
-        return fault.refuse(Status::unsupported, "executor.kernel is #, which is unknown",
-                            plain(e.kernel));
+        return fault.refuse(
+            Status::unsupported,
+            "executor.kernel is #, but it must be one of HM_KERNEL_AUTO to HM_KERNEL_NEON",
+            plain(e.kernel));
     }
     executor = {e.run, e.user, e.n_threads, static_cast<Kernel>(e.kernel)};
     return Status::ok;

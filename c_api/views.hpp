@@ -1,4 +1,4 @@
-// From the caller's structs to the core's views, and from the core's reports to the caller's
+// Converts the caller's structs into views of the core, and reports of the core into the caller's
 // structs.
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace harmorph {
 
-// Has the caller set the size? Also the next struct of an array, that many bytes behind, has to be
-// aligned.
+// Tells whether the caller has set the size. The size must be a multiple of the alignment, so that
+// the next struct of an array is aligned, too.
 template <class T>
 bool has_size(T const& given) noexcept {
     constexpr std::uint64_t largest_ever = 4096;
@@ -21,7 +21,8 @@ bool has_size(T const& given) noexcept {
            given.struct_size % alignof(T) == 0;
 }
 
-// A caller's struct of any age: what it does not have is 0. False if its size was never set.
+// Reads a caller's struct of any version: fields that the struct does not have are 0. Returns false
+// if the size of the struct was never set.
 template <class T>
 bool read_struct(const T* given, T& out) noexcept {
     out = T{};
@@ -31,7 +32,7 @@ bool read_struct(const T* given, T& out) noexcept {
     return true;
 }
 
-// Options of a younger caller that the library does not know, and are not 0.
+// Tells whether a caller with a newer header has set options that this library does not know.
 template <class T>
 bool asks_for_more(const T* given) noexcept {
     const unsigned char* const bytes = reinterpret_cast<const unsigned char*>(given);
@@ -41,18 +42,21 @@ bool asks_for_more(const T* given) noexcept {
     return false;
 }
 
-// A report or other struct to be written: its size must have been set.
+// Checks a report or another struct that the call writes; `name` is the name of the argument in the
+// header. The caller must have set the size of the struct.
 template <class T>
-Status check_report(const T* to, Fault& fault) noexcept {
-    if (to == nullptr) return fault.refuse(Status::bad_argument, "a struct to be filled is NULL");
+Status check_report(const T* to, const char* name, Fault& fault) noexcept {
+    if (to == nullptr) return fault.refuse_argument(name, "% is NULL");
     if (has_size(*to)) return Status::ok;
-    return fault.refuse(Status::bad_argument, "the struct_size of a struct to be filled is wrong");
+    return fault.refuse_argument(name,
+                                 "%.struct_size is not the size of the struct; begin with "
+                                 "HM_INIT(%)");
 }
 
-// NULL: the report is not wanted.
+// Does the same for a report that may be NULL, because the caller does not want the report.
 template <class T>
-Status check_report_if(const T* to, Fault& fault) noexcept {
-    return to == nullptr ? Status::ok : check_report(to, fault);
+Status check_report_if(const T* to, const char* name, Fault& fault) noexcept {
+    return to == nullptr ? Status::ok : check_report(to, name, fault);
 }
 
 template <class T>
@@ -62,7 +66,7 @@ void write_struct(T filled, T* to) noexcept {
                 min<Size>(static_cast<Size>(to->struct_size), sizeof(T)));
 }
 
-// Element i of an array of structs whose size the first one tells.
+// Returns element i of an array of structs. The first struct contains the size of all.
 template <class T>
 const T* element(const T* array, Index i) noexcept {
     const unsigned char* const bytes = reinterpret_cast<const unsigned char*>(array);
@@ -75,7 +79,7 @@ T* element(T* array, Index i) noexcept {
     return const_cast<T*>(element(static_cast<const T*>(array), i));
 }
 
-// A point, cell or control point of a report, in the caller's numbering.
+// Returns the number of a point, cell or control point for a report, counted from index_base.
 constexpr Index numbered(Index item, Index index_base) noexcept {
     return item == none ? none : item + index_base;
 }
@@ -85,7 +89,7 @@ inline hm_curve struct_of(Curve const& curve) noexcept {
 }
 inline hm_condition struct_of(Condition const& condition) noexcept {
     bool const slips =
-        condition.kind == ConditionKind::slip;  // along curves that are not known any more
+        condition.kind == ConditionKind::slip;  // the basis does not keep the curves `along`
     return {sizeof(hm_condition),
             condition.marker,
             static_cast<std::int32_t>(condition.kind),
@@ -109,8 +113,8 @@ inline Points points_of(hm_points const& given) noexcept {
     return {given.x, given.y, stride_of(given.stride)};
 }
 
-// Coordinates of n points that a call reads, or writes; `name` is the argument's in the header.
-// Meshes have several.
+// Views the coordinates of n points that a call reads or writes. `name` is the name of the argument
+// in the header. The default n fits points of a mesh, which has more than one.
 template <class Given, class View>
 Status view_points(const Given* given, const char* name, View& points, Fault& fault,
                    Index n = 2) noexcept {
@@ -121,12 +125,12 @@ Status view_points(const Given* given, const char* name, View& points, Fault& fa
     std::ptrdiff_t const stride = stride_of(given->stride);
     if (n > 1 && (given->y == given->x + stride || given->x == given->y + stride)) {
         return fault.refuse_argument(
-            name, "%.x and %.y have numbers in common: the stride of x,y pairs is 2");
+            name, "%.x and %.y have numbers in common; set the stride to 2 for x,y pairs");
     }
     points = {given->x, given->y, stride};
     return Status::ok;
 }
-// NULL: points stay as they are.
+// Does the same for an argument that may be NULL; points then keeps its value.
 inline Status view_points_if(const hm_points* given, const char* name, Points& points, Fault& fault,
                              Index n = 2) noexcept {
     return given == nullptr ? Status::ok : view_points(given, name, points, fault, n);
@@ -134,7 +138,7 @@ inline Status view_points_if(const hm_points* given, const char* name, Points& p
 
 Status view_mesh(const hm_mesh* given, Mesh& mesh, CallFault& fault) noexcept;
 
-// A caller's curves: counts and pointers checked, one view at a time.
+// The caller's curves, with checked counts and pointers. curve() makes a view of one curve.
 struct CurvesView {
     hm_curves set;
     Index count() const noexcept { return set.n_curves; }
@@ -144,7 +148,7 @@ Status view_curves(const hm_curves* given, CurvesView& view, CallFault& fault) n
 
 Status view_condition(const hm_condition* array, Index number, Condition& out,
                       Fault& fault) noexcept;
-// executor NULL: one thread.
+// If given is NULL, the executor has one thread.
 Status view_executor(const hm_executor* given, Executor& executor, Fault& fault) noexcept;
 Status view_options(const hm_options* given, Problem& problem, Fault& fault) noexcept;
 Status view_fit_options(const hm_fit_options* given, FitOptions& options,

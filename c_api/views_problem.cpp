@@ -1,24 +1,30 @@
-// What a problem consists of beside the mesh, and the options of a fit. Apart from the other views,
-// so that a program which only moves meshes does not link them.
+// Views of curves, conditions, options, and options of a fit. They are apart from the other views
+// so that a program that only moves meshes does not link them.
 #include "base/range.hpp"
 #include "views.hpp"
 
 namespace harmorph {
 namespace {
 
-// The tables of basis/options.hpp say what goes together; the sentence says what would.
+// Checks operator, scheme and engine against the tables of basis/options.hpp, which also contain
+// the sentences for combinations that are not available.
 Status check_combination(hm_options const& o, hm_study_options const& study,
                          Fault& fault) noexcept {
     if (!has_row(operator_traits, o.operator_kind)) {
-        return fault.refuse(Status::unsupported, "options.operator_kind is #, which is unknown",
-                            plain(o.operator_kind));
+        return fault.refuse(
+            Status::unsupported,
+            "options.operator_kind is #, but it must be HM_CONFORMAL, HM_LAPLACE or HM_WEIGHTED",
+            plain(o.operator_kind));
     }
     if (!has_row(scheme_traits, study.scheme)) {
-        return fault.refuse(Status::unsupported, "study options: scheme is #, which is unknown",
+        return fault.refuse(Status::unsupported,
+                            "options.study.scheme is #, but it must be HM_COMPACT, HM_BOUNDED, "
+                            "HM_NODAL_GRADIENT or HM_NODAL_GRADIENT_PLAIN",
                             plain(study.scheme));
     }
     if (!has_row(engine_traits, o.engine)) {
-        return fault.refuse(Status::unsupported, "options.engine is #, which is unknown",
+        return fault.refuse(Status::unsupported,
+                            "options.engine is #, but it must be HM_DIRECT, HM_MULTIGRID or HM_FAS",
                             plain(o.engine));
     }
     OperatorTraits const& of_operator = operator_traits[o.operator_kind];
@@ -31,7 +37,7 @@ Status check_combination(hm_options const& o, hm_study_options const& study,
     return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
 }
 
-// Operator, weight, scheme and engine.
+// Reads operator, weight, scheme and engine.
 Status view_operator(hm_options const& o, hm_study_options const& study, Method& method,
                      Fault& fault) noexcept {
     HARMORPH_TRY(check_combination(o, study, fault));
@@ -45,18 +51,21 @@ Status view_operator(hm_options const& o, hm_study_options const& study, Method&
     method.engine = static_cast<Engine>(o.engine);
     if (!method.operator_row().has_weight && o.exponent_quarters > 0) {
         return fault.refuse(Status::unsupported,
-                            "the Laplace operator has no weight; HM_WEIGHTED has one");
+                            "options.exponent_quarters must be 0 or HM_NO_WEIGHT for HM_LAPLACE, "
+                            "which has no weight; HM_WEIGHTED has one");
     }
     if (o.offset_correction < 0 || o.offset_correction > 1) {
         return fault.refuse(Status::bad_argument, "options.offset_correction must be 0 or 1, not #",
                             plain(o.offset_correction));
     }
     if (o.offset_correction != 0 && !method.operator_row().takes_offset_correction) {
-        return fault.refuse(Status::unsupported,
-                            "the offset correction goes with the conformal operator only");
+        return fault.refuse(
+            Status::unsupported,
+            "options.offset_correction must be 0 unless the operator is HM_CONFORMAL");
     }
-    method.quarters = o.exponent_quarters == 0 ? method.operator_row().usual_quarters
-                                               : max(o.exponent_quarters, Index{0});
+    method.exponent_quarters = o.exponent_quarters == 0
+                                   ? method.operator_row().default_exponent_quarters
+                                   : max(o.exponent_quarters, Index{0});
     method.offset_correction = o.offset_correction;
     return Status::ok;
 }
@@ -65,57 +74,72 @@ Status view_operator(hm_options const& o, hm_study_options const& study, Method&
 
 namespace {
 
-// Options that the engine does not have would be left out silently.
+// Refuses options that the engine does not have, which would otherwise be ignored silently.
 Status check_engine(hm_options const& o, hm_study_options const& study, Fault& fault) noexcept {
     const char* wrong = nullptr;
     if (o.engine == HM_DIRECT) {
         if (study.levels != 0)
-            wrong = "study options: levels: the direct engine has no levels; multigrid and fas do";
+            wrong = "options.study.levels must be 0 for HM_DIRECT, which has no levels";
         if (study.agglomeration != HM_AGGLOMERATE_AUTO) {
-            wrong =
-                "study options: agglomeration: the direct engine merges no cells; multigrid and "
-                "fas do";
+            wrong = "options.study.agglomeration must be 0 for HM_DIRECT, which merges no cells";
         }
         if (study.block_width != 0)
-            wrong = "study options: block_width goes with the engines multigrid and fas only";
+            wrong =
+                "options.study.block_width must be 0 unless the engine is HM_MULTIGRID or HM_FAS";
         if (study.max_iterations != 0)
-            wrong = "study options: max_iterations goes with the engines multigrid and fas only";
+            wrong =
+                "options.study.max_iterations must be 0 unless the engine is HM_MULTIGRID or "
+                "HM_FAS";
         if (study.history_length != 0)
-            wrong = "study options: history goes with the engines multigrid and fas only";
+            wrong =
+                "options.study.history_length must be 0 unless the engine is HM_MULTIGRID or "
+                "HM_FAS";
     } else if (o.precision != HM_DOUBLE) {
-        wrong = "options.precision: only the direct engine has a factor to store in single";
+        wrong = "options.precision must be HM_DOUBLE unless the engine is HM_DIRECT";
     }
     if (o.engine != HM_FAS && study.start != HM_START_COARSEST)
-        wrong = "study options: start goes with the engine fas only";
+        wrong = "options.study.start must be HM_START_COARSEST unless the engine is HM_FAS";
     return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
 }
 
 Status view_iteration(hm_study_options const& study, Iteration& iteration, Fault& fault) noexcept {
-    if (study.levels < 0 || study.levels > Agglomeration::most_levels) {
+    if (study.levels < 0 || study.levels > Agglomeration::max_levels) {
         return fault.refuse(Status::bad_argument,
-                            "study options: levels must be between 0 and 20, not #",
+                            "options.study.levels must be between 0 and 20, not #",
                             plain(study.levels));
     }
     if (study.agglomeration < HM_AGGLOMERATE_AUTO ||
         study.agglomeration > HM_AGGLOMERATE_DIRECTIONAL) {
         return fault.refuse(Status::bad_argument,
-                            "study options: agglomeration is #, which is unknown",
+                            "options.study.agglomeration is #, but it must be one of the constants "
+                            "HM_AGGLOMERATE_...",
                             plain(study.agglomeration));
     }
     if (study.block_width != 0 && !Iteration::has_width(study.block_width)) {
         return fault.refuse(Status::bad_argument,
-                            "study options: block_width must be 0, 4, 8 or 16, not #",
+                            "options.study.block_width must be 0, 4, 8 or 16, not #",
                             plain(study.block_width));
     }
-    if (study.max_iterations < 0 || study.history_length < 0 ||
-        (study.history_length > 0 && study.history == nullptr)) {
-        return fault.refuse(
-            Status::bad_argument,
-            "study options: max_iterations or history_length is negative, or history is NULL");
+    if (study.max_iterations < 0) {
+        return fault.refuse(Status::bad_argument,
+                            "options.study.max_iterations must be at least 0, not #",
+                            plain(study.max_iterations));
+    }
+    if (study.history_length < 0) {
+        return fault.refuse(Status::bad_argument,
+                            "options.study.history_length must be at least 0, not #",
+                            plain(study.history_length));
+    }
+    if (study.history_length > 0 && study.history == nullptr) {
+        return fault.refuse(Status::bad_argument,
+                            "options.study.history is NULL, but history_length is #",
+                            plain(study.history_length));
     }
     if (study.start < HM_START_COARSEST || study.start > HM_START_ZERO) {
-        return fault.refuse(Status::bad_argument, "study options: start is #, which is unknown",
-                            plain(study.start));
+        return fault.refuse(
+            Status::bad_argument,
+            "options.study.start is #, but it must be HM_START_COARSEST or HM_START_ZERO",
+            plain(study.start));
     }
     iteration.starts_from_zero = study.start == HM_START_ZERO;
     iteration.merging = {static_cast<Merging>(study.agglomeration), study.levels};
@@ -135,21 +159,25 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
     problem.progress = Progress{};
     hm_options o = {};
     if (given != nullptr && !read_struct(given, o)) {
-        return fault.refuse(Status::bad_argument, "options.struct_size is wrong");
+        return fault.refuse(
+            Status::bad_argument,
+            "options.struct_size is not the size of an hm_options; begin with HM_INIT(options)");
     }
     if (given != nullptr && asks_for_more(given)) {
-        return fault.refuse(
-            Status::unsupported,
-            "options: fields are set that this version of the library does not know");
+        return fault.refuse(Status::unsupported,
+                            "options contains fields that are set but unknown to this version of "
+                            "the library; use the header of this version");
     }
     hm_study_options study = {};
     if (o.study != nullptr && !read_struct(o.study, study)) {
-        return fault.refuse(Status::bad_argument, "study options: struct_size is wrong");
+        return fault.refuse(
+            Status::bad_argument,
+            "options.study.struct_size is not the size of an hm_study_options; begin with HM_INIT");
     }
     if (o.study != nullptr && asks_for_more(o.study)) {
-        return fault.refuse(
-            Status::unsupported,
-            "study options: fields are set that this version of the library does not know");
+        return fault.refuse(Status::unsupported,
+                            "options.study contains fields that are set but unknown to this "
+                            "version of the library; use the header of this version");
     }
     HARMORPH_TRY(view_operator(o, study, method, fault));
     HARMORPH_TRY(view_iteration(study, problem.iteration, fault));
@@ -161,12 +189,14 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
     if (o.kernel < HM_KERNEL_AUTO || o.kernel > HM_KERNEL_NEON ||
         !has_kernel(static_cast<Kernel>(o.kernel))) {
         return fault.refuse(Status::unsupported,
-                            "options.kernel is #, which this processor does not have",
+                            "options.kernel is #, which is unknown or not a kernel of this "
+                            "processor; HM_KERNEL_AUTO always works",
                             plain(o.kernel));
     }
     method.kernel = static_cast<Kernel>(o.kernel);
     if (o.precision < HM_DOUBLE || o.precision > HM_SINGLE) {
-        return fault.refuse(Status::unsupported, "options.precision # is unknown",
+        return fault.refuse(Status::unsupported,
+                            "options.precision is #, but it must be HM_DOUBLE or HM_SINGLE",
                             plain(o.precision));
     }
     method.precision = static_cast<Precision>(o.precision);
@@ -183,13 +213,17 @@ Status view_fit_options(const hm_fit_options* given, FitOptions& options,
     if (given == nullptr) return Status::ok;
     hm_fit_options o;
     if (!read_struct(given, o))
-        return fault.refuse(Status::bad_argument, "fit options: struct_size is wrong");
+        return fault.refuse(Status::bad_argument,
+                            "options.struct_size is not the size of an hm_fit_options; begin with "
+                            "HM_INIT(options)");
     if (o.closed < HM_CLOSED_AUTO || o.closed > HM_PERIODIC) {
-        return fault.refuse(Status::bad_argument, "fit options: closed is #, which is unknown",
-                            plain(o.closed));
+        return fault.refuse(
+            Status::bad_argument,
+            "options.closed is #, but it must be HM_CLOSED_AUTO, HM_OPEN, HM_TIED or HM_PERIODIC",
+            plain(o.closed));
     }
     if (o.index_base != 0 && o.index_base != 1) {
-        return fault.refuse(Status::bad_argument, "fit options: index_base must be 0 or 1, not #",
+        return fault.refuse(Status::bad_argument, "options.index_base must be 0 or 1, not #",
                             plain(o.index_base));
     }
     fault.bases.curves = o.index_base;
@@ -202,11 +236,14 @@ Status view_fit_options(const hm_fit_options* given, FitOptions& options,
 Status view_curves(const hm_curves* given, CurvesView& view, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"curves", given}}, fault));
     if (!read_struct(given, view.set))
-        return fault.refuse(Status::bad_argument, "curves.struct_size is wrong");
+        return fault.refuse(
+            Status::bad_argument,
+            "curves.struct_size is not the size of an hm_curves; begin with HM_INIT(curves)");
     hm_curves const& set = view.set;
     fault.bases.curves = set.index_base;
     if (set.index_base != 0 && set.index_base != 1) {
-        return fault.refuse(Status::bad_argument, "curves.index_base must be 0 or 1");
+        return fault.refuse(Status::bad_argument, "curves.index_base must be 0 or 1, not #",
+                            plain(set.index_base));
     }
     if (set.control == nullptr || set.curve == nullptr) {
         return fault.refuse(Status::bad_argument, "curves.control or curves.curve is NULL");
@@ -226,11 +263,14 @@ Status view_curves(const hm_curves* given, CurvesView& view, CallFault& fault) n
 Status CurvesView::curve(Index number, Curve& out, Fault& fault) const noexcept {
     hm_curve c;
     if (!read_struct(set.curve, c) || !read_struct(element(set.curve, number), c)) {
-        return fault.refuse(Status::bad_argument, "struct_size of curve # is wrong",
-                            curve_item(number));
+        return fault.refuse(
+            Status::bad_argument,
+            "struct_size of curve # is not the size of an hm_curve; begin with HM_INIT",
+            curve_item(number));
     }
     if (c.knots == nullptr) {
-        return fault.refuse(Status::bad_argument, "knots of curve # is NULL", curve_item(number));
+        return fault.refuse(Status::bad_argument, "the array of knots of curve # is NULL",
+                            curve_item(number));
     }
     out = Curve{};
     out.degree = c.degree;
@@ -246,7 +286,8 @@ Status CurvesView::curve(Index number, Curve& out, Fault& fault) const noexcept 
 
 namespace {
 
-// Fields of another kind than the condition's would be left out silently.
+// Refuses fields that belong to another kind of condition, which would otherwise be ignored
+// silently.
 Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept {
     unsigned const fields = condition_traits[c.kind].fields;
     auto const has_not = [&](ConditionField field) { return !contains(fields, field); };
@@ -254,36 +295,40 @@ Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept 
     if ((c.first_curve != 0 && has_not(ConditionField::curves)) ||
         (c.n_curves != 0 && has_not(ConditionField::curves) && has_not(ConditionField::along))) {
         wrong =
-            "condition # has first_curve or n_curves, which are of HM_ON_CURVE only, but "
-            "its kind is @";
+            "first_curve or n_curves of condition # is set, but the kind of the condition is @, "
+            "not HM_ON_CURVE";
     } else if (c.along != nullptr && has_not(ConditionField::along)) {
-        wrong =
-            "condition # has curves along which to slide, which are of HM_SLIP only, but "
-            "its kind is @";
+        wrong = "along of condition # is set, but the kind of the condition is @, not HM_SLIP";
     } else if (c.body != 0 && has_not(ConditionField::body)) {
-        wrong = "condition # has body, which is of HM_RIGID only, but its kind is @";
+        wrong = "body of condition # is set, but the kind of the condition is @, not HM_RIGID";
     } else if (!(c.x == 0 && c.y == 0) && has_not(ConditionField::centre)) {
         wrong =
-            "condition # has x or y, which are of HM_RIGID and HM_ROTATION_PAIR only, but "
-            "its kind is @";
+            "x or y of condition # is set, but the kind of the condition is @, not HM_RIGID or "
+            "HM_ROTATION_PAIR";
     } else if (c.piece < 0 || c.piece > 1 || c.reserved != 0) {
         wrong =
-            "condition # has a piece that is neither 0 nor 1, or reserved is not 0; its "
-            "kind is @";
+            "piece of condition # must be 0 or 1, and reserved must be 0; the kind of the "
+            "condition is @";
     } else if (c.piece != 0 && has_not(ConditionField::piece)) {
-        wrong = "condition # chooses a piece, which a periodic pair cannot; its kind is @";
+        wrong =
+            "condition # chooses a piece of a marker, but the kind of the condition is @, a pair "
+            "of whole markers";
     } else if (c.piece == 0 && !(c.near_x == 0 && c.near_y == 0)) {
-        wrong = "condition # has near_x or near_y, but chooses no piece; its kind is @";
+        wrong =
+            "near_x or near_y of condition # is set, but piece is 0; the kind of the condition is "
+            "@";
     } else if (c.partner != 0 && has_not(ConditionField::partner)) {
-        wrong = "condition # has partner, which is of periodic pairs only, but its kind is @";
+        wrong =
+            "partner of condition # is set, but the kind of the condition is @, not "
+            "HM_PERIODIC_PAIR or HM_ROTATION_PAIR";
     }
     if (wrong != nullptr)
         return fault.refuse(Status::bad_condition, wrong, condition_item(number), plain(c.kind));
     if (has_not(ConditionField::along)) return Status::ok;
     if (c.along == nullptr && c.n_curves != 0) {
         return fault.refuse(Status::bad_condition,
-                            "condition # slides along @ curves, but its `along` is NULL: "
-                            "a basis does not keep them",
+                            "condition # slips along @ curves, but its `along` is NULL; give the "
+                            "curves again, because a basis does not keep them",
                             condition_item(number), plain(c.n_curves));
     }
     hm_curves set;
@@ -292,7 +337,7 @@ Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept 
     if (fits) return Status::ok;
     return fault.refuse(
         Status::bad_condition,
-        "condition # has n_curves @, but that is not the number of curves in its `along`",
+        "n_curves of condition # is @, but its `along` has another number of curves",
         condition_item(number), plain(c.n_curves));
 }
 
@@ -302,23 +347,28 @@ Status view_condition(const hm_condition* array, Index number, Condition& out,
                       Fault& fault) noexcept {
     hm_condition c;
     if (!read_struct(array, c) || !read_struct(element(array, number), c)) {
-        return fault.refuse(Status::bad_argument, "struct_size of condition # is wrong",
-                            condition_item(number));
+        return fault.refuse(
+            Status::bad_argument,
+            "struct_size of condition # is not the size of an hm_condition; begin with HM_INIT",
+            condition_item(number));
     }
     if (!has_row(condition_traits, c.kind)) {
-        return fault.refuse(Status::bad_argument, "condition # has the unknown kind @",
-                            condition_item(number), plain(c.kind));
+        return fault.refuse(
+            Status::bad_argument,
+            "the kind of condition # is @, but it must be one of HM_ON_CURVE to HM_ROTATION_PAIR",
+            condition_item(number), plain(c.kind));
     }
     constexpr Index most_bodies = Index{1} << 20;
     if (c.kind == HM_RIGID && (c.body < 0 || c.body >= most_bodies)) {
         return fault.refuse(Status::bad_condition,
-                            "condition # names rigid body @, which there cannot be",
+                            "condition # names rigid body @, but there can be no more than 2^20 "
+                            "bodies, numbered without gaps",
                             condition_item(number), body_item(c.body));
     }
     HARMORPH_TRY(check_fields(c, number, fault));
     if (!is_coordinate({c.near_x, c.near_y})) {
         return fault.refuse(Status::bad_condition,
-                            "near_x or near_y of condition # is not finite, or larger than 1e100",
+                            "near_x or near_y of condition # is not finite or beyond 1e100",
                             condition_item(number));
     }
     out = {c.marker,

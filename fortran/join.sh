@@ -1,22 +1,33 @@
 #!/bin/sh
-# usage: join.sh FOLDER >FOLDER.f90
-# One file for users to compile, of the parts in harmorph/, harmorph77/ or harmorph_mpi/: a module of those that the
-# file `order` names, and behind it those that `after` names, unchanged. Each part of a module has declarations, a line
-# `contains`, and procedures; the first ones are the manual and the begin of the module. What stands between !@each WHAT
-# and !@end is there once for each line of `forms` that begins with WHAT: name, kind and shape.
-cd "$(dirname "$0")/$1" || exit 1
-forms=/dev/null
+# usage: join.sh MODULE >MODULE.f90   (HEADERS: the folder of the C headers, include/ if not set)
+# Joins the parts in the folder MODULE to one source file, which users compile: a module of the parts that the file
+# `order` names, and behind the module the parts that the file `after` names, unchanged. Each part of a module has
+# declarations, a line `contains`, and procedures; the first parts are the manual and the beginning of the module.
+#
+# The lines between !@each NAME and !@end are written once for each line of the file `forms` that begins with NAME; that
+# line also gives the form, the kind and the shape. The line !@headers stands for the constants and structs that the C
+# headers in the list `headers` declare (declarations.awk).
+top=$(cd "$(dirname "$0")/.." && pwd)
+headers=$(cd "${HEADERS:-$top/include}" && pwd)
+cd "$top/fortran/$1" || exit 1
+forms=/dev/null declared=
 [ ! -f forms ] || forms=forms
+if [ -f headers ]; then
+    table=$(cd "$headers" && awk -f "$top/c_api/packaging/table.awk" $(cat "$top/fortran/$1/headers")) || exit 1
+    declared=$(echo "$table" | awk -f ../declarations.awk) || exit 1
+fi
+export declared
 part() {   # file, declarations or procedures
     awk -v wanted="$2" -v forms=$forms '
-        FILENAME == forms { of[++n] = $1; form[n] = $2; kind[n] = $3; shape[n] = $4; next }
-        FNR == 1 { half = "declarations" }
-        /^contains$/ { half = "procedures"; next }
-        half != wanted { next }
+        FILENAME == forms { name[++n] = $1; form[n] = $2; kind[n] = $3; shape[n] = $4; next }
+        FNR == 1 { section = "declarations" }
+        /^contains$/ { section = "procedures"; next }
+        section != wanted { next }
+        /^!@headers$/ { print ENVIRON["declared"]; next }
         /^!@each / { each = $2; text = ""; next }
         /^!@end$/ {
             for (k = 1; k <= n; ++k) {
-                if (of[k] != each) continue
+                if (name[k] != each) continue
                 copy = text
                 gsub(/@FORM@/, form[k], copy)
                 gsub(/@KIND@/, kind[k], copy)

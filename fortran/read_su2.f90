@@ -1,17 +1,17 @@
-! Reads two-dimensional meshes in SU2's format. Source to compile with your code. MIT licence.
+! Reads two-dimensional meshes in the format of SU2. Compile this source with your code. MIT licence.
 !
 !     use read_su2
-!     type(su2_mesh), target :: file                  TARGET: harmorph uses file%x and file%y as they lie
-!     call read_su2_mesh("naca0012.su2", file)        stops the program with the reason, or: stat=, message=
+!     type(su2_mesh), target :: file                  TARGET: harmorph uses file%x and file%y in place
+!     call read_su2_mesh("naca0012.su2", file)        stops the program with the reason; or stat=, message=
 !     call mesh%points(file%x, file%y)
 !     call mesh%cells(file%cells, file%start)
-!     call mesh%faces(file%faces, file%markers)       a marker's number is its place in file%names:
-!     wall = su2_marker(file, "airfoil")              0 if there is none of this name
+!     call mesh%faces(file%faces, file%markers)       the number of a marker is the place in file%names:
+!     wall = su2_marker(file, "airfoil")              0 if there is no such name
 !
-! Taken: NDIME= 2, NELEM with triangles (5) and quads (9), NPOIN, NMARK, MARKER_TAG, MARKER_ELEMS with lines (3), in any
-! order, comments (%), further numbers at the ends of lines. Left out: markers of single points (1), as SEND_RECEIVE has
-! them, and keywords of other kinds. Refused: three dimensions, several zones, what is cut off or names points that the
-! file has not. All numbers of points count from 1 here, from 0 in the file.
+! The file contains NDIME= 2, NELEM with triangles (5) and quads (9), NPOIN, NMARK, MARKER_TAG, and MARKER_ELEMS with
+! lines (3), in any order, with comments (%) and further numbers at the ends of lines. Markers of single points (1), as
+! SEND_RECEIVE has them, and other keywords are ignored. Three dimensions, several zones, files that are cut off, and
+! numbers of points that do not exist are refused. Points count from 1 here and from 0 in the file.
 module read_su2
     use, intrinsic :: iso_fortran_env, only: error_unit, int32, real64
     implicit none
@@ -20,9 +20,9 @@ module read_su2
 
     type, public :: su2_mesh
         real(real64), allocatable :: x(:), y(:)
-        integer(int32), allocatable :: cells(:), start(:)       ! points of cell k: cells(start(k):start(k+1)-1)
-        integer(int32), allocatable :: faces(:, :), markers(:)  ! (2,n), n
-        character(len=64), allocatable :: names(:)              ! of the markers, in the order of the file
+        integer(int32), allocatable :: cells(:), start(:)       ! cell k has the points cells(start(k):start(k+1)-1)
+        integer(int32), allocatable :: faces(:, :), markers(:)  ! (2,n) and (n)
+        character(len=64), allocatable :: names(:)              ! names of the markers, in the order of the file
     end type
 
     type :: reader
@@ -32,7 +32,7 @@ module read_su2
     end type
 
 contains
-    ! stat: 0, or 1 with the reason in message, and an empty mesh.
+    ! stat is 0, or 1 if the file is refused; then message has the reason, and the mesh is empty.
     subroutine read_su2_mesh(file, mesh, stat, message)
         character(len=*), intent(in) :: file
         type(su2_mesh), intent(out) :: mesh
@@ -147,7 +147,7 @@ contains
         end do
     end subroutine
 
-    ! The tag has been read; MARKER_ELEMS and the faces follow, in between perhaps SEND_TO.
+    ! Reads MARKER_ELEMS and the faces behind a tag; SEND_TO may be in between.
     subroutine read_marker(from, name, mesh)
         type(reader), intent(inout) :: from
         character(len=*), intent(in) :: name
@@ -198,7 +198,7 @@ contains
 
     ! ---- Lines
 
-    ! The next line that is neither empty nor a comment.
+    ! Reads the next line that is neither empty nor a comment.
     logical function next_line(from)
         type(reader), intent(inout) :: from
         integer :: failed, percent
@@ -209,7 +209,7 @@ contains
             from%line_number = from%line_number + 1
             percent = index(from%line, "%")
             if (percent > 0) from%line(percent:) = ""
-            percent = index(from%line, achar(13))               ! ends of lines of other systems
+            percent = index(from%line, achar(13))               ! the line may end as on other systems
             if (percent > 0) from%line(percent:) = ""
             if (from%line /= "") return
         end do

@@ -1,13 +1,13 @@
 /* clang-format off */
-/* harmorph: morphs an airfoil and the CFD mesh around the airfoil together. MIT licence.
+/* harmorph morphs an airfoil and the CFD mesh around the airfoil together. MIT licence.
  *
- * The airfoil is a B-spline curve. Each of its basis functions N_i is boundary data for Laplace's
- * equation (or a related operator) on the mesh. The solutions F_i are computed once. They carry any
- * movement dP_i of the control points to every mesh point: X_new = X + sum_i F_i dP_i. (Method:
- * Nikolos, Lygidakis, Leloudas, Tavla, "Application of B-spline basis functions as harmonic
+ * The airfoil is a B-spline curve. Each basis function N_i of the curve is boundary data for
+ * Laplace's equation, or a related one, on the mesh. The solutions F_i are computed once, and then
+ * carry any movement dP_i of the control points to every mesh point: X_new = X + sum_i F_i dP_i.
+ * (Nikolos, Lygidakis, Leloudas, Tavla, "Application of B-spline basis functions as harmonic
  * functions for the concurrent shape and mesh morphing of airfoils".)
  *
- * This header suffices for a solver on one process. More calls, by topic:
+ * This header suffices for a solver on one process. The other headers contain, by topic:
  *   harmorph_design.h  evaluation, refinement and measures of curves, design variables, functions
  *                      that are combined, given by table, stored in single precision, transferred
  *   harmorph_space.h   meshes one cell thick, blocks in arrays of their own, meshes given as edges
@@ -15,46 +15,46 @@
  *   harmorph_study.h   diagnostics, and the schemes and engines of the paper
  *   harmorph_openmp.h, harmorph_pthreads.h, harmorph_pages.h   ready-made threads, huge pages
  *
- * CONVENTIONS: they hold for every function of these headers.
+ * CONVENTIONS hold for every function of these headers.
  *
  * Languages        C89 (with stdint.h), C99, C11, C++11 to C++20; no C++ run-time library.
- * Order of calls   hm_analysis_size > hm_analysis_init   checks, ordering, symbolic pass
+ * Order of calls   hm_analysis_size > hm_analysis_init   checks, ordering, symbolic factorisation
  *                  hm_plan_size > hm_plan_init           memory for the matrix and the factor
  *                  hm_basis_size > hm_basis_init         memory for the functions F_i
- *                  hm_plan_factor > hm_plan_solve        numbers
- *                  hm_morph, hm_adjoint, hm_assess       any number of times; they need only the
- *                                                        basis and the mesh
- *                  Analysis and plan may be discarded after hm_plan_solve, unless hm_displace,
- *                  hm_slip, hm_morph_safe, hm_displace_safe or hm_improve is called later.
+ *                  hm_plan_factor > hm_plan_solve        matrix, factor, functions
+ *                  hm_morph, hm_adjoint, hm_assess       any number of times
+ *                  hm_morph and hm_adjoint need only the basis, hm_assess also the mesh. Keep the
+ *                  plan if you call hm_displace, hm_morph_safe, hm_displace_safe or hm_improve
+ *                  later, and the analysis if you call hm_slip later.
  * Memory           The library allocates no memory. A *_size function returns the exact number of
  *                  bytes; any alignment is accepted. An object lives inside the caller's block:
  *                  nothing has to be freed, and the block must not move while the object is in use
  *                  (a basis may be copied or written to a file: hm_basis_attach).
  * Ownership        Arrays in structs remain the caller's; input arrays are never changed. Arrays of
  *                  a mesh must exist as long as the analysis and the plan that were made from the
- *                  mesh, arrays of curves as long as the analysis. A basis is complete in itself.
- * Structs          Begin with HM_INIT(name): all fields are then 0, and struct_size is set. A field
- *                  that is 0 has its default value. New fields are only ever added at the end.
+ *                  mesh, arrays of curves as long as the analysis. A basis needs no other memory.
+ * Structs          Begin with HM_INIT(name), which sets struct_size and all other fields to 0. A
+ *                  field that is 0 has its default value. New versions add fields at the end only.
  *                  Options that this library does not know are refused with HM_UNSUPPORTED.
  * Units            Coordinates have any length unit, the same one everywhere; reported angles are
  *                  in degrees. Array lengths stand in [brackets].
  * Range            Coordinates are at most 1e100 in size. Every corner of a cell has a height,
  *                  twice its area divided by the longer of its two edges, of at least 1e-100, and
  *                  of at least 2^-46 (1.4e-14) of the largest coordinate of the cell. Otherwise
- *                  hm_analysis_init refuses the mesh: move the origin to the body.
+ *                  hm_analysis_init refuses the mesh; moving the origin to the body may help.
  * Numbering        Points and cells are counted from mesh.index_base (also in reports, unless
  *                  stated otherwise), control points from curves.index_base. Arguments and fields
  *                  that name a curve, a condition or a function are counted from 0. Function i
- *                  belongs to control point i + curves.index_base. Errors: see hm_error.
+ *                  belongs to control point i + curves.index_base.
  * Orientation      Cells may be numbered clockwise, counter-clockwise or mixed. Neighbours of equal
  *                  orientation traverse their common edge in opposite directions; the orientation
  *                  with the larger total area is taken as positive.
- * Inverted         A cell is inverted if one of its corners has an area <= 0 in the positive
- *                  orientation, or an area that is infinite or NaN. The area of a corner is half
- *                  the cross product of the two edges that meet there, so a quadrilateral that is
- *                  not convex is inverted. A corner with a sine below 5e-16 may count as either.
+ * Inverted         A cell is inverted if the area of one of its corners, half the cross product of
+ *                  the two edges there, is <= 0 in the positive orientation, infinite or NaN. So a
+ *                  quadrilateral that is not convex is inverted. A corner with a sine below 5e-16
+ *                  may count as either.
  * Markers          A marker without a condition is fixed: the points on it do not move.
- * NULL             Allowed only where stated. hm_error may always be NULL.
+ * NULL             NULL is allowed only where stated. hm_error may always be NULL.
  * Status           0: success. Positive: success with a warning, the result can be used. Negative:
  *                  the call was refused; outputs and blocks are as before the call, but a block
  *                  given for a new object may have been written.
@@ -91,10 +91,7 @@ extern "C" {
 #define HM_API
 #endif
 
-/* ---- Structs ---- */
-
-/* Sets all bytes of a struct to 0 and struct_size, the first field, to `size`. For every struct of
- * these headers that has a struct_size:
+/* Sets struct_size, the first field of a struct, to `size` and all other bytes to 0:
  *     hm_options options;
  *     HM_INIT(options); */
 HM_API void hm_init(void* any_struct, uint64_t size);
@@ -106,18 +103,18 @@ typedef int32_t hm_status;
 enum {
     HM_OK = 0,
     /* Solved, but a residual is above options.tolerance, or refinement ended before the values were
-     * as accurate. error.value: the estimated error of the values. */
+     * that accurate. error.value: the estimated error of the values. */
     HM_NOT_CONVERGED = 1,
     HM_MOVED = 2, /* attached to a mesh with other coordinates than the basis was solved on */
-    /* A valid mesh, but only a part of the movement was possible. error.item: the cell in the way,
-     * or the end of a wall that leaves the straight boundary beside the wall. */
+    /* The mesh is valid, but only a part of the movement was possible. error.item: the cell that
+     * limits the movement, or the end of a wall that leaves the straight boundary beside it. */
     HM_SHORT = 3,
     HM_BACKTRACKS = 4, /* hm_fit: the curve runs backwards behind the point error.item */
     /* hm_analysis_init: the point error.item is farther from the curve of its marker (error.value)
      * than 5 % of the extent of the curve or of all points on curves, or beyond its end. */
     HM_FAR_FROM_CURVE = 5,
-    /* A valid mesh at the target, but cells are poorer, or heights of the first layer changed more,
-     * than was asked for. error.item: the cell, or the wall point. */
+    /* The mesh is valid and at the target, but cells are poorer, or heights of the first layer
+     * changed more, than the options ask for. error.item: the cell, or the wall point. */
     HM_POOR = 6,
     HM_CANCELLED = -1,     /* the progress callback asked to stop; repeat the call to continue */
     HM_BAD_ARGUMENT = -2,  /* NULL, a size or number out of range, an unknown struct_size */
@@ -128,9 +125,9 @@ enum {
     HM_BLOCK_TOO_SMALL = -7, /* error.value: missing bytes */
     HM_NOT_POSITIVE = -8,    /* the matrix is not positive definite; error.item: the mesh point */
     HM_UNSUPPORTED = -9,     /* a combination of options that is not available */
-    /* No mesh has the moved boundary: faces cross, a body leaves the domain, is inside another one
-     * or inside out, or points on the boundary alone invert a cell. error.item: a point of the
-     * boundary, or the cell. */
+    /* No mesh has the moved boundary: faces cross, a body leaves the domain, lies inside another
+     * body or is turned inside out, or points on the boundary alone invert a cell. error.item: a
+     * point of the boundary, or the cell. */
     HM_CROSSING = -10
 };
 
@@ -145,27 +142,27 @@ enum {
     HM_ITEM_CONTROL_POINT = 6,
     HM_ITEM_CONDITION = 7,
     HM_ITEM_FUNCTION = 8,
-    HM_ITEM_BODY = 9,      /* hm_condition.body */
-    HM_ITEM_LIST = 10,     /* of mesh.list_start */
-    HM_ITEM_BLOCK = 11,    /* of mesh.block_sizes */
-    HM_ITEM_KNOT = 12,     /* of the curve that is the other item, or of those to be inserted */
+    HM_ITEM_BODY = 9,   /* hm_condition.body */
+    HM_ITEM_LIST = 10,  /* an entry of mesh.list_start */
+    HM_ITEM_BLOCK = 11, /* a block of mesh.block_sizes */
+    HM_ITEM_KNOT = 12,  /* a knot of the curve that is the other item, or a knot to be inserted */
     HM_ITEM_VARIABLE = 13, /* a design variable: a column of a matrix */
-    HM_ITEM_QUANTITY = 14, /* of hm_measure */
-    HM_ITEM_FIELD = 15,    /* of hm_displace, or a mode of hm_tabulate */
+    HM_ITEM_QUANTITY = 14, /* a quantity of hm_measure */
+    HM_ITEM_FIELD = 15,    /* a field of hm_displace, or a mode of hm_tabulate */
     HM_ITEM_ENTRY = 16,    /* an entry of the array that the text names, a level, a part, a piece */
     HM_ITEM_GLOBAL_POINT = 17 /* the caller's own number (hm_part_mesh.numbers); item_base is 0 */
 };
 
-/* The items of an error, and all numbers in its text, are counted from one base: the index_base of
- * the mesh, also of the mesh that an analysis, a plan, a basis or a plane was made from; in calls
- * with curves alone, the index_base of the curves; in other calls 0. Where a call has a mesh and
- * curves, curves, control points and knots keep the index_base of the curves. */
+/* The items of an error, and all numbers in its text, are counted from the index_base of the mesh
+ * (also of the mesh that an analysis, a plan, a basis or a plane was made from); in calls with
+ * curves and no mesh, from the index_base of the curves; in other calls, from 0. In calls with a
+ * mesh and curves, numbers of curves, control points and knots use the index_base of the curves. */
 typedef struct hm_error {
     hm_status code;
     int32_t item_kind; /* HM_ITEM_...: what the error is about */
     int32_t item;      /* the first offending one; -1 if item_kind is HM_ITEM_NONE */
     int32_t item_base; /* what item is counted from; item - item_base is the index of a C array */
-    /* What else the error is about: the second of two points, the curve of a knot. */
+    /* A second item that the error is about: the second of two points, the curve of a knot. */
     int32_t other_kind, other, other_base;
     int32_t reserved; /* 0 */
     double value;     /* the value found: area [length^2], residual [-], missing [bytes]; or 0 */
@@ -181,20 +178,19 @@ HM_API const char* hm_status_name(hm_status status); /* "HM_OK", ...; "unknown s
 
 /* Kernels for vector instructions. The library contains those of its architecture. */
 enum {
-    HM_KERNEL_AUTO = 0, /* the best that the processor has; the library asks the processor */
+    HM_KERNEL_AUTO = 0, /* the best kernel of the processor, which the library asks */
     HM_KERNEL_BASELINE = 1,
     HM_KERNEL_AVX2 = 2,
     HM_KERNEL_AVX512 = 3,
     HM_KERNEL_NEON = 4 /* 64-bit ARM; the AVX kernels are those of x86-64 */
 };
 /* The best kernel that this processor has; never HM_KERNEL_AUTO. On a virtual machine the question
- * may take 15 us, more than a morph of 5000 points. So ask once, and keep the answer in
- * hm_executor.kernel. */
+ * may take 15 us, more than a morph of 5000 points: ask once, and fill in hm_executor.kernel. */
 HM_API int32_t hm_best_kernel(void);
 
 /* Calls task(context, i) once for each i in 0 .. n_tasks-1, in any order, on any threads, and
- * returns when all tasks are done. No task waits for another task. Ready-made: harmorph_openmp.h,
- * harmorph_pthreads.h. */
+ * returns when all tasks are done. No task waits for another task. harmorph_openmp.h and
+ * _pthreads.h contain ready-made functions. */
 typedef void (*hm_run)(void* user, int32_t n_tasks, void (*task)(void* context, int32_t index),
                        void* context);
 
@@ -202,13 +198,11 @@ typedef struct hm_executor {
     uint64_t struct_size;
     hm_run run; /* NULL: everything runs on the calling thread */
     void* user; /* passed to run */
-    /* About how many tasks run at once, 1 .. 256; 0 means 1. The memory of a plan grows with
-     * n_threads. */
+    /* About how many tasks run at once, 1 .. 256; 0 means 1. The memory of a plan grows with it. */
     int32_t n_threads;
-    /* The result of hm_best_kernel(), asked once; the ready-made executors contain it. With
-     * HM_KERNEL_AUTO each large call asks the processor, and small calls take the baseline. The
-     * library does not check that the processor has the kernel. Results of calls without hm_options
-     * (morph, adjoint, assess) do not depend on it. */
+    /* The result of hm_best_kernel(), which the library does not check. With HM_KERNEL_AUTO each
+     * large call asks the processor, and small calls use the baseline. Calls without hm_options
+     * (morph, adjoint, assess) give the same results with every kernel. */
     int32_t kernel;
 } hm_executor;
 
@@ -238,21 +232,24 @@ enum {
     HM_CELLS_QUADS = 2,     /* cell_points [4*n_cells]; a triangle repeats its last point */
     /* No list: point (i,j) is i + ni*j, cell (i,j) is i + (ni-1)*j, i and j from 0. */
     HM_CELLS_STRUCTURED = 3,
-    /* Two arrays: first the triangles in cell_points [3*(n_cells-n_quads)], then the quadrilaterals
-     * in quad_points [4*n_quads]. */
+    /* Triangles in cell_points [3*(n_cells-n_quads)], then quadrilaterals in quad_points
+       [4*n_quads] */
     HM_CELLS_MIXED = 4,
     /* No list: structured blocks one after the other, points and cells of each as in
-     * HM_CELLS_STRUCTURED. Interfaces of blocks are cuts, see below: their points exist once in
-     * each block, with equal coordinates. Blocks in separate arrays: hm_blocks_gather of
-     * harmorph_space.h. */
+     * HM_CELLS_STRUCTURED. Interfaces of blocks are cuts (see below): their points exist once in
+     * each block, with equal coordinates. For blocks in separate arrays see harmorph_space.h. */
     HM_CELLS_BLOCKS = 5,
-    /* cell_start, cell_points: compressed rows of 3 to 1024 points, hanging nodes among them, see
-     * below. */
+    /* cell_start, cell_points: compressed rows of 3 to 1024 points, see harmorph_space.h. */
     HM_CELLS_POLYGONS = 6
 };
-/* In hm_mesh.block_markers: the side is an interface or a cut, or has faces or lists. */
+/* In hm_mesh.block_markers: the side is an interface or a cut, or faces or lists give its markers.
+ */
 enum { HM_NO_MARKER = INT32_MIN };
 
+/* Every boundary edge must be on a marker. The exception is a cut, such as the seam of an O-mesh or
+ * the wake line of a C-mesh: two points of unmarked boundary edges with equal coordinates are one
+ * point for the library and move together. Faces of one marker may belong to several bodies, and
+ * one body may have several markers. */
 typedef struct hm_mesh {
     uint64_t struct_size;
     int32_t index_base;  /* 0 or 1: the first number of points and cells, in arrays and reports */
@@ -276,8 +273,7 @@ typedef struct hm_mesh {
     const int32_t* list_markers; /* [n_lists] */
     int32_t n_quads;             /* mixed only, otherwise 0: 0 .. n_cells */
     const int32_t* quad_points;  /* [4*n_quads] mixed only; a triangle repeats its last point */
-    /* Blocks only, otherwise 0: 1 .. 65536. Time grows with their number; thousands of blocks are
-     * better given as HM_CELLS_QUADS. */
+    /* Blocks only, otherwise 0: 1 .. 65536; thousands of blocks are faster as HM_CELLS_QUADS. */
     int32_t n_blocks;
     int32_t reserved;           /* 0 */
     const int32_t* block_sizes; /* [2*n_blocks] ni, nj >= 2 of each block */
@@ -285,11 +281,6 @@ typedef struct hm_mesh {
      * NULL: the boundary is given as faces or lists. */
     const int32_t* block_markers;
 } hm_mesh;
-/* Every boundary edge must be on a marker. The exception is a cut, such as the seam of an O-mesh or
- * the wake line of a C-mesh: two points of unmarked boundary edges with equal coordinates are one
- * point for the library and move together. Faces of one marker may belong to several bodies, and
- * one body may have several markers.
- * Polygons, their validity and quality: see harmorph_space.h. */
 
 /* ---- Curves ---- */
 
@@ -320,10 +311,11 @@ typedef struct hm_curves {
 
 /* hm_fit_options.closed */
 enum {
-    /* Points that are no loop: open. A loop without a corner: periodic. With a blunt base: open,
-     * plus a straight curve of degree 1 along the base that shares both end points; a base is
-     * straight, between two corners at the end farthest from the leading edge, at most 0.15 of the
-     * extent long, and no tip of a horn (of ice). Otherwise tied at the sharpest corner. */
+    /* Points that are no loop: open. A loop without a corner: periodic. A loop with a blunt base:
+     * open, plus a straight curve of degree 1 along the base that shares both end points. A base is
+     * straight, lies between two corners at the end farthest from the leading edge, is at most 0.15
+     * of the extent long, and is no tip of an ice horn. Other loops: tied at the sharpest corner.
+     */
     HM_CLOSED_AUTO = 0,
     HM_OPEN = 1,    /* clamped at the first and the last point */
     HM_TIED = 2,    /* clamped, both ends are one control point: a sharp trailing edge */
@@ -340,34 +332,33 @@ typedef struct hm_fit_options {
 typedef struct hm_fit_report {
     uint64_t struct_size;
     double max_error, rms_error; /* [length] distances of the points from the curves */
-    int32_t max_error_point; /* hm_fit: position in the list, from 0; else number of the point */
-    int32_t closed;          /* the closure used: HM_OPEN, HM_TIED or HM_PERIODIC */
-    int32_t first_point;     /* where the curve begins (the corner of a loop), as max_error_point */
-    int32_t base_points;     /* points on a blunt base including both ends; 0: no base */
-    int32_t reason;  /* HM_FIT_... of harmorph_design.h: why the curve is closed in this way */
+    /* Points are positions in the list, from 0 (hm_fit), or points of the mesh (hm_fit_marker). */
+    int32_t max_error_point;
+    int32_t closed;      /* the closure used: HM_OPEN, HM_TIED or HM_PERIODIC */
+    int32_t first_point; /* where the curve begins: the corner of a loop */
+    int32_t base_points; /* points on a blunt base including both ends; 0: no base */
+    int32_t reason;      /* HM_FIT_... of harmorph_design.h: why the curve is closed in this way */
     int32_t corners; /* points where the direction of the outline jumps, ends of curves included */
-    /* The curve runs backwards from this point to the next one; -1: nowhere. */
-    int32_t backtrack_point;
-    int32_t pieces; /* pieces of the boundary that were fitted */
+    int32_t backtrack_point; /* the curve runs backwards from here to the next point; -1: nowhere */
+    int32_t pieces;          /* pieces of the boundary that were fitted */
 } hm_fit_report;
 
 HM_API hm_status hm_fit_size(int32_t n, const hm_fit_options* options, size_t* bytes,
                              hm_error* err);
-/* Least-squares fit to n points in order; knots are placed by arc length and curvature. is_loop:
- * the last point is connected to the first one, which is not repeated (else HM_BAD_CURVE). *curves
- * and its arrays are inside the block (index_base 0). options and report may be NULL.
- * HM_BACKTRACKS: the curve runs against the order of the points somewhere, as curves of high degree
- * do where there are hardly more points than control points. */
+/* Fits curves to n points in order, by least squares; knots are placed by arc length and curvature.
+ * is_loop: the last point is connected to the first one, which is not repeated (else HM_BAD_CURVE).
+ * *curves and its arrays are inside the block (index_base 0). options and report may be NULL.
+ * HM_BACKTRACKS: the curve runs against the order of the points; use fewer control points. */
 HM_API hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes,
                         const hm_points* points, int32_t n, int32_t is_loop,
                         const hm_fit_options* options, hm_fit_report* report, hm_error* err);
 
-/* The same for the walls of a mesh: finds the points of the given markers in order along the
+/* Fits curves to the walls of a mesh: finds the points of the given markers in order along the
  * boundary, joins the two sides of cuts (the trailing edge of a C-mesh), and fits each connected
- * piece by curves of its own, with options.n_control control points each. The pieces follow the
- * order of their first faces. The report is that of the piece with the largest max_error. The size
- * query reads the markers; *bytes is enough for any number of pieces. work is needed during the
- * call only. Refused (HM_BAD_CONDITION): a marker that no face has. */
+ * piece, in the order of their first faces, by curves of its own with options.n_control control
+ * points. The report is that of the piece with the largest max_error. The size query reads the
+ * markers; *bytes is enough for any number of pieces. work is needed during the call only. A marker
+ * that no face has is refused (HM_BAD_CONDITION). */
 HM_API hm_status hm_fit_marker_size(const hm_mesh* mesh, int32_t n_markers, const int32_t* markers,
                                     const hm_fit_options* options, size_t* bytes,
                                     size_t* work_bytes, hm_error* err);
@@ -378,41 +369,41 @@ HM_API hm_status hm_fit_marker(const hm_curves** curves, void* block, size_t byt
 
 /* ---- Problem: what is to be solved ---- */
 
-/* hm_condition.kind. For a point on several markers the first of these kinds holds: on curve,
- * rigid, given, fixed, slip, free. */
+/* hm_condition.kind. A point on several markers has the kind that comes first in this list: on
+ * curve, rigid, given, fixed, slip, free. */
 enum {
     HM_ON_CURVE = 0, /* F_i = N_i(u) */
     HM_RIGID = 1,    /* a body that only translates, rotates and scales, see hm_morph */
     HM_FIXED = 2,    /* F_i = 0; also every marker without a condition */
     /* Points move along the boundary: along straight lines, along the smooth curve through the
-     * points of the marker (see hm_slip), or along given B-splines (hm_condition.along). Points at
-     * corners are fixed: the direction of the boundary jumps by more than 30 degrees, or by more
-     * than 1.1 degrees and 2.5 times as much as at a neighbouring point. */
+     * points of the marker, or along given B-splines (hm_condition.along). Points at corners are
+     * fixed; hm_slip of harmorph_design.h says what a corner is. */
     HM_SLIP = 3,
     HM_FREE = 4, /* zero normal derivative: points may also leave the boundary line */
     /* This marker and its partner are translates of each other: their points move by bitwise
-     * identical displacements. A wall that moves must not have a point on them: give its part next
-     * to them a marker of its own, fixed or with slip. */
+     * identical displacements. A wall that moves must not end on them; give the part of the wall
+     * beside them a marker of its own, fixed or with slip. */
     HM_PERIODIC_PAIR = 5,
     /* The points move by displacements that are given from call to call (hm_displace). The
      * functions of curves and rigid bodies are 0 there. */
     HM_GIVEN = 6,
     /* One passage of a cascade in an annulus: the partner is this marker, rotated about the centre
-     * (x, y) by an angle that is found from the points. Displacements of the partner are those of
-     * this marker, rotated by the same angle. A point on the centre does not move. Several pairs
-     * rotate about one centre by one angle. Not together with HM_PERIODIC_PAIR. */
+     * (x, y) by an angle that the library finds, and so are its displacements. All pairs have one
+     * centre and one angle. A point on the centre does not move. Not with HM_PERIODIC_PAIR. */
     HM_ROTATION_PAIR = 7
 };
 
+/* Fields that belong to another kind must be 0 (else HM_BAD_CONDITION). A marker has at most one
+ * condition without a piece; pieces without any condition are fixed. */
 typedef struct hm_condition {
     uint64_t struct_size; /* the same in all conditions of one problem */
     int32_t marker;
     int32_t kind; /* HM_ON_CURVE, ... */
-    /* On curve: each point lies on one of the curves first_curve .. first_curve+n_curves-1, from 0.
-     * A section with a blunt base has two curves: n_curves is curves->n_curves. Refused: a point on
-     * a curve that the condition does not name; a point farther from its curve than the control
-     * polygon, or all points on curves together, are wide or high. Beyond 5 % of that, and beyond
-     * the end of a curve by more than a quarter of a face: HM_FAR_FROM_CURVE. Slip: n_curves is the
+    /* On curve: each point lies on one of the curves first_curve .. first_curve+n_curves-1, from 0;
+     * a section with a blunt base has two. HM_FAR_FROM_CURVE: a point is farther from its curve
+     * than 5 % of the width or height of the control polygon, or of all points on curves, or more
+     * than a quarter of a face beyond the end of the curve. Refused: a point that is farther than
+     * the whole width or height, or on a curve that is not among these. Slip: n_curves is the
      * number of curves in `along`. */
     int32_t first_curve;
     int32_t n_curves;
@@ -420,30 +411,22 @@ typedef struct hm_condition {
     int32_t partner; /* pairs: the other marker of the pair, which has no condition of its own */
     double x, y;     /* rigid, rotation: the centre of rotation [length] */
     /* 0: all faces of the marker that no other condition chooses as a piece. 1: one piece of the
-     * marker, the one nearest to (near_x, near_y). Pieces are runs of faces of one marker, one
-     * after the other along the boundary: each of several bodies, or each side of a channel. Not
-     * for pairs. */
+     * marker, the one nearest to (near_x, near_y). A piece is a run of adjacent faces of one marker
+     * along the boundary: one of several bodies, or one side of a channel. Not for pairs. */
     int32_t piece;
     int32_t reserved;      /* 0 */
     double near_x, near_y; /* piece: a point near it, at the start coordinates [length] */
-    /* Slip: the curves along which the points move, all of this set; NULL (n_curves 0): the
-     * polyline of the marker, made smooth. Their control points do not move and have no functions.
-     * Each piece of the boundary between two corners follows the curve that is nearest to all of
-     * its points; a point keeps its offset from the curve. Points at corners, that is at ends of
-     * curves and where a marker with another `along` begins, are fixed. Refused (HM_BAD_CONDITION):
-     * a point farther from the curve than 5 % of the length of its piece of the boundary, and a
-     * corner in the middle of a curve. Read by hm_analysis_size and hm_analysis_init only; a basis
-     * does not keep these curves. Not for meshes in parts (HM_UNSUPPORTED). */
+    /* Slip: the curves along which the points move (see hm_slip); NULL (n_curves 0): the polyline
+     * of the marker, made smooth. Read by hm_analysis_size and hm_analysis_init only; a basis does
+     * not keep these curves. */
     const hm_curves* along;
 } hm_condition;
-/* Fields that belong to another kind must be 0 (else HM_BAD_CONDITION). A marker has at most one
- * condition without a piece; pieces without any condition are fixed. */
 
 typedef struct hm_problem {
     uint64_t struct_size;
     const hm_mesh* mesh;
     /* NULL, no rigid body and no marker with HM_GIVEN: the analysis covers the mesh only
-     * (hm_analysis_boundary, hm_analysis_report). */
+     * (hm_analysis_boundary of harmorph_design.h, hm_analysis_report of harmorph_study.h). */
     const hm_curves* curves;
     int32_t n_conditions;           /* at least one condition is on a curve, rigid or given */
     const hm_condition* conditions; /* [n_conditions] */
@@ -487,31 +470,21 @@ enum {
     /* Nested dissection and multifrontal Cholesky factorisation; the fastest engine. Plan and
      * analysis take 840 bytes per point for 10 000 points, 1090 for a million. */
     HM_DIRECT = 0,
-    /* Conjugate gradients, preconditioned by agglomeration multigrid: 15 to 35 iterations on
-     * body-fitted meshes, more than 100 on triangles that are stretched in other directions than
-     * the mesh lines. Plan and analysis take 730 bytes per point. */
+    /* Conjugate gradients, preconditioned by agglomeration multigrid. Plan and analysis take 730
+     * bytes per point. The iterations grow with the number of points and with the stretching of
+     * triangles, from 16 to more than 150: see c_api/README.md. */
     HM_MULTIGRID = 1
 };
 /* hm_options.precision, and hm_basis_info.storage */
 enum {
     HM_DOUBLE = 0,
     /* The factor takes half the memory, the plan 0.6 times the memory; no time is saved. Refinement
-     * reduces the estimated error of the functions to 1e-10 of the largest value. Cells too thin:
-     * HM_NOT_CONVERGED or HM_NOT_POSITIVE. */
+     * reduces the estimated error of the functions to 1e-10 of the largest value. Cells that are
+     * too thin for this cause HM_NOT_CONVERGED or HM_NOT_POSITIVE. */
     HM_SINGLE = 1
 };
-/* Phases: three of hm_analysis_init, two of hm_plan_factor, two of hm_plan_solve. */
-enum {
-    HM_PHASE_STRUCTURE = 0,
-    HM_PHASE_ORDERING = 1,
-    HM_PHASE_SYMBOLIC = 2,
-    HM_PHASE_ASSEMBLY = 3,
-    HM_PHASE_FACTOR = 4,
-    HM_PHASE_SOLVE = 5,
-    HM_PHASE_RESIDUAL = 6
-};
-/* Called at the start of each phase (fraction 0), sometimes in between, and at the end (1). A
- * return value other than 0 stops the call: HM_CANCELLED. */
+/* Called at the start of each phase (HM_PHASE_... of harmorph_study.h; fraction 0), sometimes in
+ * between, and at the end (1). A return value other than 0 stops the call: HM_CANCELLED. */
 typedef int32_t (*hm_progress)(void* user, int32_t phase, double fraction);
 
 struct hm_study_options; /* harmorph_study.h */
@@ -522,14 +495,13 @@ typedef struct hm_options {
     int32_t engine;        /* default HM_DIRECT */
     int32_t precision;     /* of the factor: default HM_DOUBLE; HM_SINGLE with HM_DIRECT only */
     /* HM_KERNEL_...: vector instructions of the plan; choose one for equal bits on different
-     * processors. HM_KERNEL_AUTO: executor.kernel, if given, otherwise the best that the processor
-     * has. A kernel that the processor lacks: HM_UNSUPPORTED. */
+     * processors. HM_KERNEL_AUTO: executor.kernel, if given, otherwise the best kernel of the
+     * processor. A kernel that the processor lacks is refused (HM_UNSUPPORTED). */
     int32_t kernel;
-    /* [-] Relative residual above which hm_plan_solve warns; 0 means 1e-10. Iterative engines
-     * continue until the residual is below the tolerance and the estimated error of the values is
-     * about tolerance times the largest value. HM_DIRECT does not warn if, in every row, the
-     * residual is no more than rounding of the fluxes of that row (very thin cells) and refinement
-     * estimates an error below the tolerance. */
+    /* [-] Relative residual above which hm_plan_solve warns; 0 means 1e-10. Iterative engines also
+     * continue until the estimated error of the values is about tolerance times the largest value.
+     * HM_DIRECT does not warn if the residual of every row is rounding of its fluxes (very thin
+     * cells) and the estimated error is below the tolerance. */
     double tolerance;
     hm_progress progress; /* NULL: none; always called on the thread that made the call */
     void* progress_user;
@@ -540,8 +512,8 @@ typedef struct hm_options {
     int32_t exponent_quarters;
     /* 0 or 1; conformal only. 1: boundary functions N_i + e N_i' / C', e the offset of the mesh
      * point from the curve, so that the offset rotates with the curve: rigid motions of all control
-     * points then move every wall point rigidly; other motions add e dC' / C'. Omitted at corners
-     * and where |e| sum_i |N_i'| >= |C'|. */
+     * points then move every wall point rigidly; other motions add e dC' / C'. The correction is
+     * left out at corners and where |e| sum_i |N_i'| >= |C'|. */
     int32_t offset_correction;
     const struct hm_study_options* study; /* copied; NULL: defaults */
 } hm_options;
@@ -554,21 +526,11 @@ typedef struct hm_analysis hm_analysis;
 HM_API hm_status hm_analysis_size(const hm_problem* problem, const hm_options* options,
                                   size_t* bytes, hm_error* err);
 /* Checks all input, numbers the unknowns and finds the parameters of the curve points. Ordering and
- * symbolic factorisation use the threads of options.executor. A mesh with inverted cells is
- * refused, unless problem.curves is NULL and there is no rigid body: then hm_analysis_report
- * (harmorph_study.h) counts the inverted cells. */
+ * symbolic factorisation use the threads of options.executor. A mesh with inverted cells is refused
+ * unless the analysis covers the mesh only, for hm_analysis_report. */
 HM_API hm_status hm_analysis_init(hm_analysis** analysis, void* block, size_t bytes,
                                   const hm_problem* problem, const hm_options* options,
                                   hm_error* err);
-/* The points of the given markers in order along the boundary, with the mesh on the left (around a
- * body: clockwise). If the markers form several pieces, `piece` (from 0) selects one. points
- * [capacity]; *n: number of points, also if the capacity is too small (HM_BAD_ARGUMENT); *is_loop:
- * 1 if the piece is closed; the first point is not repeated. A refused call leaves points and
- * *is_loop as they were. */
-HM_API hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_markers,
-                                      const int32_t* markers, int32_t piece, int32_t* points,
-                                      int32_t capacity, int32_t* n, int32_t* is_loop,
-                                      hm_error* err);
 
 /* ---- Plan and basis ---- */
 
@@ -576,8 +538,8 @@ typedef struct hm_plan hm_plan;
 typedef struct hm_basis hm_basis;
 
 /* The analysis must have curves, rigid bodies or markers with HM_GIVEN; with the latter alone, the
- * basis has no functions, and serves hm_assess. The plan and the basis copy what they need from the
- * analysis. */
+ * basis has no functions, and serves hm_assess. Plan and basis copy what they need of the analysis.
+ */
 HM_API hm_status hm_plan_size(const hm_analysis* analysis, size_t* bytes, hm_error* err);
 HM_API hm_status hm_plan_init(hm_plan** plan, void* block, size_t bytes,
                               const hm_analysis* analysis, hm_error* err);
@@ -601,20 +563,19 @@ typedef struct hm_solve_report {
     double boundary_error;        /* [-] largest |F_i - N_i(u)| on the curves */
     double partition_defect;      /* [-] largest |sum_i F_i - 1| on the curves */
     double min_value, max_value;  /* [-] of all F_i of control points */
-    double
-        max_distance; /* [length] largest distance of a mesh point from the curve; kept by morphs */
-    int32_t max_distance_point;
-    int32_t curve_points;   /* mesh points on curves */
-    int32_t refinements;    /* steps of iterative refinement */
-    int32_t reserved;       /* 0 */
-    int64_t factor_entries; /* numbers in the factor; 0: the engine has no factor */
+    double max_distance;          /* [length] largest distance of a curve point from its curve */
+    int32_t max_distance_point;   /* the point with that distance */
+    int32_t curve_points;         /* mesh points on curves */
+    int32_t refinements;          /* steps of iterative refinement */
+    int32_t reserved;             /* 0 */
+    int64_t factor_entries;       /* numbers in the factor; 0: there is no factor */
     int32_t iterations, levels, fine_sweeps; /* of engines that iterate, see harmorph_study.h */
     int32_t reserved_too;                    /* 0 */
 } hm_solve_report;
 
 /* Solves for all functions of the basis with the factor of the plan. Both must come from the same
- * analysis. report may be NULL. Cancelled: the basis counts as not solved; the factor remains
- * valid. */
+ * analysis. report may be NULL. If cancelled, the basis is not solved, and the factor stays valid.
+ */
 HM_API hm_status hm_plan_solve(hm_plan* plan, hm_basis* basis, hm_solve_report* report,
                                hm_error* err);
 
@@ -650,16 +611,6 @@ typedef struct hm_basis_info {
     int32_t reserved; /* 0 */
 } hm_basis_info;
 HM_API hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, hm_error* err);
-/* The curves that the basis was solved with (index_base 0). curve [capacity >= info.curves]
- * receives the curves, to which out->curve points; all other arrays are inside the basis. */
-HM_API hm_status hm_basis_curves(const hm_basis* basis, hm_curves* out, hm_curve* curve,
-                                 int32_t capacity, hm_error* err);
-/* The same curves after one movement from the curves of the basis: control [2*n_control] receives
- * the control points plus `move` (see hm_morph; rigid bodies have no curve), to which out->control
- * points. After several morphs in place, `move` is the sum of their movements, which
- * hm_recover_movement of harmorph_design.h finds from the mesh. */
-HM_API hm_status hm_moved_curves(const hm_basis* basis, const double* move, double* control,
-                                 hm_curves* out, hm_curve* curve, int32_t capacity, hm_error* err);
 
 /* ---- Morph ---- */
 
@@ -670,11 +621,16 @@ HM_API hm_status hm_moved_curves(const hm_basis* basis, const double* move, doub
  * be the arrays of `from` with the same stride; otherwise `to` and `from` must have no number in
  * common (refused where the strides are equal). Points with a displacement of 0 keep their
  * coordinates bit by bit. from NULL: taken as 0, so that `to` receives displacements, or velocities
- * if `move` contains velocities of the control points. executor NULL: one thread. */
+ * if `move` contains velocities of the control points. executor NULL: one thread.
+ *
+ * The functions do not change when the mesh moves: but for rounding, a sum of movements gives the
+ * same mesh in one morph or in many. The basis serves as long as hm_assess finds the next movement
+ * good. Where its admissible step is no longer well above 1, or the smallest quality is too low,
+ * solve again on the last good mesh (hm_plan_factor with `at`, hm_plan_solve). */
 HM_API hm_status hm_morph(const hm_basis* basis, const double* move, const hm_points* from,
                           const hm_points_out* to, const hm_executor* executor, hm_error* err);
 /* The transpose of hm_morph. dj: derivatives of an objective J with respect to the mesh points (x:
- * dJ/dx_k, y: dJ/dy_k); gradient [2*functions]: those with respect to the control points. The
+ * dJ/dx_k, y: dJ/dy_k); gradient [2*functions]: derivatives with respect to the control points. The
  * result does not depend on the numbering of the mesh points, see hm_adjoint_scale of
  * harmorph_parts.h. If a number is not finite, the whole gradient is NaN. */
 HM_API hm_status hm_adjoint(const hm_basis* basis, const hm_points* dj, double* gradient,
@@ -685,16 +641,15 @@ HM_API hm_status hm_adjoint(const hm_basis* basis, const hm_points* dj, double* 
 typedef struct hm_step_report {
     uint64_t struct_size;
     /* [-] Largest s for which no cell of from + t displacement is inverted for all t < s; infinite:
-     * no limit; 0: a cell is inverted at `from`. Exact: the area of each corner is a quadratic
-     * function of s. */
+     * no limit; 0: a cell is inverted at `from`. Exact, for areas are quadratic functions of s. */
     double admissible;
     int32_t cell, point; /* the limiting cell and the point of the limiting corner; -1: none */
     /* [-] s at which the boundary first touches itself or another body, exactly, if this is smaller
      * than `admissible`; else infinite. No cell need be inverted there. */
     double boundary;
-    int32_t
-        boundary_points[3]; /* the point that touches first, and the face that it touches; or -1 */
-    int32_t reserved;       /* 0 */
+    /* The point that touches first, and the two points of the face that it touches; or -1. */
+    int32_t boundary_points[3];
+    int32_t reserved; /* 0 */
 } hm_step_report;
 
 typedef struct hm_quality_report {
@@ -727,15 +682,15 @@ HM_API hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_
                            const hm_executor* executor, hm_step_report* step,
                            hm_quality_report* quality, hm_error* err);
 
-/* ---- Given displacements of wall points: of a structural code, a CAD system, a table ---- */
+/* ---- Given displacements of wall points: from a structural code, a CAD system, a table ---- */
 
 /* Points of markers with HM_GIVEN move as each call says; no functions are needed. The displacement
  * of the mesh is one substitution with the factor of the plan: factor once, displace as often as
- * wished. hm_assess, with a basis of the same analysis that need not be solved, judges the result.
- * If the admissible step is no longer well above 1, or the quality has fallen, factor at the last
- * good position (hm_plan_factor with `at`), and give displacements from that position on.
- * Displacements are linear: velocities of wall points give velocities of mesh points. Where curves
- * and bodies move in the same step, move them first, by hm_morph, and give the result as `from`.
+ * wished. hm_assess, with a basis of the same analysis that need not be solved, judges the result;
+ * factor again at the last good position under the same conditions as for hm_morph, and give
+ * displacements from that position on. Displacements are linear: velocities of wall points give
+ * velocities of mesh points. Where curves and bodies move in the same step, move them first, by
+ * hm_morph, and give the result as `from`.
  *
  * The wall points of a call are listed in `points` [n] in any order, counted from mesh.index_base;
  * NULL: in the order of hm_given_points. The list must contain all points of the markers with
@@ -749,22 +704,21 @@ HM_API hm_status hm_given_points(const hm_plan* plan, int32_t* points, int32_t c
 /* Working memory of hm_displace and hm_displace_adjoint for n_fields fields, 1 .. 2^20. */
 HM_API hm_status hm_displace_size(const hm_plan* plan, int32_t n_fields, size_t* bytes,
                                   hm_error* err);
-/* n_fields displacement fields at once, for instance structural modes; up to 12 fields are one
- * substitution. wall [n_fields]: each of n wall points [length]; to [n_fields]: each of n_points
- * mesh points; to = from + displacement; from NULL: see hm_morph. Wall points move by the given
- * bits. Arrays of different fields, and `wall`, must have no number of `to` in common. With `from`,
- * a boundary that crosses itself at `to` is refused (HM_CROSSING); cells may be inverted
- * (hm_assess). All fields are computed before any is written. report may be NULL; functions are
- * fields there, and what concerns curves is 0. Without a report HM_DIRECT computes residuals only
- * where the factor lost digits. */
+/* Carries n_fields displacement fields to the mesh at once, for instance structural modes; up to 12
+ * fields are one substitution. wall [n_fields]: each of n wall points [length]; to [n_fields]: each
+ * of n_points mesh points; to = from + displacement; from NULL: see hm_morph. Wall points move by
+ * the given bits. Arrays of different fields, and `wall`, must have no number of `to` in common.
+ * With `from`, a boundary that crosses itself at `to` is refused (HM_CROSSING); cells may be
+ * inverted (hm_assess). All fields are computed before any is written. report may be NULL, in which
+ * case HM_DIRECT computes residuals only where the factor lost digits; functions are fields there.
+ */
 HM_API hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n_fields,
                              const hm_points* wall, const hm_points* from, const hm_points_out* to,
                              void* work, size_t bytes, hm_solve_report* report, hm_error* err);
 /* The transpose of hm_displace. dj [n_fields]: derivatives of objectives with respect to the mesh
- * points; gradient [n_fields]: those with respect to the displacements of the n wall points; where
- * a point is repeated in the list, the first entry receives the whole derivative and the others 0.
- * For work: forces on the mesh points become forces on the wall that do the same work in every
- * displacement. */
+ * points; gradient [n_fields]: derivatives with respect to the displacements of the n wall points;
+ * where a point is repeated in the list, the first entry receives the whole derivative and the
+ * others 0. Forces on mesh points become forces on the wall that do the same work. */
 HM_API hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* points,
                                      int32_t n_fields, const hm_points* dj,
                                      const hm_points_out* gradient, void* work, size_t bytes,
@@ -773,36 +727,26 @@ HM_API hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* po
 /* ---- Large movements that stay valid ---- */
 
 /* Strategies of hm_morph_safe and hm_displace_safe. They are tried in this order until the mesh is
- * at the target and as good as the options ask for. The best mesh of all is given: the one nearest
- * to the target, and of several at the target the one of better quality. */
+ * at the target and as good as the options ask for. The result is the best mesh of all: the one
+ * nearest to the target, and of several at the target the one of better quality. */
 enum {
     /* x + sum_i F_i dP_i, if the admissible step is larger than 1. */
     HM_STRATEGY_LINEAR = 0,
-    /* The same with other bases that the caller has solved (other operators or exponents), in their
-     * order. */
+    /* One linear step with each of the other bases of the options, in their order. */
     HM_STRATEGY_OTHER = 1,
-    /* Several steps, each at most half of the admissible step. After each step the functions are
-     * solved again on the new mesh. Where the steps become too short, another operator takes over.
-     * Each body, that is each loop of the boundary that moves all round, rotates and scales about
-     * the centre of its control points, by the best-fitting similarity; the rest of the movement
-     * grows linearly. Walls that end on another boundary, and functions with real values, move on
-     * straight lines. */
+    /* Several steps, each at most half of the admissible step; the functions are solved again after
+     * each. Where the steps become too short, another operator takes over. Each body, that is each
+     * loop of the boundary that moves all round, rotates and scales about the centre of its control
+     * points, by the best-fitting similarity; the rest of the movement grows linearly. Walls that
+     * end on another boundary, and functions with real values, move on straight lines. */
     HM_STRATEGY_SUBSTEPS = 2,
     /* The rest of the movement at once; then inner points are placed such that no cell is inverted
      * (foldover-free energy of Garanzha et al., ACM Trans. Graph. 40 (2021)). Tried where substeps
-     * would need more than 5 solutions or become too short; with a derivative after all substeps.
-     */
+     * need more than 5 solutions or become too short; with a derivative, after all substeps. */
     HM_STRATEGY_UNTANGLED = 3,
     /* Inner points of a mesh at the target are placed for quality, see hm_improve. */
     HM_STRATEGY_IMPROVED = 4
 };
-/* Points of a wall are not exactly on their curve. With complex functions, a body that rotates or
- * scales carries the offsets e of its points from the curve: hm_morph_safe moves a point at
- * x = C(u) + e by sum_i N_i dP_i + (r - 1) e, r the rotation and scale of the body, where hm_morph
- * moves the point by the sum alone; near the wall the mesh follows.
- *
- * Targets that no mesh can have are refused immediately, with the place (HM_CROSSING). Boundaries
- * with slip, periodic and free ones are judged only as far as it is known where they end. */
 
 typedef struct hm_safe_options {
     uint64_t struct_size;
@@ -811,24 +755,24 @@ typedef struct hm_safe_options {
     int32_t skipped_strategies; /* sum of 1 << HM_STRATEGY_... of the strategies to skip */
     int32_t n_others;           /* 0 .. 64 */
     int32_t reserved;           /* 0 */
-    /* [n_others] solved bases of the same mesh, curves, conditions and offset correction. If a
-     * derivative is wanted, only those are tried that have the numbers_per_value of the basis; the
-     * derivative itself must not be among them. */
+    /* [n_others] solved bases of the same mesh, curves, conditions and offset correction. With a
+     * derivative, which must not be one of them, those with another numbers_per_value than the
+     * basis are skipped. */
     const hm_basis* const* others;
-    /* [0..1] 0: off. Restores the initial distances between moving walls and the points near them,
-     * which angle-preserving functions scale with the stretch of the wall: a closed formula,
-     * applied at the end along the wall normals. Only a part is restored (report.heights) where all
-     * of it would invert a cell, halve the smallest quality, or lower it below min_quality. Not
-     * part of the derivative. */
+    /* [0..1] 0: off. The part of the initial distances between moving walls and the points near
+     * them that is restored at the end, along the wall normals; angle-preserving functions scale
+     * these distances with the stretch of the wall. A smaller part is restored (report.heights) if
+     * this one would invert a cell, halve the smallest quality, or lower it below min_quality. The
+     * derivative ignores it. */
     double heights;
-    /* [2*functions] receives the movement that `to` has; NULL: not wanted. If this is not the whole
-     * movement, it differs from `move` times step_fraction, because bodies rotate on the way */
+    /* [2*functions] receives the movement that `to` has; NULL: not wanted. Where this is not the
+     * whole movement, it differs from step_fraction * move, because bodies rotate on the way. */
     double* reached;
     /* [0..1] smallest size-skew quality of the mesh at the target, relative to the start, in parts
      * of the smallest quality of the start; 0 means 0.05; negative: any valid mesh */
     double min_quality;
-    /* [-] > 1: heights of the first layer may grow and shrink by this factor at most; where they do
-     * by more, they are restored as far as that helps. 0: any */
+    /* [-] > 1: the largest factor by which heights of the first layer may grow or shrink; where
+     * they exceed it, they are restored as far as that helps. 0: any */
     double max_height_change;
 } hm_safe_options;
 
@@ -842,7 +786,7 @@ typedef struct hm_safe_report {
     uint64_t struct_size;
     int32_t strategy;           /* the last HM_STRATEGY_... that moved the mesh */
     int32_t other;              /* which of `others`, from 0; -1: none */
-    int32_t steps, resolves;    /* of the mesh that is given; solutions of all strategies */
+    int32_t steps, resolves;    /* steps to the mesh that is given; solutions of all strategies */
     double step_fraction;       /* [0..1] part of the movement that was reached; 1: all of it */
     double admissible;          /* [-] admissible step of the last step that was tried */
     int32_t cell, point;        /* what limits that step; -1: nothing */
@@ -858,46 +802,52 @@ typedef struct hm_safe_report {
     double heights;      /* [0..1] the part of the distances that was restored */
     int32_t angle_point; /* where the angle changed most; -1: there are no first-layer edges */
     int32_t min_height_point, max_height_point;
-    int32_t n_worst;        /* 0 .. 5, as many as the mesh has cells */
-    double turned_offset;   /* [length] largest |(r - 1) e|, see above */
+    int32_t n_worst;        /* 0 .. 5, at most the number of cells */
+    double turned_offset;   /* [length] largest |(r - 1) e|, see hm_morph_safe */
     double start_quality;   /* [0..1] smallest skew quality of the start */
     hm_worst_cell worst[5]; /* [n_worst] the cells of lowest quality of `to`, the worst first */
 } hm_safe_report;
 
-/* Working memory with a basis like this one, NULL: as hm_basis_init makes it. */
+/* Working memory of hm_morph_safe with a basis like this one; NULL: as hm_basis_init makes it. */
 HM_API hm_status hm_morph_safe_size(const hm_plan* plan, const hm_basis* basis, size_t* bytes,
                                     hm_error* err);
-/* Moves the mesh that the plan was made from, starting at the mesh's own coordinates, which must be
- * those that the basis was solved on (else HM_BAD_MESH: after hm_morph in place, solve again, or
- * restore them), by `move` (see hm_morph). Combined functions and functions by table move on
- * straight lines; `others` must then have the same functions. `to` [n_points] may be the arrays of
- * the mesh. HM_OK: the whole movement; HM_NOT_CONVERGED: the same, but a solution on the way missed
- * the tolerance; HM_POOR: the whole movement, but options.min_quality or max_height_change is
- * missed; HM_SHORT: the best valid mesh, report.step_fraction of the movement. If the call is
+/* Moves the mesh that the plan was made from by `move` (see hm_morph), starting at the mesh's own
+ * coordinates, which must be those that the basis was solved on (else HM_BAD_MESH: after hm_morph
+ * in place, solve again, or restore the coordinates). Combined functions and functions by table
+ * move on straight lines; `others` must then have the same functions. `to` [n_points] may be the
+ * arrays of the mesh. HM_OK: the whole movement; HM_NOT_CONVERGED: the same, but a solution on the
+ * way missed the tolerance; HM_POOR: the whole movement, but options.min_quality or
+ * max_height_change is missed; HM_SHORT: the best valid mesh, report.step_fraction of the movement.
+ * Targets that no mesh can have are refused immediately, with the place (HM_CROSSING); boundaries
+ * with slip, periodic and free ones are judged only as far as their ends are known. If the call is
  * refused or cancelled, `to` is unchanged. `to` never contains an inverted cell, and the boundary
  * of `to` does not cross itself unless the boundary of the mesh does. options NULL: defaults.
  * report may be NULL. Where functions were solved again (report.resolves), the plan has no factor
  * afterwards: call hm_plan_factor before the next hm_plan_solve.
  *
+ * Wall points lie beside their curve by offsets e: x = C(u) + e. hm_morph moves them by
+ * sum_i N_i dP_i. Where a body rotates or scales by r, hm_morph_safe with complex functions adds
+ * (r - 1) e, so that the offsets rotate and scale too; the mesh near the wall follows.
+ *
  * derivative: NULL, or another basis of the same analysis (hm_basis_init). It receives the sum of
  * the functions of all steps, weighted by their parts of the movement, so that hm_morph with this
- * basis is the derivative of `to` by `move` and hm_adjoint the transpose: exact for points of a
- * wall that lie on their curve. Neglected are: changes of (r - 1) e with `move`; inside the mesh,
- * the dependence of later functions, step lengths and rotations on earlier steps and on `move`; and
- * what untangling, improvement and heights moved. */
+ * basis is the derivative of `to` with respect to `move`, and hm_adjoint the transpose. This is
+ * exact for wall points on their curve. It neglects changes of (r - 1) e, the influence of `move`
+ * and of earlier steps on later functions, step lengths and rotations, and what untangling,
+ * improvement and heights moved. */
 HM_API hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move,
                                const hm_points_out* to, hm_basis* derivative, void* work,
                                size_t bytes, const hm_safe_options* options, hm_safe_report* report,
                                hm_error* err);
 
-/* The same for displacements that are given at the points of markers with HM_GIVEN, see
- * hm_displace; n_others must be 0; functions of other operators are solved as they are needed
- * (report.other is then their operator_kind). basis: of the same analysis as the plan; solved if
- * it has functions, without functions by table. move [2*functions]: what curves and rigid bodies
- * move by in the same call; NULL: nothing. A loop of the boundary all of whose points are given
- * rotates as a body; points of other loops move on straight lines. Where the whole movement is
- * possible, wall points are displaced by the given bits. The plan needs no factor; where functions
- * were solved again, call hm_plan_factor before the next hm_displace. */
+/* Does the same for displacements that are given at the points of markers with HM_GIVEN (see
+ * hm_displace). n_others must be 0; functions of other operators are solved when they are needed
+ * (report.other is then their operator_kind). basis: of the same analysis as the plan; solved if it
+ * has functions, without functions by table. move [2*functions]: the movement of curves and rigid
+ * bodies in the same call; NULL: none. A loop of the boundary all of whose points are given rotates
+ * as a body; points of other loops move on straight lines. Where the whole movement is possible,
+ * wall points are displaced by the given bits. The plan needs no factor; where functions were
+ * solved again, call hm_plan_factor before the next hm_displace. */
 HM_API hm_status hm_displace_safe_size(const hm_plan* plan, const hm_basis* basis, size_t* bytes,
                                        hm_error* err);
 HM_API hm_status hm_displace_safe(hm_plan* plan, const hm_basis* basis, const double* move,
@@ -913,7 +863,7 @@ typedef struct hm_improve_options {
     int32_t max_iterations; /* steps of Newton's method, 0 .. 10000; 0 means 60 */
     int32_t reserved;       /* 0 */
     /* [n_points] coordinates before the movement: a valid mesh, whose cells are the targets. NULL:
-     * the mesh's own, which must be those of the analysis: after a morph in place, HM_BAD_MESH */
+     * the mesh's own coordinates, which must be those of the analysis (else HM_BAD_MESH). */
     const hm_points* reference;
 } hm_improve_options;
 

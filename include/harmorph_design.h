@@ -12,12 +12,12 @@ extern "C" {
 
 /* ---- Evaluation ---- */
 
-/* Checks that the curves are well-formed; two knots differ by 0 or by at least 1e-18 of the range
- * of all knots. */
+/* Checks that the curves are well-formed. Two knots must differ by 0 or by at least 1e-18 of the
+ * range of all knots. */
 HM_API hm_status hm_curves_check(const hm_curves* curves, hm_error* err);
 /* The degree+1 B-spline basis functions (rational ones if there are weights) that are not 0 at u.
- * control [degree+1]: their control points; values [(n_derivatives+1)*(degree+1)]: row d is the
- * d-th derivative by u. 0 <= n_derivatives <= 5. (Piegl & Tiller, The NURBS Book, A2.3 and eq.
+ * control [degree+1] receives their control points, values [(n_derivatives+1)*(degree+1)] in row d
+ * the d-th derivatives by u; 0 <= n_derivatives <= 5. (Piegl & Tiller, The NURBS Book, A2.3 and eq.
  * 4.8.) */
 HM_API hm_status hm_curve_basis(const hm_curves* curves, int32_t curve, double u,
                                 int32_t n_derivatives, int32_t* control, double* values,
@@ -25,14 +25,36 @@ HM_API hm_status hm_curve_basis(const hm_curves* curves, int32_t curve, double u
 /* C(u) and its derivatives: xy [2*(n_derivatives+1)], x,y pairs. */
 HM_API hm_status hm_curve_point(const hm_curves* curves, int32_t curve, double u,
                                 int32_t n_derivatives, double* xy, hm_error* err);
-/* The parameter u of the curve point nearest to (x, y), and the distance [length]: a global search,
- * then Newton. */
+/* The parameter u of the curve point nearest to (x, y), and the distance [length], by a global
+ * search and Newton's method. */
 HM_API hm_status hm_curve_project(const hm_curves* curves, int32_t curve, double x, double y,
                                   double* u, double* distance, hm_error* err);
 
-/* hm_fit_report.reason */
+/* ---- Points of a boundary, curves of a basis ---- */
+
+/* The points of the given markers in order along the boundary, with the mesh on the left (around a
+ * body: clockwise). If the markers form several pieces, `piece` (from 0) selects one. points
+ * [capacity]; *n: number of points, also if the capacity is too small (HM_BAD_ARGUMENT); *is_loop:
+ * 1 if the piece is closed; the first point is not repeated. A refused call leaves points and
+ * *is_loop as they were. */
+HM_API hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_markers,
+                                      const int32_t* markers, int32_t piece, int32_t* points,
+                                      int32_t capacity, int32_t* n, int32_t* is_loop,
+                                      hm_error* err);
+/* The curves that the basis was solved with (index_base 0). curve [capacity >= info.curves]
+ * receives the curves, to which out->curve points; all other arrays are inside the basis. */
+HM_API hm_status hm_basis_curves(const hm_basis* basis, hm_curves* out, hm_curve* curve,
+                                 int32_t capacity, hm_error* err);
+/* The same curves after one movement: control [2*n_control] receives the control points of the
+ * basis plus `move` (see hm_morph; rigid bodies have no curve), and out->control points there.
+ * After several morphs in place, `move` is the sum of their movements, which hm_recover_movement
+ * finds from the mesh. */
+HM_API hm_status hm_moved_curves(const hm_basis* basis, const double* move, double* control,
+                                 hm_curves* out, hm_curve* curve, int32_t capacity, hm_error* err);
+
+/* hm_fit_report.reason: why HM_CLOSED_AUTO chose a closure */
 enum {
-    HM_FIT_ASKED = 0,     /* closed as the options say */
+    HM_FIT_ASKED = 0,     /* the options name the closure */
     HM_FIT_NO_LOOP = 1,   /* open: the points are no loop */
     HM_FIT_NO_CORNER = 2, /* periodic: no corner was found */
     HM_FIT_CORNER = 3,    /* tied: there are corners and no blunt base */
@@ -41,10 +63,9 @@ enum {
 
 /* ---- More control points for the same shape ---- */
 
-/* Coarse-to-fine design: the same curves with more control points. All points C(u) are the same but
- * for rounding, also of rational curves; the other curves of the set are kept.
- *   degree 0      inserts n knots u [n] into one curve, in any order, a value as often as the knot
- *                 is to be repeated
+/* Gives one curve of a set more control points; all points C(u) stay the same but for rounding,
+ * also of rational curves, and the other curves of the set are kept. degree 0      inserts n knots
+ * u [n] into the curve, in any order; a knot to be repeated stands in u as often as it is inserted
  *   degree p + 1  raises the degree p of the curve by 1; n must be 0
  * *matrix [finer->n_control * curves->n_control] contains rows M: new control points = M * old ones
  * (of x and of y), and derivatives with respect to the old ones = transpose of M * those with
@@ -68,34 +89,35 @@ HM_API hm_status hm_refine(const hm_curves** finer, const double** matrix, void*
 
 /* ---- Another airfoil on the same knots ---- */
 
-/* lengths in the unit of the curves */
 typedef struct hm_refit_report {
     uint64_t struct_size;
     double max_error, rms_error; /* [length] distances of the points from the moved curves */
     double chord;                /* [length] of the points, from leading to trailing edge */
-    /* [length] width of the blunt base of the points, of which the curve has none: both sides were
-     * tapered from the leading edge on, so that the base became one point; 0: no base */
+    /* [length] width of the blunt base of the points, if the curve has no base: both sides were
+     * then tapered from the leading edge on, so that the base became one point; 0: no base */
     double closed_width;
     int32_t max_error_point; /* position in the list, from 0 */
     int32_t closed;          /* how the outline of the points closes: HM_OPEN, ... */
 } hm_refit_report;
 
-/* The movement of the control points with which the curve of an airfoil becomes another airfoil,
- * through n points in order along its outline: a least-squares fit on the knots of the curve.
- * movement [2*n_control]: x,y pairs, for hm_morph and hm_displace_safe; 0 for control points of
- * other curves.
- *   curve     from 0; runs from the trailing edge round to the trailing edge. A following curve
- *             that has both ends in common with it is its blunt base, which moves along
- *   points    in either direction; is_loop: the last one is connected to the first one, which is
+/* Finds the movement of the control points with which the curve of an airfoil becomes another
+ * airfoil, through n points in order along its outline: a least-squares fit on the knots of the
+ * curve. movement [2*n_control]: x,y pairs, for hm_morph and hm_displace_safe; 0 for control points
+ * of other curves.
+ *   curve     counted from 0; runs from the trailing edge around the airfoil to the trailing edge.
+ *             If the following curve has both ends in common with it, that curve is its blunt base
+ *             and moves along
+ *   points    in either direction. is_loop: the last point is connected to the first one, which is
  *             not repeated; a loop may begin anywhere
- *   on_chord  1: the points are turned, scaled and shifted first, so that the line from their
- *             leading to their trailing edge becomes that of the curve; 0: they are where they are
+ *   on_chord  1: the points are first rotated, scaled and translated so that the line from their
+ *             leading to their trailing edge becomes that of the curve; 0: they stay in place
  * Between the points the outline is a cubic spline, with a corner where the points have one. The
  * leading edge is the point farthest from the trailing edge. An outline without a corner, whose
- * trailing edge is round, begins where the curve's chord ends (on_chord: at the largest x).
- * report may be NULL. Refused with HM_BAD_CURVE: points as in hm_fit; a curve or points that are no
- * such outline; points with a sharp trailing edge for a curve with a blunt base. A failed call
- * leaves movement as it was. (W. Wang, H. Pottmann, Y. Liu, ACM Trans. Graph. 25 (2006) 214.) */
+ * trailing edge is round, begins where the chord of the curve ends (on_chord: at the largest x).
+ * report may be NULL. Refused with HM_BAD_CURVE: points that hm_fit refuses, a curve or points that
+ * are no such outline, points with a sharp trailing edge for a curve with a blunt base. A failed
+ * call leaves movement as it was. (W. Wang, H. Pottmann, Y. Liu, ACM Trans. Graph. 25 (2006) 214.)
+ */
 HM_API hm_status hm_refit_size(const hm_curves* curves, int32_t curve, int32_t n,
                                size_t* work_bytes, hm_error* err);
 HM_API hm_status hm_refit(const hm_curves* curves, int32_t curve, const hm_points* points,
@@ -122,18 +144,18 @@ HM_API hm_status hm_smooth_gradient(const hm_curves* curves, double length, cons
 
 /* ---- Measures of a section, with derivatives by the control points ---- */
 
-/* which curves are the outline of the section, and its chord */
+/* The curves that form the outline of a section, and its chord. */
 typedef struct hm_section {
     uint64_t struct_size;
-    /* the curves first_curve .. first_curve+n_curves-1 are the outline, each joined to the one
+    /* The curves first_curve .. first_curve+n_curves-1 are the outline, each joined to the one
      * before; 1 .. 8 curves; both 0: all curves of the set. A last curve of degree 1 with two
      * control points, behind another one, is a blunt base. An outline that is not closed is closed
-     * by a straight line */
+     * by a straight line. */
     int32_t first_curve, n_curves;
-    /* a chord line that does not move, from the leading to the trailing edge. All 0: the chord of
-     * the curves: the trailing edge is the midpoint of the two ends (without base) of the outline,
-     * the leading edge the point of the outline farthest from there, and both move with the control
-     * points. Periodic curves have no ends: their chord must be given */
+    /* A chord line that does not move, from the leading to the trailing edge. All 0: the chord of
+     * the curves, which moves with the control points: its trailing edge is the midpoint of the two
+     * ends of the outline (without base), its leading edge the point of the outline farthest from
+     * there. Periodic curves have no ends: their chord must be given. */
     double leading_x, leading_y, trailing_x, trailing_y;
 } hm_section;
 
@@ -148,11 +170,11 @@ enum {
     HM_MOMENT_YY = 4,
     HM_MOMENT_XY = 5,
     HM_CHORD = 6, /* [length] of the chord line */
-    /* [length] at a station: from the lowest to the highest point of the outline on the normal to
-     * the chord line through the station */
+    /* [length] at a station: distance from the lowest to the highest point of the outline on the
+     * normal to the chord line through the station */
     HM_THICKNESS = 7,
-    /* [length] the mean height of these two points above the chord line (left of the direction from
-     * the leading to the trailing edge) */
+    /* [length] mean height of these two points above the chord line; "above" is on the left of the
+     * direction from the leading to the trailing edge */
     HM_CAMBER = 8,
     HM_MAX_THICKNESS = 9, /* [length] over all stations */
     HM_MAX_CAMBER = 10,   /* [length] the camber of the largest magnitude, with its sign */
@@ -169,7 +191,7 @@ enum {
     /* [1/length^3] integral of (d curvature / d arc length)^2 over the arc length; jumps at knots
      * and corners do not count; degree >= 2 */
     HM_CURVATURE_VARIATION = 15,
-    /* [length] smallest signed distance of the outline from a polygon that is to fit inside;
+    /* [length] smallest signed distance of the outline from a polygon that should fit inside;
      * negative: a part of the polygon is outside */
     HM_CLEARANCE = 16
 };
@@ -184,19 +206,20 @@ typedef struct hm_quantity {
     const double* polygon;
 } hm_quantity;
 
-/* values [n]; at [2*n]: where, or NULL: the point of the chord line for thickness, camber and
- * chord, the centroid for integrals over the area, otherwise a point of the outline. gradients [n *
- * 2*n_control], or NULL: row k contains the derivatives of value k by x and y of each control
- * point, weights constant. section NULL: all curves, with their own chord. Integrals are evaluated
- * by Gauss rules that are exact for polynomial curves; for rational curves, and for the curvature
- * variation, intervals are halved until nothing changes but rounding. Derivatives are exact.
- * HM_MAX_THICKNESS and HM_MAX_CAMBER follow an extreme at a corner of the outline. Where two places
- * have the same value, the derivative is that of one place; where both sides of the outline have a
- * corner at the station of the extreme, the derivative lies between the derivatives of the two
- * directions. Refused with HM_BAD_CURVE: curves not joined, beyond 1e50, no area, no
- * chord, a station where the outline is parallel to the normal of the chord or that the normal
- * meets at less than two points, a leading edge or an outline without curvature, a trailing edge
- * without directions. item: the quantity, from 0. Outputs are then unchanged. */
+/* Measures n quantities. values [n]. at [2*n], or NULL: the place of each: the point of the chord
+ * line for thickness, camber and chord, the centroid for integrals over the area, otherwise a point
+ * of the outline. gradients [n * 2*n_control], or NULL: row k contains the derivatives of value k
+ * with respect to x and y of each control point, at constant weights. section NULL: all curves,
+ * with their own chord. Integrals are evaluated by Gauss rules that are exact for polynomial
+ * curves; for rational curves, and for the curvature variation, intervals are halved until nothing
+ * changes but rounding. Derivatives are exact. HM_MAX_THICKNESS and HM_MAX_CAMBER follow an extreme
+ * at a corner of the outline. Where two places have the same value, the derivative is that of one
+ * place; where both sides of the outline have a corner at the station of the extreme, the
+ * derivative lies between the derivatives of the two directions. Refused with HM_BAD_CURVE
+ * (error.item: the quantity, from 0), outputs unchanged: curves that are not joined or beyond 1e50,
+ * no area, no chord, a station where the outline is parallel to the normal of the chord or that the
+ * normal meets at less than two points, a leading edge or an outline without curvature, a trailing
+ * edge without directions. */
 HM_API hm_status hm_measure(const hm_curves* curves, const hm_section* section, int32_t n,
                             const hm_quantity* quantities, double* values, double* at,
                             double* gradients, hm_error* err);
@@ -205,54 +228,54 @@ HM_API hm_status hm_measure(const hm_curves* curves, const hm_section* section, 
 
 /* hm_variables.kind: how one unit of each variable moves the outline */
 enum {
-    /* free-form deformation: variable i + (degree_x+1) j is the node i, j of a box, whose movement
-     * (dx, dy) moves the points inside by B_i(x) B_j(y) (dx, dy), Bernstein polynomials; points
-     * outside do not move. (Sederberg, Parry 1986) */
+    /* Free-form deformation: variable i + (degree_x+1) j is the node i, j of a box. A movement
+     * (dx, dy) of the node moves the points inside the box by B_i(x) B_j(y) (dx, dy), Bernstein
+     * polynomials; points outside do not move. (Sederberg, Parry 1986) */
     HM_FFD = 0,
-    /* class and shape functions: chord * t^leading_exponent (1-t)^trailing_exponent B_k(t) normal
+    /* Class and shape functions: chord * t^leading_exponent (1-t)^trailing_exponent B_k(t) normal
      * to the chord, n_upper Bernstein polynomials of degree n_upper-1 of the upper side, then
      * n_lower of the lower one; t: station, 0 .. 1. (Kulfan, J. Aircraft 45 (2008) 142) */
     HM_CST = 1,
-    /* bumps chord * sin(pi t^(log .5 / log peak))^width normal to the chord, n_upper on the upper
-     * side, then n_lower. (Hicks, Henne, J. Aircraft 15 (1978) 407) */
+    /* Bumps chord * sin(pi t^(log .5 / log peak))^width normal to the chord, n_upper on the upper
+     * side, then n_lower on the lower side. (Hicks, Henne, J. Aircraft 15 (1978) 407) */
     HM_HICKS_HENNE = 2,
     /* NACA's four-digit sections: n_upper camber lines of 1 chord, each with its largest camber at
-     * its peak, and last the thickness: half of it on either side, closed at t = 1, 1 unit being a
-     * thickness of 1 chord. n_upper may be 0 */
+     * its peak, and as the last variable the thickness: half of it on either side, closed at t = 1;
+     * 1 unit is a thickness of 1 chord. n_upper may be 0. */
     HM_NACA4 = 3
 };
 
+/* Fields that belong to another kind must be 0. */
 typedef struct hm_variables {
     uint64_t struct_size;
     int32_t kind; /* HM_FFD, ... */
-    /* 0 .. 64, together at least 1 (not HM_NACA4); upper: left of the chord */
+    /* 0 .. 64, together at least 1 (HM_NACA4: 0); upper: left of the chord */
     int32_t n_upper, n_lower;
     int32_t degree_x, degree_y; /* FFD: 0 .. 63 */
     /* FFD: the box; all 0: the box of the control points, 5 % larger */
     double x_min, y_min, x_max, y_max;
-    /* [n_upper+n_lower] Hicks-Henne, NACA: stations between 0 and 1; NULL: Hicks-Henne (2 k + 1) /
-     * (2 n) of each side, NACA .4 */
+    /* [n_upper+n_lower] Hicks-Henne, NACA: stations between 0 and 1; NULL: (2 k + 1) / (2 n) for
+     * bump k of the n bumps of a side (Hicks-Henne), .4 (NACA) */
     const double* peaks;
     /* CST: 0 .. 10; both 0: .5 and 1, a round leading edge and a sharp trailing edge */
     double leading_exponent, trailing_exponent;
     double width; /* Hicks-Henne: exponent of the sine, 1 .. 100; 0: 3 */
 } hm_variables;
-/* Fields of another kind must be 0. */
 
 /* *n: number of variables; *bytes: working memory of hm_variables_map. section as in hm_measure. */
 HM_API hm_status hm_variables_size(const hm_curves* curves, const hm_section* section,
                                    const hm_variables* variables, int32_t* n, size_t* bytes,
                                    hm_error* err);
-/* d(control) / d(variable): matrix [n_control * n * 2], for each control point the pairs (x, y) by
- * which one unit of each variable moves this point, as complex numbers: the variables v, also
- * complex, move control point i by sum_j matrix_ij v_j. The variables of FFD have two components;
- * those of the other kinds are real. The matrix is the least-squares approximation, over the
- * curves' parameters, of the wanted movement of the outline by the B-spline's, with the free ends
- * of curves exact: error [2*n] contains the root mean square and the largest of what is left,
- * [length] per unit of each variable, or NULL. hm_combine takes the matrix unchanged. Control
- * points that no curve of the section uses do not move. Refused, outputs unchanged: a variable that
- * moves nothing, or that is a combination of those before (HM_BAD_CONDITION, item: the variable,
- * from 0). */
+/* Computes d(control) / d(variable). matrix [n_control * n * 2] contains for each control point the
+ * pairs (x, y) by which one unit of each variable moves this point, as complex numbers: the
+ * variables v, also complex, move control point i by sum_j matrix_ij v_j. The variables of FFD have
+ * two components; those of the other kinds are real. The matrix makes the B-spline follow the
+ * wanted movement of the outline in the least-squares sense over the parameters of the curves, with
+ * the free ends of curves exact. error [2*n], or NULL, receives the root mean square and the
+ * largest difference that remains [length], per unit of each variable. hm_combine takes the matrix
+ * unchanged. Control points that no curve of the section uses do not move. Refused with
+ * HM_BAD_CONDITION (error.item: the variable, from 0), outputs unchanged: a variable that moves
+ * nothing, or that is a combination of those before. */
 HM_API hm_status hm_variables_map(const hm_curves* curves, const hm_section* section,
                                   const hm_variables* variables, void* work, size_t bytes,
                                   double* matrix, double* error, hm_error* err);
@@ -263,15 +286,24 @@ HM_API hm_status hm_variables_map(const hm_curves* curves, const hm_section* sec
  * point along its tangent: all calls stay linear, and a movement by d leaves the point about
  * d^2 / (2 R) beside the curve, R the radius of curvature. hm_slip puts these points onto the
  * curve, at the nearest place, and moves inner points along; points on other boundaries keep their
- * bits. Call hm_slip after hm_morph or hm_displace; the safe morphs do so in each step. The curve
- * is given (hm_condition.along), or goes through the marker's points where the analysis had them:
- * cubic segments with the tangents of circles through three neighbouring points. `to` [n_points]
- * may be the arrays of `from`. Refused (HM_BAD_MESH): a coordinate beyond the range. */
+ * bits. Call hm_slip after hm_morph or hm_displace; the safe morphs do so in each step. `to`
+ * [n_points] may be the arrays of `from`. Refused (HM_BAD_MESH): a coordinate beyond the range.
+ *
+ * The curve goes through the points of the marker at their coordinates in hm_analysis_init: cubic
+ * segments with the tangents of circles through three neighbouring points. Points at corners are
+ * fixed; at a corner the direction of the boundary jumps by more than 30 degrees, or by more than
+ * 1.1 degrees and 2.5 times as much as at a neighbouring point. With hm_condition.along the curve
+ * is one of the given curves, whose control points do not move and have no functions. Each piece of
+ * the boundary between two corners follows the curve that is nearest to all of its points; a point
+ * keeps its offset from the curve. Points at ends of curves, and where a marker with another
+ * `along` begins, are then fixed, too. Refused (HM_BAD_CONDITION): a point farther from the curve
+ * than 5 % of the length of its piece, a corner in the middle of a curve. `along` is not available
+ * for meshes in parts (HM_UNSUPPORTED). */
 HM_API hm_status hm_slip(const hm_analysis* analysis, const hm_points* from,
                          const hm_points_out* to, hm_error* err);
-/* The transpose of the derivative of hm_slip at `from`: dj by the points after hm_slip, dj_from by
- * those before it. Gradient after hm_morph and hm_slip: hm_slip_adjoint, then hm_adjoint. dj_from
- * may be the arrays of dj. */
+/* The transpose of the derivative of hm_slip at `from`. dj: derivatives with respect to the points
+ * after hm_slip; dj_from: derivatives with respect to the points before. For the gradient of
+ * hm_morph and hm_slip call hm_slip_adjoint, then hm_adjoint. dj_from may be the arrays of dj. */
 HM_API hm_status hm_slip_adjoint(const hm_analysis* analysis, const hm_points* from,
                                  const hm_points* dj, const hm_points_out* dj_from, hm_error* err);
 
@@ -279,7 +311,7 @@ HM_API hm_status hm_slip_adjoint(const hm_analysis* analysis, const hm_points* f
 
 /* Working memory of hm_recover_movement. */
 HM_API hm_status hm_recover_movement_size(const hm_basis* basis, size_t* bytes, hm_error* err);
-/* The movement that a mesh has made since the basis was made: move [2*functions], with which
+/* Finds the movement that a mesh has made since the basis was made: move [2*functions], with which
  * hm_morph moves the points on curves and rigid bodies from where they were at hm_basis_init to
  * where they are in `at` [n_points]. It is the solution of a least-squares problem for all
  * functions together, with the parameters that the points had: exact to rounding where the mesh was
@@ -288,31 +320,36 @@ HM_API hm_status hm_recover_movement_size(const hm_basis* basis, size_t* bytes, 
  * it, unless hm_options.offset_correction is 1. A control point on which no point of the wall
  * depends moves with its neighbours on the curve, where possible by the same rotation, scale and
  * translation. Points of markers with HM_GIVEN count only if the basis has modes. Functions of real
- * variables (hm_combine) may receive a second component that is not 0. *residual [length]: the
- * largest distance of a point of the wall from where `move` leads it; *point: that point, -1: there
- * are no points; both may be NULL. Refused with HM_BAD_MESH if this distance is more than
- * `tolerance` [length], because the wall is then on no curve of this basis (error.item: the point,
- * error.value: the distance), and if a coordinate of the wall is beyond the range. tolerance 0
- * means 1e-4 of the width or height of the wall in `at`, the larger one; infinity: any. The basis
- * must be solved, and have all functions. After a refused call the outputs are unchanged. */
+ * variables (hm_combine) may receive a second component that is not 0.
+ *
+ * *residual [length]: the largest distance of a point of the wall from where `move` leads it;
+ * *point: that point, -1: there are no points; both may be NULL. Refused with HM_BAD_MESH: this
+ * distance is more than `tolerance` [length], because the wall is then on no curve of this basis
+ * (error.item: the point, error.value: the distance); a coordinate of the wall is beyond the range.
+ * tolerance 0 means 1e-4 of the width or height of the wall in `at`, the larger one; infinity: any.
+ * The basis must be solved, and have all functions. After a refused call the outputs are unchanged.
+ */
 HM_API hm_status hm_recover_movement(const hm_basis* basis, const hm_points* at, double tolerance,
                                      double* move, double* residual, int32_t* point, void* work,
                                      size_t bytes, hm_error* err);
 
 /* ---- Functions in single precision ---- */
 
-/* A second basis with the same functions in single precision, in half the memory. hm_morph and
- * hm_adjoint are limited by reading the basis; if the basis fits in no cache, hm_morph is 1.5 to
- * 1.9 times faster with AVX-512 or AVX2, 1.4 times without either; hm_adjoint, which computes more,
- * gains with AVX-512 only: 1.4 to 1.8 times. The first basis must be solved and have all functions
- * (it may be an extract); it is no longer needed afterwards. Points on curves and rigid bodies, and
- * points joined to them by a cut, keep F in double precision: the wall moves bitwise as with the
- * first basis. Fixed points do not move. Elsewhere |F' - F| <= 2^-24 |F| for each number (below
- * 2^-126: 2^-150), so that a displacement differs by at most 2^-24 sum_i |F_i| |dP_i| plus rounding
- * of the sum; the functions sum to 1, and points slide along inclined lines, to that accuracy.
- * Products and sums are in double precision, and hm_adjoint is the transpose of hm_morph as
- * accurately as in double precision; bitwise identical for any threads, kernel and partition. The
- * new basis is written, attached, extracted from and used like any basis. Calls that need F in
+/* Makes a second basis with the same functions in single precision, in half the memory. hm_morph
+ * and hm_adjoint are limited by reading the basis; if the basis fits in no cache, hm_morph is 1.5
+ * to 1.9 times as fast with AVX-512 or AVX2, 1.4 times without either; hm_adjoint, which computes
+ * more, gains with AVX-512 only: 1.4 to 1.8 times. The first basis must be solved and have all
+ * functions (it may be an extract); it is no longer needed afterwards.
+ *
+ * Points on curves and rigid bodies, and points joined to them by a cut, keep F in double
+ * precision: the wall moves bitwise as with the first basis. Fixed points do not move. Elsewhere
+ * |F' - F| <= 2^-24 |F| for each number (below 2^-126: 2^-150), so that a displacement differs by
+ * at most 2^-24 sum_i |F_i| |dP_i| plus rounding of the sum; the functions sum to 1, and points
+ * slip along inclined lines, to that accuracy. Products and sums are in double precision, and
+ * hm_adjoint is the transpose of hm_morph as accurately as in double precision; bitwise identical
+ * for any threads, kernel and partition.
+ *
+ * The new basis is written, attached, extracted from and used like any basis. Calls that need F in
  * double precision return HM_UNSUPPORTED: hm_plan_solve, hm_transfer, hm_morph_safe, hm_combine,
  * hm_tabulate, parcels, hm_single_size. */
 HM_API hm_status hm_single_size(const hm_basis* basis, size_t* bytes, hm_error* err);
@@ -321,27 +358,28 @@ HM_API hm_status hm_single_init(hm_basis** single, void* block, size_t bytes, co
 
 /* ---- Combined functions: one for each design variable ---- */
 
-/* A second basis with n functions F M, n >= 1: function j carries variable j, which moves control
- * point i by M_ij times itself. matrix [controls * n * numbers] with the n values of control point
- * 0 first; controls = functions - 2 * bodies - modes of the given basis; numbers 1: real values, 2:
- * pairs x,y, complex numbers (those of hm_variables_map). Rigid bodies and modes keep their
- * functions behind the n. Points are moved, gradients formed, and curves moved (hm_moved_curves) by
- * variables instead of control points; the basis has the memory of n functions, and the first basis
- * is no longer needed. Values are real if those of the first basis and the matrix are. A variable
- * whose matrix is not real, or a function that is not, turns with its movement: variables that are
- * one number v move by (v, 0). The new basis is used, solved again (hm_plan_solve, on moved
- * coordinates too), extracted, sent in parcels, written, attached, stored in single precision and
- * combined like any basis. Only hm_transfer refuses it, with HM_UNSUPPORTED: transfer the functions
- * of the control points, and combine those. The first basis must be solved, complete and in double
- * precision. Refused with HM_BAD_CONDITION, item: the column, from 0: a column that is zero, or a
- * combination of the columns before; with HM_BAD_ARGUMENT a matrix that is not finite. */
+/* Makes a second basis with n functions F M, n >= 1: function j carries variable j, which moves
+ * control point i by M_ij times itself. matrix [controls * n * numbers] with the n values of
+ * control point 0 first; controls = functions - 2 * bodies - modes of the given basis; numbers 1:
+ * real values, 2: pairs x,y, complex numbers (those of hm_variables_map). Rigid bodies and modes
+ * keep their functions behind the n. Points are moved, gradients formed, and curves moved
+ * (hm_moved_curves) by variables instead of control points; the basis has the memory of n
+ * functions, and the first basis is no longer needed. Values are real if those of the first basis
+ * and the matrix are. If the matrix of a variable or the functions are complex, the movement is
+ * rotated by the angle of the variable; a variable that is one number v moves by (v, 0).
+ *
+ * The new basis is used, solved again (hm_plan_solve, on moved coordinates too), extracted, sent in
+ * parcels, written, attached, stored in single precision and combined like any basis. Only
+ * hm_transfer refuses it, with HM_UNSUPPORTED: transfer the functions of the control points, and
+ * combine those. The first basis must be solved, complete and in double precision. Refused with
+ * HM_BAD_CONDITION (error.item: the column, from 0): a column that is zero, or a combination of the
+ * columns before; with HM_BAD_ARGUMENT: a matrix that is not finite. */
 HM_API hm_status hm_combine_size(const hm_basis* basis, int32_t n, int32_t numbers, size_t* bytes,
                                  hm_error* err);
 HM_API hm_status hm_combine(hm_basis** combined, void* block, size_t bytes, const hm_basis* basis,
                             int32_t n, int32_t numbers, const double* matrix, hm_error* err);
 
-/* ---- Coarse to fine: functions solved on one mesh, interpolated to the points of a finer mesh of
- * the same domain  */
+/* ---- Coarse to fine: functions of one mesh for a finer mesh of the same domain ---- */
 
 typedef struct hm_transfer_report {
     uint64_t struct_size;
@@ -362,39 +400,40 @@ typedef struct hm_transfer_report {
  * coarse basis. */
 HM_API hm_status hm_transfer_size(const hm_analysis* analysis, const hm_mesh* coarse_mesh,
                                   size_t* bytes, hm_error* err);
-/* Fills a basis that was made from the fine analysis; no plan is needed. A point receives the
- * values of the coarse cell that contains the point. A point beyond a curved boundary receives the
- * linear extrapolation of the nearest cell; if the point is farther away than half the longest side
- * of that cell, the call is refused (HM_BAD_MESH, error.item: the point, error.value: the
- * distance). Curve points receive N_i(u), and points nearer to them than one coarse cell are
- * corrected with them; fixed points receive 0; points with slip remain on their lines. Second order
- * in the coarse spacing, exact for linear functions. Uses the threads of the analysis. `coarse`
- * must have all functions, not a share of them (HM_BAD_BASIS), and must not be `basis`
- * (HM_BAD_ARGUMENT). Objects that do not go together are refused before anything is written; after
- * any other refusal the basis is not solved. report may be NULL. */
+/* Fills a basis that was made from the fine analysis by interpolation; no plan is needed. A point
+ * receives the values of the coarse cell that contains the point. A point beyond a curved boundary
+ * receives the linear extrapolation of the nearest cell; if the point is farther away than half the
+ * longest side of that cell, the call is refused (HM_BAD_MESH, error.item: the point, error.value:
+ * the distance). Curve points receive N_i(u), and points nearer to them than one coarse cell are
+ * corrected accordingly; fixed points receive 0; points with slip remain on their lines. The result
+ * is of second order in the coarse spacing, and exact for linear functions. Uses the threads of the
+ * analysis. `coarse` must have all functions, not a share of them (HM_BAD_BASIS), and must not be
+ * `basis` (HM_BAD_ARGUMENT). Objects that do not belong together are refused before anything is
+ * written; after any other refusal the basis is not solved. report may be NULL. */
 HM_API hm_status hm_transfer(hm_basis* basis, void* block, size_t bytes,
                              const hm_analysis* analysis, const hm_basis* coarse,
                              const hm_mesh* coarse_mesh, hm_transfer_report* report, hm_error* err);
 
 /* ---- Functions by table: modes given at wall points ---- */
 
-/* A second basis: the functions of `basis`, and behind them n_modes functions with given values at
- * the points of the markers with HM_GIVEN: structural modes, modes of a proper orthogonal
- * decomposition, anything linear. They are solved with the plan, as hm_displace solves; an
- * amplitude moves wall point k by its mode times the amplitude. modes [n_modes * n * numbers]: mode
- * by mode, at the n wall points listed in `points` (see hm_displace; NULL: in the order of
- * hm_given_points); numbers 1: real values, which move points along the amplitude (dx, dy); 2:
- * pairs x,y, complex numbers: the amplitude (1, 0) moves the points by (x, y), (0, 1) by the same
- * turned by 90 degrees. Values of the functions are real if those of `basis` and the modes are.
- * move, see hm_morph, has the amplitudes last. The new basis depends on nothing else and is used
- * like any basis: hm_plan_solve solves it again, on moved coordinates too, with the same values at
- * the wall, if it has at most 1024 numbers at a point for its modes. hm_transfer refuses it with
- * HM_UNSUPPORTED, because a table says nothing between its points. `basis` must be of the same
- * analysis as the plan, complete, in double precision, and solved if it has functions. work:
- * working memory of work_bytes. report may be NULL; functions are fields there. Refused with
- * HM_BAD_CONDITION: no marker with HM_GIVEN, a mode that is zero (item: the mode, from 0), a list
- * that is not that of the given points; with HM_BAD_ARGUMENT: values that are not finite.
- * HM_NOT_CONVERGED as of hm_plan_solve. */
+/* Makes a second basis: the functions of `basis`, and behind them n_modes functions with given
+ * values at the points of the markers with HM_GIVEN: structural modes, modes of a proper orthogonal
+ * decomposition, anything linear. They are solved with the plan, as by hm_displace; an amplitude
+ * moves wall point k by its mode times the amplitude. modes [n_modes * n * numbers]: mode by mode,
+ * at the n wall points listed in `points` (see hm_displace; NULL: in the order of hm_given_points);
+ * numbers 1: real values, which move points along the amplitude (dx, dy); 2: pairs x,y, complex
+ * numbers: the amplitude (1, 0) moves the points by (x, y), (0, 1) by the same rotated by 90
+ * degrees. Values of the functions are real if those of `basis` and the modes are. move, see
+ * hm_morph, has the amplitudes last.
+ *
+ * The new basis refers to nothing else and is used like any basis: hm_plan_solve solves it again,
+ * on moved coordinates too, with the same values at the wall, if it has at most 1024 numbers at a
+ * point for its modes. hm_transfer refuses it with HM_UNSUPPORTED, because a table says nothing
+ * between its points. `basis` must be of the same analysis as the plan, complete, in double
+ * precision, and solved if it has functions. work: working memory of work_bytes. report may be
+ * NULL; functions are fields there. Refused with HM_BAD_CONDITION: no marker with HM_GIVEN, a mode
+ * that is zero (error.item: the mode, from 0), a list that is not that of the given points; with
+ * HM_BAD_ARGUMENT: values that are not finite. HM_NOT_CONVERGED is that of hm_plan_solve. */
 HM_API hm_status hm_tabulate_size(const hm_plan* plan, const hm_basis* basis, int32_t n_modes,
                                   int32_t numbers, size_t* bytes, size_t* work_bytes,
                                   hm_error* err);

@@ -18,10 +18,10 @@
  *
  * The calls of this header are collective: all processes of the communicator must make them. Either
  * all processes succeed or all get the same status; the reason is in the hm_error of the process
- * that failed. A process on which an earlier call has failed, as hm_analysis_init where its mesh
- * has a NaN, must make the collective call all the same, or the others wait for ever:
- * hm_mpi_exchange(NULL, NULL, 0, NULL, comm, &error) refuses on all processes, and so does
- * hm_mpi_adjoint with rows = NULL, or hm_mpi_displace with n_fields = 0. The calls allocate memory
+ * that failed. A process on which an earlier call has failed, for instance hm_analysis_init because
+ * its mesh has a NaN, must make the collective call all the same, or the others wait for ever:
+ * hm_mpi_exchange(NULL, NULL, 0, NULL, comm, &error) makes all processes refuse the call, and so do
+ * hm_mpi_adjoint with rows = NULL, and hm_mpi_displace with n_fields = 0. The calls allocate memory
  * for the messages, and free it before they return. */
 #ifndef HARMORPH_MPI_H
 #define HARMORPH_MPI_H
@@ -33,7 +33,7 @@
 extern "C" {
 #endif
 
-/* Fills `rows`, which hm_extract_init has made of the share of this process with the list points
+/* Fills `rows`, which hm_extract_init has made from the share of this process with the list points
  * [n]. The shares of the processes, in the order of ranks, must together be all functions. A
  * process sends (points of all processes) * numbers_per_value * (functions of the share) doubles
  * and receives n * numbers_per_value * (all functions) doubles; either number must be below 2^31.
@@ -48,31 +48,34 @@ hm_status hm_mpi_exchange(hm_basis* rows, const hm_basis* share, int32_t n, cons
 hm_status hm_mpi_adjoint(const hm_basis* rows, const hm_points* dj, double* gradient,
                          const hm_executor* executor, MPI_Comm comm, hm_error* err);
 
-/* hm_displace for codes that have the mesh in parts: one process, `root`, has the whole mesh and a
- * plan with a factor; plan is NULL on the others, which need neither mesh nor plan. n_wall,
- * wall_points [n_wall], wall [n_fields]: the given points that this process knows, by their numbers
- * in the whole mesh, and their displacements. The lists of all processes together are that of
- * hm_displace: each given point must be in one of them, and may be in several, with equal
- * displacements. n, points [n], to [n_fields]: the points of this process, ghosts too, and what
- * they receive. from [n]: their coordinates; NULL on all processes: `to` receives displacements.
- * With `from` each point of the mesh must be in a list, for the boundary is judged as a whole.
- * n_fields and root are the same on all processes. Results have the bits of hm_displace on one
- * process, for any partition. Communication: lists and fields to root, results back, 16 bytes for
- * each point and field. If the call is refused, `to` is unchanged on all processes. */
+/* Does hm_displace for codes that have the mesh in parts: one process, `root`, has the whole mesh
+ * and a plan with a factor; plan is NULL on the others, which need neither mesh nor plan.
+ *
+ * n_wall, wall_points [n_wall], wall [n_fields]: the given points that this process knows, by their
+ * numbers in the whole mesh, and their displacements. The lists of all processes together are that
+ * of hm_displace: each given point must be in one of them, and may be in several, with equal
+ * displacements. n, points [n], to [n_fields]: the points of this process, including ghosts, and
+ * the arrays that receive their results. from [n]: their coordinates; NULL on all processes: `to`
+ * receives displacements. With `from` each point of the mesh must be in a list, because the
+ * boundary is judged as a whole. n_fields and root are the same on all processes.
+ *
+ * Results have the bits of hm_displace on one process, for any partition. Communication: lists and
+ * fields to root, results back, 16 bytes for each point and field. If the call is refused, `to` is
+ * unchanged on all processes. */
 hm_status hm_mpi_displace(hm_plan* plan, int32_t n_wall, const int32_t* wall_points,
                           int32_t n_fields, const hm_points* wall, int32_t n, const int32_t* points,
                           const hm_points* from, const hm_points_out* to, int32_t root,
                           MPI_Comm comm, hm_error* err);
-/* The transpose: dj [n_fields], each of n points, 0 at ghosts, so that every point counts once;
- * gradient [n_fields], each of n_wall points: complete in the first list that has a point, in the
- * order of ranks, and 0 where it is repeated, so that sums over all processes are sums over the
- * wall. */
+/* The transpose. dj [n_fields]: each of n points, 0 at ghosts, so that every point counts once.
+ * gradient [n_fields]: each of n_wall points. The first list that has a point, in the order of
+ * ranks, receives its whole derivative, and the others 0, so that sums over all processes are sums
+ * over the wall. */
 hm_status hm_mpi_displace_adjoint(hm_plan* plan, int32_t n_wall, const int32_t* wall_points,
                                   int32_t n_fields, const hm_points* dj, int32_t n,
                                   const int32_t* points, const hm_points_out* gradient,
                                   int32_t root, MPI_Comm comm, hm_error* err);
 
-/* The same with Fortran communicators (MPI_Fint); harmorph_mpi.f90 calls these. */
+/* The same calls with Fortran communicators (MPI_Fint), for harmorph_mpi.f90. */
 hm_status hm_mpi_exchange_f(hm_basis* rows, const hm_basis* share, int32_t n, const int32_t* points,
                             MPI_Fint comm, hm_error* err);
 hm_status hm_mpi_adjoint_f(const hm_basis* rows, const hm_points* dj, double* gradient,

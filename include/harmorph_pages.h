@@ -1,6 +1,6 @@
-/* Huge pages (2 MiB) for the blocks of harmorph. Where a basis does not fit into the processor's
- * caches, reading it takes .55 to .9 of the time that it takes in pages of 4 KiB. The memory is the
- * caller's:
+/* Huge pages (2 MiB) for the blocks of harmorph. Where a basis does not fit into the caches of the
+ * processor, reading it in huge pages takes .55 to .9 of the time that it takes in pages of 4 KiB.
+ * The memory is the caller's:
  *
  *     void *memory = malloc(hm_pages_room(bytes)), *block = hm_pages_place(memory, bytes);
  *     hm_basis_init(&basis, block, bytes, analysis, &error);
@@ -8,7 +8,7 @@
  *     free(memory);
  *
  * Only whole multiples of 2 MiB inside a block can be huge pages, and only in memory that has not
- * been written yet. The library itself calls no system; hm_pages_ask does, on Linux. */
+ * been written yet. The library itself makes no system calls; hm_pages_ask does, on Linux. */
 #ifndef HARMORPH_PAGES_H
 #define HARMORPH_PAGES_H
 
@@ -23,22 +23,22 @@ extern int madvise(void* address, size_t bytes, int advice);
 #endif
 #endif
 
-/* Bytes to which a block of so many bytes is aligned: 2 MiB if the block can contain a huge page,
- * otherwise 64. */
+/* The alignment of a block of so many bytes: 2 MiB if the block can contain a huge page, otherwise
+ * 64. */
 static inline size_t hm_pages_alignment(size_t bytes) {
     return bytes < (size_t)1 << 21 ? 64 : (size_t)1 << 21;
 }
 
-/* Bytes of memory in which an aligned block of `bytes` has room, wherever the memory begins.
- * SIZE_MAX, which no allocator gives, if there are no so many bytes. */
+/* The size of memory that has room for an aligned block of `bytes`, wherever the memory begins;
+ * SIZE_MAX, which no allocator gives, if the sum exceeds the range of size_t. */
 static inline size_t hm_pages_room(size_t bytes) {
     const size_t more = hm_pages_alignment(bytes) - 1;
     return bytes > SIZE_MAX - more ? SIZE_MAX : bytes + more;
 }
 
-/* Asks the system for huge pages in block [bytes]. What is in the block stays as it is. Returns how
- * many bytes the huge pages inside the block have; 0 if there is none, if the system refuses, and
- * on other systems than Linux. */
+/* Asks the system for huge pages in block [bytes]; the contents of the block do not change. Returns
+ * the number of bytes in huge pages inside the block; 0 if there is none, if the system refuses,
+ * and on systems other than Linux. */
 static inline size_t hm_pages_ask(void* block, size_t bytes) {
     const size_t huge = (size_t)1 << 21, before = (huge - (size_t)((uintptr_t)block % huge)) % huge;
     const size_t pages = block == NULL || bytes < before ? 0 : (bytes - before) / huge;

@@ -15,19 +15,19 @@
  * All calls but hm_petsc_rows_size and hm_petsc_owned are collective: all processes of the
  * communicator must make them, and each must have at least one own cell. Either all succeed or all
  * get the same status, also where one process alone gives a wrong argument, such as NULL for the
- * system; the reason is in the hm_error of the process that found it. For this each call has the
- * communicator, which must be that of hm_petsc_create (or a duplicate). A refused call leaves all
- * arguments as they were. A process on which an earlier call has failed must make the collective
- * call all the same, with NULL as the part or the system, or the others wait for ever. A process
- * without cells is refused: make a communicator of those that have cells (MPI_Comm_split). The
- * calls allocate memory; where harmorph lacks memory, all processes get a status, but memory that
- * PETSc or hypre lack ends the job.
+ * system; the reason is in the hm_error of the process that found it. For this purpose each call
+ * has the communicator, which must be that of hm_petsc_create (or a duplicate). A refused call
+ * leaves all arguments as they were. A process on which an earlier call has failed must make the
+ * collective call all the same, with NULL as the part or the system, or the others wait for ever. A
+ * process without cells is refused: make a communicator of the processes that have cells
+ * (MPI_Comm_split). The calls allocate memory; where harmorph lacks memory, all processes get a
+ * status, but if PETSc or hypre lack memory, the job ends.
  *
  * Solver: conjugate gradients with hypre's BoomerAMG (where PETSc has hypre, otherwise GAMG), with
  * a relative tolerance of 1e-6 for each solution; refinement with residuals as sums of differences
  * continues until the estimated error is below options.tolerance. All options of PETSc with the
- * prefix hm_ are heard: `-hm_ksp_type preonly -hm_pc_type cholesky -hm_pc_factor_mat_solver_type
- * mumps` factors; `-hm_pc_type gamg`, `-hm_ksp_monitor`, `-hm_mat_type`, ...
+ * prefix hm_ are used: `-hm_ksp_type preonly -hm_pc_type cholesky -hm_pc_factor_mat_solver_type
+ * mumps` factors the matrix; others are `-hm_pc_type gamg`, `-hm_ksp_monitor`, `-hm_mat_type`.
  *
  * Scalars: with real scalars an unknown of the conformal operator has two rows, a block of 2 x 2;
  * with complex scalars it has one, and the matrix is Hermitian (MUMPS then factors by `-hm_pc_type
@@ -48,29 +48,30 @@ typedef struct hm_petsc_report {
     uint64_t struct_size;
     int64_t unknowns; /* points with an unknown, of the whole mesh */
     int32_t functions;
-    /* of the KSP, largest sum over all solutions of one function; direct: solutions */
+    /* iterations of the KSP: the largest sum over all solutions of one function; with a direct
+     * solver, the number of solutions */
     int32_t iterations;
-    int32_t solutions; /* of each function, at most: the first one, and refinements */
+    int32_t solutions; /* largest number of solutions of a function: the first, and refinements */
     /* boundary faces and edges of cuts of the whole mesh, which every process has */
     int32_t boundary_edges;
     /* [-] largest last correction of a function, relative to its largest value */
     double change;
-    /* [-] estimated from the corrections: above options.tolerance: HM_NOT_CONVERGED */
+    /* [-] error estimated from the corrections; above options.tolerance: HM_NOT_CONVERGED */
     double error;
     uint64_t bytes; /* allocated by harmorph on this process, beside the basis */
 } hm_petsc_report;
 
-/* part: see hm_part_init; its arrays must exist as long as the system. problem.mesh is ignored.
- * problem and options are those of hm_equations_init, and the same on all processes.
- * HM_FAR_FROM_CURVE as of hm_analysis_init. Refused on all processes, beside what hm_part_init,
- * hm_match_edges and hm_equations_init refuse: a point with two positions, a point that two
- * processes have inside their own cells (global numbers are wrong), a ghost point that no process
- * has in an own cell (HM_BAD_MESH); curves, conditions or options that are not the same everywhere
- * (HM_BAD_CONDITION). */
+/* Makes a system. part: see hm_part_init; its arrays must exist as long as the system. problem and
+ * options are those of hm_equations_init, and the same on all processes; problem.mesh is ignored.
+ * HM_FAR_FROM_CURVE is that of hm_analysis_init. Refused on all processes, in addition to what
+ * hm_part_init, hm_match_edges and hm_equations_init refuse: a point with two positions, a point
+ * that two processes have inside their own cells (global numbers are wrong), a ghost point that no
+ * process has in an own cell (HM_BAD_MESH); curves, conditions or options that are not the same
+ * everywhere (HM_BAD_CONDITION). */
 hm_status hm_petsc_create(hm_petsc** system, const hm_part_mesh* part, const hm_problem* problem,
                           const hm_options* options, MPI_Comm comm, hm_error* err);
-/* Collective: PETSc's solvers end together. NULL, on all processes: nothing to do. *system becomes
- * NULL. */
+/* Frees the system; collective, because the solvers of PETSc end together. *system becomes NULL. If
+ * it is NULL already, on all processes, the call does nothing. */
 void hm_petsc_free(hm_petsc** system);
 
 /* Bytes of a basis for the points of this process. */
@@ -79,24 +80,26 @@ hm_status hm_petsc_rows_size(const hm_petsc* system, size_t* bytes, hm_error* er
  * the tolerance. HM_NOT_POSITIVE: PETSc could not factor or solve. report may be NULL. */
 hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, void* block, size_t bytes,
                          hm_petsc_report* report, MPI_Comm comm, hm_error* err);
-/* One field of displacements, as hm_displace: x and y [points] hold what is given at points of
- * markers with HM_GIVEN on every process that has such a point, and receive the displacements of
- * all points. After a refused call they are unchanged. */
+/* Does hm_displace for one field of displacements: x and y [points] contain the given numbers at
+ * points of markers with HM_GIVEN on every process that has such a point, and receive the
+ * displacements of all points. After a refused call they are unchanged. */
 hm_status hm_petsc_displace(hm_petsc* system, const hm_points_out* displacement,
                             hm_petsc_report* report, MPI_Comm comm, hm_error* err);
 
-/* owned [points]: 1 at points that this process counts for, 0 elsewhere: every point of the mesh is
- * owned once. For sums over all points, as those of hm_mpi_adjoint. */
+/* owned [points] receives 1 at points that this process counts, 0 elsewhere: every point of the
+ * mesh is owned by one process. This serves sums over all points, such as those of hm_mpi_adjoint.
+ */
 hm_status hm_petsc_owned(const hm_petsc* system, uint8_t* owned, hm_error* err);
-/* hm_assess for the cells of all processes; reports are the same everywhere. rank: the process with
- * the limiting cell and that with the poorest one, [2]; cells and points are numbered as in that
- * process's part; rank may be NULL. Whether the boundary touches or crosses itself is not examined:
- * boundary is infinite, self_crossing 0. from NULL: the coordinates of the part. */
+/* Does hm_assess for the cells of all processes; reports are the same everywhere. rank [2], or
+ * NULL: the process with the limiting cell, and the process with the cell of lowest quality; cells
+ * and points in the reports are numbered as in the part of that process. The call does not examine
+ * whether the boundary touches or crosses itself: boundary is infinite, self_crossing 0. from NULL:
+ * the coordinates of the part. */
 hm_status hm_petsc_assess(const hm_petsc* system, const hm_basis* rows, const hm_points* from,
                           const hm_points* displacement, hm_step_report* step,
                           hm_quality_report* quality, int* rank, MPI_Comm comm, hm_error* err);
 
-/* The same with Fortran communicators (MPI_Fint); harmorph_petsc.f90 calls these. */
+/* The same calls with Fortran communicators (MPI_Fint), for harmorph_petsc.f90. */
 hm_status hm_petsc_create_f(hm_petsc** system, const hm_part_mesh* part, const hm_problem* problem,
                             const hm_options* options, MPI_Fint comm, hm_error* err);
 hm_status hm_petsc_solve_f(hm_petsc* system, hm_basis** rows, void* block, size_t bytes,

@@ -17,9 +17,9 @@
 
 #include "harmorph.h"
 
-/* A call of the library gives out tasks many times, a fraction of a millisecond apart, and to wake
- * a sleeping thread takes as long as a small task. So a thread with nothing to do asks this many
- * times more before it sleeps, and lets other programs run in between: a few tenths of a
+/* A call of the library gives out tasks many times, a fraction of a millisecond apart, and waking a
+ * sleeping thread takes as long as a small task. So a thread without a task asks this many times
+ * for a new one, and lets other programs run in between, before it sleeps: a few tenths of a
  * millisecond in all. */
 #ifndef HM_PTHREADS_TURNS
 #define HM_PTHREADS_TURNS 1000
@@ -30,10 +30,10 @@ typedef struct hm_pthreads {
     pthread_cond_t work, done;
     pthread_t thread[255]; /* in addition to the calling thread */
     int32_t n_started;
-    int32_t next, n_tasks; /* of the current call */
+    int32_t next, n_tasks; /* the next task and the number of tasks of the current call */
     int32_t running;       /* tasks taken and not yet done */
     int32_t stop;
-    /* counts what threads wait for: new tasks, the last task done, stop */
+    /* counts the events that threads wait for: new tasks, the end of the last task, stop */
     uint32_t changes;
     void (*task)(void* context, int32_t index);
     void* context;
@@ -45,7 +45,7 @@ static inline void hm_pthreads_change(hm_pthreads* pool) {
 #endif
 }
 
-/* Returns after the next change, or earlier. The mutex is locked on entry and on return. */
+/* Waits for the next change; it may return earlier. The mutex is locked on entry and on return. */
 static inline void hm_pthreads_wait(hm_pthreads* pool, pthread_cond_t* condition) {
 #if defined(__GNUC__)
     const uint32_t seen = pool->changes;

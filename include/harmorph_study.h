@@ -1,5 +1,6 @@
-/* harmorph for studies: schemes, engines and options that reproduce and compare what the paper
- * does, and diagnostics. The conventions of harmorph.h hold. Most users need none of this. */
+/* harmorph for studies: schemes, engines and options with which the results of the paper are
+ * reproduced and compared, and diagnostics. The conventions of harmorph.h hold. Most users need
+ * none of this. */
 #ifndef HARMORPH_STUDY_H
 #define HARMORPH_STUDY_H
 
@@ -25,27 +26,27 @@ extern "C" {
 /* scheme: discretisation of the fluxes; all schemes reproduce linear fields */
 enum {
     HM_COMPACT = 0, /* median dual, cell gradients: second order. Recommended */
-    /* compact scheme on the constrained Delaunay triangulation of the mesh points (edges are
-     * flipped; points and boundary remain; the weight is taken at the midpoint of an edge). 0 <= F
+    /* The compact scheme on the constrained Delaunay triangulation of the mesh points (edges are
+     * flipped; points and boundary remain; the weight is taken at the midpoint of an edge): 0 <= F
      * <= 1 if every boundary is fixed or on a curve. Edges on free boundaries and periodic pairs
      * are not flipped: there the bound may fail, and the functions depend, within the
      * discretisation error, on where a periodic mesh is cut. The plan can only be factored on the
-     * analysed coordinates */
+     * analysed coordinates. */
     HM_BOUNDED = 2,
-    /* the paper's scheme: Green-Gauss gradients over the cells around each point; the flux through
-     * a face uses the mean of the gradients of its two points, with the component along the edge
-     * replaced by the difference of the values. Second order; for comparison. Errors on 128 x 128
-     * squares 4.1e-5 (compact: 1.1e-5), on perturbed ones 3.0e-5 (3.7e-5), on perturbed triangles
-     * 3.8e-5 (4.5e-5). On airfoil meshes, viscous ones too, the functions differ from the compact
-     * scheme by 1e-3 to 7e-3 at edges of the airfoil and by 1e-4 on average; by 0.2 where few
-     * points surround an edge in cells with aspect ratios of 1e4 */
+    /* The scheme of the paper: Green-Gauss gradients over the cells around each point; the flux
+     * through a face uses the mean of the gradients of its two points, with the component along the
+     * edge replaced by the difference of the values. Second order; for comparison. Errors on 128 x
+     * 128 squares are 4.1e-5 (compact: 1.1e-5), on perturbed squares 3.0e-5 (3.7e-5), on perturbed
+     * triangles 3.8e-5 (4.5e-5). On airfoil meshes, viscous ones too, the functions differ from the
+     * compact scheme by 1e-3 to 7e-3 at edges of the airfoil and by 1e-4 on average; by 0.2 where
+     * few points surround an edge in cells with aspect ratios of 1e4. */
     HM_NODAL_GRADIENT = 1,
-    /* the same without that replacement, as in the text of the paper; only to reproduce the paper.
-     * Odd-even oscillations are not damped: errors 2.3e-4 on those squares, and 2e-2 on perturbed
-     * ones, where the errors do not decrease with refinement. 500 to 2000 cycles on isotropic
-     * meshes. On viscous meshes it mostly does not converge (HM_NOT_CONVERGED), because eigenvalues
-     * may have the wrong sign: values left [0, 1] by 0.3 on one mesh and grew without limit on
-     * another */
+    /* HM_NODAL_GRADIENT without that replacement, as in the text of the paper; only to reproduce
+     * the paper. Odd-even oscillations are not damped: errors are 2.3e-4 on those squares, and 2e-2
+     * on perturbed ones, where the errors do not decrease with refinement. The scheme takes 500 to
+     * 2000 cycles on isotropic meshes. On viscous meshes it mostly does not converge
+     * (HM_NOT_CONVERGED), because eigenvalues may have the wrong sign: values left [0, 1] by 0.3 on
+     * one mesh and grew without limit on another. */
     HM_NODAL_GRADIENT_PLAIN = 3
 };
 /* hm_options.engine, beside those of harmorph.h */
@@ -60,12 +61,12 @@ enum {
 enum {
     /* along the strong couplings where the aspect ratio exceeds 2, otherwise in any direction */
     HM_AGGLOMERATE_AUTO = 0,
-    /* those with the most mesh edges between them, for any aspect ratio: for comparison. On viscous
+    /* Cells with the most mesh edges between them, for any aspect ratio: for comparison. On viscous
      * meshes HM_MULTIGRID may not converge: on one of two meshes the residual was 3e-5 after 200
      * iterations, where the automatic rule needs 29 iterations; on the other mesh this rule takes
-     * 28 iterations, the automatic one 22 */
+     * 28 iterations, the automatic one 22. */
     HM_AGGLOMERATE_ISOTROPIC = 1,
-    HM_AGGLOMERATE_DIRECTIONAL = 2 /* always the most strongly coupled ones */
+    HM_AGGLOMERATE_DIRECTIONAL = 2 /* always the most strongly coupled cells */
 };
 
 /* start of HM_FAS */
@@ -75,31 +76,44 @@ enum {
     HM_START_ZERO = 1
 };
 
-/* hm_options.study. HM_MULTIGRID and HM_FAS only, but `scheme`; with another engine a value other
- * than 0 is HM_UNSUPPORTED. */
+/* hm_options.study. Fields other than `scheme` are for HM_MULTIGRID and HM_FAS only; with another
+ * engine a value other than 0 is refused (HM_UNSUPPORTED). */
 typedef struct hm_study_options {
     uint64_t struct_size;
     int32_t scheme; /* HM_COMPACT, ... */
-    /* largest number of levels including the finest, 1 .. 20; 0: as many as possible, about 5 for
+    /* Largest number of levels including the finest, 1 .. 20; 0: as many as possible, about 5 for
      * 10 000 points, 9 for a million. HM_FAS does not solve the coarsest level exactly: the more
-     * cells that level has, the more cycles are needed */
+     * cells that level has, the more cycles are needed. */
     int32_t levels;
     int32_t agglomeration; /* HM_AGGLOMERATE_... */
-    /* functions solved at a time: 4, 8 or 16; 0 means 8. Plan memory for the vectors of each
-     * thread: 56 bytes per unknown and function of a block */
+    /* Functions that are solved at a time: 4, 8 or 16; 0 means 8. The vectors of each thread take
+     * 56 bytes of the plan per unknown and function of a block. */
     int32_t block_width;
-    /* then HM_NOT_CONVERGED (HM_FAS: also when a residual has grown by a factor of 1000); 0 means
-     * 200; HM_FAS: 2000 cycles, or with one level 200000 steps */
+    /* The number of iterations after which the call ends with HM_NOT_CONVERGED (HM_FAS: also when a
+     * residual has grown by a factor of 1000); 0 means 200; HM_FAS: 2000 cycles, or with one level
+     * 200000 steps. */
     int32_t max_iterations;
-    /* [history_length] largest relative residual of all functions before the first iteration and
-     * after each, up to report.iterations. NULL: not wanted. The array must exist as long as the
-     * plan */
+    /* [history_length] receives the largest relative residual of all functions before the first
+     * iteration and after each, up to report.iterations. NULL: not wanted. The array must exist as
+     * long as the plan. */
     double* history;
     int32_t history_length;
     int32_t start; /* HM_START_...: HM_FAS only */
 } hm_study_options;
 
 /* ---- Diagnostics ---- */
+
+/* The phases that hm_progress reports: three of hm_analysis_init, two of hm_plan_factor, two of
+ * hm_plan_solve. */
+enum {
+    HM_PHASE_STRUCTURE = 0,
+    HM_PHASE_ORDERING = 1,
+    HM_PHASE_SYMBOLIC = 2,
+    HM_PHASE_ASSEMBLY = 3,
+    HM_PHASE_FACTOR = 4,
+    HM_PHASE_SOLVE = 5,
+    HM_PHASE_RESIDUAL = 6
+};
 
 typedef struct hm_mesh_report {
     uint64_t struct_size;
@@ -108,8 +122,8 @@ typedef struct hm_mesh_report {
     int32_t first_inverted;           /* the first inverted cell; -1: none */
     double min_area;                  /* [length^2] smallest signed corner area */
     double min_quality, mean_quality; /* [0..1] skew quality, see hm_assess */
-    /* cells that are divided into triangles, see hm_mesh; they are in neither `triangles` nor
-     * `quads` */
+    /* cells that are divided into triangles, see harmorph_space.h; they are in neither `triangles`
+     * nor `quads` */
     int32_t polygons, reserved;
 } hm_mesh_report;
 
@@ -128,16 +142,17 @@ HM_API hm_status hm_plan_level(const hm_plan* plan, int32_t level, int32_t* cell
 
 /* The conditions that the basis was solved with: out [capacity], with out[0].struct_size set; *n:
  * number of conditions, also if the capacity is too small (HM_BAD_ARGUMENT). Curves, conditions and
- * parameters together restore the problem, but for the curves `along` of boundaries with slip. */
+ * parameters together restore the problem, except for the curves `along` of boundaries with slip.
+ */
 HM_API hm_status hm_basis_conditions(const hm_basis* basis, hm_condition* out, int32_t capacity,
                                      int32_t* n, hm_error* err);
-/* values [n_points]: one of the numbers_per_value numbers of one function; function and number are
- * counted from 0. */
+/* Copies one of the numbers_per_value numbers of one function at all points to values [n_points];
+ * function and number are counted from 0. */
 HM_API hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t number,
                                  double* values, hm_error* err);
 
-/* Largest difference [length] on the curves between the displacement of the points, to - from, and
- * that of the B-spline. *point: where; point may be NULL. */
+/* The largest difference [length] on the curves between the displacement of the points, to - from,
+ * and that of the B-spline. *point: the point with this difference; point may be NULL. */
 HM_API hm_status hm_boundary_error(const hm_basis* basis, const double* move, const hm_points* from,
                                    const hm_points* to, double* error, int32_t* point,
                                    hm_error* err);

@@ -87,6 +87,7 @@ int main(void) {
     BEGINS(hm_safe_report);
     BEGINS(hm_improve_options);
     BEGINS(hm_improve_report);
+    BEGINS(hm_refit_report);
     BEGINS(hm_section);
     BEGINS(hm_quantity);
     BEGINS(hm_variables);

@@ -36,6 +36,8 @@ check "C: a wall that moves as a file says" \
     says "^coupling: 40 steps, 132 points of the wall, quality of at least 0[.][1-9]"
 check "Fortran, make run" by_make fortran
 cp "$log" "$log.kept"
+check "Fortran: a mesh from an SU2 file" \
+    says "^unstructured: 1 curve(s) fit the airfoil to [0-9.]*E-05, 0 inverted cells"
 check "Fortran: a mesh one cell thick" says "^one cell thick: 0 inverted cells, 0 points"
 check "Fortran: gradients" says "gradient by mesh points: relative difference to finite differences *[0-9.]*E-0[6-9]"
 check "Fortran: the target is found" says "pressure error: divided by [1-9][0-9][0-9]"

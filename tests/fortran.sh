@@ -47,7 +47,7 @@ done
 while read -r mode words; do check "stop: $words" stops $mode "$words"; done <<END
 one_iteration harmorph: plan%solve: HM_NOT_CONVERGED: [a-z]
 part_of_the_way harmorph: plan%morph_safe: HM_SHORT: the mesh could follow
-save_nothing harmorph: basis%save: HM_BAD_ARGUMENT: the basis is empty: there is nothing to save
+save_nothing harmorph: basis%save: HM_BAD_ARGUMENT: the basis is empty, so that there is nothing to save
 one_array_twice harmorph: mesh%points: HM_BAD_ARGUMENT: x and y are the same array
 assign_mesh a mesh cannot be assigned
 assign_plan a plan cannot be assigned
@@ -98,28 +98,53 @@ check "a copy in parentheses is refused" is_refused_by_compiler "double precisio
 stat_and_err_last() { ! tr '\n' '~' <"$build/harmorph.f90" | sed 's/&~ *//g' | tr '~' '\n' |
     grep -E '^ *subroutine .*\bstat\b' | grep -v 'stat, err)$'; }
 check "stat and err are the last arguments of every call" stat_and_err_last
-# The constants of the headers, for a comparison of their values in C and in the module.
 headers='include/harmorph.h include/harmorph_design.h include/harmorph_space.h include/harmorph_parts.h
     include/harmorph_study.h'
-constants=$(echo HM_ABI; cat $headers | sed -n '/^enum/,/};/p' | grep -o 'HM_[A-Z0-9_]* =' | cut -d ' ' -f 1)
-for name in $constants; do echo "PUT($name);"; done >"$dir/constants_c.inc"
-{
-    echo 'call compare_numbers("constants", 20, int([ &'
-    echo "$constants" | tr A-Z a-z | sed '$!s/$/, \&/; $s/$/ \&/'
-    echo '], c_int64_t))'
-} >"$dir/constants_f.inc"
-check "layout.c" $CC -I"$dir" -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude $CFLAGS -c tests/layout.c \
-    -o "$dir/layout_c.o"
-check "layout.f90" quietly $FC $strict $FFLAGS $checks -I"$dir/checked" -I"$dir" -J"$dir" -c tests/layout.f90 \
-    -o "$dir/layout.o"
-check "link of layout" $FC $FFLAGS "$dir/layout.o" "$dir/layout_c.o" "$dir/checked/harmorph.o" "$build/libharmorph.a" \
-    -o "$dir/layout"
-"$dir/layout" || fail layout
+# Structs and constants of the headers in a folder against those of a module that was made from these headers.
+compare_layouts() {   # folder that contains include/, folder of the module's objects
+    place=$2
+    (cd "$1" && awk -f "$OLDPWD/c_api/packaging/table.awk" $headers) >"$place/table"
+    for side in c fortran; do
+        awk -v layout=$side -f fortran/declarations.awk "$place/table" >"$place/layout_${side%ortran}.inc"
+    done
+    check "layout.c" $CC -I"$place" -std=c99 -pedantic -Wall -Wextra -Werror -I"$1/include" $CFLAGS -c tests/layout.c \
+        -o "$place/layout_c.o"
+    check "layout.f90" quietly $FC $strict $FFLAGS $checks -I"$place" -J"$place" -c tests/layout.f90 \
+        -o "$place/layout.o"
+    check "link of layout" $FC $FFLAGS "$place/layout.o" "$place/layout_c.o" "$place/harmorph.o" \
+        "$build/libharmorph.a" -o "$place/layout"
+    "$place/layout" || fail "$place/layout"
+}
+compare_layouts . "$dir/checked"
+# Read in another way, the headers have the same constants and structs.
+names_in_headers() {
+    cat $headers | sed -n '/^enum/,/};/p' | grep -o 'HM_[A-Z0-9_]* =' | sed 's/\(.*\) =/constant \1/'
+    sed -n 's/^typedef \(struct [a-z_]*\) {.*/\1/p' $headers
+}
+same_names() {
+    names_in_headers | sort >"$dir/names"
+    sed -n 's/^\(constant [^ ]*\).*/\1/p; /^struct/p' "$dir/checked/table" | grep -v HM_ABI | sort | diff "$dir/names" -
+}
+check "all constants and structs of the headers are compared" same_names
+# A new constant, and a new member in a reserved place, are one edit: that of the header.
+mkdir -p "$dir/edited"
+cp -R include "$dir/edited"
+awk '/HM_STRATEGY_IMPROVED = 4/ { sub(/= 4/, "= 4,\n    HM_STRATEGY_ADDED = 5") }
+    /^typedef struct hm_improve_options/ { in_options = 1 }
+    in_options && sub(/reserved;/, "added;") { in_options = 0 }
+    { print }' include/harmorph.h >"$dir/edited/include/harmorph.h"
+join_edited() { HEADERS=$dir/edited/include sh fortran/join.sh harmorph >"$dir/edited/harmorph.f90"; }
+check "the module of the edited header" join_edited
+check "the edited module" quietly $FC $strict $FFLAGS -O0 -J"$dir/edited" -c "$dir/edited/harmorph.f90" \
+    -o "$dir/edited/harmorph.o"
+compare_layouts "$dir/edited" "$dir/edited"
+has_both() { grep hm_strategy_added "$dir/edited/$1" && grep '\badded\b' "$dir/edited/$1"; }
+check "the new constant and member are in the module" has_both harmorph.f90
+check "the new constant and member are compared" has_both layout_f.inc
 
-# Functions that the headers have and the module has not. A constant that is missing stops the compilation of
-# layout.f90. hm_init sets the fields of C structs to 0; the components of the derived types have initial values
-# instead. The calls for meshes that no process has as a whole are made by harmorph_petsc.c, for which
-# harmorph_petsc.f90 is the module.
+# Every function of the headers must have an interface in the module, with two exceptions. hm_init sets the fields of C
+# structs to 0; the components of the derived types have initial values instead. harmorph_petsc.c makes the calls for
+# meshes that no process has as a whole; harmorph_petsc.f90 is the module for these.
 not_for_fortran='hm_init|hm_match_edges|hm_(part|equations|rows|field)_[a-z_]*'
 missing() {
     for name in $(sed -n 's/^HM_API .*[ *]\(hm_[a-z_]*\)(.*/\1/p' $headers | grep -vxE "$not_for_fortran"); do

@@ -32,8 +32,8 @@ cat >"$dir/expected" <<END
 ./lib/libharmorph.a
 ./lib/pkgconfig/harmorph.pc
 END
-for file in fortran/*.f90 harmorph.f90 harmorph77.f90 harmorph_mpi.f90 harmorph_mpi.c harmorph_petsc.c read_su2.c \
-    read_su2.h naca0012.su2; do
+for file in fortran/*.f90 harmorph.f90 harmorph77.f90 harmorph_mpi.f90 harmorph_petsc.f90 harmorph_mpi.c \
+    harmorph_petsc.c read_su2.c read_su2.h naca0012.su2; do
     echo "./share/harmorph/$(basename "$file")"
 done | sort >>"$dir/expected"
 echo ./share/man/man1/harmorph.1 >>"$dir/expected"
@@ -77,6 +77,12 @@ mv "$dir/first" "$dir/moved"
 check "use by pkg-config, moved" by_pkg_config "$dir/moved"
 check "use by find_package, moved" by_find_package "$dir/moved"
 check "a version to come is refused" version_refused "$dir/moved"
+
+# The library alone, without program and Fortran sources.
+check "make install-library" make_in "$build" install-library "" "$dir/library"
+check "use of the library alone by pkg-config" by_pkg_config "$dir/library"
+check "use of the library alone by find_package" by_find_package "$dir/library"
+check "neither program nor share" sh -c '[ "$(ls "$0" | tr "\n" " ")" = "include lib " ]' "$dir/library"
 
 # CMake by itself, without optimisation and debugging information, to be quick.
 check "cmake configures" cmake -S . -B "$dir/cmake" -DBUILD_TESTING=OFF -DCMAKE_BUILD_TYPE=None \

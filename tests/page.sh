@@ -212,7 +212,9 @@ while read -r word type quality points; do
         print "\nCELL_TYPES 1\n" type }' >"$tmp/cell.vtk"
     "$harmorph" check "$tmp/cell.vtk" --json >"$tmp/cells.json" 2>/dev/null
     if awk -v a="$quality" -v b="$(of_program min_quality)" 'BEGIN { exit !(b != "" && (a - b) ^ 2 <= 1e-24 * b * b) }'
-    then ok; else fail "a cell of type $type has the quality $quality on the page, $(of_program min_quality) by the program"; fi
+    then ok; else
+        fail "a cell of type $type has the quality $quality on the page, $(of_program min_quality) by the program"
+    fi
 done <"$tmp/cells"
 scripted design whole tests/page_design.js --window-size=1280,800
 explore "$meshes/block.su2" "$tmp/slip.basis" -o "$tmp/block.html" || fail "explore"

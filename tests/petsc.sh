@@ -39,7 +39,7 @@ run() {   # directory, processes, arguments: the program prints its counts
 compile_tests "$dir" petsc
 # The module is not optimised, which would take most of the time.
 check "harmorph.f90" $MPIFC -std=f2018 $FFLAGS -O0 -J"$dir" -c "$build/harmorph.f90" -o "$dir/harmorph_f.o"
-for source in "$build/harmorph_mpi.f90" fortran/harmorph_petsc.f90 fortran/read_su2.f90 fortran/examples/bfgs.f90 \
+for source in "$build/harmorph_mpi.f90" "$build/harmorph_petsc.f90" fortran/read_su2.f90 fortran/examples/bfgs.f90 \
     fortran/examples/stream_function.f90 fortran/examples/partitioned_flow.f90 \
     fortran/examples/partitioned.f90; do
     name=$(basename "$source" .f90)

@@ -1,4 +1,4 @@
-/* usage: coupling MESH.su2 MARKER <DISPLACEMENTS   The mesh follows displacements of wall points,
+/* usage: coupling MESH.su2 MARKER <DISPLACEMENTS   Moves the mesh by displacements of wall points,
  * one set for each time step, as a coupling library gives them. Here they are text: see bend.awk.
  */
 #include "read_su2.h"
@@ -71,5 +71,5 @@ int main(int argc, char** argv) {
     }
     printf("coupling: %d steps, %d points of the wall, quality of at least %.2f\n", steps, n,
            worst);
-    return steps == 0 || k > 0; /* k > 0: stopped within a step */
+    return steps == 0 || k > 0; /* k > 0: the input ended within a step */
 }

@@ -1,6 +1,7 @@
-/* An airfoil that pitches about its quarter chord, as a time-dependent solver moves it: 1000 steps,
- * two periods. Every mesh is made from the first one, so nothing adds up: at angle 0 the first mesh
- * is back, bit by bit. Mesh velocities are the same product on the control points' velocities. */
+/* Pitches an airfoil about its quarter chord, as a time-dependent solver does: 1000 steps, two
+ * periods. Every mesh is made from the first one, so errors do not accumulate: at angle 0 the first
+ * mesh is back, bit by bit. The velocities of the control points give those of the mesh points in
+ * the same way. */
 #include <harmorph.h>
 #include <math.h>
 #include <stdio.h>
@@ -28,7 +29,7 @@ static void check(hm_status status, const hm_error* error) {
     exit(1);
 }
 
-/* A structured O-mesh round an ellipse of chord 3.2. */
+/* A structured O-mesh around an ellipse of chord 3.2. */
 static void make_mesh(void) {
     for (int j = 0; j < NJ; ++j) {
         for (int i = 0; i < NI; ++i) {
@@ -43,8 +44,7 @@ static double angle_at(double step) {
     return amplitude * sin(two_pi * fmod(step, PERIOD) / PERIOD);
 }
 
-/* Control points turned by the angle, as movements from where they were; their velocities by the
- * angle's. */
+/* The movements of the control points that rotate them by the angle about the pivot. */
 static void turn(const double* control, double angle, double* move) {
     for (int i = 0; i < CONTROL; ++i) {
         double px = control[2 * i] - pivot, py = control[2 * i + 1];

@@ -1,5 +1,5 @@
-/* A solver with three dimensions and a mesh one cell thick in y: an O-mesh around an ellipse in the
- * plane x-z, twice. */
+/* Morphs a mesh of three dimensions that is one cell thick in y: an O-mesh around an ellipse in the
+ * plane x-z, and a copy of it. */
 #include <harmorph.h>
 #include <harmorph_space.h>
 #include <math.h>

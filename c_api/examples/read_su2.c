@@ -20,7 +20,7 @@ static int refuse(reader* from, const char* reason, const char* name) {
     return 1;
 }
 
-/* The next line that is neither empty nor a comment; 0 at the end of the file. */
+/* Reads the next line that is neither empty nor a comment. Returns 0 at the end of the file. */
 static int next_line(reader* from) {
     while (fgets(from->line, sizeof from->line, from->file) != NULL) {
         ++from->line_number;
@@ -38,7 +38,7 @@ static int need_line(reader* from, const char* what, int32_t k, int32_t n) {
     return refuse(from, "the file ends among the ", text);
 }
 
-/* What stands behind "key =", or NULL if the line is of another key. */
+/* Returns the text behind "key =", or NULL if the line has another key. */
 static const char* value_of(const char* line, const char* key) {
     size_t length = strlen(key);
     line += strspn(line, " \t");
@@ -55,7 +55,8 @@ static int read_count(reader* from, const char* value, int32_t* n) {
     return 0;
 }
 
-/* `more` numbers of so many bytes behind the n that there are; never NULL unless memory ended. */
+/* Makes room for `more` numbers, of so many bytes each, behind the first n. Returns NULL only if
+ * there is no memory. */
 static void* grown(void* array, size_t n, size_t more, size_t bytes) {
     return realloc(array, (n + more + 1) * bytes);
 }
@@ -100,7 +101,7 @@ static int read_points(reader* from, int32_t n, su2_mesh* mesh) {
     return 0;
 }
 
-/* The tag has been read; MARKER_ELEMS and the faces follow, in between perhaps SEND_TO. */
+/* Reads the rest of a marker, whose tag has been read: MARKER_ELEMS, perhaps SEND_TO, the faces. */
 static int read_marker(reader* from, const char* tag, su2_mesh* mesh) {
     char name[64] = "";
     const char* value = NULL;

@@ -1,10 +1,11 @@
-/* Reads two-dimensional meshes in SU2's format. Source to compile with your code, not a part of the
- * library; MIT licence.
+/* Reads two-dimensional meshes in the format of SU2. This is source to compile with your code, not
+ * a part of the library; MIT licence.
  *
- * Taken: NDIME= 2, NELEM with triangles (5) and quads (9), NPOIN, NMARK, MARKER_TAG, MARKER_ELEMS
- * with lines (3), in any order, comments (%), further numbers at the ends of lines. Left out:
- * markers of single points (1), as SEND_RECEIVE has them, and keywords of other kinds. Refused:
- * three dimensions, several zones, what is cut off or names points that the file has not. */
+ * The reader takes NDIME= 2, NELEM with triangles (5) and quads (9), NPOIN, NMARK, MARKER_TAG,
+ * MARKER_ELEMS with lines (3), in any order, comments (%), and further numbers at the ends of
+ * lines. It skips markers of single points (1), such as those of SEND_RECEIVE, and other keywords.
+ * It refuses three dimensions, several zones, files that are cut off, and points that do not exist.
+ */
 #ifndef READ_SU2_H
 #define READ_SU2_H
 
@@ -25,9 +26,9 @@ typedef struct su2_mesh { /* arrays by malloc; points count from 0 */
     char (*names)[64];     /* [n_markers] in the order of the file */
 } su2_mesh;
 
-/* 0; or 1, with the reason in message [256] and an empty mesh. */
+/* Returns 0; or 1, with the reason in message [256] and an empty mesh. */
 int read_su2(const char* file, su2_mesh* mesh, char* message);
-/* The number of a marker; -1: there is none of this name. */
+/* Returns the number of a marker; -1: there is none of this name. */
 int32_t su2_marker(const su2_mesh* mesh, const char* name);
 void free_su2(su2_mesh* mesh);
 

@@ -1,5 +1,5 @@
-/* usage: su2 MESH.su2 MARKER   Reads an SU2 mesh, fits a B-spline to a marker, and turns it by one
- * degree. */
+/* usage: su2 MESH.su2 MARKER   Reads an SU2 mesh, fits a B-spline to a marker, and rotates it by
+ * one degree. */
 #include "read_su2.h"
 #include <harmorph.h>
 #include <math.h>

@@ -1,4 +1,4 @@
-/* How the processes agree on a status, and lengths of what they send. */
+/* Agreement of the processes on a status, and the lengths of their messages. */
 #ifndef HARMORPH_MPI_AGREEMENT_H
 #define HARMORPH_MPI_AGREEMENT_H
 
@@ -32,11 +32,12 @@ static hm_status refuse_point(hm_error* err, const char* before, int32_t point, 
     return HM_BAD_ARGUMENT;
 }
 
-/* The worst status of all processes. If another process has it, the reason is in that process's
- * error. */
+/* The worst status of all processes. If another process has this status, the reason is in the error
+ * of that process. */
 static hm_status worst(hm_status own, hm_status of_all, hm_error* err) {
     if (of_all >= 0 || own < 0) return own < 0 ? of_all : own;
-    return refuse(err, of_all, "another process refused; its error has the reason");
+    return refuse(err, of_all,
+                  "another process refused the call; the error of that process has the reason");
 }
 
 static hm_status agree(hm_status own, MPI_Comm comm, hm_error* err) {
@@ -45,11 +46,10 @@ static hm_status agree(hm_status own, MPI_Comm comm, hm_error* err) {
     return worst(own, of_all, err);
 }
 
-/* Asks for at least one byte, so that NULL always means that there is no memory. */
+/* Allocates at least one byte, so that NULL always means that there is no memory. */
 static void* room_for(size_t n, size_t size) { return calloc(n > 0 ? n : 1, size); }
 
-/* Of each process: a length, and the start of that part when all parts are put one after the other.
- */
+/* For each process: a length, and the start of this part if all parts follow each other. */
 typedef struct lengths {
     int *count, *start;
     int64_t total;

@@ -1,11 +1,11 @@
-/* Lists of points of all processes on one of them, and fields at these points to and fro. */
+/* The lists of points of all processes on one process, and fields at these points. */
 #ifndef HARMORPH_MPI_GATHERING_H
 #define HARMORPH_MPI_GATHERING_H
 
 #include "agreement.h"
 
-/* A list of points on each process, all of them on root, and fields at these points that go to root
- * or come from there: pairs x,y of all lists, one list after the other. */
+/* Each process has a list of points, and root has all lists. Fields at these points are sent to
+ * root or received from root, as pairs x,y of all lists, one list after the other. */
 typedef struct gathering {
     MPI_Comm comm;
     MPI_Datatype pair;

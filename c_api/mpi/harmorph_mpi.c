@@ -1,4 +1,4 @@
-/* The calls of harmorph_mpi.h, and, of the folder mpi, what they are made of: compile this file
+/* The calls of harmorph_mpi.h. This file includes the other files of this folder: compile this file
  * alone. */
 #include "harmorph_mpi.h"
 #include <harmorph_parts.h>
@@ -30,14 +30,14 @@ hm_status hm_mpi_adjoint(const hm_basis* rows, const hm_points* dj, double* grad
                          const hm_executor* executor, MPI_Comm comm, hm_error* err) {
     hm_basis_info info = {sizeof info};
     int64_t* sums = NULL;
-    int32_t own[2] = {0, 0}, of_all[2] = {0, 0}; /* scale; minus the status: reduced by MPI_MAX */
+    int32_t own[2] = {0, 0}, of_all[2] = {0, 0}; /* scale and minus status, for MPI_MAX */
     int n = 0;
     hm_status status = hm_basis_info_get(rows, &info, err);
     if (status >= 0) {
         n = 4 * info.numbers_per_value * info.functions;
         sums = room_for((size_t)n, sizeof *sums);
         if (sums == NULL)
-            status = refuse(err, HM_BAD_ARGUMENT, "there is no memory for the adjoint's sums");
+            status = refuse(err, HM_BAD_ARGUMENT, "there is no memory for the sums of the adjoint");
     }
     if (status >= 0 && gradient == NULL) status = refuse(err, HM_BAD_ARGUMENT, "gradient is NULL");
     if (status >= 0) status = hm_adjoint_scale(rows, dj, &own[0], executor, err);

@@ -1,4 +1,4 @@
-/* Functions solved by one process go to the processes whose points they are at. */
+/* Exchange of rows: each process sends its functions to the processes that have the points. */
 #ifndef HARMORPH_MPI_ROWS_H
 #define HARMORPH_MPI_ROWS_H
 
@@ -8,7 +8,7 @@
 typedef struct row_exchange {
     MPI_Comm comm;
     int n_processes;
-    lengths lists, sent, received; /* numbers of points; of doubles sent and received */
+    lengths lists, sent, received; /* points, doubles sent, doubles received */
     int32_t* points;               /* the lists of all processes, one after the other */
     double *outgoing, *incoming;
 } row_exchange;
@@ -92,17 +92,17 @@ static hm_status pack(row_exchange* exchange, const hm_basis* share, hm_error* e
     return HM_OK;
 }
 
-/* Puts before the reason which process has sent what is refused. */
+/* Names the process that has sent the refused message, before the reason. */
 static void name_sender(hm_error* err, int rank) {
     char reason[sizeof err->text];
     if (err == NULL) return;
     memcpy(reason, err->text, sizeof reason);
-    snprintf(err->text, sizeof err->text, "from rank %d: %.*s", rank, (int)sizeof reason - 32,
-             reason);
+    snprintf(err->text, sizeof err->text, "the message from rank %d is refused: %.*s", rank,
+             (int)sizeof reason - 48, reason);
 }
 
-/* Unpacks in the order of ranks, which is that of the functions. If the own share has all
- * functions, the rows are solved already, and nothing is unpacked. */
+/* Unpacks the messages in the order of ranks, which is the order of the functions. If the share of
+ * this process has all functions, the rows are solved already, and nothing is unpacked. */
 static hm_status unpack(row_exchange* exchange, hm_basis* rows, hm_error* err) {
     int k;
     hm_basis_info info = {sizeof info};
@@ -114,7 +114,8 @@ static hm_status unpack(row_exchange* exchange, hm_basis* rows, hm_error* err) {
     }
     if (status >= 0) status = hm_basis_info_get(rows, &info, err);
     if (status < 0 || info.solved) return status;
-    return refuse(err, HM_BAD_BASIS, "the shares of all processes together are not all functions");
+    return refuse(err, HM_BAD_BASIS,
+                  "the shares of all processes together do not contain all functions");
 }
 
 static hm_status exchange_rows(row_exchange* exchange, hm_basis* rows, const hm_basis* share,

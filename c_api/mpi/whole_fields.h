@@ -1,12 +1,12 @@
-/* Given displacements of all processes together: what the process with the plan has of them. */
+/* Given displacements of all processes together, on the process that has the plan. */
 #ifndef HARMORPH_MPI_WHOLE_FIELDS_H
 #define HARMORPH_MPI_WHOLE_FIELDS_H
 
 #include <harmorph_study.h>
 #include "gathering.h"
 
-/* What root has of all processes together: fields at the wall's points and at all points of the
- * mesh, and memory. */
+/* The data of all processes on root: fields at the wall points and at all points of the mesh, and
+ * memory. */
 typedef struct whole_fields {
     gathering wall, mesh;
     int32_t n_points, index_base, n_fields;
@@ -20,7 +20,7 @@ typedef struct whole_fields {
 
 static int is_root(const whole_fields* whole) { return whole->mesh.rank == whole->mesh.root; }
 
-/* On root: memory, and are all points of the lists points of the mesh? */
+/* On root: takes memory, and checks that all points of the lists are points of the mesh. */
 static hm_status make_room(whole_fields* whole, const hm_plan* plan, int needs_all, hm_error* err) {
     const size_t n_fields = (size_t)whole->n_fields, n_wall = (size_t)whole->wall.lists.total;
     unsigned char* seen;
@@ -51,8 +51,8 @@ static hm_status make_room(whole_fields* whole, const hm_plan* plan, int needs_a
     for (k = 0; k < whole->n_points && missing < 0; ++k) missing = seen[k] ? -1 : k;
     free(seen);
     if (wrong >= 0)
-        return refuse_point(err, "a process has point ", whole->mesh.points[wrong],
-                            whole->index_base, ", which the mesh has not");
+        return refuse_point(err, "the list of a process has point ", whole->mesh.points[wrong],
+                            whole->index_base, ", which does not exist");
     if (!needs_all || missing < 0) return HM_OK;
     return refuse_point(err, "point ", (int32_t)missing + whole->index_base, whole->index_base,
                         " is in the list of no process");
@@ -69,8 +69,8 @@ static void free_whole(whole_fields* whole) {
     end_gathering(&whole->mesh);
 }
 
-/* Arguments that all processes must have alike, and arrays that must be there. Then the lists, and
- * memory on root. */
+/* Checks the arguments that must be the same on all processes, and that arrays are given. Then
+ * gathers the lists, and takes memory on root. */
 static hm_status begin_whole(whole_fields* whole, hm_plan* plan, int32_t n_wall,
                              const int32_t* wall_points, int32_t n_fields, int arrays_given,
                              int32_t n, const int32_t* points, int has_from, int32_t root,
@@ -95,7 +95,8 @@ static hm_status begin_whole(whole_fields* whole, hm_plan* plan, int32_t n_wall,
         status =
             refuse(err, HM_BAD_ARGUMENT, "an argument is NULL, or a number of points is negative");
     } else if ((plan != NULL) != (rank == root)) {
-        status = refuse(err, HM_BAD_ARGUMENT, "root must have a plan, and nobody else");
+        status = refuse(err, HM_BAD_ARGUMENT,
+                        "the process root must have a plan, and the other processes must not");
     }
     status = agree(status, comm, err);
     if (status >= 0) status = gather_points(&whole->wall, n_wall, wall_points, root, comm, err);
@@ -109,15 +110,17 @@ static double* field_of(double* all, int64_t n, int32_t field) {
     return all + 2 * (size_t)n * (size_t)field;
 }
 
-/* Root's status, a warning too, is that of all. */
+/* All processes return the status of root, also if it is a warning. */
 static hm_status as_root(const whole_fields* whole, hm_status own, hm_error* err) {
     hm_status of_root = own;
     MPI_Bcast(&of_root, 1, MPI_INT32_T, whole->mesh.root, whole->mesh.comm);
     if (is_root(whole) || of_root == HM_OK) return of_root;
-    return refuse(err, of_root, "see the error of the process that has the plan");
+    return refuse(
+        err, of_root,
+        "the process that has the plan refused the call; the error of that process has the reason");
 }
 
-/* Are there n_fields fields with arrays, where there are points? */
+/* True if all n_fields fields have arrays, or there are no points. */
 static int have_arrays(const hm_points* fields, int32_t n_fields, int32_t n) {
     int32_t k;
     if (fields == NULL) return 0;

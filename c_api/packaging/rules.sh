@@ -21,7 +21,9 @@ put() (
     cmp -s "$file.$$" "$file" || mv -f "$file.$$" "$file"
     rm -f "$file.$$"
 )
-for module in harmorph harmorph77 harmorph_mpi; do put $module.f90 sh fortran/join.sh $module; done
+for module in harmorph harmorph77 harmorph_mpi harmorph_petsc; do
+    put $module.f90 sh fortran/join.sh $module
+done
 for part in mpi petsc; do put harmorph_$part.c sh c_api/packaging/join.sh $part; done
 put page_text.cpp sh c_api/cli/page/embed.sh
 

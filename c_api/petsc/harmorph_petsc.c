@@ -1,5 +1,5 @@
-/* The calls of harmorph_petsc.h, and, of the folder petsc, what they are made of: compile this file
- * alone. */
+/* The calls of harmorph_petsc.h. This file includes the other files of this folder: compile this
+ * file alone. */
 #include "harmorph_petsc.h"
 #include <harmorph_parts.h>
 
@@ -14,7 +14,7 @@
 
 /* ---- Creation ---- */
 
-/* What needs no message. */
+/* The checks that need no message. */
 static hm_status begin_system(hm_petsc* made, hm_petsc** system, const hm_part_mesh* part,
                               MPI_Comm comm, hm_error* err) {
     PetscBool running = PETSC_FALSE;
@@ -28,7 +28,7 @@ static hm_status begin_system(hm_petsc* made, hm_petsc** system, const hm_part_m
     return take_part(made, part, err);
 }
 
-/* The part and the equations; a warning where points are far from their curve. */
+/* Makes the part and the equations. The status is a warning if points are far from their curve. */
 static hm_status fill_system(hm_petsc* made, const hm_problem* problem, const hm_options* options,
                              hm_error* err) {
     hm_edge *edges = NULL, *all = NULL;
@@ -103,7 +103,7 @@ hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, void* block, size_t 
                          hm_petsc_report* report, MPI_Comm comm, hm_error* err) {
     hm_petsc_report found = {sizeof found};
     hm_basis* made = NULL;
-    columns of;
+    columns wanted;
     hm_status status;
     if (comm == MPI_COMM_NULL) return refuse_argument(err, "the communicator is MPI_COMM_NULL");
     status = check_system(system, comm, err);
@@ -112,53 +112,54 @@ hm_status hm_petsc_solve(hm_petsc* system, hm_basis** rows, void* block, size_t 
     if (status >= 0) status = hm_rows_init(&made, block, bytes, system->equations, err);
     status = agree(status, comm, err);
     if (status < 0) return status;
-    memset(&of, 0, sizeof of);
-    of.system = system;
-    of.rows = made;
-    of.n = system->info.columns;
-    status = solve_all(&of, &found, err);
+    memset(&wanted, 0, sizeof wanted);
+    wanted.system = system;
+    wanted.rows = made;
+    wanted.n = system->info.columns;
+    status = solve_all(&wanted, &found, err);
     if (status >= 0) status = agree(hm_rows_finish(system->equations, made, 0, err), comm, err);
     if (status < 0) return status;
     *rows = made;
     return finish_report(system, &found, report, err);
 }
 
-/* Right-hand sides of one field. */
-static hm_status begin_field(columns* of, const hm_points_out* displacement, hm_error* err) {
-    const hm_petsc* const system = of->system;
+/* Makes the right-hand sides of one field. */
+static hm_status begin_field(columns* wanted, const hm_points_out* displacement, hm_error* err) {
+    const hm_petsc* const system = wanted->system;
     const size_t length = length_of_column(system) * (size_t)system->info.field_columns;
     hm_points given;
     if (displacement == NULL) return refuse_argument(err, "displacement is NULL");
-    of->n = system->info.field_columns;
-    of->work = room_for(2 * (size_t)system->mesh.n_points, sizeof *of->work);
-    of->numbers = room_for(2 * length, sizeof *of->numbers);
-    if (of->work == NULL || of->numbers == NULL) return no_memory(err);
-    of->residuals = of->numbers + length;
+    wanted->n = system->info.field_columns;
+    wanted->work = room_for(2 * (size_t)system->mesh.n_points, sizeof *wanted->work);
+    wanted->numbers = room_for(2 * length, sizeof *wanted->numbers);
+    if (wanted->work == NULL || wanted->numbers == NULL) return no_memory(err);
+    wanted->residuals = wanted->numbers + length;
     given.x = displacement->x;
     given.y = displacement->y;
     given.stride = displacement->stride;
-    return hm_field_init(system->equations, &given, of->work, of->numbers, err);
+    return hm_field_init(system->equations, &given, wanted->work, wanted->numbers, err);
 }
 
 hm_status hm_petsc_displace(hm_petsc* system, const hm_points_out* displacement,
                             hm_petsc_report* report, MPI_Comm comm, hm_error* err) {
     hm_petsc_report found = {sizeof found};
-    columns of;
+    columns wanted;
     hm_status status;
     if (comm == MPI_COMM_NULL) return refuse_argument(err, "the communicator is MPI_COMM_NULL");
-    memset(&of, 0, sizeof of);
-    of.system = system;
+    memset(&wanted, 0, sizeof wanted);
+    wanted.system = system;
     status = check_system(system, comm, err);
     if (status >= 0) status = check_report(report, err);
-    if (status >= 0) status = begin_field(&of, displacement, err);
+    if (status >= 0) status = begin_field(&wanted, displacement, err);
     status = agree(status, comm, err);
-    if (status >= 0) status = solve_all(&of, &found, err);
+    if (status >= 0) status = solve_all(&wanted, &found, err);
     if (status >= 0) {
-        status = agree(hm_field_finish(system->equations, of.work, of.numbers, displacement, err),
-                       comm, err);
+        status = agree(
+            hm_field_finish(system->equations, wanted.work, wanted.numbers, displacement, err),
+            comm, err);
     }
-    free(of.work);
-    free(of.numbers);
+    free(wanted.work);
+    free(wanted.numbers);
     return status < 0 ? status : finish_report(system, &found, report, err);
 }
 
@@ -170,7 +171,7 @@ hm_status hm_petsc_owned(const hm_petsc* system, uint8_t* owned, hm_error* err) 
     return HM_OK;
 }
 
-/* The smallest value of all processes, and which process has it. */
+/* The smallest value of all processes, and the process that has this value. */
 static void find_least(double* value, int* rank, MPI_Comm comm) {
     struct {
         double value;
@@ -183,7 +184,7 @@ static void find_least(double* value, int* rank, MPI_Comm comm) {
     *rank = of_all.rank;
 }
 
-/* Reports of this process become those of the whole mesh. */
+/* Replaces the reports of this process by those of the whole mesh. */
 static void reduce_reports(hm_step_report* step, hm_quality_report* quality, int32_t n_cells,
                            int ranks[2], MPI_Comm comm) {
     double sums[2];

@@ -1,4 +1,4 @@
-/* Records of a fixed size go to the processes that compare them, and answers come back. */
+/* Sends records of a fixed size to the processes that compare them, and receives answers. */
 #ifndef HARMORPH_PETSC_MAIL_H
 #define HARMORPH_PETSC_MAIL_H
 
@@ -8,9 +8,9 @@ typedef struct mail {
     MPI_Comm comm;
     int size;
     int *count, *start, *count_in,
-        *start_in; /* [size] records that go to, and come from, each process */
+        *start_in; /* [size] records sent to, and received from, each process */
     int64_t n, n_in;
-    int32_t* place; /* [n] where in the outgoing order a record stands */
+    int32_t* place; /* [n] the place of each record in the outgoing order */
     MPI_Datatype record;
 } mail;
 
@@ -25,15 +25,15 @@ static void end_mail(mail* post) {
     if (post->record != MPI_DATATYPE_NULL) MPI_Type_free(&post->record);
 }
 
-/* The process that compares all records with this key: without a table, and evenly for numbers in
- * any order. */
+/* The process that compares all records with this key. This needs no table and distributes numbers
+ * of any order evenly. */
 static int process_of(uint64_t key, int size) {
     key = (key ^ (key >> 33)) * 0xff51afd7ed558ccdu;
     key = (key ^ (key >> 33)) * 0xc4ceb9fe1a85ec53u;
     return (int)((key ^ (key >> 33)) % (uint64_t)size);
 }
 
-/* to [n]: the process that each record goes to. */
+/* to [n]: the process to which each record is sent. */
 static hm_status begin_mail(mail* post, MPI_Comm comm, int64_t n, const int* to, hm_error* err) {
     int64_t k;
     int p;
@@ -62,7 +62,7 @@ static hm_status begin_mail(mail* post, MPI_Comm comm, int64_t n, const int* to,
     return agree(post->n_in > INT_MAX ? no_memory(err) : HM_OK, comm, err);
 }
 
-/* Records [n] of `bytes` bytes, in the order of begin_mail; *in [n_in] is to be freed. */
+/* Sends records [n] of `bytes` bytes, in the order of begin_mail. The caller frees *in [n_in]. */
 static hm_status deliver(mail* post, const void* records, size_t bytes, void** in, hm_error* err) {
     int64_t k;
     char* const out = room_for((size_t)post->n, bytes);
@@ -83,7 +83,7 @@ static hm_status deliver(mail* post, const void* records, size_t bytes, void** i
     return status;
 }
 
-/* The way back: given [n_in], one answer for each record that came; answers [n] in the order of
+/* Sends back given [n_in], one answer for each received record; answers [n] has the order of
  * begin_mail. */
 static hm_status answer(mail* post, const int64_t* given, int64_t* answers, hm_error* err) {
     int64_t k, *in = room_for((size_t)post->n, sizeof *in);

@@ -1,4 +1,4 @@
-/* The matrix of the mesh: rows of PETSc, each on the process that owns the unknown. */
+/* The matrix of the mesh: PETSc has each row on the process that owns the unknown. */
 #ifndef HARMORPH_PETSC_MATRIX_H
 #define HARMORPH_PETSC_MATRIX_H
 
@@ -6,9 +6,9 @@
 #include "scalars.h"
 
 typedef struct numbering {
-    int64_t* row;   /* [unknowns] of this process: in the whole matrix, counted in unknowns */
+    int64_t* row;   /* [unknowns of this process] row in the whole matrix, in unknowns */
     int64_t* owner; /* [unknowns] the process that has the row */
-    PetscInt* rows; /* [unknowns] row, as PETSc counts */
+    PetscInt* rows; /* [unknowns] row in scalars of PETSc */
 } numbering;
 
 static hm_status number_unknowns(hm_petsc* system, numbering* rows, hm_error* err) {
@@ -31,8 +31,9 @@ static hm_status number_unknowns(hm_petsc* system, numbering* rows, hm_error* er
         MPI_Allreduce(&own, &system->unknowns, 1, MPI_INT64_T, MPI_SUM, system->comm);
         for (k = 0; k < n; ++k) rows->row[k] = rows->owner[k] == system->rank ? first++ : -1;
         if (system->unknowns > (int64_t)PETSC_MAX_INT / system->width) {
-            status = refuse(err, HM_UNSUPPORTED, -1,
-                            "more unknowns than PETSc's integers count: use 64-bit integers");
+            status = refuse(err, HM_UNSUPPORTED,
+                            "the mesh has more unknowns than the integers of PETSc count: use a "
+                            "PETSc with 64-bit integers");
         } else {
             system->own_rows = (PetscInt)own * system->width;
         }
@@ -56,14 +57,15 @@ static PetscErrorCode make_scatter(hm_petsc* system, const numbering* rows) {
     return VecDestroy(&global);
 }
 
-/* The sums over all processes of what each has in system->local. */
+/* Adds system->local of all processes. */
 static PetscErrorCode sum_up(const hm_petsc* system, Vec sum) {
     TRY(VecZeroEntries(sum));
     TRY(VecScatterBegin(system->to_local, system->local, sum, ADD_VALUES, SCATTER_REVERSE));
     return VecScatterEnd(system->to_local, system->local, sum, ADD_VALUES, SCATTER_REVERSE);
 }
 
-/* Entries of some unknowns with themselves and later ones: a window that wanders over the part. */
+/* The entries of some unknowns with themselves and later ones: a window that moves over the part.
+ */
 enum { WINDOW = 4096 };
 
 typedef struct window {
@@ -78,7 +80,7 @@ static void end_window(window* at) {
     free(at->values);
 }
 
-/* Room for the largest window. */
+/* Takes memory for the largest window. */
 static hm_status make_window(const hm_petsc* system, window* at, hm_error* err) {
     const int32_t bs = system->info.numbers;
     int32_t first, n;
@@ -87,7 +89,7 @@ static hm_status make_window(const hm_petsc* system, window* at, hm_error* err) 
         int64_t count = 0;
         n = system->info.unknowns - first < WINDOW ? system->info.unknowns - first : WINDOW;
         hm_equations_entries(system->equations, first, n, NULL, NULL, NULL, 0, &count,
-                             NULL); /* counts */
+                             NULL); /* only counts */
         if (count > at->capacity) at->capacity = count;
     }
     at->row = room_for((size_t)at->capacity, sizeof *at->row);
@@ -96,7 +98,7 @@ static hm_status make_window(const hm_petsc* system, window* at, hm_error* err) 
     return at->row == NULL || at->column == NULL || at->values == NULL ? no_memory(err) : HM_OK;
 }
 
-/* Moves on: *first is that of the next window on return. 0 at the end. */
+/* Moves to the next window, whose first unknown is then *first. Returns 0 at the end. */
 static int next_window(const hm_petsc* system, window* at, int32_t* first) {
     const int32_t n =
         system->info.unknowns - *first < WINDOW ? system->info.unknowns - *first : WINDOW;
@@ -107,8 +109,8 @@ static int next_window(const hm_petsc* system, window* at, int32_t* first) {
     return 1;
 }
 
-/* Adds up in system->local how many entries this part has in each row. elsewhere: those in columns
- * of other processes than the row's owner. */
+/* Counts in system->local the entries that this part has in each row. With `elsewhere`, counts
+ * those in columns of other processes than the owner of the row. */
 static PetscErrorCode count_entries(const hm_petsc* system, const numbering* rows, window* at,
                                     int elsewhere) {
     const PetscInt bs = system->width;
@@ -131,7 +133,7 @@ static PetscErrorCode count_entries(const hm_petsc* system, const numbering* row
     return VecRestoreArray(system->local, &count);
 }
 
-/* Entries of each row: at most, as edges between parts count twice. */
+/* An upper bound for the entries of each row, as edges between parts count twice. */
 static PetscErrorCode preallocate(const hm_petsc* system, const numbering* rows, window* at) {
     const PetscInt n = system->own_rows, others = (PetscInt)system->unknowns * system->width - n;
     PetscInt k, *counts;
@@ -158,7 +160,7 @@ static PetscErrorCode preallocate(const hm_petsc* system, const numbering* rows,
     return VecDestroy(&all);
 }
 
-/* The entries of this part, added in blocks, and their transposes. */
+/* Adds the entries of this part in blocks, and their transposes. */
 static PetscErrorCode add_entries(const hm_petsc* system, const numbering* rows, window* at) {
     const int32_t numbers = system->info.numbers;
     int64_t e;
@@ -195,7 +197,7 @@ static PetscErrorCode fill_matrix(hm_petsc* system, const numbering* rows, windo
 #endif
 }
 
-/* system->matrix, local, to_local. */
+/* Makes system->matrix, local and to_local. */
 static hm_status make_matrix(hm_petsc* system, hm_error* err) {
     const size_t n = (size_t)system->info.unknowns;
     numbering rows;

@@ -1,4 +1,4 @@
-/* Points and unknowns that several processes have belong to one of them each. */
+/* Each point and unknown that several processes have belongs to one of them. */
 #ifndef HARMORPH_PETSC_OWNERS_H
 #define HARMORPH_PETSC_OWNERS_H
 
@@ -6,11 +6,11 @@
 
 enum { GHOST = 0, ON_BORDER = 1, INSIDE = 2 };
 
-typedef struct named { /* a point or an unknown, as one process has it */
+typedef struct named { /* a point or an unknown of one process */
     int64_t name;
-    double x, y;           /* of points; 0 of unknowns */
+    double x, y;           /* coordinates of a point; 0 for unknowns */
     int32_t role, process; /* GHOST, ... */
-    int64_t index;         /* where the record stands among those that came */
+    int64_t index;         /* place among the received records */
 } named;
 
 typedef struct directory { /* the part of all records that this process compares */
@@ -25,8 +25,8 @@ static int by_name(const void* a, const void* b) {
     return p->process != q->process ? (p->process < q->process ? -1 : 1) : 0;
 }
 
-/* Of each group of equal names: the owner is the first process that has more than a ghost. owner
- * [n] by index. */
+/* The owner of a group of equal names is the first process whose record is not a ghost. owner [n]
+ * is ordered by index. */
 static hm_status find_owners(named* records, int64_t n, int64_t* owner, hm_error* err) {
     int64_t k, next;
     qsort(records, (size_t)n, sizeof *records, by_name);
@@ -35,21 +35,18 @@ static hm_status find_owners(named* records, int64_t n, int64_t* owner, hm_error
         for (next = k; next < n && records[next].name == records[k].name; ++next) {
             const named* const one = &records[next];
             if (one->x != records[k].x || one->y != records[k].y) {
-                return refuse(
-                    err, HM_BAD_MESH, one->name,
-                    "a point has different coordinates in two parts (item: its global number)");
+                return refuse_point(err, one->name, "has different coordinates in two parts");
             }
             if (one->role == GHOST) continue;
             if (first >= 0 && (one->role == INSIDE || records[first].role == INSIDE)) {
-                return refuse(
-                    err, HM_BAD_MESH, one->name,
-                    "a point is inside two parts: global numbers are wrong (item: the number)");
+                return refuse_point(err, one->name,
+                                    "is inside two parts, so that global numbers must be wrong");
             }
             if (first < 0) first = next;
         }
         if (first < 0) {
-            return refuse(err, HM_BAD_MESH, records[k].name,
-                          "a ghost point is in no own cell of any part (item: its global number)");
+            return refuse_point(err, records[k].name,
+                                "is in ghost cells, but in no own cell of any part");
         }
         for (other = k; other < next; ++other) owner[records[other].index] = records[first].process;
     }
@@ -67,7 +64,7 @@ static void end_directory(directory* names) {
     free(names->answers);
 }
 
-/* owner [n] of each record. */
+/* Finds owner [n] of each record. */
 static hm_status look_up(directory* names, MPI_Comm comm, int64_t n, const named* records,
                          int64_t* owner, hm_error* err) {
     int *to = room_for((size_t)n, sizeof *to), size;
@@ -93,7 +90,8 @@ static hm_status look_up(directory* names, MPI_Comm comm, int64_t n, const named
     return status;
 }
 
-/* After look_up. number [n]: in, of records that this process owns, -1 elsewhere; out, of all. */
+/* Called after look_up. number [n] contains numbers of the records that this process owns, and -1
+ * for others; on return it contains the numbers of all records. */
 static hm_status spread(directory* names, int64_t* number, hm_error* err) {
     int64_t k, next, other, *came = NULL;
     void* in = NULL;

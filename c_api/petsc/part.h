@@ -1,5 +1,4 @@
-/* The system of a process, and its first half: the part of the mesh, and the boundary of all parts.
- */
+/* The system of a process. This file makes the part of the mesh and the boundary of all parts. */
 #ifndef HARMORPH_PETSC_PART_H
 #define HARMORPH_PETSC_PART_H
 
@@ -22,12 +21,12 @@ struct hm_petsc {
     int32_t boundary_edges;
     uint64_t bytes;
 
-    PetscInt width;    /* scalars of PETSc that an unknown has: see scalars.h */
-    PetscInt own_rows; /* of this process, in scalars */
-    int64_t unknowns;  /* of all processes */
+    PetscInt width;    /* scalars of PETSc for each unknown, see scalars.h */
+    PetscInt own_rows; /* rows of this process, in scalars */
+    int64_t unknowns;  /* number of unknowns of all processes */
     Mat matrix;
     KSP solver;
-    Vec local; /* [unknowns * width] of this process */
+    Vec local; /* [unknowns of this process * width] */
     VecScatter to_local;
 };
 
@@ -44,7 +43,7 @@ static hm_status take_part(hm_petsc* system, const hm_part_mesh* part, hm_error*
                                                          : sizeof system->mesh);
     system->part_mesh.mesh = &system->mesh;
     if (system->mesh.n_points == 0 && system->mesh.n_cells == 0) {
-        return refuse(err, HM_BAD_MESH, -1,
+        return refuse(err, HM_BAD_MESH,
                       "this process has no cells: make a communicator of the processes that have "
                       "(MPI_Comm_split)");
     }
@@ -56,7 +55,7 @@ static hm_status take_part(hm_petsc* system, const hm_part_mesh* part, hm_error*
     return hm_part_init(&system->part, system->part_block, bytes, &system->part_mesh, err);
 }
 
-/* edges [n] of this part; to be freed. */
+/* Makes edges [n] of this part, which the caller frees. */
 static hm_status take_edges(const hm_petsc* system, hm_edge** edges, int32_t* n, hm_error* err) {
     hm_part_edges(system->part, NULL, 0, n, NULL);
     *edges = room_for((size_t)*n, sizeof **edges);
@@ -69,9 +68,9 @@ static int by_number(const void* a, const void* b) {
     return p < q ? -1 : p > q;
 }
 
-/* The points of own and ghost cells, by the role that each has here: records [returned], point
- * [returned]. role [points] is that of hm_part_points; border [n_border]: global numbers of the
- * ends of edges with one own cell, sorted. */
+/* The points of own and ghost cells, with the role that each has here: records [returned], point
+ * [returned]. role [points] is that of hm_part_points; border [n_border] contains the sorted global
+ * numbers of the ends of edges with one own cell. */
 static int64_t list_points(const hm_petsc* system, const uint8_t* role, const int64_t* border,
                            size_t n_border, named* records, int32_t* point) {
     const int64_t stride = system->mesh.points.stride == 0 ? 1 : system->mesh.points.stride;
@@ -94,7 +93,7 @@ static int64_t list_points(const hm_petsc* system, const uint8_t* role, const in
     return n;
 }
 
-/* system->owned: 1 at points that belong to this process. */
+/* Sets system->owned to 1 at points that belong to this process. */
 static hm_status own_points(hm_petsc* system, const hm_edge* edges, int32_t n_edges,
                             hm_error* err) {
     const size_t n = (size_t)system->mesh.n_points;
@@ -112,7 +111,8 @@ static hm_status own_points(hm_petsc* system, const hm_edge* edges, int32_t n_ed
     }
     if (status >= 0) {
         system->bytes += n;
-        status = hm_part_points(system->part, system->owned, err); /* for the time being, roles */
+        status =
+            hm_part_points(system->part, system->owned, err); /* contains roles until the end */
     }
     status = agree(status, system->comm, err);
     if (status >= 0) {
@@ -134,7 +134,7 @@ static hm_status own_points(hm_petsc* system, const hm_edge* edges, int32_t n_ed
     return status;
 }
 
-/* edges [left] of this process go to all: *all [*n_all], to be freed. */
+/* Sends edges [left] of this process to all processes. The caller frees *all [*n_all]. */
 static hm_status gather_edges(const hm_petsc* system, mail* post, const void* edges, int64_t left,
                               hm_edge** all, int32_t* n_all, hm_error* err) {
     int *counts = room_for(2 * (size_t)system->size, sizeof *counts), own = (int)left, p;
@@ -158,8 +158,8 @@ static hm_status gather_edges(const hm_petsc* system, mail* post, const void* ed
     return status;
 }
 
-/* edges [n] of all processes are compared, each pair on one of them; *all [*n_all], to be freed,
- * are those that are left, the same on all processes. */
+/* Compares edges [n] of all processes, each pair on one of them. *all [*n_all], which the caller
+ * frees, receives those that are left, the same on all processes. */
 static hm_status gather_boundary(const hm_petsc* system, const hm_edge* edges, int32_t n,
                                  hm_edge** all, int32_t* n_all, hm_error* err) {
     mail post;

@@ -1,4 +1,4 @@
-/* The equations of a part, and the check that all processes ask for the same. */
+/* The equations of a part, and the check that the problem is the same on all processes. */
 #ifndef HARMORPH_PETSC_PROBLEM_H
 #define HARMORPH_PETSC_PROBLEM_H
 
@@ -23,7 +23,7 @@ static hm_status make_equations(hm_petsc* system, const hm_edge* edges, int32_t 
     return known < 0 ? known : status;
 }
 
-/* A checksum of what was read: FNV-1a. */
+/* The FNV-1a checksum of the data that were read. */
 static uint64_t add_bytes(uint64_t sum, const void* data, size_t bytes) {
     const unsigned char* const byte = data;
     size_t k;
@@ -78,18 +78,18 @@ static uint64_t add_options(uint64_t sum, const hm_options* options) {
                      sizeof known.tolerance);
 }
 
-/* After make_equations, which has examined them. */
+/* Called after make_equations, which has checked curves, conditions and options. */
 static hm_status compare_problems(const hm_petsc* system, const hm_problem* problem,
                                   const hm_options* options, hm_error* err) {
     const uint64_t start = 0xcbf29ce484222325u;
     const uint64_t sum =
         add_options(add_conditions(add_curves(start, problem->curves), problem), options);
-    uint64_t bounds[2]; /* the least of sum, and of its complement */
+    uint64_t bounds[2]; /* the smallest sum and complement of a sum */
     bounds[0] = sum;
     bounds[1] = ~sum;
     MPI_Allreduce(MPI_IN_PLACE, bounds, 2, MPI_UINT64_T, MPI_MIN, system->comm);
     if (bounds[0] == ~bounds[1]) return HM_OK;
-    return refuse(err, HM_BAD_CONDITION, -1,
+    return refuse(err, HM_BAD_CONDITION,
                   "curves, conditions or options are not the same on all processes");
 }
 

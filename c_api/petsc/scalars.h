@@ -1,5 +1,6 @@
-/* Numbers of the core and scalars of PETSc: with real scalars an unknown a + i b of the conformal
- * operator is a, b; with complex scalars it is one, and a real unknown has the imaginary part 0. */
+/* Numbers of the core and scalars of PETSc. With real scalars an unknown a + i b of the conformal
+ * operator is two scalars a, b; with complex scalars it is one scalar, and a real unknown has the
+ * imaginary part 0. */
 #ifndef HARMORPH_PETSC_SCALARS_H
 #define HARMORPH_PETSC_SCALARS_H
 
@@ -12,7 +13,7 @@ static PetscInt scalars_of_unknown(int32_t numbers) {
     return 1;
 }
 
-/* numbers [unknowns * info.numbers] as scalars, and back. */
+/* Convert numbers [unknowns * info.numbers] to scalars, and back. */
 static void to_scalars(const hm_petsc* system, const double* numbers, PetscScalar* scalar) {
     const int32_t n = system->info.numbers;
     int64_t k;

@@ -1,14 +1,14 @@
-/* Several right-hand sides: PETSc solves, residuals of the core refine. */
+/* Several right-hand sides: PETSc solves, and residuals of the core refine the solutions. */
 #ifndef HARMORPH_PETSC_SOLUTION_H
 #define HARMORPH_PETSC_SOLUTION_H
 
 #include <harmorph_parts.h>
 #include "matrix.h"
 
-/* On the way down BoomerAMG relaxes forwards, on the way up backwards: a cycle is symmetric, as CG
- * needs it, for half the work of PETSc's default, which relaxes both ways each time. PETSc takes
- * this from its options alone: they are set for this solver where the user has not chosen, and
- * taken away again. */
+/* BoomerAMG relaxes forwards towards coarser levels and backwards towards finer levels: a cycle is
+ * then symmetric, as CG needs it, for half the work of the default of PETSc, which relaxes in both
+ * directions each time. Only options of PETSc can choose this: they are set for this solver unless
+ * the user has chosen, and removed again. */
 enum { RELAXATIONS = 2 };
 static const char* const relaxation[RELAXATIONS][2] = {
     {"-hm_pc_hypre_boomeramg_relax_type_down", "l1-Gauss-Seidel"},
@@ -47,13 +47,12 @@ static PetscErrorCode make_solver(hm_petsc* system) {
     return set_options(system->solver);
 }
 
-/* What the columns are, and what becomes of their values: functions, or one field of displacements.
- */
+/* The columns and the place of their values: functions, or one field of displacements. */
 typedef struct columns {
     hm_petsc* system;
     int32_t n;
-    hm_basis* rows;                     /* of functions; NULL: a field */
-    double *work, *numbers, *residuals; /* of a field: see hm_field_init */
+    hm_basis* rows;                     /* for functions; NULL: a field */
+    double *work, *numbers, *residuals; /* for a field, see hm_field_init */
     double* column;                     /* [unknowns * info.numbers] */
 } columns;
 
@@ -61,32 +60,37 @@ static size_t length_of_column(const hm_petsc* system) {
     return (size_t)system->info.unknowns * (size_t)system->info.numbers;
 }
 
-/* of->column becomes the right-hand side of this part. */
-static hm_status get_column(const columns* of, int32_t column, hm_error* err) {
-    const size_t length = length_of_column(of->system);
-    if (of->rows != NULL)
-        return hm_rows_get(of->system->equations, of->rows, column, of->column, err);
-    memcpy(of->column, of->numbers + (size_t)column * length, length * sizeof *of->column);
+/* Puts the right-hand side of this part into wanted->column. */
+static hm_status get_column(const columns* wanted, int32_t column, hm_error* err) {
+    const size_t length = length_of_column(wanted->system);
+    if (wanted->rows != NULL)
+        return hm_rows_get(wanted->system->equations, wanted->rows, column, wanted->column, err);
+    memcpy(wanted->column, wanted->numbers + (size_t)column * length,
+           length * sizeof *wanted->column);
     return HM_OK;
 }
 
-/* of->column: in, values of the unknowns; out, the residual of this part. */
-static hm_status set_column(const columns* of, int32_t column, hm_error* err) {
-    hm_petsc* const system = of->system;
+/* wanted->column contains values of the unknowns, and receives the residual of this part. */
+static hm_status set_column(const columns* wanted, int32_t column, hm_error* err) {
+    hm_petsc* const system = wanted->system;
     const size_t length = length_of_column(system);
     hm_status status;
-    if (of->rows != NULL) {
-        status = hm_rows_set(system->equations, of->rows, column, of->column, err);
-        return status < 0 ? status
-                          : hm_rows_residual(system->equations, of->rows, column, of->column, err);
+    if (wanted->rows != NULL) {
+        status = hm_rows_set(system->equations, wanted->rows, column, wanted->column, err);
+        return status < 0
+                   ? status
+                   : hm_rows_residual(system->equations, wanted->rows, column, wanted->column, err);
     }
-    memcpy(of->numbers + (size_t)column * length, of->column, length * sizeof *of->column);
-    status = hm_field_residual(system->equations, of->work, of->numbers, of->residuals, err);
-    memcpy(of->column, of->residuals + (size_t)column * length, length * sizeof *of->column);
+    memcpy(wanted->numbers + (size_t)column * length, wanted->column,
+           length * sizeof *wanted->column);
+    status =
+        hm_field_residual(system->equations, wanted->work, wanted->numbers, wanted->residuals, err);
+    memcpy(wanted->column, wanted->residuals + (size_t)column * length,
+           length * sizeof *wanted->column);
     return status;
 }
 
-typedef struct progress { /* of one column */
+typedef struct progress { /* the progress of one column */
     double change, ratio, error;
     int solutions;
     PetscInt iterations;
@@ -95,8 +99,7 @@ typedef struct progress { /* of one column */
 
 enum { MOST_SOLUTIONS = 8, MOST_AT_ONCE = 16 };
 
-/* The error that is left, estimated from the last correction and by how much corrections have
- * shrunk. */
+/* Estimates the remaining error from the last correction and the ratio of the last corrections. */
 static void judge(progress* column, double change, double tolerance) {
     const double ratio = column->change > 0 ? change / column->change : 1;
     if (column->solutions > 1 && ratio > column->ratio) column->ratio = ratio;
@@ -106,11 +109,11 @@ static void judge(progress* column, double change, double tolerance) {
     column->change = change;
 }
 
-typedef struct solution { /* of a block of columns */
+typedef struct solution { /* a block of columns */
     Mat b, dx, x;         /* dense, `width` columns */
     PetscInt width;
     int32_t first, n;
-    int direct; /* all columns at once */
+    int direct; /* 1: all columns are solved at once */
     progress at[MOST_AT_ONCE];
     hm_status status;
 } solution;
@@ -144,22 +147,23 @@ static PetscErrorCode solve_one(const hm_petsc* system, solution* now, int32_t k
     return MatDenseRestoreColumnVecRead(now->b, k, &b);
 }
 
-/* of->column of all processes together is column k of b. */
-static PetscErrorCode send_column(const columns* of, const solution* now, int32_t k) {
-    const hm_petsc* const system = of->system;
+/* Makes column k of b from wanted->column of all processes. */
+static PetscErrorCode send_column(const columns* wanted, const solution* now, int32_t k) {
+    const hm_petsc* const system = wanted->system;
     PetscScalar* local;
     Vec b;
     TRY(VecGetArray(system->local, &local));
-    to_scalars(system, of->column, local);
+    to_scalars(system, wanted->column, local);
     TRY(VecRestoreArray(system->local, &local));
     TRY(MatDenseGetColumnVecWrite(now->b, k, &b));
     TRY(sum_up(system, b));
     return MatDenseRestoreColumnVecWrite(now->b, k, &b);
 }
 
-/* x += dx; of->column receives the values that this process has. */
-static PetscErrorCode receive_column(const columns* of, solution* now, int32_t k, double* change) {
-    const hm_petsc* const system = of->system;
+/* Adds dx to x; wanted->column receives the values of this process. */
+static PetscErrorCode receive_column(const columns* wanted, solution* now, int32_t k,
+                                     double* change) {
+    const hm_petsc* const system = wanted->system;
     const PetscScalar* local;
     PetscReal correction, size;
     Vec dx, x;
@@ -173,38 +177,38 @@ static PetscErrorCode receive_column(const columns* of, solution* now, int32_t k
     TRY(MatDenseRestoreColumnVec(now->x, k, &x));
     TRY(MatDenseRestoreColumnVecRead(now->dx, k, &dx));
     TRY(VecGetArrayRead(system->local, &local));
-    to_numbers(system, local, of->column);
+    to_numbers(system, local, wanted->column);
     TRY(VecRestoreArrayRead(system->local, &local));
     *change = size > 0 ? correction / size : 0;
     return 0;
 }
 
-/* After a solution: the values go to the rows, and b becomes the residual. */
-static PetscErrorCode take_over(const columns* of, solution* now, int32_t k, hm_error* err) {
+/* Called after a solution: stores the values, and makes b the residual. */
+static PetscErrorCode take_over(const columns* wanted, solution* now, int32_t k, hm_error* err) {
     double change = 0;
     hm_status status;
-    TRY(receive_column(of, now, k, &change));
-    status = set_column(of, now->first + k, err);
+    TRY(receive_column(wanted, now, k, &change));
+    status = set_column(wanted, now->first + k, err);
     if (status < 0) now->status = status;
-    TRY(send_column(of, now, k));
+    TRY(send_column(wanted, now, k));
     ++now->at[k].solutions;
-    judge(&now->at[k], change, of->system->tolerance);
+    judge(&now->at[k], change, wanted->system->tolerance);
     return 0;
 }
 
-/* Columns first .. first + n - 1. What ends the loop is the same on all processes: norms, and the
- * agreed status. */
-static PetscErrorCode solve_columns(const columns* of, solution* now, hm_error* err) {
-    const hm_petsc* const system = of->system;
+/* Solves for the columns first .. first + n - 1. The loop ends at the same time on all processes,
+ * as norms and the agreed status are the same. */
+static PetscErrorCode solve_columns(const columns* wanted, solution* now, hm_error* err) {
+    const hm_petsc* const system = wanted->system;
     int32_t k;
     int going = 1;
     memset(now->at, 0, sizeof now->at);
     TRY(MatZeroEntries(now->x));
     TRY(MatZeroEntries(now->b));
     for (k = 0; k < now->n; ++k) {
-        const hm_status status = get_column(of, now->first + k, err);
+        const hm_status status = get_column(wanted, now->first + k, err);
         if (status < 0) now->status = status;
-        TRY(send_column(of, now, k));
+        TRY(send_column(wanted, now, k));
     }
     while (now->status = agree(now->status, system->comm, err), going && now->status >= 0) {
         going = 0;
@@ -212,7 +216,7 @@ static PetscErrorCode solve_columns(const columns* of, solution* now, hm_error* 
         for (k = 0; k < now->n; ++k) {
             if (now->at[k].done) continue;
             if (!now->direct) TRY(solve_one(system, now, k));
-            TRY(take_over(of, now, k, err));
+            TRY(take_over(wanted, now, k, err));
             going = going || !now->at[k].done;
         }
     }
@@ -230,55 +234,55 @@ static void include(hm_petsc_report* report, const solution* now) {
     }
 }
 
-static PetscErrorCode solve_blocks(const columns* of, solution* now, hm_petsc_report* report,
+static PetscErrorCode solve_blocks(const columns* wanted, solution* now, hm_petsc_report* report,
                                    hm_error* err) {
-    const hm_petsc* const system = of->system;
+    const hm_petsc* const system = wanted->system;
     const PetscInt all = (PetscInt)system->unknowns * system->width;
     PetscBool direct = PETSC_FALSE;
-    if (of->n == 0 || all == 0) return 0;
+    if (wanted->n == 0 || all == 0) return 0;
     TRY(PetscObjectTypeCompare((PetscObject)system->solver, KSPPREONLY, &direct));
     now->direct = direct;
-    now->width = !direct ? 1 : of->n < MOST_AT_ONCE ? of->n : MOST_AT_ONCE;
+    now->width = !direct ? 1 : wanted->n < MOST_AT_ONCE ? wanted->n : MOST_AT_ONCE;
     TRY(MatCreateDense(system->comm, system->own_rows, PETSC_DECIDE, all, now->width, NULL,
                        &now->b));
     TRY(MatDuplicate(now->b, MAT_DO_NOT_COPY_VALUES, &now->dx));
     TRY(MatDuplicate(now->b, MAT_DO_NOT_COPY_VALUES, &now->x));
     TRY(MatZeroEntries(now->dx));
-    for (now->first = 0; now->first < of->n && now->status >= 0;
+    for (now->first = 0; now->first < wanted->n && now->status >= 0;
          now->first += (int32_t)now->width) {
-        now->n = of->n - now->first < now->width ? of->n - now->first : (int32_t)now->width;
-        TRY(solve_columns(of, now, err));
+        now->n = wanted->n - now->first < now->width ? wanted->n - now->first : (int32_t)now->width;
+        TRY(solve_columns(wanted, now, err));
         include(report, now);
     }
     return 0;
 }
 
-/* Solves for all columns; the same status on all processes. */
-static hm_status solve_all(columns* of, hm_petsc_report* report, hm_error* err) {
-    const hm_petsc* const system = of->system;
+/* Solves for all columns. The status is the same on all processes. */
+static hm_status solve_all(columns* wanted, hm_petsc_report* report, hm_error* err) {
+    const hm_petsc* const system = wanted->system;
     solution now;
     PetscErrorCode code;
     hm_status status;
-    of->column = room_for(length_of_column(system), sizeof *of->column);
-    status = agree(of->column == NULL ? no_memory(err) : HM_OK, system->comm, err);
+    wanted->column = room_for(length_of_column(system), sizeof *wanted->column);
+    status = agree(wanted->column == NULL ? no_memory(err) : HM_OK, system->comm, err);
     if (status < 0) {
-        free(of->column);
+        free(wanted->column);
         return status;
     }
     memset(&now, 0, sizeof now);
-    code = solve_blocks(of, &now, report, err);
+    code = solve_blocks(wanted, &now, report, err);
     MatDestroy(&now.b);
     MatDestroy(&now.dx);
     MatDestroy(&now.x);
-    free(of->column);
+    free(wanted->column);
     if (now.status == HM_NOT_POSITIVE) {
-        refuse(err, HM_NOT_POSITIVE, -1,
+        refuse(err, HM_NOT_POSITIVE,
                "PETSc could not factor or solve: the matrix is not positive definite");
     }
     return agree(code != 0 ? petsc_status(code, err) : now.status, system->comm, err);
 }
 
-/* The report that the caller gets, and whether the tolerance was reached. */
+/* Copies the report for the caller; the status says whether the tolerance was reached. */
 static hm_status finish_report(const hm_petsc* system, hm_petsc_report* found,
                                hm_petsc_report* report, hm_error* err) {
     const hm_status status = found->error <= system->tolerance ? HM_OK : HM_NOT_CONVERGED;
@@ -287,8 +291,8 @@ static hm_status finish_report(const hm_petsc* system, hm_petsc_report* found,
     found->boundary_edges = system->boundary_edges;
     found->bytes = system->bytes;
     if (status == HM_NOT_CONVERGED && err != NULL) {
-        refuse(err, HM_NOT_CONVERGED, -1,
-               "the iteration ended while values may be off by more than the tolerance");
+        refuse(err, HM_NOT_CONVERGED,
+               "the iteration ended, but the error of the values may be larger than the tolerance");
         err->value = found->error;
     }
     if (report != NULL) {

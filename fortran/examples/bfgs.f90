@@ -1,4 +1,5 @@
-! The method of Broyden, Fletcher, Goldfarb and Shanno: the inverse of the Hessian from steps and changes of the slope.
+! The method of Broyden, Fletcher, Goldfarb and Shanno: it builds the inverse of the Hessian from steps and changes of
+! the slope.
 module bfgs
     use, intrinsic :: iso_fortran_env, only: dp => real64
     implicit none
@@ -7,7 +8,7 @@ module bfgs
 
 contains
 
-    ! The matrix with which the first step changes no variable by more than longest.
+    ! A multiple of the unit matrix such that the first step changes no variable by more than longest.
     pure function scaled_identity(slope, longest) result(h)
         real(dp), intent(in) :: slope(:), longest
         real(dp) :: h(size(slope), size(slope))
@@ -18,7 +19,7 @@ contains
         end do
     end function
 
-    ! After the step ds, which changed the slope by dg.
+    ! Updates the matrix after the step ds, which changed the slope by dg.
     pure subroutine update(h, ds, dg)
         real(dp), intent(inout) :: h(:, :)
         real(dp), intent(in) :: ds(:), dg(:)

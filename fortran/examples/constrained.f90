@@ -1,6 +1,6 @@
 ! Inverse design with constraints: the pressure of a thinner, cambered airfoil is wanted, but area and thickness at two
-! stations must stay. The design variables are 12 CST coefficients; sequential quadratic programming. Flow solver:
-! potential.f90. harmorph has the gradients of mesh and constraints by the variables.
+! stations must stay. The design variables are 12 CST coefficients; the method is sequential quadratic programming with
+! the flow solver potential.f90. harmorph gives the gradients of mesh and constraints with respect to the variables.
 program constrained
     use harmorph
     use potential, only: airfoil, cells, cp, cp_target, dp, faces, gradient, marks, np, objective, read_mesh, &
@@ -30,7 +30,7 @@ program constrained
     x_start = x
     y_start = y
 
-    ! Once: functions of the control points, then those of 6 CST variables on either side in their place.
+    ! Done once: the functions of the control points are replaced by those of 6 CST variables on each side.
     call mesh%points(x, y)
     call mesh%cells(cells)
     call mesh%faces(faces, marks)
@@ -46,7 +46,7 @@ program constrained
     wanted = [hm_quantity(hm_area), hm_quantity(hm_thickness, 0.25_dp), hm_quantity(hm_thickness, 0.6_dp)]
     allocate(slopes(2, size(map, 1), m))
 
-    ! The pressure to reach: of an airfoil with more camber and 15 % less thickness.
+    ! The wanted pressure is that of an airfoil with more camber and 15 % less thickness.
     goal = 0 * curves%control
     goal(2, :) = 0.08_dp * curves%control(1, :) * (1 - curves%control(1, :)) - 0.15_dp * curves%control(2, :)
     call basis%morph_to(goal, x_start, y_start, x, y)
@@ -69,14 +69,14 @@ program constrained
     do k = 0, most
         call quadratic_step(d, lambda)
         steepest = norm2(g + matmul(lambda, a))
-        call basis%quality(mesh, x, y, quality)
+        call basis%assess(mesh, quality)
         print "(i4, es16.4, es20.1, es28.1, i10)", k, sqrt(j / first_j), maxval(abs(c)), steepest / first_slope, &
             quality%inverted
-        if (quality%inverted > 0) error stop "the mesh is not valid"
+        if (quality%inverted > 0) error stop "The mesh has inverted cells."
         if (steepest < 1e-4_dp * first_slope .and. maxval(abs(c)) < 1e-10_dp) exit
         if (k == most) exit
         call few%displacement(pairs(d), dx, dy)
-        call few%admissible_step(mesh, dx, dy, limit)
+        call few%assess(mesh, dx, dy, limit)
         step = min(1._dp, 0.5_dp * limit%admissible)
         penalty = max(penalty, 2 * maxval(abs(lambda)))
         merit = j + penalty * sum(abs(c))
@@ -95,26 +95,26 @@ program constrained
     end do
     print "(a, f0.2)", "pressure error: divided by ", sqrt(first_j / j)
     print "(a, 3es10.2)", "area and thicknesses: changes ", c
-    if (maxval(abs(c)) > 1e-10_dp) error stop "the constraints are not kept"
-    if (steepest > 1e-4_dp * first_slope) error stop "not converged"
+    if (maxval(abs(c)) > 1e-10_dp) error stop "A constraint is not satisfied."
+    if (steepest > 1e-4_dp * first_slope) error stop "The gradient of the Lagrangian is too large."
 
 contains
 
-    pure function pairs(its) result(xy)
-        real(dp), intent(in) :: its(n)
+    pure function pairs(chosen) result(xy)
+        real(dp), intent(in) :: chosen(n)
         real(dp) :: xy(2, n)
         xy = 0
-        xy(1, :) = its
+        xy(1, :) = chosen
     end function
 
-    subroutine go_to(its)
-        real(dp), intent(in) :: its(n)
-        call few%morph_to(pairs(its), x_start, y_start, x, y)
+    subroutine go_to(chosen)
+        real(dp), intent(in) :: chosen(n)
+        call few%morph_to(pairs(chosen), x_start, y_start, x, y)
     end subroutine
 
-    ! Objective and constraints with their gradients, on the mesh as it is.
-    subroutine evaluate(its)
-        real(dp), intent(in) :: its(n)
+    ! Computes objective and constraints with their gradients on the present mesh.
+    subroutine evaluate(chosen)
+        real(dp), intent(in) :: chosen(n)
         real(dp) :: both(2, n)
         integer :: i
         call solve_flow()
@@ -122,15 +122,15 @@ contains
         call gradient(gx, gy)
         call few%adjoint(gx, gy, both)
         g = both(1, :)
-        call few%moved_curves(pairs(its), moved)
+        call few%moved_curves(pairs(chosen), moved)
         call moved%measure(wanted, c, gradients=slopes)
         do i = 1, m
             a(i, :) = matmul(slopes(1, :, i), real(map, dp)) + matmul(slopes(2, :, i), aimag(map))
         end do
-        if (maxval(abs(its)) > 0) c = c - start
+        if (maxval(abs(chosen)) > 0) c = c - start
     end subroutine
 
-    ! d minimises g d + d b d / 2 with c + a d = 0; lambda: the multipliers.
+    ! Finds d that minimises g d + d b d / 2 with c + a d = 0, and the multipliers lambda.
     subroutine quadratic_step(d, lambda)
         real(dp), intent(out) :: d(n), lambda(m)
         real(dp) :: kkt(n + m, n + m + 1), row(n + m + 1)
@@ -153,7 +153,7 @@ contains
         lambda = kkt(n + 1:, n + m + 1)
     end subroutine
 
-    ! Powell's damped BFGS: b stays positive definite.
+    ! Updates b by Powell's damped BFGS, so that b stays positive definite.
     subroutine update(s, y_all)
         real(dp), intent(in) :: s(n), y_all(n)
         real(dp) :: bs(n), sbs, part, y(n)
@@ -165,28 +165,28 @@ contains
         b = b - spread(bs, 2, n) * spread(bs, 1, n) / sbs + spread(y, 2, n) * spread(y, 1, n) / dot_product(s, y)
     end subroutine
 
-    ! Against central differences, for each variable.
+    ! Compares the gradients with central differences for each variable.
     subroutine check_gradients()
-        real(dp) :: its(n), up(m + 1), of_j(n), of_c(m, n), worst(2)
+        real(dp) :: chosen(n), up(m + 1), of_j(n), of_c(m, n), worst(2)
         real(dp), parameter :: eps = 1e-6_dp
         integer :: i
         of_j = g
         of_c = a
         worst = 0
         do i = 1, n
-            its = 0
-            its(i) = eps
-            call go_to(its)
-            call evaluate(its)
+            chosen = 0
+            chosen(i) = eps
+            call go_to(chosen)
+            call evaluate(chosen)
             up = [j, c]
-            call go_to(-its)
-            call evaluate(-its)
+            call go_to(-chosen)
+            call evaluate(-chosen)
             worst(1) = max(worst(1), abs(of_j(i) - (up(1) - j) / (2 * eps)))
             worst(2) = max(worst(2), maxval(abs(of_c(:, i) - (up(2:) - c) / (2 * eps))))
         end do
         worst = worst / [maxval(abs(of_j)), maxval(abs(of_c))]
         print "(a, 2es9.1)", "gradients by variables, of pressure and constraints: relative differences", worst
-        if (any(worst > 1e-6_dp)) error stop "a gradient is wrong"
+        if (any(worst > 1e-6_dp)) error stop "A gradient differs from central differences."
         call go_to(v)
         call evaluate(v)
         c = 0

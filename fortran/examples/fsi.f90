@@ -1,7 +1,7 @@
 ! Fluid-structure interaction: the last 40 % of an airfoil bends in two modes, driven by the loads of a potential flow
-! (potential.f90). The structural code knows displacements of wall points; no curve is needed. The mesh follows by one
-! substitution in each step, and the transpose turns forces on all mesh points into forces on the wall. Lines with !hm
-! touch harmorph.
+! (potential.f90). The structural code has displacements of wall points; no curve is needed. The mesh follows by one
+! substitution in each step, and the transpose turns forces on all mesh points into forces on the wall. The lines
+! that end in !hm touch harmorph.
 program fsi
     use harmorph                                                                        !hm
     use potential
@@ -10,14 +10,14 @@ program fsi
     real(dp), parameter :: dt = 0.03_dp, hinge = 0.6_dp
     real(dp), parameter :: mass(2) = [0.02_dp, 0.005_dp], stiffness(2) = [1.5_dp, 3.0_dp], &
         damping(2) = [0.05_dp, 0.03_dp]
-    real(dp), parameter :: calm = 0.035_dp, gust = 0.15_dp      ! incidence, and what a gust adds to it
+    real(dp), parameter :: calm = 0.035_dp, gust = 0.15_dp      ! incidence, and the additional incidence of a gust
     type(hm_mesh) :: mesh                                                               !hm
     type(hm_plan) :: plan                                                               !hm
     type(hm_basis) :: judge                                                             !hm
     type(hm_step_report) :: limit                                                       !hm
     type(hm_quality_report) :: quality                                                  !hm
     real(dp), allocatable :: x_start(:), y_start(:), dx(:), dy(:), fx(:), fy(:), x_old(:), y_old(:)
-    real(dp), allocatable :: shapes(:, :), displacement(:, :), change(:, :), force(:, :)  ! of wall points
+    real(dp), allocatable :: shapes(:, :), displacement(:, :), change(:, :), force(:, :)  ! all at wall points
     integer, allocatable :: points(:)
     real(dp) :: q(2), v(2), load(2), q_old(2), on_mesh, on_wall, in_modes, worst, least_step, least_quality
     integer :: k
@@ -32,7 +32,7 @@ program fsi
     x_old = x
     y_old = y
 
-    ! Once: analysis and factor. The points of the wall come in the order of given_points.
+    ! Done once: analysis and factor. The points of the wall have the order of given_points.
     call mesh%points(x, y)                                                              !hm
     call mesh%cells(cells)                                                              !hm
     call mesh%faces(faces, marks)                                                       !hm
@@ -41,7 +41,7 @@ program fsi
     call plan%given_points(points)                                                      !hm
     call judge%init(plan)                                                               !hm
 
-    ! Bending of a cantilever: heights of both modes at the wall points.
+    ! The modes of a bending cantilever: the heights of both modes at the wall points.
     allocate(shapes(size(points), 2), displacement(2, size(points)), force(2, size(points)))
     shapes(:, 1) = (max(x(points) - hinge, 0._dp) / (1 - hinge))**2
     shapes(:, 2) = shapes(:, 1) * (5 * (max(x(points) - hinge, 0._dp) / (1 - hinge)) - 4)
@@ -67,10 +67,10 @@ program fsi
         displacement(2, :) = matmul(shapes, q)
         change = change + displacement
 
-        ! From the start, so that nothing adds up; judged before the mesh moves.
+        ! Displacements from the start accumulate no errors; they are judged before the mesh moves.
         call plan%displacement(displacement, dx, dy)                                    !hm
         call judge%assess(mesh, dx, dy, limit, quality, x_start, y_start)               !hm
-        if (quality%inverted > 0) error stop "the mesh is not valid: factor again on the last good one"
+        if (quality%inverted > 0) error stop "The mesh would have inverted cells: factor again on the last valid mesh."
         least_step = min(least_step, limit%admissible)
         least_quality = min(least_quality, quality%min_quality)
         x_old = x
@@ -88,13 +88,14 @@ program fsi
     print "(a, es8.1)", "work on mesh, on the wall and in modes: largest relative difference", worst
     print "(a, i0, a, f0.2, a, f0.2)", "valid in ", steps, " steps; admissible steps of at least ", least_step, &
         ", cell qualities of at least ", least_quality
-    if (worst > 1e-12_dp) error stop "the work is not the same"
-    if (maxval(abs(q)) < 1e-4_dp) error stop "nothing has moved"
+    if (worst > 1e-12_dp) error stop "The work on the mesh, on the wall and in the modes differs."
+    if (maxval(abs(q)) < 1e-4_dp) error stop "The trailing edge has not moved."
 
 contains
 
-    ! Of the discrete flow on all mesh points: the derivative of its kinetic energy with psi held, psi K psi / 2.
-    ! Inside, these forces are as small as the error of the discretisation; on the wall they are those of the pressure.
+    ! The forces of the discrete flow on all mesh points are the derivative of its kinetic energy with constant psi,
+    ! psi K psi / 2. Inside, they are as small as the error of the discretisation; on the wall they are those of the
+    ! pressure.
     subroutine forces_on_mesh()
         fx = 0
         fy = 0

@@ -1,6 +1,6 @@
-! Inverse design: which airfoil has this pressure? The flow solver (potential.f90) knows its mesh and the gradient of
-! its objective by all mesh points; harmorph carries both between mesh and control points. Lines with !hm touch
-! harmorph.
+! Inverse design: which airfoil has this pressure? The flow solver (potential.f90) has a mesh, and the gradient of the
+! objective with respect to all mesh points; harmorph carries both between mesh and control points. The lines
+! that end in !hm touch harmorph.
 program inverse
     use harmorph                                                                        !hm
     use bfgs
@@ -29,7 +29,7 @@ program inverse
     x_start = x
     y_start = y
 
-    ! Once: the mesh as the solver has it, a curve through its airfoil, the harmonic functions.
+    ! Done once: the solver's mesh, a curve through the airfoil, and the harmonic functions.
     call mesh%points(x, y)                                                              !hm
     call mesh%cells(cells)                                                              !hm
     call mesh%faces(faces, marks)                                                       !hm
@@ -41,12 +41,12 @@ program inverse
     call plan%solve(basis)                                                              !hm
     call plan%free()                                                                    !hm
 
-    ! The target: an airfoil with more camber and less thickness, of which the loop below sees the pressure only.
+    ! The target is an airfoil with more camber and less thickness; the loop below uses only its pressure.
     goal = 0
     goal(2, :) = 0.08_dp * curves%control(1, :) * (1 - curves%control(1, :)) - 0.15_dp * curves%control(2, :)   !hm
     call go_to(goal)
-    call basis%quality(mesh, x, y, quality)                                             !hm
-    if (quality%inverted > 0) error stop "the target's mesh is not valid"               !hm
+    call basis%assess(mesh, quality)                                                   !hm
+    if (quality%inverted > 0) error stop "The mesh of the target has inverted cells." !hm
     call solve_flow()
     cp_target = cp
     call draw_target(x(points), y(points), wall_x(), cp)
@@ -56,18 +56,18 @@ program inverse
     call draw_start(x(points), y(points), wall_x(), cp)
     call check_gradients()
 
-    ! BFGS on the control points' heights; the trailing edge, the first one, stays.
+    ! BFGS on the heights of the control points; the first one, the trailing edge, stays.
     h = scaled_identity(reshape(slope, [2 * n]), longest=0.01_dp)
     print "(a)", "step  pressure error  admissible  inverted"
     do k = 0, most
         error(k) = sqrt(2 * j / sum(weight))
-        call basis%quality(mesh, x, y, quality)                                         !hm
+        call basis%assess(mesh, quality)                                               !hm
         print "(i4, es16.4, f12.2, i10)", k, error(k), merge(limit%admissible, 0._dp, k > 0), quality%inverted     !hm
-        if (quality%inverted > 0) error stop "the mesh is not valid"                     !hm
+        if (quality%inverted > 0) error stop "The mesh has inverted cells."              !hm
         if (error(k) < 1e-3_dp * error(0) .or. k == most) exit
         direction = -reshape(matmul(h, reshape(slope, [2 * n])), [2, n])
         call basis%displacement(direction, dx, dy)                                      !hm
-        call basis%admissible_step(mesh, dx, dy, limit)                                 !hm
+        call basis%assess(mesh, dx, dy, limit)                                          !hm
         step = min(1._dp, 0.5_dp * limit%admissible)                                    !hm
         old_j = j
         old_slope = slope
@@ -85,17 +85,17 @@ program inverse
     call write_picture("inverse.svg", error(0:k))
     print "(a, f0.0, a)", "pressure error: divided by ", error(0) / error(k), " since the first step"
     print "(a, es8.1)", "control points: largest distance from the target's ", maxval(abs(move - goal))
-    if (error(k) > 0.01_dp * error(0)) error stop "not converged"
+    if (error(k) > 0.01_dp * error(0)) error stop "The pressure error was not divided by 100."
 
 contains
 
-    ! The mesh for these movements of the control points: always from the start, so that nothing adds up.
-    subroutine go_to(its)
-        real(dp), intent(in) :: its(2, n)
-        call basis%morph_to(its, x_start, y_start, x, y)                                !hm
+    ! Makes the mesh for these movements of the control points, always from the start, so that no errors accumulate.
+    subroutine go_to(movement)
+        real(dp), intent(in) :: movement(2, n)
+        call basis%morph_to(movement, x_start, y_start, x, y)                                !hm
     end subroutine
 
-    ! Objective and slope, dJ/dP, on the mesh as it is.
+    ! Computes the objective and the slope dJ/dP on the present mesh.
     subroutine evaluate()
         call solve_flow()
         j = objective()
@@ -110,13 +110,13 @@ contains
         middle = 0.5_dp * (x(wall(1, :)) + x(wall(2, :)))
     end function
 
-    ! Against central differences: at all mesh points at once in some direction, and for each control point.
+    ! Compares gradients with central differences: along one direction of all mesh points, and for each control point.
     subroutine check_gradients()
-        real(dp) :: here, there, up, its(2, n), worst, vx(np), vy(np), scale
+        real(dp) :: here, there, up, probe(2, n), worst, vx(np), vy(np), scale
         real(dp), parameter :: eps = 1e-6_dp
         integer :: i
         do i = 1, np
-            scale = 0.1_dp * (1 - exp(-10 * hypot(x(i) - 1, y(i))**2))      ! less where the cells are small
+            scale = 0.1_dp * (1 - exp(-10 * hypot(x(i) - 1, y(i))**2))      ! smaller steps for small cells
             vx(i) = scale * sin(3 * x(i) + 5 * y(i))
             vy(i) = scale * cos(4 * x(i) - 2 * y(i))
         end do
@@ -130,22 +130,22 @@ contains
         call solve_flow()
         there = (up - objective()) / (2 * eps)
         print "(a, es9.1)", "gradient by mesh points: relative difference to finite differences", abs(here / there - 1)
-        if (abs(here / there - 1) > 1e-6_dp) error stop "the gradient by mesh points is wrong"
+        if (abs(here / there - 1) > 1e-6_dp) error stop "The gradient by mesh points differs from central differences."
 
         worst = 0
         do i = 2, n
-            its = 0
-            its(2, i) = eps
-            call go_to(its)
+            probe = 0
+            probe(2, i) = eps
+            call go_to(probe)
             call solve_flow()
             up = objective()
-            call go_to(-its)
+            call go_to(-probe)
             call solve_flow()
             worst = max(worst, abs(slope(2, i) - (up - objective()) / (2 * eps)))
         end do
         worst = worst / maxval(abs(slope))
         print "(a, es9.1)", "gradient by control points: relative difference to finite differences", worst
-        if (worst > 1e-6_dp) error stop "the gradient by control points is wrong"
+        if (worst > 1e-6_dp) error stop "The gradient by control points differs from central differences."
         call go_to(move)
         call evaluate()
     end subroutine

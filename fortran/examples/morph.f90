@@ -1,4 +1,4 @@
-! Morphs a structured O-mesh round an ellipse: fit, solve once, move control points as often as wished.
+! Morphs a structured O-mesh around an ellipse: fit, solve once, move control points as often as wished.
 program morph
     use, intrinsic :: iso_fortran_env, only: dp => real64
     use harmorph
@@ -22,25 +22,25 @@ program morph
             y(i, j) = (r - 0.6_dp / r) * sin(angle)
         end do
     end do
-    call mesh%points(x, y)                  ! the solver's own arrays: target, not copied
+    call mesh%points(x, y)                  ! the solver's own arrays, which are not copied
     call mesh%line(wall, 1, ni, 1, 1)       ! i = 1 .. ni along j = 1; an unstructured mesh has cells and faces instead
     call mesh%line(far, 1, ni, nj, nj)
 
-    ! A periodic cubic B-spline with 12 control points through the wall's points; one harmonic function for each.
+    ! A periodic cubic B-spline with 12 control points through the points of the wall; one function for each.
     call curves%fit(mesh, wall, n_control=12)
     call plan%analyse(mesh, curves, [hm_condition(wall)])
     call plan%factor()
     call plan%solve(basis)
     call plan%free()
 
-    ! The upper control points go up: displacement first, to see how far the mesh could follow; then the morph.
+    ! The upper control points go up. The displacements are computed and judged first: how far the mesh could follow,
+    ! and how good the cells will be. Then the mesh moves.
     move = 0
     where (curves%control(2, :) > 0) move(2, :) = 0.1_dp
     call basis%displacement(move, dx, dy)
-    call basis%admissible_step(mesh, dx, dy, step)
-    call basis%morph(move, x, y)
-    call basis%quality(mesh, x, y, quality)
+    call basis%assess(mesh, dx, dy, step, quality)
     print "(i0, a, f0.1, a)", quality%inverted, " inverted cells; the mesh could follow ", step%admissible, &
         " times as far"
     if (quality%inverted > 0) error stop
+    call basis%morph(move, x, y)
 end program

@@ -1,5 +1,5 @@
 ! Inverse design on several processes (see inverse.f90): which airfoil has this pressure? Each process has its own
-! cells, no process has the mesh. Lines with !hm touch harmorph, which solves with PETSc.
+! cells, and no process has the whole mesh. Lines with !hm touch harmorph, which solves with PETSc.
 !
 !     mpirun -np 4 ./partitioned naca0012.su2
 program partitioned
@@ -32,14 +32,14 @@ program partitioned
     allocate(dx(np), dy(np), gx(np), gy(np))
     x_start = x
     y_start = y
-    do k = 1, n_outline                         ! NACA 0012 with a sharp edge, which all processes know
+    do k = 1, n_outline                         ! NACA 0012 with a sharp trailing edge, on all processes
         t = 0.5_dp + 0.5_dp * cos(6.283185307179586_dp * (k - 1) / n_outline)
         thickness = t * (-0.126_dp + t * (-0.3516_dp + t * (0.2843_dp - t * 0.1036_dp)))
         thickness = 0.6_dp * (0.2969_dp * sqrt(t) + thickness)
         outline(:, k) = [t, merge(thickness, -thickness, 2 * (k - 1) < n_outline)]
     end do
 
-    ! Once: the part as the solver has it, a curve through the airfoil, the harmonic functions.
+    ! Done once: the solver's part of the mesh, a curve through the airfoil, and the harmonic functions.
     call hm_petsc_initialise()                                                          !hm
     call mesh%points(x, y)                                                              !hm
     call mesh%cells(tri)                                                                !hm
@@ -49,7 +49,7 @@ program partitioned
     call system%solve(basis, report)                                                    !hm
     if (rank == 0) print "(i0, a, i0, a)", report%unknowns, " unknowns on ", n_processes, " processes"      !hm
 
-    ! The target: an airfoil with more camber and less thickness, of which the loop below sees the pressure only.
+    ! The target is an airfoil with more camber and less thickness; the loop below uses only its pressure.
     goal = 0
     goal(2, :) = 0.08_dp * curves%control(1, :) * (1 - curves%control(1, :)) - 0.15_dp * curves%control(2, :)   !hm
     call go_to(goal)
@@ -60,7 +60,7 @@ program partitioned
     call evaluate()
     call check_slope()
 
-    ! BFGS on the control points' heights; the trailing edge, the first one, stays.
+    ! BFGS on the heights of the control points; the first one, the trailing edge, stays.
     h = scaled_identity(reshape(slope, [2 * n]), longest=0.01_dp)
     do k = 0, most
         error(k) = sqrt(j)
@@ -86,20 +86,20 @@ program partitioned
     call system%free()                                                                  !hm
     if (rank == 0) print "(a, f0.0, a, i0, a, i0, a)", "pressure error: divided by ", error(0) / error(k), " in ", k, &
         " steps; ", quality%inverted, " inverted cells"                                 !hm
-    if (error(k) > 0.05_dp * error(0)) error stop "not converged"
-    if (quality%inverted > 0) error stop "the mesh is not valid"                        !hm
+    if (error(k) > 0.05_dp * error(0)) error stop "The pressure error was not divided by 20."
+    if (quality%inverted > 0) error stop "The mesh has inverted cells."              !hm
     call hm_petsc_finalise()                                                            !hm
     call MPI_Finalize()
 
 contains
 
-    ! The mesh for these movements of the control points: always from the start, so that nothing adds up.
+    ! Makes the mesh for these movements of the control points, always from the start, so that no errors accumulate.
     subroutine go_to(at)
         real(dp), intent(in) :: at(2, n)
         call basis%morph_to(at, x_start, y_start, x, y)                                 !hm
     end subroutine
 
-    ! Objective and slope, dJ/dP, on the mesh as it is.
+    ! Computes the objective and the slope dJ/dP on the present mesh.
     subroutine evaluate()
         call solve_flow()
         j = objective()
@@ -109,7 +109,7 @@ contains
         slope(2, 1) = 0
     end subroutine
 
-    ! Along the steepest descent, against central differences.
+    ! Compares the gradient with central differences along the steepest descent.
     subroutine check_slope()
         real(dp), parameter :: eps = 1e-5_dp
         real(dp) :: by_differences, by_adjoint
@@ -122,7 +122,8 @@ contains
         call solve_flow()
         by_differences = (by_differences - objective()) / (2 * eps)
         if (rank == 0) print "(a, 2es20.12)", "slope, by the adjoint and by differences: ", by_adjoint, by_differences
-        if (abs(by_adjoint - by_differences) > 1e-6_dp * abs(by_adjoint)) error stop "the derivatives disagree"
+        if (abs(by_adjoint - by_differences) > 1e-6_dp * abs(by_adjoint)) &
+            error stop "The gradient differs from central differences."
         call go_to(move)
     end subroutine
 end program

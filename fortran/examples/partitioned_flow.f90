@@ -1,7 +1,8 @@
-! The flow solver of potential.f90 on several processes: the stream function psi on linear triangles, each process with
-! its own cells and no process with the mesh. psi = psi_0 on the airfoil; the free stream on the far field; psi_0 from
-! the Kutta condition, that the speeds on both sides of the trailing edge are equal. Conjugate gradients; sums at points
-! that several processes have. Nothing here knows of harmorph.
+! The flow solver of potential.f90 on several processes: the stream function psi on linear triangles. Each process has
+! its own cells, and no process has the whole mesh. psi is psi_0 on the airfoil and that of the free stream on the far
+! field; psi_0 follows from the Kutta condition, that the speeds on both sides of the trailing edge are equal. The
+! equations are solved by conjugate gradients, with sums at points that several processes have. Nothing here depends on
+! harmorph.
 module partitioned_flow
     use, intrinsic :: iso_fortran_env, only: int64
     use mpi_f08
@@ -11,13 +12,13 @@ module partitioned_flow
     integer :: rank, n_processes
     integer(int64), allocatable :: numbers(:)   ! global numbers of the points
     integer, allocatable :: border(:), place(:) ! points that other processes have too, and their places in the sums
-    integer :: n_border                         ! of all processes
-    logical, allocatable :: mine(:)             ! of these points each counts on one process
+    integer :: n_border                         ! number of border points of all processes
+    logical, allocatable :: mine(:)             ! each point counts on one process
     real(dp), allocatable :: inside(:)          ! 1 or 0 at each point
 
 contains
 
-    ! The part of a process: a stripe of the file's cells. A code with larger meshes reads no more than this.
+    ! Makes the part of a process: a stripe of the cells of the file. A code for larger meshes reads only this part.
     subroutine read_part(file)
         character(len=*), intent(in) :: file
         type(su2_mesh) :: from
@@ -53,7 +54,7 @@ contains
             numbers(local(k)) = k
         end do
         call turn_counter_clockwise()
-        do k = 1, size(from%markers)            ! faces whose cell is here
+        do k = 1, size(from%markers)            ! faces whose cell is in this part
             face = local(from%faces(:, k))
             if (any(face == 0)) cycle
             if (triangle_of(face) == 0) cycle
@@ -64,7 +65,7 @@ contains
         call find_boundary()
     end subroutine
 
-    ! touched(points of the file): 1 if the point is here. A code with larger meshes has lists of its neighbours.
+    ! touched(points of the file) is 1 if the point is in this part. A code for larger meshes has lists of neighbours.
     subroutine find_border(touched)
         integer, intent(in) :: touched(:)
         integer :: k, order(size(touched))
@@ -85,7 +86,8 @@ contains
         mine(border) = owner(place) == rank
     end subroutine
 
-    ! Points of the boundary, also of faces that other processes have; triangles on the airfoil; the trailing edge.
+    ! Finds the points of the boundary, also of faces of other processes, the triangles on the airfoil, and the trailing
+    ! edge.
     subroutine find_boundary()
         real(dp) :: edge
         call mark_boundary()
@@ -101,7 +103,7 @@ contains
 
     ! ---- Sums over all processes --------------------------------------------------------------------------------
 
-    ! Contributions at the points of several processes.
+    ! Adds the contributions of several processes at their common points.
     subroutine add_up(field)
         real(dp), intent(inout) :: field(:)
         real(dp) :: sums(n_border)
@@ -123,7 +125,7 @@ contains
 
     ! ---- The flow -----------------------------------------------------------------------------------------------
 
-    ! K field of all processes.
+    ! Computes K field, with the contributions of all processes.
     subroutine apply_matrix(field, product)
         real(dp), intent(in) :: field(np)
         real(dp), intent(out) :: product(np)
@@ -131,7 +133,8 @@ contains
         call add_up(product)
     end subroutine
 
-    ! Solves K z = -load for the points inside; 0 at the others. Conjugate gradients, preconditioned by the diagonal.
+    ! Solves K z = -load for the points inside by conjugate gradients with a diagonal preconditioner; z is 0 at other
+    ! points.
     subroutine solve_matrix(load, z)
         real(dp), intent(in) :: load(np)
         real(dp), intent(out) :: z(np)
@@ -158,7 +161,7 @@ contains
         end do
     end subroutine
 
-    ! The flow on the mesh as it is: psi, psi_0 and the pressure coefficients cp on the airfoil's faces.
+    ! Computes the flow on the present mesh: psi, psi_0 and the pressure coefficients cp on the faces of the airfoil.
     subroutine solve_flow()
         real(dp), dimension(np) :: stream, round, product, z
         stream = on_far * (y * cos(alpha) - x * sin(alpha))
@@ -182,9 +185,9 @@ contains
         kutta = total(speed_difference(field, value))
     end function
 
-    ! ---- The objective's gradient by the points, by the discrete adjoint of all of the above ----------------------
+    ! ---- The gradient of the objective with respect to the points, by the discrete adjoint ------------------------
 
-    ! Contributions of the own cells and faces: the gradient is their sum over all processes.
+    ! Adds the contributions of the own cells and faces; the gradient is their sum over all processes.
     subroutine gradient(gx, gy)
         real(dp), intent(out) :: gx(np), gy(np)
         real(dp), dimension(np) :: by_psi, kutta_by_psi, product, lambda, lambda_k

@@ -1,4 +1,4 @@
-! A picture of the inverse design: the airfoils, their pressures, the convergence.
+! Draws a picture of the inverse design: the airfoils, their pressures, and the convergence.
 module picture
     use, intrinsic :: iso_fortran_env, only: dp => real64
     implicit none
@@ -28,7 +28,7 @@ contains
         drawn(3) = airfoil_data(x, y, middle, cp)
     end subroutine
 
-    ! Three panels, one below the other.
+    ! Writes three panels, one below the other.
     subroutine write_picture(file, error)
         character(len=*), intent(in) :: file
         real(dp), intent(in) :: error(:)

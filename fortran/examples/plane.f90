@@ -1,4 +1,4 @@
-! A solver with three dimensions and a structured mesh one cell thick in y: an O-mesh round an ellipse, x(i,j,k).
+! A solver with three dimensions and a structured mesh one cell thick in y: an O-mesh around an ellipse, x(i,j,k).
 program one_cell_thick
     use, intrinsic :: iso_fortran_env, only: dp => real64
     use harmorph
@@ -6,7 +6,7 @@ program one_cell_thick
     integer, parameter :: ni = 97, nj = 33, wall = 1, far = 2
     real(dp), dimension(ni, nj, 2) :: x, y, z, dj_dx, dj_dy, dj_dz
     integer :: faces(4, (ni - 1) * (nj - 1)), sides(4, 2 * (ni - 1)), markers(2 * (ni - 1))
-    real(dp) :: move(2, 12), gradient(2, 12), angle, r
+    real(dp) :: dx(ni, nj), dy(ni, nj), move(2, 12), gradient(2, 12), angle, r
     type(hm_plane) :: plane
     type(hm_mesh) :: mesh
     type(hm_curves) :: curves
@@ -39,8 +39,8 @@ program one_cell_thick
 
     ! README: the mesh of the plane
     call plane%points(x, y, z)
-    call plane%faces(faces)                 ! of one symmetry plane
-    call plane%sides(sides, markers)        ! faces of the boundary from one plane to the other
+    call plane%faces(faces)                 ! faces of one symmetry plane
+    call plane%sides(sides, markers)        ! boundary faces from one plane to the other
     call plane%find()
     call plane%mesh(mesh)
     ! end
@@ -53,12 +53,14 @@ program one_cell_thick
     move = 0
     where (curves%control(2, :) > 0) move(2, :) = 0.1_dp
 
+    call basis%displacement(move, dx, dy)
+    call basis%assess(mesh, dx, dy, quality=quality)
+
     ! README: all points move, and all derivatives count
     call plane%morph(basis, move, x, y, z)
     call plane%adjoint(basis, dj_dx, dj_dy, dj_dz, gradient)
     ! end
 
-    call basis%quality(mesh, x(:, :, 1), z(:, :, 1), quality)
     n = count(x(:, :, 1) /= x(:, :, 2) .or. z(:, :, 1) /= z(:, :, 2) .or. y(:, :, 1) /= 0)
     print "(a, i0, a, i0, a)", "one cell thick: ", quality%inverted, " inverted cells, ", n, &
         " points left their opposites"

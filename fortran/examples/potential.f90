@@ -1,15 +1,16 @@
-! A flow solver as there are many: incompressible potential flow round an airfoil, by the stream function psi on linear
-! triangles. Laplace's equation inside; psi = psi_0 on the airfoil; the free stream on the far field; psi_0 from the
-! condition of Kutta, that the speeds on both sides of the trailing edge are equal. Unknowns in the mesh's order, matrix
-! in profile storage, Cholesky. Nothing here knows of harmorph.
+! A typical flow solver: incompressible potential flow around an airfoil, by the stream function psi on linear
+! triangles. psi satisfies Laplace's equation inside; it is psi_0 on the airfoil and that of the free stream on the far
+! field; psi_0 follows from the Kutta condition, that the speeds on both sides of the trailing edge are equal. The
+! unknowns have the order of the mesh, and the matrix in profile storage is factored by Cholesky's method. Nothing here
+! depends on harmorph.
 module potential
     use read_su2, only: read_su2_mesh, su2_marker, su2_mesh
     use stream_function
     implicit none
     integer :: nc, nu                           ! cells, unknowns
     integer, allocatable, target :: cells(:, :) ! a triangle among the quads repeats its last point
-    integer, allocatable :: unknown(:)          ! of each point, or 0
-    integer, allocatable :: first(:), place(:)  ! of each row: its first column, and where column 0 would lie in a
+    integer, allocatable :: unknown(:)          ! the unknown of each point, or 0
+    integer, allocatable :: first(:), place(:)  ! of each row: first column, place of column 0 in a
     real(dp), allocatable :: a(:)
 
 contains
@@ -34,7 +35,7 @@ contains
         call prepare()
     end subroutine
 
-    ! Triangles, unknowns, profile.
+    ! Makes the triangles, the unknowns and the profile.
     subroutine prepare()
         integer :: i, k, m, low
         allocate(tri(3, 2 * nc), unknown(np))
@@ -106,7 +107,7 @@ contains
         end do
     end subroutine
 
-    ! Solves K z = -load for the unknowns; 0 at the other points.
+    ! Solves K z = -load for the unknowns; z is 0 at the other points.
     subroutine solve_matrix(load, z)
         real(dp), intent(in) :: load(np)
         real(dp), intent(out) :: z(np)
@@ -128,7 +129,7 @@ contains
         end do
     end subroutine
 
-    ! The flow on the mesh as it is: psi, psi_0 and the pressure coefficients cp on the airfoil's faces.
+    ! Computes the flow on the present mesh: psi, psi_0 and the pressure coefficients cp on the faces of the airfoil.
     subroutine solve_flow()
         real(dp), dimension(np) :: stream, round, product, z
         call factor_matrix()
@@ -148,7 +149,7 @@ contains
         objective = half_square_error()
     end function
 
-    ! The objective's gradient by the coordinates of all points, by the discrete adjoint of all of the above.
+    ! Computes the gradient of the objective with respect to the coordinates of all points, by the discrete adjoint.
     subroutine gradient(gx, gy)
         real(dp), intent(out) :: gx(np), gy(np)
         real(dp), dimension(np) :: by_psi, kutta_by_psi, product, lambda, lambda_k

@@ -1,22 +1,22 @@
-! Potential flow by the stream function psi on linear triangles, as far as it does not matter how the equations are
-! solved, nor which process has which triangles: potential.f90 and partitioned_flow.f90 solve them. psi = psi_0 on the
-! airfoil; all sums here are those of the triangles and faces in these arrays.
+! Potential flow by the stream function psi on linear triangles: this module has the parts that do not depend on the
+! solution method and on the distribution of triangles among processes. potential.f90 and partitioned_flow.f90 solve the
+! equations. psi is psi_0 on the airfoil; all sums are over the triangles and faces in these arrays.
 module stream_function
     use, intrinsic :: iso_fortran_env, only: dp => real64
     implicit none
     integer, parameter :: airfoil = 1, far_field = 2
-    integer :: np, nt, nw                       ! points, triangles, faces of the airfoil
+    integer :: np, nt, nw                       ! numbers of points, triangles, faces of the airfoil
     real(dp), allocatable, target :: x(:), y(:)
     integer, allocatable, target :: tri(:, :), faces(:, :), marks(:)    ! triangles counter-clockwise
-    integer, allocatable :: wall(:, :)          ! (3,nw) triangles on the airfoil: the face's points, then the third one
-    integer, allocatable :: te(:)               ! those of the two faces at the trailing edge that are here
+    integer, allocatable :: wall(:, :)          ! (3,nw) triangles on the airfoil: points of the face, third point
+    integer, allocatable :: te(:)               ! the faces at the trailing edge that are in this part
     real(dp), allocatable :: on_airfoil(:), on_far(:)                   ! 1 or 0 at each point
-    real(dp), allocatable :: psi(:), cp(:), cp_target(:), weight(:)     ! weight: lengths of the airfoil's faces
+    real(dp), allocatable :: psi(:), cp(:), cp_target(:), weight(:)     ! weight: lengths of the faces
     real(dp) :: alpha = 0.035_dp, psi_0         ! incidence, 2 degrees
 
 contains
 
-    ! Twice the area.
+    ! Twice the area of a triangle.
     real(dp) function area2(t)
         integer, intent(in) :: t(3)
         area2 = (x(t(2)) - x(t(1))) * (y(t(3)) - y(t(1))) - (x(t(3)) - x(t(1))) * (y(t(2)) - y(t(1)))
@@ -37,7 +37,7 @@ contains
         end do
     end subroutine
 
-    ! The triangle at a face, or 0.
+    ! The triangle at a face, or 0 if there is none.
     integer function triangle_of(face)
         integer, intent(in) :: face(2)
         do triangle_of = nt, 1, -1
@@ -45,7 +45,7 @@ contains
         end do
     end function
 
-    ! Triangles on the airfoil; edge: the largest x of the airfoil.
+    ! Finds the triangles on the airfoil; edge is the largest x of the airfoil.
     subroutine find_wall(edge)
         real(dp), intent(in) :: edge
         integer :: k, t
@@ -65,7 +65,7 @@ contains
         allocate(cp(nw), cp_target(nw))
     end subroutine
 
-    ! 1 at the points of the faces that are here, 0 elsewhere.
+    ! 1 at the points of these faces, 0 elsewhere.
     subroutine mark_boundary()
         integer :: k
         allocate(on_airfoil(np), on_far(np))
@@ -77,7 +77,7 @@ contains
         end do
     end subroutine
 
-    ! K field; the diagonal of K.
+    ! Compute K field, and the diagonal of K.
     subroutine apply_matrix(field, product, diagonal)
         real(dp), intent(in) :: field(np)
         real(dp), intent(out) :: product(np)
@@ -106,7 +106,7 @@ contains
         speed = steepness(k) * (psi(wall(3, k)) - psi_0)
     end function
 
-    ! Difference of the speeds on both sides of the trailing edge; the loop of faces runs against one of them.
+    ! The difference of the speeds on both sides of the trailing edge; the loop of faces runs against one of them.
     real(dp) function speed_difference(field, value) result(difference)
         real(dp), intent(in) :: field(np), value
         integer :: k
@@ -127,7 +127,7 @@ contains
 
     ! ---- Derivatives ----------------------------------------------------------------------------------------------
 
-    ! Of half_square_error, by the speeds, by psi and by psi_0.
+    ! The derivatives of half_square_error with respect to the speeds, to psi and to psi_0.
     subroutine error_slopes(by_speed, by_psi, by_psi_0)
         real(dp), intent(out) :: by_speed(nw), by_psi(np), by_psi_0
         integer :: k
@@ -140,7 +140,7 @@ contains
         end do
     end subroutine
 
-    ! Of speed_difference, by psi and by psi_0.
+    ! The derivatives of speed_difference with respect to psi and to psi_0.
     subroutine difference_slopes(by_psi, by_psi_0)
         real(dp), intent(out) :: by_psi(np), by_psi_0
         integer :: k
@@ -152,8 +152,8 @@ contains
         end do
     end subroutine
 
-    ! Of the Lagrangian, by the coordinates: lambda K psi + the errors of the speeds + mu speed_difference, with the
-    ! free stream's psi, which depends on where the far field is.
+    ! The derivatives of the Lagrangian, lambda K psi + the errors of the speeds + mu speed_difference, with respect to
+    ! the coordinates, including the psi of the free stream, which depends on the position of the far field.
     subroutine lagrangian_gradient(lambda, mu, by_speed, gx, gy)
         real(dp), intent(in) :: lambda(np), mu, by_speed(nw)
         real(dp), intent(out) :: gx(np), gy(np)
@@ -173,8 +173,8 @@ contains
         gy = gy + on_far * product * cos(alpha)
     end subroutine
 
-    ! Of lambda K psi. In each triangle it is (p r + q s) / (2 area2), with p = sum b psi, q = sum c psi, r, s of
-    ! lambda.
+    ! The derivatives of lambda K psi. In each triangle it is (p r + q s) / (2 area2), with p = sum b psi, q = sum c
+    ! psi, r, s of lambda.
     subroutine add_matrix_gradient(lambda, gx, gy)
         real(dp), intent(in) :: lambda(np)
         real(dp), intent(inout) :: gx(np), gy(np)
@@ -189,7 +189,7 @@ contains
             r = sum(b * lambda(t))
             s = sum(c * lambda(t))
             energy = (p * r + q * s) / (2 * twice)
-            u = cshift(psi(t), -1) - cshift(psi(t), 1)          ! of p by y, and of -q by x
+            u = cshift(psi(t), -1) - cshift(psi(t), 1)          ! derivatives of p by y and of -q by x
             v = cshift(lambda(t), -1) - cshift(lambda(t), 1)
             gx(t) = gx(t) - (u * s + v * q) / (2 * twice) - energy * b / twice
             gy(t) = gy(t) + (u * r + v * p) / (2 * twice) - energy * c / twice

@@ -11,13 +11,15 @@ subroutine hmcond(w, mark, kind, icurv, ncurv, ierr, msg)
     type(legacy_call) :: this
     type(hm_c_condition) :: condition
     call this%open(w)
-    call this%refuse_if(kind == hm_rigid, "a rigid body is made by HMRIGD")
-    call this%refuse_if(kind == hm_periodic_pair, "a periodic pair is made by HMPAIR")
-    call this%refuse_if(kind == hm_rotation_pair, "a pair of turned sides is made by HMTURN")
+    call this%refuse_if(kind == hm_rigid, "KIND is that of a rigid body: call HMRIGD")
+    call this%refuse_if(kind == hm_periodic_pair, "KIND is that of a periodic pair: call HMPAIR")
+    call this%refuse_if(kind == hm_rotation_pair, "KIND is that of a rotation pair: call HMTURN")
     condition = hm_c_condition(marker=mark, kind=kind)
     if (kind == hm_on_curve .or. .not. (icurv == ncurv .and. (icurv == 0 .or. icurv == 1))) then
         condition%first_curve = icurv - 1
         condition%n_curves = ncurv
+        if (kind == hm_on_curve .and. ncurv == 0 .and. this%ok()) &
+            condition%n_curves = this%kept%set%n_curves - int(icurv - 1, c_int32_t)     ! all curves from ICURV on
     end if
     call keep_condition(this, condition)
     call this%finish(ierr, msg)
@@ -84,7 +86,7 @@ subroutine hmnear(w, x, y, ierr, msg)
     call this%finish(ierr, msg)
 end subroutine
 
-! Conditions with the same control points have the same set of curves.
+! Conditions with the same control points share one set of curves.
 subroutine hmalng(w, ncp, p, wt, ideg, nidx, idx, u, ierr, msg)
     use harmorph77
     implicit none
@@ -99,7 +101,7 @@ subroutine hmalng(w, ncp, p, wt, ideg, nidx, idx, u, ierr, msg)
     call this%open(w)
     if (this%ok()) call this%refuse_if(this%kept%n_conditions == 0, "HMALNG: there is no condition yet")
     if (this%ok()) call this%refuse_if(this%kept%condition(this%kept%n_conditions)%kind /= hm_slip, &
-        "HMALNG: the last condition is not of KIND 3")
+        "HMALNG: the KIND of the last condition is not 3")
     if (this%ok()) then
         associate (kept => this%kept)
             n = kept%n_conditions

@@ -32,53 +32,22 @@ subroutine hmfit(w, mark, ncp, ideg, iclos, dmax, ierr, msg)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
-    type(c_ptr) :: analysis, made, place
+    type(c_ptr) :: made, block, work
     type(hm_c_fit_options) :: options
     type(hm_fit_report) :: report
-    integer(c_int32_t), pointer :: points(:)
-    type(hm_c_points) :: wall
-    real(c_double), pointer :: x(:), y(:), wall_x(:), wall_y(:)
-    integer(c_int32_t) :: k, n, is_loop, nothing(1), status
-    integer(c_int64_t) :: first
-    integer(c_size_t) :: bytes
+    integer(c_size_t) :: bytes, work_bytes
+    options = hm_c_fit_options(degree=ideg, n_control=ncp, closed=iclos, index_base=1)
+    options%struct_size = int(c_sizeof(options), c_int64_t)
+    report%struct_size = int(c_sizeof(report), c_int64_t)
     call this%open(w)
     if (this%ok()) call forget_curves(this%kept)
     if (this%ok()) this%top = this%kept%words
-    call analyse(this, .false., analysis)
-    if (this%ok()) then
-        n = 0                                   ! the count first: then there is room for so many
-        status = hm_c_analysis_boundary(analysis, 1_c_int32_t, [int(mark, c_int32_t)], 0_c_int32_t, nothing, &
-            0_c_int32_t, n, is_loop, this%e)
-        if (status == hm_bad_condition) call this%told(status)
-    end if
-    call this%room(4_c_size_t * n, place)
-    if (this%ok()) call c_f_pointer(place, points, [n])
-    call this%room(8_c_size_t * n, wall%x)
-    call this%room(8_c_size_t * n, wall%y)
-    if (this%ok()) then
-        call this%told(hm_c_analysis_boundary(analysis, 1_c_int32_t, [int(mark, c_int32_t)], 0_c_int32_t, points, &
-            n, n, is_loop, this%e))
-    end if
-    if (this%ok()) then
-        associate (mesh => this%kept%mesh)
-            call c_f_pointer(mesh%points%x, x, [mesh%points%stride * mesh%n_points])
-            call c_f_pointer(mesh%points%y, y, [mesh%points%stride * mesh%n_points])
-            call c_f_pointer(wall%x, wall_x, [n])
-            call c_f_pointer(wall%y, wall_y, [n])
-            do k = 1, n
-                first = (points(k) - 1) * mesh%points%stride + 1
-                wall_x(k) = x(first)
-                wall_y(k) = y(first)
-            end do
-        end associate
-        options = hm_c_fit_options(degree=ideg, n_control=ncp, closed=iclos)
-        options%struct_size = int(c_sizeof(options), c_int64_t)
-        report%struct_size = int(c_sizeof(report), c_int64_t)
-        call this%told(hm_c_fit_size(n, options, bytes, this%e))
-    end if
-    call this%room(bytes, place)
-    if (this%ok()) call this%told(hm_c_fit(made, place, bytes, wall, n, is_loop, options, report, &
-        this%e))
+    if (this%ok()) call this%told(hm_c_fit_marker_size(this%kept%mesh, 1_c_int32_t, [int(mark, c_int32_t)], options, &
+        bytes, work_bytes, this%e))
+    call this%room(bytes, block)
+    call this%room(work_bytes, work)
+    if (this%ok()) call this%told(hm_c_fit_marker(made, block, bytes, this%kept%mesh, 1_c_int32_t, &
+        [int(mark, c_int32_t)], options, report, work, work_bytes, this%e))
     if (this%ok()) call keep_set(this, made)
     if (this%ok()) dmax = report%max_error
     call this%finish(ierr, msg)
@@ -112,8 +81,9 @@ subroutine hmcurv(w, ideg, nidx, idx, u, ierr, msg)
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
     call this%open(w)
-    if (this%ok()) call this%refuse_if(.not. c_associated(this%kept%set%control), "HMCTRL comes before HMCURV")
-    call this%refuse_if(nidx < 2 .or. ideg < 1 .or. ideg > 5, "IDEG or NIDX is out of range")
+    if (this%ok()) call this%refuse_if(.not. c_associated(this%kept%set%control), &
+        "W has no control points: call HMCTRL before HMCURV")
+    call this%refuse_if(nidx < 2 .or. ideg < 1 .or. ideg > 5, "IDEG must be between 1 and 5, and NIDX at least 2")
     if (this%ok()) call keep_curve(this, ideg, nidx, idx, u)
     if (this%ok()) then
         call this%told(hm_c_curves_check(this%kept%set, this%e))
@@ -138,7 +108,7 @@ subroutine hmgetp(w, nmax, p, ncp, ierr, msg)
     call this%open(w)
     call curves_now(this, set, list)
     if (this%ok()) ncp = int(set%n_control)
-    call this%refuse_if(ncp > nmax, "P has not enough room: NCP says how much")
+    call this%refuse_if(ncp > nmax, "P is too small: P needs room for NCP control points")
     if (this%ok() .and. ncp > 0) then
         call c_f_pointer(set%control, control, [2, ncp])
         p(:, :ncp) = control

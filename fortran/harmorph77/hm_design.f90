@@ -97,7 +97,7 @@ subroutine hmvars(w, kind, n1, n2, par, la, a, nv, err, ierr, msg)
     if (this%ok()) call this%told(hm_c_variables_size(set, this%kept%section, variables, n, bytes, this%e))
     if (this%ok()) then
         nv = int(n)
-        call this%refuse_if(la < 2 * nv * set%n_control, "A has not enough room: it takes (2,NV,NCP)")
+        call this%refuse_if(la < 2 * nv * set%n_control, "A is too small: A needs 2*NV*NCP numbers")
     end if
     call this%room(bytes, work)
     if (this%ok()) call this%told(hm_c_variables_map(set, this%kept%section, variables, work, bytes, a, err, this%e))

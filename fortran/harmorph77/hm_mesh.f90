@@ -13,7 +13,8 @@ subroutine hmmesh(w, np, x, y, inc, nc, npc, cells, nf, faces, marks, ierr, msg)
     type(legacy_call) :: this
     type(hm_c_mesh) :: mesh
     call this%open(w)
-    call this%refuse_if(npc /= 3 .and. npc /= 4, "NPC must be 3 or 4; among quads, triangles repeat their last point")
+    call this%refuse_if(npc /= 3 .and. npc /= 4, &
+        "NPC must be 3 or 4; triangles among quadrilaterals repeat their last point")
     mesh = hm_c_mesh(n_points=np, points=points_of(x, y, inc), n_cells=nc, n_faces=nf, &
         cell_layout=merge(hm_cells_triangles, hm_cells_quads, npc == 3))
     mesh%cell_points = c_loc(cells)
@@ -67,7 +68,7 @@ subroutine hmpoly(w, np, x, y, inc, nc, istart, ipts, nf, faces, marks, ierr, ms
     call this%finish(ierr, msg)
 end subroutine
 
-! Faces, their points and then their marks, go into W.
+! Copies faces to W: first their points, then their marks.
 subroutine hmtype(w, itype, ierr, msg)
     use harmorph77
     implicit none

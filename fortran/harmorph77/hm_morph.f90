@@ -1,5 +1,5 @@
 
-! ---- Movements by the functions, and what becomes of the cells -------------------------------------------------------
+! ---- Movements by the functions, and the assessment of meshes --------------------------------------------------------
 
 subroutine hmmorf(w, dp, x, y, inc, ierr, msg)
     use harmorph77

@@ -12,10 +12,11 @@ subroutine hmopen(w, lw, ierr, msg)
     type(state), pointer :: kept
     type(state) :: fresh
     character(len=112) :: text
-    write(text, "(a, i0, a)") "W is too small: it needs at least ", words_of(c_sizeof(fresh)), " words"
+    write(text, "(a, i0, a)") "W is too small: W needs at least ", words_of(c_sizeof(fresh)), " words"
     if (lw < words_of(c_sizeof(fresh))) call this%refuse(text, hm_block_too_small)
-    call this%refuse_if(storage_size(lw) /= 32, "these calls need INTEGER of 4 bytes; the module harmorph takes 8")
-    call this%refuse_if(hm_abi_version() /= hm_abi, "harmorph77.f90 and libharmorph.a are of different versions")
+    call this%refuse_if(storage_size(lw) /= 32, &
+        "the legacy calls need INTEGER of 4 bytes; the module harmorph also takes 8 bytes")
+    call this%refuse_if(hm_abi_version() /= hm_abi, "harmorph77.f90 and libharmorph.a have different versions")
     if (this%ok()) then
         call c_f_pointer(c_loc(w), kept)
         call begin(kept, c_loc(w), int(lw, c_int64_t))
@@ -30,7 +31,7 @@ subroutine hmclos(w)
     w(1) = 0
 end subroutine
 
-! What the last call with this W, but HMERR, was refused for. All numbers count from 1.
+! Says why the last call with this W, except HMERR, was refused. All numbers count from 1.
 subroutine hmerr(w, kind, item, kind2, item2, value, xy)
     use harmorph77
     implicit none
@@ -38,18 +39,18 @@ subroutine hmerr(w, kind, item, kind2, item2, value, xy)
     integer, intent(out) :: kind, item, kind2, item2
     real(c_double), intent(out) :: value, xy(2)
     type(legacy_call) :: this
-    type(hm_c_error) :: last
+    type(hm_error) :: last
     call this%open(w)
-    if (this%ok()) last = this%kept%last
-    kind = int(last%item_kind)
-    item = int(last%item)
-    kind2 = int(last%other_kind)
-    item2 = int(last%other)
+    if (this%ok()) last = hm_error_of(0_c_int32_t, this%kept%last)
+    kind = last%item_kind
+    item = last%item
+    kind2 = last%other_kind
+    item2 = last%other
     value = last%value
     xy = [last%x, last%y]
 end subroutine
 
-! Whether values go together, HMSOLV tells.
+! HMSOLV checks whether the values are possible together.
 subroutine hmopt(w, name, ival, ierr, msg)
     use harmorph77
     implicit none
@@ -78,14 +79,14 @@ subroutine hmopt(w, name, ival, ierr, msg)
             case ("PRECISION")
                 options%precision = value
             case default
-                call this%refuse("there is no option of this name: " // name)
+                call this%refuse("NAME is unknown: " // name)
             end select
         end associate
     end if
     call this%finish(ierr, msg)
 end subroutine
 
-! Two records: the length, and the block as it is.
+! Writes two records: the length, and the block unchanged.
 subroutine hmsave(w, lun, ierr, msg)
     use harmorph77
     implicit none
@@ -103,7 +104,7 @@ subroutine hmsave(w, lun, ierr, msg)
         call c_f_pointer(this%kept%basis, block, [bytes])
         write(lun, iostat=failed) bytes
         if (failed == 0) write(lun, iostat=failed) block
-        call this%refuse_if(failed /= 0, "the functions could not be written")
+        call this%refuse_if(failed /= 0, "the functions cannot be written to the unit")
     end if
     call this%finish(ierr, msg)
 end subroutine
@@ -127,13 +128,13 @@ subroutine hmload(w, lun, ierr, msg)
         this%top = this%kept%words
         read(lun, iostat=failed) bytes
         if (failed /= 0) bytes = 0
-        call this%refuse_if(bytes < 1, "this unit has no functions that HMSAVE wrote")
+        call this%refuse_if(bytes < 1, "the unit contains no functions that HMSAVE has written")
     end if
     call this%spare(int(bytes, c_size_t), place)
     if (this%ok()) then
         call c_f_pointer(place, block, [bytes])
         read(lun, iostat=failed) block
-        call this%refuse_if(failed /= 0, "the file ends in the midst of the functions")
+        call this%refuse_if(failed /= 0, "the file ends before all functions are read")
     end if
     if (this%ok()) call this%told(hm_c_basis_attach(basis, place, int(bytes, c_size_t), c_loc(this%kept%mesh), this%e))
     call keep_functions(this, basis)

@@ -1,7 +1,7 @@
 
 ! ---- Three-dimensional codes with meshes one cell thick --------------------------------------------------------------
 
-! The plane, which stays, and its mesh lie in W, as arrays of the mesh.
+! W keeps the plane and the mesh of the plane as arrays of the mesh.
 subroutine hmplan(w, np, x, y, z, inc, nf, npf, faces, ns, sides, marks, kind, axis, nplane, ierr, msg)
     use harmorph77
     implicit none
@@ -21,7 +21,7 @@ subroutine hmplan(w, np, x, y, z, inc, nf, npf, faces, ns, sides, marks, kind, a
     integer(c_size_t) :: bytes
     nplane = 0
     call this%open(w)
-    call this%refuse_if(npf /= 3 .and. npf /= 4, "NPF must be 3 or 4; of four, triangles repeat their last point")
+    call this%refuse_if(npf /= 3 .and. npf /= 4, "NPF must be 3 or 4; triangles of 4 points repeat their last point")
     space = hm_c_space_mesh(index_base=1, n_points=np, points=space_points_of(x, y, z, inc), kind=kind, n_faces=nf, &
         n_sides=ns, axis_point=axis(:3), axis=axis(4:))
     space%struct_size = int(c_sizeof(space), c_int64_t)
@@ -62,7 +62,7 @@ subroutine hmpfol(w, nmax, ifol, ierr, msg)
     info%struct_size = int(c_sizeof(info), c_int64_t)
     call open_plane(this, w)
     if (this%ok()) call this%told(hm_c_plane_info_get(this%kept%plane, info, this%e))
-    call this%refuse_if(info%n_space_points > nmax, "IFOL has not enough room: it takes NP numbers")
+    call this%refuse_if(info%n_space_points > nmax, "IFOL is too small: IFOL needs room for NP numbers")
     if (this%ok()) then
         call c_f_pointer(info%follows, follows, [info%n_space_points])
         ifol(:info%n_space_points) = follows

@@ -56,7 +56,7 @@ subroutine hmtabl(w, m, num, n, ip, v, ierr, msg)
     type(c_ptr) :: made, place, work
     integer(c_size_t) :: bytes, work_bytes
     call this%open_solved(w)
-    if (this%ok()) call this%refuse_if(.not. c_associated(this%kept%plan), "HMFACT comes first")
+    if (this%ok()) call this%refuse_if(.not. c_associated(this%kept%plan), "W has no factor: call HMFACT first")
     if (this%ok()) call this%told(hm_c_tabulate_size(this%kept%plan, this%kept%basis, int(m, c_int32_t), &
         int(num, c_int32_t), bytes, work_bytes, this%e))
     call this%room(work_bytes, work)

@@ -72,7 +72,8 @@ Curve Basis::curve(Index number) const noexcept {
     return curve;
 }
 
-// On a curve N_i, and where the point's offset e turns with the curve N_i + e N_i' / C'.
+// At a point of a curve the functions are N_i, or N_i + e N_i' / C' if the point's offset e turns
+// with the curve.
 BoundaryFunctions Basis::boundary_functions(Index slot) const noexcept {
     BoundaryFunctions out;
     Vec2 const offset = wall_offset[slot];
@@ -92,7 +93,7 @@ BoundaryFunctions Basis::boundary_functions(Index slot) const noexcept {
     CurveBasis const functions = curve_basis(spline, wall_u[slot], 1);
     Vec2 const per_derivative = turns ? quotient(offset, derivative_of(spline, functions)) : Vec2{};
     out.order = functions.order;
-    for (Index k = 0; k < max_order; ++k) {  // those behind the order are 0
+    for (Index k = 0; k < max_order; ++k) {  // The values behind the order are 0.
         out.function[k] = functions.control[k];
         out.value[k] = {functions.value[0][k], 0};
         if (turns) out.value[k] = out.value[k] + functions.value[1][k] * per_derivative;
@@ -131,7 +132,7 @@ Vec2 Basis::control_move(Index control_point, const Real* move) const noexcept {
 
 namespace {
 
-// By its modes, a linear map for each.
+// Returns the movement of a given point: each mode is a linear map of the movement of its function.
 Vec2 given_move(Basis const& basis, Index slot, const Real* move) noexcept {
     auto const row = basis.row(basis.wall_point[slot]);
     Index const n = basis.n_functions();
@@ -178,27 +179,27 @@ void Basis::column(Index number, Real* out) const noexcept {
 
 OrientedMesh Basis::cells(Mesh const& mesh) const noexcept {
     if (!pieces.given()) return {mesh, reversed};
-    Mesh of_pieces = pieces.mesh(mesh);
-    of_pieces.n_given = header->counts.cells;
-    of_pieces.index_base = header->index_base;
-    return {of_pieces, reversed};
+    Mesh mesh_of_pieces = pieces.mesh(mesh);
+    mesh_of_pieces.n_given = header->counts.cells;
+    mesh_of_pieces.index_base = header->index_base;
+    return {mesh_of_pieces, reversed};
 }
 
 Status Basis::require_double(Fault& fault) const noexcept {
     if (!in_single()) return Status::ok;
-    return fault.refuse(
-        Status::unsupported,
-        "the basis has its functions in single precision, this call needs them in double");
+    return fault.refuse(Status::unsupported,
+                        "the basis stores its functions in single precision, but this call needs a "
+                        "basis in double precision");
 }
 
 Status Basis::require_control_points(Fault& fault) const noexcept {
     BasisCounts const& counts = header->counts;
     if (counts.combination == 0 && counts.modes == 0) return Status::ok;
-    return fault.refuse(
-        Status::unsupported,
-        counts.modes == 0
-            ? "the basis has combined functions, this call needs those of the control points"
-            : "the basis has functions by table, this call needs one without");
+    return fault.refuse(Status::unsupported,
+                        counts.modes == 0 ? "the basis contains combined functions, but this call "
+                                            "needs a basis with the functions of the control points"
+                                          : "the basis contains functions that a table gives, but "
+                                            "this call needs a basis without such functions");
 }
 
 }  // namespace harmorph

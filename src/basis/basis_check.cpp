@@ -1,4 +1,5 @@
-// Blocks from outside: nothing of them is believed before it has been looked at.
+// Blocks from outside: every number of a block is checked before it is used.
+// tests/basis/test_refused_bases.cpp covers this file.
 #include <cstring>
 
 #include "basis/basis.hpp"
@@ -8,31 +9,31 @@
 namespace harmorph {
 namespace {
 
-constexpr Index most =
-    Mesh::max_points;  // of anything: products of two such counts are far from any overflow
+// This bound holds for every count: products of two such counts are far from overflow.
+constexpr Index max_count = Mesh::max_points;
 
 bool is_within(Index number, Index begin, Index end) noexcept {
     return begin <= number && number < end;
 }
 
-bool counts_make_sense(BasisCounts const& counts) noexcept {
+bool counts_are_plausible(BasisCounts const& counts) noexcept {
     Index const all[] = {counts.points,     counts.cells,        counts.control,  counts.bodies,
                          counts.curves,     counts.indices,      counts.knots,    counts.weights,
                          counts.wall,       counts.joined,       counts.boundary, counts.loops,
                          counts.conditions, counts.first_stored, counts.stored,   counts.combined,
                          counts.modes,      counts.pieces,       counts.guards};
     for (Index const count : all) {
-        if (!is_within(count, 0, most + 1)) return false;
+        if (!is_within(count, 0, max_count + 1)) return false;
     }
     if (!is_within(counts.combination, 0, 3) || (counts.combination == 0 && counts.combined != 0))
         return false;
     Offset const functions = counts.shapes() + 2 * Offset{counts.bodies} + counts.modes;
-    if (functions > most || counts.stored > functions - counts.first_stored) return false;
+    if (functions > max_count || counts.stored > functions - counts.first_stored) return false;
     if (counts.pieces == 0 ? counts.guards != 0
                            : counts.pieces > Mesh::max_cells || counts.guards > Mesh::max_cells)
         return false;
-    if (counts.bodies > counts.conditions)
-        return false;  // nothing else in the block grows with bodies
+    // Nothing else in the block grows with the number of bodies, so they need a bound here.
+    if (counts.bodies > counts.conditions) return false;
     if (counts.wall > counts.points || (counts.weights != 0 && counts.weights != counts.control))
         return false;
     if (counts.storage != Precision::in_double && counts.storage != Precision::in_single)
@@ -41,31 +42,66 @@ bool counts_make_sense(BasisCounts const& counts) noexcept {
            counts.kind == ValueKind::matrix;
 }
 
-// What the header's counts do not tell: numbers of other things, each of which must exist.
+// The contents that the header's counts do not check: numbers that name other things, each of which
+// must exist.
 class Contents {
 public:
     explicit Contents(Basis const& basis) noexcept : basis_(basis), counts_(basis.header->counts) {}
 
-    // What contradicts itself; null if nothing does.
-    const char* wrong() const noexcept {
-        if (!method_is_one()) return "the basis is damaged: its method is none";
-        if (!curves_fit()) return "the basis is damaged: its curves contradict themselves";
-        if (!conditions_fit()) return "the basis is damaged: its conditions contradict themselves";
-        if (!wall_fits()) return "the basis is damaged: its points on curves contradict themselves";
-        if (!boundary_fits()) return "the basis is damaged: its boundary contradicts itself";
-        if (!pieces_fit())
-            return "the basis is damaged: the pieces of its cells contradict themselves";
-        return largest_fits() ? nullptr
-                              : "the basis is damaged: a value is larger than the largest";
+    // Refuses contents that contradict themselves.
+    Status check(Fault& fault) const noexcept {
+        auto const refuse = [&](const char* why, Item found = {}) {
+            return fault.refuse(Status::bad_basis, why, found);
+        };
+        Method const& method = basis_.header->method;
+        Index const operator_number = static_cast<Index>(method.operator_kind),
+                    scheme = static_cast<Index>(method.scheme),
+                    engine = static_cast<Index>(method.engine);
+        if (!has_row(operator_traits, operator_number)) {
+            return refuse("the basis is damaged: it names an unknown operator, #",
+                          plain(operator_number));
+        }
+        if (!has_row(scheme_traits, scheme)) {
+            return refuse("the basis is damaged: it names an unknown scheme, #", plain(scheme));
+        }
+        if (!has_row(engine_traits, engine)) {
+            return refuse("the basis is damaged: it names an unknown engine, #", plain(engine));
+        }
+        if (!options_fit()) {
+            return refuse("the basis is damaged: an option of its solution is out of range");
+        }
+        if (!curves_fit()) {
+            return refuse("the basis is damaged: the data of its curves are inconsistent");
+        }
+        if (!conditions_fit()) {
+            return refuse(
+                "the basis is damaged: a condition is unknown, or names a curve or body that does "
+                "not exist");
+        }
+        if (!wall_fits()) {
+            return refuse("the basis is damaged: the data of its wall points are inconsistent");
+        }
+        if (!boundary_fits()) {
+            return refuse("the basis is damaged: its boundary loops are inconsistent");
+        }
+        if (!pieces_fit()) {
+            return refuse(
+                "the basis is damaged: the pieces of its polygonal cells are inconsistent");
+        }
+        if (!largest_fits()) {
+            return refuse("the basis is damaged: a value exceeds the largest value in the header");
+        }
+        return Status::ok;
     }
 
 private:
-    bool method_is_one() const noexcept {
+    bool options_fit() const noexcept {
         BasisHeader const& header = *basis_.header;
         Method const& method = header.method;
         return is_within(header.index_base, 0, 2) &&
-               is_within(header.filled, 0, counts_.stored + 1) && method.is_known() &&
-               is_within(method.quarters, 0, 17) && is_within(method.offset_correction, 0, 2) &&
+               is_within(header.filled, 0, counts_.stored + 1) &&
+               is_within(method.exponent_quarters, 0, 17) &&
+               is_within(method.offset_correction, 0, 2) &&
                is_within(static_cast<Index>(method.precision), 0, 2);
     }
 
@@ -79,8 +115,8 @@ private:
             if (!is_within(curve.n_indices, curve.degree + 1, counts_.indices - indices + 1))
                 return false;
             if (curve.n_indices + curve.degree + 1 > counts_.knots - knots) return false;
-            Fault unheard;
-            if (failed(check_curve(basis_.curve(number), number, unheard))) return false;
+            Fault ignored;
+            if (failed(check_curve(basis_.curve(number), number, ignored))) return false;
             indices += curve.n_indices;
             knots += curve.n_indices + curve.degree + 1;
         }
@@ -132,8 +168,8 @@ private:
         if (!pieces.given()) return true;
         Index const n = counts_.cells, all = counts_.pieces + counts_.guards;
         for (Index cell = 0; cell < n; ++cell) {
-            if (!is_within(pieces.start[cell], 0, pieces.start[cell + 1]))
-                return false;  // at least one
+            // Each cell has at least one piece.
+            if (!is_within(pieces.start[cell], 0, pieces.start[cell + 1])) return false;
             if (!is_within(pieces.guard_start[cell], counts_.pieces,
                            pieces.guard_start[cell + 1] + 1))
                 return false;
@@ -149,40 +185,42 @@ private:
                pieces.guard_start[0] == counts_.pieces && pieces.guard_start[n] == all;
     }
 
-    // Sums in fixed point overflow beyond it.
+    // Checks that no value exceeds the stated largest value, as sums in fixed point would overflow.
     bool largest_fits() const noexcept {
-        LargestMagnitude found, said;
-        said.include(basis_.header->largest);
+        LargestMagnitude found, stated;
+        stated.include(basis_.header->largest);
         found.include(basis_.header->largest);
         found.include(Span<const Real>(basis_.value));
         for (float const number : basis_.single) found.include(static_cast<Real>(number));
-        return bits_of(found.value()) == bits_of(said.value());
+        return bits_of(found.value()) == bits_of(stated.value());
     }
 
     Basis const& basis_;
     BasisCounts const& counts_;
 };
 
-}  // namespace
-
-Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault) noexcept {
+// Checks the first bytes and the header, which is copied to `header`, and the checksum of the
+// block.
+Status check_block(const void* block, Size bytes, BasisHeader& header, Fault& fault) noexcept {
     auto const refuse = [&](const char* why, Real found = 0) {
         return fault.refuse(Status::bad_basis, why, {}, {}, found);
     };
     if (bytes == 0 || std::memcmp(block, BasisHeader::expected_magic,
                                   min(bytes, sizeof BasisHeader::expected_magic)) != 0)
-        return refuse("this is not a harmorph basis");
+        return refuse("the data are not a harmorph basis: the mark at their start is missing");
     if (bytes < sizeof(BasisHeader)) {
         return refuse("the basis is truncated: at least ~ bytes are missing",
                       static_cast<Real>(sizeof(BasisHeader) - bytes));
     }
-    BasisHeader header;
     std::memcpy(static_cast<void*>(&header), block, sizeof header);
     if (header.byte_order != BasisHeader::native_order)
-        return refuse("the basis was written with another byte order");
+        return refuse(
+            "the basis was written on a machine with another byte order; solve the basis again on "
+            "this machine");
     if (header.format != BasisHeader::current_format) {
         return fault.refuse(Status::bad_basis,
-                            "the basis has format version #, this library reads @: solve it again",
+                            "the basis has format version #, but this library reads version @; "
+                            "solve the basis again",
                             plain(static_cast<Index>(header.format)),
                             plain(Index{BasisHeader::current_format}));
     }
@@ -190,35 +228,49 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
         return refuse("the basis is truncated: ~ bytes are missing",
                       static_cast<Real>(header.bytes - bytes));
     }
-    if (!counts_make_sense(header.counts) || Basis::bytes(header.counts) != header.bytes) {
-        return refuse("the basis is damaged: its sizes contradict each other");
+    if (!counts_are_plausible(header.counts) || Basis::bytes(header.counts) != header.bytes) {
+        return refuse("the basis is damaged: the counts in its header do not fit its size");
     }
     if (header.solved != 1) return refuse("the basis has not been solved");
     if (checksum_of(*static_cast<const BasisHeader*>(block)) != header.checksum) {
-        return refuse("the basis is damaged: its checksum does not fit");
+        return refuse("the basis is damaged: its checksum does not match its content");
     }
-    const char* const wrong = Contents(Basis::view(block)).wrong();
-    if (wrong != nullptr) return refuse(wrong);
-    if (mesh == nullptr) return Status::ok;
+    return Status::ok;
+}
+
+// Checks that the basis belongs to the mesh.
+Status check_mesh_of_basis(BasisHeader const& header, Mesh const& mesh, Fault& fault) noexcept {
+    auto const refuse = [&](const char* why) { return fault.refuse(Status::bad_basis, why); };
     if (header.counts.cells == 0)
-        return refuse("the basis is of a list of points: it knows no cells and goes with no mesh");
-    if (header.counts.points != mesh->n_points || header.counts.cells != mesh->n_cells) {
+        return refuse(
+            "the basis covers a list of points and has no cells, so it cannot be used with a mesh");
+    if (header.counts.points != mesh.n_points || header.counts.cells != mesh.n_cells) {
         return fault.refuse(Status::bad_basis,
-                            "the basis belongs to another mesh: it has # points and @ cells",
+                            "the basis belongs to another mesh, which has # points and @ cells",
                             plain(header.counts.points), plain(header.counts.cells));
     }
-    MeshFingerprint const found = fingerprint_of(*mesh);
+    MeshFingerprint const found = fingerprint_of(mesh);
     if (header.topology.cells != found.cells)
         return refuse("the basis belongs to another mesh: the cells differ");
     if (header.topology.markers != found.markers) {
         return refuse(
-            "the basis belongs to another mesh: other points are on its markers, or markers have "
-            "other numbers");
+            "the basis belongs to another mesh: the markers contain other points or have other "
+            "numbers");
     }
-    if (header.coordinates == coordinates_fingerprint(mesh->points, mesh->n_points))
+    if (header.coordinates == coordinates_fingerprint(mesh.points, mesh.n_points))
         return Status::ok;
-    fault.refuse(Status::moved, "the mesh's coordinates are not those the basis was solved on");
+    fault.refuse(Status::moved,
+                 "the mesh has other coordinates than the mesh on which the basis was solved");
     return Status::moved;
+}
+
+}  // namespace
+
+Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault) noexcept {
+    BasisHeader header;
+    HARMORPH_TRY(check_block(block, bytes, header, fault));
+    HARMORPH_TRY(Contents(Basis::view(block)).check(fault));
+    return mesh != nullptr ? check_mesh_of_basis(header, *mesh, fault) : Status::ok;
 }
 
 }  // namespace harmorph

@@ -5,19 +5,19 @@
 namespace harmorph {
 namespace {
 
-// Of the values at each place of a block.
+// The extremes of the values at each place of a block.
 struct Extremes {
-    Real least[block_points] = {}, most[block_points] = {};
+    Real minima[block_points] = {}, maxima[block_points] = {};
 
     void include(const Real* values) noexcept {
         for (Index k = 0; k < block_points; ++k) {
-            least[k] = min(least[k], values[k]);
-            most[k] = max(most[k], values[k]);
+            minima[k] = min(minima[k], values[k]);
+            maxima[k] = max(maxima[k], values[k]);
         }
     }
     void merge(Extremes const& others) noexcept {
-        include(others.least);
-        include(others.most);
+        include(others.minima);
+        include(others.maxima);
     }
 };
 
@@ -39,8 +39,8 @@ BasisMeasures measure_basis(Basis const& basis, Points points, Executor const& e
     BasisMeasures measures;
     BasisCounts const& counts = basis.header->counts;
     Index const n_functions = basis.n_functions();
-    Index const n_control =
-        clamp(counts.shapes() - counts.first_stored, Index{0}, n_functions);  // of those stored
+    // Only stored functions count.
+    Index const n_control = clamp(counts.shapes() - counts.first_stored, Index{0}, n_functions);
     ValueKind const kind = basis.kind();
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
         Index const point = basis.wall_point[slot];
@@ -68,8 +68,8 @@ BasisMeasures measure_basis(Basis const& basis, Points points, Executor const& e
         measures.distance.include(length(points[point] - foot), point);
     }
     auto const include = [&](Index begin, Index end, Extremes& extremes) {
-        for (Index block = begin; block < end;
-             ++block) {  // behind the last point values are 0, as here
+        // Values behind the last point are 0, as the extremes are at the start.
+        for (Index block = begin; block < end; ++block) {
             const Real* const values =
                 basis.value.data() + Offset{block} * block_points * basis.row_length();
             for (Index i = 0; i < n_control; ++i) extremes.include(values + i * block_points);
@@ -78,8 +78,8 @@ BasisMeasures measure_basis(Basis const& basis, Points points, Executor const& e
     Extremes const extremes =
         reduce_ranges<Extremes>(blocks_of(basis.n_points()), executor, include);
     for (Index k = 0; k < block_points; ++k) {
-        measures.min_value = min(measures.min_value, extremes.least[k]);
-        measures.max_value = max(measures.max_value, extremes.most[k]);
+        measures.min_value = min(measures.min_value, extremes.minima[k]);
+        measures.max_value = max(measures.max_value, extremes.maxima[k]);
     }
     return measures;
 }

@@ -1,4 +1,5 @@
-// How exactly a basis, and what it has moved, follow the B-spline.
+// How exactly a basis, and the points that it has moved, follow the B-spline.
+// tests/basis/test_basis.cpp and tests/plan/test_plan.cpp cover this file.
 #pragma once
 
 #include "basis/basis.hpp"
@@ -13,11 +14,12 @@ struct BoundaryError {
         if (point == none || exceeds(found, error)) *this = {found, at};
     }
 };
-// What the points of the wall moved against what the B-spline did.
+// Compares the movement of the points of the wall with that of the B-spline; returns the largest
+// difference.
 BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, Points to) noexcept;
 
-// Values on the curves against boundary functions evaluated anew; their sum against 1; the points'
-// distances from the curves.
+// Compares values on the curves with boundary functions that are evaluated anew, the sum of the
+// values with 1, and the points with the curves.
 struct BasisMeasures {
     BoundaryError value;
     BoundaryError distance;

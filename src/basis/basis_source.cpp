@@ -34,11 +34,11 @@ void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const
                 Executor const& executor) noexcept {
     BasisHeader& header = *basis.header;
     unsigned char* const block = static_cast<unsigned char*>(static_cast<void*>(&header));
-    constexpr Size piece = 65536;
+    constexpr Size chunk = 65536;
     Size const bytes = Basis::bytes(counts);
-    executor.for_ranges(static_cast<Index>(bytes / piece) + 1, 4, [&](Index begin, Index end) {
-        Size const from = piece * static_cast<Size>(begin),
-                   to = min(bytes, piece * static_cast<Size>(end));
+    executor.for_ranges(static_cast<Index>(bytes / chunk) + 1, 4, [&](Index begin, Index end) {
+        Size const from = chunk * static_cast<Size>(begin),
+                   to = min(bytes, chunk * static_cast<Size>(end));
         std::memset(block + from, 0, to - from);
     });
     std::memcpy(header.magic, BasisHeader::expected_magic, sizeof header.magic);
@@ -88,7 +88,7 @@ void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const
 }
 
 void Basis::seal(Real at_least, Executor const& executor) const noexcept {
-    Offset const length = block_points * Offset{row_length()};  // numbers of a block
+    Offset const length = block_points * Offset{row_length()};  // The numbers of a block.
     Index const blocks =
         length > 0 ? static_cast<Index>(static_cast<Offset>(value.size()) / length) : 0;
     auto const include = [&](Index begin, Index end, LargestMagnitude& largest) {

@@ -1,4 +1,5 @@
-// What a basis keeps of the problem that its functions are solved for.
+// The data that a basis keeps of the problem for which its functions are solved.
+// tests/basis/test_basis.cpp covers this file.
 #pragma once
 
 #include "basis/basis.hpp"
@@ -6,7 +7,7 @@
 
 namespace harmorph {
 
-// Views; an analysis has all of it.
+// Views of arrays that belong to an analysis.
 struct BasisSource {
     Topology const& topology;
     MeshFingerprint mesh_fingerprint;
@@ -17,13 +18,13 @@ struct BasisSource {
     Span<const Condition> conditions;
     Boundary const& boundary;
     Wall const& wall;
-    Span<const Index> slot;          // [n_points] number of a point on the wall, or none
-    const Pieces* pieces = nullptr;  // of polygons
+    Span<const Index> slot;  // [n_points] The number of a point in the list of the wall, or none.
+    const Pieces* pieces = nullptr;  // The pieces of polygons.
 
-    // Of a basis with all functions.
+    // Returns the counts of a basis with all functions.
     BasisCounts counts() const noexcept;
-    // body(point, slot) for points that are not in the wall's list but joined to one that is:
-    // beyond a cut.
+    // Calls body(point, slot) for points that are not in the wall's list but joined to a point of
+    // the list: they are on the other side of a cut.
     template <class Body>
     void for_each_joined(Body const& body) const noexcept {
         Span<const Index> const representative = topology.representative;
@@ -35,8 +36,8 @@ struct BasisSource {
     }
 };
 
-// Makes an unsolved basis in a block that has been laid out for these counts, the source's or a
-// share of them.
+// Makes an unsolved basis in a block that has been laid out for these counts, which are those of
+// the source or a share of them.
 void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const& source,
                 Executor const& executor = {}) noexcept;
 

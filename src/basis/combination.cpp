@@ -16,8 +16,8 @@ BasisCounts combined_counts(Basis const& from, Index n, Index numbers) noexcept 
 
 namespace {
 
-// to [rows * n]: the caller's matrix, or where `from` is itself combined, its matrix times the
-// caller's.
+// Fills to.combination with the caller's matrix, or with the matrix of `from` times the caller's
+// matrix if the functions of `from` are combined already.
 void set_combination(Basis const& from, Index n, Index numbers, const Real* matrix,
                      Basis const& to) noexcept {
     Index const kept = to.header->counts.combination;
@@ -46,7 +46,7 @@ void set_combination(Basis const& from, Index n, Index numbers, const Real* matr
 
 namespace {
 
-// Of one number of a block of points.
+// Adds the products for one number of a block of points.
 void add_product(Real factor, const Real* from, Real* to) noexcept {
     for (Index k = 0; k < block_points; ++k) to[k] += factor * from[k];
 }
@@ -58,21 +58,22 @@ Status combine(Basis const& from, Index n, Index numbers, const Real* matrix, Ba
     BasisCounts const counts = combined_counts(from, n, numbers);
     begin_derived(from, counts, to);
 
-    // A square or flat matrix fits into the place of what it becomes: as many rows there, or more.
+    // A square or wide matrix fits into the place of the result, which has as many rows or more.
     Index const shapes = from.header->counts.shapes();
     Span<Real> const trial = to.combination.first(Offset{shapes} * n * numbers);
     copy(trial, Span<const Real>(matrix, trial.size()));
     DependentColumn const dependent = find_dependent_column(trial, n, numbers);
     if (dependent.column != none) {
-        const char* const text = dependent.is_zero
-                                     ? "column # of the matrix is zero"
-                                     : "column # of the matrix is a combination of those before";
+        const char* const text =
+            dependent.is_zero
+                ? "column # of the matrix is zero: the design variable moves no control point"
+                : "column # of the matrix is a linear combination of the columns before it";
         return fault.refuse(Status::bad_condition, text, variable_item(dependent.column));
     }
     set_combination(from, n, numbers, matrix, to);
 
-    // Block by block of points: numbers of a value times an entry are those of a product of linear
-    // maps.
+    // The functions are combined block by block of points: the numbers of a value times an entry of
+    // the matrix are those of a product of linear maps.
     Index const old_length = from.n_functions(), length = to.n_functions(), others = length - n;
     bool const matrices = to.kind() == ValueKind::matrix;
     for (Index point = 0; point < to.n_points(); point += block_points) {
@@ -85,11 +86,11 @@ Status combine(Basis const& from, Index n, Index numbers, const Real* matrix, Ba
                 for (Index j = 0; j < n; ++j)
                     add_product(entries[numbers * j], f, &row[Offset{plane} * length + j]);
                 if (numbers == 1) continue;
-                // (a + i b)(x + i y): the imaginary part goes to the plane of the partner. Of
-                // matrices, xx with xy and yx with yy: [xx xy] [x -y; y x].
-                bool const second = plane % 2 == 1;
-                Index const partner = second ? plane - 1 : plane + 1;
-                Real const sign = matrices != second ? -1 : 1;
+                // In (a + i b)(x + i y) the imaginary part goes to the plane of the partner. For
+                // matrices, the partners are xx with xy and yx with yy: [xx xy] [x -y; y x].
+                bool const is_second = plane % 2 == 1;
+                Index const partner = is_second ? plane - 1 : plane + 1;
+                Real const sign = matrices != is_second ? -1 : 1;
                 for (Index j = 0; j < n; ++j) {
                     add_product(sign * entries[2 * j + 1], f, &row[Offset{partner} * length + j]);
                 }

@@ -1,15 +1,16 @@
-// A basis whose functions are combinations of another's: one for each design variable.
+// A basis whose functions are combinations of those of another basis, one for each design variable.
 #pragma once
 
 #include "basis/basis.hpp"
 
 namespace harmorph {
 
-// n functions F M in place of those of `from`; M has entries of 1 number (real) or 2 (complex).
+// Returns the counts for n functions F M in place of those of `from`; M has entries of 1 number
+// (real) or 2 (complex).
 BasisCounts combined_counts(Basis const& from, Index n, Index numbers) noexcept;
 
-// `to` has been laid out for combined_counts, `from` is solved, complete and in double precision.
-// Before anything else the matrix is checked: refuses dependent columns.
+// Combines the functions. `to` has been laid out for combined_counts(); `from` is solved, complete
+// and in double precision. Refuses a matrix with dependent columns before it writes any function.
 Status combine(Basis const& from, Index n, Index numbers, const Real* matrix, Basis const& to,
                Fault& fault) noexcept;
 

@@ -1,4 +1,5 @@
-// What tells a basis from a damaged one, and its mesh from others.
+// Checksums that recognise a damaged basis, and fingerprints that recognise the mesh of a basis.
+// tests/basis/test_refused_bases.cpp covers this file.
 #include <cstddef>
 
 #include "base/hash.hpp"
@@ -7,10 +8,10 @@
 namespace harmorph {
 namespace {
 
-// visit(part) for parts of four corners or fewer with all corners of cell i, whatever the layout:
-// the cell itself if it has no more.
+// Calls visit(cell) for triangles and quads that together have all corners of cell i, in any
+// layout. A cell with at most four corners is visited itself.
 template <class Visit>
-void for_each_part(Mesh const& mesh, Index i, Visit visit) noexcept {
+void for_each_section(Mesh const& mesh, Index i, Visit visit) noexcept {
     if (mesh.layout != CellLayout::polygons) return visit(mesh.cell(i));
     const Index* const corner = mesh.cell_points + (Offset{mesh.cell_start[i]} - mesh.index_base);
     Index const n = mesh.cell_start[i + 1] - mesh.cell_start[i];
@@ -42,12 +43,12 @@ MeshFingerprint fingerprint_of(Mesh const& mesh) noexcept {
         back.add(pair(cell.point[2], cell.n == 4 ? cell.point[3] : none));
     };
     if (mesh.layout == CellLayout::polygons) {
-        for (Index i = 0; i < mesh.n_cells; ++i) for_each_part(mesh, i, add);
+        for (Index i = 0; i < mesh.n_cells; ++i) for_each_section(mesh, i, add);
     } else {
         mesh.for_each_cell([&](Index, Cell const& cell) { add(cell); });
     }
     front.add(back.value());
-    std::uint64_t sum = 0;  // does not depend on the order of the faces
+    std::uint64_t sum = 0;  // The sum does not depend on the order of the faces.
     mesh.for_each_face([&](BoundaryFace const& face, Index, Index) {
         Hash face_hash;
         face_hash.add(pair(min(face.begin, face.end), max(face.begin, face.end)));
@@ -62,11 +63,11 @@ std::uint64_t sample_of(Mesh const& mesh) noexcept {
     Index const n = min(Index{64}, mesh.n_cells);
     Hash hash;
     for (Index k = 0; k < n; ++k) {
-        for_each_part(mesh, static_cast<Index>(Offset{k} * mesh.n_cells / n),
-                      [&](Cell const& part) {
-                          hash.add(pair(part.point[0], part.point[1]));
-                          hash.add(pair(part.point[2], part.n == 4 ? part.point[3] : none));
-                      });
+        for_each_section(mesh, static_cast<Index>(Offset{k} * mesh.n_cells / n),
+                         [&](Cell const& cell) {
+                             hash.add(pair(cell.point[0], cell.point[1]));
+                             hash.add(pair(cell.point[2], cell.n == 4 ? cell.point[3] : none));
+                         });
     }
     return hash.value();
 }

@@ -1,5 +1,6 @@
-// The options of the solution: operator, scheme, engine, precision; and the kind of values that
-// they lead to.
+// The options of the solution: operator, scheme, engine, precision; and the kind of values to which
+// they lead. tests/c_api/test_options.cpp and tests/c_api/test_refused_problems.cpp cover this
+// file.
 #pragma once
 
 #include "boundary/conditions.hpp"
@@ -20,12 +21,12 @@ enum class Scheme : std::int32_t {
 enum class Precision : std::int32_t { in_double = 0, in_single = 1 };
 enum class Engine : std::int32_t { direct = 0, multigrid = 1, fas = 2 };
 
-// What engines, schemes and operators go with. Combinations that a table does not contain are
-// refused, with its sentence.
+// The combinations of engines, schemes and operators. A combination that a table does not contain
+// is refused with the sentence of the table.
 struct EngineTraits {
-    // It factors the matrix: unknowns are in the order of a nested dissection, and solutions are
-    // refined. Otherwise they are in the order of an advancing front, and the engine itself
-    // iterates to a tolerance.
+    // The engine factors the matrix: unknowns are in the order of a nested dissection, and
+    // solutions are refined. Otherwise the unknowns are in the order of an advancing front, and the
+    // engine itself iterates to a tolerance.
     bool factors;
     bool takes_slip;
 };
@@ -37,7 +38,7 @@ inline constexpr EngineTraits engine_traits[] = {
 
 struct SchemeTraits {
     unsigned engines;
-    const char* other_engines;  // the sentence that refuses them
+    const char* other_engines;  // This sentence refuses the other engines.
     bool takes_slip, takes_given;
 };
 inline constexpr SchemeTraits scheme_traits[] = {
@@ -45,19 +46,21 @@ inline constexpr SchemeTraits scheme_traits[] = {
     {set_of(Engine::direct, Engine::multigrid, Engine::fas), "", true, true},
     // nodal_gradient
     {set_of(Engine::direct, Engine::fas),
-     "nodal gradients do not go with the engine multigrid; fas goes with them", false, false},
+     "the engine multigrid does not solve schemes of nodal gradients; the engine fas does", false,
+     false},
     // bounded
-    {set_of(Engine::direct), "the bounded scheme goes with the direct engine only", false, true},
+    {set_of(Engine::direct), "the bounded scheme needs the direct engine", false, true},
     // nodal_gradient_plain
-    {set_of(Engine::fas), "nodal gradients without correction (plain) go with the engine fas only",
-     false, false},
+    {set_of(Engine::fas),
+     "the scheme of nodal gradients without correction (plain) needs the engine fas", false, false},
 };
 
 struct OperatorTraits {
-    bool is_complex;              // values are a + ib, also without rigid bodies
-    std::int32_t usual_quarters;  // k = d^(-quarters / 4) where the caller gives no exponent
+    bool is_complex;  // Values are a + ib, even without rigid bodies.
+    std::int32_t
+        default_exponent_quarters;  // The default q of k = d^-q is this number divided by 4.
     bool has_weight;
-    bool takes_free;  // boundaries where points may leave their line
+    bool takes_free;  // The operator admits boundaries where points may leave their line.
     bool takes_offset_correction;
     unsigned schemes;
     const char* other_schemes;
@@ -67,16 +70,17 @@ struct OperatorTraits {
 inline constexpr OperatorTraits operator_traits[] = {
     // conformal
     {true, 6, true, false, true, set_of(Scheme::compact),
-     "the conformal operator goes with the compact scheme only; laplace goes with all schemes",
+     "the conformal operator needs the compact scheme; the operator laplace admits all schemes",
      set_of(Engine::direct),
-     "the conformal operator goes with the direct engine only; laplace and weighted go with all"},
+     "the conformal operator needs the direct engine; the operators laplace and weighted admit all "
+     "engines"},
     // laplace
     {false, 0, false, true, false,
      set_of(Scheme::compact, Scheme::nodal_gradient, Scheme::bounded, Scheme::nodal_gradient_plain),
      "", set_of(Engine::direct, Engine::multigrid, Engine::fas), ""},
     // weighted
     {false, 4, true, true, false, set_of(Scheme::compact, Scheme::bounded),
-     "nodal gradients go with the operator laplace only",
+     "the schemes of nodal gradients need the operator laplace",
      set_of(Engine::direct, Engine::multigrid, Engine::fas), ""},
 };
 
@@ -85,11 +89,13 @@ struct Method {
     Scheme scheme = Scheme::compact;
     Engine engine = Engine::direct;
     Kernel kernel = Kernel::automatic;
-    std::int32_t quarters = 0;           // k = d^(-quarters / 4)
-    std::int32_t offset_correction = 0;  // 1: a wall off its curve turns with it
+    std::int32_t exponent_quarters = 0;  // The weight is k = d^(-exponent_quarters / 4).
+    // If this is 1, the offset of a wall point from its curve turns with the curve.
+    std::int32_t offset_correction = 0;
     Real tolerance = 1e-10;
-    Precision precision = Precision::in_double;  // of the factor
-    std::int32_t reserved = 0;  // fills the padding: the block is written and compared as bytes
+    Precision precision = Precision::in_double;  // The precision of the factor.
+    // This field fills the padding, as the block is written and compared as bytes.
+    std::int32_t reserved = 0;
 
     EngineTraits const& traits() const noexcept {
         return engine_traits[static_cast<std::int32_t>(engine)];
@@ -100,25 +106,20 @@ struct Method {
     SchemeTraits const& scheme_row() const noexcept {
         return scheme_traits[static_cast<std::int32_t>(scheme)];
     }
-    // Does every number stand in its table? Not so in damaged files.
-    bool is_known() const noexcept {
-        return has_row(operator_traits, static_cast<std::int32_t>(operator_kind)) &&
-               has_row(scheme_traits, static_cast<std::int32_t>(scheme)) &&
-               has_row(engine_traits, static_cast<std::int32_t>(engine));
-    }
     bool conformal() const noexcept { return operator_kind == Operator::conformal; }
     bool bounded() const noexcept { return scheme == Scheme::bounded; }
     bool nodal_gradients() const noexcept {
         return scheme == Scheme::nodal_gradient || scheme == Scheme::nodal_gradient_plain;
     }
 
-    // The same functions but for rounding?
+    // Tells whether both methods lead to the same functions but for rounding.
     bool agrees_with(Method const& other) const noexcept {
         return operator_kind == other.operator_kind && scheme == other.scheme &&
-               quarters == other.quarters && offset_correction == other.offset_correction;
+               exponent_quarters == other.exponent_quarters &&
+               offset_correction == other.offset_correction;
     }
 
-    // The smallest kind of value that can express what is asked for.
+    // Returns the smallest kind of value that can express the demands.
     ValueKind value_kind(Demands const& demands) const noexcept {
         if (demands.slip) return ValueKind::matrix;
         bool const is_complex = operator_row().is_complex || demands.bodies > 0 || demands.rotation;

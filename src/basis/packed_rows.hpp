@@ -1,5 +1,5 @@
-// Parcels of rows that a process with some of the functions solved sends to a process with some of
-// the points.
+// Parcels of rows. A process that has solved some of the functions sends them to a process that has
+// some of the points.
 #pragma once
 
 #include "basis/point_subset.hpp"
@@ -9,12 +9,13 @@ namespace harmorph {
 // A parcel is an array of doubles: the label, then the points' rows in the order of the list, each
 // plane by plane.
 struct ParcelLabel {
-    static constexpr std::uint64_t mark = 0x6c65637261706d68;  // "hmparcel"
+    static constexpr std::uint64_t mark = 0x6c65637261706d68;  // The bytes are "hmparcel".
 
     std::uint64_t magic;
-    MeshFingerprint topology;  // fingerprints as in the basis
+    MeshFingerprint topology;  // The fingerprints are those of the basis.
     std::uint64_t coordinates, conditions, list;
-    std::uint64_t functions;  // fingerprint of the curves and of what the functions minimise
+    // A fingerprint of the curves and of the energy that the functions minimise.
+    std::uint64_t functions;
     Real largest;
     Index points, first, n, numbers;
 };
@@ -25,7 +26,7 @@ inline Offset parcel_words(Basis const& share, Index n_points) noexcept {
 }
 void pack_parcel(Basis const& share, PointList const& list, Real* parcel) noexcept;
 
-// The next functions of an extract; with the last ones it is solved.
+// Adds the next functions to an extract, which is solved once the last functions are added.
 Status unpack_parcel(Basis const& rows, const Real* parcel, Offset words, Fault& fault) noexcept;
 
 }  // namespace harmorph

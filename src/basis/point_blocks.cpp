@@ -5,9 +5,10 @@
 namespace harmorph {
 namespace {
 
-constexpr Index least_blocks = 128;  // that are worth a thread
+// Each task treats at least so many blocks.
+constexpr Index min_task_blocks = 128;
 
-// Eight numbers of eight points at a time: the lines of the cache that are written stay few.
+// Eight numbers of eight points are moved at a time, so that few cache lines are written in turn.
 void to_block(const Real* rows, Index n_points, Index numbers, Real* block) noexcept {
     constexpr Index tile = 8;
     for (Index first = 0; first < numbers; first += tile) {
@@ -31,14 +32,15 @@ void to_rows(const Real* block, Index n_points, Index numbers, Real* rows) noexc
 
 }  // namespace
 
-// move(numbers as they were, points, numbers of a point, where they go)
+// Calls move(old numbers, points, numbers of a point, new place) for each block.
 template <class Move>
 void RowsToBlocks::for_each_block(Executor const& executor, Move const& move) const noexcept {
     Offset const size = Offset{block_points} * numbers;
     if (size == 0) return;
     Index const room =
-        static_cast<Index>(min(static_cast<Offset>(work.size()) / size, Offset{most_tasks}));
-    Index const blocks = blocks_of(n_points), tasks = clamp(blocks / least_blocks, Index{1}, room);
+        static_cast<Index>(min(static_cast<Offset>(work.size()) / size, Offset{max_tasks}));
+    Index const blocks = blocks_of(n_points),
+                tasks = clamp(blocks / min_task_blocks, Index{1}, room);
     auto const bound = [&](Index task) {
         return static_cast<Index>(Offset{blocks} * task / tasks);
     };

@@ -1,12 +1,12 @@
-// How the values of a basis lie in memory: in blocks of 16 points; inside a block the numbers in
-// turn, of each number those of the 16 points.
+// The layout of the values of a basis in memory: blocks of 16 points. A block stores number after
+// number, and for each number the values of the 16 points:
 //
 //   number k of point p:  value[((p / 16) * numbers + k) * 16 + p % 16]
 //
 // A product with movements reads one stream, loads whole registers, and adds up each point's
-// products in the order of the numbers in a lane of its own, whatever the width of the registers:
-// all kernels give the same bits. Points behind the last one fill the last block; their values are
-// 0.
+// products in the order of the numbers, in a lane of its own, for any width of the registers. All
+// kernels therefore give the same bits. Points behind the last one fill the last block; their
+// values are 0.
 #pragma once
 
 #include "base/executor.hpp"
@@ -17,7 +17,7 @@ namespace harmorph {
 
 inline constexpr Index block_points = 16;
 
-// Blocks that n_points fill, the last one perhaps in part.
+// Returns the number of blocks that n_points fill; the last block may be incomplete.
 constexpr Index blocks_of(Index n_points) noexcept {
     return (n_points + (block_points - 1)) / block_points;
 }
@@ -38,28 +38,28 @@ private:
     Number* first_;
 };
 
-// to[k] = from[k] of n numbers; either may be a row in a block, or a pointer.
+// Copies n numbers, to[k] = from[k]; either may be a row in a block, or a pointer.
 template <class To, class From>
 void copy_row(To to, From from, Index n) noexcept {
     for (Index k = 0; k < n; ++k) to[k] = from[k];
 }
 
-// Rows of n_points points, each with its numbers side by side, become blocks in the same memory. A
-// block takes the memory of the rows of its points, of which `work` holds those that are being
+// Turns rows of n_points points, each with its numbers side by side, into blocks in the same
+// memory. A block takes the memory of the rows of its points; `work` holds the rows that are being
 // moved.
 struct RowsToBlocks {
-    static constexpr Index most_tasks = 8;
+    static constexpr Index max_tasks = 8;
     static constexpr Offset work_numbers(Offset numbers) noexcept {
-        return most_tasks * block_points * numbers;
+        return max_tasks * block_points * numbers;
     }
 
     Real* values;     // [whole_blocks(n_points) x numbers]
-    Index n_points;   // numbers behind the last point are overwritten with 0
-    Index numbers;    // of a point
-    Span<Real> work;  // [work_numbers(numbers)], or a part of that: at least block_points * numbers
+    Index n_points;   // Numbers behind the last point are overwritten with 0.
+    Index numbers;    // The numbers of a point.
+    Span<Real> work;  // [work_numbers(numbers)] or fewer: at least block_points * numbers.
 
     void run(Executor const& executor) const noexcept;
-    // Blocks become rows again. What lies behind the last row is not defined.
+    // Turns blocks into rows again. The memory behind the last row is then undefined.
     void undo(Executor const& executor) const noexcept;
 
 private:

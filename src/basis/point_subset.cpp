@@ -21,7 +21,8 @@ Status PointList::check(Index n_points, Fault& fault) const noexcept {
     for (Index k = 0; k < count(); ++k) {
         Offset const number = Offset{point[k]} - index_base;
         if (number >= 0 && number < n_points) continue;
-        return fault.refuse(Status::bad_argument, "entry # of the list is no point of the mesh: @",
+        return fault.refuse(Status::bad_argument,
+                            "entry # of the list names point @, which is not in the mesh",
                             entry_item(k), {ItemKind::point, number});
     }
     return Status::ok;
@@ -39,9 +40,10 @@ std::uint64_t PointList::fingerprint(Basis const& from) const noexcept {
 }
 
 Status PointList::check_length(Index n, Fault& fault) noexcept {
-    if (n >= 0 && n <= most) return Status::ok;
-    return fault.refuse(Status::bad_argument, "a list may have 0 to @ points, not #", plain(n),
-                        plain(most));
+    if (n >= 0 && n <= max_count) return Status::ok;
+    return fault.refuse(Status::bad_argument,
+                        "the list has # points, but a list may have 0 to @ points", plain(n),
+                        plain(max_count));
 }
 
 void Extract::take_work(Arena& arena, Basis const& whole) noexcept {
@@ -51,15 +53,15 @@ void Extract::take_work(Arena& arena, Basis const& whole) noexcept {
     arena.take(slot, n_wall);
 }
 
-// How many points of the wall the list names, and repeats, is known only when it is read. It takes
-// most room to name all of them once. Where a few repeats take their place arrays may grow that had
-// not grown for others: a few lines of memory more.
+// The number of wall points in the list, and of repeated ones, is known only when the list is read.
+// The most memory is needed if the list names all wall points once. Where a few repeated points
+// replace them, other arrays may cross the limit of a cache line, which takes a few more lines.
 void Extract::count(Arena& arena, Basis const& whole, Index n_points) noexcept {
-    constexpr Index few = 24;
+    constexpr Index spare = 24;
     Extract bound;
     bound.take_work(arena, whole);
     BasisCounts counts = counts_of(whole, n_points, min(n_points, whole.wall_point.count()));
-    counts.joined = n_points - counts.wall + few;
+    counts.joined = n_points - counts.wall + spare;
     bound.basis.lay_out(arena, counts);
 }
 
@@ -100,7 +102,7 @@ void Extract::find_wall_points(Basis const& whole, PointList const& list) const 
         Index const whole_slot = slot_of(list[k]);
         if (whole_slot != none && position[whole_slot] == none) position[whole_slot] = k;
     }
-    Index n = 0;  // in the order of the boundary
+    Index n = 0;  // The slots are in the order of the boundary.
     for (Index k = 0; k < n_wall; ++k) slot[k] = position[k] != none ? n++ : none;
 }
 

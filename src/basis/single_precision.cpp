@@ -7,7 +7,7 @@ namespace {
 
 constexpr Real largest_float = 0x1.fffffep+127;
 
-// All that lies between header and values is the same in both.
+// Copies the data between header and values, which are the same in both.
 void copy_problem(Basis const& from, Basis const& to) noexcept {
     auto const begin = reinterpret_cast<const unsigned char*>(from.shape.data());
     auto const end = reinterpret_cast<const unsigned char*>(from.value.data());
@@ -23,12 +23,13 @@ BasisCounts single_counts(Basis const& from) noexcept {
 }
 
 Status store_single(Basis const& from, Basis const& to, Fault& fault) noexcept {
-    Real const largest =
-        from.header->largest;  // of the whole, also where this is a part of it: so it stays
+    // This is the largest value of the whole basis even if `from` is a share of it, so it is kept.
+    Real const largest = from.header->largest;
     if (!(largest <= largest_float)) {
-        return fault.refuse(Status::unsupported,
-                            "a value of the functions is too large for single precision: ~", {}, {},
-                            largest);
+        return fault.refuse(
+            Status::unsupported,
+            "a value of the functions, ~, is too large for single precision, which ends at 3.4e38",
+            {}, {}, largest);
     }
     BasisCounts const counts = single_counts(from);
     std::memset(static_cast<void*>(to.header), 0, Basis::bytes(counts));

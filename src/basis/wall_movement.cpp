@@ -3,9 +3,10 @@
 namespace harmorph {
 namespace {
 
-// Of the mean diagonal entry: what is added to it, and to that of a control point that moves unlike
-// its neighbours, and of offsets that turn.
-constexpr Real against_size = 1e-14, against_bending = 1e-7;
+// Both are relative to the mean diagonal entry. The first is added to all diagonal entries; the
+// second is the weight of differences between the movements of neighbouring control points, and of
+// turning offsets.
+constexpr Real size_regularisation = 1e-14, bending_regularisation = 1e-7;
 constexpr Index max_refinements = 200;
 
 // Points with displacements that are given from call to call follow no function, unless modes move
@@ -45,11 +46,11 @@ Real WallMovement::extent(Basis const& basis, Points at) noexcept {
     return max(high.x - low.x, high.y - low.y);
 }
 
-// Fills `row`.
+// Fills `row` with the values at one point of the wall.
 void WallMovement::find_row(Basis const& basis, Index slot) noexcept {
     Index const n = basis.n_functions();
     auto const value = basis.row(basis.in_single() ? slot : basis.wall_point[slot]);
-    Index const imaginary = basis.kind() == ValueKind::matrix ? 2 * n : n;  // see ValueKind
+    Index const imaginary = basis.kind() == ValueKind::matrix ? 2 * n : n;  // See ValueKind.
     for (Index i = 0; i < n; ++i) {
         row[i] = {value[i], basis.kind() == ValueKind::real ? 0 : value[imaginary + i]};
     }
@@ -59,7 +60,7 @@ void WallMovement::find_row(Basis const& basis, Index slot) noexcept {
     row[n + curve] = (1 / scale[curve]) * offset_at_start(basis, slot);
 }
 
-// After find_row().
+// Returns the residual of the point of the wall for which find_row() was called last.
 Vec2 WallMovement::residual(Basis const& basis, Index slot, Points at) noexcept {
     Vec2 rest = at[basis.wall_point[slot]] - basis.wall_start[slot];
     for (Index i = 0; i < row.count(); ++i) rest = rest - product(row[i], unknown[i]);
@@ -72,10 +73,10 @@ void WallMovement::set_up(Basis const& basis) noexcept {
     fill(scale, Real(0));
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
         if (!basis.is_on_curve(slot) || basis.header->method.offset_correction != 0) continue;
-        Real& its = scale[basis.wall_curve[slot]];
-        its = max(its, length(offset_at_start(basis, slot)));
+        Real& curve_scale = scale[basis.wall_curve[slot]];
+        curve_scale = max(curve_scale, length(offset_at_start(basis, slot)));
     }
-    for (Real& its : scale) its = its > least_offset * size ? its : 0;
+    for (Real& curve_scale : scale) curve_scale = curve_scale > min_offset * size ? curve_scale : 0;
     fill(matrix, Vec2{});
     fill(unknown, Vec2{});
     Index const n = unknown.count();
@@ -94,14 +95,15 @@ void WallMovement::set_up(Basis const& basis) noexcept {
     factor(regularise(basis));
 }
 
-// (P_2 - P_1) (m_1 - m_0) - (P_1 - P_0) (m_2 - m_1), divided by the lengths, is 0 for m = a P + b.
+// The expression (P_2 - P_1) (m_1 - m_0) - (P_1 - P_0) (m_2 - m_1), divided by the lengths, is 0
+// for m = a P + b; its square is added to the energy.
 void WallMovement::add_similarity(Curve const& curve, Index k, Real strength) noexcept {
     Vec2 const before = curve.point(k) - curve.point(k - 1),
                after = curve.point(k + 1) - curve.point(k);
-    Real const both = length(before) + length(after);
-    if (!(both > 0)) return;
-    Vec2 const factor[3] = {(-1 / both) * after, (1 / both) * (before + after),
-                            (-1 / both) * before};
+    Real const lengths = length(before) + length(after);
+    if (!(lengths > 0)) return;
+    Vec2 const factor[3] = {(-1 / lengths) * after, (1 / lengths) * (before + after),
+                            (-1 / lengths) * before};
     Offset const n = unknown.count();
     for (Index a = 0; a < 3; ++a) {
         Index const i = curve.control_point(k - 1 + a);
@@ -114,25 +116,26 @@ void WallMovement::add_similarity(Curve const& curve, Index k, Real strength) no
     }
 }
 
-// Returns the smallest entry that a diagonal may have.
+// Adds the regularisation. Returns the smallest entry that a diagonal may have.
 Real WallMovement::regularise(Basis const& basis) noexcept {
     Offset const n = unknown.count();
     Index const shapes = basis.header->counts.shapes();
     Real sum = 0;
     for (Index i = 0; i < shapes; ++i) sum += matrix[i * n + i].x;
-    Real const mean =
-        sum > 0 ? sum / shapes : 1;  // numbers of bodies and modes may have other units
+    // Diagonal entries of bodies and modes may have other units, so they do not enter the mean.
+    Real const mean = sum > 0 ? sum / shapes : 1;
     for (Index i = 0; i < n; ++i) {
         Real& diagonal = matrix[i * n + i].x;
-        diagonal += against_size * (i < shapes || diagonal == 0 ? mean : diagonal);
+        diagonal += size_regularisation * (i < shapes || diagonal == 0 ? mean : diagonal);
     }
-    for (Index i = basis.n_functions(); i < n; ++i) matrix[i * n + i].x += against_bending * mean;
-    Real const smallest = 0.5 * against_size * mean;
+    for (Index i = basis.n_functions(); i < n; ++i)
+        matrix[i * n + i].x += bending_regularisation * mean;
+    Real const smallest = 0.5 * size_regularisation * mean;
     if (!basis.combination.empty()) return smallest;
     for (Index number = 0; number < scale.count(); ++number) {
         Curve const curve = basis.curve(number);
         for (Index k = 1; k + 1 < curve.n_indices; ++k)
-            add_similarity(curve, k, against_bending * mean);
+            add_similarity(curve, k, bending_regularisation * mean);
     }
     return smallest;
 }
@@ -140,22 +143,22 @@ Real WallMovement::regularise(Basis const& basis) noexcept {
 void WallMovement::factor(Real smallest_pivot) noexcept {
     Offset const n = unknown.count();
     for (Offset k = 0; k < n; ++k) {
-        // Rounding may take away from a small entry what has been added to it.
+        // Rounding may remove from a small entry what was added to it.
         Real const pivot = sqrt(max(matrix[k * n + k].x, smallest_pivot));
         matrix[k * n + k] = {pivot, 0};
         for (Offset i = k + 1; i < n; ++i) matrix[i * n + k] = (1 / pivot) * matrix[i * n + k];
         for (Offset i = k + 1; i < n; ++i) {
-            Vec2 const its = matrix[i * n + k];
-            if (is_zero(its)) continue;
+            Vec2 const multiplier = matrix[i * n + k];
+            if (is_zero(multiplier)) continue;
             for (Offset j = k + 1; j <= i; ++j) {
                 Vec2& entry = matrix[i * n + j];
-                entry = entry - product(its, conjugate(matrix[j * n + k]));
+                entry = entry - product(multiplier, conjugate(matrix[j * n + k]));
             }
         }
     }
 }
 
-// In place of the right-hand side in `step`.
+// Solves with the factor; the solution replaces the right-hand side in `step`.
 void WallMovement::solve() noexcept {
     Offset const n = unknown.count();
     for (Offset i = 0; i < n; ++i) {

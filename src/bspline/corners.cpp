@@ -69,9 +69,15 @@ struct Walk {
 
 // Returns whether `turn` is larger than the next two turns let expect. On rounded leading edges,
 // turns grow up to fourfold from point to point.
+// Where the next turn alone is larger than that, the outline has a kink beside this point, and is
+// not round.
 bool stands_out(Real turn, Real next, Real after) noexcept {
-    Real const growth = after > 0 ? clamp(next / after, Real(1), Real(4)) : 4;
-    return turn > 2.5 * growth * next;
+    constexpr Real excess = 2.5, most_growth = 4;
+    bool const is_kink = next > excess * most_growth * after;
+    Real const growth = is_kink     ? 1
+                        : after > 0 ? clamp(next / after, Real(1), most_growth)
+                                    : most_growth;
+    return turn > excess * growth * next;
 }
 
 struct OutlineSide {

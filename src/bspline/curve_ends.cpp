@@ -8,6 +8,9 @@ namespace {
 // The directions before and after a base differ by an angle whose cosine is below this, about -cos
 // 45 degrees, so wedges up to 45 degrees have bases.
 constexpr Real cosine_of_return = -0.7;
+// The outline turns by at least 25 degrees at both ends of a base. A side with a smaller turn at
+// one end is the last panel before a trailing edge of one point.
+constexpr Real cosine_of_least_turn = 0.9063;
 // The smallest distance of a base from the leading edge, as a fraction of the chord.
 constexpr Real min_base_distance = 0.95;
 constexpr Real blunt_turn = 1;  // 2 sin(angle / 2) for 60 degrees
@@ -64,13 +67,16 @@ Index farthest_from(Outline const& outline, Vec2 from) noexcept {
     return farthest;
 }
 
-// Returns whether the outline reverses its direction at this side. Directions are taken over the
-// length of the side.
+// Returns whether the outline reverses its direction at this side, and turns at both ends.
+// Directions are taken over the length of the side.
 bool comes_back(Outline const& outline, Index from, Index to) noexcept {
-    Real const reach = length(outline.points[to] - outline.points[from]);
+    Vec2 const side = outline.points[to] - outline.points[from];
+    Real const reach = length(side);
     Vec2 const in = outline.points[from] - outline.points[outline.behind(from, reach)];
     Vec2 const out = outline.points[outline.ahead(to, reach)] - outline.points[to];
-    return dot(in, out) < cosine_of_return * length(in) * length(out);
+    return dot(in, out) < cosine_of_return * length(in) * length(out) &&
+           dot(in, side) < cosine_of_least_turn * length(in) * reach &&
+           dot(side, out) < cosine_of_least_turn * reach * length(out);
 }
 
 // Returns whether the outline turns away from the body on the side that begins at `end`, one end of

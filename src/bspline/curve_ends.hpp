@@ -41,9 +41,11 @@ struct Course {
 //
 // A base is a straight side between two consecutive corners, at the end of the section farthest
 // from the leading edge. The outline reverses there: the directions before the first corner and
-// after the second one are nearly opposite. At facets of a rounded edge with few points the outline
-// turns less, so they are not bases. The two ends of a plate are not bases either, because a plate
-// has no leading edge.
+// after the second one are nearly opposite, and the outline turns by at least 25 degrees at either
+// corner. At facets of a rounded edge with few points the outline
+// turns less, so they are not bases. The last panel before a
+// trailing edge of one point is no base. The two ends of a plate are not bases either, because a
+// plate has no leading edge.
 Course choose_course(Outline const& outline, Span<const Index> corner, Closure wanted) noexcept;
 
 // Removes both corners of each facet of a round edge, a short straight side with less than 60

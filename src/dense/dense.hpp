@@ -1,38 +1,35 @@
 // dense: partial Cholesky factorisation of the dense fronts of the direct engine, and substitution
 // with the factor.
 //
-// In: panels and update matrices (below), right-hand sides. Out: the panel factored, the update
-// matrix for the parent front, solutions. dense.cpp divides the work among threads;
-// src/dense/dense_tile (sums in registers), dense_tiles (products), dense_sums (row sums),
-// dense_kernel (factorisation, substitution) and dense_moves (extend-add, gather, scatter) are
-// compiled for each instruction set.
+// Input: panels and update matrices (below), and right-hand sides. Output: the factored panel, the
+// update matrix for the parent front, and solutions. dense.cpp divides the work among threads.
+// dense_tile (sums in registers), dense_tiles (products), dense_sums (row sums), dense_kernel
+// (factorisation, substitution) and dense_moves (extend-add, gather, scatter) are compiled for each
+// instruction set.
 //
-// Matrices are stored in slabs: eight columns side by side, row after row, so that kernels read
-// memory aligned and in order, and nothing has to be packed. A slab that meets the diagonal ends
-// below the diagonal block. The last slab is padded with zero columns.
+// Matrices are stored in slabs. A slab is eight columns side by side, row after row, so that
+// kernels read memory aligned and in order, and no numbers have to be packed. A slab that meets the
+// diagonal ends below the diagonal block. The last slab is padded with zero columns.
 //
-//            pivots          border
-//           0   1   2     0    1    2
-//         +---+---+---+ +----+----+----+
-//         | I |   |   | |    |    |    |    The panel of a front: the rows of the pivots. Factored:
-//         the upper factor U
-//         +---+---+---+ |    |    |    |    (A = U^H U), each diagonal block replaced by the
-//         inverse of the conjugate
-//             | I |   | |    |    |    |    transpose, so that solves are products. I: inverses
-//             (lower triangles, zeros
-//             +---+---+ |    |    |    |    above).
-//                 | I | |    |    |    |
-//                 +---+ +----+----+----+
+//          pivots          border
+//         0   1   2     0    1    2
+//       +---+---+---+ +----+----+----+
+//       | I |   |   | |    |    |    |    The panel of a front holds the rows of the pivots.
+//       +---+---+---+ |    |    |    |    Factorisation replaces it by the upper factor U,
+//           | I |   | |    |    |    |    A = U^H U. Each diagonal block I is the inverse of the
+//           +---+---+ |    |    |    |    conjugate transpose of the block of U, so that solves
+//               | I | |    |    |    |    are products. I is a lower triangle with zeros above.
+//               +---+ +----+----+----+
 //
 // Diagonal entries are not stored; in their place is the row sum, A 1. A diagonal entry is the row
 // sum minus the other entries of the row. For an M-matrix (off-diagonal entries not positive, row
-// sums not negative) nothing cancels, and every entry of the factor has a small relative error
+// sums not negative) no digits cancel, and every entry of the factor has a small relative error
 // however widely the coefficients vary. Source: W. K. Grassmann, M. I. Taksar, D. P. Heyman, Oper.
 // Res. 33 (1985) 1107; A. S. Alfa, J. Xue, Q. Ye, Math. Comp. 71 (2002) 217.
 //
-// Numbers are double or float, real (one plane) or complex (two planes): a row of a slab is the
-// real parts, then the imaginary parts; a row of right-hand sides likewise. Entries count numbers
-// of one plane.
+// Numbers are double or float, real (one plane) or complex (two planes). A row of a slab consists
+// of the real parts, followed by the imaginary parts, and so does a row of right-hand sides.
+// Entries count the numbers of one plane.
 #pragma once
 
 #include "base/executor.hpp"
@@ -42,14 +39,14 @@
 
 namespace harmorph::dense {
 
-// Columns of a slab, pivots of a diagonal block, and what rows of right-hand sides are padded to a
-// multiple of.
+// A slab has this many columns, a diagonal block this many pivots, and rows of right-hand sides are
+// padded to a multiple of this number.
 inline constexpr Index slab = 8;
 constexpr Index slabs_of(Index n) noexcept { return (n + slab - 1) / slab; }
 constexpr Index padded(Index n) noexcept { return slabs_of(n) * slab; }
 
-// Where slab `number` begins, in entries: `shorter` slabs end below their diagonal blocks, all
-// others have all rows.
+// Returns the entry at which slab `number` begins. The first `shorter` slabs end below their
+// diagonal blocks; all others have all rows.
 constexpr Offset slab_start(Index rows, Index shorter, Index number) noexcept {
     Offset const below = number < shorter ? number : shorter;
     return slab * (slab * (below * (below + 1) / 2) + Offset{rows} * (number - below));
@@ -59,12 +56,13 @@ constexpr Offset update_entries(Index n) noexcept { return triangle_entries(n); 
 constexpr Offset panel_entries(Index pivots, Index border) noexcept {
     return triangle_entries(pivots) + slab_start(pivots, 0, slabs_of(border));
 }
-// Entries in the row sums of a front: the pivots', then the border's.
+// Returns the number of entries in the row sums of a front: those of the pivots, then those of the
+// border.
 constexpr Offset sum_entries(Index pivots, Index border) noexcept {
     return padded(pivots) + padded(border);
 }
-// Rows (strip) and columns (chunk) of one block of the products, so that the operands stay in the
-// caches. Whole tiles.
+// One block of the products has at most `strip` rows and `chunk` columns, so that the operands stay
+// in the caches. Both are whole numbers of tiles.
 inline constexpr Index strip = 128;
 inline constexpr Index chunk = 192;
 
@@ -76,7 +74,8 @@ struct Slabs {
     Index shorter = 0;
     Index planes = 1;
 
-    // The real part of an entry; the imaginary part is `slab` numbers further on.
+    // Returns the place of the real part of an entry; the imaginary part is `slab` numbers further
+    // on.
     Number* at(Index row, Index column) const noexcept {
         Index const number = column / slab;
         Offset const start = slab_start(rows, shorter, number) + Offset{slab} * row;
@@ -100,24 +99,24 @@ struct Panel {
     Index planes = 1;
 
     Slabs<Number> own() const noexcept { return triangle(data, pivots, planes); }
-    Slabs<Number> of_border() const noexcept {
+    Slabs<Number> border_columns() const noexcept {
         return {data + planes * triangle_entries(pivots), pivots, border, 0, planes};
     }
     Index front() const noexcept { return pivots + border; }
-    // From the real parts of the front's row sums to the imaginary parts.
+    // Returns the distance between the real and the imaginary parts of the front's row sums.
     Offset sums_plane() const noexcept { return sum_entries(pivots, border); }
-    Index border_sums() const noexcept {
-        return padded(pivots);
-    }  // where the row sums of the border begin
-    // Columns of the front: the pivots, then the border.
+    // Returns where the row sums of the border begin.
+    Index border_sums() const noexcept { return padded(pivots); }
+    // The columns of the front are those of the pivots, then those of the border.
     Number* at(Index pivot, Index column) const noexcept {
-        return column < pivots ? own().at(pivot, column) : of_border().at(pivot, column - pivots);
+        return column < pivots ? own().at(pivot, column)
+                               : border_columns().at(pivot, column - pivots);
     }
 };
 
-// The Hermitian matrix that a front leaves to the parent front: the upper triangle, with the row
-// sums in place of the diagonal. The row sums are the parts that this front and the fronts below
-// contribute.
+// The Hermitian matrix that a front passes to the parent front. The upper triangle is stored, with
+// the row sums in place of the diagonal. The row sums contain what this front and the fronts below
+// it contribute.
 template <class Number>
 struct UpdateMatrix {
     Number* data = nullptr;
@@ -129,16 +128,17 @@ struct UpdateMatrix {
 };
 
 // The caller's threads, planes * sum_entries() numbers for row sums, and the smallest ratio so far
-// of a pivot to the magnitudes of the terms it is the sum of: 1 where nothing cancelled.
+// of a pivot to the sum of the magnitudes of the terms of which the pivot is the sum. The ratio is
+// 1 if no digits cancelled.
 template <class Number>
 struct Workers {
     Executor executor;
     Number* sums = nullptr;
-    Number* least_left = nullptr;
+    Number* min_pivot_ratio = nullptr;
 };
 
-// The rows of a strip, summed over the columns behind those of the strip: sum [plane][row]; size:
-// magnitudes summed.
+// The rows of a strip are summed over the columns behind those of the strip: sum [plane][row] adds
+// the entries, `size` adds the magnitudes of the real parts.
 template <class Number>
 struct TailSums {
     Number sum[2][strip], size[strip];
@@ -146,47 +146,48 @@ struct TailSums {
 
 // The functions below are instantiated for double and float.
 
-// Factors in place. Returns the first pivot whose ratio (see Workers) is not above `floor`, or
-// none. Lowers *workers.least_left, and leaves in workers.sums the row sums that update_border()
-// needs.
+// Factors the panel in place. Returns the first pivot whose ratio (see Workers) is not above
+// `floor`, or none. Lowers *workers.min_pivot_ratio, and stores in workers.sums the row sums that
+// update_border() needs.
 template <class Number>
 Index factor(Kernel kernel, Panel<Number> const& panel, Number floor,
              Workers<Number> const& workers) noexcept;
 
-// Subtracts U^H U, of the columns of the border, from the update matrix.
+// Subtracts U^H U, formed with the columns of the border, from the update matrix.
 template <class Number>
 void update_border(Kernel kernel, Panel<Number> const& panel, UpdateMatrix<Number> const& update,
                    Workers<Number> const& workers) noexcept;
 
-// Adds the update matrix of a child to the panel and the update matrix of the parent. targets
-// [from.n]: the row in the parent front of each row of the update matrix, increasing.
+// Adds the update matrix of a child to the panel and to the update matrix of the parent. targets
+// [from.n] contains the row of the parent front for each row of the child's update matrix, in
+// increasing order.
 template <class Number>
 void extend_add(Kernel kernel, UpdateMatrix<Number> const& from, const Index* targets,
                 Panel<Number> const& panel, UpdateMatrix<Number> const& update) noexcept;
 
-// y [front x planes x row], row a multiple of slab: solves U^H y = y for the pivots, and subtracts
-// their products from the rows of the border.
+// Solves U^H y = y for the pivots, and subtracts the products of the solution from the rows of the
+// border. y is [front x planes x row]; row is a multiple of slab.
 template <class Number>
 void solve_forward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row,
                    Executor const& executor) noexcept;
-// Solves U y = y for the pivots; the rows of the border are known.
+// Solves U y = y for the pivots; the solution in the rows of the border is known.
 template <class Number>
 void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row,
                     Executor const& executor) noexcept;
 
-// Copies the rows at positions begin .. begin+n-1 to rows of y, with zeros in the padding. `row` as
-// above. Values are doubles, or floats where the numbers are floats. The first of the `behind` rows
-// behind them are prefetched.
+// Copies the rows at positions begin .. begin+n-1 to rows of y, and fills the padding with zeros;
+// `row` is a multiple of slab. Values are doubles, or floats if the numbers are floats. The first
+// of the `behind` rows that follow in memory are prefetched.
 template <class Number, class Value>
 void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Index behind, Number* y,
             Index row, Index planes) noexcept;
-// And back to positions begin .. begin+n-1.
+// Copies rows of y back to positions begin .. begin+n-1.
 template <class Number, class Value>
 void scatter(Kernel kernel, const Number* y, Index row, Index planes, RowsOf<Value> const& to,
              Index begin, Index n) noexcept;
 
-// Adds n rows of `length` numbers, a multiple of slab, to rows `targets` of y; and copies such rows
-// of y.
+// add_rows() adds n rows of `length` numbers, a multiple of slab, to the rows `targets` of y.
+// copy_rows() copies these rows of y to `to`.
 template <class Number>
 void add_rows(Kernel kernel, Index n, const Number* from, const Index* targets, Number* y,
               Index length) noexcept;

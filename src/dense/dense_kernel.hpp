@@ -1,5 +1,6 @@
-// Factorisation and substitution of a front with the registers of one instruction set; compiled for
-// each by dense_table.cpp.
+// Factorisation and substitution of a front with the registers of one instruction set.
+// dense_table.cpp compiles this file for each set. tests/dense/test_dense.cpp and
+// tests/dense/test_pivots.cpp cover this file.
 #include "dense/dense_sums.hpp"
 
 namespace harmorph::dense::HARMORPH_SET {
@@ -8,14 +9,14 @@ namespace {
 HARMORPH_INLINE double sqrt(double x) noexcept { return __builtin_sqrt(x); }
 HARMORPH_INLINE float sqrt(float x) noexcept { return __builtin_sqrtf(x); }
 
-// A diagonal block A beside a unit matrix. Elimination without roots turns [A | 1] into [D L^H |
-// L^-1], A = L D L^H.
+// A diagonal block A beside a unit matrix. Elimination without square roots turns [A | 1] into [D
+// L^H | L^-1], where A = L D L^H.
 template <Index planes, class Number>
-struct BlockBesideUnit {
+struct AugmentedBlock {
     static constexpr Index block = slab, width = 2 * block;
     Number at[block][planes][width];
 
-    BlockBesideUnit(const Number* a, Index n) noexcept {
+    AugmentedBlock(const Number* a, Index n) noexcept {
         for (Index r = 0; r < n; ++r, a += step<planes>) {
             for (Index plane = 0; plane < planes; ++plane) {
                 Number* const row = at[r][plane];
@@ -28,8 +29,8 @@ struct BlockBesideUnit {
         }
     }
 
-    // row r -= conj(factor) * row k, from column r of A to column k of the unit matrix: other
-    // entries are 0.
+    // Subtracts conj(factor) times row k from row r, in column r of A to column k of the unit
+    // matrix; all other entries of row k are 0.
     HARMORPH_INLINE void subtract(Index r, Index k, Number real, Number imaginary) noexcept {
         for (Index c = r / lanes<Number> * lanes<Number>; c <= block + k; c += lanes<Number>) {
             Vector<Number> const re = load(at[k][0] + c);
@@ -44,29 +45,29 @@ struct BlockBesideUnit {
     }
 };
 
-// Cholesky of a diagonal block of n <= slab pivots; the inverse of U^H replaces the block. sum: row
-// sums within the columns of the block; the diagonal entries are not read. size: the magnitudes of
-// the terms, summed. Returns the first pivot that is not larger than `floor` times the sum of
-// magnitudes, or none.
+// Factors a diagonal block of n <= slab pivots; the inverse of U^H replaces the block. `sum` has
+// the row sums over the columns of the block; the diagonal entries are not read. `size` has the
+// sums of the magnitudes of the same terms. Returns the first pivot that is not larger than `floor`
+// times the sum of magnitudes, or none.
 template <Index planes, class Number>
 Index factor_block(Number* a, Index n, Number (&sum)[planes][slab], const Number (&size)[slab],
-                   Number floor, Number& least_left) noexcept {
-    BlockBesideUnit<planes, Number> both(a, n);
+                   Number floor, Number& min_pivot_ratio) noexcept {
+    AugmentedBlock<planes, Number> augmented(a, n);
     Number scale[slab];
     for (Index k = 0; k < n; ++k) {
         Number pivot = sum[0][k], row_size = size[k];
         for (Index c = k + 1; c < n; ++c) {
-            pivot -= both.at[k][0][c];
-            row_size += magnitude(both.at[k][0][c]);
+            pivot -= augmented.at[k][0][c];
+            row_size += magnitude(augmented.at[k][0][c]);
         }
         if (!(pivot > floor * row_size)) return k;
-        if (pivot < least_left * row_size) least_left = pivot / row_size;
+        if (pivot < min_pivot_ratio * row_size) min_pivot_ratio = pivot / row_size;
         Number const inverse = 1 / pivot;
         scale[k] = 1 / sqrt(pivot);
         for (Index r = k + 1; r < n; ++r) {
-            Number const real = both.at[k][0][r] * inverse;
-            Number const imaginary = planes == 2 ? both.at[k][planes - 1][r] * inverse : 0;
-            both.subtract(r, k, real, imaginary);
+            Number const real = augmented.at[k][0][r] * inverse;
+            Number const imaginary = planes == 2 ? augmented.at[k][planes - 1][r] * inverse : 0;
+            augmented.subtract(r, k, real, imaginary);
             sum[0][r] -= real * sum[0][k];
             if constexpr (planes == 2) {
                 sum[0][r] -= imaginary * sum[1][k];
@@ -77,23 +78,23 @@ Index factor_block(Number* a, Index n, Number (&sum)[planes][slab], const Number
     for (Index r = 0; r < n; ++r, a += step<planes>) {
         for (Index plane = 0; plane < planes; ++plane) {
             for (Index c = 0; c < slab; c += lanes<Number>) {
-                store(a + plane * slab + c, scale[r] * load(both.at[r][plane] + slab + c));
+                store(a + plane * slab + c, scale[r] * load(augmented.at[r][plane] + slab + c));
             }
         }
     }
     return none;
 }
 
-// The right-hand sides from `row` on.
+// Returns the rows of the right-hand sides that begin with `row`.
 template <Index planes, class Number>
-HARMORPH_INLINE InRows<Number, planes> sides(Number* y, Index width, Index row) noexcept {
+HARMORPH_INLINE InRows<Number, planes> right_hand_rows(Number* y, Index width, Index row) noexcept {
     return InRows<Number, planes>{y, width}.at(row, 0);
 }
 
 template <class Number, Index planes>
 void subtract_earlier(Slabs<Number> const& own, Slabs<Number> const& columns, Index first,
                       Index end, Index from, Index to) noexcept {
-    bool const upper = own.data == columns.data;  // may begin on the diagonal
+    bool const upper = own.data == columns.data;  // The columns may begin on the diagonal.
     for (Index k = 0; k < first; k += strip) {
         subtract_product<planes>(own, columns, columns, {k, k + strip}, {first, end}, {from, to},
                                  upper);
@@ -103,7 +104,7 @@ void subtract_earlier(Slabs<Number> const& own, Slabs<Number> const& columns, In
 template <class Number, Index planes>
 void sum_tails(Panel<Number> const& panel, Index first, Index end, Index from, Index to,
                TailSums<Number>& tails) noexcept {
-    Slabs<Number> const own = panel.own(), border = panel.of_border();
+    Slabs<Number> const own = panel.own(), border = panel.border_columns();
     sum_rows<planes>(own, {from, to}, {end, own.columns}, &border,
                      [&](Index row, const Number* sum, Number size) {
                          for (Index p = 0; p < planes; ++p) tails.sum[p][row - first] = sum[p];
@@ -113,16 +114,16 @@ void sum_tails(Panel<Number> const& panel, Index first, Index end, Index from, I
 
 template <class Number, Index planes>
 Index factor_diagonal(Panel<Number> const& panel, Index first, Index end, Number* sums,
-                      TailSums<Number>& tails, Number floor, Number& least_left) noexcept {
+                      TailSums<Number>& tails, Number floor, Number& min_pivot_ratio) noexcept {
     Slabs<Number> const own = panel.own();
     Offset const plane = panel.sums_plane();
-    Number inner[planes][strip];  // sums of the rows within the strip's own columns
+    Number inner[planes][strip];  // These are the sums of the rows over the strip's own columns.
     Index const padded_end = first + (end - first + slab - 1) / slab * slab;
     for (Index p = 0; p < planes; ++p) {
         for (Index r = first; r < end; ++r)
             inner[p][r - first] = sums[p * plane + r] - tails.sum[p][r - first];
-        // Whole vectors are computed with: what lies in lanes without a row must not raise an
-        // exception.
+        // The loops below compute with whole vectors. The lanes without a row are 0, so that they
+        // raise no floating-point exception.
         for (Index r = end; r < padded_end; ++r) inner[p][r - first] = 0;
     }
     for (Index k = first; k < end; k += slab) {
@@ -136,7 +137,7 @@ Index factor_diagonal(Panel<Number> const& panel, Index first, Index end, Number
                              size[row - k] =
                                  magnitude(sums[row]) + tails.size[row - first] + row_size;
                          });
-        Index const bad = factor_block<planes>(own.at(k, k), n, sum, size, floor, least_left);
+        Index const bad = factor_block<planes>(own.at(k, k), n, sum, size, floor, min_pivot_ratio);
         if (bad != none) return k + bad;
         apply_inverse<planes>(own, k, n, behind, InSlabs<Number, planes>{own, k, k + n});
         eliminate_sums<planes>(own, k, n, end, inner[0] + (k - first), strip);
@@ -153,7 +154,8 @@ void finish_columns(Panel<Number> const& panel, Slabs<Number> const& columns, In
         Range const tile{c, min(to, c + tile_columns<planes, Number>)};
         for (Index k = first; k < end; k += slab) {
             Index const n = min(slab, end - k);
-            if constexpr (planes == 1 && tile_rows<planes> == slab) {  // all of it in registers
+            if constexpr (planes == 1 &&
+                          tile_rows<planes> == slab) {  // The whole tile stays in registers.
                 if (n == slab) {
                     InSlabs<Number, 1> const above{columns, first, c}, block{columns, k, c};
                     any_finish_tile(tile.count(), own.at(first, k), above, k - first, own.at(k, k),
@@ -173,7 +175,7 @@ void finish_columns(Panel<Number> const& panel, Slabs<Number> const& columns, In
 template <class Number, Index planes>
 void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index begin,
                  const Number* sums) noexcept {
-    Slabs<Number> const border = panel.of_border(), d = update.all();
+    Slabs<Number> const border = panel.border_columns(), d = update.all();
     Index const end = min(update.n, begin + strip);
     Number sum[planes][strip];
     for (Index r = begin; r < end; ++r) {
@@ -198,10 +200,10 @@ void solve_strip_forward(Slabs<Number> const& own, Index first, Index end, Numbe
                          Index row) noexcept {
     for (Index k = first; k < end; k += slab) {
         Index const n = min(slab, end - k);
-        InRows<Number, planes> const block = sides<planes>(y, row, k);
+        InRows<Number, planes> const block = right_hand_rows<planes>(y, row, k);
         if (k > first)
-            subtract_from_rows<planes>(own, sides<planes>(y, row, first), block, {first, k},
-                                       {k, k + n});
+            subtract_from_rows<planes>(own, right_hand_rows<planes>(y, row, first), block,
+                                       {first, k}, {k, k + n});
         apply_inverse<planes>(own, k, n, row, block);
     }
 }
@@ -209,8 +211,8 @@ void solve_strip_forward(Slabs<Number> const& own, Index first, Index end, Numbe
 template <class Number, Index planes>
 void subtract_forward(Slabs<Number> const& columns, Index first, Index end, Number* y, Number* rest,
                       Index row, Index from, Index to) noexcept {
-    subtract_from_rows<planes>(columns, sides<planes>(y, row, first),
-                               sides<planes>(rest, row, from), {first, end}, {from, to});
+    subtract_from_rows<planes>(columns, right_hand_rows<planes>(y, row, first),
+                               right_hand_rows<planes>(rest, row, from), {first, end}, {from, to});
 }
 
 template <class Number, Index planes>
@@ -218,7 +220,8 @@ void subtract_backward(Slabs<Number> const& columns, Index begin, Number* y, Num
                        Index row, Index from, Index to, Offset ahead) noexcept {
     for (Index k = begin; k < columns.columns; k += strip) {
         subtract_across<planes>(columns, {k, min(columns.columns, k + strip)}, {from, to},
-                                sides<planes>(rest, row, k), sides<planes>(y, row, from), ahead);
+                                right_hand_rows<planes>(rest, row, k),
+                                right_hand_rows<planes>(y, row, from), ahead);
     }
 }
 
@@ -227,7 +230,7 @@ void solve_strip_backward(Slabs<Number> const& own, Index first, Index end, Numb
                           Offset ahead) noexcept {
     for (Index k = first + (end - 1 - first) / slab * slab; k >= first; k -= slab) {
         Index const n = min(slab, end - k);
-        InRows<Number, planes> const block = sides<planes>(y, row, k);
+        InRows<Number, planes> const block = right_hand_rows<planes>(y, row, k);
         prefetch_rows<planes>(own.at(k, k) + ahead, n);
         if (k + n < end)
             subtract_across<planes>(own, {k + n, end}, {k, k + n}, block.at(n, 0), block, ahead);

@@ -1,19 +1,21 @@
 // Moves of numbers between fronts, and between fronts and the caller's rows, with the registers of
-// one instruction set; compiled for each by dense_table.cpp.
+// one instruction set. dense_table.cpp compiles this file for each set. tests/dense/test_dense.cpp
+// covers this file.
 #include "dense/dense_kernel.hpp"
 
 namespace harmorph::dense::HARMORPH_SET {
 namespace {
 
-// Columns of a child front that are added to one vector of the parent front. They are neighbours in
-// the child, in one vector or two.
+// The columns of a child front that are added to one vector of the parent front. They are
+// neighbours in the child, where they lie in one vector or in two.
 template <class Number>
 struct Source {
     Number* first;
     Number* second;
     typename Registers<Number>::Picks picks;
 
-    // Columns from <= j < to, whose targets are in the vector that begins at column `begin`.
+    // Takes the columns from <= j < to, whose targets are in the vector that begins at column
+    // `begin`.
     Source(Slabs<Number> const& child, Index from, Index to, const Index* target,
            Index begin) noexcept {
         Index const column = from / lanes<Number> * lanes<Number>;
@@ -26,8 +28,8 @@ struct Source {
     }
 };
 
-// Rows from <= i < to of the child are added to rows target[i] of the column at `into`, the rest of
-// whose vector stays.
+// Adds the rows from <= i < to of the child to the rows target[i] of the vector at `into`. Lanes of
+// the vector without a source keep their numbers.
 template <Index planes, class Number>
 HARMORPH_INLINE void add_column(Source<Number> const& from, const Index* target, Range rows,
                                 Number* into) noexcept {
@@ -43,11 +45,11 @@ HARMORPH_INLINE void add_column(Source<Number> const& from, const Index* target,
     }
 }
 
-// Whole vectors are added: entries below the diagonal change, too, but are never used.
+// Adds whole vectors: entries below the diagonal change, too, but they are never used.
 template <Index planes, class Number>
 void add_front(Slabs<Number> const& from, const Index* target, Panel<Number> const& panel,
                Slabs<Number> const& update) noexcept {
-    Slabs<Number> const own = panel.own(), border = panel.of_border();
+    Slabs<Number> const own = panel.own(), border = panel.border_columns();
     Index j = 0;
     while (j < from.columns && target[j] < panel.pivots) {
         Index const begin = target[j] / lanes<Number> * lanes<Number>;
@@ -71,8 +73,8 @@ void add_front(Slabs<Number> const& from, const Index* target, Panel<Number> con
     }
 }
 
-// to [n] = from, converted: as many at a time as doubles fill a register, the rest by halves of
-// that.
+// Converts the n numbers at `from` to `to`: as many at a time as doubles fill a register, and the
+// rest by half as many at a time, repeatedly.
 template <Index at_once = lanes<double>, class From, class To>
 HARMORPH_INLINE void convert_run(const From* from, Index n, To* to) noexcept {
     typedef From Froms
@@ -87,8 +89,8 @@ HARMORPH_INLINE void convert_run(const From* from, Index n, To* to) noexcept {
     if constexpr (at_once > 1) convert_run<at_once / 2>(from + i, n - i, to + i);
 }
 
-// Clears the last `slab` numbers, which may be padding. A constant number: for a variable one
-// compilers call memset.
+// Clears the last `slab` numbers, which may be padding. Their number is a constant, because
+// compilers call memset for a variable one.
 template <class Number>
 HARMORPH_INLINE void clear_last(Number* end) noexcept {
     for (Index i = 1; i <= slab; ++i) end[-i] = 0;
@@ -100,8 +102,9 @@ HARMORPH_INLINE Value* row_at(Value* data, const Index* row_of, Offset length,
     return data + (row_of != nullptr ? row_of[position] : position) * length;
 }
 
-constexpr Index rows_ahead =
-    16;  // rows of values are read in no order of memory, so the next ones are prefetched
+// Rows of values are read in an irregular order, so the row that follows at this distance is
+// prefetched.
+constexpr Index rows_ahead = 16;
 
 template <class Value>
 HARMORPH_INLINE void prefetch_row(const Value* row, Offset numbers) noexcept {

@@ -1,4 +1,5 @@
-// Sums of rows with the registers of one instruction set; compiled for each by dense_table.cpp.
+// Sums of rows with the registers of one instruction set. dense_table.cpp compiles this file for
+// each set. tests/dense/test_pivots.cpp covers this file.
 #include "dense/dense_tiles.hpp"
 
 namespace harmorph::dense::HARMORPH_SET {
@@ -8,7 +9,7 @@ template <class Number>
 HARMORPH_INLINE Number magnitude(Number x) noexcept {
     return x < 0 ? -x : x;
 }
-// Absolute values: the sign bits are cleared.
+// Returns the absolute values: the sign bits are cleared.
 template <class Number>
 HARMORPH_INLINE Vector<Number> magnitudes(Vector<Number> v) noexcept {
     using Words = typename Registers<Number>::Words;
@@ -16,26 +17,26 @@ HARMORPH_INLINE Vector<Number> magnitudes(Vector<Number> v) noexcept {
     return Vector<Number>(Words(v) & (~Word{0} >> 1));
 }
 
-// The sum of a register's numbers.
+// Returns the sum of a register's numbers.
 template <class Number>
 HARMORPH_INLINE Number total(Vector<Number> v) noexcept {
-    typedef Number Quarter __attribute__((vector_size(16), aligned(sizeof(Number)), may_alias));
-    constexpr Index in_quarter = static_cast<Index>(sizeof(Quarter) / sizeof(Number));
+    typedef Number Block16 __attribute__((vector_size(16), aligned(sizeof(Number)), may_alias));
+    constexpr Index per_block = static_cast<Index>(sizeof(Block16) / sizeof(Number));
     Number each[lanes<Number>];
     store(each, v);
-    Quarter sum = *reinterpret_cast<const Quarter*>(each);
-    for (Index k = in_quarter; k < lanes<Number>; k += in_quarter)
-        sum += *reinterpret_cast<const Quarter*>(each + k);
-    if constexpr (in_quarter == 4) return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+    Block16 sum = *reinterpret_cast<const Block16*>(each);
+    for (Index k = per_block; k < lanes<Number>; k += per_block)
+        sum += *reinterpret_cast<const Block16*>(each + k);
+    if constexpr (per_block == 4) return (sum[0] + sum[1]) + (sum[2] + sum[3]);
     return sum[0] + sum[1];
 }
 
-// Sums of a few rows, and of the magnitudes of their real parts.
+// The sums of a few rows, and the sums of the magnitudes of their real parts.
 template <Index planes, Index rows, class Number>
 struct RowSums {
     Vector<Number> sum[planes][rows] = {}, size[rows] = {};
 
-    // Columns from a slab's first one on.
+    // Adds the columns of the range, which begins with the first column of a slab.
     HARMORPH_INLINE void add(Slabs<Number> const& u, Index row, Range columns) noexcept {
         for (Index c = columns.begin; c < columns.end; c += slab) {
             const Number* const entries = u.at(row, c);
@@ -54,13 +55,13 @@ struct RowSums {
     }
 };
 
-// take(row, sums, size) for each row of u, summed over `own`, columns of u, and over all of
-// `others`, if there are any.
+// Calls take(row, sums, size) for each row of u. The sums extend over the columns `own` of u, and
+// over all columns of `others` if `others` is not null.
 template <Index planes, class Number, class Take>
 HARMORPH_INLINE void sum_rows(Slabs<Number> const& u, Range rows, Range own,
                               Slabs<Number> const* others, Take const& take) noexcept {
     constexpr Index at_once = 4;
-    auto const some = [&](auto& sums, Index row, Index n) {
+    auto const sum_some = [&](auto& sums, Index row, Index n) {
         sums.add(u, row, own);
         if (others != nullptr) sums.add(*others, row, {0, others->columns});
         for (Index r = 0; r < n; ++r) {
@@ -72,16 +73,16 @@ HARMORPH_INLINE void sum_rows(Slabs<Number> const& u, Range rows, Range own,
     Index row = rows.begin;
     for (; row + at_once <= rows.end; row += at_once) {
         RowSums<planes, at_once, Number> sums;
-        some(sums, row, at_once);
+        sum_some(sums, row, at_once);
     }
     for (; row < rows.end; ++row) {
         RowSums<planes, 1, Number> sums;
-        some(sums, row, 1);
+        sum_some(sums, row, 1);
     }
 }
 
-// sums [columns] -= U^H y: n rows of U from `row` on; columns from the first of a slab on. `plane`:
-// from the real parts of sums and of y to the imaginary parts.
+// Computes sums [columns] -= U^H y with n rows of U, beginning at `row`; the columns begin with the
+// first column of a slab. `plane` is the distance from real to imaginary parts in sums and in y.
 template <Index planes, class Number>
 void subtract_sums(Slabs<Number> const& u, Index row, Index n, Range columns, const Number* y,
                    Number* sums, Offset plane) noexcept {
@@ -103,8 +104,8 @@ void subtract_sums(Slabs<Number> const& u, Index row, Index n, Range columns, co
     }
 }
 
-// Forward elimination of the row sums: of a diagonal block, already replaced by its inverse, and of
-// the columns behind it.
+// Eliminates the row sums of a diagonal block, which is replaced by its inverse already, and
+// subtracts the products from the sums of the columns behind the block.
 template <Index planes, class Number>
 void eliminate_sums(Slabs<Number> const& u, Index first, Index n, Index end, Number* sums,
                     Offset plane) noexcept {

@@ -1,12 +1,14 @@
-// The dense kernels of one instruction set as function tables. A strip of pivots is first .. end-1.
-// `columns`: the panel's own or its border's, of which from .. to-1 are wanted.
+// The dense kernels of one instruction set as function tables. A strip consists of the pivots first
+// .. end-1. `columns` are the panel's own or those of the border; the kernel works on from .. to-1
+// of them. tests/dense/test_dense.cpp covers this file.
 #pragma once
 
 #include "dense/dense.hpp"
 
 namespace harmorph::dense {
 
-// Factorisation and substitution of a panel of real (one plane) or complex numbers (two planes).
+// Kernels for factorisation and substitution of a panel of real numbers (one plane) or complex
+// numbers (two planes).
 template <class Number, Index planes>
 struct FrontKernels {
     // Subtracts the products of earlier strips from the rows of the strip.
@@ -15,36 +17,38 @@ struct FrontKernels {
     // Sums rows from .. to-1 of the strip over the columns behind those of the strip; see TailSums.
     void (*sum_tails)(Panel<Number> const& panel, Index first, Index end, Index from, Index to,
                       TailSums<Number>& tails) noexcept;
-    // Factors the columns of the strip. sums: of all rows of the front; those of the strip are
-    // multiplied by U^-H.
+    // Factors the columns of the strip. `sums` are those of all rows of the front; the sums of the
+    // strip are multiplied by U^-H.
     Index (*factor_diagonal)(Panel<Number> const& panel, Index first, Index end, Number* sums,
-                             TailSums<Number>& tails, Number floor, Number& least_left) noexcept;
-    // Then finishes other columns, and subtracts their part from column_sums, the sums of the rows
-    // with the same numbers.
+                             TailSums<Number>& tails, Number floor,
+                             Number& min_pivot_ratio) noexcept;
+    // Finishes other columns after factor_diagonal(), and subtracts their part from column_sums,
+    // the sums of the rows with the same numbers.
     void (*finish_columns)(Panel<Number> const& panel, Slabs<Number> const& columns, Index first,
                            Index end, Index from, Index to, Number* sums,
                            Number* column_sums) noexcept;
-    // Updates the band of the update matrix that begins at row `first`. sums: row sums of the
-    // border.
+    // Updates the band of the update matrix that begins at row `first`. `sums` are the row sums of
+    // the border.
     void (*update_band)(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index first,
                         const Number* sums) noexcept;
 
-    // Right-hand sides y: solves for the pivots of a strip, then subtracts their products from rows
-    // from .. to-1 of `rest`, which belong to `columns`.
+    // solve_strip_forward() solves for the pivots of a strip in the right-hand sides y.
+    // subtract_forward() then subtracts the products of the solution from the rows from .. to-1 of
+    // `rest`, which belong to `columns`.
     void (*solve_strip_forward)(Slabs<Number> const& own, Index first, Index end, Number* y,
                                 Index row) noexcept;
     void (*subtract_forward)(Slabs<Number> const& columns, Index first, Index end, Number* y,
                              Number* rest, Index row, Index from, Index to) noexcept;
-    // Subtracts from pivots from .. to-1 the products of the rows of `rest` that belong to
-    // `columns`, from `begin` on. ahead: how far from what is read, in numbers, prefetching is
-    // worth while.
+    // Subtracts the products of the rows of `rest` that belong to `columns`, from column `begin`
+    // on, from the pivots from .. to-1. `ahead` is the distance, counted in numbers, between the
+    // entry that is read and the entry that is prefetched.
     void (*subtract_backward)(Slabs<Number> const& columns, Index begin, Number* y, Number* rest,
                               Index row, Index from, Index to, Offset ahead) noexcept;
     void (*solve_strip_backward)(Slabs<Number> const& own, Index first, Index end, Number* y,
                                  Index row, Offset ahead) noexcept;
 };
 
-// Moves between fronts; see dense.hpp.
+// Kernels that move numbers between fronts; see dense.hpp.
 template <class Number>
 struct MoveKernels {
     void (*extend_add)(UpdateMatrix<Number> const& from, const Index* targets,
@@ -55,7 +59,7 @@ struct MoveKernels {
                       Index length) noexcept;
 };
 
-// Moves between fronts and rows of values; see dense.hpp.
+// Kernels that move numbers between fronts and rows of values; see dense.hpp.
 template <class Number, class Value>
 struct CopyKernels {
     void (*gather)(RowsOf<Value> const& from, Index begin, Index n, Index behind, Number* y,
@@ -64,7 +68,8 @@ struct CopyKernels {
                     Index n) noexcept;
 };
 
-// What follows is there for double and float; values are doubles, or floats where numbers are.
+// The tables below exist for double and float; values are doubles, or floats if the numbers are
+// floats.
 template <class Number, Index planes>
 FrontKernels<Number, planes> const& front_kernels(Kernel kernel) noexcept;
 template <class Number>

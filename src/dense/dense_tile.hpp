@@ -1,10 +1,12 @@
-// A tile of a product of dense blocks in the registers of one instruction set, and where its
-// operands are in memory; compiled for each set by dense_table.cpp.
+// A tile of a product of dense blocks in the registers of one instruction set, and the places of
+// the operands in memory. dense_table.cpp compiles this file for each set.
+// tests/dense/test_dense.cpp covers this file.
 
 namespace harmorph::dense::HARMORPH_SET {
 namespace {
 
-// Not those of base/scalar.hpp: the linker might take the copy compiled here for all other code.
+// These functions are not those of base/scalar.hpp, because the linker might use the copy that is
+// compiled here, with the instructions of this set, in all other code.
 HARMORPH_INLINE constexpr Index min(Index a, Index b) noexcept { return b < a ? b : a; }
 HARMORPH_INLINE Index max(Index a, Index b) noexcept { return a < b ? b : a; }
 
@@ -15,12 +17,13 @@ using Vector = typename Registers<Number>::Vector;
 template <class Number>
 constexpr Index lanes = Registers<Number>::lanes;
 
-// Whether products of complex numbers are computed by three real ones; see ThreeProductsTile.
+// Products of complex numbers are computed by three real ones if this is true; see
+// ThreeProductsTile.
 constexpr bool three_products = Registers<double>::count >= 32;
 // The sums of a tile take three quarters of the processor's registers.
-constexpr Index most_vectors = 3;
+constexpr Index max_vectors = 3;
 template <Index planes>
-constexpr Index tile_vectors = planes == 2 && three_products ? 2 : most_vectors;
+constexpr Index tile_vectors = planes == 2 && three_products ? 2 : max_vectors;
 template <Index planes>
 constexpr Index tile_rows = Registers<double>::count / 4 / planes;
 template <Index planes, class Number>
@@ -28,7 +31,7 @@ constexpr Index tile_columns = tile_vectors<planes>* lanes<Number>;
 static_assert(slab % lanes<double> == 0 && slab % lanes<float> == 0,
               "a slab is a whole number of vectors");
 static_assert(slab % tile_rows<1> == 0 && strip % slab == 0 && chunk % (6 * slab) == 0,
-              "whole tiles, whole blocks");
+              "strips and chunks are whole numbers of tiles and slabs");
 
 template <class Number>
 HARMORPH_INLINE Vector<Number> load(const Number* from) noexcept {
@@ -43,16 +46,16 @@ HARMORPH_INLINE Vector<Number> all(Number x) noexcept {
     return Registers<Number>::all(x);
 }
 
-// From one row of a slab to the next.
+// The distance from one row of a slab to the next.
 template <Index planes>
 constexpr Offset step = planes* slab;
 
-// Up to most_vectors vectors side by side; `row` numbers further on, the vectors of the next row.
-// Filled and read number by number, never copied as a whole: a wide load waits for narrow stores
-// that went just before.
+// Up to max_vectors vectors side by side; the vectors of the next row are `row` numbers further on.
+// The struct is filled and read number by number, and never copied as a whole, because a wide load
+// waits for narrow stores just before it.
 template <class Number>
 struct Vectors {
-    Number* at[most_vectors];
+    Number* at[max_vectors];
     Offset row, plane;
 
     HARMORPH_INLINE void move_down(Offset rows) noexcept {
@@ -60,8 +63,9 @@ struct Vectors {
     }
 };
 
-// Where the vectors of a tile are in memory: in a matrix in slabs, or in right-hand sides, from an
-// entry on. first(n): n vectors; the others repeat the first one.
+// InSlabs and InRows tell where the vectors of a tile are in memory: in a matrix in slabs, or in
+// right-hand sides. Both begin at one entry. first(n) returns n vectors; the vectors after them
+// repeat the first one.
 template <class Number, Index planes>
 struct InSlabs {
     Slabs<Number> const& slabs;
@@ -71,7 +75,7 @@ struct InSlabs {
         return {slabs, row + down, column + right};
     }
     HARMORPH_INLINE void first(Index n, Vectors<Number>& out) const noexcept {
-        for (Index v = 0; v < most_vectors; ++v)
+        for (Index v = 0; v < max_vectors; ++v)
             out.at[v] = slabs.at(row, v < n ? column + v * lanes<Number> : column);
         out.row = step<planes>;
         out.plane = slab;
@@ -86,25 +90,26 @@ struct InRows {
         return {entry + planes * width * row + column, width};
     }
     HARMORPH_INLINE void first(Index n, Vectors<Number>& out) const noexcept {
-        for (Index v = 0; v < most_vectors; ++v)
+        for (Index v = 0; v < max_vectors; ++v)
             out.at[v] = v < n ? entry + v * lanes<Number> : entry;
         out.row = planes * width;
         out.plane = width;
     }
 };
 
-// op(A) of an A in slabs, element (r, k): its conjugate transpose, A (k, r), or A as it stands, A
-// (r, k) within one slab.
+// op(A) of an A in slabs: element (r, k) is that of the conjugate transpose, read from A (k, r), or
+// that of A itself, read from A (r, k) within one slab.
 enum class Op { conjugate_transposed, plain };
 enum class Store { subtract, set };
 
-// Sums of products in registers. Vectors are copies: the compiler knows that no store changes them.
-// Loops are short and unrolled, whatever the compiler's level, so that the sums stay in registers.
+// Sums of products in registers. The vectors are copies, so that the compiler knows that no store
+// changes them. Loops are short and unrolled at each optimisation level, so that the sums stay in
+// registers.
 template <Index planes, Index rows, Index vectors, class Number>
 struct Tile {
     Vector<Number> sum[planes][rows][vectors] = {};
 
-    // sum += op(a) b, `depth` rows of b from `first` on.
+    // Computes sum += op(a) b with `depth` rows of b, beginning at row `first`.
     template <Op op>
     HARMORPH_INLINE void add(const Number* a, Vectors<Number> b, Index depth,
                              Offset first = 0) noexcept {
@@ -112,16 +117,15 @@ struct Tile {
         for (Index k = 0; k < depth; ++k) {
             add_plane<op, 0>(a + k * next, b, (first + k) * b.row);
             if constexpr (planes == 2) {
-                asm volatile(
-                    "" ::
-                        : "memory");  // no numbers of A stay in registers: the sums need these
+                // No numbers of A stay in registers here, as the sums need all of them.
+                asm volatile("" ::: "memory");
                 add_plane<op, 1>(a + k * next, b, (first + k) * b.row + b.plane);
             }
         }
     }
 
     template <Op, Store how>
-    HARMORPH_INLINE void leave(Vectors<Number> d) const noexcept {
+    HARMORPH_INLINE void write_to(Vectors<Number> d) const noexcept {
 #pragma GCC unroll 2
         for (Index plane = 0; plane < planes; ++plane) {
 #pragma GCC unroll 8
@@ -139,7 +143,7 @@ struct Tile {
     // Finishes the rows of a diagonal block: d = inverse (d - sums), and column_sums -= y^T d.
     HARMORPH_INLINE void finish(const Number* inverse, Vectors<Number> d, const Number* y,
                                 Number* column_sums) const noexcept {
-        static_assert(planes == 1, "real blocks fit into the registers");
+        static_assert(planes == 1, "only blocks of real numbers fit into the registers");
         Vector<Number> row[rows][vectors], taken[vectors] = {};
 #pragma GCC unroll 8
         for (Index r = 0; r < rows; ++r) {
@@ -148,7 +152,7 @@ struct Tile {
                 row[r][v] = load(d.at[v] + r * d.row) - sum[0][r][v];
         }
 #pragma GCC unroll 8
-        for (Index r = rows - 1; r >= 0; --r) {  // needs no later row
+        for (Index r = rows - 1; r >= 0; --r) {  // Row r needs no later row.
 #pragma GCC unroll 8
             for (Index v = 0; v < vectors; ++v) row[r][v] *= inverse[r * slab + r];
 #pragma GCC unroll 8
@@ -173,7 +177,7 @@ struct Tile {
     }
 
 private:
-    // For one plane of b.
+    // Adds the products with one plane of b.
     template <Op op, Index plane>
     HARMORPH_INLINE void add_plane(const Number* a, Vectors<Number> const& b, Offset at) noexcept {
         constexpr Offset next_row = op == Op::plain ? step<planes> : 1;
@@ -189,7 +193,8 @@ private:
                     Registers<Number>::multiply_add(real, factor[v], sum[plane][r][v]);
             }
             if constexpr (planes == 2) {
-                // i * i = -1, and the conjugate changes the sign once more.
+                // The product of two imaginary parts has the sign of i * i = -1, and the conjugate
+                // changes the sign once more.
                 constexpr bool adds = (op == Op::conjugate_transposed) == (plane == 1);
                 Vector<Number> const imaginary = all(a[r * next_row + slab]);
 #pragma GCC unroll 8
@@ -203,12 +208,12 @@ private:
     }
 };
 
-// The same for complex numbers, with three real products in place of four. With p = a1 b2, q = a2
-// b1 and r = (a1 - a2) (b1 - b2), of real parts 1 and imaginary parts 2, conj(a) b = (r + p + q) +
-// i (p - q); and with r = (a1 + a2) (b1 - b2), a b = (r + p - q) + i (p + q). The tile sums p, q
-// and r. Of the ways to save a product, this one computes the imaginary part as accurately as four
-// products do: where cells are thin, imaginary parts are much smaller than real ones. Three sums
-// for each number leave room for a worthwhile tile only with 32 registers.
+// A tile for complex numbers that computes three real products in place of four. Let index 1 mean
+// real parts and 2 imaginary parts, p = a1 b2 and q = a2 b1. With r = (a1 - a2) (b1 - b2), conj(a)
+// b = (r + p + q) + i (p - q); with r = (a1 + a2) (b1 - b2), a b = (r + p - q) + i (p + q). The
+// tile sums p, q and r. Among the ways to save a product, this one computes the imaginary part as
+// accurately as four products do; the imaginary parts are much smaller than the real ones if cells
+// are thin. Three sums for each number leave room for a useful tile only with 32 registers.
 template <Index rows, Index vectors, class Number>
 struct ThreeProductsTile {
     Vector<Number> sum[3][rows][vectors] = {};
@@ -221,7 +226,7 @@ struct ThreeProductsTile {
     }
 
     template <Op op, Store how>
-    HARMORPH_INLINE void leave(Vectors<Number> d) const noexcept {
+    HARMORPH_INLINE void write_to(Vectors<Number> d) const noexcept {
 #pragma GCC unroll 8
         for (Index r = 0; r < rows; ++r) {
 #pragma GCC unroll 8
@@ -271,7 +276,7 @@ private:
     }
 };
 
-// The faster one.
+// The faster of both kinds of tile.
 template <Index planes, Index rows, Index vectors, class Number>
 using TileOf =
     std::conditional_t<planes == 2 && three_products, ThreeProductsTile<rows, vectors, Number>,

@@ -1,6 +1,6 @@
-// Products of dense blocks with the registers of one instruction set; compiled for each by
-// dense_table.cpp. All of them are D -= op(A) B or D = op(A) B, with a tile of D at a time in
-// registers.
+// Products of dense blocks with the registers of one instruction set. dense_table.cpp compiles this
+// file for each set. All products are D -= op(A) B or D = op(A) B, with one tile of D at a time in
+// registers. tests/dense/test_dense.cpp covers this file.
 #include "dense/dense_tile.hpp"
 
 namespace harmorph::dense::HARMORPH_SET {
@@ -12,37 +12,37 @@ struct Range {
     Index count() const noexcept { return end - begin; }
 };
 
-// What a product reads and changes. One function has both endings, as the ending is a small part of
-// a tile's code.
+// The operand and the result of a product. One function serves both kinds of Store, as writing is a
+// small part of the code of a tile.
 template <class Number>
 struct Product {
     Store how;
     Vectors<Number> b, d;
 
     template <Op op, class Sums>
-    HARMORPH_INLINE void leave(Sums const& sums) const noexcept {
-        if (how == Store::subtract) sums.template leave<op, Store::subtract>(d);
-        else sums.template leave<op, Store::set>(d);
+    HARMORPH_INLINE void write_to(Sums const& sums) const noexcept {
+        if (how == Store::subtract) sums.template write_to<op, Store::subtract>(d);
+        else sums.template write_to<op, Store::set>(d);
     }
 };
 
-// A^H B: `depth` rows of a slab of A from `a` on.
+// Computes a tile of A^H B with `depth` rows of a slab of A, beginning at `a`.
 template <Index planes, Index rows, Index vectors, class Number>
 void tile_down(const Number* a, Index depth, Product<Number> const& product) noexcept {
     TileOf<planes, rows, vectors, Number> sums;
     sums.template add<Op::conjugate_transposed>(a, product.b, depth);
-    product.template leave<Op::conjugate_transposed>(sums);
+    product.template write_to<Op::conjugate_transposed>(sums);
 }
 
-// Rows of a slab that are needed soon, into the second-level cache.
+// Prefetches rows of a slab, which are needed soon, into the second-level cache.
 template <Index planes, class Number>
 HARMORPH_INLINE void prefetch_rows(const Number* row, Index rows) noexcept {
     constexpr Offset line = 64 / sizeof(Number);
     for (Offset k = 0; k < rows * step<planes>; k += line) __builtin_prefetch(row + k, 0, 2);
 }
 
-// A B: columns k of A, rows from i on; a slab begins at k.begin. What is `ahead` numbers further on
-// is prefetched, unless that is 0.
+// Computes a tile of A B with the columns k of A and the rows of A that begin at i; a slab begins
+// at k.begin. The numbers `ahead` further on are prefetched, unless `ahead` is 0.
 template <Index planes, Index rows, Index vectors, class Number>
 void tile_across(Slabs<Number> const& a, Index i, Range k, Product<Number> const& product,
                  Offset ahead) noexcept {
@@ -53,45 +53,49 @@ void tile_across(Slabs<Number> const& a, Index i, Range k, Product<Number> const
         sums.template add<Op::plain>(entries, product.b, min(slab, k.end - c), c - k.begin);
         entries += step<planes> * a.rows_of_slab(c / slab);
     }
-    product.template leave<Op::plain>(sums);
+    product.template write_to<Op::plain>(sums);
 }
 
-// Tiles have 1, 2, 4 .. tile_rows rows, which keeps the code small: an odd number of rows is an
-// even one and one more.
+// Tiles have 1, 2, 4 .. tile_rows rows, which keeps the code small: an odd number of rows is
+// divided into an even one and one more.
 template <Index planes, class Number>
 struct Tiles {
-    struct OfWidth {
+    struct TileFunctions {
         void (*down)(const Number* a, Index depth, Product<Number> const& product) noexcept;
         void (*across)(Slabs<Number> const& a, Index i, Range k, Product<Number> const& product,
                        Offset ahead) noexcept;
     };
-    struct OfHeight {
-        OfWidth of_width[most_vectors];
+    struct FunctionsOfHeight {
+        TileFunctions of_width[max_vectors];
     };
-    static HARMORPH_INLINE OfWidth const& of(Index rows, Index vectors) noexcept {
+    static HARMORPH_INLINE TileFunctions const& functions(Index rows, Index vectors) noexcept {
         return all[rows / 2].of_width[vectors - 1];
     }
 
 private:
     template <Index rows, Index vectors>
-    static constexpr OfWidth tile{tile_down<planes, rows, vectors, Number>,
-                                  tile_across<planes, rows, vectors, Number>};
+    static constexpr TileFunctions tile{tile_down<planes, rows, vectors, Number>,
+                                        tile_across<planes, rows, vectors, Number>};
     static constexpr Index widest = tile_vectors<planes>;
     template <Index rows>
-    static constexpr OfHeight of_height{{tile<rows, 1>, tile<rows, 2>, tile<rows, widest>}};
-    static constexpr Index most = tile_rows<planes>;
-    static constexpr OfHeight all[] = {of_height<1>, of_height<2>, of_height<min(4, most)>,
-                                       of_height<min(6, most)>, of_height<min(8, most)>};
-    static_assert(most == 2 || most == 4 || most == 8, "the heights that `all` has");
+    static constexpr FunctionsOfHeight of_height{
+        {tile<rows, 1>, tile<rows, 2>, tile<rows, widest>}};
+    static constexpr Index max_rows = tile_rows<planes>;
+    static constexpr FunctionsOfHeight all[] = {
+        of_height<1>, of_height<2>, of_height<min(4, max_rows)>, of_height<min(6, max_rows)>,
+        of_height<min(8, max_rows)>};
+    static_assert(max_rows == 2 || max_rows == 4 || max_rows == 8,
+                  "the table `all` has an entry for each even height");
 };
 
-// How many vectors hold the columns, up to those of a tile.
+// Returns how many vectors hold the columns, at most as many as a tile has.
 template <Index planes, class Number>
 HARMORPH_INLINE Index vectors_of(Index columns) noexcept {
     return columns <= lanes<Number> ? 1 : columns <= 2 * lanes<Number> ? 2 : tile_vectors<planes>;
 }
 
-// D [rows x columns] -= or = A^H B with the columns of A from `a` on; whole vectors are written.
+// Computes D [rows x columns] -= or = A^H B with the columns of A that begin at `a`; whole vectors
+// are written.
 template <Index planes, class Number, class Block>
 HARMORPH_INLINE void any_tile_down(Store how, Index rows, Index columns, const Number* a,
                                    Block const& b, Index depth, Block const& d) noexcept {
@@ -100,13 +104,13 @@ HARMORPH_INLINE void any_tile_down(Store how, Index rows, Index columns, const N
     product.how = how;
     b.first(vectors, product.b);
     d.first(vectors, product.d);
-    if (even > 0) Tiles<planes, Number>::of(even, vectors).down(a, depth, product);
+    if (even > 0) Tiles<planes, Number>::functions(even, vectors).down(a, depth, product);
     if (even == rows) return;
     product.d.move_down(even);
-    Tiles<planes, Number>::of(1, vectors).down(a + even, depth, product);
+    Tiles<planes, Number>::functions(1, vectors).down(a + even, depth, product);
 }
-// The same with rows of A from i on. The last row goes first: where D is B, other rows do not need
-// it.
+// Computes D [rows x columns] -= or = A B with the rows of A that begin at i. The last row goes
+// first: if D is B, the other rows do not need the last one.
 template <Index planes, class Number, class Block>
 HARMORPH_INLINE void any_tile_across(Store how, Index rows, Index columns, Slabs<Number> const& a,
                                      Index i, Range k, Block const& b, Block const& d,
@@ -118,10 +122,10 @@ HARMORPH_INLINE void any_tile_across(Store how, Index rows, Index columns, Slabs
     d.first(vectors, product.d);
     if (even < rows) {
         product.d.move_down(even);
-        Tiles<planes, Number>::of(1, vectors).across(a, i + even, k, product, ahead);
+        Tiles<planes, Number>::functions(1, vectors).across(a, i + even, k, product, ahead);
         product.d.move_down(-even);
     }
-    if (even > 0) Tiles<planes, Number>::of(even, vectors).across(a, i, k, product, ahead);
+    if (even > 0) Tiles<planes, Number>::functions(even, vectors).across(a, i, k, product, ahead);
 }
 
 template <Index vectors, class Number>
@@ -146,8 +150,8 @@ HARMORPH_INLINE void any_finish_tile(Index columns, const Number* a, InSlabs<Num
     finish(a, b, depth, inverse, d, y, column_sums);
 }
 
-// Rows i and columns j of D -= A^H B, summed over rows k of A and B. upper: only the upper triangle
-// of D is needed.
+// Computes rows i and columns j of D -= A^H B, summed over the rows k of A and B. If `upper` is
+// true, only the upper triangle of D is needed.
 template <Index planes, class Number>
 void subtract_product(Slabs<Number> const& a, Slabs<Number> const& b, Slabs<Number> const& d,
                       Range k, Range i, Range j, bool upper = false) noexcept {
@@ -164,7 +168,8 @@ void subtract_product(Slabs<Number> const& a, Slabs<Number> const& b, Slabs<Numb
     }
 }
 
-// The same for right-hand sides: row 0 of d is row i.begin of D, row 0 of b is row k.begin of B.
+// Subtracts the product from right-hand sides: row 0 of d is row i.begin of D, row 0 of b is row
+// k.begin of B.
 template <Index planes, class Number>
 void subtract_from_rows(Slabs<Number> const& a, InRows<Number, planes> b, InRows<Number, planes> d,
                         Range k, Range i) noexcept {
@@ -177,8 +182,8 @@ void subtract_from_rows(Slabs<Number> const& a, InRows<Number, planes> b, InRows
     }
 }
 
-// b [n x columns] = E b, E the inverse that stands in u at (first, first). E is lower triangular:
-// row r needs rows <= r, so the last rows go first.
+// Computes b [n x columns] = E b, where E is the inverse that is stored in u at (first, first). E
+// is lower triangular: row r needs the rows <= r, so the last rows go first.
 template <Index planes, class Number, class Block>
 HARMORPH_INLINE void apply_inverse(Slabs<Number> const& u, Index first, Index n, Index columns,
                                    Block const& b) noexcept {
@@ -192,7 +197,7 @@ HARMORPH_INLINE void apply_inverse(Slabs<Number> const& u, Index first, Index n,
     }
 }
 
-// b [n x width] = E^H b: row r needs rows >= r, so the first rows go first.
+// Computes b [n x width] = E^H b. Row r needs the rows >= r, so the first rows go first.
 template <Index planes, class Number>
 void apply_inverse_transposed(Index n, const Number* inverse, InRows<Number, planes> b) noexcept {
     for (Index c = 0; c < b.width; c += tile_columns<planes, Number>) {
@@ -204,8 +209,8 @@ void apply_inverse_transposed(Index n, const Number* inverse, InRows<Number, pla
     }
 }
 
-// d -= A (i, k) b, all rows i. Row 0 of b is row k.begin, where a slab begins; row 0 of d is row
-// i.begin.
+// Computes d -= A (i, k) b for all rows i. Row 0 of b is row k.begin, where a slab begins; row 0 of
+// d is row i.begin.
 template <Index planes, class Number>
 void subtract_across(Slabs<Number> const& a, Range k, Range i, InRows<Number, planes> b,
                      InRows<Number, planes> d, Offset ahead) noexcept {

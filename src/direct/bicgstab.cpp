@@ -31,11 +31,12 @@ void BiconjugateGradients::combine(Numbers const& a, Span<const Real> x, Numbers
 }
 
 BiconjugateGradients::Numbers BiconjugateGradients::drop_grown(Span<const Real> vector,
-                                                               Numbers const& most, Span<Real> r,
+                                                               Numbers const& max_squares,
+                                                               Span<Real> r,
                                                                Index columns) const noexcept {
     Numbers squares = dot(vector, vector, columns);
     for (Index k = 0; k < columns; ++k) {
-        if (squares[k] <= most[k]) continue;
+        if (squares[k] <= max_squares[k]) continue;
         squares[k] = 0;
         for (Offset row = 0; row < Offset{n} * width; row += width) {
             r[row + k] = direction[row + k] = image[row + k] = solution[row + k] = 0;

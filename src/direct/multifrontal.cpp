@@ -7,9 +7,9 @@ void Multifrontal::lay_out_numbers(Arena& arena, Offset factor_entries,
                                    FrontalNumbers<Number>& numbers) const noexcept {
     Offset const workers = subtrees.workers;
     arena.take(numbers.factor, planes * factor_entries);
-    arena.take(numbers.sums, workers * planes * most_sums);
-    arena.take(numbers.least_left, workers);
-    arena.take(numbers.least_pivot, workers);
+    arena.take(numbers.sums, workers * planes * max_sums);
+    arena.take(numbers.min_pivot_ratio, workers);
+    arena.take(numbers.min_pivot_to_diagonal, workers);
     Offset const stacks = workers > 1 ? workers + 1 : 1;
     arena.take(numbers.rows, (stacks * subtrees.stack_rows + subtrees.kept_rows) * row_length());
 }
@@ -20,7 +20,7 @@ void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes,
     subtrees = chosen_subtrees;
     precision = factor_precision;
     planes = complex ? 2 : 1;
-    most_sums = sizes.most_sums;
+    max_sums = sizes.max_sums;
     padded_width = dense::padded(width);
     arena.take(tree.nodes, nodes);
     arena.take(subtrees.all, subtrees.count);
@@ -67,7 +67,7 @@ void Multifrontal::find_targets(Index child, Index parent) noexcept {
             targets[r] = below[r] - into.begin;
             continue;
         }
-        while (above[at] != below[r]) ++at;  // both increase
+        while (above[at] != below[r]) ++at;  // Both lists increase.
         targets[r] = into.pivots() + at;
     }
 }

@@ -1,5 +1,7 @@
 // The direct engine: multifrontal Cholesky on the assembly tree, and solves of all right-hand sides
 // as one block. Source of the method: I. S. Duff, J. K. Reid, ACM Trans. Math. Softw. 9 (1983) 302.
+// tests/direct/test_multifrontal.cpp covers multifrontal_factor.cpp and multifrontal_solve.cpp,
+// too.
 #pragma once
 
 #include "dense/dense.hpp"
@@ -11,22 +13,23 @@
 
 namespace harmorph {
 
-// The numbers of a factorisation. The tree is walked one path at a time: the update matrix of a
+// The numbers of a factorisation. The tree is visited one path at a time: the update matrix of a
 // node exists before its children are factored, so that the update matrix of a child is added
 // (extend-add) and released at once.
 //
-//   stack:  |nodes above the subtrees ...|update matrices of the subtrees' roots|worker 0
-//   ...|worker 1 ...| rows:   the same layout with right-hand sides of fronts instead of update
-//   matrices
+//   stack: nodes above the subtrees | update matrices of the subtrees' roots | worker 0 | worker 1
+//   ...
 //
-// A worker is a task that takes one subtree after the other.
+// `rows` has the same layout, with right-hand sides of fronts instead of update matrices. A worker
+// is a task that takes one subtree after the other.
 template <class Number>
 struct FrontalNumbers {
     Span<Number> factor;
     Span<Number> stack;
     Span<Number> rows;
-    Span<Number> sums;                     // [workers x planes x most row sums of a front]
-    Span<Number> least_left, least_pivot;  // [workers] see below
+    Span<Number> sums;  // [workers x planes x largest number of row sums of a front]
+    Span<Number> min_pivot_ratio,
+        min_pivot_to_diagonal;  // [workers] See the functions of these names below.
 };
 
 struct Multifrontal {
@@ -34,15 +37,15 @@ struct Multifrontal {
     Subtrees subtrees;
     Span<Offset> border_start;  // [nodes + 1]
     Span<Index> border;
-    Span<Offset> panel_start;  // [nodes + 1] in `factor`
-    Span<bool> is_zero;  // [nodes] all right-hand sides at hand are 0 in the subtree of the node
-    Span<Index> target;  // [as border] where the positions of a border are in the parent's front;
-                         // they increase
-    FrontalNumbers<double> doubles;  // these ...
-    FrontalNumbers<float> singles;   // ... or those
+    Span<Offset> panel_start;  // [nodes + 1] Positions in `factor`.
+    Span<bool> is_zero;  // [nodes] All current right-hand sides are 0 in the subtree of the node.
+    // [as border] The positions of a border in the parent's front, increasing.
+    Span<Index> target;
+    FrontalNumbers<double> doubles;  // Either these or the singles exist.
+    FrontalNumbers<float> singles;
     Precision precision = Precision::in_double;
-    Index planes = 1;  // 1: real; 2: complex
-    Offset most_sums = 0;
+    Index planes = 1;  // 1 means real, 2 means complex.
+    Offset max_sums = 0;
     Index padded_width = 0;
     Kernel kernel = Kernel::baseline;
     Executor executor;
@@ -50,38 +53,39 @@ struct Multifrontal {
     void lay_out(Arena& arena, Index nodes, FrontSizes const& sizes,
                  Subtrees const& chosen_subtrees, Index width, bool complex = false,
                  Precision factor_precision = Precision::in_double) noexcept;
-    // Separate, because only factorise() needs the stack.
+    // The stack is laid out apart, because only factorise() needs it.
     void lay_out_stack(Arena& arena) noexcept;
-    // Fills panel_start and target. The tree, border_start and border are there.
+    // Fills panel_start and target. The tree, border_start and border must have been filled.
     void complete() noexcept;
 
     // On Status::not_positive, fault.item is a position of the elimination.
     Status factorise(Matrix const& matrix, Progress const& progress, Fault& fault) noexcept;
-    // Minimum over all pivots of |sum of the terms| / sum of |terms|: 1 where nothing cancelled.
-    Real least_left() const noexcept;
-    // Minimum over all pivots of pivot / diagonal of the matrix.
-    Real least_pivot() const noexcept;
-    // In place: right-hand sides become solutions.
+    // Returns the minimum over all pivots of |sum of the terms| / sum of |terms|, which is 1 if
+    // nothing cancelled.
+    Real min_pivot_ratio() const noexcept;
+    // Returns the minimum over all pivots of pivot / diagonal of the matrix.
+    Real min_pivot_to_diagonal() const noexcept;
+    // Replaces right-hand sides by solutions in place.
     Status solve(Rows const& values, Progress const& progress, Fault& fault) noexcept;
-    // The same for a factor in single precision.
+    // Replaces right-hand sides by solutions, for a factor in single precision.
     Status solve(RowsOf<float> const& values, Progress const& progress, Fault& fault) noexcept;
 
-    // What follows serves factorise() and solve(). The working arrays of one worker:
+    // The members below serve factorise() and solve(). Worker has the working arrays of one worker.
     template <class Number>
     struct Worker {
-        Executor executor;  // inside fronts
+        Executor executor;  // The threads work inside fronts.
         Number* stack;
         Number* rows;
         Number* sums;
-        Number* least_left;
-        Number* least_pivot;
+        Number* min_pivot_ratio;
+        Number* min_pivot_to_diagonal;
     };
+    // Returns the worker for the nodes above the subtrees: all threads work inside one front.
     template <class Number>
-    Worker<Number> top_worker()
-        const noexcept {  // for the nodes above the subtrees: all threads work inside a front
+    Worker<Number> top_worker() const noexcept {
         FrontalNumbers<Number> const& all = numbers<Number>();
-        return {executor,        all.stack.data(),      all.rows.data(),
-                all.sums.data(), all.least_left.data(), all.least_pivot.data()};
+        return {executor,        all.stack.data(),           all.rows.data(),
+                all.sums.data(), all.min_pivot_ratio.data(), all.min_pivot_to_diagonal.data()};
     }
     template <class Number>
     Worker<Number> worker(Index number) const noexcept {
@@ -91,12 +95,12 @@ struct Multifrontal {
             Executor{},
             all.stack.data() + planes * (before + n * subtrees.stack_entries),
             all.rows.data() + ((n + 1) * subtrees.stack_rows + subtrees.kept_rows) * row_length(),
-            all.sums.data() + n * planes * most_sums,
-            all.least_left.data() + n,
-            all.least_pivot.data() + n};
+            all.sums.data() + n * planes * max_sums,
+            all.min_pivot_ratio.data() + n,
+            all.min_pivot_to_diagonal.data() + n};
     }
-    // body(number of the subtree, number of the worker, worker) for all subtrees, those with the
-    // most work first, each by the worker that is free next.
+    // Calls body(number of the subtree, number of the worker, worker) for all subtrees. Those with
+    // the most work come first, and each goes to the worker that is free next.
     template <class Number, class Body>
     void for_each_subtree(Body const& body) const noexcept {
         NextItem next;
@@ -124,7 +128,7 @@ struct Multifrontal {
         return numbers<Number>().rows.data() +
                (subtrees.stack_rows + subtrees.all[subtree].kept_rows) * row_length();
     }
-    // Numbers in a row of right-hand sides, padding included.
+    // Returns the number of numbers in a row of right-hand sides, including padding.
     Offset row_length() const noexcept { return Offset{planes} * padded_width; }
     Index pivots_of(Index node) const noexcept { return tree.nodes[node].pivots(); }
     Index front_of(Index node) const noexcept { return pivots_of(node) + border_of(node).count(); }

@@ -5,8 +5,8 @@ namespace {
 
 constexpr Index nodes_between_solve_reports = 512;
 
-// Right-hand sides go up the tree like update matrices, solutions come down; a row has the numbers
-// of all functions.
+// Right-hand sides go up the tree like update matrices, and solutions come down; a row has the
+// numbers of all functions.
 template <class Number, class Value>
 class Substitution {
 public:
@@ -19,16 +19,16 @@ public:
           width_(dense::padded(values.width)),
           row_(engine.planes * width_) {}
 
-    // Numbers in the right-hand sides of a front.
+    // Returns the number of numbers in the right-hand sides of a front.
     Offset entries(Index node) const noexcept { return Offset{engine_.front_of(node)} * row_; }
 
     // Forward substitution U^H y = b in place. `front` receives the right-hand sides of the node:
     // first the rows of the pivots, then the updates for the rows of the border. Most nodes are far
-    // from all known values: where all right-hand sides of a subtree are 0, nothing is computed,
-    // is_zero of the node is set and `front` holds nothing.
-    template <class Told>
+    // from all known values. If all right-hand sides of a subtree are 0, nothing is computed,
+    // is_zero of the node is set, and the content of `front` is undefined.
+    template <class Report>
     Status forward(Index node, Number* front, Number* free, Worker const& worker,
-                   Told const& told) const noexcept {
+                   Report const& report) const noexcept {
         auto const& own = engine_.tree.nodes[node];
         Panel const panel = engine_.panel<Number>(node);
         Index const behind = engine_.tree.nodes[engine_.tree.count - 1].end - own.end;
@@ -43,7 +43,7 @@ public:
             Index const done = engine_.subtrees.find(child);
             Number* const from = done != none ? engine_.kept_rows<Number>(done) : free;
             if (done == none)
-                HARMORPH_TRY(forward(child, free, free + entries(child), worker, told));
+                HARMORPH_TRY(forward(child, free, free + entries(child), worker, report));
             if (engine_.is_zero[child]) continue;
             if (is_zero) fill(border, Number{0});
             is_zero = false;
@@ -51,18 +51,19 @@ public:
                             border_rows(child, from), engine_.targets_of(child), front, row_);
         }
         engine_.is_zero[node] = is_zero;
-        if (is_zero) return told(node);
+        if (is_zero) return report(node);
         dense::solve_forward(engine_.kernel, panel, front, width_, worker.executor);
         dense::scatter(engine_.kernel, front, width_, engine_.planes, values_, own.begin,
                        panel.pivots);
-        return told(node);
+        return report(node);
     }
 
-    // Back substitution U x = y in place, for the node and its descendants but those in subtrees,
-    // whose fronts are left ready for it. `front`: rows of the node; those of the border are known.
-    template <class Told>
+    // Back substitution U x = y in place, for the node and its descendants except those in
+    // subtrees, whose fronts are left ready for back substitution. `front` has the rows of the
+    // node; those of the border are known.
+    template <class Report>
     Status backward(Index node, Number* front, Number* free, Worker const& worker,
-                    Told const& told) const noexcept {
+                    Report const& report) const noexcept {
         auto const& own = engine_.tree.nodes[node];
         Panel const panel = engine_.panel<Number>(node);
         if (engine_.is_zero[node]) {
@@ -74,31 +75,34 @@ public:
         dense::solve_backward(engine_.kernel, panel, front, width_, worker.executor);
         dense::scatter(engine_.kernel, front, width_, engine_.planes, values_, own.begin,
                        panel.pivots);
-        HARMORPH_TRY(told(node));
-        return backward_below(own.child, front, free, worker, told);
+        HARMORPH_TRY(report(node));
+        return backward_below(own.child, front, free, worker, report);
     }
 
 private:
-    // The last child first, so that panels are read from the end of the factor to the beginning.
-    template <class Told>
+    // Children are visited from the last to the first, so that panels are read from the end of the
+    // factor to the beginning.
+    template <class Report>
     Status backward_below(Index child, const Number* front, Number* free, Worker const& worker,
-                          Told const& told) const noexcept {
+                          Report const& report) const noexcept {
         if (child == none) return Status::ok;
-        HARMORPH_TRY(backward_below(engine_.tree.nodes[child].sibling, front, free, worker, told));
+        HARMORPH_TRY(
+            backward_below(engine_.tree.nodes[child].sibling, front, free, worker, report));
         Index const done = engine_.subtrees.find(child);
         Number* const to = done != none ? engine_.kept_rows<Number>(done) : free;
         dense::copy_rows(engine_.kernel, engine_.border_of(child).count(), front,
                          engine_.targets_of(child), border_rows(child, to), row_);
-        return done != none ? Status::ok : backward(child, to, free + entries(child), worker, told);
+        return done != none ? Status::ok
+                            : backward(child, to, free + entries(child), worker, report);
     }
 
-    template <class Some>
-    Some* border_rows(Index node, Some* front) const noexcept {
+    template <class AnyNumber>
+    AnyNumber* border_rows(Index node, AnyNumber* front) const noexcept {
         return front + Offset{engine_.pivots_of(node)} * row_;
     }
 
     static bool all_zero(Span<const Number> numbers) noexcept {
-        constexpr Size at_once = 64;  // tested without a branch in between
+        constexpr Size at_once = 64;  // So many numbers are tested without a branch in between.
         for (Size begin = 0; begin < numbers.size(); begin += at_once) {
             bool any = false;
             for (Number const number : numbers.from(begin, min(at_once, numbers.size() - begin))) {
@@ -111,7 +115,7 @@ private:
 
     Multifrontal const& engine_;
     RowsOf<Value> const& values_;
-    Index width_, row_;  // numbers in a row of one plane; of all planes
+    Index width_, row_;  // The numbers in a row of one plane, and of all planes.
 };
 
 }  // namespace
@@ -121,7 +125,7 @@ Status Multifrontal::solve_in(RowsOf<Value> const& values, Progress const& progr
                               Fault& fault) noexcept {
     Substitution<Number, Value> const substitution(*this, values);
     Index done = 0;
-    auto const told = [&](Index) {
+    auto const report = [&](Index) {
         if (++done % nodes_between_solve_reports != 0) return Status::ok;
         return progress.report(Phase::solve, static_cast<Real>(done) / (2.0 * tree.count + 1),
                                fault);
@@ -133,13 +137,13 @@ Status Multifrontal::solve_in(RowsOf<Value> const& values, Progress const& progr
     });
     for (Index node = 0; node < tree.count; ++node) {
         if (tree.nodes[node].parent != none || subtrees.find(node) != none) continue;
-        HARMORPH_TRY(substitution.forward(node, worker.rows,
-                                          worker.rows + substitution.entries(node), worker, told));
+        HARMORPH_TRY(substitution.forward(
+            node, worker.rows, worker.rows + substitution.entries(node), worker, report));
     }
     for (Index node = tree.count - 1; node >= 0; --node) {
         if (tree.nodes[node].parent != none || subtrees.find(node) != none) continue;
-        HARMORPH_TRY(substitution.backward(node, worker.rows,
-                                           worker.rows + substitution.entries(node), worker, told));
+        HARMORPH_TRY(substitution.backward(
+            node, worker.rows, worker.rows + substitution.entries(node), worker, report));
     }
     for_each_subtree<Number>([&](Index subtree, Index, Worker<Number> const& own) {
         substitution.backward(subtrees.all[subtree].root, kept_rows<Number>(subtree), own.rows, own,

@@ -5,29 +5,31 @@
 namespace harmorph {
 namespace {
 
-constexpr Index most_blocks = BlockProducts<Real>::most_blocks;
-constexpr Index most_ranges = 16;              // their sums are on the stack
-constexpr Index least_blocks_to_gather = 128;  // blocks that are worth a thread
+constexpr Index max_blocks = BlockProducts<Real>::max_blocks;
+// The sums of the ranges are on the stack.
+constexpr Index max_ranges = 16;
+// A range has at least so many blocks.
+constexpr Index min_blocks_to_gather = 128;
 constexpr Real not_a_number = __builtin_nan("");
 
-// body(first block, one behind the last, i) for ranges of the points' blocks; returns the number of
-// ranges, on which the sums do not depend.
+// Calls body(first block, one behind the last, i) for ranges of the points' blocks; returns the
+// number of ranges. The sums do not depend on that number.
 template <class Body>
 Index for_block_ranges(Index n_points, Executor const& executor, Body const& body) noexcept {
     Index const blocks = blocks_of(n_points);
     Index const ranges =
-        executor.is_serial() ? 1 : clamp(blocks / least_blocks_to_gather, Index{1}, most_ranges);
+        executor.is_serial() ? 1 : clamp(blocks / min_blocks_to_gather, Index{1}, max_ranges);
     auto const bound = [&](Index i) { return static_cast<Index>(Offset{blocks} * i / ranges); };
     executor.for_each(ranges, [&](Index i) { body(bound(i), bound(i + 1), i); });
     return ranges;
 }
 
-// Some numbers of the values: first .. first+width-1.
-struct FunctionPart {
+// Some of the numbers of a row of values: first .. first+width-1.
+struct RowSlice {
     Index first, width;
 };
 
-// The gradients by the points of a block, 0 behind the last point.
+// The gradients by the points of a block; they are 0 behind the last point.
 struct BlockGradient {
     Real x[block_points] = {}, y[block_points] = {};
 
@@ -37,21 +39,21 @@ struct BlockGradient {
     }
 };
 
-// The sums of a part of the numbers of a basis in fixed point.
+// Adds up products with a slice of the rows of a basis in fixed point.
 struct Adder {
     ProductKernels const& kernels;
     Basis const& basis;
     Points by_points;
     BinaryScale::Factor unit;
-    FunctionPart part;
+    RowSlice slice;
 
     template <class Number>
     void add(Span<Number> values, Index first_block, Index n_blocks, PerPoint<const Real> by,
              FixedSums& total) const noexcept {
         Offset const stride = Offset{basis.row_length()} * block_points;
         Number* const first =
-            values.data() + first_block * stride + Offset{part.first} * block_points;
-        ValueBlocks<Number> const blocks{first, stride, n_blocks, part.width};
+            values.data() + first_block * stride + Offset{slice.first} * block_points;
+        ValueBlocks<Number> const blocks{first, stride, n_blocks, slice.width};
         kernels.of(blocks).multiply_transposed(blocks, by, unit, total);
     }
     template <class Number>
@@ -60,15 +62,15 @@ struct Adder {
         add(values, block, 1, {by.x, by.y}, total);
     }
 
-    // Of the points of blocks begin .. end-1. Numbers that lie side by side are read by the
+    // Adds the points of blocks begin .. end-1. Numbers that lie side by side are read by the
     // kernels.
     template <class Number>
     void add_points(Span<Number> values, Index begin, Index end, FixedSums& total) const noexcept {
         Index const whole =
             by_points.stride == 1 ? min(end, basis.n_points() / block_points) : begin;
-        for (Index block = begin; block < whole; block += most_blocks) {
+        for (Index block = begin; block < whole; block += max_blocks) {
             Index const point = block * block_points;
-            add(values, block, min(most_blocks, whole - block),
+            add(values, block, min(max_blocks, whole - block),
                 {by_points.x + point, by_points.y + point}, total);
         }
         for (Index block = whole; block < end; ++block) {
@@ -80,8 +82,8 @@ struct Adder {
         }
     }
 
-    // Single-precision storage: the rows of the wall are 0 among the points' and stand in double
-    // precision apart.
+    // Adds the rows of the wall, which are in double precision apart from the points' rows in
+    // single precision storage, where they are 0.
     void add_wall(FixedSums& total) const noexcept {
         Index const slots = basis.wall_point.count();
         for (Index begin = 0; begin < slots; begin += block_points) {
@@ -99,26 +101,26 @@ struct Adder {
     }
 };
 
-// The sums of a part of the numbers.
-struct PartSums {
-    FixedSum x[Movements::most], y[Movements::most];
+// The sums for a slice of the rows.
+struct SliceSums {
+    FixedSum x[Movements::max_count], y[Movements::max_count];
 
-    PartSums(ProductKernels const& kernels, Basis const& basis, Points by_points, BinaryScale scale,
-             FunctionPart numbers, Executor const& executor) noexcept {
-        FixedSums part[most_ranges];
+    SliceSums(ProductKernels const& kernels, Basis const& basis, Points by_points,
+              BinaryScale scale, RowSlice numbers, Executor const& executor) noexcept {
+        FixedSums sums_of_range[max_ranges];
         Adder const adder{kernels, basis, by_points, scale.units().downwards(), numbers};
         Index const ranges =
             for_block_ranges(basis.n_points(), executor, [&](Index begin, Index end, Index i) {
-                part[i] = {};
-                if (basis.in_single()) adder.add_points(basis.single, begin, end, part[i]);
-                else adder.add_points(basis.value, begin, end, part[i]);
+                sums_of_range[i] = {};
+                if (basis.in_single()) adder.add_points(basis.single, begin, end, sums_of_range[i]);
+                else adder.add_points(basis.value, begin, end, sums_of_range[i]);
             });
-        if (basis.in_single()) adder.add_wall(part[0]);
+        if (basis.in_single()) adder.add_wall(sums_of_range[0]);
         Index const width = numbers.width;
         for (Index k = 0; k < width; ++k) {
             for (Index i = 0; i < ranges; ++i) {
-                x[k] += part[i].x[k];
-                y[k] += part[i].y[k];
+                x[k] += sums_of_range[i].x[k];
+                y[k] += sums_of_range[i].y[k];
             }
         }
     }
@@ -140,15 +142,15 @@ void set_gradient(Basis const& basis, Real value, Real* gradient) noexcept {
 }
 
 ProductKernels const& kernels_for(Basis const& basis, Executor const& executor) noexcept {
-    constexpr Offset worth_asking = Offset{1} << 15;
+    constexpr Offset detection_threshold = Offset{1} << 15;
     return product_kernels_for(executor.kernel, Offset{basis.n_points()} * basis.row_length(),
-                               worth_asking);
+                               detection_threshold);
 }
 
 template <class Body>
-void for_each_part(Index row_length, Body const& body) noexcept {
-    for (Index first = 0; first < row_length; first += Movements::most) {
-        body(FunctionPart{first, min(Movements::most, row_length - first)});
+void for_each_slice(Index row_length, Body const& body) noexcept {
+    for (Index first = 0; first < row_length; first += Movements::max_count) {
+        body(RowSlice{first, min(Movements::max_count, row_length - first)});
     }
 }
 
@@ -156,7 +158,7 @@ void for_each_part(Index row_length, Body const& body) noexcept {
 
 BinaryScale adjoint_scale(Basis const& basis, Points gradient_by_points,
                           Executor const& executor) noexcept {
-    LargestMagnitude largest[most_ranges];
+    LargestMagnitude largest[max_ranges];
     ProductKernels const& kernels = kernels_for(basis, executor);
     for_block_ranges(basis.n_points(), executor, [&](Index first, Index behind, Index i) {
         Index const begin = first * block_points,
@@ -184,14 +186,14 @@ void adjoint_sums(Basis const& basis, Points gradient_by_points, BinaryScale sca
     for (Offset k = 0; k < adjoint_sums_count(basis.row_length()); ++k) sums[k] = 0;
     if (!scale.finite()) return;
     ProductKernels const& kernels = kernels_for(basis, executor);
-    for_each_part(basis.row_length(), [&](FunctionPart part) {
-        PartSums const of(kernels, basis, gradient_by_points, scale, part, executor);
-        for (Index k = 0; k < part.width; ++k) {
-            std::int64_t* const to = sums + part.first + k;
-            to[0] = of.x[k].coarse;
-            to[n] = of.x[k].fine;
-            to[2 * n] = of.y[k].coarse;
-            to[3 * n] = of.y[k].fine;
+    for_each_slice(basis.row_length(), [&](RowSlice slice) {
+        SliceSums const found(kernels, basis, gradient_by_points, scale, slice, executor);
+        for (Index k = 0; k < slice.width; ++k) {
+            std::int64_t* const to = sums + slice.first + k;
+            to[0] = found.x[k].coarse;
+            to[n] = found.x[k].fine;
+            to[2 * n] = found.y[k].coarse;
+            to[3 * n] = found.y[k].fine;
         }
     });
 }
@@ -213,10 +215,10 @@ void adjoint_morph(Basis const& basis, Points gradient_by_points, Real* gradient
     if (!scale.finite()) return set_gradient(basis, not_a_number, gradient);
     set_gradient(basis, 0, gradient);
     ProductKernels const& kernels = kernels_for(basis, executor);
-    for_each_part(basis.row_length(), [&](FunctionPart part) {
-        PartSums const of(kernels, basis, gradient_by_points, scale, part, executor);
-        for (Index k = 0; k < part.width; ++k) {
-            add_to_gradient(basis, part.first + k, scale, of.x[k], of.y[k], gradient);
+    for_each_slice(basis.row_length(), [&](RowSlice slice) {
+        SliceSums const found(kernels, basis, gradient_by_points, scale, slice, executor);
+        for (Index k = 0; k < slice.width; ++k) {
+            add_to_gradient(basis, slice.first + k, scale, found.x[k], found.y[k], gradient);
         }
     });
 }

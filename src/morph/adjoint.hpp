@@ -9,14 +9,14 @@
 
 namespace harmorph {
 
-// gradient [2 * functions] = sum over the points of F_i^T (by_x, by_y); all NaN where a number is
-// not finite.
+// Computes gradient [2 * functions] = sum over the points of F_i^T (by_x, by_y); all numbers are
+// NaN if an input is not finite.
 void adjoint_morph(Basis const& basis, Points gradient_by_points, Real* gradient,
                    Executor const& executor) noexcept;
 
-// The same for points on several processes, each with some rows of the basis: take the maximum of
-// adjoint_scale over the processes, call adjoint_sums with that scale, add the sums of all
-// processes elementwise as integers, and call adjoint_finish.
+// The calls below serve points on several processes, each with some rows of the basis. Take the
+// maximum of adjoint_scale() over the processes, call adjoint_sums() with that scale, add the sums
+// of all processes elementwise as integers, and call adjoint_finish().
 BinaryScale adjoint_scale(Basis const& basis, Points gradient_by_points,
                           Executor const& executor) noexcept;
 constexpr Offset adjoint_sums_count(Index row_length) noexcept { return 4 * Offset{row_length}; }

@@ -4,13 +4,14 @@
 
 namespace harmorph {
 
-// The root is taken without cancellation.
+// Solves for the root without cancellation.
 Real smallest_positive_root(Real a, Real b, Real c) noexcept {
     Real const size = max(max(abs(a), abs(b)), c);
-    // A displacement that is not finite, or areas that are not, leave nothing.
+    // A displacement or an area that is not finite admits no step.
     if (!is_finite(a) || !is_finite(b) || !is_finite(c)) return 0;
     if (a >= 0 && b >= 0) return infinity;
-    if (!(size > 0x1p-200 && size < 0x1p200)) {  // the squares of areas would not be numbers
+    // The squares of such areas would overflow or underflow.
+    if (!(size > 0x1p-200 && size < 0x1p200)) {
         Real const scale = power_of_two_at(size);
         a /= scale;
         b /= scale;
@@ -19,10 +20,10 @@ Real smallest_positive_root(Real a, Real b, Real c) noexcept {
     if (a == 0) return -c / b;
     Real const discriminant = b * b - 4 * a * c;
     if (discriminant < -4 * epsilon * b * b) return infinity;
-    // But for rounding, an area that touches 0 has a root there
+    // An area that touches 0 has a root there, except for rounding.
     Real const root = sqrt(max(discriminant, 0.0));
-    if (b <= 0)
-        return 2 * c / (root - b);  // a > 0: the smaller of two positive roots; a < 0: the only one
+    // This is the smaller of two positive roots if a > 0, and the only one if a < 0.
+    if (b <= 0) return 2 * c / (root - b);
     return a < 0 ? -(b + root) / (2 * a) : infinity;
 }
 
@@ -32,9 +33,9 @@ void AdmissibleStep::add(OrientedMesh const& cells, CellPlaces const& places,
     if ((triangles | quads) == 0) return;
     batches.for_each([&](Index number, bool is_triangle, Index i) {
         if (((is_triangle ? triangles : quads) >> i & 1) == 0) return;
-        Cell const its = cells.cell(number);
-        add(number, its.n, CellCorners({its, places.at, false}),
-            CellCorners({its, places.change, false}));
+        Cell const corners = cells.cell(number);
+        add(number, corners.n, CellCorners({corners, places.at, false}),
+            CellCorners({corners, places.change, false}));
     });
 }
 
@@ -42,7 +43,7 @@ AdmissibleStep admissible_step(OrientedMesh const& cells, Points points, Points 
                                Executor const& executor) noexcept {
     CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
     CellPlaces const places{points, displacement, {}};
-    AdmissibleStep of_all = reduce_ranges<AdmissibleStep>(
+    AdmissibleStep overall = reduce_ranges<AdmissibleStep>(
         cells.mesh.n_cells, executor, [&](Index begin, Index end, AdmissibleStep& result) {
             AdmissibleStep limit;
             for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
@@ -54,13 +55,13 @@ AdmissibleStep admissible_step(OrientedMesh const& cells, Points points, Points 
             });
             result = limit;
         });
-    of_all.merge(reduce_cells<AdmissibleStep>(
+    overall.merge(reduce_cells<AdmissibleStep>(
         cells.mesh.n_guards, executor, [&](Index guard, AdmissibleStep& result) {
             Index const i = cells.mesh.n_cells + guard;
             CellShape const now = shape_of(cells, i, points);
             result.add(i, now.n, CellCorners(now), CellCorners(shape_of(cells, i, displacement)));
         }));
-    return of_all;
+    return overall;
 }
 
 Index limiting_point(OrientedMesh const& cells, AdmissibleStep const& limit) noexcept {

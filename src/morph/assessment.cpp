@@ -56,7 +56,7 @@ Assessment assess(OrientedMesh const& cells, Points points, Points displacement,
     };
     Assessment assessment = reduce_batches<Assessment>(cells, cells.mesh.n_given_cells(), executor,
                                                        add_cell, add_batch);
-    // Cells of polygons have not been looked at for the step, which depends on guards, too.
+    // The step of polygons is not known yet, as it also depends on guards.
     if (cells.mesh.has_pieces())
         assessment.limit = admissible_step(cells, points, displacement, executor);
     return assessment;

@@ -9,7 +9,7 @@ namespace harmorph {
 
 struct Assessment {
     AdmissibleStep limit;
-    Quality quality;  // at points + displacement, relative to points
+    Quality quality;  // The quality at points + displacement, relative to the mesh at points.
 
     void merge(Assessment const& later) noexcept {
         limit.merge(later.limit);
@@ -20,7 +20,8 @@ struct Assessment {
 Assessment assess(OrientedMesh const& cells, Points points, Points displacement,
                   Executor const& executor) noexcept;
 
-// The quality at points + displacement, relative to the mesh at the coordinates `reference`.
+// Returns the quality at points + displacement, relative to the mesh at the coordinates
+// `reference`.
 Quality displaced_quality(OrientedMesh const& cells, Points points, Points displacement,
                           Points reference, Executor const& executor) noexcept;
 

@@ -1,19 +1,22 @@
-// The faces of the boundary in the order of their loops: each begins at a boundary point and ends
-// at the next point of its loop.
+// The faces of the boundary in the order of their loops. Each face begins at a boundary point and
+// ends at the next point of its loop. tests/morph/test_crossing.cpp and tests/morph/test_touch.cpp
+// cover this file.
 #pragma once
 
 #include "base/span.hpp"
 
 namespace harmorph {
 
-// Faces that follow each other lie close together, so halving a range halves the place it takes.
+// A range of faces. Faces that follow each other lie close together, so half a range takes about
+// half the space.
 struct FaceRange {
     Index begin, end;
     Index size() const noexcept { return end - begin; }
     Index middle() const noexcept { return begin + size() / 2; }
 };
 
-inline constexpr Index few_faces = 8;  // ranges of so many faces are not halved any more
+inline constexpr Index max_leaf_faces =
+    8;  // Ranges of at most so many faces are not halved any more.
 
 class BoundaryFaces {
 public:
@@ -32,14 +35,14 @@ public:
         return face + 1 < loop_start_[loop + 1] ? face + 1 : loop_start_[loop];
     }
 
-    // visit(point) for all points of the faces of a range that is not empty; some points come
-    // twice.
+    // Calls visit(point) for all points of the faces of a range that is not empty; some points are
+    // visited twice.
     template <class Visit>
     void for_each_end(FaceRange range, Visit const& visit) const noexcept {
         for (Index face = range.begin; face < range.end; ++face) visit(begin_of(face));
         visit(end_of(range.end - 1));
-        // A range may hold the end of one loop and the beginning of the next: a face that closes a
-        // loop ends where the loop begins.
+        // A range may contain the end of one loop and the beginning of the next; the face that
+        // closes a loop ends where the loop begins.
         for (Index loop = loop_of(range.begin);
              loop + 1 < loop_start_.count() && loop_start_[loop + 1] <= range.end; ++loop) {
             visit(boundary_point_[loop_start_[loop]]);
@@ -47,9 +50,9 @@ public:
     }
 
 private:
-    // By halving: a mesh may have thousands of bodies.
+    // Searches by bisection, as a mesh may have thousands of bodies.
     Index loop_of(Index face) const noexcept {
-        // loop_start_[first] <= face < loop_start_[last]
+        // Invariant: loop_start_[first] <= face < loop_start_[last].
         Index first = 0, last = loop_start_.count() - 1;
         while (last - first > 1) {
             Index const middle = first + (last - first) / 2;

@@ -1,6 +1,6 @@
-// Cells in batches, for kernels that look at several cells at a time: corner areas, quality, and
-// whether a displacement can invert them. A list holds cells of one shape, so that the kernels have
-// no branches.
+// Cells in batches, for kernels that compute several cells at a time: corner areas, quality, and
+// whether a displacement can invert them. A list contains cells of one shape, so that the kernels
+// have no branches.
 #pragma once
 
 #include "base/parallel_reduce.hpp"
@@ -10,21 +10,22 @@
 
 namespace harmorph {
 
-// Cells of one shape, the points of a cell side by side: a part of the caller's list, or a copy.
+// Cells of one shape; the points of a cell are side by side. The list is a section of the caller's
+// list, or a copy.
 struct CellList {
     const Index* point = nullptr;  // [n x 3] or [n x 4]
     Index n = 0;
     Index index_base = 0;
-    bool reversed = false;  // all cells run clockwise
+    bool reversed = false;  // All cells are clockwise.
 };
 
-// Up to `most` consecutive cells, by shape.
+// Up to `max_count` consecutive cells, by shape.
 struct CellBatches {
-    static constexpr Index most = 64;
+    static constexpr Index max_count = 64;
     Index first = 0, n = 0;
     CellList triangles, quads;
 
-    // visit(cell, is it a triangle?, its number in the list of its shape) in the order of the
+    // Calls visit(cell, is it a triangle?, its number in the list of its shape) in the order of the
     // cells.
     template <class Visit>
     void for_each(Visit const& visit) const noexcept {
@@ -52,14 +53,15 @@ struct CellBatches {
     }
 
 private:
-    bool is_triangle[most];  // of copies
-    Index triangle_point[3 * most], quad_point[4 * most];
+    bool is_triangle[max_count];  // This array describes copies.
+    Index triangle_point[3 * max_count], quad_point[4 * max_count];
 };
 
-// Where the cells are, and by what they are displaced, if at all.
+// The coordinates of the cells, and their displacements, if any.
 struct CellPlaces {
     Points at, change;
-    Points reference;  // where nothing is displaced: cells to compare sizes with, if given
+    // If nothing is displaced: coordinates of the cells whose sizes are compared, if given.
+    Points reference;
 
     CellShape displaced(Cell const& cell) const noexcept {
         CellShape shape(cell, at, false);
@@ -70,40 +72,41 @@ struct CellPlaces {
     }
 };
 
-// What other cells have shown so far: the smallest step at which one of them inverts, twice the
-// smallest corner area, the smallest quality.
+// The extremes of the cells measured so far: the smallest step at which one of them inverts, twice
+// the smallest corner area, and the smallest quality.
 struct CellBounds {
     Real step = infinity, twice_area = infinity, quality = infinity;
 };
 
-// Quality of a list of cells, displaced if they are.
+// The quality of a list of cells, after the displacement if there is one.
 struct ListQuality {
     static constexpr Real not_in_range = -1;
-    Real twice_smallest[CellBatches::most];  // corner area; NaN where one of a quad is not finite
-    // 0 where the cell is inverted; not_in_range: to be computed for this cell by itself, as
-    // products of its areas are too large or too small for numbers.
-    Real quality[CellBatches::most];
-    Real sum = 0;  // of those that are computed
-    std::uint64_t notable =
-        0;  // bits of cells: inverted, below a bound, or without a quality so far
+    // Twice the smallest corner area; NaN if an area of a quad is not finite.
+    Real twice_smallest[CellBatches::max_count];
+    // The quality, 0 if the cell is inverted. not_in_range means that the quality must be computed
+    // for this cell by itself, as products of its areas would overflow or underflow.
+    Real quality[CellBatches::max_count];
+    Real sum = 0;  // The sum of the qualities that are computed.
+    // The bits of cells that are inverted, below a bound, or without a quality so far.
+    std::uint64_t notable = 0;
 };
 
-// Looks at a list of cells. Where they are displaced: returns the bits of the cells that have to be
-// looked at one by one, as some corner is not seen to keep a positive area up to the step.
-// `quality`, if wanted, is that of the displaced cells, compared with the cells before. All this is
-// what CellCorners, CellMeasure, Quality::add and AdmissibleStep::add compute for one cell,
-// operation by operation; sums have the same order in all kernels. So the bits are the same for all
-// instruction sets.
-using LookAtCells = std::uint64_t(CellList const& cells, CellPlaces const& places,
-                                  CellBounds const& bounds, ListQuality* quality) noexcept;
+// Measures a list of cells. If they are displaced, returns the bits of the cells that must be
+// examined one by one, as some corner may lose its positive area before the step. `quality`, unless
+// null, receives the quality of the displaced cells, compared with the cells before. The results
+// are those of CellCorners, CellMeasure, Quality::add and AdmissibleStep::add for one cell,
+// operation by operation; sums have the same order in all kernels. The bits are therefore the same
+// for all instruction sets.
+using MeasureCells = std::uint64_t(CellList const& cells, CellPlaces const& places,
+                                   CellBounds const& bounds, ListQuality* quality) noexcept;
 struct CellKernels {
-    LookAtCells *triangles, *quads;
+    MeasureCells *triangles, *quads;
 };
 
-// For so many cells; `known`: the best kernel, if known.
+// Returns the kernels for so many cells; `known` is the best kernel, if known.
 CellKernels const& cell_kernels(Kernel known, Index n_cells) noexcept;
 
-// visit(user, batches) for cells begin .. end-1, in their order.
+// Calls visit(user, batches) for cells begin .. end-1, in their order.
 void for_each_batch(OrientedMesh const& cells, Index begin, Index end,
                     void (*visit)(void* user, CellBatches const& batches), void* user) noexcept;
 template <class Visit>
@@ -114,8 +117,9 @@ void for_each_batch(OrientedMesh const& cells, Index begin, Index end, Visit vis
     for_each_batch(cells, begin, end, call, &visit);
 }
 
-// Of all cells: add_batch(kernels, batches, result) where cells are the caller's; add_cell(i,
-// result) for i < n where they are pieces of polygons, which kernels do not know.
+// Reduces all cells. add_batch(kernels, batches, result) is called for the caller's cells;
+// add_cell(i, result) for i < n is called if the cells are pieces of polygons, for which there are
+// no kernels.
 template <class Result, class AddCell, class AddBatch>
 Result reduce_batches(OrientedMesh const& cells, Index n, Executor const& executor,
                       AddCell const& add_cell, AddBatch const& add_batch) noexcept {

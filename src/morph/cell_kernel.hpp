@@ -1,9 +1,10 @@
 // Areas, quality and admissible steps of several cells at a time, with the registers of one
-// instruction set; cell_batch.cpp compiles this file for each of them. The formulas are those of
+// instruction set; cell_batch.cpp compiles this file for each set. The formulas are those of
 // mesh/cell_shape, morph/quality and morph/admissible_step, in the same order of operations.
+// tests/morph/test_cell_batch.cpp covers this file.
 #include "morph/cell_places.hpp"
 
-namespace harmorph::cell_looks::HARMORPH_SET {
+namespace harmorph::cell_measures::HARMORPH_SET {
 namespace {
 
 template <Index n>
@@ -12,7 +13,7 @@ struct Corners {
     Vectors side[n];
     Vector twice_area[n_areas];
 
-    // The sides that meet at a corner.
+    // before() and after() are the sides that meet at a corner.
     static constexpr Index before(Index k) noexcept { return n == 3 ? 0 : (k + 3) & 3; }
     static constexpr Index after(Index k) noexcept { return n == 3 ? 1 : k; }
 
@@ -26,19 +27,20 @@ struct Corners {
         if (n == 3) return twice_area[0];
         Vector const* const a = twice_area;
         Vector const sum = (a[0] + a[n_areas / 4]) + (a[n_areas / 2] + a[n_areas - 1]);
-        Vector const least =
-            least_of(least_of(a[0], a[n_areas / 4]), least_of(a[n_areas / 2], a[n_areas - 1]));
+        Vector const smallest_area =
+            lanes_min(lanes_min(a[0], a[n_areas / 4]), lanes_min(a[n_areas / 2], a[n_areas - 1]));
         Vector const zero = sum - sum;
-        return zero == 0 ? least : zero;
+        return zero == 0 ? smallest_area : zero;
     }
     HARMORPH_INLINE Vector area() const noexcept {
         return 0.5 * (n == 3 ? twice_area[0] : twice_area[0] + twice_area[n_areas / 2]);
     }
 };
 
-// As skew_fraction() and CellMeasure::quality(). Roots come first: they go on while other things
-// are computed. Where a cell is inverted, nothing is divided by its areas: that might raise a
-// floating-point exception. Without an area of reference: skew quality.
+// Computes the same as skew_fraction() and CellMeasure::quality(). Square roots come first, as they
+// run in parallel with other operations. If a cell is inverted, no number is divided by its areas,
+// as that might raise a floating-point exception. Without an area of reference the result is the
+// skew quality.
 template <Index n>
 class Qualities {
 public:
@@ -53,13 +55,13 @@ public:
         Vector const sum = n == 3 ? squares[0] + squares[1] + squares[2]
                                   : (squares[0] + squares[n / 2]) + (squares[1] + squares[n - 1]);
         smallest = corners.smallest();
-        Vector size = is_compared ? most_of(reference_area, -reference_area) : smallest;
-        Vector const least = least_of(size, smallest),
-                     most = most_of(sum, size);  // one is NaN where anything is
-        regular_ = (Registers::less(zero + min_factor, least) &
-                    Registers::less(most, zero + max_factor)) == all;
+        Vector size = is_compared ? lanes_max(reference_area, -reference_area) : smallest;
+        // One of these is NaN if any number is.
+        Vector const lowest = lanes_min(size, smallest), highest = lanes_max(sum, size);
+        regular_ = (Registers::less(zero + min_factor, lowest) &
+                    Registers::less(highest, zero + max_factor)) == all;
         if (!regular_) {
-            auto const in_range = (least > min_factor) & (most < max_factor);
+            auto const in_range = (lowest > min_factor) & (highest < max_factor);
 #pragma GCC unroll 4
             for (Index k = 0; k < n; ++k) squares[k] = in_range ? squares[k] : one;
 #pragma GCC unroll 4
@@ -76,98 +78,99 @@ public:
             root_[1] = Registers::sqrt(sum_);
             root_[2] = Registers::sqrt(squares[n / 2] * squares[n - 1]);
         }
-        mean_ = is_compared ? Registers::sqrt(cell_area * size) : one;
-        larger_ = is_compared ? most_of(cell_area, size) : one;
+        mean_area_ = is_compared ? Registers::sqrt(cell_area * size) : one;
+        larger_area_ = is_compared ? lanes_max(cell_area, size) : one;
     }
     HARMORPH_INLINE Vector end() const noexcept {
-        Vector above, under;
-        if constexpr (n == 3) skew_of_triangle(area_[0], sum_, above, under);
-        else skew_of_quad(area_, root_, sum_, above, under);
-        Vector const quality = above * mean_ / (under * larger_), zero = {};
+        Vector numerator, denominator;
+        if constexpr (n == 3) skew_of_triangle(area_[0], sum_, numerator, denominator);
+        else skew_of_quad(area_, root_, sum_, numerator, denominator);
+        Vector const quality = numerator * mean_area_ / (denominator * larger_area_), zero = {};
         if (regular_) return quality;
         return in_range_ > 0 ? quality : smallest > 0 ? zero + ListQuality::not_in_range : zero;
     }
 
-    Vector smallest = {};  // twice the smallest corner area
+    Vector smallest = {};  // Twice the smallest corner area.
 
 private:
     bool regular_ = true;
-    Vector in_range_ = {}, larger_ = {},
-           mean_ = {};  // of areas: the larger of the two, the geometric mean
+    // The larger one of both areas, and their geometric mean.
+    Vector in_range_ = {}, larger_area_ = {}, mean_area_ = {};
     Vector sum_ = {}, root_[3] = {}, area_[Corners<n>::n_areas] = {};
 };
 
-// Of c + b s + a s^2: is it positive, and far from a root, for 0 <= s <= step? By its value at
-// `step`, which is at least a millionth of its terms, and at its minimum, if that comes before. 1
-// in the lanes where that holds, 0 in others. Steps are less than 1e50, or infinite, so that
-// nothing overflows.
+// Tells whether c + b s + a s^2 is positive, and far from a root, for 0 <= s <= step. This follows
+// from the value at `step`, which must be at least a millionth of its terms, and from the minimum,
+// if that comes before. The result is 1 in the lanes where this holds, and 0 in others. Steps are
+// less than 1e50, or infinite, so that nothing overflows.
 HARMORPH_INLINE Vector stays_positive(Vector a, Vector b, Vector c, Real step) noexcept {
-    constexpr Real most = 1e50, far = 1e-6;
+    constexpr Real max_step = 1e50, margin = 1e-6;
     Vector const zero = {}, one = zero + 1;
-    auto const has_minimum = (b < 0) & (a > 0) & (-b < 2 * a * (step < most ? step : most));
+    auto const has_minimum = (b < 0) & (a > 0) & (-b < 2 * a * (step < max_step ? step : max_step));
     Vector const at_minimum = (has_minimum ? -b : zero) / (has_minimum ? 2 * a : one);
-    auto holds = c + 0.5 * b * at_minimum > far * c;
+    auto holds = c + 0.5 * b * at_minimum > margin * c;
     if (step < infinity) {
         Vector const terms = c + step * ((b < 0 ? -b : b) + step * (a < 0 ? -a : a));
-        holds &= c + step * (b + step * a) > far * terms;
+        holds &= c + step * (b + step * a) > margin * terms;
     } else {
         holds &= has_minimum | ((a >= 0) & (b >= 0) & (a + b < infinity));
     }
     return holds ? one : zero;
 }
 
-// Of triangles: has the product of these two sides the digits of the area? In needles it may not;
-// those are left.
+// Tells for triangles whether the product of these two sides has the digits of the area. This may
+// not be so in needles, which the kernel leaves to the caller.
 template <Index n>
 HARMORPH_INLINE unsigned keeps_digits(Corners<n> const& corners) noexcept {
     Vector const product = corners.side[0].x * corners.side[1].y;
-    return Registers::less(1e-9 * most_of(product, -product), corners.twice_area[0]);
+    return Registers::less(1e-9 * lanes_max(product, -product), corners.twice_area[0]);
 }
 
-// First a bound of all corners at once: no area is smaller than area + slope s - |curvature| s^2
-// with the smallest of each. Then, where that is not enough for a cell, the areas themselves. Bits
-// of the cells that are left.
+// First all corners are bounded at once: no area is smaller than area + slope s - |curvature| s^2
+// with the smallest of each. If that does not suffice for a cell, the areas themselves are
+// examined. Returns the bits of the cells that remain.
 template <Index n>
 HARMORPH_INLINE std::uint64_t limiting(Corners<n> const& now, Corners<n> const& change,
                                        Real step) noexcept {
     constexpr Index n_areas = Corners<n>::n_areas;
     Vector const zero = {}, *const area = now.twice_area, *const curvature = change.twice_area;
-    Vector slope[n_areas], least, falls, bends, sum;
+    Vector slope[n_areas], min_area, min_slope, min_curvature, sum;
 #pragma GCC unroll 4
     for (Index k = 0; k < n_areas; ++k) {
         Index const before = now.before(k), after = now.after(k);
         slope[k] = cross(now.side[before], change.side[after]) +
                    cross(change.side[before], now.side[after]);
         sum = k == 0 ? area[k] + slope[k] : sum + (area[k] + slope[k]);
-        falls = k == 0 ? slope[k] : least_of(falls, slope[k]);
-        least = k == 0 ? area[k] : least_of(least, area[k]);
-        bends = k == 0 ? curvature[k] : least_of(bends, curvature[k]);
+        min_slope = k == 0 ? slope[k] : lanes_min(min_slope, slope[k]);
+        min_area = k == 0 ? area[k] : lanes_min(min_area, area[k]);
+        min_curvature = k == 0 ? curvature[k] : lanes_min(min_curvature, curvature[k]);
     }
-    falls = least_of(falls, zero);
-    bends = least_of(bends, zero);
-    unsigned const clear = n == 3 ? keeps_digits(now) : all;
+    min_slope = lanes_min(min_slope, zero);
+    min_curvature = lanes_min(min_curvature, zero);
+    unsigned const precise = n == 3 ? keeps_digits(now) : all;
     unsigned kept;
     if (step < infinity) {
-        kept = Registers::less(sum - sum,
-                               least + step * (falls + step * bends));  // nothing is less than NaN
+        // Comparisons with NaN are false.
+        kept = Registers::less(sum - sum, min_area + step * (min_slope + step * min_curvature));
     } else {
 #pragma GCC unroll 4
         for (Index k = 0; k < n_areas; ++k) sum += curvature[k];
-        kept = Registers::less(sum - sum, least) & ~Registers::less(falls + bends, zero);
+        kept = Registers::less(sum - sum, min_area) &
+               ~Registers::less(min_slope + min_curvature, zero);
     }
-    kept &= clear;
+    kept &= precise;
     if (kept == all || (step >= 1e50 && step < infinity)) return ~kept & all;
     Vector stays = zero + 1;
 #pragma GCC unroll 4
     for (Index k = 0; k < n_areas; ++k)
         stays *= stays_positive(curvature[k], slope[k], area[k], step);
-    return ~(kept | (Registers::less(zero, stays) & clear)) & all;
+    return ~(kept | (Registers::less(zero, stays) & precise)) & all;
 }
 
-// Looks at as many cells as a register has lanes, from cell i of a list on. Adds their qualities to
-// `sums`.
+// Measures as many cells as a register has lanes, beginning with cell i of a list. Adds their
+// qualities to `sums`.
 template <Index n>
-HARMORPH_INLINE std::uint64_t look_at_group(Places<n> const& places, Index i, bool moves,
+HARMORPH_INLINE std::uint64_t measure_group(Places<n> const& places, Index i, bool moves,
                                             bool is_compared, CellBounds const& bounds,
                                             ListQuality* quality, Vector& sums) noexcept {
     Vector const zero = {};
@@ -183,24 +186,26 @@ HARMORPH_INLINE std::uint64_t look_at_group(Places<n> const& places, Index i, bo
     if (quality != nullptr) qualities.begin(Corners<n>(shapes), is_compared, reference_area);
     std::uint64_t const found = moves ? limiting<n>(now, Corners<n>(other), bounds.step) : 0;
     if (quality == nullptr) return found << i;
-    Vector const smallest = qualities.smallest, its = qualities.end();
+    Vector const smallest = qualities.smallest, value = qualities.end();
     Registers::store(quality->twice_smallest + i, smallest);
-    Registers::store(quality->quality + i, its);
-    sums += its > 0 ? its : zero;
-    std::uint64_t const plain =
+    Registers::store(quality->quality + i, value);
+    sums += value > 0 ? value : zero;
+    std::uint64_t const ordinary =
         Registers::less(zero, smallest) & ~Registers::less(smallest, zero + bounds.twice_area) &
-        ~Registers::less(its, zero + bounds.quality) & Registers::less(its, zero + infinity);
-    quality->notable |= (~plain & all) << i;
+        ~Registers::less(value, zero + bounds.quality) & Registers::less(value, zero + infinity);
+    quality->notable |= (~ordinary & all) << i;
     return found << i;
 }
 
 template <Index n>
-std::uint64_t look_at(CellList const& cells, CellPlaces const& its, CellBounds const& bounds,
-                      ListQuality* quality) noexcept {
+std::uint64_t measure(CellList const& cells, CellPlaces const& given_places,
+                      CellBounds const& bounds, ListQuality* quality) noexcept {
     if (cells.n == 0) return 0;
-    constexpr Index groups = eight / lanes;  // as many sums in all kernels
-    bool const moves = its.change.given(), is_compared = moves || its.reference.given();
-    Places<n> const places(cells, its.at, moves ? its.change : its.reference);
+    constexpr Index groups = eight / lanes;  // All kernels have the same number of sums.
+    bool const moves = given_places.change.given(),
+               is_compared = moves || given_places.reference.given();
+    Places<n> const places(cells, given_places.at,
+                           moves ? given_places.change : given_places.reference);
     std::uint64_t found = 0;
     Vector sums[groups] = {};
     Real sum[eight];
@@ -210,12 +215,12 @@ std::uint64_t look_at(CellList const& cells, CellPlaces const& its, CellBounds c
         }
 #pragma GCC unroll 1
         for (Index k = 0; k < groups; ++k) {
-            found |= look_at_group<n>(places, i + lanes * k, moves, is_compared, bounds, quality,
+            found |= measure_group<n>(places, i + lanes * k, moves, is_compared, bounds, quality,
                                       sums[k]);
         }
     }
     std::uint64_t const given =
-        cells.n == CellBatches::most ? ~std::uint64_t{} : (std::uint64_t{1} << cells.n) - 1;
+        cells.n == CellBatches::max_count ? ~std::uint64_t{} : (std::uint64_t{1} << cells.n) - 1;
     if (quality != nullptr) {
         if (cells.n % eight == 0) {
             for (Index k = 0; k < groups; ++k) Registers::store(sum + k * lanes, sums[k]);
@@ -230,13 +235,13 @@ std::uint64_t look_at(CellList const& cells, CellPlaces const& its, CellBounds c
     return found & given;
 }
 
-constexpr CellKernels kernels{look_at<3>, look_at<4>};
+constexpr CellKernels kernels{measure<3>, measure<4>};
 
 }  // namespace
-}  // namespace harmorph::cell_looks::HARMORPH_SET
+}  // namespace harmorph::cell_measures::HARMORPH_SET
 
 namespace harmorph::simd {
 template <>
 inline constexpr const CellKernels* table<CellKernels, Kernel::HARMORPH_SET> =
-    &harmorph::cell_looks::HARMORPH_SET::kernels;
+    &harmorph::cell_measures::HARMORPH_SET::kernels;
 }  // namespace harmorph::simd

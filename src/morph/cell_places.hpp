@@ -1,8 +1,8 @@
-// Where the corners of several cells are, with the registers of one instruction set: gathered from
-// lists of cells, or side by side in the rows of a structured mesh. Compiled for each set by
-// cell_batch.cpp.
+// The coordinates of the corners of several cells, with the registers of one instruction set:
+// gathered from lists of cells, or side by side in the rows of a structured mesh. cell_batch.cpp
+// compiles this file for each set. tests/morph/test_cell_batch.cpp covers this file.
 
-namespace harmorph::cell_looks::HARMORPH_SET {
+namespace harmorph::cell_measures::HARMORPH_SET {
 namespace {
 
 using Registers = simd::HARMORPH_SET::Registers<Real>;
@@ -10,14 +10,15 @@ using Vector = Registers::Vector;
 using Words = Registers::Words;
 
 constexpr Index lanes = Registers::lanes;
-constexpr Index eight = 8;                    // cells are looked at in eights in all kernels
-constexpr Index few = lanes < 4 ? lanes : 4;  // lanes that are gathered at a time; 8 are no faster
+constexpr Index eight = 8;  // All kernels measure cells in groups of eight.
+// So many lanes are gathered at a time; 8 are no faster.
+constexpr Index few = lanes < 4 ? lanes : 4;
 using Few [[gnu::vector_size(8 * few)]] = Real;
-constexpr unsigned all = (1u << lanes) - 1;  // bits
+constexpr unsigned all = (1u << lanes) - 1;  // These are bits.
 
-// harmorph::smaller() and larger() in each lane: a where one of the two is NaN.
-HARMORPH_INLINE Vector least_of(Vector a, Vector b) noexcept { return Registers::min(b, a); }
-HARMORPH_INLINE Vector most_of(Vector a, Vector b) noexcept { return Registers::max(b, a); }
+// These are harmorph::min() and max() in each lane: the result is a if one of the two is NaN.
+HARMORPH_INLINE Vector lanes_min(Vector a, Vector b) noexcept { return Registers::min(b, a); }
+HARMORPH_INLINE Vector lanes_max(Vector a, Vector b) noexcept { return Registers::max(b, a); }
 
 struct Vectors {
     Vector x, y;
@@ -27,8 +28,8 @@ HARMORPH_INLINE Vectors operator-(Vectors a, Vectors b) noexcept { return {a.x -
 HARMORPH_INLINE Vector cross(Vectors a, Vectors b) noexcept { return a.x * b.y - a.y * b.x; }
 HARMORPH_INLINE Vector square(Vectors a) noexcept { return a.x * a.x + a.y * a.y; }
 
-// As CellShape and CellCorners of `n` corners, of as many cells as a register has lanes; a triangle
-// has one area.
+// The counterpart of CellShape and CellCorners of `n` corners, for as many cells as a register has
+// lanes; a triangle has one area.
 template <Index n>
 struct Shapes {
     Vectors at[n];
@@ -43,20 +44,20 @@ struct Shapes {
     }
 };
 
-// Coordinates of points, `most` numbers for each of `n` corners of the cells of a list.
+// The coordinates of points: `max_count` numbers for each of `n` corners of the cells of a list.
 template <Index n>
 struct Gathered {
-    Real x[n][CellBatches::most], y[n][CellBatches::most];
+    Real x[n][CellBatches::max_count], y[n][CellBatches::max_count];
 };
 
-// The coordinates of the cells of a list, and of what they are displaced by or compared with,
-// `other`. They are gathered for all cells before anything is computed: so the loads, one for each
-// number, run at the speed of the cache. Cells in a row of a structured mesh need not be gathered,
-// as the coordinates of each corner stand side by side.
+// The coordinates of the cells of a list, and their displacements or the coordinates with which
+// they are compared, `other`. The coordinates of all cells are gathered before any computation, so
+// that the loads, one for each number, run at the speed of the cache. Cells in a row of a
+// structured mesh need not be gathered, as the coordinates of each corner are side by side.
 template <Index n>
 class Places {
 public:
-    // The last registers are filled up with the last cell.
+    // Fills the last registers up with the last cell.
     Places(CellList const& cells, Points points, Points other) noexcept
         : cells_(cells), points_(points), other_(other) {
         bool const unit = points.stride == 1 && (!other.given() || other.stride == 1);
@@ -64,10 +65,10 @@ public:
         if (!other.given()) gather<false>(points, other);
         else if (!unit) gather<true>(points, other);
         else
-            gather<true>({points.x, points.y, 1},
-                         {other.x, other.y, 1});  // no multiplications by strides
+            // No index is multiplied by a stride.
+            gather<true>({points.x, points.y, 1}, {other.x, other.y, 1});
     }
-    // Of the cells from cell i on.
+    // Both return the corners of the cells that begin with cell i.
     HARMORPH_INLINE Shapes<n> shapes(Index i) const noexcept { return shapes(points_, at_, i); }
     HARMORPH_INLINE Shapes<n> others(Index i) const noexcept {
         return shapes(other_, other_at_, i);
@@ -76,7 +77,7 @@ public:
 private:
     CellList const& cells_;
     Points points_, other_;
-    std::uint64_t rows_ = 0;  // bits of the cells at which a register of cells in a row begins
+    std::uint64_t rows_ = 0;  // The bits of the cells at which a register of cells in a row begins.
     Gathered<n> at_, other_at_;
 
     HARMORPH_INLINE Index which(Index k) const noexcept { return cells_.reversed ? n - 1 - k : k; }
@@ -95,7 +96,8 @@ private:
         return shapes;
     }
 
-    // Is every point the one behind that of the cell before? Words are two points of a cell.
+    // Finds the registers in which every point is the one behind that of the cell before. Words are
+    // two points of a cell.
     HARMORPH_INLINE void find_rows() noexcept {
         for (Index i = 0; i + lanes <= cells_.n; i += lanes) {
             const Index* const points = cells_.point + n * i;
@@ -114,10 +116,11 @@ private:
         return words;
     }
 
-    template <bool both>
+    template <bool has_other>
     HARMORPH_INLINE void gather(Points points, Points other) noexcept {
-        CellList const cells = cells_;  // copies, as the compiler does not know that no coordinate
-                                        // is written over them
+        // This is a copy, as the compiler does not know that no coordinate is written over the
+        // list.
+        CellList const cells = cells_;
         std::uint64_t const rows = rows_;
 #pragma GCC unroll 1
         for (Index k = 0; k < n; ++k) {
@@ -130,32 +133,32 @@ private:
                 Few x = {}, y = {}, other_x = {}, other_y = {};
 #pragma GCC unroll 4
                 for (Index lane = 0; lane < few; ++lane, point += n) {
-                    Offset const its = from_zero(*point, cells.index_base),
-                                 from = its * points.stride;
+                    Offset const number = from_zero(*point, cells.index_base),
+                                 from = number * points.stride;
                     x[lane] = points.x[from];
                     y[lane] = points.y[from];
-                    if (!both) continue;
-                    Offset const other_from = its * other.stride;
+                    if (!has_other) continue;
+                    Offset const other_from = number * other.stride;
                     other_x[lane] = other.x[other_from];
                     other_y[lane] = other.y[other_from];
                 }
                 std::memcpy(at_.x[k] + i, &x, sizeof x);
                 std::memcpy(at_.y[k] + i, &y, sizeof y);
-                if (!both) continue;
+                if (!has_other) continue;
                 std::memcpy(other_at_.x[k] + i, &other_x, sizeof x);
                 std::memcpy(other_at_.y[k] + i, &other_y, sizeof y);
             }
             for (; i % eight != 0 || i < cells.n; ++i) {
-                Offset const its = from_zero(corner[n * min(i, cells.n - 1)], cells.index_base);
-                at_.x[k][i] = points.x[its * points.stride];
-                at_.y[k][i] = points.y[its * points.stride];
-                if (!both) continue;
-                other_at_.x[k][i] = other.x[its * other.stride];
-                other_at_.y[k][i] = other.y[its * other.stride];
+                Offset const number = from_zero(corner[n * min(i, cells.n - 1)], cells.index_base);
+                at_.x[k][i] = points.x[number * points.stride];
+                at_.y[k][i] = points.y[number * points.stride];
+                if (!has_other) continue;
+                other_at_.x[k][i] = other.x[number * other.stride];
+                other_at_.y[k][i] = other.y[number * other.stride];
             }
         }
     }
 };
 
 }  // namespace
-}  // namespace harmorph::cell_looks::HARMORPH_SET
+}  // namespace harmorph::cell_measures::HARMORPH_SET

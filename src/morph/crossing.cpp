@@ -23,16 +23,16 @@ struct FaceBox {
 class Search {
 public:
     Search(BoundaryFaces faces, Points points, Points displacement, Overlaps overlaps,
-           Span<const EndOf> ends = {}) noexcept
+           Span<const KnownEnd> ends = {}) noexcept
         : faces_(faces),
           points_(points),
           displacement_(displacement),
           overlaps_(overlaps),
           ends_(ends) {}
 
-    // Pairs of faces within the range.
+    // Searches pairs of faces within the range.
     bool within(FaceRange range) noexcept {
-        if (range.size() <= few_faces) {
+        if (range.size() <= max_leaf_faces) {
             for (Index face = range.begin; face < range.end; ++face) {
                 if (face_against(face, {face + 1, range.end})) return true;
             }
@@ -48,7 +48,7 @@ private:
     bool between(FaceRange a, FaceRange b) noexcept {
         FaceBox const box_a = box_of(a), box_b = box_of(b);
         if (!box_a.overlaps(box_b) || (box_a.is_point() && box_b.is_point())) return false;
-        if (a.size() <= few_faces && b.size() <= few_faces) {
+        if (a.size() <= max_leaf_faces && b.size() <= max_leaf_faces) {
             for (Index face = a.begin; face < a.end; ++face) {
                 if (face_against(face, b)) return true;
             }
@@ -62,8 +62,8 @@ private:
     bool face_against(Index face, FaceRange others) noexcept {
         FaceBox const box = box_of({face, face + 1});
         for (Index other = others.begin; other < others.end; ++other) {
-            FaceBox const its = box_of({other, other + 1});
-            if (!its.overlaps(box) || (its.is_point() && box.is_point())) continue;
+            FaceBox const other_box = box_of({other, other + 1});
+            if (!other_box.overlaps(box) || (other_box.is_point() && box.is_point())) continue;
             bool const cross = cross_properly(face, other) || cross_at_a_point(face, other) ||
                                cross_at_a_point(other, face) ||
                                (overlaps_ == Overlaps::cross && lie_on_each_other(face, other));
@@ -74,23 +74,23 @@ private:
         return false;
     }
 
-    bool has(Index face, EndOf what) const noexcept {
+    bool has(Index face, KnownEnd what) const noexcept {
         return ends_[begin_of(face)] == what || ends_[end_of(face)] == what;
     }
-    // Does a face of a wall end on a line that points slide along?
+    // Tells whether a face of a wall ends on a line along which points slip.
     bool ends_on_line(Index face) const noexcept {
-        return !has(face, EndOf::on_line) &&
-               (has(before(face), EndOf::on_line) || has(after(face), EndOf::on_line));
+        return !has(face, KnownEnd::on_line) &&
+               (has(before(face), KnownEnd::on_line) || has(after(face), KnownEnd::on_line));
     }
     bool is_known(Index face, Index other) const noexcept {
         if (ends_.empty()) return true;
-        if (has(face, EndOf::unknown) || has(other, EndOf::unknown)) return false;
-        bool const line = has(face, EndOf::on_line), other_line = has(other, EndOf::on_line);
+        if (has(face, KnownEnd::unknown) || has(other, KnownEnd::unknown)) return false;
+        bool const line = has(face, KnownEnd::on_line), other_line = has(other, KnownEnd::on_line);
         if (line && other_line) return false;
         return !(line && ends_on_line(other)) && !(other_line && ends_on_line(face));
     }
 
-    // The ends of each lie strictly on both sides of the other.
+    // Tells whether the ends of each face lie strictly on both sides of the other.
     bool cross_properly(Index face, Index other) const noexcept {
         Vec2 const a = at(begin_of(face)), b = at(end_of(face));
         Vec2 const c = at(begin_of(other)), d = at(end_of(other));
@@ -98,12 +98,13 @@ private:
                orientation_sign(c, d, a) * orientation_sign(c, d, b) < 0;
     }
 
-    // On one line, and of that a piece belongs to both.
+    // Tells whether both faces are on one line and have a common section.
     bool lie_on_each_other(Index face, Index other) const noexcept {
         Vec2 const a = at(begin_of(face)), b = at(end_of(face));
         Vec2 const c = at(begin_of(other)), d = at(end_of(other));
         if (same(a, b) || same(c, d)) return false;
-        if (same(a, d) && same(b, c)) return part_by_mesh(face, other) || part_by_mesh(other, face);
+        if (same(a, d) && same(b, c))
+            return separated_by_mesh(face, other) || separated_by_mesh(other, face);
         if (orientation_sign(a, b, c) != 0 || orientation_sign(a, b, d) != 0) return false;
         auto const share = [](Real p, Real q, Real r, Real s) {
             return max(min(p, q), min(r, s)) < min(max(p, q), max(r, s));
@@ -111,20 +112,21 @@ private:
         return a.x != b.x ? share(a.x, b.x, c.x, d.x) : share(a.y, b.y, c.y, d.y);
     }
 
-    // Of faces with the same ends, run in opposite directions: is there mesh between what comes
-    // after the one and before the other? Then two walls have come together. It is the solid where
-    // the two sides of a wall without thickness part; they need not, at its tip. Where both go on
-    // together, the faces that follow are asked.
-    bool part_by_mesh(Index face, Index other) const noexcept {
+    // Tells for faces with the same ends, in opposite directions, whether mesh lies between the
+    // face after the one and the face before the other. Then two walls have come together.
+    // Otherwise the solid is between them, where the two sides of a wall without thickness
+    // separate; at the tip of the wall they need not separate. If both walls continue together, the
+    // faces that follow decide.
+    bool separated_by_mesh(Index face, Index other) const noexcept {
         Index const next = after(face), last = before(other);
         Vec2 const here = at(end_of(face)), ahead = at(end_of(next)), behind = at(begin_of(last));
         return next != other && !same(ahead, behind) &&
                is_between(here, ahead, behind, at(begin_of(face)));
     }
 
-    // Do the faces before and after the point where `face` begins leave the other one, or the
-    // corner where that begins, to different sides? Only then has the boundary passed through it,
-    // and not just touched it.
+    // Tells whether the faces before and after the point where `face` begins leave the other face,
+    // or the corner where that face begins, to different sides. Only then has the boundary passed
+    // through the other face; otherwise it just touches that face.
     bool cross_at_a_point(Index face, Index other) const noexcept {
         Index const point = begin_of(face);
         if (point == begin_of(other) || point == end_of(other)) return false;
@@ -143,7 +145,7 @@ private:
 
     static bool same(Vec2 a, Vec2 b) noexcept { return a.x == b.x && a.y == b.y; }
 
-    // Of points on one line: is the first one between the others?
+    // Tells for points on one line whether the first one is between the others.
     static bool on_opposite_sides(Vec2 here, Vec2 a, Vec2 b) noexcept {
         auto const between = [](Real p, Real middle, Real q) {
             return (p < middle && middle < q) || (q < middle && middle < p);
@@ -151,8 +153,8 @@ private:
         return between(a.x, here.x, b.x) || between(a.y, here.y, b.y);
     }
 
-    // Seen from here: does the point lie strictly between two others, counter-clockwise from the
-    // first to the second?
+    // Tells whether the point lies strictly between two others, seen from `here` and
+    // counter-clockwise from the first to the second.
     static bool is_between(Vec2 here, Vec2 first, Vec2 point, Vec2 second) noexcept {
         int const turn = orientation_sign(here, first, second);
         int const from_first = orientation_sign(here, first, point),
@@ -180,7 +182,7 @@ private:
     BoundaryFaces faces_;
     Points points_, displacement_;
     Overlaps overlaps_;
-    Span<const EndOf> ends_;
+    Span<const KnownEnd> ends_;
     Crossing result_;
 };
 
@@ -194,7 +196,7 @@ Crossing find_crossing(Span<const Index> boundary_point, Span<const Index> loop_
 }
 
 Crossing find_known_crossing(Span<const Index> boundary_point, Span<const Index> loop_start,
-                             Points points, Span<const EndOf> ends) noexcept {
+                             Points points, Span<const KnownEnd> ends) noexcept {
     Search search({boundary_point, loop_start}, points, {}, Overlaps::ignored, ends);
     search.within({0, boundary_point.count()});
     return search.result();

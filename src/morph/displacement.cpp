@@ -7,15 +7,15 @@
 namespace harmorph {
 namespace {
 
-constexpr Index points_of_a_task = 4096;
+constexpr Index task_points = 4096;
 
-// The first derivative that is not.
+// The first derivative that is not finite.
 struct NotFinite {
     Index point = none, field = 0;
     void merge(NotFinite const& later) noexcept { *this = point != none ? *this : later; }
 };
 
-// Where nothing moves, no bit changes: -0 + 0 is not -0.
+// Where nothing moves, no bit changes; -0 + 0 would not be -0.
 Vec2 moved(Vec2 at, Vec2 by) noexcept {
     return {by.x == 0 ? at.x : at.x + by.x, by.y == 0 ? at.y : at.y + by.y};
 }
@@ -44,7 +44,7 @@ Status Displacement::for_each_block(Plan const& plan, Fault& fault,
                                     Body const& body) const noexcept {
     if (!plan.is_factored())
         return fault.refuse(Status::bad_argument,
-                            "the plan has no factor: hm_plan_factor comes first");
+                            "the plan has no factor; call hm_plan_factor first");
     for (Index first = 0; first < n_fields; first += GivenWall::fields_at_once) {
         HARMORPH_TRY(body(block_of(plan, first)));
     }
@@ -62,7 +62,7 @@ Status Displacement::find_places(Plan const& plan, PointList const& list, Fault&
         Index const number = plan.given_index(list[k]);
         if (number == none) {
             return fault.refuse(Status::bad_condition,
-                                "point # is on no marker whose displacements are given",
+                                "point # is in the list, but on no marker with given displacements",
                                 point_item(list[k]));
         }
         Index& first = place[number];
@@ -71,14 +71,14 @@ Status Displacement::find_places(Plan const& plan, PointList const& list, Fault&
     for (Index i = 0; i < given.count(); ++i) {
         if (place[i] != none) continue;
         return fault.refuse(Status::bad_condition,
-                            "point # is on a marker of given displacements, but is not in the list",
+                            "point # is on a marker with given displacements, but not in the list",
                             point_item(given[i]));
     }
     return Status::ok;
 }
 
 void Displacement::clear(Plan const& plan) const noexcept {
-    plan.executor().for_ranges(plan.mesh().n_points, points_of_a_task, [&](Index begin, Index end) {
+    plan.executor().for_ranges(plan.mesh().n_points, task_points, [&](Index begin, Index end) {
         for (Index field = 0; field < n_fields; field += GivenWall::fields_at_once) {
             Block const block = block_of(plan, field);
             fill(Span<Real>(block.row(begin),
@@ -95,13 +95,15 @@ Status Displacement::set(Plan const& plan, PointList const& list, Index field, P
         Index const number = plan.given_index(list[k]), first = place[number];
         if (!is_coordinate(wall[k])) {
             bool const finite = is_finite(wall[k].x) && is_finite(wall[k].y);
-            return fault.refuse(Status::bad_argument,
-                                finite ? "the displacement of point # in field @ is beyond 1e100"
-                                       : "the displacement of point # in field @ is not finite",
-                                point_item(list[k]), field_item(field));
+            return fault.refuse(
+                Status::bad_argument,
+                finite ? "the displacement of point # in field @ exceeds 1e100 in magnitude"
+                       : "the displacement of point # in field @ is not finite",
+                point_item(list[k]), field_item(field));
         }
         if (!equal(wall[k], wall[first])) {
-            return fault.refuse(Status::bad_argument, "point # has two displacements in field @",
+            return fault.refuse(Status::bad_argument,
+                                "point # has two different displacements in field @",
                                 point_item(list[k]), field_item(field));
         }
         to.set(plan.given().point[number], wall[k]);
@@ -115,9 +117,9 @@ Status Displacement::solve(Plan& plan, bool measured, SolveReport& report,
     return for_each_block(plan, fault, [&](Block const& block) {
         DofValues const values = dofs(plan, block);
         subtract_couplings(plan.equations().matrix(), values);
-        SolveReport of_block;
-        HARMORPH_TRY(plan.solve_fields(values, measured, of_block, fault));
-        report.take(of_block);
+        SolveReport block_report;
+        HARMORPH_TRY(plan.solve_fields(values, measured, block_report, fault));
+        report.merge(block_report);
         plan.to_displacements(values);
         return Status::ok;
     });
@@ -130,21 +132,22 @@ Status Displacement::check_target(Plan const& plan, Index field, Points from,
     for (Index const point : given.boundary_point) {
         if (is_coordinate(from[point] + displacement[point])) continue;
         return fault.refuse(Status::bad_argument,
-                            "the target of point # in field @ is beyond 1e100", point_item(point),
-                            field_item(field));
+                            "a target coordinate of point # in field @ exceeds 1e100 in magnitude",
+                            point_item(point), field_item(field));
     }
     Crossing const crossing =
         find_crossing(given.boundary_point, given.loop_start, from, displacement);
     if (!crossing.found) return Status::ok;
-    return fault.refuse(Status::crossing,
-                        "the moved boundary crosses itself: the faces that begin at points # and @",
-                        point_item(crossing.first[0]), point_item(crossing.second[0]));
+    return fault.refuse(
+        Status::crossing,
+        "the moved boundary crosses itself: the faces that begin at points # and @ intersect",
+        point_item(crossing.first[0]), point_item(crossing.second[0]));
 }
 
 void Displacement::write(Plan const& plan, Index first, Points from,
                          Span<const MutablePoints> to) const noexcept {
     Block const block = block_of(plan, first);
-    plan.executor().for_ranges(plan.mesh().n_points, points_of_a_task, [&](Index begin, Index end) {
+    plan.executor().for_ranges(plan.mesh().n_points, task_points, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
             const Real* const row = block.row(k) + (first - block.first);
             for (Index i = 0; i < to.count(); ++i) {
@@ -173,11 +176,11 @@ Status Displacement::set_derivatives(Plan const& plan, Index first, Span<const P
     NotFinite const bad = reduce_ranges<NotFinite>(plan.mesh().n_points, plan.executor(), range);
     if (bad.point != none) {
         return fault.refuse(Status::bad_argument,
-                            "the derivative by point # in field @ is not finite",
+                            "the derivative by the coordinates of point # in field @ is not finite",
                             point_item(bad.point), field_item(bad.field));
     }
-    for (Index const point :
-         plan.given().joined) {  // it moves with the other point, or turned against that one
+    // A joined point moves with the other point, or turned against it.
+    for (Index const point : plan.given().joined) {
         Index const same = plan.same_point(point);
         if (same == none || same == point) continue;
         Vec2 const back = conjugate(plan.turn_of(point, same));
@@ -201,9 +204,9 @@ Status Displacement::solve_transposed(Plan& plan, bool measured, SolveReport& re
             return rows.from(Offset{point} * block.length(), block.length());
         };
         for (Index const point : plan.wall_points()) fill(row(block.rows, point), 0.0);
-        SolveReport of_block;
-        HARMORPH_TRY(plan.solve_fields(values, measured, of_block, fault));
-        report.take(of_block);
+        SolveReport block_report;
+        HARMORPH_TRY(plan.solve_fields(values, measured, block_report, fault));
+        report.merge(block_report);
         subtract_transposed_couplings(plan.equations().matrix(), values);
         for (Index const point : plan.given().point) {
             for (Index k = 0; k < block.length(); ++k)

@@ -21,7 +21,9 @@ Status Modes::check(Index n_points, Fault& fault) const noexcept {
             }
             is_zero = is_zero && here.x == 0 && here.y == 0;
         }
-        if (is_zero) return fault.refuse(Status::bad_condition, "mode # is zero", field_item(mode));
+        if (is_zero)
+            return fault.refuse(Status::bad_condition,
+                                "mode # is zero: it moves no point of the list", field_item(mode));
     }
     return Status::ok;
 }
@@ -33,7 +35,8 @@ BasisCounts tabulated_counts(Basis const& from, Index n, Index numbers) noexcept
     return counts.share(0, counts.functions());
 }
 
-// Mode j as the displacement of the wall for the amplitude (1, 0), and of a matrix also for (0, 1).
+// Solves with mode j as the displacement of the wall for the amplitude (1, 0); matrices need also
+// (0, 1).
 Status tabulate(Plan& plan, Basis const& from, PointList const& list, Modes const& modes,
                 ModeWork const& work, Basis const& to, SolveReport& report, Fault& fault) noexcept {
     Displacement const& displacement = work.displacement;
@@ -65,11 +68,11 @@ Status tabulate(Plan& plan, Basis const& from, PointList const& list, Modes cons
             Index const at = old_length + mode;
             Vec2 const moved = displacement.at(plan, matrices ? 2 * mode : mode, point);
             if (matrices) {
-                Vec2 const second = displacement.at(plan, 2 * mode + 1, point);
+                Vec2 const for_y = displacement.at(plan, 2 * mode + 1, point);
                 row[at] = moved.x;
-                row[length + at] = second.x;
+                row[length + at] = for_y.x;
                 row[2 * length + at] = moved.y;
-                row[3 * length + at] = second.y;
+                row[3 * length + at] = for_y.y;
             } else {
                 row[at] = moved.x;
                 if (to.kind() == ValueKind::complex) row[length + at] = moved.y;

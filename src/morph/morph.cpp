@@ -5,44 +5,46 @@
 namespace harmorph {
 namespace {
 
-constexpr Index chunk_blocks = 64;  // their points' sums stay in the first-level cache
+// The sums of the points of these blocks stay in the first-level cache.
+constexpr Index chunk_blocks = 64;
 constexpr Index chunk_points = chunk_blocks * block_points;
-constexpr Index least_blocks_to_morph = 512;  // blocks that are worth a thread
-constexpr Offset worth_asking = Offset{1} << 17;
-// As BlockProducts::move does.
+// A task moves at least so many blocks.
+constexpr Index min_blocks_to_morph = 512;
+constexpr Offset morph_detection_threshold = Offset{1} << 17;
+// Computes the same as BlockProducts::move.
 constexpr Real moved(Real from, Real by) noexcept { return by == 0 ? from : from + by; }
 
-// The factors of the numbers of a row of values, Movements::most numbers at a time. The first few,
-// which are all of most bases, are computed once for a morph; further ones do not fit on the stack
-// and are computed for each use.
+// The factors of the numbers of a row of values, in slices of Movements::max_count numbers. The
+// first few slices, which are all slices of most bases, are computed once for a morph; further ones
+// do not fit on the stack and are computed for each use.
 class RowMovements {
 public:
     RowMovements(Basis const& basis, const Real* move) noexcept : basis_(basis), move_(move) {
-        for (Index part = 0; part < n_stored && part * Movements::most < basis.row_length();
-             ++part) {
-            stored_[part] = made(part * Movements::most);
+        for (Index slice = 0; slice < n_stored && slice * Movements::max_count < basis.row_length();
+             ++slice) {
+            stored_[slice] = make(slice * Movements::max_count);
         }
     }
 
-    // body(first number, how many, movements) for each part of a row.
+    // Calls body(first number, how many, movements) for each slice of a row.
     template <class Body>
-    void for_each_part(Body const& body) const noexcept {
+    void for_each_slice(Body const& body) const noexcept {
         Index const row_length = basis_.row_length();
-        for (Index first = 0; first < row_length; first += Movements::most) {
-            Index const width = min(Movements::most, row_length - first),
-                        part = first / Movements::most;
-            if (part < n_stored) body(first, width, stored_[part]);
-            else body(first, width, made(first));
+        for (Index first = 0; first < row_length; first += Movements::max_count) {
+            Index const width = min(Movements::max_count, row_length - first),
+                        slice = first / Movements::max_count;
+            if (slice < n_stored) body(first, width, stored_[slice]);
+            else body(first, width, make(first));
         }
     }
 
 private:
     static constexpr Index n_stored = 4;
 
-    Movements made(Index first) const noexcept {
+    Movements make(Index first) const noexcept {
         Movements by = {};
         Index const n = basis_.n_functions(),
-                    width = min(Movements::most, basis_.row_length() - first);
+                    width = min(Movements::max_count, basis_.row_length() - first);
         Index plane = first / n, function = first % n;
         for (Index k = 0; k < width; ++k) {
             Vec2 const moved =
@@ -61,7 +63,7 @@ private:
     Movements stored_[n_stored];
 };
 
-// The sums of the points of at most chunk_blocks blocks, or of slots of the wall.
+// The sums for the points of at most chunk_blocks blocks, or for slots of the wall.
 struct Chunk {
     Real x[chunk_points], y[chunk_points];
 
@@ -69,12 +71,12 @@ struct Chunk {
         for (Index k = 0; k < n_blocks * block_points; ++k) x[k] = y[k] = 0;
     }
 
-    // Of blocks first .. first+n-1 of the values of a basis with rows of that length.
+    // Adds blocks first .. first+n-1 of the values of a basis with rows of that length.
     template <class Number>
     void add(ProductKernels const& kernels, Span<Number> values, Index row_length,
              RowMovements const& move, Index first, Index n) noexcept {
         Offset const stride = Offset{row_length} * block_points;
-        move.for_each_part([&](Index number, Index width, Movements const& by) {
+        move.for_each_slice([&](Index number, Index width, Movements const& by) {
             Number* const first_value =
                 values.data() + first * stride + Offset{number} * block_points;
             ValueBlocks<Number> const blocks{first_value, stride, n, width};
@@ -86,7 +88,7 @@ struct Chunk {
     }
 };
 
-// Moves the points of blocks first .. first+n-1, n <= chunk_blocks, of any arrays.
+// Moves the points of blocks first .. first+n-1, n <= chunk_blocks, in arrays with any strides.
 template <class Number>
 void morph_chunk(ProductKernels const& kernels, Span<Number> values, Basis const& basis,
                  RowMovements const& move, Points from, MutablePoints to, Index first,
@@ -100,16 +102,16 @@ void morph_chunk(ProductKernels const& kernels, Span<Number> values, Basis const
     }
 }
 
-// Moves the points of blocks begin .. end-1. Coordinates that lie side by side are read and written
-// by the kernels, but those of a block that is filled in part.
+// Moves the points of blocks begin .. end-1. The kernels read and write coordinates that are side
+// by side, except for a block that is not full.
 template <class Number>
 void morph_blocks(ProductKernels const& kernels, Span<Number> values, Basis const& basis,
                   RowMovements const& move, Points from, MutablePoints to, Index begin,
                   Index end) noexcept {
     bool const side_by_side = (!from.given() || from.stride == 1) && to.stride == 1;
-    if (side_by_side && basis.row_length() <= Movements::most) {
+    if (side_by_side && basis.row_length() <= Movements::max_count) {
         Index const whole = min(end, basis.n_points() / block_points), point = begin * block_points;
-        move.for_each_part([&](Index, Index width, Movements const& by) {
+        move.for_each_slice([&](Index, Index width, Movements const& by) {
             Offset const stride = Offset{width} * block_points;
             ValueBlocks<Number> const blocks{values.data() + begin * stride, stride, whole - begin,
                                              width};
@@ -125,18 +127,19 @@ void morph_blocks(ProductKernels const& kernels, Span<Number> values, Basis cons
     }
 }
 
-// The products of one row in double precision, added up in the order of the kernels.
+// Returns the sum of the products of one row in double precision, added up in the order of the
+// kernels.
 Vec2 sum_of_row(Basis const& basis, RowMovements const& move, Index slot) noexcept {
     Vec2 sum;
     RowInBlock<Real> const row = basis.row(slot);
-    move.for_each_part([&](Index first, Index width, Movements const& by) {
+    move.for_each_slice([&](Index first, Index width, Movements const& by) {
         for (Index k = 0; k < width; ++k) sum = sum + row[first + k] * Vec2{by.x[k], by.y[k]};
     });
     return sum;
 }
 
-// In single-precision storage the rows of points on the wall are 0, so these points have not moved
-// yet.
+// Moves the points of the wall. In single-precision storage their rows are 0, so these points have
+// not moved yet.
 void morph_wall(ProductKernels const& kernels, Basis const& basis, RowMovements const& move,
                 MutablePoints to) noexcept {
     Index const n_slots = basis.wall_point.count(), n_blocks = blocks_of(n_slots);
@@ -161,10 +164,10 @@ void morph_wall(ProductKernels const& kernels, Basis const& basis, RowMovements 
 void morph(Basis const& basis, const Real* move, Points from, MutablePoints to,
            Executor const& executor) noexcept {
     ProductKernels const& kernels = product_kernels_for(
-        executor.kernel, Offset{basis.n_points()} * basis.row_length(), worth_asking);
+        executor.kernel, Offset{basis.n_points()} * basis.row_length(), morph_detection_threshold);
     RowMovements const movements(basis, move);
     executor.for_ranges(
-        blocks_of(basis.n_points()), least_blocks_to_morph, [&](Index begin, Index end) {
+        blocks_of(basis.n_points()), min_blocks_to_morph, [&](Index begin, Index end) {
             if (basis.in_single())
                 morph_blocks(kernels, basis.single, basis, movements, from, to, begin, end);
             else morph_blocks(kernels, basis.value, basis, movements, from, to, begin, end);

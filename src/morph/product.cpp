@@ -10,9 +10,9 @@ ProductKernels const& product_kernels(Kernel kernel) noexcept {
 }
 
 ProductKernels const& product_kernels_for(Kernel known, Offset values,
-                                          Offset worth_asking) noexcept {
+                                          Offset detection_threshold) noexcept {
     return product_kernels(
-        resolved(known, values < worth_asking ? Kernel::baseline : Kernel::automatic));
+        resolved(known, values < detection_threshold ? Kernel::baseline : Kernel::automatic));
 }
 
 }  // namespace harmorph

@@ -1,6 +1,6 @@
 // The products of morphing with the registers of one instruction set; product.cpp compiles this
-// file for each of them. Loops over the vectors of a block are unrolled whatever the compiler's
-// level, so that sums stay in registers.
+// file for each set. Loops over the vectors of a block are unrolled at each optimisation level, so
+// that sums stay in registers. tests/morph/test_product.cpp covers this file.
 
 namespace harmorph::products::HARMORPH_SET {
 namespace {
@@ -10,13 +10,13 @@ using Vector = Registers::Vector;
 using Words = Registers::Words;
 
 constexpr Index lanes = Registers::lanes;
-constexpr Index vectors = block_points / lanes;  // of a number in a block
-constexpr Index at_once =
-    min(vectors, Index{Registers::count / 4});  // two sums each fill half the registers
-// Instructions of AVX-512 take a number from memory for all lanes.
+constexpr Index vectors = block_points / lanes;  // The number of vectors of a number in a block.
+// Two sums of so many vectors each fill half of the registers.
+constexpr Index at_once = min(vectors, Index{Registers::count / 4});
+// Instructions of AVX-512 can load one number from memory into all lanes.
 constexpr bool spreads_operands = lanes == 8;
 
-// What some of a block's points have: at_once vectors along x and along y.
+// The numbers of some points of a block: at_once vectors along x and along y.
 struct Pair {
     Vector x[at_once], y[at_once];
 
@@ -43,7 +43,7 @@ struct Pair {
                 f[v] = Registers::load(values + k * block_points + v * lanes);
 #pragma GCC unroll 8
             for (Index v = 0; v < at_once; ++v) {
-                // Values are read once. Factors are read again where that costs nothing.
+                // Values are read once. Factors are read again if that takes no time.
                 if (v == 0 || spreads_operands) asm volatile("" ::: "memory");
                 x[v] += f[v] * by.x[k];
                 y[v] += f[v] * by.y[k];
@@ -52,7 +52,7 @@ struct Pair {
     }
 };
 
-// body(values of the first number, point) for every at_once vectors of points.
+// Calls body(values of the first number, point) for every at_once vectors of points.
 template <class Number, class Body>
 HARMORPH_INLINE void for_each_pair(ValueBlocks<Number> const& blocks, Body const& body) noexcept {
     for (Index block = 0; block < blocks.n_blocks; ++block) {
@@ -92,43 +92,43 @@ void move(ValueBlocks<Number> const& blocks, Movements const& by, PerPoint<const
         });
 }
 
-// What the points of some lanes have along x and along y, for sums in fixed point.
-template <class Of, bool rounds = Of::rounds>
+// The gradients of the points of some lanes along x and along y, for sums in fixed point.
+template <class Set, bool rounds = Set::rounds>
 struct GradientIn;
 // Sums of products with one number of the values, along x and along y, in fixed point in each lane;
 // see FixedSum.
-template <class Of, bool rounds = Of::rounds>
+template <class Set, bool rounds = Set::rounds>
 struct SumsIn;
-// What these are of n_products in all lanes together.
+// The sums of all lanes together, for n_products in each lane.
 struct SettledSums {
     FixedSum x, y;
 };
 
-// Where one instruction rounds, integers are summed modulo 2^64. The multiple of 2^64 that is
-// missing is known from a sum in floating point, which serves x and y: the part of y is multiplied
-// by `beside`. Of the 2^16 products below 2^63 of a call, that part, divided by 2^64, stays below
-// 2^-5, and the error of the sum below 2^-25.
-template <class Of>
-struct GradientIn<Of, true> {
-    static constexpr Real beside = 0x1p-20;
-    Vector x, y, both;
+// If one instruction rounds, integers are summed modulo 2^64. The missing multiple of 2^64 follows
+// from a sum in floating point, which serves both x and y: the part of y is multiplied by y_factor.
+// For the 2^16 products below 2^63 of a call, that part, divided by 2^64, stays below 2^-5, and the
+// error of the sum below 2^-25.
+template <class Set>
+struct GradientIn<Set, true> {
+    static constexpr Real y_factor = 0x1p-20;
+    Vector x, y, combined;
 
     HARMORPH_INLINE void set(Vector along_x, Vector along_y) noexcept {
         x = along_x;
         y = along_y;
-        both = along_x + beside * along_y;
+        combined = along_x + y_factor * along_y;
     }
 };
-template <class Of>
-struct SumsIn<Of, true> {
+template <class Set>
+struct SumsIn<Set, true> {
     Words x, y;
-    Vector both;
+    Vector combined;
 
-    HARMORPH_INLINE void add(Vector f, GradientIn<Of> const& by) noexcept {
-        asm volatile("" ::: "memory");  // f is read once, not for each product
-        x += Of::round(f * by.x);
-        y += Of::round(f * by.y);
-        both = Of::multiply_add(f, by.both, both);
+    HARMORPH_INLINE void add(Vector f, GradientIn<Set> const& by) noexcept {
+        asm volatile("" ::: "memory");  // f is read once for both products.
+        x += Set::round(f * by.x);
+        y += Set::round(f * by.y);
+        combined = Set::multiply_add(f, by.combined, combined);
     }
     HARMORPH_INLINE SettledSums settled(Index) const noexcept {
         std::uint64_t sum_x = 0, sum_y = 0;
@@ -136,13 +136,13 @@ struct SumsIn<Of, true> {
         for (Index lane = 0; lane < lanes; ++lane) {
             sum_x += x[lane];
             sum_y += y[lane];
-            rough += both[lane];
+            rough += combined[lane];
         }
-        constexpr Real beside = GradientIn<Of>::beside;
+        constexpr Real y_factor = GradientIn<Set>::y_factor;
         Real const missing_x = (rough - static_cast<Real>(sum_x)) * 0x1p-64;
         std::int64_t const times_x = nearest(missing_x);
-        Real const missing_y =
-            (missing_x - static_cast<Real>(times_x)) / beside - static_cast<Real>(sum_y) * 0x1p-64;
+        Real const missing_y = (missing_x - static_cast<Real>(times_x)) / y_factor -
+                               static_cast<Real>(sum_y) * 0x1p-64;
         return {with_multiple(sum_x, times_x), with_multiple(sum_y, nearest(missing_y))};
     }
 
@@ -150,7 +150,7 @@ private:
     static std::int64_t nearest(Real x) noexcept {
         return static_cast<std::int64_t>(x + (x < 0 ? -0.5 : 0.5));
     }
-    // sum + times * 2^64
+    // Returns sum + times * 2^64.
     static FixedSum with_multiple(std::uint64_t sum, std::int64_t times) noexcept {
         constexpr std::int64_t coarse_in_word = std::int64_t{1} << (64 - FixedSum::fine_bits);
         return {times * coarse_in_word + static_cast<std::int64_t>(sum >> FixedSum::fine_bits),
@@ -158,10 +158,10 @@ private:
     }
 };
 
-// Elsewhere the bits of numbers rounded to the grids of FixedSum are summed: multiples of its
-// units, plus the bits of the grid itself.
-template <class Of>
-struct GradientIn<Of, false> {
+// For other instruction sets the bits of numbers that are rounded to the grids of FixedSum are
+// summed: multiples of the units of FixedSum, plus the bits of the grid itself.
+template <class Set>
+struct GradientIn<Set, false> {
     Vector x, y;
 
     HARMORPH_INLINE void set(Vector along_x, Vector along_y) noexcept {
@@ -169,8 +169,8 @@ struct GradientIn<Of, false> {
         y = along_y;
     }
 };
-template <class Of>
-struct SumsIn<Of, false> {
+template <class Set>
+struct SumsIn<Set, false> {
     struct Sum {
         Words coarse, fine;
 
@@ -192,7 +192,7 @@ struct SumsIn<Of, false> {
         }
     } x, y;
 
-    HARMORPH_INLINE void add(Vector f, GradientIn<Of> const& by) noexcept {
+    HARMORPH_INLINE void add(Vector f, GradientIn<Set> const& by) noexcept {
         x.add(f * by.x);
         y.add(f * by.y);
     }
@@ -204,17 +204,17 @@ struct SumsIn<Of, false> {
 using Gradient = GradientIn<Registers>;
 using Sums = SumsIn<Registers>;
 
-// So much is done with each number that processors do not look far enough ahead for the numbers
-// that come: they are prefetched. They go into the second cache only: requests of the first one
-// hide the stream from the processor's own prefetch.
+// So many operations are done with each number that processors do not read far enough ahead. The
+// numbers are therefore prefetched, into the second cache only, as requests of the first cache hide
+// the stream from the processor's own prefetch.
 template <class Number>
 HARMORPH_INLINE void prefetch_numbers(const Number* numbers) noexcept {
     constexpr Index line = 64 / sizeof(Number);
     for (Index i = 0; i < block_points; i += line) __builtin_prefetch(numbers + i, 0, 2);
 }
 
-// Adds the products of `width` blocks, from block `first` on. Each sum stays in registers for all
-// of them. `ahead`: distance of the numbers that are prefetched.
+// Adds the products of `width` blocks, beginning with block `first`. Each sum stays in registers
+// for all of them. `ahead` is the distance of the numbers that are prefetched.
 template <Index width, class Number>
 HARMORPH_INLINE void add_blocks(ValueBlocks<Number> const& blocks, Index first,
                                 PerPoint<const Real> by, BinaryScale::Factor unit, Offset ahead,
@@ -226,19 +226,19 @@ HARMORPH_INLINE void add_blocks(ValueBlocks<Number> const& blocks, Index first,
         gradient[v].set(Registers::load(by.x + point) * unit.first * unit.second,
                         Registers::load(by.y + point) * unit.first * unit.second);
     }
-    constexpr Index written_out =
-        lanes == 8 ? width : 1;  // blocks; the short loops of AVX-512 gain by that
+    // The number of blocks whose code is unrolled; the short loops of AVX-512 gain by that.
+    constexpr Index unrolled = lanes == 8 ? width : 1;
     const Number* const values = blocks.values + first * blocks.stride;
     for (Index k = 0; k < blocks.n_numbers; ++k) {
         Sums sum = sums[k];
-        for (Index from = 0; from < width; from += written_out) {
+        for (Index from = 0; from < width; from += unrolled) {
 #pragma GCC unroll 8
-            for (Index block = from; block < from + written_out; ++block) {
-                const Number* const its = values + block * blocks.stride + k * block_points;
-                prefetch_numbers(its + ahead);
+            for (Index block = from; block < from + unrolled; ++block) {
+                const Number* const numbers = values + block * blocks.stride + k * block_points;
+                prefetch_numbers(numbers + ahead);
 #pragma GCC unroll 4
                 for (Index v = 0; v < vectors; ++v) {
-                    sum.add(Registers::load(its + v * lanes), gradient[block * vectors + v]);
+                    sum.add(Registers::load(numbers + v * lanes), gradient[block * vectors + v]);
                 }
             }
         }
@@ -246,7 +246,7 @@ HARMORPH_INLINE void add_blocks(ValueBlocks<Number> const& blocks, Index first,
     }
 }
 
-// Not inlined: one for both precisions of the values.
+// The function is not inlined, as it serves both precisions of the values.
 __attribute__((noinline)) void add_settled(const Sums* sums, Index n, Index n_products,
                                            FixedSums& total) noexcept {
     for (Index k = 0; k < n; ++k) {
@@ -259,15 +259,16 @@ __attribute__((noinline)) void add_settled(const Sums* sums, Index n, Index n_pr
 template <class Number>
 void multiply_transposed(ValueBlocks<Number> const& blocks, PerPoint<const Real> by,
                          BinaryScale::Factor unit, FixedSums& total) noexcept {
-    constexpr Index few =
-        64;  // sums of so many numbers leave room in the first cache; of more, they come and go
-    constexpr Index window = 8;  // blocks that share each coming and going
+    // Sums of so many numbers leave room in the first cache; more sums are loaded and stored each
+    // time.
+    constexpr Index max_cached = 64;
+    constexpr Index window = 8;  // So many blocks share each load and store of the sums.
     constexpr Offset near = 512 / sizeof(Number);
     Index const n = blocks.n_numbers;
-    alignas(64) Sums sums[Movements::most];  // no vector in two cache lines
+    alignas(64) Sums sums[Movements::max_count];  // No vector lies in two cache lines.
     for (Index k = 0; k < n; ++k) sums[k] = Sums{};
     Index block = 0;
-    if (n > few) {
+    if (n > max_cached) {
         for (; block + window <= blocks.n_blocks; block += window) {
             add_blocks<window>(blocks, block, by, unit, window * blocks.stride, sums);
         }
@@ -278,20 +279,20 @@ void multiply_transposed(ValueBlocks<Number> const& blocks, PerPoint<const Real>
 
 std::uint64_t largest_bits(const Real* numbers, Index n) noexcept {
     constexpr std::uint64_t without_sign = ~(std::uint64_t{1} << 63);
-    constexpr Index chains = 4;  // no number waits for the one before
-    Words most[chains] = {};
+    constexpr Index chains = 4;  // The chains are independent of each other.
+    Words largest_of[chains] = {};
     Index i = 0;
     for (; i + chains * lanes <= n; i += chains * lanes) {
 #pragma GCC unroll 8
         for (Index c = 0; c < chains; ++c) {
             Words const bits =
                 reinterpret_cast<Words>(Registers::load(numbers + i + c * lanes)) & without_sign;
-            most[c] = bits > most[c] ? bits : most[c];
+            largest_of[c] = bits > largest_of[c] ? bits : largest_of[c];
         }
     }
     std::uint64_t largest = 0;
     for (; i < n; ++i) largest = max(largest, bits_of(numbers[i]) & without_sign);
-    for (Words const& chain : most) {
+    for (Words const& chain : largest_of) {
         for (Index lane = 0; lane < lanes; ++lane)
             largest = max<std::uint64_t>(largest, chain[lane]);
     }

@@ -28,10 +28,10 @@ void Quality::add(OrientedMesh const& mesh, CellPlaces const& places, CellBatche
     quality_sum += triangles.sum + quads.sum;
     if ((triangles.notable | quads.notable) == 0) return;
     batches.for_each([&](Index number, bool is_triangle, Index i) {
-        ListQuality const& its = is_triangle ? triangles : quads;
-        if ((its.notable >> i & 1) == 0) return;
-        if (its.quality[i] != ListQuality::not_in_range)
-            return note(number, its.twice_smallest[i], its.quality[i]);
+        ListQuality const& list = is_triangle ? triangles : quads;
+        if ((list.notable >> i & 1) == 0) return;
+        if (list.quality[i] != ListQuality::not_in_range)
+            return note(number, list.twice_smallest[i], list.quality[i]);
         Cell const cell = mesh.cell(number);
         Real reference_area = 0;
         if (places.change.given())
@@ -67,11 +67,11 @@ Quality measure_quality(OrientedMesh const& cells, Points points, Points referen
                                    add_batch);
 }
 
-// With skew quality q a corner's area is at least q / 8 of the sum of the two products that it is
-// the difference of, and their rounding is a few epsilon of this sum: so only poor cells need the
-// exact test.
+// With skew quality q a corner's area is at least q / 8 of the sum of the two products of which it
+// is the difference, and their rounding is a few epsilon of this sum. Therefore only poor cells
+// need the exact test.
 Index count_inverted(OrientedMesh const& cells, Points points, Executor const& executor) noexcept {
-    constexpr Real surely_positive = 1e-10;  // skew quality
+    constexpr Real surely_positive = 1e-10;  // This is a skew quality.
     auto const is_bad = [&](Index cell) {
         CellShape const shape = shape_of(cells, cell, points);
         return is_inverted(shape) || is_inverted_exactly(shape);

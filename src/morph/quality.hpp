@@ -9,36 +9,37 @@
 
 namespace harmorph {
 
-// A quality as a fraction that is divided last, together with another one. Each part, multiplied by
-// an area for which products of six are numbers, is a number.
+// A quality as a fraction that is divided last, together with another one. Numerator and
+// denominator neither overflow nor underflow if they are multiplied by an area for which products
+// of six are representable.
 struct Fraction {
-    Real above, under;
+    Real numerator, denominator;
 };
 
-// Skew quality in 0..1, 1 for an equilateral triangle and a rectangle, 0 if a corner has no
-// positive area. P. M. Knupp, Finite Elem. Anal. Des. 39 (2003) 217: f_skew of quads, f_shape of
-// triangles.
+// Returns the skew quality in 0..1, which is 1 for an equilateral triangle and a rectangle, and 0
+// if a corner has no positive area. P. M. Knupp, Finite Elem. Anal. Des. 39 (2003) 217: f_skew of
+// quads, f_shape of triangles.
 inline Fraction skew_fraction(Index n, CellCorners const& corners) noexcept {
     if (!(corners.smallest() > 0)) return {0, 1};
     const Real* const area = corners.twice_area;
     Vec2 const(&side)[4] = corners.side;
     Real const square_of[4] = {square(side[0]), square(side[1]), square(side[2]),
                                n == 3 ? 0 : square(side[3])};
-    Real const squares = n == 3
-                             ? square_of[0] + square_of[1] + square_of[2]  // = 2 (a.a + b.b - a.b)
-                             : (square_of[0] + square_of[2]) + (square_of[1] + square_of[3]);
+    // With two sides a and b of a triangle, the sum is 2 (a.a + b.b - a.b).
+    Real const squares = n == 3 ? square_of[0] + square_of[1] + square_of[2]
+                                : (square_of[0] + square_of[2]) + (square_of[1] + square_of[3]);
     bool const in_range = corners.smallest() > min_factor && squares < max_factor;
     Fraction skew;
     if (n == 3) {
-        skew_of_triangle(area[0], squares, skew.above, skew.under);
-        return in_range ? skew : Fraction{skew.above / skew.under, 1};
+        skew_of_triangle(area[0], squares, skew.numerator, skew.denominator);
+        return in_range ? skew : Fraction{skew.numerator / skew.denominator, 1};
     }
     if (in_range) {
         Real const opposite = square_of[1] * square_of[2];
         Real const root[3] = {sqrt(square_of[0] * square_of[1]), sqrt(opposite),
                               sqrt(square_of[2] * square_of[3])};
         Real const corner[4] = {area[0], area[1], area[2], area[3]};
-        skew_of_quad(corner, root, opposite, skew.above, skew.under);
+        skew_of_quad(corner, root, opposite, skew.numerator, skew.denominator);
         return skew;
     }
     Real length[4], sum = 0;
@@ -48,34 +49,35 @@ inline Fraction skew_fraction(Index n, CellCorners const& corners) noexcept {
 }
 inline Real skew_quality(Index n, CellCorners const& corners) noexcept {
     Fraction const skew = skew_fraction(n, corners);
-    return skew.above / skew.under;
+    return skew.numerator / skew.denominator;
 }
 
-// One cell of the caller's: of a polygon, that of all its pieces and guards.
+// The measures of one of the caller's cells; a polygon is measured with all its pieces and guards.
 struct CellMeasure {
-    Real twice_smallest;  // corner area
-    Fraction skew;        // quality
+    Real twice_smallest;  // Twice the smallest corner area.
+    Fraction skew;        // The skew quality.
     Real area;
 
     CellMeasure(Index n, CellCorners const& corners) noexcept
         : twice_smallest(corners.smallest()),
           skew(skew_fraction(n, corners)),
           area(corners.cell_area(n)) {}
-    // One of the caller's cells. shape_of(i): the CellShape of a cell, which may be a piece, or of
-    // a guard, counter-clockwise.
+    // Measures one of the caller's cells. shape_of(i) returns the CellShape of a cell, which may be
+    // a piece, or of a guard, counter-clockwise.
     template <class ShapeOf>
     CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of) noexcept;
 
-    // sqrt(f_size) f_skew: A. de Boer, M. S. van der Schoot, H. Bijl, Comput. Struct. 85 (2007)
-    // 784. reference_area: area of the cell in the mesh to compare with, or 0: skew quality alone.
-    // 0 where the cell is inverted.
+    // Returns sqrt(f_size) f_skew: A. de Boer, M. S. van der Schoot, H. Bijl, Comput. Struct. 85
+    // (2007) 784. reference_area is the area of the cell in the mesh to compare with, or 0 for the
+    // skew quality alone. The result is 0 if the cell is inverted.
     Real quality(Real reference_area) const noexcept {
-        if (!(skew.above > 0)) return 0;
-        Real const size = abs(reference_area), less = min(area, size), more = max(area, size);
-        if (size == 0) return skew.above / skew.under;
-        bool const in_range = less > min_factor && more < max_factor && size == size;
-        if (in_range) return skew.above * sqrt(area * size) / (skew.under * more);
-        return skew.above / skew.under * sqrt(less / more);
+        if (!(skew.numerator > 0)) return 0;
+        Real const size = abs(reference_area), smaller_area = min(area, size),
+                   larger_area = max(area, size);
+        if (size == 0) return skew.numerator / skew.denominator;
+        bool const in_range = smaller_area > min_factor && larger_area < max_factor && size == size;
+        if (in_range) return skew.numerator * sqrt(area * size) / (skew.denominator * larger_area);
+        return skew.numerator / skew.denominator * sqrt(smaller_area / larger_area);
     }
 };
 
@@ -88,16 +90,16 @@ struct Quality {
     Index cells = 0;
 
     Real mean_quality() const noexcept { return quality_sum / static_cast<Real>(cells); }
-    // Adds a cell, compared with reference_area: CellMeasure::quality().
+    // Adds a cell, compared with reference_area; see CellMeasure::quality().
     inline void add(Index cell, CellMeasure const& measure, Real reference_area) noexcept;
-    // Adds the cells of some batches that kernels have looked at.
+    // Adds the cells of some batches that kernels have measured.
     void add(OrientedMesh const& mesh, CellPlaces const& places, CellBatches const& batches,
              ListQuality const& triangles, ListQuality const& quads) noexcept;
-    // Of cells that come later.
+    // Merges the result of cells that come later.
     void merge(Quality const& later) noexcept;
 
 private:
-    // A cell that may have the smallest area or quality, or may be inverted.
+    // Notes a cell that may have the smallest area or quality, or may be inverted.
     inline void note(Index cell, Real twice_smallest, Real value) noexcept;
 };
 
@@ -109,8 +111,8 @@ inline void Quality::add(Index cell, CellMeasure const& measure, Real reference_
 }
 
 inline void Quality::note(Index cell, Real twice_smallest, Real value) noexcept {
-    bool const is_number =
-        twice_smallest == twice_smallest;  // not so where a coordinate is not finite
+    // The area is NaN if a coordinate is not finite.
+    bool const is_number = twice_smallest == twice_smallest;
     min_area = min(min_area, is_number ? 0.5 * twice_smallest : -infinity);
     if (!(twice_smallest > 0) && inverted++ == 0) first_inverted = cell;
     if (!(value > 0)) value = 0;
@@ -120,8 +122,8 @@ inline void Quality::note(Index cell, Real twice_smallest, Real value) noexcept 
     }
 }
 
-// Of m convex corners with interior angles t: m / (sin(2 pi / m) sum 1 / sin t), as the header has
-// it; for m = 4, f_skew.
+// The quality of m convex corners with interior angles t is m / (sin(2 pi / m) sum 1 / sin t), as
+// the C header states; for m = 4 this is f_skew.
 template <class ShapeOf>
 CellMeasure::CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of) noexcept
     : twice_smallest(infinity), skew{0, 1}, area(0) {
@@ -131,13 +133,15 @@ CellMeasure::CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of
         *this = CellMeasure(shape.n, CellCorners(shape));
         return;
     }
-    auto const least = [this](Real twice_area) {  // NaN stays
+    // A NaN is kept.
+    auto const lower_to = [this](Real twice_area) {
         bool const is_number = twice_smallest == twice_smallest;
         if (is_number && !(twice_area >= twice_smallest)) twice_smallest = twice_area;
     };
     for (Index const piece : pieces) {
-        Real const twice_area = CellCorners(shape_of(piece)).smallest();  // of a triangle
-        least(twice_area);
+        // The piece is a triangle.
+        Real const twice_area = CellCorners(shape_of(piece)).smallest();
+        lower_to(twice_area);
         area += 0.5 * twice_area;
     }
     Real sum = 0;
@@ -145,23 +149,24 @@ CellMeasure::CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of
     for (Index const guard : mesh.guards_of(number)) {
         CellCorners const corner(shape_of(guard));
         bool const is_convex = mesh.guard_kind[guard - mesh.n_cells] == CornerKind::convex;
-        if (is_convex || !(corner.smallest() > 0)) least(corner.smallest());
+        if (is_convex || !(corner.smallest() > 0)) lower_to(corner.smallest());
         if (!is_convex || !(twice_smallest > 0)) continue;
         sum += length(corner.side[0]) * length(corner.side[1]) / corner.twice_area[0];
         ++m;
     }
     if (!(twice_smallest > 0)) return;
-    skew.above = m < 3 ? 1 : min(1.0, m / (sum * sine_of_pi(2.0 / m)));
+    skew.numerator = m < 3 ? 1 : min(1.0, m / (sum * sine_of_pi(2.0 / m)));
 }
 
-// Of the caller's cell, whatever its layout.
+// Measures one of the caller's cells in any layout.
 CellMeasure measure_cell(OrientedMesh const& cells, Index number, Points points) noexcept;
 
-// `reference` not given: the skew quality alone.
+// Without `reference` the quality is the skew quality.
 Quality measure_quality(OrientedMesh const& cells, Points points, Points reference,
                         Executor const& executor) noexcept;
 
-// Cells, and guards, of which a corner has no positive area exactly, or not as quality measures it.
+// Counts the cells and guards of which a corner has no positive area, either exactly or in the
+// floating-point arithmetic of the quality.
 Index count_inverted(OrientedMesh const& cells, Points points, Executor const& executor) noexcept;
 
 }  // namespace harmorph

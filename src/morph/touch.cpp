@@ -7,12 +7,13 @@
 namespace harmorph {
 namespace {
 
-// Beyond this step nothing is looked for: the squares of places there would not be numbers.
+// Larger steps are not considered: the squares of places there would overflow.
 constexpr Real largest_step = 0x1p100;
-// Of the length of a face: so far beyond an end of the face, a point still touches the end.
+// A point that is beyond an end of a face by this fraction of the face's length still touches the
+// end.
 constexpr Real beyond_end = 1e-12;
 
-// n / d where this is at most largest_step in magnitude; else 0.
+// Returns n / d if this is at most largest_step in magnitude, and 0 otherwise.
 Real ratio_in_range(Real n, Real d) noexcept {
     return d != 0 && abs(n) <= largest_step * abs(d) ? n / d : 0;
 }
@@ -21,7 +22,7 @@ Real ratio_in_range(Real n, Real d) noexcept {
 struct Window {
     Real begin = 0, end = infinity;
 
-    // Leaves those with value + s change <= 0.
+    // Keeps the values of s with value + s change <= 0.
     void require_negative(Real value, Real change) noexcept {
         if (value > 0 && change >= 0) {
             end = -1;
@@ -31,29 +32,29 @@ struct Window {
             begin = max(begin, -value / change);
         }
     }
-    // But for rounding.
+    // The test allows for rounding.
     bool is_empty() const noexcept { return end < 0 || begin * (1 - 1e-9) > end; }
 };
 
 // Points that are somewhere in a box and move by some displacement in another box.
 struct MovingBox {
     Vec2 low{infinity, infinity}, high{-infinity, -infinity};
-    Vec2 least{infinity, infinity}, most{-infinity, -infinity};
+    Vec2 min_change{infinity, infinity}, max_change{-infinity, -infinity};
 
     void include(Vec2 p, Vec2 by) noexcept {
         low = {min(low.x, p.x), min(low.y, p.y)};
         high = {max(high.x, p.x), max(high.y, p.y)};
-        least = {min(least.x, by.x), min(least.y, by.y)};
-        most = {max(most.x, by.x), max(most.y, by.y)};
+        min_change = {min(min_change.x, by.x), min(min_change.y, by.y)};
+        max_change = {max(max_change.x, by.x), max(max_change.y, by.y)};
     }
-    // Can the two boxes have a point in common for any s < limit?
+    // Tells whether the two boxes can have a point in common for any s < limit.
     bool may_meet(MovingBox const& other, Real limit) const noexcept {
         Window window;
         window.end = limit;
-        window.require_negative(low.x - other.high.x, least.x - other.most.x);
-        window.require_negative(other.low.x - high.x, other.least.x - most.x);
-        window.require_negative(low.y - other.high.y, least.y - other.most.y);
-        window.require_negative(other.low.y - high.y, other.least.y - most.y);
+        window.require_negative(low.x - other.high.x, min_change.x - other.max_change.x);
+        window.require_negative(other.low.x - high.x, other.min_change.x - max_change.x);
+        window.require_negative(low.y - other.high.y, min_change.y - other.max_change.y);
+        window.require_negative(other.low.y - high.y, other.min_change.y - max_change.y);
         return !window.is_empty();
     }
 };
@@ -65,9 +66,9 @@ public:
         touch_.step = limit;
     }
 
-    // Pairs of faces within the range.
+    // Searches pairs of faces within the range.
     void within(FaceRange range) noexcept {
-        if (range.size() <= few_faces) {
+        if (range.size() <= max_leaf_faces) {
             for (Index face = range.begin; face < range.end; ++face) {
                 face_against(face, {face + 1, range.end});
             }
@@ -84,7 +85,7 @@ public:
 private:
     void between(FaceRange a, FaceRange b) noexcept {
         if (!box_of(a).may_meet(box_of(b), touch_.step)) return;
-        if (a.size() <= few_faces && b.size() <= few_faces) {
+        if (a.size() <= max_leaf_faces && b.size() <= max_leaf_faces) {
             for (Index face = a.begin; face < a.end; ++face) face_against(face, b);
         } else if (a.size() < b.size()) {
             between(a, {b.begin, b.middle()});
@@ -104,7 +105,7 @@ private:
         }
     }
 
-    // The point where `from` begins, against another face.
+    // Examines the point where `from` begins against another face.
     void point_against(Index from, Index face) noexcept {
         Index const point = faces_.begin_of(from);
         Index const ends[2] = {faces_.begin_of(face), faces_.end_of(face)};
@@ -116,15 +117,15 @@ private:
         if (step < touch_.step) touch_ = {step, point, {ends[0], ends[1]}};
     }
 
-    // A face and a point, both as seen from where the face begins.
+    // A face and a point, both relative to the point where the face begins.
     struct Pair {
         Vec2 side, side_moves, point, point_moves;
 
         bool touches_at(Real s) const noexcept {
             Vec2 const along = side + s * side_moves;
-            Real const squared = square(along), part = dot(along, point + s * point_moves);
-            return squared > 0 && part >= -beyond_end * squared &&
-                   part <= (1 + beyond_end) * squared;
+            Real const squared = square(along), projection = dot(along, point + s * point_moves);
+            return squared > 0 && projection >= -beyond_end * squared &&
+                   projection <= (1 + beyond_end) * squared;
         }
         Real if_touches(Real s) const noexcept {
             return s > 0 && s < largest_step && touches_at(s) ? s : infinity;
@@ -141,20 +142,21 @@ private:
             // The product of both roots is area / curvature.
             return touch < infinity ? touch : if_touches(ratio_in_range(area / first, curvature));
         }
-        // The point is on the line of the face at s = 0.
+        // Finds the step if the point is on the line of the face at s = 0.
         Real touch_from_line(Real slope, Real curvature) const noexcept {
             if (slope == 0 && curvature == 0) return touch_along_line();
             Real const s = ratio_in_range(-slope, curvature);
             bool const has_left = abs(curvature) * s * s > 4 * beyond_end * square(side);
             return has_left ? if_touches(s) : infinity;
         }
-        // The point stays on the line of the face: it meets one of the ends first.
+        // Finds the step if the point stays on the line of the face, so that it meets one of the
+        // ends first.
         Real touch_along_line() const noexcept {
             if (touches_at(0)) return infinity;
             Real const first = if_touches(meeting(point, point_moves));
             return min(first, if_touches(meeting(point - side, point_moves - side_moves)));
         }
-        // Where distance + s change = 0 in the coordinate that changes most.
+        // Returns the s with distance + s change = 0 in the coordinate that changes most.
         static Real meeting(Vec2 distance, Vec2 change) noexcept {
             return abs(change.x) > abs(change.y) ? ratio_in_range(-distance.x, change.x)
                                                  : ratio_in_range(-distance.y, change.y);

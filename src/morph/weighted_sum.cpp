@@ -3,14 +3,15 @@
 namespace harmorph {
 namespace {
 
-constexpr Index least_blocks_to_add = 256;  // blocks of points that are worth a thread
+// A task treats at least so many blocks of points.
+constexpr Index min_blocks_to_add = 256;
 constexpr Index width = block_points;
 
 void add_real(const Real* from, Real* to, Real weight) noexcept {
     for (Index p = 0; p < width; ++p) to[p] += weight * from[p];
 }
 
-// Two numbers that act on x and y of a movement together, of all points of a block.
+// Adds two numbers that act on x and y of a movement together, for all points of a block.
 void add_pair(const Real* from, Real* to, Offset plane, Vec2 weight) noexcept {
     for (Index p = 0; p < width; ++p) {
         Vec2 const added = product({from[p], from[plane + p]}, weight);
@@ -29,14 +30,14 @@ void add_weighted(Basis const& sum, Basis const& basis, Span<const Vec2> weight,
         switch (basis.kind()) {
             case ValueKind::real: return add_real(from, to, w.x);
             case ValueKind::complex: return add_pair(from, to, plane, w);
-            case ValueKind::matrix:  // xx + xy of a turned movement: (xx - i xy) w, with the other
-                                     // sign of i
+            case ValueKind::matrix:
+                // The sum xx + xy of a turned movement is (xx - i xy) w, with the other sign of i.
                 add_pair(from, to, plane, {w.x, -w.y});
                 return add_pair(from + 2 * plane, to + 2 * plane, plane, {w.x, -w.y});
         }
     };
     executor.for_ranges(
-        blocks_of(basis.n_points()), least_blocks_to_add, [&](Index begin, Index end) {
+        blocks_of(basis.n_points()), min_blocks_to_add, [&](Index begin, Index end) {
             for (Index number = begin; number < end; ++number) {
                 const Real* const from = basis.value.data() + number * block;
                 Real* const to = sum.value.data() + number * block;

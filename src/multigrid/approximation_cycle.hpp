@@ -1,10 +1,10 @@
-// Full-approximation cycles for a block of W functions. Two things make the number of cycles
-// independent of the mesh, which it is not in the paper's V-cycle with piecewise constant
-// corrections (measured from 10k to 100k points: 42 to 92 cycles on isotropic cells, 77 to 156 on
-// viscous ones; now 24 to 27 and 46 to 55). Each level is visited twice from the next finer one
-// (W-cycle): the errors of coarse solutions would add up over the levels. A step of Jacobi's
-// smooths each correction (smoothed aggregation; P. Vanek, J. Mandel, M. Brezina, Computing 56
-// (1996) 179).
+// Full-approximation cycles for a block of W functions. Two measures make the number of cycles
+// nearly independent of the mesh, which it is not in the paper's V-cycle with piecewise constant
+// corrections: 42 to 92 cycles on isotropic cells and 77 to 156 on viscous ones were measured from
+// 10k to 100k points, and are now 24 to 27 and 46 to 55. Each level is visited twice from the next
+// finer one (W-cycle), as the errors of coarse solutions would add up over the levels. One step of
+// Jacobi's method smooths each correction (smoothed aggregation; P. Vanek, J. Mandel, M. Brezina,
+// Computing 56 (1996) 179). tests/multigrid/test_full_approximation.cpp covers this file.
 #pragma once
 
 #include <type_traits>
@@ -15,14 +15,14 @@
 
 namespace harmorph::block {
 
-// The scheme of the finest level: nodal gradients, or none, which is the compact one.
+// The scheme of the finest level: nodal gradients, or null, which is the compact scheme.
 template <Index W>
 struct FinestScheme {
     const NodalGradient* nodal;
-    Index n;         // unknowns
-    Real* gradient;  // working space
+    Index n;         // The number of unknowns.
+    Real* gradient;  // This array is working space.
 
-    // rest += balances of u
+    // Adds the balances of u to `rest`.
     void add(const Real* u, Real* rest) const noexcept {
         static constexpr Real zeros[W] = {};
         add_balances(
@@ -60,8 +60,8 @@ public:
         }
     }
 
-    // Calls after(cycle, largest relative residual of all functions); a status other than ok ends
-    // the iteration.
+    // Calls after(cycle, largest relative residual of all functions); if it fails, the iteration
+    // ends.
     template <class After>
     Status run(IterationReport& report, After const& after) noexcept {
         Index const n = a_.level[0].n;
@@ -72,8 +72,8 @@ public:
         PerFunction<W> const given = dot<W>(at_[0].f, at_[0].f, n);
         for (Index k = 0; k < W; ++k) {
             residual_[k] = relative(given[k], given[k]);
-            least_[k] = infinity;
-            goes_on_[k] = k < width_;
+            smallest_[k] = infinity;
+            is_active_[k] = k < width_;
         }
         HARMORPH_TRY(after(0, largest_residual()));
         if (engine_.iteration.starts_from_zero) {
@@ -83,7 +83,7 @@ public:
         }
         while (true) {
             take_rest(0);
-            bool const any = look(report, dot<W>(at_[0].rest, at_[0].rest, n), given);
+            bool const any = end_functions(report, dot<W>(at_[0].rest, at_[0].rest, n), given);
             if (report.iterations > 0) HARMORPH_TRY(after(report.iterations, largest_residual()));
             if (!any) break;
             cycle(0, true);
@@ -94,43 +94,48 @@ public:
     }
 
 private:
-    // Steps before and after the coarse correction.
+    // The numbers of steps before and after the coarse correction.
     static constexpr Index finest_steps = 2, coarse_steps = 1, coarsest_steps = 10;
-    static constexpr Index coarse_visits = 2;    // of the next coarser level in a cycle
-    static constexpr Real smoothing = 0.5;       // of corrections, times the step of Runge-Kutta
-    static constexpr Index starting_cycles = 2;  // on each level on the way up
-    static constexpr Real lost_beyond =
-        1000;  // residual / smallest residual so far: above, the iteration diverges
-    static constexpr Index remembered = 4;  // cycles over which the rate of convergence is measured
+    // The number of visits of the next coarser level in a cycle.
+    static constexpr Index coarse_visits = 2;
+    // The factor by which corrections are smoothed, relative to the step of Runge-Kutta.
+    static constexpr Real smoothing = 0.5;
+    // The number of cycles on each level on the way from the coarsest to the finest one.
+    static constexpr Index starting_cycles = 2;
+    // The iteration diverges if the residual exceeds the smallest residual so far by this factor.
+    static constexpr Real divergence_ratio = 1000;
+    // The rate of convergence is measured over so many cycles.
+    static constexpr Index rate_cycles = 4;
 
     struct Vectors {
-        Real* f;           // right-hand side: sums of flux balances
-        Real* u;           // values
-        Real* start;       // values at the start of a step
-        Real* rest;        // f - A u
-        Real* product;     // A times a correction
-        Real* restricted;  // values from the finer level
+        Real* f;           // The right-hand side: sums of flux balances.
+        Real* u;           // The values.
+        Real* start;       // The values at the start of a step.
+        Real* rest;        // The residual f - A u.
+        Real* product;     // The product of A and a correction.
+        Real* restricted;  // The values from the finer level.
     };
 
-    // A function ends when it has converged, when it diverges or at the last cycle, independently
-    // of the others: its values are stored then, so that their bits do not depend on which other
-    // functions are in the block. Does any function go on?
-    bool look(IterationReport& report, PerFunction<W> const& squares,
-              PerFunction<W> const& given) noexcept {
+    // Stores the values of functions that end, and tells whether any function continues. A function
+    // ends when it has converged, when it diverges or at the last cycle, independently of the
+    // others. Its values are stored at that cycle, so that their bits do not depend on the other
+    // functions of the block.
+    bool end_functions(IterationReport& report, PerFunction<W> const& squares,
+                       PerFunction<W> const& given) noexcept {
         PerFunction<W> const changes = change();
         Real const tolerance = engine_.iteration.tolerance;
         bool any = false;
         for (Index k = 0; k < width_; ++k) {
-            if (!goes_on_[k]) continue;
+            if (!is_active_[k]) continue;
             Real const residual = relative(squares[k], given[k]);
             bool const settled = estimate_error(report.iterations, changes[k], k) <= tolerance;
-            bool const lost = !(residual <= lost_beyond * least_[k]);
-            least_[k] = min(least_[k], residual);
+            bool const diverges = !(residual <= divergence_ratio * smallest_[k]);
+            smallest_[k] = min(smallest_[k], residual);
             residual_[k] = residual;
-            goes_on_[k] = !(residual <= tolerance && settled) && !lost &&
-                          report.iterations < engine_.iteration.max_iterations;
-            any = any || goes_on_[k];
-            if (goes_on_[k]) continue;
+            is_active_[k] = !(residual <= tolerance && settled) && !diverges &&
+                            report.iterations < engine_.iteration.max_iterations;
+            any = any || is_active_[k];
+            if (is_active_[k]) continue;
             report.settled = report.settled && settled;
             store_values(k);
         }
@@ -142,27 +147,29 @@ private:
             values_[i][first_ + k] = at_[0].u[Offset{i} * W + k];
     }
 
-    // Upper bound of the change of values by the last coarse correction and by one step from here,
-    // relative to the largest value. Thin cells have by far the largest flux balances, so elsewhere
-    // a small residual may hide a large error.
+    // Returns an upper bound of the change of values by the last coarse correction and by one step
+    // from the current values, relative to the largest value. Thin cells have by far the largest
+    // flux balances, so elsewhere a small residual may hide a large error.
     PerFunction<W> change() const noexcept {
-        PerFunction<W> most;
+        PerFunction<W> bound;
         for (Index i = 0; i < a_.level[0].n; ++i) {
             const Real* const rest = at_[0].rest + Offset{i} * W;
-            for (Index k = 0; k < W; ++k) most[k] = max(most[k], engine_.rate[0][i] * abs(rest[k]));
+            for (Index k = 0; k < W; ++k)
+                bound[k] = max(bound[k], engine_.rate[0][i] * abs(rest[k]));
         }
         PerFunction<W> const size = largest<W>(at_[0].u, a_.level[0].n);
         for (Index k = 0; k < W; ++k)
-            most[k] = size[k] > 0 ? (most[k] + corrected_[k]) / size[k] : 0;
-        return most;
+            bound[k] = size[k] > 0 ? (bound[k] + corrected_[k]) / size[k] : 0;
+        return bound;
     }
 
-    // The estimated error: if changes shrink by a constant rate from cycle to cycle, the sum of all
-    // future changes is a geometric series; at least the last change again.
+    // Returns the estimated error. If changes shrink by a constant rate from cycle to cycle, the
+    // sum of all future changes is a geometric series. The estimate is at least the last change.
     Real estimate_error(Index iteration, Real change, Index k) noexcept {
-        Real& oldest = changes_[iteration % remembered][k];
-        Real const rate = iteration < remembered || oldest == 0 ? 1 : sqrt(sqrt(change / oldest));
-        oldest = change;
+        Real& oldest_change = changes_[iteration % rate_cycles][k];
+        Real const rate =
+            iteration < rate_cycles || oldest_change == 0 ? 1 : sqrt(sqrt(change / oldest_change));
+        oldest_change = change;
         if (change == 0) return 0;
         return rate < 1 ? max(rate / (1 - rate), 1.0) * change : infinity;
     }
@@ -185,7 +192,8 @@ private:
         finest_.add(own.u, own.rest);
     }
 
-    // One Runge-Kutta step in pseudo-time. has_rest: the residual of u has been computed.
+    // Makes one Runge-Kutta step in pseudo-time. has_rest tells whether the residual of u has been
+    // computed.
     void step(Index level, bool has_rest) noexcept {
         Vectors const& own = at_[level];
         Index const n = a_.level[level].n;
@@ -217,9 +225,9 @@ private:
         steps(level, n, false);
     }
 
-    // Restriction: values by area-weighted means, flux balances by sums. The right-hand side of the
-    // coarse equations is the coarse operator applied to the restricted values, plus the restricted
-    // balances (full approximation scheme).
+    // Restricts values by area-weighted means, and flux balances by sums. The right-hand side of
+    // the coarse equations is the coarse operator applied to the restricted values, plus the
+    // restricted balances (full approximation scheme).
     void restrict_to_coarse(Index level) noexcept {
         Index const below = level + 1, n = a_.level[below].n;
         Vectors const& coarse = at_[below];
@@ -240,8 +248,8 @@ private:
         for (Offset k = 0; k < Offset{n} * W; ++k) coarse.f[k] += coarse.rest[k];
     }
 
-    // Prolongation: u += length * S P (change of the coarse values); P repeats the value of a
-    // merged cell in its parts, S is a step of Jacobi's. The length minimises the energy of the
+    // Prolongation: u += length * S P (change of the coarse values). P copies the value of a merged
+    // cell to its members, S is a step of Jacobi's method. The length minimises the energy of the
     // error on this level (A. Reusken, Numer. Math. 58 (1991) 819): corrections from merged cells
     // are too small in smooth regions and too large elsewhere.
     void correct(Index level) noexcept {
@@ -272,8 +280,8 @@ private:
         add_multiple<W>(length, change, own.u, n);
     }
 
-    // FMG-FAS: solves the problem on the coarsest level; the solution is the start on the next
-    // finer level, and so on.
+    // FMG-FAS solves the problem on the coarsest level; the solution is the start on the next finer
+    // level, and so on.
     void start_from_coarsest() noexcept {
         for (Index l = 0; l + 1 < a_.count; ++l) {
             Index const n = a_.level[l + 1].n;
@@ -299,12 +307,13 @@ private:
     Rows const& values_;
     Index first_, width_;
     Index fine_steps_ = 0;
-    bool goes_on_[W] = {};
-    PerFunction<W> residual_,
-        least_;  // relative; of functions that have ended the values at their end
-    PerFunction<W> changes_[remembered];
-    PerFunction<W> corrected_;  // largest change by the last correction on the finest level
-    Vectors at_[Agglomeration::most_levels];
+    bool is_active_[W] = {};
+    // Relative residuals and the smallest ones so far; a function that has ended keeps its last
+    // values.
+    PerFunction<W> residual_, smallest_;
+    PerFunction<W> changes_[rate_cycles];
+    PerFunction<W> corrected_;  // The largest change by the last correction on the finest level.
+    Vectors at_[Agglomeration::max_levels];
 };
 
 }  // namespace harmorph::block

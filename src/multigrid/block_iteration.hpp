@@ -1,4 +1,5 @@
 // Solves all functions block by block, with one thread for each worker.
+// tests/multigrid/test_multigrid.cpp covers this file.
 #pragma once
 
 #include <type_traits>
@@ -18,45 +19,46 @@ Status with_width(Iteration const& iteration, Run const& run) noexcept {
     }
 }
 
-// Calls solve(worker, first function, report, after) for each block. It must call after(iteration,
-// largest relative residual of the block) after each iteration and return the status of this call
-// if that is not ok.
+// Calls solve(worker, first function, report, after) for each block. `solve` must call
+// after(iteration, largest relative residual of the block) after each iteration, and return the
+// status of this call if that is not ok.
 template <class Solve>
 Status solve_in_blocks(BlockIteration const& engine, Index functions, Progress const& progress,
                        IterationReport& report, Fault& fault, Solve const& solve) noexcept {
     Index const width = engine.iteration.block_width;
     Index const blocks = (functions + width - 1) / width;
-    IterationReport of_worker[Executor::max_threads];
+    IterationReport worker_report[Executor::max_threads];
     fill(engine.worker_history, 0.0);
     Status status = Status::ok;
     for (Index first = 0; first < blocks && !failed(status); first += engine.workers) {
         Index const n = min(engine.workers, blocks - first);
-        bool const is_alone =
-            n == 1;  // runs on the caller's thread, so the progress callback may be called
+        // A single block runs on the caller's thread, so the progress callback may be called.
+        bool const is_alone = n == 1;
         engine.executor.for_each(n, [&](Index worker) {
             Index const block = first + worker;
             auto const after = [&](Index iteration, Real residual) {
                 engine.note(worker, iteration, residual);
                 if (!is_alone) return Status::ok;
-                Real const part =
-                    1 -
-                    1 / (1 + 0.05 * iteration);  // the number of iterations is not known in advance
-                return progress.report(Phase::solve, (block + part) / blocks, fault);
+                // The number of iterations is not known in advance, so this is only an estimate of
+                // the progress.
+                Real const fraction = 1 - 1 / (1 + 0.05 * iteration);
+                return progress.report(Phase::solve, (block + fraction) / blocks, fault);
             };
-            IterationReport of_block;
-            Status const ended = solve(worker, block * width, of_block, after);
+            IterationReport block_report;
+            Status const ended = solve(worker, block * width, block_report, after);
             if (is_alone) status = ended;
-            of_worker[worker].iterations = max(of_worker[worker].iterations, of_block.iterations);
-            of_worker[worker].fine_sweeps =
-                max(of_worker[worker].fine_sweeps, of_block.fine_sweeps);
-            of_worker[worker].settled = of_worker[worker].settled && of_block.settled;
+            worker_report[worker].iterations =
+                max(worker_report[worker].iterations, block_report.iterations);
+            worker_report[worker].fine_sweeps =
+                max(worker_report[worker].fine_sweeps, block_report.fine_sweeps);
+            worker_report[worker].settled = worker_report[worker].settled && block_report.settled;
         });
         if (failed(status) || first + n >= blocks) break;
         status = progress.report(Phase::solve, static_cast<Real>(first + n) / blocks, fault);
     }
     report = {};
     report.levels = engine.levels.count;
-    for (IterationReport const& one : of_worker) {
+    for (IterationReport const& one : worker_report) {
         report.iterations = max(report.iterations, one.iterations);
         report.fine_sweeps = max(report.fine_sweeps, one.fine_sweeps);
         report.settled = report.settled && one.settled;

@@ -1,5 +1,5 @@
-// Products of a symmetric matrix with a block of W functions. Vectors are node-major: the W numbers
-// of a cell stand side by side. Each routine is one pass over the stored triangle of the matrix; a
+// Products of a symmetric matrix with a block of W functions. The W numbers of a cell stand side by
+// side in the vectors. Each routine passes once over the stored triangle of the matrix, so a
 // coefficient is read once for W functions.
 #pragma once
 
@@ -26,7 +26,7 @@ template <Index W>
 void store(PerFunction<W> const& from, Real* to) noexcept {
     for (Index k = 0; k < W; ++k) to[k] = from.at[k];
 }
-// to += a x
+// Computes to += a x.
 template <Index W>
 void add(Real a, const Real* x, Real* to) noexcept {
     for (Index k = 0; k < W; ++k) to[k] += a * x[k];
@@ -50,7 +50,7 @@ PerFunction<W> dot(const Real* x, const Real* y, Index n) noexcept {
     return sum;
 }
 
-// Largest absolute values; NaN where there is one.
+// Returns the largest absolute values, or NaN for a function that contains a NaN.
 template <Index W>
 PerFunction<W> largest(const Real* x, Index n) noexcept {
     PerFunction<W> out;
@@ -63,7 +63,7 @@ PerFunction<W> largest(const Real* x, Index n) noexcept {
     return out;
 }
 
-// y += a x, with one factor for each function; returns the squared norms of y.
+// Computes y += a x, with one factor for each function; returns the squared norms of y.
 template <Index W>
 PerFunction<W> add_multiple(PerFunction<W> const& a, const Real* x, Real* y, Index n) noexcept {
     PerFunction<W> sum;
@@ -76,7 +76,7 @@ PerFunction<W> add_multiple(PerFunction<W> const& a, const Real* x, Real* y, Ind
     return sum;
 }
 
-// x = a x + b y
+// Computes x = a x + b y.
 template <Index W>
 void combine(PerFunction<W> const& a, Real* x, PerFunction<W> const& b, const Real* y,
              Index n) noexcept {
@@ -85,7 +85,8 @@ void combine(PerFunction<W> const& a, Real* x, PerFunction<W> const& b, const Re
     }
 }
 
-// y += sign A x, flux by flux: what row i gains row j loses. Returns x.A x, as a sum of squares.
+// Computes y += sign A x, flux by flux: row j loses what row i gains. Returns x.A x, as a sum of
+// squares.
 template <Index W>
 PerFunction<W> add_product(SymmetricRows const& rows, Real sign, const Real* x, Real* y) noexcept {
     PerFunction<W> squares;
@@ -109,21 +110,21 @@ PerFunction<W> add_product(SymmetricRows const& rows, Real sign, const Real* x, 
     return squares;
 }
 
-// y = A x; returns x.y
+// Computes y = A x; returns x.y.
 template <Index W>
 PerFunction<W> multiply(SymmetricRows const& rows, const Real* x, Real* y) noexcept {
     clear<W>(y, rows.n);
     return add_product<W>(rows, 1, x, y);
 }
 
-// rest = f - A u
+// Computes rest = f - A u.
 template <Index W>
 void residual(SymmetricRows const& rows, const Real* f, const Real* u, Real* rest) noexcept {
     copy<W>(f, rest, rows.n);
     add_product<W>(rows, -1, u, rest);
 }
 
-// x.A x
+// Returns x.A x.
 template <Index W>
 PerFunction<W> energy(SymmetricRows const& rows, const Real* x) noexcept {
     PerFunction<W> sum;
@@ -139,10 +140,13 @@ PerFunction<W> energy(SymmetricRows const& rows, const Real* x) noexcept {
     return sum;
 }
 
-// A = L + D + L^T. Symmetric Gauss-Seidel from a start of 0 with a coarse correction in between, in
-// one array:
-//   x = r;  forward: x = (L + D)^-1 x;  to_defect: defect = sums of r - A x = -L^T x, and x = D x;
-//   correct: x -= L (correction);  backward: x = (D + L^T)^-1 x.
+// The functions below are the parts of symmetric Gauss-Seidel with a coarse correction in between,
+// for A = L + D + L^T, a start of 0, and a single array:
+//   x = r;
+//   forward:    x = (L + D)^-1 x;
+//   to_defect:  defect = sums of r - A x = -L^T x, and x = D x;
+//   correct:    x -= L (correction);
+//   backward:   x = (D + L^T)^-1 x.
 template <Index W>
 void forward(SymmetricRows const& rows, Real* x) noexcept {
     for (Index i = 0; i < rows.n; ++i) {
@@ -174,7 +178,7 @@ void to_defect(SymmetricRows const& rows, Span<const Index> cell_of, Index n_coa
         }
         add<W>(-1, sum.at, defect + Offset{cell_of[i]} * W);
         for (Index k = 0; k < W; ++k)
-            x[Offset{i} * W + k] *= rows.diagonal[i];  // later rows do not read it
+            x[Offset{i} * W + k] *= rows.diagonal[i];  // Later rows do not read this number.
     }
 }
 

@@ -17,7 +17,7 @@ void FullApproximation::lay_out(Arena& arena, Index n, Index functions, Iteratio
     arena.take(area_pool, cells);
 }
 
-void FullApproximation::take_scheme(Index rows, bool corrected) noexcept {
+void FullApproximation::use_scheme(Index rows, bool corrected) noexcept {
     scheme_rows = rows;
     stretch = corrected ? 1 : plain_stretch;
 }
@@ -50,9 +50,9 @@ Status FullApproximation::set_up(SymmetricRows const& finest, Fault& fault) noex
     return Status::ok;
 }
 
-// Eigenvalues are at most the maximum over the rows of |diagonal| + sum of |off-diagonal entries|
-// (Gershgorin's theorem); the step of a row follows from the sum of that row. Coarse levels have no
-// edge lengths, so there only this limit applies.
+// Chooses the steps by Gershgorin's theorem: eigenvalues are at most the maximum over the rows of
+// |diagonal| + sum of |off-diagonal entries|, and the step of a row follows from the sum of that
+// row. Coarse levels have no edge lengths, so only this limit applies to them.
 void FullApproximation::choose_steps() noexcept {
     for (Index l = 0; l < levels.count; ++l) {
         SymmetricRows const& rows = levels.level[l];
@@ -64,8 +64,8 @@ void FullApproximation::choose_steps() noexcept {
         for (Real& row_rate : rate[l]) row_rate = damping_limit / row_rate;
     }
     for (Index i = 0; i < rate[0].count(); ++i) {
-        Real const half = 0.5 * volumes.shortest_edge[i];
-        rate[0][i] = min(stretch * rate[0][i], cfl * half * half / area[0][i]);
+        Real const half_edge = 0.5 * volumes.shortest_edge[i];
+        rate[0][i] = min(stretch * rate[0][i], cfl * half_edge * half_edge / area[0][i]);
     }
 }
 

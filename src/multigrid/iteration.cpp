@@ -22,7 +22,8 @@ Status BlockIteration::check_diagonals(SymmetricRows const& rows, Fault& fault) 
 }
 
 Status BlockIteration::refuse_row(Index position, Fault& fault) noexcept {
-    return fault.refuse(Status::not_positive, "the matrix is not positive definite at point #",
+    return fault.refuse(Status::not_positive,
+                        "the matrix of the equations is not positive definite at point #",
                         point_item(position));
 }
 

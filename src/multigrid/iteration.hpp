@@ -1,4 +1,6 @@
-// What the iterative engines have in common: options, agglomerated levels, and blocks of functions.
+// The common members of the iterative engines: options, agglomerated levels, and blocks of
+// functions. tests/multigrid/test_block_rows.cpp and tests/multigrid/test_multigrid.cpp cover this
+// file.
 #pragma once
 
 #include "multigrid/agglomeration.hpp"
@@ -10,15 +12,15 @@ namespace harmorph {
 
 struct Iteration {
     MergingRules merging;
-    Index block_width = 8;  // functions that are solved at a time: 4, 8 or 16
+    Index block_width = 8;  // The number of functions that are solved at a time: 4, 8 or 16.
     Index max_iterations = 0;
-    bool starts_from_zero =
-        false;  // full approximation scheme: F = 0 instead of full multigrid (FMG)
-    // For each function: of the relative residual in 2-norms, and of the estimated error relative
-    // to the largest value.
+    // The full approximation scheme starts from F = 0 instead of full multigrid (FMG).
+    bool starts_from_zero = false;
+    // The tolerance of each function, both for the relative residual in 2-norms, and for the
+    // estimated error relative to the largest value.
     Real tolerance = 1e-10;
-    // The caller's array, or empty: largest relative residual before the first iteration and after
-    // each iteration.
+    // The caller's array, or empty. It receives the largest relative residual before the first
+    // iteration and after each iteration.
     Span<Real> history;
 
     static constexpr bool has_width(Index width) noexcept {
@@ -27,10 +29,11 @@ struct Iteration {
 };
 
 struct IterationReport {
-    Index iterations = 0;   // largest over the functions
-    Index fine_sweeps = 0;  // of the smoother over the finest level, largest over the functions
+    Index iterations = 0;  // The largest number of iterations of a function.
+    // The largest number of sweeps of the smoother over the finest level for a function.
+    Index fine_sweeps = 0;
     Index levels = 0;
-    bool settled = true;  // the estimated errors of values are within the tolerance
+    bool settled = true;  // The estimated errors of values are within the tolerance.
 };
 
 // Functions are solved in blocks. A worker is one thread's sequence of blocks, with vectors and a
@@ -45,7 +48,8 @@ struct BlockIteration {
 
     void lay_out(Arena& arena, Index n, Index functions, Iteration const& asked,
                  Executor const& threads) noexcept;
-    // Are all diagonals positive? fault.item is a position otherwise.
+    // Checks that all diagonals are positive; otherwise fault.item is a position of the
+    // elimination.
     static Status check_diagonals(SymmetricRows const& rows, Fault& fault) noexcept;
     static Status refuse_row(Index position, Fault& fault) noexcept;
     // Records the residual of a block in the worker's history, which has the maximum over all

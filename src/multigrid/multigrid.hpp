@@ -1,4 +1,4 @@
-// Conjugate gradients with a K-cycle over agglomerated levels as preconditioner, symmetric
+// Conjugate gradients with a K-cycle over agglomerated levels as preconditioner, and symmetric
 // Gauss-Seidel as smoother. Sources: Y. Notay, Electron. Trans. Numer. Anal. 37 (2010) 123
 // (aggregation and K-cycle); Y. Notay, P. S. Vassilevski, Numer. Linear Algebra Appl. 15 (2008) 473
 // (the two inner steps of the K-cycle); Y. Notay, SIAM J. Sci. Comput. 22 (2000) 1444 (flexible
@@ -12,24 +12,26 @@ namespace harmorph {
 
 struct Multigrid : BlockIteration {
     static constexpr Index default_iterations = 200;
-    static constexpr Index finest_vectors = 5,
-                           coarse_vectors = 4;  // of a worker: block_width numbers a cell
+    // The vectors of a worker; each has block_width numbers for a cell.
+    static constexpr Index finest_vectors = 5, coarse_vectors = 4;
 
-    EnvelopeMatrix bottom;  // Cholesky factor of the coarsest level, if that is small enough
+    // The Cholesky factor of the coarsest level, if that level is small enough.
+    EnvelopeMatrix bottom;
     bool has_bottom = false;
 
     void lay_out(Arena& arena, Index n, Index functions, Iteration const& asked,
                  Executor const& threads) noexcept;
-    // Working space of set_up(), and of solve(): both may occupy the same memory.
+    // These are the working spaces of set_up() and of solve(); both may occupy the same memory.
     void lay_out_work(Arena& arena, Index n, Offset entries) noexcept {
         levels.lay_out_work(arena, n, entries);
     }
     void lay_out_vectors(Arena& arena, Index n) noexcept;
 
-    // Makes the coarse levels of this matrix. On Status::not_positive, fault.item is a position.
+    // Makes the coarse levels of this matrix. On Status::not_positive, fault.item is a position of
+    // the elimination.
     Status set_up(SymmetricRows const& finest, Fault& fault) noexcept;
-    // In place: right-hand sides become solutions. Ends when the tolerance or the limit of
-    // iterations is reached, whichever comes first.
+    // Replaces right-hand sides by solutions in place. The iteration ends when the tolerance or the
+    // limit of iterations is reached.
     Status solve(Rows const& values, Progress const& progress, IterationReport& report,
                  Fault& fault) const noexcept;
 

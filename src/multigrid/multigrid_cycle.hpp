@@ -1,4 +1,5 @@
-// The K-cycle for a block of W functions, and the conjugate gradients round it.
+// The K-cycle for a block of W functions, and the conjugate gradients that it preconditions.
+// tests/multigrid/test_multigrid.cpp covers this file.
 #pragma once
 
 #include "multigrid/block_rows.hpp"
@@ -6,8 +7,8 @@
 
 namespace harmorph::block {
 
-// A step along a direction: 0 where the direction has no energy, or so little that the quotient
-// would overflow.
+// Returns the step along a direction, or 0 if the direction has no energy, or so little that the
+// quotient would overflow.
 inline Real per_energy(Real product, Real energy) noexcept {
     constexpr Real smallest = 1e-150;
     return energy > 0 && smallest * abs(product) <= energy ? product / energy : 0;
@@ -30,8 +31,9 @@ public:
 
     Real* finest[Multigrid::finest_vectors];
 
-    // z = B r: B approximates the inverse. It is positive definite, but depends weakly on r through
-    // the inner steps of the cycle: hence flexible conjugate gradients.
+    // Computes z = B r, where B approximates the inverse. B is positive definite, but depends
+    // weakly on r through the inner steps of the cycle, so the conjugate gradients must be
+    // flexible.
     void precondition(const Real* r, Real* z) const noexcept { precondition(0, r, z); }
 
 private:
@@ -53,8 +55,8 @@ private:
         backward<W>(rows, z);
     }
 
-    // Two steps of flexible conjugate gradients from 0, each preconditioned by the coarser levels
-    // (K-cycle).
+    // Makes two steps of flexible conjugate gradients from 0, each preconditioned by the coarser
+    // levels (K-cycle).
     void solve(Index level) const noexcept {
         SymmetricRows const& rows = a_.level[level];
         Real* const r = coarse_[level][0];
@@ -97,7 +99,7 @@ private:
 
     Multigrid const& engine_;
     Agglomeration const& a_;
-    Real* coarse_[Agglomeration::most_levels][Multigrid::coarse_vectors];
+    Real* coarse_[Agglomeration::max_levels][Multigrid::coarse_vectors];
 };
 
 // Flexible conjugate gradients for functions first .. first + W - 1 of `values`; functions behind
@@ -114,8 +116,8 @@ public:
           first_(first),
           width_(min(W, values.width - first)) {}
 
-    // Calls after(iteration, largest relative residual of all functions); a status other than ok
-    // ends the iteration.
+    // Calls after(iteration, largest relative residual of all functions); if it fails, the
+    // iteration ends.
     template <class After>
     Status run(IterationReport& report, After const& after) noexcept {
         Index& iterations = report.iterations;
@@ -128,8 +130,8 @@ public:
         squares_ = first_squares_ = dot<W>(r(), r(), rows_.n);
         errors_ = {};
         HARMORPH_TRY(after(0, largest_residual()));
-        // The recursively updated residual drifts from the true one: a function has converged only
-        // if the true one agrees.
+        // The recursively updated residual drifts from the true one, so a function has converged
+        // only if the true residual agrees.
         for (Index descents = 0; descents < 3 && iterations < engine_.iteration.max_iterations;
              ++descents) {
             HARMORPH_TRY(descend(iterations, after));
@@ -139,7 +141,7 @@ public:
         }
         for (Index k = 0; k < W; ++k)
             report.settled = report.settled && (is_confirmed_[k] || is_settled(k));
-        report.fine_sweeps = iterations;  // one symmetric Gauss-Seidel sweep in each
+        report.fine_sweeps = iterations;  // Each iteration takes one symmetric Gauss-Seidel sweep.
         for (Index i = 0; i < rows_.n; ++i) {
             Real* const to = values_[i] + first_;
             for (Index k = 0; k < width_; ++k) to[k] = x()[Offset{i} * W + k];
@@ -155,8 +157,8 @@ private:
     Real* q() const noexcept { return cycle_.finest[4]; }
 
     // Thin cells have by far the largest entries, so elsewhere a small norm of the residual, or a
-    // small energy, may hide a large error. B r approximates the error: its maximum must be small
-    // relative to the largest value.
+    // small energy, may hide a large error. B r approximates the error; the maximum of B r must be
+    // small relative to the largest value.
     bool is_settled(Index k) const noexcept {
         return errors_[k] <= engine_.iteration.tolerance * sizes_[k];
     }
@@ -191,12 +193,12 @@ private:
         copy<W>(z(), p(), n);
         while (iterations < engine_.iteration.max_iterations && !converged()) {
             PerFunction<W> const along = multiply<W>(rows_, p(), q());
-            // The step to the minimum of the energy along p: the energy of the error never grows,
-            // whatever p is.
+            // The step leads to the minimum of the energy along p, so the energy of the error never
+            // grows for any p.
             PerFunction<W> step = dot<W>(p(), r(), n), minus_step;
+            // Converged functions keep their values.
             for (Index k = 0; k < W; ++k) {
-                step[k] =
-                    is_done(k) ? 0 : per_energy(step[k], along[k]);  // converged functions stay
+                step[k] = is_done(k) ? 0 : per_energy(step[k], along[k]);
                 minus_step[k] = -step[k];
             }
             add_multiple<W>(step, p(), x(), n);
@@ -205,9 +207,9 @@ private:
             HARMORPH_TRY(after(iterations, largest_residual()));
             cycle_.precondition(r(), z());
             estimate_errors();
-            PerFunction<W> turn = dot<W>(z(), q(), n);
-            for (Index k = 0; k < W; ++k) turn[k] = per_energy(-turn[k], along[k]);
-            combine<W>(turn, p(), one, z(), n);
+            PerFunction<W> beta = dot<W>(z(), q(), n);
+            for (Index k = 0; k < W; ++k) beta[k] = per_energy(-beta[k], along[k]);
+            combine<W>(beta, p(), one, z(), n);
         }
         return Status::ok;
     }
@@ -235,10 +237,11 @@ private:
     Cycle<W> cycle_;
     Rows const& values_;
     Index first_, width_;
-    PerFunction<W> squares_,
-        first_squares_;              // squared norms of the residuals, now and at the beginning
-    PerFunction<W> errors_, sizes_;  // maxima of |B r| and |x|
-    bool is_confirmed_[W] = {};      // converged by the true residual: not changed any more
+    // The squared norms of the residuals, of the current ones and of those at the beginning.
+    PerFunction<W> squares_, first_squares_;
+    PerFunction<W> errors_, sizes_;  // The maxima of |B r| and |x|.
+    // The function has converged by the true residual and is not changed any more.
+    bool is_confirmed_[W] = {};
 };
 
 }  // namespace harmorph::block

@@ -7,7 +7,7 @@ Index assemble_operator(Method const& method, OrientedMesh const& cells, Points 
                         Matrix const& matrix, Executor const& executor) noexcept {
     if (!conductivity.empty()) {
         walls.build(wall_points);
-        weigh_cells(walls, cells.mesh, points, method.quarters, conductivity, executor);
+        weigh_cells(walls, cells.mesh, points, method.exponent_quarters, conductivity, executor);
     }
     return assemble_stiffness(cells, points, conductivity, method.conformal(), matrix, executor);
 }

@@ -3,8 +3,8 @@
 namespace harmorph {
 namespace {
 
-// Computed from the smallest point number on, so that the three edges of a triangle get the same
-// bits: linear fields are then reproduced even where the area is a small difference of large
+// The area is computed from the smallest point number on, so that the three edges of a triangle get
+// the same bits. Linear fields are then reproduced even if the area is a small difference of large
 // products.
 Real twice_area(Index a, Index b, Index c, Points points) noexcept {
     Index const first = min(a, min(b, c));

@@ -27,10 +27,10 @@ void Matrix::clear_known() const noexcept {
     fill(fixed_imaginary, 0.0);
 }
 
-// i, j: rows, as row_of has them.
+// i and j are rows as row_of() returns them.
 Matrix::Entry Matrix::entry(RowRange rows, Index i, Index j) const noexcept {
-    bool const turned = i < 0 || (j >= 0 && j < i);
-    if (turned) {
+    bool const is_conjugate = i < 0 || (j >= 0 && j < i);
+    if (is_conjugate) {
         Index const first = i;
         i = j;
         j = first;
@@ -38,15 +38,15 @@ Matrix::Entry Matrix::entry(RowRange rows, Index i, Index j) const noexcept {
     if (!rows.contain(i)) return {};
     if (j == none) {
         Index const at = find_in_order<Index>(fixed_row, 0, fixed_row.count(), i);
-        return {fixed_value.data() + at, fixed_imaginary.data() + at, turned};
+        return {fixed_value.data() + at, fixed_imaginary.data() + at, is_conjugate};
     }
     if (j >= 0) {
         Offset const at = find_in_row(column, start[i], start[i + 1], j);
-        return {value.data() + at, imaginary.data() + at, turned};
+        return {value.data() + at, imaginary.data() + at, is_conjugate};
     }
     Index const at =
         find_in_order<Index>(coupling_row, coupling_start[wall(j)], coupling_start[wall(j) + 1], i);
-    return {coupling_value.data() + at, coupling_imaginary.data() + at, turned};
+    return {coupling_value.data() + at, coupling_imaginary.data() + at, is_conjugate};
 }
 
 void Matrix::add(Index point, Index other, Real conductance) const noexcept {
@@ -73,7 +73,7 @@ void Matrix::add_off_diagonal(RowRange rows, Index i, Index j, Real conductance,
     Entry const stored = entry(rows, i, j);
     if (stored.value == nullptr) return;
     *stored.value -= conductance;
-    if (with_circulation) *stored.imaginary += stored.turned ? -circulation : circulation;
+    if (with_circulation) *stored.imaginary += stored.is_conjugate ? -circulation : circulation;
 }
 
 template void Matrix::add_off_diagonal<false>(RowRange, Index, Index, Real, Real) const noexcept;
@@ -89,9 +89,9 @@ void Matrix::add_turns(RowRange rows, Cell const& cell, CellConductances const& 
     }
 }
 
-// The entry of the displacements of two points, with numbers that are turned to these
-// displacements, is another one: conjugate(frame) entry other frame. Adds the difference. Points
-// whose value is 0 are not turned.
+// The entry between the displacements of two points becomes conjugate(direction) entry other
+// direction between the numbers of their dofs. This function adds the difference. Points whose
+// value is 0 are not turned.
 void Matrix::add_turn(RowRange rows, Index point, Index other, Vec2 entry_value) const noexcept {
     Vec2 const own = turn(point), theirs = turn(other);
     Index const i = row_of(point), j = row_of(other);
@@ -108,7 +108,7 @@ void Matrix::add_turn(RowRange rows, Index point, Index other, Vec2 entry_value)
         row_sum[row] += by.x;
         row_sum_imaginary[row] += by.y;
     };
-    if (i == j) {  // one passage is one cell wide
+    if (i == j) {  // The passage is one cell wide.
         if (rows.contain(i)) diagonal[i] += 2 * change.x;
         add_to_row(i, {2 * change.x, 0});
         return add_to_sum(i, {2 * change.x, 0});
@@ -116,7 +116,7 @@ void Matrix::add_turn(RowRange rows, Index point, Index other, Vec2 entry_value)
     Entry const stored = entry(rows, i, j);
     if (stored.value != nullptr) {
         *stored.value += change.x;
-        *stored.imaginary += stored.turned ? -change.y : change.y;
+        *stored.imaginary += stored.is_conjugate ? -change.y : change.y;
     }
     if (j >= 0) add_to_row(i, change);
     if (i >= 0) add_to_row(j, conjugate(change));
@@ -124,13 +124,13 @@ void Matrix::add_turn(RowRange rows, Index point, Index other, Vec2 entry_value)
     add_to_sum(j, conjugate(change));
 }
 
-// The complex entry of two points as a real 2 x 2 block in the frames of these points; a slipping
-// point has the first dof only.
+// Adds the complex entry of two points as a real 2 x 2 block along the directions of the dofs of
+// these points; a slipping point has the first dof only.
 void Matrix::add_coupled(RowRange rows, Index point, Index other, Real conductance,
                          Real circulation) const noexcept {
     if (row_of(2 * point) == row_of(2 * other)) return;
-    Vec2 const complex_entry =
-        product(conjugate(frame(point)), product({-conductance, circulation}, frame(other)));
+    Vec2 const complex_entry = product(conjugate(direction(point)),
+                                       product({-conductance, circulation}, direction(other)));
     Real const block[2][2] = {{complex_entry.x, -complex_entry.y},
                               {complex_entry.y, complex_entry.x}};
     auto const add_to = [&](Span<Real> numbers, Index row, Real number) {
@@ -174,10 +174,10 @@ void Matrix::mark_faces(Edges const& edges, Span<std::uint8_t> faces) const noex
     };
     edges.for_each([&](Index, Index low, Index high) {
         if (components() == 1) return mark(row_of(low), row_of(high));
-        bool const one_slides = slips(low) || slips(high);
+        bool const one_slips = slips(low) || slips(high);
         for (Index p = 0; p < 2; ++p) {
             for (Index q = 0; q < 2; ++q) {
-                if (p == q || one_slides) mark(row_of(2 * low + p), row_of(2 * high + q));
+                if (p == q || one_slips) mark(row_of(2 * low + p), row_of(2 * high + q));
             }
         }
     });

@@ -1,12 +1,13 @@
-// What cells add to the matrix, in a header so that the compiler can inline it: it is the inner
-// loop of the assembly.
+// The functions that add cells to the matrix. They are in a header so that the compiler can inline
+// them, as they are the inner loop of the assembly. tests/operators/test_matrix.cpp covers this
+// file.
 #pragma once
 
 #include "operators/cell_group.hpp"
 
 namespace harmorph {
 
-// The position of `column` in the increasing list `columns`, which must contain it.
+// Returns the position of `column` in the increasing list `columns`, which must contain `column`.
 template <class I>
 I find_in_order(Span<const Index> columns, I begin, I end, Index column) noexcept {
     while (end - begin > 16) {
@@ -20,18 +21,18 @@ I find_in_order(Span<const Index> columns, I begin, I end, Index column) noexcep
 typedef Index FourIndices __attribute__((vector_size(16), aligned(4), may_alias));
 typedef std::int64_t TwoPairs __attribute__((vector_size(16)));
 
-// The same of a long row; not inlined, as this is rare.
+// Searches a long row. The function is not inlined, as long rows are rare.
 __attribute__((noinline)) inline Offset find_in_long_row(Span<const Index> columns, Offset begin,
                                                          Offset end, Index column) noexcept {
     return find_in_order(columns, begin, end, column);
 }
 
-// Nearly all rows are short: here smaller columns are counted without branches, which would often
-// be mispredicted. Reads `short_row` columns from the row's first one on, beyond the end of the row
-// if that is shorter.
+// Searches any row. Nearly all rows are short: smaller columns are counted without branches, which
+// would often be mispredicted. The function reads `short_row` columns from the first column of the
+// row on, even beyond the end of a shorter row.
 inline __attribute__((always_inline)) Offset find_in_row(Span<const Index> columns, Offset begin,
                                                          Offset end, Index column) noexcept {
-    static_assert(Matrix::short_row == 8, "two vectors");
+    static_assert(Matrix::short_row == 8, "a short row is two vectors");
     if (end - begin > Matrix::short_row) return find_in_long_row(columns, begin, end, column);
     const FourIndices* const row = reinterpret_cast<const FourIndices*>(columns.data() + begin);
     Index const length = static_cast<Index>(end - begin);
@@ -43,7 +44,7 @@ inline __attribute__((always_inline)) Offset find_in_row(Span<const Index> colum
     return begin + ((sums + (sums >> 32)) & 15);
 }
 
-// Inlined, without a branch for each corner, which would often be mispredicted.
+// The function is inlined and has no branch for each corner, which would often be mispredicted.
 template <Index n_components>
 inline __attribute__((always_inline)) bool Matrix::concerns(RowRange rows,
                                                             Cell const& cell) const noexcept {
@@ -58,16 +59,16 @@ inline __attribute__((always_inline)) bool Matrix::concerns(RowRange rows,
     return any || (!any_row && rows.begin == 0);
 }
 
-// The numbers added to a row do not depend on which other rows are in range: results are the same
-// for any number of threads.
+// The numbers that are added to a row do not depend on the other rows in the range, so results are
+// the same for any number of threads.
 template <bool with_circulation, Index corners>
 void Matrix::add_corners(RowRange rows, CellGroup<corners> const& cells, Index begin, Index end,
-                         Real half) const noexcept {
+                         Real circulation_factor) const noexcept {
     using Group = CellGroup<corners>;
-    Index row[Group::most][corners];
-    Offset place[Group::most][Group::n_pairs];
-    bool is_inside[Group::most];  // all corners of the cell are unknowns in range, and no two are
-                                  // the same
+    Index row[Group::max_count][corners];
+    Offset place[Group::max_count][Group::n_pairs];
+    // All corners of the cell are unknowns in the range, and no two of them are the same.
+    bool is_inside[Group::max_count];
     for (Index c = begin; c < end; ++c) {
         Index at[corners];
         for (Index k = 0; k < corners; ++k) row[c][k] = at[k] = row_of(cells.point[c][k]);
@@ -88,7 +89,7 @@ void Matrix::add_corners(RowRange rows, CellGroup<corners> const& cells, Index b
     for (Index c = begin; c < end; ++c) {
         Index const(&at)[corners] = row[c];
         CellConductances const conductance = cells.conductances(c);
-        Real const circulation = half * cells.conductivity[c];
+        Real const circulation = circulation_factor * cells.conductivity[c];
         if (!is_inside[c]) {
             add_beside_known<with_circulation, corners>(rows, at, conductance, circulation);
             continue;

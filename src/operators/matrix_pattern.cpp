@@ -12,13 +12,12 @@ inline void put_in_order(Index& a, Index& b) noexcept {
     b = high;
 }
 
-// Sorts a row of at most short_row columns, with room for short_row behind its beginning, by a
-// sorting network; returns whether any column is repeated. What is behind the row is overwritten.
+// Sorts a row of at most short_row columns by a sorting network; returns whether any column is
+// repeated. The row must have room for short_row columns; those behind its end are overwritten.
 bool sort_short_row(Index* row, Index length) noexcept {
-    static_assert(Matrix::short_row == 8, "a network of 19 exchanges");
-    auto const at = [&](Index k) {
-        return k < length ? row[k] : INT32_MAX - k;
-    };  // behind: larger ones, none repeated
+    static_assert(Matrix::short_row == 8, "the network of 19 exchanges sorts eight numbers");
+    // Behind the end of the row the network gets larger numbers without repetition.
+    auto const at = [&](Index k) { return k < length ? row[k] : INT32_MAX - k; };
     Index a = at(0), b = at(1), c = at(2), d = at(3), e = at(4), f = at(5), g = at(6), h = at(7);
     put_in_order(a, c), put_in_order(b, d), put_in_order(e, g), put_in_order(f, h);
     put_in_order(a, e), put_in_order(b, f), put_in_order(c, g), put_in_order(d, h);
@@ -35,8 +34,8 @@ void sort_row(Span<Index> row) noexcept {
     sort(row, [](Index a, Index b) { return a < b; });
 }
 
-// Across a periodic pair two points may share cells on both sides. Returns the number of distinct
-// columns.
+// Removes repeated columns: across a periodic pair two points may share cells on both sides.
+// Returns the number of distinct columns.
 Offset drop_repeats(Span<Index> row) noexcept {
     Size n = 0;
     for (Size i = 0; i < row.size(); ++i) {
@@ -45,15 +44,15 @@ Offset drop_repeats(Span<Index> row) noexcept {
     return static_cast<Offset>(n);
 }
 
-// visit(unknown) for the unknowns of turned points, and for all that share a cell with one; some
-// repeatedly.
+// Calls visit(unknown) for the unknowns of turned points, and for all that share a cell with one;
+// some are visited repeatedly.
 template <class Visit>
 void for_each_beside_turned(Graph const& graph, Span<const Index> times,
                             Visit const& visit) noexcept {
     for (Index point = 0; point < times.count(); ++point) {
         if (times[point] == 0 || graph.unknown[point] == none) continue;
         visit(graph.unknown[point]);
-        for (Index const neighbour : graph.of(graph.unknown[point])) visit(neighbour);
+        for (Index const neighbour : graph.neighbours(graph.unknown[point])) visit(neighbour);
     }
 }
 
@@ -75,8 +74,8 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     arena.take(row_sum, n);
     arena.take(row_sum_imaginary, is_complex() ? n : 0);
     arena.take(start, Offset{n} + 1);
-    arena.take(column,
-               sizes.entries + short_row);  // rows are written and searched beyond their end
+    // Rows are written and searched beyond their end.
+    arena.take(column, sizes.entries + short_row);
     arena.take(value, sizes.entries);
     arena.take(imaginary, is_complex() ? sizes.entries : 0);
     arena.take(coupling_start, Offset{components()} * wall_points + 1);
@@ -86,7 +85,7 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     arena.take(fixed_row, sizes.fixed);
     arena.take(fixed_value, sizes.fixed);
     arena.take(fixed_imaginary, kind() != MatrixKind::real ? sizes.fixed : 0);
-    lay_out_frames(arena, n_points, sizes.turns);
+    lay_out_directions(arena, n_points, sizes.turns);
 }
 
 void Matrix::fit(Index unknowns, Index wall_points, Sizes const& sizes) noexcept {
@@ -114,12 +113,18 @@ void Matrix::build(Span<const Index> representative, Graph const& graph, Span<co
                    Span<const Index> position, Span<const Index> slot, Span<const Vec2> tangent,
                    Periodicity const& periodicity) noexcept {
     find(representative, graph, position, slot, tangent, periodicity);
+    build_rows(graph, order, position);
+    build_known_columns(graph, position, slot, periodicity);
+}
+
+void Matrix::build_rows(Graph const& graph, Span<const Index> order,
+                        Span<const Index> position) noexcept {
     Offset filled = 0;
     Span<Index> const columns = column;
     for (Index row = 0; row < n; ++row) {
         Offset const begin = filled;
-        graph.expect(order, row, n);
-        for (Index const neighbour : graph.of(order[row])) {
+        graph.prefetch_neighbours(order, row, n);
+        for (Index const neighbour : graph.neighbours(order[row])) {
             Index const later = position[neighbour];
             columns[filled] = later;
             filled += later > row ? 1 : 0;
@@ -134,7 +139,10 @@ void Matrix::build(Span<const Index> representative, Graph const& graph, Span<co
         filled = begin + drop_repeats(row_columns);
     }
     start[n] = filled;
+}
 
+void Matrix::build_known_columns(Graph const& graph, Span<const Index> position,
+                                 Span<const Index> slot, Periodicity const& periodicity) noexcept {
     auto const wall_dof = [&](Index dof) {
         Index const on_wall = slot[dof / components()];
         return on_wall != none ? components() * on_wall + dof % components() : none;
@@ -165,7 +173,7 @@ void Matrix::build(Span<const Index> representative, Graph const& graph, Span<co
     sort_row(fixed_row);
 }
 
-// Two points with two dofs each make several pairs of dofs: only the first pair makes an entry of
+// Two points with two dofs each make several pairs of dofs; only the first pair makes an entry of
 // fixed_row.
 bool Matrix::stands_for_fixed(Index dof, Index other_dof) const noexcept {
     Index const point = dof / 2, other = other_dof / 2;
@@ -178,7 +186,7 @@ bool Matrix::is_beside_fixed(Index point, Index other) const noexcept {
         row_of(components() * point) == row_of(components() * other))
         return false;
     if (row_of(components() * other) == none) return true;
-    return couples_xy() && slips(point) && slips(other) && differ(point, other);
+    return couples_xy() && slips(point) && slips(other) && may_differ(point, other);
 }
 
 }  // namespace harmorph

@@ -1,5 +1,5 @@
-// Flux balances by nodal gradients for values stored in any arrangement, so that engines need no
-// copies.
+// Flux balances by nodal gradients for values that are stored in any arrangement, so that engines
+// need no copies. tests/operators/test_nodal_gradient.cpp covers this file.
 #pragma once
 
 #include "operators/nodal_gradient.hpp"
@@ -7,8 +7,8 @@
 namespace harmorph {
 
 // Adds the integral of the gradient over a cell (Green-Gauss, trapezoidal rule on the sides) to all
-// corners of the cell. Contributions of a side that two cells at a corner share cancel: the sum is
-// the integral along the outline of all cells round the corner.
+// corners of the cell. Contributions of a side that two cells at a corner share cancel, so the sum
+// is the integral along the outline of all cells round the corner.
 template <class Width, class ValueOf>
 void add_cell_gradients(NodalGradient const& scheme, Width width, ValueOf value_of,
                         Real* gradient) noexcept {
@@ -33,9 +33,9 @@ void add_cell_gradients(NodalGradient const& scheme, Width width, ValueOf value_
     }
 }
 
-// Adds the flux balances of `width` functions (a number or an integral_constant). value_of(row):
-// the row's values; balance_of(row): where to add the row's balance, or null; gradient [rows * 2
-// width]: working space.
+// Adds the flux balances of `width` functions; Width is an integer or an integral_constant.
+// value_of(row) returns the row's values; balance_of(row) returns the place to which the row's
+// balance is added, or null; gradient [rows * 2 width] is working space.
 template <class Width, class ValueOf, class BalanceOf>
 void add_balances(NodalGradient const& scheme, Width width, ValueOf value_of, Span<Real> gradient,
                   BalanceOf balance_of) noexcept {
@@ -50,8 +50,9 @@ void add_balances(NodalGradient const& scheme, Width width, ValueOf value_of, Sp
         const Real* const to = value_of(face.end);
         const Real* const from_gradient = gradient.data() + Offset{face.begin} * (2 * n);
         const Real* const to_gradient = gradient.data() + Offset{face.end} * (2 * n);
-        // g . n with (F_Q - F_P) / |e| in place of the component of g along the edge e: n = direct
-        // e + rest, rest normal to e, so g . n = direct (F_Q - F_P) + g . rest.
+        // The flux is g . n with (F_Q - F_P) / |e| in place of the component of g along the edge e.
+        // With n = direct e + rest, rest normal to e, the flux is g . n = direct (F_Q - F_P) + g .
+        // rest.
         Real const direct =
             scheme.corrected ? dot(face.along, face.normal) / square(face.along) : 0;
         Vec2 const rest = 0.5 * (face.normal - direct * face.along);

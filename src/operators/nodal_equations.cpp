@@ -5,9 +5,9 @@
 namespace harmorph {
 namespace {
 
-constexpr Real zeros[Residual::widest] = {};
+constexpr Real zeros[Residual::max_width] = {};
 
-// Values of a basis from column `first` on, by rows of the scheme.
+// The values of a basis in the rows of the scheme, beginning with column `first`.
 struct BasisRows {
     NodalEquations const& equations;
     DofValues const& dofs;

@@ -4,19 +4,19 @@
 
 namespace harmorph {
 
-void NodalGradient::lay_out(Arena& arena, Mesh const& of_mesh, Index n_edges) noexcept {
-    arena.take(row_of, of_mesh.n_points);
-    arena.take(edges.start, Offset{of_mesh.n_points} + 1);
+void NodalGradient::lay_out(Arena& arena, Mesh const& given_mesh, Index n_edges) noexcept {
+    arena.take(row_of, given_mesh.n_points);
+    arena.take(edges.start, Offset{given_mesh.n_points} + 1);
     arena.take(edges.first, n_edges);
     arena.take(edges.second, n_edges);
-    arena.take(cells, of_mesh.n_cells);
-    arena.take(inverse_area, of_mesh.n_points);
+    arena.take(cells, given_mesh.n_cells);
+    arena.take(inverse_area, given_mesh.n_points);
     dual.lay_out(arena, n_edges);
 }
 
-void NodalGradient::init(OrientedMesh const& of_mesh, Edges const& mesh_edges,
+void NodalGradient::init(OrientedMesh const& given_mesh, Edges const& mesh_edges,
                          bool with_correction) noexcept {
-    mesh = of_mesh;
+    mesh = given_mesh;
     corrected = with_correction;
     copy(edges.start, Span<const Index>(mesh_edges.start));
     copy(edges.first, Span<const Edges::Side>(mesh_edges.first.first(mesh_edges.count())));

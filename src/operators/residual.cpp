@@ -6,11 +6,12 @@
 namespace harmorph {
 namespace {
 
-constexpr Index most_subtrees = 64;    // the norms of each are on the stack
-constexpr Index least_subtree = 1024;  // rows that are worth a task
+constexpr Index max_subtrees = 64;  // The norms of each subtree are on the stack.
+// A task treats at least so many rows.
+constexpr Index min_subtree_rows = 1024;
 
-// Every coupling waits for its row; no row waits.
-void begin_to_wait(Residual const& work, Matrix const& matrix) noexcept {
+// Enters every coupling in the list of its row; no row is in a list.
+void list_couplings(Residual const& work, Matrix const& matrix) noexcept {
     fill(work.latest, none);
     Index const couplings = matrix.coupling_start[matrix.coupling_start.size() - 1];
     for (Index c = 0; c < couplings; ++c) {
@@ -20,8 +21,8 @@ void begin_to_wait(Residual const& work, Matrix const& matrix) noexcept {
     }
 }
 
-// Rows that have been left over by a subtree wait for rows behind the subtrees.
-void go_on_waiting(Residual const& work, Matrix const& matrix, Index left_over) noexcept {
+// Moves rows that a subtree has left over to the lists of rows behind the subtrees.
+void list_rows_left_over(Residual const& work, Matrix const& matrix, Index left_over) noexcept {
     for (Index row = left_over; row != none;) {
         Index const next = work.next[row];
         Index& list = work.latest[matrix.column[matrix.start[row] + work.passed[row]]];
@@ -36,21 +37,21 @@ void find_balances(Residual const& work, Matrix const& matrix, DofValues const& 
                    Index n, To* value, Residual::Norms& norms) noexcept {
     SubtreeRanges const& subtrees = work.subtrees;
     auto const find = residual_kernels<To>(work.kernel).find_balances;
-    begin_to_wait(work, matrix);
-    Residual::Norms norms_of[most_subtrees];
-    Index left_over[most_subtrees];
+    list_couplings(work, matrix);
+    Residual::Norms norms_of[max_subtrees];
+    Index left_over[max_subtrees];
     work.executor.for_each(subtrees.count, [&](Index i) {
-        BalancedRows its{subtrees.subtree[i], subtrees.subtree[i].end};
-        find(work, matrix, dofs, first, n, its, value, norms_of[i]);
-        left_over[i] = its.left_over;
+        BalancedRows task{subtrees.subtree[i], subtrees.subtree[i].end};
+        find(work, matrix, dofs, first, n, task, value, norms_of[i]);
+        left_over[i] = task.left_over;
     });
     for (Index i = 0; i < subtrees.count; ++i) {
         norms.add(norms_of[i], n);
-        go_on_waiting(work, matrix, left_over[i]);
+        list_rows_left_over(work, matrix, left_over[i]);
     }
     subtrees.for_each_between(matrix.n, [&](PositionRange rows) {
-        BalancedRows its{rows, matrix.n};
-        find(work, matrix, dofs, first, n, its, value, norms);
+        BalancedRows task{rows, matrix.n};
+        find(work, matrix, dofs, first, n, task, value, norms);
     });
 }
 
@@ -61,7 +62,7 @@ Residual::Changes add_rows(Matrix const& matrix, DofValues const& dofs, const Nu
                            Residual::Choice const& chosen) noexcept {
     Index const planes = matrix.is_complex() ? 2 : 1;
     Offset const plane = dofs.columns(matrix);
-    Real change[Residual::widest] = {}, size[Residual::widest] = {};
+    Real change[Residual::max_width] = {}, size[Residual::max_width] = {};
     for (Index i = 0; i < matrix.n; ++i) {
         for (Index p = 0; p < planes; ++p, from += width) {
             Real* const to = dofs.at(i) + p * plane + first;
@@ -78,10 +79,10 @@ Residual::Changes add_rows(Matrix const& matrix, DofValues const& dofs, const Nu
     return out;
 }
 
-// See Residual::beside_entries. Column 0 of `rows` has the residuals; column 1 is used for the sums
+// See Residual::backward_error(). Column 0 of `rows` has the residuals; column 1 receives the sums
 // of absolute entries.
 template <class Number>
-Real beside_entries_in(Matrix const& matrix, DofValues const& dofs, Index column, Number* rows,
+Real backward_error_in(Matrix const& matrix, DofValues const& dofs, Index column, Number* rows,
                        Index width) noexcept {
     Index const planes = matrix.is_complex() ? 2 : 1;
     auto const row_of = [&](Index i) { return rows + Offset{i} * planes * width; };
@@ -136,20 +137,20 @@ void Residual::lay_out(Arena& arena, Index unknowns, Index couplings, MatrixKind
     arena.take(passed, waits ? unknowns : 0);
 }
 
-void Residual::share_out(AssemblyTree const& tree, Executor const& by) noexcept {
+void Residual::choose_subtrees(AssemblyTree const& tree, Executor const& by) noexcept {
     Index const rows = tree.count > 0 ? tree.nodes[tree.count - 1].end : 0;
     executor = by;
-    subtrees.choose(tree, max(rows / 16, least_subtree), most_subtrees);
+    subtrees.choose(tree, max(rows / 16, min_subtree_rows), max_subtrees);
 }
 
 Real Residual::Norms::relative(Index k) const noexcept {
     return sqrt(rest[k]) / (right_hand_side[k] > 0 ? sqrt(right_hand_side[k]) : 1);
 }
 
-void Residual::Norms::add(Norms const& of_other_rows, Index n) noexcept {
+void Residual::Norms::add(Norms const& others, Index n) noexcept {
     for (Index k = 0; k < n; ++k) {
-        right_hand_side[k] += of_other_rows.right_hand_side[k];
-        rest[k] += of_other_rows.rest[k];
+        right_hand_side[k] += others.right_hand_side[k];
+        rest[k] += others.rest[k];
     }
 }
 
@@ -173,11 +174,11 @@ Residual::Norms Residual::measure(Matrix const& matrix, DofValues const& dofs, I
     return norms;
 }
 
-Real Residual::beside_entries(Matrix const& matrix, DofValues const& dofs,
+Real Residual::backward_error(Matrix const& matrix, DofValues const& dofs,
                               Index column) const noexcept {
     compute(matrix, dofs, column, 1);
-    if (single.empty()) return beside_entries_in(matrix, dofs, column, value.data(), width);
-    return beside_entries_in(matrix, dofs, column, single.data(), width);
+    if (single.empty()) return backward_error_in(matrix, dofs, column, value.data(), width);
+    return backward_error_in(matrix, dofs, column, single.data(), width);
 }
 
 Residual::Changes Residual::add_to(Matrix const& matrix, DofValues const& dofs, Index first,

@@ -1,5 +1,5 @@
-// Residuals b - A F of the solved functions: they tell how good an engine's solution is, and are
-// the right-hand sides of iterative refinement.
+// Residuals b - A F of the solved functions. They measure the accuracy of an engine's solution, and
+// are the right-hand sides of iterative refinement.
 #pragma once
 
 #include "basis/basis.hpp"
@@ -11,119 +11,126 @@
 
 namespace harmorph {
 
-// Values at all points as the equations see them: the numbers of a dof (matrix.hpp) stand side by
-// side, one column for each right-hand side. They are the row of a point, or half a row where a
-// point has two dofs. Of complex values all real parts come first, then all imaginary parts. A
-// basis has rows while its functions are being solved; then they become blocks (RowsToBlocks).
+// The values at all points in the arrangement of the equations: the numbers of a dof (matrix.hpp)
+// stand side by side, one column for each right-hand side. They are the row of a point, or half a
+// row if a point has two dofs. For complex values all real parts come first, then all imaginary
+// parts. A basis has rows while its functions are being solved; then they become blocks
+// (RowsToBlocks).
 struct DofValues {
-    Span<Real> value;              // the rows of all points
-    Span<const Index> of;          // [n] dof of each position
-    Span<const Index> wall_point;  // points of the wall
-    Index components;              // dofs of a point
-    Index n_functions;             // of which a plane of a row has one number each
-    Index first_function;          // number of the first one, for reports
-    Index numbers;                 // of a dof
-    // Rows like `value`: the part of the right-hand sides that does not come from the wall, whose
-    // values are 0 then. Null: 0.
+    Span<Real> value;                   // The rows of all points.
+    Span<const Index> dof_of_position;  // [n] The dof of each position.
+    Span<const Index> wall_point;       // The points of the wall.
+    Index components;                   // The number of dofs of a point.
+    Index n_functions;                  // A plane of a row has one number for each function.
+    Index first_function;               // The number of the first function, for reports.
+    Index numbers;                      // The numbers of a dof.
+    // Rows like `value` with the part of the right-hand sides that does not come from the wall; the
+    // values on the wall are 0 then. Null means 0.
     const Real* source = nullptr;
 
-    // The functions of a basis.
-    DofValues(Basis const& basis, Span<const Index> dof_of, Index dofs_of_a_point) noexcept
+    // Views the functions of a basis.
+    DofValues(Basis const& basis, Span<const Index> dof_at_position, Index n_dofs_of_point) noexcept
         : value(basis.value),
-          of(dof_of),
+          dof_of_position(dof_at_position),
           wall_point(basis.wall_point),
-          components(dofs_of_a_point),
+          components(n_dofs_of_point),
           n_functions(basis.n_functions()),
           first_function(basis.header->counts.first_stored),
           numbers(basis.row_length() / components) {}
-    // Vector fields: the row of a point has the x of all fields, then the y of all fields.
-    DofValues(Span<Real> rows, Index first_field, Index n_fields, Span<const Index> dof_of,
-              Span<const Index> wall, Index dofs_of_a_point) noexcept
+    // Views vector fields: the row of a point has the x of all fields, then the y of all fields.
+    DofValues(Span<Real> rows, Index first_field, Index n_fields, Span<const Index> dof_at_position,
+              Span<const Index> wall, Index n_dofs_of_point) noexcept
         : value(rows),
-          of(dof_of),
+          dof_of_position(dof_at_position),
           wall_point(wall),
-          components(dofs_of_a_point),
+          components(n_dofs_of_point),
           n_functions(n_fields),
           first_function(first_field),
           numbers(2 * n_fields / components) {}
 
     Index length() const noexcept { return numbers; }
     Offset start_of(Index dof) const noexcept { return Offset{dof} * numbers; }
-    Real* of_dof(Index dof) const noexcept { return value.data() + start_of(dof); }
-    Real* at(Index position) const noexcept { return of_dof(of[position]); }
-    const Real* source_at(Index position) const noexcept { return source + start_of(of[position]); }
-    // The numbers of one point become those of another; of none: nothing to do.
+    Real* values_of_dof(Index dof) const noexcept { return value.data() + start_of(dof); }
+    Real* at(Index position) const noexcept { return values_of_dof(dof_of_position[position]); }
+    const Real* source_at(Index position) const noexcept {
+        return source + start_of(dof_of_position[position]);
+    }
+    // Copies the numbers of one point to another; does nothing if `from` is none.
     void copy_row(Index from, Index to) const noexcept {
         if (from == to || from == none) return;
-        std::memcpy(of_dof(components * to), of_dof(components * from),
+        std::memcpy(values_of_dof(components * to), values_of_dof(components * from),
                     sizeof(Real) * static_cast<Size>(components * numbers));
     }
     Index columns(Matrix const& matrix) const noexcept {
         return matrix.is_complex() ? n_functions : length();
     }
-    // The values of the unknowns by position, as engines see them.
+    // Returns the values of the unknowns by position, in the form that engines take.
     Rows rows(Matrix const& matrix) const noexcept {
-        return {value.data(), of.data(), length(), columns(matrix), columns(matrix)};
+        return {value.data(), dof_of_position.data(), length(), columns(matrix), columns(matrix)};
     }
-    // The values of a dof on the wall, by its number there (see Matrix::wall).
+    // Returns the values of a dof on the wall, by its number there (see Matrix::wall).
     Real* wall(Index dof) const noexcept {
-        return of_dof(components * wall_point[dof / components] + dof % components);
+        return values_of_dof(components * wall_point[dof / components] + dof % components);
     }
 };
 
 // Residuals of a few columns at a time, for all rows. They are sums of differences of values along
 // couplings, not products with the diagonal: the strong couplings of thin cells would make the
-// diagonal so large that its rounding hides the weak couplings (symmetric_matrix.hpp). Where x and
-// y are coupled, they are sums of differences of displacements; the second dof of a slipping point
-// is not used then, and is set at the very end of a solve. A row is summed in one go. Its entries
-// left of the diagonal are stored in earlier rows; every earlier row waits in the list of the next
-// row that it is coupled to, and so does every coupling to the wall. The rows of a subtree of the
-// assembly tree wait for each other and for rows behind all subtrees: subtrees are summed at the
-// same time.
+// diagonal so large that its rounding hides the weak couplings (symmetric_matrix.hpp). If x and y
+// are coupled, residuals are sums of differences of displacements; the second dof of a slipping
+// point is not used then, and is set at the very end of a solve. All terms of a row are added one
+// after the other. The entries left of the diagonal are stored in earlier rows; every earlier row
+// is in the list of the next row to which it is coupled, and so is every coupling to the wall. The
+// rows of a subtree of the assembly tree are only in lists of the same subtree and of rows behind
+// all subtrees, so that subtrees are summed at the same time.
 struct Residual {
-    static constexpr Index widest = 24;
+    static constexpr Index max_width = 24;
 
-    Index width = 6;                   // at most `widest`
-    Kernel kernel = Kernel::baseline;  // any gives the same bits
-    // [n x planes x width] rows by position: b - A F, real and then imaginary parts. Only one of
+    Index width = 6;                   // The width is at most `max_width`.
+    Kernel kernel = Kernel::baseline;  // All kernels give the same bits.
+    // [n x planes x width] Rows by position: b - A F, real and then imaginary parts. Only one of
     // the two arrays exists, in the precision of the engine's factor.
     Span<Real> value;
-    Span<float> single;  // residuals are computed in double and rounded last, so that corrections
-                         // lose no accuracy
-    Span<Index> latest;  // [n] not where x and y are coupled: what began to wait last for this row:
-                         // a row, or n + number of a coupling; and
-    Span<Index> next;    // [n + couplings] for each that waits the one that began before
-    Span<Index> passed;  // [n] of each waiting row: its entries before the one that it waits with
-    SubtreeRanges subtrees;  // the same for any number of threads; none: all rows are summed one
-                             // after the other
+    // Residuals are computed in double precision and rounded last, so that corrections lose no
+    // accuracy.
+    Span<float> single;
+    // [n] The latest entry of each row's list: a row, or n + number of a coupling. The lists do not
+    // exist if x and y are coupled.
+    Span<Index> latest;
+    Span<Index> next;  // [n + couplings] The entry of the same list before this one.
+    // [n] For each listed row, the number of entries before the one by which the row is listed.
+    Span<Index> passed;
+    // The subtrees are the same for any number of threads; if there are none, all rows are summed
+    // one after the other.
+    SubtreeRanges subtrees;
     Executor executor;
 
     void lay_out(Arena& arena, Index unknowns, Index couplings, MatrixKind kind,
                  Index n_columns = 6, Precision precision = Precision::in_double) noexcept;
-    // Chooses the subtrees of rows that are in the order of elimination of this tree.
-    void share_out(AssemblyTree const& tree, Executor const& by) noexcept;
-    // Of columns first .. first+n-1, n <= width: squared 2-norms of b and of b - A F.
+    // Chooses the subtrees; rows are in the order of elimination of this tree.
+    void choose_subtrees(AssemblyTree const& tree, Executor const& by) noexcept;
+    // The squared 2-norms of b and of b - A F for the columns first .. first+n-1, n <= width.
     struct Norms {
-        Real right_hand_side[widest] = {}, rest[widest] = {};
-        // |b - A F| / |b|; the numerator alone where b is 0.
+        Real right_hand_side[max_width] = {}, rest[max_width] = {};
+        // Returns |b - A F| / |b|, or the numerator alone if b is 0.
         Real relative(Index k) const noexcept;
-        void add(Norms const& of_other_rows, Index n) noexcept;
+        void add(Norms const& others, Index n) noexcept;
     };
     Norms compute(Matrix const& matrix, DofValues const& dofs, Index first, Index n) const noexcept;
-    // Computes the norms alone, n <= widest; not where x and y are coupled.
+    // Computes the norms alone, n <= max_width; not if x and y are coupled.
     Norms measure(Matrix const& matrix, DofValues const& dofs, Index first, Index n) const noexcept;
-    // For one column: the maximum over all rows of |b - A F| / (sum of the row's |entries| times
-    // the maximum of |F|). Rounding of F alone leaves about an epsilon. 2 <= width. Infinite where
-    // a value is not a number.
-    Real beside_entries(Matrix const& matrix, DofValues const& dofs, Index column) const noexcept;
+    // Returns the backward error of one column: the maximum over all rows of |b - A F| / (sum of
+    // the row's |entries| times the maximum of |F|). Rounding of F alone leaves about an epsilon.
+    // The width must be at least 2. The result is infinite if a value is not a number.
+    Real backward_error(Matrix const& matrix, DofValues const& dofs, Index column) const noexcept;
     struct Choice {
-        bool column[widest];
+        bool column[max_width];
     };
-    // Adds corrections, which stand in `value` or `single`, to the chosen ones of columns first ..
-    // first+n-1 of F. Returns for each column the largest correction relative to the largest new
+    // Adds corrections, which are in `value` or `single`, to the chosen ones of the columns first
+    // .. first+n-1 of F. Returns for each column the largest correction relative to the largest new
     // value.
     struct Changes {
-        Real column[widest];
+        Real column[max_width];
     };
     Changes add_to(Matrix const& matrix, DofValues const& dofs, Index first, Index n,
                    Choice const& chosen) const noexcept;

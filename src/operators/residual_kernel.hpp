@@ -1,6 +1,6 @@
 // Balances of rows with the registers of one instruction set; residual_table.cpp compiles this file
-// for each of them. The arithmetic of a column is the same in all instruction sets, and so are the
-// bits of the result.
+// for each set. The arithmetic of a column is the same in all instruction sets, and so are the bits
+// of the result. tests/operators/test_residual.cpp covers this file.
 
 namespace harmorph::residuals::HARMORPH_SET {
 namespace {
@@ -9,14 +9,15 @@ using Registers = simd::HARMORPH_SET::Registers<Real>;
 using Vector = Registers::Vector;
 
 constexpr Index lanes = Registers::lanes;
-constexpr Index block = 8;  // columns at a time
+// The kernel treats this number of columns at a time.
+constexpr Index block = 8;
 constexpr Index vectors = block / lanes;
-constexpr Index most_at_once = 32;  // neighbours
-constexpr Index rows_ahead =
-    4;  // the order of values in memory is not that of rows, so they are prefetched
-static_assert(Residual::widest % block == 0, "numbers of a row are kept in whole blocks");
+constexpr Index max_neighbours = 32;
+// Values are not in the order of rows in memory, so they are prefetched so many rows ahead.
+constexpr Index rows_ahead = 4;
+static_assert(Residual::max_width % block == 0, "numbers of a row are kept in whole blocks");
 
-// The first n numbers of `from`, n <= block; 0 behind them.
+// Loads the first n numbers of `from`, n <= block, and fills the rest with 0.
 HARMORPH_INLINE void load(const Real* from, Index n, Vector (&to)[vectors]) noexcept {
 #pragma GCC unroll 4
     for (Index v = 0; v < vectors; ++v, from += lanes, n -= lanes) {
@@ -28,7 +29,7 @@ template <Index planes, class To>
 class Balances {
 public:
     Balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first,
-             Index n, BalancedRows& of) noexcept
+             Index n, BalancedRows& task) noexcept
         : matrix_(matrix),
           dofs_(dofs),
           latest_(work.latest),
@@ -36,12 +37,12 @@ public:
           passed_(work.passed),
           first_(first),
           n_(n),
-          limit_(of.limit),
+          limit_(task.limit),
           plane_(dofs.columns(matrix)),
-          of_(of) {}
+          task_(task) {}
 
     void run(To* value, Index width, Residual::Norms& norms) noexcept {
-        PositionRange const rows = of_.rows;
+        PositionRange const rows = task_.rows;
         if (value != nullptr) value += Offset{rows.begin} * planes * width;
         fixed_end_ = fixed_before(rows.begin);
         for (Index i = rows.begin; i < rows.end; ++i) {
@@ -53,7 +54,7 @@ public:
                 add({at(matrix_.column[e]), matrix_.value[e], imaginary(matrix_.imaginary, e)},
                     norms);
             }
-            wait(i, matrix_.start[i]);
+            enter(i, matrix_.start[i]);
             fixed_ = fixed_end_;
             while (fixed_end_ < matrix_.fixed_row.count() && matrix_.fixed_row[fixed_end_] == i)
                 ++fixed_end_;
@@ -70,14 +71,14 @@ private:
         const Real* at;
         Real re, im;
     };
-    typedef Real Row[planes][Residual::widest];
+    typedef Real Row[planes][Residual::max_width];
 
     const Real* at(Index position) const noexcept { return dofs_.at(position) + first_; }
-    static Real imaginary(Span<Real> of, Offset entry) noexcept {
-        return planes == 2 ? of[entry] : 0;
+    static Real imaginary(Span<Real> numbers, Offset entry) noexcept {
+        return planes == 2 ? numbers[entry] : 0;
     }
 
-    // How many entries of Matrix::fixed_row are before this row.
+    // Returns the number of entries of Matrix::fixed_row before this row.
     Index fixed_before(Index row) const noexcept {
         Index low = 0, high = matrix_.fixed_row.count();
         while (low < high) {
@@ -90,30 +91,30 @@ private:
         }
         return low;
     }
-    // The row waits for the row whose number is the column of this entry.
-    void wait(Index row, Offset entry) const noexcept {
+    // Enters the row in the list of the row whose number is the column of this entry.
+    void enter(Index row, Offset entry) const noexcept {
         if (entry == matrix_.start[row + 1]) return;
         Index const column = matrix_.column[entry];
-        Index& list = column < limit_ ? latest_[column] : of_.left_over;
+        Index& list = column < limit_ ? latest_[column] : task_.left_over;
         next_[row] = list;
         list = row;
         passed_[row] = static_cast<Index>(entry - matrix_.start[row]);
     }
-    // The rows that wait for this one, and couplings to the wall.
+    // Adds the rows in the list of this row, and the couplings to the wall.
     void take_earlier(Index i, Residual::Norms& norms) noexcept {
         bool beside_wall = false;
-        for (Index waiting = latest_[i]; waiting != none;) {
-            Index const next_waiting = next_[waiting];
-            if (waiting < matrix_.n) {
-                Offset const e = matrix_.start[waiting] + passed_[waiting];
-                add({at(waiting), matrix_.value[e], -imaginary(matrix_.imaginary, e)}, norms);
-                wait(waiting, e + 1);
+        for (Index listed = latest_[i]; listed != none;) {
+            Index const next_listed = next_[listed];
+            if (listed < matrix_.n) {
+                Offset const e = matrix_.start[listed] + passed_[listed];
+                add({at(listed), matrix_.value[e], -imaginary(matrix_.imaginary, e)}, norms);
+                enter(listed, e + 1);
             } else {
                 if (!beside_wall) clear(right_);
                 beside_wall = true;
-                take_known(waiting - matrix_.n, norms);
+                take_known(listed - matrix_.n, norms);
             }
-            waiting = next_waiting;
+            listed = next_listed;
         }
         if (beside_wall) add_squares(right_, norms.right_hand_side);
     }
@@ -130,10 +131,10 @@ private:
         add({known, re, im}, norms);
     }
 
-    // The dof on the wall in whose column the coupling is.
+    // Returns the dof on the wall in whose column the coupling is.
     Index wall_of(Index coupling) const noexcept {
-        Index low = 0,
-              high = matrix_.coupling_start.count() - 1;  // start[low] <= coupling < start[high]
+        // The search keeps start[low] <= coupling < start[high].
+        Index low = 0, high = matrix_.coupling_start.count() - 1;
         while (high - low > 1) {
             Index const middle = low + (high - low) / 2;
             (matrix_.coupling_start[middle] <= coupling ? low : high) = middle;
@@ -146,7 +147,7 @@ private:
             for (Index k = 0; k < n_; ++k) row[p][k] = 0;
         }
     }
-    // row -= (re + i im) x
+    // Computes row -= (re + i im) x.
     void take(Row const& x, Real re, Real im, Row& row) const noexcept {
         for (Index k = 0; k < n_; ++k) {
             row[0][k] -= re * x[0][k];
@@ -163,11 +164,11 @@ private:
     }
 
     void add(Neighbour const& neighbour, Residual::Norms& norms) noexcept {
-        if (count_ == most_at_once) sum_flows(false, norms);
+        if (count_ == max_neighbours) sum_flows(false, norms);
         neighbour_[count_++] = neighbour;
     }
 
-    // row -= (re + i im) x
+    // Computes row -= (re + i im) x.
     static HARMORPH_INLINE void take(Vector const (&x)[planes][vectors], Real re, Real im,
                                      Vector (&row)[planes][vectors]) noexcept {
 #pragma GCC unroll 4
@@ -191,8 +192,8 @@ private:
         }
     }
 
-    // Flows along couplings: rest -= (re + i im) (neighbour's value - own value). ends: with these
-    // the row is complete.
+    // Subtracts flows along couplings: rest -= (re + i im) (neighbour's value - own value). If
+    // `ends` is true, the row is complete with these.
     void sum_flows(bool ends, Residual::Norms& norms) noexcept {
         for (Index k = 0; k < n_; k += block) {
             Vector own[planes][vectors], rest[planes][vectors] = {};
@@ -252,23 +253,23 @@ private:
     Span<Index> latest_, next_, passed_;
     Index first_, n_, limit_;
     Offset plane_;
-    BalancedRows& of_;
-    const Real *own_ = nullptr,
-               *source_ = nullptr;     // of the row: values, part of the right-hand side
-    Index fixed_ = 0, fixed_end_ = 0;  // its entries of Matrix::fixed_row
-    bool begun_ = false;               // rest_ has a part of its couplings
+    BalancedRows& task_;
+    // The values of the row, and the part of its right-hand side that does not come from the wall.
+    const Real *own_ = nullptr, *source_ = nullptr;
+    Index fixed_ = 0, fixed_end_ = 0;  // The entries of Matrix::fixed_row that belong to the row.
+    bool begun_ = false;               // If this is true, rest_ contains some couplings of the row.
     Row rest_ = {}, right_ = {};
     Index count_ = 0;
-    Neighbour neighbour_[most_at_once];
+    Neighbour neighbour_[max_neighbours];
 };
 
 template <class To>
 void find_balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first,
-                   Index n, BalancedRows& of, To* value, Residual::Norms& norms) noexcept {
+                   Index n, BalancedRows& task, To* value, Residual::Norms& norms) noexcept {
     if (matrix.is_complex()) {
-        Balances<2, To>(work, matrix, dofs, first, n, of).run(value, work.width, norms);
+        Balances<2, To>(work, matrix, dofs, first, n, task).run(value, work.width, norms);
     } else {
-        Balances<1, To>(work, matrix, dofs, first, n, of).run(value, work.width, norms);
+        Balances<1, To>(work, matrix, dofs, first, n, task).run(value, work.width, norms);
     }
 }
 

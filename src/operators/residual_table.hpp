@@ -1,25 +1,27 @@
 // The residuals of all rows with one instruction set as a function table.
+// tests/operators/test_residual.cpp covers this file.
 #pragma once
 
 #include "operators/residual.hpp"
 
 namespace harmorph {
 
-// Rows whose balances are found one after the other.
+// Rows whose balances are computed one after the other.
 struct BalancedRows {
     PositionRange rows;
-    Index limit;  // the task goes on with rows below this one, ...
-    Index left_over =
-        none;  // ... the list of those that wait for others begins here, see Residual::next
+    Index limit;  // Rows below this one belong to the task.
+    // The list of the rows that are left over for rows behind the limit begins here; see
+    // Residual::next.
+    Index left_over = none;
 };
 
-// Of numbers in double or in single precision.
+// Kernels for numbers in double or in single precision.
 template <class To>
 struct ResidualKernels {
-    // Balances of these rows, into `value` (of all rows) if there is one: columns first ..
-    // first+n-1. Adds to norms.
+    // Computes the balances of these rows for columns first .. first+n-1, and stores them in
+    // `value` (of all rows) unless it is null. Adds to norms.
     void (*find_balances)(Residual const& work, Matrix const& matrix, DofValues const& dofs,
-                          Index first, Index n, BalancedRows& of, To* value,
+                          Index first, Index n, BalancedRows& task, To* value,
                           Residual::Norms& norms) noexcept;
 };
 

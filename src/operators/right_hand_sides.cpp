@@ -5,10 +5,10 @@ namespace {
 
 // The values of a dof on the wall that are not 0.
 struct KnownValues {
-    static constexpr Index most = 2 * max_order;
+    static constexpr Index max_count = 2 * max_order;
     Index n = 0;
-    Index at[most];
-    Real value[most];
+    Index at[max_count];
+    Real value[max_count];
 
     KnownValues(Basis const& basis, BoundaryFunctions const& functions, Index component,
                 Index components) noexcept {
@@ -26,17 +26,18 @@ struct KnownValues {
     }
 };
 
-// row -= coupling * values of the boundary functions, for complex equations.
+// Subtracts coupling * values of the boundary functions from `row`, for complex equations.
 void subtract_complex(BoundaryFunctions const& functions, Vec2 coupling, Index plane,
                       Real* row) noexcept {
     for (Index k = 0; k < functions.order; ++k) {
-        Vec2 const passed = product(coupling, functions.value[k]);
-        row[functions.function[k]] -= passed.x;
-        row[plane + functions.function[k]] -= passed.y;
+        Vec2 const term = product(coupling, functions.value[k]);
+        row[functions.function[k]] -= term.x;
+        row[plane + functions.function[k]] -= term.y;
     }
 }
 
-// visit(coupling, numbers of the dof on the wall, those of the unknown, columns)
+// Calls visit(coupling, numbers of the dof on the wall, numbers of the unknown, columns) for each
+// coupling.
 template <class Visit>
 void for_each_coupling(Matrix const& matrix, DofValues const& dofs, Visit const& visit) noexcept {
     Index const n = dofs.columns(matrix);
@@ -55,9 +56,9 @@ void add_product(Real factor, const Real* from, Real* to, Index n) noexcept {
 
 void set_right_hand_sides(Matrix const& matrix, Basis const& basis, DofValues const& dofs,
                           Executor const& executor) noexcept {
-    constexpr Index least_rows = 4096;  // that are worth a task
+    constexpr Index min_task_rows = 4096;
     Offset const length = basis.row_length();
-    executor.for_ranges(static_cast<Index>(whole_blocks(basis.n_points())), least_rows,
+    executor.for_ranges(static_cast<Index>(whole_blocks(basis.n_points())), min_task_rows,
                         [&](Index begin, Index end) {
                             fill(basis.value.from(begin * length, (end - begin) * length), 0.0);
                         });

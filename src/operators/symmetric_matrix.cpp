@@ -6,7 +6,7 @@
 namespace harmorph {
 namespace {
 
-// Entries of one row that are in the same column become one, in the order of first appearance.
+// Merges entries of one row that are in the same column, in the order of first appearance.
 void merge_columns(SymmetricRows& rows, Span<Offset> last) noexcept {
     fill(last.first(rows.n), Offset{-1});
     Offset kept = 0;

@@ -1,5 +1,5 @@
 // A symmetric sparse matrix of which one triangle is stored, and the Galerkin contraction of merged
-// cells: their rows are summed.
+// cells, which adds their rows.
 #pragma once
 
 #include "base/arena.hpp"
@@ -11,12 +11,12 @@ namespace harmorph {
 // entries and the row sum determine accurately what depends on small couplings; the diagonal does
 // not, as its rounding error is larger than they are (M. Dailey, F. M. Dopico, Q. Ye, Relative
 // perturbation theory for diagonally dominant matrices). So products are sums of fluxes, (A x)_i =
-// row_sum_i x_i + sum of a_ij (x_j - x_i), which are exactly 0 for constant x where the row sum is
-// 0, and a contraction adds row sums. `faces` counts the mesh edges between the two cells (255:
-// that or more); 0 for the diagonals of quads, which couple cells that do not touch.
+// row_sum_i x_i + sum of a_ij (x_j - x_i), which are exactly 0 for constant x if the row sum is 0,
+// and a contraction adds row sums. `faces` counts the mesh edges between the two cells (255 means
+// 255 or more); the count is 0 for the diagonals of quads, which couple cells that do not touch.
 struct SymmetricRows {
     Index n = 0;
-    Span<Real> diagonal;  // [n] row sum - sum of the row's off-diagonal entries
+    Span<Real> diagonal;  // [n] The row sum minus the sum of the row's off-diagonal entries.
     Span<Real> row_sum;   // [n]
     Span<Offset> start;   // [n + 1]
     Span<Index> column;
@@ -26,7 +26,7 @@ struct SymmetricRows {
     void lay_out(Arena& arena, Index rows, Offset entries) noexcept;
     Offset entries() const noexcept { return start[n]; }
 
-    // visit(row, column, entry) for each pair once.
+    // Calls visit(row, column, entry) once for each pair.
     template <class Visit>
     void for_each(Visit visit) const noexcept {
         for (Index i = 0; i < n; ++i) {
@@ -35,11 +35,11 @@ struct SymmetricRows {
     }
 };
 
-// coarse = P^T fine P, P the piecewise constant prolongation from merged cells to cells:
-// conductances and faces between two merged cells are summed, couplings inside a merged cell
-// vanish, and row sums are added; entries that are 0 and join no faces are left out, as those
-// between movements along x and y where no point slides. cell_of [fine.n] -> 0 .. n-1; last [n]:
-// working space. coarse must have room for n rows and as many entries as `fine` has.
+// Computes coarse = P^T fine P, where P is the piecewise constant prolongation from merged cells to
+// cells: conductances and faces between two merged cells are summed, couplings inside a merged cell
+// vanish, and row sums are added. Entries that are 0 and join no faces are omitted, for example
+// those between movements along x and y if no point slips. cell_of [fine.n] has numbers 0 .. n-1;
+// last [n] is working space. coarse must have room for n rows and as many entries as `fine` has.
 void contract(SymmetricRows const& fine, Span<const Index> cell_of, Index n, Span<Offset> last,
               SymmetricRows& coarse) noexcept;
 

@@ -23,11 +23,11 @@ private:
     }
     const Real* at(Index position) const noexcept { return dofs_.at(position) + first_; }
 
-    // row -= entry x
+    // Computes row -= entry x.
     void subtract(Real entry, const Real* x, Real* row) const noexcept {
         for (Index k = 0; k < n_; ++k) row[k] -= entry * x[k];
     }
-    // What flows from x to own along a coupling: row -= entry (x - own)
+    // Subtracts the flow from x to own along a coupling: row -= entry (x - own).
     void take_flow(Real entry, const Real* own, const Real* x, Real* row) const noexcept {
         for (Index k = 0; k < n_; ++k) row[k] -= entry * (x[k] - own[k]);
     }
@@ -59,24 +59,24 @@ private:
         Index point, component;
     };
     Dof dof_at(Index position) const noexcept {
-        return {dofs_.of[position] / 2, dofs_.of[position] % 2};
+        return {dofs_.dof_of_position[position] / 2, dofs_.dof_of_position[position] % 2};
     }
     bool slips(Index point) const noexcept { return matrix_.row_of(2 * point + 1) == none; }
-    const Real* of_dof(Index point, Index component) const noexcept {
-        return dofs_.of_dof(2 * point + component) + first_;
+    const Real* values_of_dof(Index point, Index component) const noexcept {
+        return dofs_.values_of_dof(2 * point + component) + first_;
     }
 
     // The dof of a slipping point has a direction of its own. Flows are computed from displacements
-    // along x and y, and only then turned to the dofs: so both end points get the same flow, up to
-    // the rounding of the flow itself.
+    // along x and y, and only then turned to the dofs, so that both end points get the same flow,
+    // up to the rounding of the flow itself.
     void add_turned_flows(Real* squares) const noexcept {
         for (Index wall = 0; wall + 1 < matrix_.coupling_start.count(); ++wall) {
             const Real* const known = dofs_.wall(wall) + first_;
             for (Index c = matrix_.coupling_start[wall]; c < matrix_.coupling_start[wall + 1];
                  ++c) {
                 Index const i = matrix_.coupling_row[c], point = dof_at(i).point;
-                Real const along = slips(point) ? component(matrix_.frame(point), wall % 2) : 1;
-                const Real* const own = of_dof(point, slips(point) ? 0 : wall % 2);
+                Real const along = slips(point) ? component(matrix_.direction(point), wall % 2) : 1;
+                const Real* const own = values_of_dof(point, slips(point) ? 0 : wall % 2);
                 Real* const row = row_of(i);
                 for (Index k = 0; k < n_; ++k)
                     row[k] -= matrix_.coupling_value[c] * (known[k] - along * own[k]);
@@ -90,22 +90,24 @@ private:
                 add_entry(i, matrix_.column[e], matrix_.value[e]);
             }
         }
-        for (Index i = 0; i < matrix_.n; ++i)
-            add_squares(row_of(i), squares);  // any entry may change any row
+        // Any entry may change any row, so the squares are added last.
+        for (Index i = 0; i < matrix_.n; ++i) add_squares(row_of(i), squares);
     }
-    static Real component(Vec2 of, Index number) noexcept { return number == 0 ? of.x : of.y; }
+    static Real component(Vec2 vector, Index number) noexcept {
+        return number == 0 ? vector.x : vector.y;
+    }
 
-    // i: the position of a point's first dof.
+    // Adds the flow to fixed points; i is the position of a point's first dof.
     void add_fixed(Index i, Real re, Real im) const noexcept {
         Index const point = dof_at(i).point;
-        const Real* const x = of_dof(point, 0);
+        const Real* const x = values_of_dof(point, 0);
         subtract(-re, x, row_of(i));
         if (slips(point)) return;
-        const Real* const y = of_dof(point, 1);
-        Real* const second = row_of(matrix_.row_of(2 * point + 1));
+        const Real* const y = values_of_dof(point, 1);
+        Real* const second_row = row_of(matrix_.row_of(2 * point + 1));
         subtract(im, y, row_of(i));
-        subtract(-re, y, second);
-        subtract(-im, x, second);
+        subtract(-re, y, second_row);
+        subtract(-im, x, second_row);
     }
 
     void add_entry(Index i, Index j, Real entry) const noexcept {
@@ -113,25 +115,25 @@ private:
         if (slips(a.point) != slips(b.point)) {
             return slips(a.point) ? add_slipping(i, j, entry) : add_slipping(j, i, entry);
         }
-        if (slips(a.point) &&
-            matrix_.differ(a.point, b.point)) {  // the rest of this coupling is in fixed_value
+        // The rest of this coupling is in fixed_value.
+        if (slips(a.point) && matrix_.may_differ(a.point, b.point)) {
             subtract(entry, at(j), row_of(i));
             subtract(entry, at(i), row_of(j));
             return;
         }
-        take_flow(entry, of_dof(a.point, b.component), at(j), row_of(i));
-        take_flow(entry, of_dof(b.point, a.component), at(i), row_of(j));
+        take_flow(entry, values_of_dof(a.point, b.component), at(j), row_of(i));
+        take_flow(entry, values_of_dof(b.point, a.component), at(i), row_of(j));
     }
 
-    // Between a point that slips and one dof of a point that does not. The conductance and
-    // circulation of the two points, turned by the slip direction, are the entries of the two dofs
-    // of the free point.
+    // Adds the flow between a point that slips and one dof of a point that does not. The entries of
+    // the two dofs of the free point are the conductance and circulation of the two points, turned
+    // by the slip direction.
     void add_slipping(Index slipping, Index free, Real entry) const noexcept {
         Dof const dof = dof_at(free);
-        Vec2 const along = matrix_.frame(dof_at(slipping).point);
+        Vec2 const along = matrix_.direction(dof_at(slipping).point);
         const Real* const slid = at(slipping);
-        const Real* const x = of_dof(dof.point, 0);
-        const Real* const y = of_dof(dof.point, 1);
+        const Real* const x = values_of_dof(dof.point, 0);
+        const Real* const y = values_of_dof(dof.point, 1);
         Real* const own = row_of(slipping);
         Real* const same = row_of(free);
         Real* const other = row_of(matrix_.row_of(2 * dof.point + 1 - dof.component));

@@ -7,8 +7,8 @@ void Unknowns::lay_out_rows(Arena& arena, Index n_points, MatrixKind kind) noexc
     arena.take(row_of_, Offset{components()} * n_points);
 }
 
-void Unknowns::lay_out_frames(Arena& arena, Index n_points, bool turns) noexcept {
-    arena.take(frame_, couples_xy() || turns ? n_points : 0);
+void Unknowns::lay_out_directions(Arena& arena, Index n_points, bool turns) noexcept {
+    arena.take(direction_, couples_xy() || turns ? n_points : 0);
 }
 
 void Unknowns::find(Span<const Index> representative, Graph const& graph,
@@ -23,9 +23,9 @@ void Unknowns::find(Span<const Index> representative, Graph const& graph,
                                                     ? wall(components() * slot[same] + c)
                                                     : none;
         }
-        if (couples_xy()) frame_[point] = tangent[same];
-        else if (!frame_.empty())
-            frame_[point] = periodicity.rotation.power(periodicity.times[point]);
+        if (couples_xy()) direction_[point] = tangent[same];
+        else if (!direction_.empty())
+            direction_[point] = periodicity.rotation.power(periodicity.times[point]);
     }
 }
 

@@ -41,11 +41,12 @@ void order_by_layers(Topology const& topology, Span<const PointKind> kinds, Grap
             if (kinds[graph.point(u)] == PointKind::free) reach(u);
         }
         for (Index read = 0; read < filled; ++read) {
-            for (Index const v : graph.of(order[read])) reach(v);
+            for (Index const v : graph.neighbours(order[read])) reach(v);
         }
     }
     for (Index u = 0; u < graph.n; ++u) {
-        // In a part without boundary: check_parts() has refused such meshes
+        // An unknown that is not reached lies in a region without boundary; check_regions() refuses
+        // such meshes.
         if (work.reached[u] == 0) order[filled++] = u;
     }
 }

@@ -1,4 +1,5 @@
-// Recursive bisection: cuts parts of a graph in two by separators.
+// Recursive bisection: regions of a graph are cut in two by separators. A region is a range of the
+// order. tests/ordering/test_nested_dissection.cpp covers this file.
 #pragma once
 
 #include "ordering/cut_search.hpp"
@@ -7,27 +8,30 @@
 
 namespace harmorph {
 
-// A part of the order after a cut: the left part, then the right part from `middle` on, then the
-// separator from `pivots` on.
+// A region of the order after a cut: the left side, then the right side, which begins at `middle`,
+// then the separator, which begins at `pivots`.
 struct DividedRange {
     Index middle = 0, pivots = 0;
 };
 
-// Parts that do not overlap may be ordered at the same time: each uses only the range of the
-// working arrays that is the range of the part, and no unknowns of two parts are neighbours, as
+// Regions that do not overlap may be ordered at the same time. Each uses only the range of the
+// working arrays that is the range of the region, and no unknowns of two regions are neighbours, as
 // separators lie between them.
 class Dissector {
 public:
-    static constexpr Index leaf_size = 24;  // parts up to this size are eliminated densely
-    static constexpr Index smallest_child =
-        4;  // smaller parts join the separator; with it, nodes <= n / 2
+    // Regions up to this size are eliminated as dense matrices.
+    static constexpr Index leaf_size = 24;
+    // Smaller sides join the separator, so that there are at most n / 2 nodes.
+    static constexpr Index smallest_child = 4;
 
     Dissector(Graph const& graph, DissectionWork const& work, Span<Index> order) noexcept
         : graph_(graph), work_(work), order_(order), search_(graph, work.coordinates, order) {}
 
-    // Cuts the whole graph straight once, and makes the steps from this cut one more coordinate.
+    // Cuts the whole graph once by a straight cut, and makes the number of steps from this cut one
+    // more coordinate.
     void find_across() const noexcept;
-    // Orders the part begin .. end-1 and returns its root in the tree, or none if it is empty.
+    // Orders the region begin .. end-1 and returns the root of the region in the tree, or none if
+    // the region is empty.
     Index dissect(Index begin, Index end, AssemblyTree& tree) const noexcept;
     DividedRange divide(Index begin, Index end) const noexcept;
 

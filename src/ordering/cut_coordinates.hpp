@@ -1,5 +1,5 @@
-// The coordinates of the unknowns in each direction in which a dissection may cut, and how far
-// their neighbours reach.
+// The coordinates of the unknowns in each direction in which a dissection may cut, and the
+// distances to their neighbours.
 #pragma once
 
 #include "base/executor.hpp"
@@ -7,21 +7,26 @@
 
 namespace harmorph {
 
-// The coordinates: x, y, both diagonals, the number of the layer round the curves, and the steps in
-// the graph from a first cut across the layers. Parts that these cut badly get one more: the level
-// of a breadth-first search of the part.
+// The coordinates are x, y, both diagonals, the number of the layer round the curves, and the
+// number of steps in the graph from a first cut across the layers. Regions that these cut badly get
+// one more: the level of a breadth-first search of the region.
 inline constexpr Index directions = 6, direction_lanes = 8;
 inline constexpr Index straight_directions = 4, layer_direction = 4, across_direction = 5,
                        level_direction = 6;
-inline constexpr Index border_lane = 7;  // no direction: 1 next to a separator above, otherwise 0
-constexpr Index prefetch_ahead = 16;  // unknowns: their coordinates are read in no order of memory
+// This lane is no direction: its number is 1 next to a separator above, and 0 elsewhere.
+inline constexpr Index border_lane = 7;
+// Coordinates of unknowns are read in an irregular order, so those of the unknown that follows at
+// this distance are prefetched.
+constexpr Index prefetch_ahead = 16;
 
-// Numbers of four directions: compilers split wider vectors on the plain architecture.
+// The numbers of four directions. Compilers split wider vectors on the architecture without
+// extensions.
 typedef float Four __attribute__((vector_size(16), aligned(4), may_alias));
 typedef std::int32_t FourCounts __attribute__((vector_size(16)));
 inline constexpr Index halves = direction_lanes / 4;
 
-// By value: through references clang assumes that the vectors are aligned to 16 bytes.
+// Vectors are passed by value, because clang assumes for references that they are aligned to 16
+// bytes.
 inline Four four(const float* numbers, Index half) noexcept {
     return *reinterpret_cast<const Four*>(numbers + 4 * half);
 }
@@ -29,47 +34,50 @@ inline void set_four(float* numbers, Index half, Four to) noexcept {
     *reinterpret_cast<Four*>(numbers + 4 * half) = to;
 }
 
-// Coordinates of an unknown, and the largest distance to a neighbour, rounded up: an unknown
-// farther than that from a cut has no neighbour on the other side. Single precision suffices to
-// choose cuts. One line of the caches.
+// The coordinates of an unknown, and the largest distance to a neighbour in each direction, rounded
+// up. An unknown that is farther than that from a cut has no neighbour on the other side. Single
+// precision suffices to choose cuts. The struct fills one cache line.
 struct CutPosition {
     float at[direction_lanes], reach[direction_lanes];
 };
 
 struct CutCoordinates {
-    Span<CutPosition> of;  // [n]
-    Span<Index> queue;     // [n] working space of searches
-    Span<float> step;      // [n] working space of searches; no number below 0 is left between them
-    Span<float>
-        layer;  // [n] of each unknown, until keep_searches(), and the queue of the search for them
+    Span<CutPosition> position;  // [n]
+    Span<Index> queue;           // [n] This array is working space of searches.
+    Span<float> step;            // [n] Working space of searches, which leave no number below 0.
+    // [n] The layer of each unknown until keep_searches(), and the queue of the search for layers.
+    Span<float> layer;
     Span<Index> layer_queue;
 
     void lay_out(Arena& arena, Index max_unknowns) noexcept;
-    // Separate: these arrays may share memory with what is not used before keep_searches().
+    // These arrays are laid out apart, as they may share memory with arrays that are not used
+    // before keep_searches().
     void lay_out_layers(Arena& arena, Index max_unknowns) noexcept;
     // Computes the straight coordinates.
     void place(Graph const& graph, Points points, Executor const& executor) const noexcept;
-    // The searches for layers and across them may run at the same time, as they use different
-    // arrays. Both need keep_searches(), which makes coordinates of what they have found.
+    // The searches for layers and across layers may run at the same time, as they use different
+    // arrays. keep_searches() turns the results of both into coordinates.
     void find_layers(Graph const& graph) const noexcept;
-    // Steps from a piece of a separator, positive on the side where is_ahead(unknown), negative on
-    // the other: where the mesh runs round a body, the two meet on the far side of the body.
-    template <class IsPiece, class IsAhead>
-    void find_across(Graph const& graph, Index start, IsPiece is_piece,
+    // Counts steps from a connected run of a separator, positive on the side where
+    // is_ahead(unknown) is true, and negative on the other. If the mesh surrounds a body, the two
+    // sides meet on the far side of the body.
+    template <class IsOnRun, class IsAhead>
+    void find_across(Graph const& graph, Index start, IsOnRun is_on_run,
                      IsAhead is_ahead) const noexcept;
     void keep_searches(Graph const& graph, Executor const& executor) const noexcept;
-    // Levels of a part: steps from an unknown at one end of the part. Neighbours outside the part
-    // are done and not reached again. by_level [part]: out, the part by increasing level. (After N.
-    // E. Gibbs, W. G. Poole, P. K. Stockmeyer, SIAM J. Numer. Anal. 13 (1976) 236.)
-    void find_levels(Graph const& graph, Span<const Index> part,
+    // Finds the levels of a region: the steps from an unknown at one end of the region. Neighbours
+    // outside the region count as reached already. by_level [region] receives the region in the
+    // order of increasing levels. (After N. E. Gibbs, W. G. Poole, P. K. Stockmeyer, SIAM J. Numer.
+    // Anal. 13 (1976) 236.)
+    void find_levels(Graph const& graph, Span<const Index> region,
                      Span<Index> by_level) const noexcept;
 
 private:
     void find_reach(Graph const& graph, Index u) const noexcept;
 };
 
-template <class IsPiece, class IsAhead>
-void CutCoordinates::find_across(Graph const& graph, Index start, IsPiece is_piece,
+template <class IsOnRun, class IsAhead>
+void CutCoordinates::find_across(Graph const& graph, Index start, IsOnRun is_on_run,
                                  IsAhead is_ahead) const noexcept {
     Index filled = 0;
     auto const reach = [&](Index v, float steps) {
@@ -79,18 +87,18 @@ void CutCoordinates::find_across(Graph const& graph, Index start, IsPiece is_pie
     };
     reach(start, 1);
     for (Index read = 0; read < filled; ++read) {
-        for (Index const v : graph.of(queue[read])) {
-            if (is_piece(v)) reach(v, 1);
+        for (Index const v : graph.neighbours(queue[read])) {
+            if (is_on_run(v)) reach(v, 1);
         }
     }
-    Index const piece = filled;
-    for (Index read = 0; read < piece; ++read) {
-        for (Index const v : graph.of(queue[read])) reach(v, is_ahead(v) ? 2 : -1);
+    Index const run = filled;
+    for (Index read = 0; read < run; ++read) {
+        for (Index const v : graph.neighbours(queue[read])) reach(v, is_ahead(v) ? 2 : -1);
     }
     for (Index read = 0; read < filled; ++read) {
-        graph.expect(queue, read, filled);
+        graph.prefetch_neighbours(queue, read, filled);
         float const here = step[queue[read]], next = here + (here > 0 ? 1.0f : -1.0f);
-        for (Index const v : graph.of(queue[read])) reach(v, next);
+        for (Index const v : graph.neighbours(queue[read])) reach(v, next);
     }
 }
 

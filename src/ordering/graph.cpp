@@ -6,13 +6,13 @@ namespace harmorph {
 
 namespace {
 
-// visit(unknown or none, line, unknown or none, line) for every two lines of two points that share
-// a cell.
+// Calls visit(unknown or none, line, unknown or none, line) for every two lines of two points that
+// share a cell.
 template <Index components, class Visit>
 void for_each_two_lines(Topology const& topology, Span<const Index> unknown, Visit visit) noexcept {
     auto const visit_lines = [&](Index a, Index b) {
-        if (unknown[components * a] == unknown[components * b])
-            return;  // one point, or two that are known
+        // The two are one point, or both are known.
+        if (unknown[components * a] == unknown[components * b]) return;
         for (Index p = components * a; p < components * (a + 1); ++p) {
             for (Index q = components * b; q < components * (b + 1); ++q)
                 visit(unknown[p], p, unknown[q], q);
@@ -55,9 +55,10 @@ void Graph::connect(Topology const& topology, Span<const PointKind> kinds) noexc
     n = 0;
     for (Index k = 0; k < mesh.n_points; ++k) {
         for (Index c = 0; c < n_components; ++c) {
-            bool const is = is_unknown(kinds[k]) && (c == 0 || kinds[k] != PointKind::slip);
-            unknown[n_components * k + c] = is ? n : none;
-            if (is) line[n++] = n_components * k + c;
+            bool const has_unknown =
+                is_unknown(kinds[k]) && (c == 0 || kinds[k] != PointKind::slip);
+            unknown[n_components * k + c] = has_unknown ? n : none;
+            if (has_unknown) line[n++] = n_components * k + c;
         }
     }
     for (Index k = 0; k < mesh.n_points; ++k) {
@@ -69,7 +70,7 @@ void Graph::connect(Topology const& topology, Span<const PointKind> kinds) noexc
     fill(starts, Offset{0});
     fill(beside_curve, std::uint8_t{0});
     couplings = fixed = 0;
-    Size known_begin = neighbour.size();  // two places are there for every pair
+    Size known_begin = neighbour.size();  // Every pair has two places.
     auto const couple = [&](Index u, Index wall_line) {
         Index const point = representative[wall_line / n_components];
         Index const other = n_components * point + wall_line % n_components;
@@ -116,7 +117,7 @@ Index Graph::first_floating(Topology const& topology, Span<const PointKind> kind
         reach_lines(b, a);
     });
     for (Index read = 0; read < filled; ++read) {
-        for (Index const v : of(queue[read])) reach(v);
+        for (Index const v : neighbours(queue[read])) reach(v);
     }
     for (Index u = 0; u < n; ++u) {
         if (reached[u] == 0) return point(u);

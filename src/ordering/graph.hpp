@@ -1,7 +1,8 @@
-// The unknowns and which of them share a cell: the pattern of the matrix, and what the dissection
-// cuts. A point has one unknown (a real or a complex number), or, where movements along x and y are
-// coupled by slip lines, two: lines 2 * point and 2 * point + 1 of function values. One that slips
-// has only the first, along its tangent.
+// The unknowns, and which of them share a cell: this is the pattern of the matrix, and the graph
+// that the dissection cuts. A point has one unknown (a real or a complex number), or two if slip
+// lines couple movements along x and y: these are the lines 2 * point and 2 * point + 1 of function
+// values. A point that slips has only the first, along the tangent.
+// tests/boundary/test_conditions.cpp covers this file.
 #pragma once
 
 #include "boundary/conditions.hpp"
@@ -9,8 +10,8 @@
 
 namespace harmorph {
 
-// Two points of one cell: an edge, or the diagonal of a quad. visit(a, b) for each edge once and
-// for each cell's diagonals. A periodic pair may show the same two points twice.
+// Calls visit(a, b) for two points of one cell, once for each edge and for each diagonal of a quad.
+// A periodic pair may show the same two points twice.
 template <class Visit>
 void for_each_pair(Topology const& topology, Visit visit) noexcept {
     Span<const Index> const representative = topology.representative;
@@ -24,41 +25,45 @@ void for_each_pair(Topology const& topology, Visit visit) noexcept {
 }
 
 struct Graph {
-    Index n = 0;           // unknowns
-    Index components = 1;  // lines of a point
-    Index couplings = 0;   // pairs of an unknown and a line of a point on the wall
-    Index fixed = 0;       // pairs of an unknown and a line whose value is 0
-    Span<Index> line;      // [n] of each unknown, increasing
-    Span<Index>
-        unknown;  // [components * n_points] unknown of each line, or none; of joined points too
+    Index n = 0;           // The number of unknowns.
+    Index components = 1;  // The number of lines of a point.
+    Index couplings = 0;   // The number of pairs of an unknown and a line of a point on the wall.
+    Index fixed = 0;       // The number of pairs of an unknown and a line whose value is 0.
+    Span<Index> line;      // [n] The line of each unknown, increasing.
+    // [components * n_points] The unknown of each line, or none. Joined points have the same
+    // unknowns.
+    Span<Index> unknown;
     Span<Offset> start;  // [n + 1]
-    Span<Index>
-        neighbour;  // both directions; at the array's end couplings and fixed pairs: unknown, line
-    Span<std::uint8_t> beside_curve;  // [n] 1: shares a cell with a point on the wall
+    // The neighbours of each unknown. The end of the array has the couplings and the fixed pairs,
+    // each as unknown and line.
+    Span<Index> neighbour;
+    // [n] The value is 1 if the unknown shares a cell with a point on the wall.
+    Span<std::uint8_t> beside_curve;
 
     Index point(Index u) const noexcept { return components == 1 ? line[u] : line[u] / components; }
 
     void lay_out(Arena& arena, Mesh const& mesh, Index n_components) noexcept;
     void build(Topology const& topology, Span<const PointKind> kinds) noexcept;
-    // First mesh point of a part that is next to no known value, where constants would be solutions
-    // too; or none. Only free boundaries leave such parts. queue, reached [n]: working space.
+    // Returns the first mesh point of a connected region that is next to no known value, in which
+    // constants would be solutions too; or none. Only free boundaries leave such regions. queue and
+    // reached [n] are working space.
     Index first_floating(Topology const& topology, Span<const PointKind> kinds, Span<Index> queue,
                          Span<std::uint8_t> reached) const noexcept;
-    // visit(unknown, line) for every coupling and every fixed pair.
+    // Calls visit(unknown, line) for every coupling and every fixed pair.
     template <class Visit>
     void for_each_known(Visit visit) const noexcept {
         Size const n_known = static_cast<Size>(Offset{couplings} + fixed);
         Span<const Index> const pairs = neighbour.from(neighbour.size() - 2 * n_known, 2 * n_known);
         for (Size k = 0; k < n_known; ++k) visit(pairs[2 * k], pairs[2 * k + 1]);
     }
-    Span<const Index> of(Index u) const noexcept {
+    Span<const Index> neighbours(Index u) const noexcept {
         return neighbour.from(start[u], start[u + 1] - start[u]);
     }
-    // Searches wait mostly for memory: prefetches the neighbours of the unknowns that come next in
-    // a queue. Inlined, because gcc removes calls of functions that only prefetch, as if they had
-    // no effect.
-    __attribute__((always_inline)) void expect(Span<const Index> queue, Index read,
-                                               Index filled) const noexcept {
+    // Prefetches the neighbours of the unknowns that come next in a queue, because searches wait
+    // mostly for memory. The function is inlined, because gcc removes calls of functions that only
+    // prefetch, as if they had no effect.
+    __attribute__((always_inline)) void prefetch_neighbours(Span<const Index> queue, Index read,
+                                                            Index filled) const noexcept {
         constexpr Index ahead = 8;
         if (read + 2 * ahead < filled) __builtin_prefetch(&start[queue[read + 2 * ahead]]);
         if (read + ahead < filled) __builtin_prefetch(&neighbour[start[queue[read + ahead]]]);

@@ -7,9 +7,9 @@
 namespace harmorph {
 namespace {
 
-// The top of the tree: level by level until there is a part for every thread; then a task takes one
-// part after the other, and whoever cuts a part makes both halves ready. The tree is the same for
-// any number of levels.
+// The top of the tree. Regions are cut level by level until there is a region for every thread.
+// Then each task takes one region after the other; a task that cuts a region makes both sides ready
+// for all tasks. The tree is the same for any number of levels.
 class TreeTop {
 public:
     TreeTop(Dissector const& dissector, Executor const& executor, AssemblyTree& tree) noexcept
@@ -17,83 +17,86 @@ public:
 
     void dissect(Index n) noexcept {
         Index const threads = executor_.is_serial() ? 1 : executor_.n_threads;
-        while (threads > 1 && levels_ < most_levels && (1 << levels_) < 8 * threads) ++levels_;
-        part_[1] = {0, n};
+        while (threads > 1 && levels_ < max_levels && (1 << levels_) < 8 * threads) ++levels_;
+        regions_[1] = {0, n};
         Index level = 0;
         for (; level < levels_ && (1 << level) < threads; ++level) {
             executor_.for_each(1 << level, [&](Index i) { divide((1 << level) + i); });
         }
         for (Index h = 1; h < (2 << level); ++h) {
-            if (!part_[h].is_cut) ready_.add(h);
+            if (!regions_[h].is_cut) ready_.add(h);
         }
         executor_.for_each(sharing(threads), [&](Index) {
-            for (Index h = ready_.take(); h != none; h = ready_.take()) go_on(h);
+            for (Index h = ready_.take(); h != none; h = ready_.take()) advance(h);
         });
         tree_.count = 0;
         join(1);
     }
 
 private:
-    static constexpr Index most_levels = 6;
+    static constexpr Index max_levels = 6;
 
-    struct Part {
+    struct Region {
         Index begin = 0, end = 0;
         bool is_cut = false;
-        // Of a part h that is cut: where the separator begins; parts 2 h and 2 h + 1 come before.
+        // If a region h is cut, the separator begins here, and the regions 2 h and 2 h + 1 come
+        // before it.
         Index pivots = 0;
-        Index n_nodes = 0;  // of a part that is not cut
-        // No part of at least Dissector::smallest_child unknowns has more nodes than half of them.
+        Index n_nodes = 0;  // The number of nodes of a region that is not cut.
+        // A region of at least Dissector::smallest_child unknowns has at most half as many nodes as
+        // unknowns.
         Index first_node() const noexcept { return (begin + 1) / 2; }
     };
 
     void divide(Index h) noexcept {
-        Part& part = part_[h];
-        if (part.end - part.begin <= Dissector::leaf_size) return;
-        DividedRange const division = dissector_.divide(part.begin, part.end);
-        part.is_cut = true;
-        part.pivots = division.pivots;
-        part_[2 * h] = {part.begin, division.middle};
-        part_[2 * h + 1] = {division.middle, division.pivots};
+        Region& region = regions_[h];
+        if (region.end - region.begin <= Dissector::leaf_size) return;
+        DividedRange const division = dissector_.divide(region.begin, region.end);
+        region.is_cut = true;
+        region.pivots = division.pivots;
+        regions_[2 * h] = {region.begin, division.middle};
+        regions_[2 * h + 1] = {division.middle, division.pivots};
     }
 
-    void go_on(Index h) noexcept {
+    void advance(Index h) noexcept {
         if (h < (1 << levels_)) divide(h);
-        if (!part_[h].is_cut) return plant(part_[h]);
+        if (!regions_[h].is_cut) return dissect_uncut(regions_[h]);
         ready_.add(2 * h);
         ready_.add(2 * h + 1);
     }
 
-    void plant(Part& part) const noexcept {
-        if (part.begin == part.end) return;
+    void dissect_uncut(Region& region) const noexcept {
+        if (region.begin == region.end) return;
         AssemblyTree own;
-        own.nodes = tree_.nodes.from(part.first_node(), tree_.nodes.count() - part.first_node());
-        dissector_.dissect(part.begin, part.end, own);
-        part.n_nodes = own.count;
+        own.nodes =
+            tree_.nodes.from(region.first_node(), tree_.nodes.count() - region.first_node());
+        dissector_.dissect(region.begin, region.end, own);
+        region.n_nodes = own.count;
     }
 
-    // Moves the nodes of all parts together, children before parents. Returns the root.
+    // Moves the nodes of all regions together, children before parents. Returns the root.
     Index join(Index h) noexcept {
-        Part const& part = part_[h];
-        if (part.is_cut) {
+        Region const& region = regions_[h];
+        if (region.is_cut) {
             Index const first = join(2 * h), second = join(2 * h + 1);
-            return tree_.add(part.pivots, part.end, first, second);
+            return tree_.add(region.pivots, region.end, first, second);
         }
         Index const shift = tree_.count;
-        for (Index k = 0; k < part.n_nodes; ++k) {
-            AssemblyTree::Node node = tree_.nodes[part.first_node() + k];
+        for (Index k = 0; k < region.n_nodes; ++k) {
+            AssemblyTree::Node node = tree_.nodes[region.first_node() + k];
             Index* const relatives[] = {&node.parent, &node.child, &node.sibling};
             for (Index* const other : relatives) *other += *other != none ? shift : 0;
             tree_.nodes[tree_.count++] = node;
         }
-        return part.n_nodes > 0 ? tree_.count - 1 : none;
+        return region.n_nodes > 0 ? tree_.count - 1 : none;
     }
 
     Dissector const& dissector_;
     Executor const& executor_;
     AssemblyTree& tree_;
-    Index levels_ = 0;  // parts of this level are not cut here
-    Part part_[2 << most_levels];
-    ReadyItems<(2 << most_levels)> ready_;
+    Index levels_ = 0;  // Regions of this level are not cut here.
+    Region regions_[2 << max_levels];
+    ReadyItems<(2 << max_levels)> ready_;
 };
 
 }  // namespace

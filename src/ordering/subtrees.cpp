@@ -34,7 +34,7 @@ private:
 
 void Subtrees::lay_out(Arena& arena, Index n_workers) noexcept {
     workers = n_workers;
-    arena.take(all, most(workers));
+    arena.take(all, max_count(workers));
 }
 
 Index Subtrees::find(Index node) const noexcept {
@@ -67,18 +67,18 @@ void Subtrees::choose(AssemblyTree const& tree, Span<const Offset> border_start)
     for (Index node = 0; node < tree.count; ++node) {
         bool const is_leaf = tree.nodes[node].child == none, is_root = find(node) != none;
         if (!is_leaf && !is_root) continue;
-        Offset inside = 0, above = 0,
-               rows = 0;  // along the path upwards, in a subtree and above it
+        // The sums along the path to the root: `inside` a subtree, `above` it, and `rows` in both.
+        Offset inside = 0, above = 0, rows = 0;
         bool in_subtree = !is_root && count > 0;
         for (Index up = node; up != none; up = tree.nodes[up].parent) {
             rows += costs.front(up);
             if (in_subtree && find(up) != none) {
-                in_subtree = false;  // the root's own matrix is kept elsewhere
+                in_subtree = false;  // The update matrix of the subtree's root is kept elsewhere.
             } else if (up != node || !is_root) {
                 (in_subtree ? inside : above) += update_of(up);
             }
         }
-        // A leaf with no root of a subtree on the path upwards is itself above all subtrees.
+        // A leaf with no root of a subtree on the path to the root lies itself above all subtrees.
         if (in_subtree) {
             above = inside;
             inside = 0;
@@ -89,7 +89,8 @@ void Subtrees::choose(AssemblyTree const& tree, Span<const Offset> border_start)
     }
 }
 
-// Replaces the subtree with the most work by the subtrees of the children, until there are enough.
+// Replaces the subtree with the most work by the subtrees of the children, until there are enough
+// subtrees.
 void Subtrees::split(AssemblyTree const& tree, Span<const Offset> border_start) noexcept {
     Costs const costs(tree, border_start);
     for (Index node = 0; node < tree.count && count < all.count(); ++node) {
@@ -114,13 +115,13 @@ void Subtrees::split(AssemblyTree const& tree, Span<const Offset> border_start) 
     }
 }
 
-// List scheduling: the largest first, each to the worker that is free next (R. L. Graham's LPT
-// rule).
+// List scheduling: the largest subtree comes first, and each goes to the worker that is free next
+// (R. L. Graham's LPT rule).
 void Subtrees::sort_by_work() noexcept {
     Span<Subtree> const chosen = all.first(count);
     sort(chosen, [](Subtree const& a, Subtree const& b) { return a.root < b.root; });
     for (Index k = 0; k < count; ++k) {
-        Index more = 0;  // subtrees that come before this one
+        Index more = 0;  // The number of subtrees that come before this one.
         for (Index i = 0; i < count; ++i) {
             bool const equal = chosen[i].work == chosen[k].work;
             more += chosen[i].work > chosen[k].work || (equal && i < k) ? 1 : 0;

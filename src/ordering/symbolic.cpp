@@ -5,15 +5,16 @@
 namespace harmorph {
 namespace {
 
-// Borders that hold a position of a subtree belong to nodes of the same subtree, so subtrees can be
-// walked at the same time.
+// All borders that contain a position of a subtree belong to nodes of the same subtree, so subtrees
+// can be walked at the same time.
 SubtreeRanges ranges_for(Executor const& executor, AssemblyTree const& tree, Index n) noexcept {
     SubtreeRanges ranges;
     if (!executor.is_serial()) ranges.choose(tree, n / (8 * executor.n_threads));
     return ranges;
 }
 
-// visit(range) for the subtrees by the executor's threads, then for the rest by the calling one.
+// Calls visit(range) for the subtrees on the executor's threads, then for the rest on the calling
+// thread.
 template <class Visit>
 void for_each_range(SubtreeRanges const& ranges, Index n, Executor const& executor,
                     Visit const& visit) noexcept {
@@ -21,8 +22,8 @@ void for_each_range(SubtreeRanges const& ranges, Index n, Executor const& execut
     ranges.for_each_between(n, visit);
 }
 
-// visit(position, node) for every position of nodes that have children: the positions of the others
-// are in no border.
+// Calls visit(position, node) for every position of nodes that have children; the positions of the
+// other nodes are in no border.
 template <class Visit>
 void for_each_above_leaves(AssemblyTree const& tree, Index first, PositionRange range,
                            Visit visit) noexcept {
@@ -33,18 +34,18 @@ void for_each_above_leaves(AssemblyTree const& tree, Index first, PositionRange 
     }
 }
 
-// visit(node, position) for every node whose border holds the position: the nodes on the tree's
-// paths from the position's earlier neighbours up to its own node (J. W. H. Liu's row subtrees, ACM
-// Trans. Math. Softw. 12 (1986) 127), and then visit(none, position). To each node positions come
-// in increasing order, so each border is filled in order.
+// Calls visit(node, position) for every node whose border contains the position, and then
+// visit(none, position). These are the nodes on the tree's paths from the position's earlier
+// neighbours up to the position's own node (J. W. H. Liu's row subtrees, ACM Trans. Math. Softw. 12
+// (1986) 127). Each node sees positions in increasing order, so each border is filled in order.
 template <class Visit>
 void walk(Graph const& graph, Span<const Index> order, AssemblyTree const& tree,
           BorderWork const& work, PositionRange range, Visit visit) noexcept {
     Span<const Index> const node_of = work.node;
     Span<BorderWork::Step> const step = work.step;
     for_each_above_leaves(tree, node_of[order[range.begin]], range, [&](Index position, Index own) {
-        graph.expect(order, position, range.end);
-        for (Index const neighbour : graph.of(order[position])) {
+        graph.prefetch_neighbours(order, position, range.end);
+        for (Index const neighbour : graph.neighbours(order[position])) {
             for (Index node = node_of[neighbour]; node < own && step[node].seen != position;
                  node = step[node].parent) {
                 step[node].seen = position;
@@ -59,13 +60,13 @@ void restart(AssemblyTree const& tree, BorderWork const& work) noexcept {
     for (Index t = 0; t < tree.count; ++t) work.step[t] = {tree.nodes[t].parent, none, 0};
 }
 
-// The nodes that a walk through a range passes, in BorderWork::passed from the range's part of the
-// array on. The first entry tells whether all nodes had room.
+// The nodes that a walk through a range passes, stored in the range's section of
+// BorderWork::passed. The first entry tells whether all nodes had room.
 class Track {
 public:
     Track(BorderWork const& work, PositionRange range) noexcept
-        : numbers_(work.passed.data() + Offset{BorderWork::remembered} * range.begin),
-          room_(Offset{BorderWork::remembered} * (range.end - range.begin)) {}
+        : numbers_(work.passed.data() + Offset{BorderWork::passed_per_position} * range.begin),
+          room_(Offset{BorderWork::passed_per_position} * (range.end - range.begin)) {}
 
     void add(Index node) noexcept {
         if (next_ < room_) numbers_[next_] = node;
@@ -76,7 +77,7 @@ public:
     Index next() noexcept { return numbers_[next_++]; }
 
 private:
-    Index* const numbers_;  // the first tells whether the others are all there
+    Index* const numbers_;  // The first number tells whether the others are complete.
     Offset const room_;
     Offset next_ = 1;
 };
@@ -90,7 +91,7 @@ void BorderWork::lay_out(Arena& arena, Index max_unknowns) noexcept {
 }
 
 void BorderWork::lay_out_passed(Arena& arena, Index max_unknowns) noexcept {
-    arena.take(passed, Offset{remembered} * max_unknowns);
+    arena.take(passed, Offset{passed_per_position} * max_unknowns);
 }
 
 FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTree const& tree,
@@ -121,7 +122,7 @@ FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTr
         border_start[t] = sizes.border_entries;
         sizes.border_entries += border;
         sizes.factor_entries += dense::panel_entries(pivots, border);
-        sizes.most_sums = max(sizes.most_sums, dense::sum_entries(pivots, border));
+        sizes.max_sums = max(sizes.max_sums, dense::sum_entries(pivots, border));
     }
     border_start[tree.count] = sizes.border_entries;
     return sizes;

@@ -8,15 +8,15 @@ void BorderCover::lay_out(Arena& arena, Index max_unknowns) noexcept {
     arena.take(from, max_unknowns);
 }
 
-// Matches one more left unknown, by exchanging the partners along a path to a free right one. Where
-// there is none, all that the search came to is out of question for later ones. Returns how many
-// unknowns it came to.
+// Matches one more left unknown by exchanging the partners along a path to a free right unknown. If
+// there is no such path, later searches need not visit the unknowns that this search visited.
+// Returns how many unknowns the search visited.
 Offset BorderCover::search(Graph const& graph, Index root, Span<Index> queue) const noexcept {
     Index filled = 0;
     queue[filled++] = root;
     for (Index read = 0; read < filled; ++read) {
         Index const u = queue[read];
-        for (Index const v : graph.of(u)) {
+        for (Index const v : graph.neighbours(u)) {
             if (side[v] != Side::right) continue;
             side[v] = Side::reached;
             from[v] = u;
@@ -40,17 +40,17 @@ Offset BorderCover::search(Graph const& graph, Index root, Span<Index> queue) co
 
 void BorderCover::find(Graph const& graph, Span<const Index> near,
                        Span<Index> queue) const noexcept {
-    constexpr Offset searches_each =
-        16;  // as many as a near unknown may cost; hardly any costs more than one
+    // Searches may visit so many unknowns on average for each near unknown; nearly all visit one.
+    constexpr Offset visits_each = 16;
     for (Index const u : near) mate[u] = none;
-    Offset left_over = searches_each * near.count();
+    Offset visits_left = visits_each * near.count();
     for (Index const u : near) {
         if (side[u] != Side::left) continue;
-        if (left_over > 0) {
-            left_over -= search(graph, u, queue);
+        if (visits_left > 0) {
+            visits_left -= search(graph, u, queue);
             continue;
         }
-        for (Index const v : graph.of(u)) {
+        for (Index const v : graph.neighbours(u)) {
             if (side[v] == Side::right) mate[u] = v;
         }
     }

@@ -6,7 +6,7 @@
 namespace harmorph {
 namespace {
 
-// The cells that the part's own arrays hold.
+// Returns the mesh with the cells that the part's own arrays hold.
 Mesh with_cells(Mesh mesh, Index n_own, const Index* cell_start,
                 const Index* cell_points) noexcept {
     if (mesh.layout != CellLayout::polygons) mesh.layout = CellLayout::quads;
@@ -16,7 +16,7 @@ Mesh with_cells(Mesh mesh, Index n_own, const Index* cell_start,
     return mesh;
 }
 
-// Points of a piece or guard the other way round.
+// Reverses the order of the points of a piece or guard.
 void turn(Index* points) noexcept {
     bool const is_triangle = points[2] == points[3];
     Index const a = points[0], b = points[1], c = points[2], d = points[3];
@@ -48,7 +48,7 @@ void Part::lay_out(Arena& arena, PartMesh const& mesh) noexcept {
     arena.take(cell_start, polygons ? n_own + Offset{1} : 0);
     arena.take(cell_points, polygons ? mesh.n_own_corners() : Offset{4} * n_own);
     arena.take(given_cell, n_own < mesh.mesh.n_cells ? n_own : 0);
-    // Of polygons the ghost cells are counted, too: a bound.
+    // For polygons the ghost cells are counted, too, so that the sizes are upper bounds.
     Mesh const counts = polygons ? division.lay_out(arena, mesh.mesh)
                                  : with_cells(mesh.mesh, n_own, nullptr, nullptr);
     arena.take(topology.reversed, counts.n_checked());
@@ -82,7 +82,7 @@ Status Part::sort_numbers(Fault& fault) noexcept {
     for (Index k = 0; k < n; ++k) {
         if (number(k) < 0 || number(k) > largest_number) {
             return fault.refuse(Status::bad_mesh,
-                                "the global number of point # is ~, not between 0 and 2^61",
+                                "the global number of point # is ~, but it must be from 0 to 2^61",
                                 point_item(k), {}, static_cast<Real>(number(k)));
         }
         by_number[k] = k;
@@ -91,7 +91,7 @@ Status Part::sort_numbers(Fault& fault) noexcept {
     if (!in_order) sort(by_number, [&](Index a, Index b) { return number(a) < number(b); });
     for (Index k = 1; k < n; ++k) {
         if (number(by_number[k - 1]) != number(by_number[k])) continue;
-        return fault.refuse(Status::bad_mesh, "the points # and @ have the same global number ~",
+        return fault.refuse(Status::bad_mesh, "points # and @ have the same global number, ~",
                             point_item(by_number[k - 1]), point_item(by_number[k]),
                             static_cast<Real>(number(by_number[k])));
     }
@@ -100,12 +100,12 @@ Status Part::sort_numbers(Fault& fault) noexcept {
 
 void Part::note_points(const Index* points, Index n, bool ghost) noexcept {
     for (Index k = 0; k < n; ++k) {
-        std::uint8_t& its = in_cell[points[k]];
-        its = max<std::uint8_t>(its, ghost ? 1 : 2);
+        std::uint8_t& mark = in_cell[points[k]];
+        mark = max<std::uint8_t>(mark, ghost ? 1 : 2);
     }
 }
 
-// Own cells, turned counter-clockwise each by its own area.
+// Takes the own cells; each is turned counter-clockwise by its own area.
 Status Part::take_cells(Fault& fault) noexcept {
     Mesh const& mesh = given.mesh;
     Index n = 0;
@@ -116,8 +116,8 @@ Status Part::take_cells(Fault& fault) noexcept {
         if (cell_area(cell, mesh.points) < 0) cell.reverse();
         CellShape const shape(cell, mesh.points, false);
         if (!is_whole(shape, resolved_height(shape))) return true;
-        Index* const its = cell_points.data() + 4 * Offset{n};
-        for (Index k = 0; k < 4; ++k) its[k] = cell.point[k < cell.n ? k : 2] + mesh.index_base;
+        Index* const corner = cell_points.data() + 4 * Offset{n};
+        for (Index k = 0; k < 4; ++k) corner[k] = cell.point[k < cell.n ? k : 2] + mesh.index_base;
         if (!given_cell.empty()) given_cell[n] = i;
         ++n;
         return false;
@@ -126,19 +126,20 @@ Status Part::take_cells(Fault& fault) noexcept {
     return bad == none ? Status::ok : refuse_shape(bad, fault);
 }
 
-// Own polygons, divided as they are given, so that parts have the triangles of the whole mesh;
-// turned after that.
+// Takes the own polygons. They are divided in the orientation in which they are given, so that all
+// parts have the triangles of the whole mesh, and are turned counter-clockwise after that.
 Status Part::take_polygons(Fault& fault) noexcept {
     Mesh const& mesh = given.mesh;
     Index n = 0, filled = 0;
     for (Index i = 0; i < mesh.n_cells; ++i) {
-        const Index* const its = mesh.cell_points + (Offset{mesh.cell_start[i]} - mesh.index_base);
+        const Index* const corner =
+            mesh.cell_points + (Offset{mesh.cell_start[i]} - mesh.index_base);
         Index const corners = mesh.cell_start[i + 1] - mesh.cell_start[i];
         bool const ghost = given.is_ghost(i);
         for (Index k = 0; k < corners; ++k) {
-            Index const point = from_zero(its[k], mesh.index_base);
+            Index const point = from_zero(corner[k], mesh.index_base);
             note_points(&point, 1, ghost);
-            if (!ghost) cell_points[filled + k] = its[k];
+            if (!ghost) cell_points[filled + k] = corner[k];
         }
         if (ghost) continue;
         if (!given_cell.empty()) given_cell[n] = i;
@@ -153,24 +154,7 @@ Status Part::take_polygons(Fault& fault) noexcept {
     division.run(cells);
     topology.mesh = pieces.mesh(cells);
     topology.reversed = topology.reversed.first(topology.mesh.n_checked());
-    for (Index i = 0; i < n; ++i) {
-        Index* const its = cell_points.data() + (cell_start[i] - mesh.index_base);
-        Index const corners = cell_start[i + 1] - cell_start[i];
-        Real area = 0;
-        for (Index piece = pieces.start[i]; piece < pieces.start[i + 1]; ++piece) {
-            area += cell_area(topology.mesh.cell(piece), mesh.points);
-        }
-        if (!(area < 0)) continue;
-        for (Index k = 0; 2 * k + 1 < corners; ++k) {
-            Index const other = its[corners - 1 - k];
-            its[corners - 1 - k] = its[k];
-            its[k] = other;
-        }
-        for (Index k = pieces.start[i]; k < pieces.start[i + 1]; ++k)
-            turn(pieces.point.data() + 4 * Offset{k});
-        for (Index k = pieces.guard_start[i]; k < pieces.guard_start[i + 1]; ++k)
-            turn(pieces.point.data() + 4 * Offset{k});
-    }
+    for (Index i = 0; i < n; ++i) orient_polygon(i);
     for (Index k = 0; k < topology.mesh.n_checked(); ++k) {
         Real const resolved = resolved_height(CellShape(topology.cell(k), mesh.points, false));
         if (is_whole(shape_of(topology, k, mesh.points), resolved)) continue;
@@ -180,7 +164,29 @@ Status Part::take_polygons(Fault& fault) noexcept {
     return Status::ok;
 }
 
-// Neither inverted nor too thin for the digits of its coordinates.
+// Turns polygon i, with its pieces and guards, counter-clockwise.
+void Part::orient_polygon(Index i) noexcept {
+    Mesh const& mesh = given.mesh;
+    Pieces& pieces = division.pieces;
+    Index* const corner = cell_points.data() + (cell_start[i] - mesh.index_base);
+    Index const corners = cell_start[i + 1] - cell_start[i];
+    Real area = 0;
+    for (Index piece = pieces.start[i]; piece < pieces.start[i + 1]; ++piece) {
+        area += cell_area(topology.mesh.cell(piece), mesh.points);
+    }
+    if (!(area < 0)) return;
+    for (Index k = 0; 2 * k + 1 < corners; ++k) {
+        Index const other = corner[corners - 1 - k];
+        corner[corners - 1 - k] = corner[k];
+        corner[k] = other;
+    }
+    for (Index k = pieces.start[i]; k < pieces.start[i + 1]; ++k)
+        turn(pieces.point.data() + 4 * Offset{k});
+    for (Index k = pieces.guard_start[i]; k < pieces.guard_start[i + 1]; ++k)
+        turn(pieces.point.data() + 4 * Offset{k});
+}
+
+// Tells whether the cell is neither inverted nor too thin for the digits of its coordinates.
 bool Part::is_whole(CellShape const& shape, Real resolved) noexcept {
     CellCorners const corners(shape);
     inverted_ = !(corners.smallest() > 0);
@@ -191,13 +197,13 @@ bool Part::is_whole(CellShape const& shape, Real resolved) noexcept {
 Status Part::refuse_shape(Index cell, Fault& fault) const noexcept {
     return fault.refuse(
         Status::bad_mesh,
-        inverted_ ? "cell # is inverted or empty: its smallest corner area is ~"
-                  : "cell # has a height of ~, too small for the digits of its coordinates",
+        inverted_ ? "cell # is inverted or has no area: the smallest area at its corners is ~"
+                  : "cell # is too thin: its height is ~, which its coordinates do not resolve",
         cell_item(cell), {}, height_);
 }
 
-// Cells that are all counter-clockwise run along a common edge in opposite directions, unless they
-// overlap.
+// Checks that cells do not overlap: cells that are all counter-clockwise run along a common edge in
+// opposite directions, unless they overlap.
 Status Part::check_overlap(Fault& fault) const noexcept {
     Edges const& edges = topology.edges;
     if (edges.agree) return Status::ok;

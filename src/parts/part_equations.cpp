@@ -1,7 +1,7 @@
 #include "parts/part_equations.hpp"
 
 #include "operators/assembly.hpp"
-#include "operators/frames.hpp"
+#include "operators/dof_directions.hpp"
 #include "operators/right_hand_sides.hpp"
 
 namespace harmorph {
@@ -11,42 +11,43 @@ constexpr Index residual_columns = 1;
 
 }  // namespace
 
-void PartEquations::lay_out(Arena& arena, Part const& of, PartProblem const& asked, Index n_edges,
-                            Index n_curves, Index n_conditions, Index n_control) noexcept {
-    part = of;
+void PartEquations::lay_out(Arena& arena, Part const& own_part, PartProblem const& asked,
+                            Index n_edges, Index n_curves, Index n_conditions,
+                            Index n_control) noexcept {
+    part = own_part;
     problem = asked;
-    Mesh const& own = of.own();
+    Mesh const& own = own_part.own();
     Index const n_points = own.n_points, n_shared = 2 * n_edges,
                 components = asked.method.components(asked.demands);
-    Index const most_wall = min(n_points, n_shared), most_unknowns = components * n_points;
+    Index const max_wall = min(n_points, n_shared), max_unknowns = components * n_points;
     Index const squared = components * components;
-    Matrix::Sizes most;
-    most.entries = of.pairs * squared;
-    most.couplings = most.fixed = static_cast<Index>(of.border_pairs * squared);
-    most.kind = matrix_kind(asked.method, asked.demands);
+    Matrix::Sizes max_sizes;
+    max_sizes.entries = own_part.pairs * squared;
+    max_sizes.couplings = max_sizes.fixed = static_cast<Index>(own_part.border_pairs * squared);
+    max_sizes.kind = matrix_kind(asked.method, asked.demands);
 
     shared.lay_out(arena, n_edges, asked, n_curves, n_conditions);
     arena.take(topology.representative, n_points);
     arena.take(no_loops.loop_start, 1);
     arena.take(kinds, n_points);
     arena.take(tangent, components == 2 ? n_points : 0);
-    arena.take(wall.point, most_wall);
-    arena.take(wall.curve, most_wall);
-    arena.take(wall.u, most_wall);
-    arena.take(wall.offset, most_wall);
+    arena.take(wall.point, max_wall);
+    arena.take(wall.curve, max_wall);
+    arena.take(wall.u, max_wall);
+    arena.take(wall.offset, max_wall);
     arena.take(slot, n_points);
     arena.take(local, n_shared);
     faces.lay_out(arena, static_cast<Size>(n_edges));
     arena.take(conductivity, conductivities_of(asked.method, own.n_cells));
-    arena.take(name, most_unknowns);
-    arena.take(is_own, most_unknowns);
-    arena.take(dof_of, most_unknowns);
-    matrix.lay_out(arena, n_points, most_unknowns, most_wall, most);
+    arena.take(unknown_number, max_unknowns);
+    arena.take(is_own, max_unknowns);
+    arena.take(dof_of, max_unknowns);
+    matrix.lay_out(arena, n_points, max_unknowns, max_wall, max_sizes);
     Size const mark = arena.mark();
     graph.lay_out(arena, own, components);
-    arena.take(order, most_unknowns);
+    arena.take(order, max_unknowns);
     arena.release(mark);
-    residual.lay_out(arena, most_unknowns, most.couplings, most.kind, residual_columns);
+    residual.lay_out(arena, max_unknowns, max_sizes.couplings, max_sizes.kind, residual_columns);
     Offset const values = numbers_of(asked.method.value_kind(asked.demands));
     arena.take(rows_in_work,
                RowsToBlocks::work_numbers(values * (n_control + 2 * asked.demands.bodies)));
@@ -70,19 +71,19 @@ Status PartEquations::run(Span<const OpenEdge> edges, Fault& fault) noexcept {
     return fault.status;
 }
 
-// Kinds of the part's points, and which of them have a common unknown.
+// Finds the kinds of the part's points, and which of them have a common unknown.
 void PartEquations::join_points() noexcept {
     local = local.first(shared.n_points);
     fill(local, none);
     for (Index point = 0; point < part.own().n_points; ++point) {
-        Index const at = shared.find(part.number(point));
+        Index const on_boundary = shared.find(part.number(point));
         topology.representative[point] = point;
-        if (at == none) {
+        if (on_boundary == none) {
             kinds[point] = part.in_cell[point] != 0 ? PointKind::inside : PointKind::unused;
             if (!tangent.empty()) tangent[point] = {1, 0};
             continue;
         }
-        Index const same = shared.topology.representative[at];
+        Index const same = shared.topology.representative[on_boundary];
         bool const is_first = local[same] == none;
         if (is_first) local[same] = point;
         topology.representative[point] = local[same];
@@ -91,7 +92,7 @@ void PartEquations::join_points() noexcept {
     }
 }
 
-// The slots of the shared boundary whose points the part has, in the order of the boundary.
+// Takes the slots of the shared boundary whose points the part has, in the order of the boundary.
 void PartEquations::find_wall() noexcept {
     fill(slot, none);
     wall.count = 0;
@@ -114,16 +115,17 @@ void PartEquations::find_unknowns() noexcept {
         n, wall.count,
         Matrix::count(graph, matrix_kind(problem.method, problem.demands), shared.periodicity));
     matrix.build(topology.representative, graph, order, order, slot, tangent, shared.periodicity);
-    name = name.first(n);
+    unknown_number = unknown_number.first(n);
     is_own = is_own.first(n);
     dof_of = dof_of.first(n);
     for (Index k = 0; k < n; ++k) {
         Index const dof = graph.line[k], point = dof / components,
-                    at = shared.find(part.number(point));
-        Offset const number =
-            at == none ? part.number(point) : shared.number[shared.topology.representative[at]];
+                    on_boundary = shared.find(part.number(point));
+        Offset const number = on_boundary == none
+                                  ? part.number(point)
+                                  : shared.number[shared.topology.representative[on_boundary]];
         dof_of[k] = dof;
-        name[k] = components * number + dof % components;
+        unknown_number[k] = components * number + dof % components;
         is_own[k] = 0;
     }
     for (Index point = 0; point < part.own().n_points; ++point) {
@@ -135,7 +137,7 @@ void PartEquations::find_unknowns() noexcept {
     }
 }
 
-// Part has looked at the cells.
+// The result of the assembly is not checked, as Part has checked the cells.
 void PartEquations::assemble() noexcept {
     faces.kernel = problem.method.kernel;
     faces.translations = shared.periodicity.translations;
@@ -158,7 +160,7 @@ BasisSource PartEquations::basis_source() const noexcept {
             &part.division.pieces};
 }
 
-bool PartEquations::made(Basis const& rows) const noexcept {
+bool PartEquations::matches(Basis const& rows) const noexcept {
     BasisHeader const& header = *rows.header;
     BasisCounts const counts = basis_source().counts();
     return std::memcmp(&header.counts, &counts, sizeof counts) == 0 &&
@@ -188,7 +190,7 @@ void PartEquations::find_residual(DofValues const& values, Index column,
 }
 
 void PartEquations::finish(DofValues const& values) const noexcept {
-    Frames(matrix).turn_slipping(values, part.own().n_points);
+    DofDirections(matrix).turn_slipping(values, part.own().n_points);
     for (Index point = 0; point < part.own().n_points; ++point)
         values.copy_row(topology.representative[point], point);
 }

@@ -16,11 +16,11 @@ bool same_place(Vec2 a, Vec2 b) noexcept { return a.x == b.x && a.y == b.y; }
 
 Status refuse_position(Offset number, Fault& fault) noexcept {
     return fault.refuse(Status::bad_mesh,
-                        "point # (global number) has different coordinates in two parts",
+                        "the point with global number # has different coordinates in two parts",
                         global_point_item(number));
 }
 
-// Two edges with the same ends.
+// Checks two edges with the same ends.
 Status check_pair(OpenEdge const& a, OpenEdge const& b, Fault& fault) noexcept {
     bool const opposite = a.begin == b.end;
     Vec2 const begin = opposite ? b.at_end : b.at_begin, end = opposite ? b.at_begin : b.at_end;
@@ -28,11 +28,12 @@ Status check_pair(OpenEdge const& a, OpenEdge const& b, Fault& fault) noexcept {
     if (!same_place(a.at_end, end)) return refuse_position(a.end, fault);
     const char* wrong = nullptr;
     if (!opposite) {
-        wrong = "cells of two parts overlap at the edge between points # and @ (global numbers)";
+        wrong =
+            "cells of two parts overlap at the edge between the points with global numbers # and @";
     } else if (a.marked != 0 || b.marked != 0) {
         wrong =
-            "the edge between points # and @ (global numbers) is marked, but two parts have cells "
-            "there";
+            "the edge between the points with global numbers # and @ has a marker, but two parts "
+            "have a cell at this edge";
     }
     if (wrong == nullptr) return Status::ok;
     return fault.refuse(Status::bad_mesh, wrong, global_point_item(a.begin),
@@ -58,10 +59,10 @@ Status match_edges(Span<OpenEdge> edges, Offset& n, Fault& fault) noexcept {
         for (Offset other = k + 1; other < next; ++other)
             HARMORPH_TRY(check_pair(edge, edges[other], fault));
         if (next == k + 2) continue;
-        return fault.refuse(
-            Status::bad_mesh,
-            "the edge between points # and @ (global numbers) belongs to more than two cells",
-            global_point_item(edge.begin), global_point_item(edge.end));
+        return fault.refuse(Status::bad_mesh,
+                            "the edge between the points with global numbers # and @ belongs to "
+                            "more than two cells",
+                            global_point_item(edge.begin), global_point_item(edge.end));
     }
     return Status::ok;
 }
@@ -77,7 +78,7 @@ Mesh SharedBoundary::mesh() const noexcept {
 void SharedBoundary::lay_out(Arena& arena, Index n_edges, PartProblem const& problem,
                              Index n_curves, Index n_conditions) noexcept {
     Mesh counts;
-    counts.n_points = 2 * n_edges;  // at most
+    counts.n_points = 2 * n_edges;  // This is the largest possible number.
     counts.n_faces = n_edges;
     arena.take(curves, n_curves);
     arena.take(conditions, n_conditions);
@@ -111,7 +112,7 @@ Status SharedBoundary::run(Span<const OpenEdge> given, PartProblem const& proble
     return fault.status;
 }
 
-// All ends of edges, once each.
+// Collects the ends of all edges, once each.
 Status SharedBoundary::find_points(Fault& fault) noexcept {
     Size n = 0;
     for (OpenEdge const& edge : edges) {
@@ -131,7 +132,8 @@ Status SharedBoundary::find_points(Fault& fault) noexcept {
     topology.representative = topology.representative.first(n_points);
     topology.edges.start = topology.edges.start.first(Offset{n_points} + 1);
     wall_work.slot = wall_work.slot.first(n_points);
-    Span<Index> const seen = topology.representative;  // here: has the point a position?
+    // In this function, the value tells whether the point has coordinates already.
+    Span<Index> const seen = topology.representative;
     fill(seen, Index{0});
     auto const place = [&](Offset named, Vec2 at) {
         Index const point = find(named);
@@ -152,8 +154,8 @@ Status SharedBoundary::find_points(Fault& fault) noexcept {
     return Status::ok;
 }
 
-// The edges between representatives, and their markers, as Edges::build and Boundary::mark leave
-// them: of edges that a cut makes one, both are dropped.
+// Takes the edges between representatives, and their markers, in the form in which Edges::build and
+// Boundary::mark leave them. If a cut joins two edges to one, both are dropped.
 void SharedBoundary::take_edges(Fault& fault) noexcept {
     Edges& sides = topology.edges;
     Span<const Index> const same = topology.representative;
@@ -186,7 +188,7 @@ void SharedBoundary::take_edges(Fault& fault) noexcept {
         }
         if (at.begin == at.end) {
             fault.refuse(Status::bad_mesh,
-                         "the edge between points # and @ has two ends that a cut makes one",
+                         "a cut joins both ends of the edge between points # and @",
                          point_item(find(edge.begin)), point_item(find(edge.end)));
             return;
         }
@@ -220,12 +222,12 @@ Status SharedBoundary::analyse(PartProblem const& problem, Fault& fault) noexcep
     HARMORPH_TRY(find_boundary(fault));
     assign_conditions(points(), conditions, boundary);
     classify(topology.edges, boundary, conditions, kinds);
-    for (Index k = 0; k < n_points; ++k) {  // on a cut alone
+    for (Index k = 0; k < n_points; ++k) {  // These points are only on a cut.
         if (topology.representative[k] == k && kinds[k] == PointKind::unused)
             kinds[k] = PointKind::inside;
     }
-    for (Index number_of = 0; number_of < curves.count(); ++number_of) {
-        HARMORPH_TRY(check_curve(curves[number_of], number_of, fault));
+    for (Index k = 0; k < curves.count(); ++k) {
+        HARMORPH_TRY(check_curve(curves[k], k, fault));
     }
     HARMORPH_TRY(check_conditions(conditions, curves.count(), boundary, fault));
     HARMORPH_TRY(parametrise(topology, boundary, conditions, curves, {}, wall_work, wall, fault));

@@ -28,19 +28,19 @@ void Analysis::lay_out(Arena& arena, Problem const& asked, Index n_curves,
     periodicity_.lay_out(arena, mesh.n_points, demands);
     wall_.lay_out(arena, mesh);
     wall_work_.lay_out(arena, mesh);
-    Index const most_unknowns = components * mesh.n_points;
+    Index const max_unknowns = components * mesh.n_points;
     graph_.lay_out(arena, bounded ? triangulation_.mesh : mesh, components);
-    arena.take(order_, most_unknowns);
-    layer_work_.lay_out(arena, most_unknowns);
-    if (!asked.method.traits().factors) return arena.take(border_.position, most_unknowns);
-    tree_.lay_out(arena, most_unknowns);
-    border_.lay_out(arena, most_unknowns);
-    arena.take(border_start_, most_unknowns / 2 + 2);
+    arena.take(order_, max_unknowns);
+    layer_work_.lay_out(arena, max_unknowns);
+    if (!asked.method.traits().factors) return arena.take(border_.position, max_unknowns);
+    tree_.lay_out(arena, max_unknowns);
+    border_.lay_out(arena, max_unknowns);
+    arena.take(border_start_, max_unknowns / 2 + 2);
     subtrees_.lay_out(arena, executor.is_serial() ? 1 : executor.n_threads);
     Size const shared = arena.mark();
-    dissection_work_.lay_out(arena, most_unknowns);
+    dissection_work_.lay_out(arena, max_unknowns);
     arena.release(shared);
-    border_.lay_out_passed(arena, most_unknowns);
+    border_.lay_out_passed(arena, max_unknowns);
 }
 
 Status Analysis::run(Problem const& asked, Fault& fault) noexcept {
@@ -66,10 +66,11 @@ Status Analysis::analyse_mesh(Fault& fault) noexcept {
     Edges& edges = topology_.edges;
     for (Index k = 0; k < mesh.n_points; ++k) topology_.representative[k] = k;
     Sense sense = Sense::mixed;
-    problem_.executor.for_each(3, [&](Index part) {  // none needs another
-        if (part == 0) edges.build(mesh, {}, fault);
-        if (part == 1) sense = common_orientation(mesh, least_height_);
-        if (part == 2 && has_conditions()) mesh_fingerprint_ = fingerprint_of(given);
+    // None of the three tasks needs the result of another.
+    problem_.executor.for_each(3, [&](Index task) {
+        if (task == 0) edges.build(mesh, {}, fault);
+        if (task == 1) sense = common_orientation(mesh, min_height_);
+        if (task == 2 && has_conditions()) mesh_fingerprint_ = fingerprint_of(given);
     });
     HARMORPH_TRY(fault.status);
     HARMORPH_TRY(boundary_.mark(topology_, fault));
@@ -106,16 +107,17 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     HARMORPH_TRY(check_conditions(conditions_, curves_.count(), boundary_, fault));
     if (inverted_ != none) {
         CellCorners const corners(shape_of(topology_, inverted_, mesh.points));
-        return fault.refuse(Status::bad_mesh,
-                            "cell # is inverted or empty: its smallest corner area is ~",
-                            cell_item(mesh.number(inverted_)), {}, 0.5 * corners.smallest());
+        return fault.refuse(
+            Status::bad_mesh,
+            "cell # is inverted or has no area: the smallest area at its corners is ~",
+            cell_item(mesh.number(inverted_)), {}, 0.5 * corners.smallest());
     }
     HARMORPH_TRY(check_heights(fault));
     if (problem_.method.bounded()) HARMORPH_TRY(triangulation_.build(topology_, fault));
     bool const kinds_are_final = tangent_.empty() && !problem_.demands.periodic();
-    problem_.executor.for_each(kinds_are_final ? 2 : 1, [&](Index part) {
-        if (part == 0) find_wall(fault);
-        if (part == 1) graph_.build(stencil(), kinds_);
+    problem_.executor.for_each(kinds_are_final ? 2 : 1, [&](Index task) {
+        if (task == 0) find_wall(fault);
+        if (task == 1) graph_.build(stencil(), kinds_);
     });
     HARMORPH_TRY(fault.status);
     if (!tangent_.empty()) {
@@ -129,13 +131,13 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     }
     if (!tangent_.empty()) {
         slip_followers_.find(topology_, boundary_, conditions_, kinds_, slip_curves_,
-                             max(problem_.method.quarters, Index{0}), problem_.executor);
+                             max(problem_.method.exponent_quarters, Index{0}), problem_.executor);
     }
     if (!kinds_are_final) graph_.build(stencil(), kinds_);
     if (graph_.n == 0)
         return fault.refuse(Status::bad_condition,
-                            "no mesh point is free to move: there is nothing to solve");
-    HARMORPH_TRY(check_parts(fault));
+                            "no mesh point is free to move, so there is nothing to solve");
+    HARMORPH_TRY(check_regions(fault));
     matrix_ = Matrix::count(graph_, matrix_kind(problem_.method, problem_.demands), periodicity_);
     conditions_fingerprint_ = slip_curves_.fingerprint_with(fingerprint_of(kinds_, wall_));
     return Status::ok;
@@ -150,12 +152,12 @@ void Analysis::find_wall(Fault& fault) noexcept {
     check_offsets(fault);
 }
 
-// Cells so thin that rounding of moved coordinates decides whether they are inverted.
+// Refuses cells so thin that rounding of moved coordinates decides whether they are inverted.
 Status Analysis::check_heights(Fault& fault) const noexcept {
     Real size = 0;
     for (Index k = 0; k < problem_.mesh.n_points; ++k)
         size = max(size, largest_of(problem_.mesh.points[k]));
-    if (problem_.mesh.n_guards == 0 && least_height_ >= resolved_height(size)) return Status::ok;
+    if (problem_.mesh.n_guards == 0 && min_height_ >= resolved_height(size)) return Status::ok;
     Real height = 0;
     auto const is_too_thin = [&](Index i, Cell const&) {
         CellShape const shape = shape_of(topology_, i, problem_.mesh.points);
@@ -166,12 +168,12 @@ Status Analysis::check_heights(Fault& fault) const noexcept {
     Index const cell = problem_.mesh.find_cell(0, problem_.mesh.n_checked(), is_too_thin);
     if (cell == none) return Status::ok;
     return fault.refuse(Status::bad_mesh,
-                        "cell # has a height of ~, too small for the digits of its coordinates",
+                        "cell # is too thin: its height is ~, which its coordinates do not resolve",
                         cell_item(problem_.mesh.number(cell)), {}, height);
 }
 
-// The functions of a body are offsets from its centre; in single precision they must neither
-// overflow nor vanish, also when they are multiplied with entries of the matrix and reduced to
+// The functions of a body are offsets from its centre. In single precision they must neither
+// overflow nor vanish, even when they are multiplied by entries of the matrix and reduced to
 // residuals.
 Status Analysis::check_offsets(Fault& fault) const noexcept {
     constexpr Real largest = 1e24, smallest = 1e-12;
@@ -186,21 +188,22 @@ Status Analysis::check_offsets(Fault& fault) const noexcept {
         farthest = wall_.point[slot];
     }
     if (size >= smallest && size <= largest) return Status::ok;
-    return fault.refuse(
-        Status::unsupported,
-        "point # is ~ from the centre of its body: single precision takes 1e-12 .. 1e24",
-        point_item(farthest), {}, size);
+    return fault.refuse(Status::unsupported,
+                        "point # is ~ away from the centre of its body; single precision needs a "
+                        "distance from 1e-12 to 1e24",
+                        point_item(farthest), {}, size);
 }
 
-// Every part of the mesh must hang on a known value.
-Status Analysis::check_parts(Fault& fault) noexcept {
+// Checks that every region of the mesh touches a known value.
+Status Analysis::check_regions(Fault& fault) noexcept {
     Demands const& demands = problem_.demands;
     if (!demands.free && !demands.slip && !demands.periodic()) return Status::ok;
     Index const floating = graph_.first_floating(stencil(), kinds_, order_, layer_work_.reached);
     if (floating == none) return Status::ok;
-    return fault.refuse(Status::bad_condition,
-                        "point # is in a part of the mesh that nothing holds",
-                        point_item(floating));
+    return fault.refuse(
+        Status::bad_condition,
+        "point # is in a region of the mesh in which no boundary is fixed or prescribed",
+        point_item(floating));
 }
 
 Status Analysis::analyse_order(Fault& fault) noexcept {

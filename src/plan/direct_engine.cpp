@@ -3,21 +3,23 @@
 namespace harmorph {
 namespace {
 
-// Least |sum of the terms| / sum of |terms| of a pivot at which cancellation does not matter.
-constexpr Real uncancelled_above = 1e-3;
+// If |sum of the terms| / sum of |terms| is larger than this for all pivots, cancellation does not
+// matter.
+constexpr Real min_uncancelled_ratio = 1e-3;
 
-// Least pivot / diagonal at which cancellation does not matter: it is a fifth on isotropic cells,
-// thousandths beside thin ones. Circulations are not conductances, so their sums cancel in part,
-// and so do conductances that large angles make negative; where x and y are coupled, the turned
-// dofs of slipping points have no row sums to rely on.
-constexpr Real even_above(MatrixKind kind) noexcept {
+// If pivot / diagonal is larger than this for all pivots, cancellation does not matter. The ratio
+// is a fifth on isotropic cells, and thousandths beside thin ones. Circulations are not
+// conductances, so their sums cancel in part, and so do conductances that large angles make
+// negative. If x and y are coupled, the rows of turned dofs of slipping points have no row sums, so
+// the bound is larger.
+constexpr Real min_even_pivot(MatrixKind kind) noexcept {
     return kind == MatrixKind::coupled_xy ? 1.0 / 30 : 1e-5;
 }
 
 // Conductances that large angles of cells make negative may cancel others between the same two
-// points, which no pivot shows: the rounding error of the sum acts like a conductance. So the error
-// of functions is about epsilon times the values that sources of the size of all negative
-// conductances would cause. Returns the largest of these values; real matrices only.
+// points, which no pivot shows: the rounding error of the sum acts like a conductance. The error of
+// functions is therefore about epsilon times the values that sources of the size of all negative
+// conductances would cause. Returns the largest of these values; for real matrices only.
 Status raise_by_negative(Multifrontal& factor, Matrix const& matrix, Span<Real> source, Real& rise,
                          Fault& fault) noexcept {
     fill(source, 0.0);
@@ -39,9 +41,9 @@ Status raise_by_negative(Multifrontal& factor, Matrix const& matrix, Span<Real> 
     return Status::ok;
 }
 
-// Room is left for sums of products of entries and values, which become residuals in single
-// precision.
-constexpr Real most_in_single = 1e36;
+// The bound leaves room for sums of products of entries and values, which become residuals in
+// single precision.
+constexpr Real max_in_single = 1e36;
 
 Status refuse_single(const char* sentence, Index point, Real size, Fault& fault) noexcept {
     return fault.refuse(Status::unsupported, sentence, point_item(point), {}, size);
@@ -50,9 +52,11 @@ Status refuse_single(const char* sentence, Index point, Real size, Fault& fault)
 Status check_entries(Equations const& equations, Fault& fault) noexcept {
     Span<Real> const diagonal = equations.matrix().diagonal;
     for (Index i = 0; i < diagonal.count(); ++i) {
-        if (abs(diagonal[i]) <= most_in_single) continue;
-        return refuse_single("the diagonal at point # is ~: single precision takes 1e36",
-                             equations.point_of(i), diagonal[i], fault);
+        if (abs(diagonal[i]) <= max_in_single) continue;
+        return refuse_single(
+            "the matrix has the diagonal entry ~ at point #; a factor in single precision admits "
+            "at most 1e36",
+            equations.point_of(i), diagonal[i], fault);
     }
     return Status::ok;
 }
@@ -61,9 +65,11 @@ Status check_right_hand_sides(Equations const& equations, DofValues const& dofs,
                               Fault& fault) noexcept {
     for (Index i = 0; i < equations.matrix().n; ++i) {
         for (Real const number : Span<const Real>(dofs.at(i), static_cast<Size>(dofs.length()))) {
-            if (abs(number) <= most_in_single) continue;
-            return refuse_single("a right-hand side at point # is ~: single precision takes 1e36",
-                                 equations.point_of(i), number, fault);
+            if (abs(number) <= max_in_single) continue;
+            return refuse_single(
+                "a right-hand side at point # is ~; a factor in single precision admits at most "
+                "1e36",
+                equations.point_of(i), number, fault);
         }
     }
     return Status::ok;
@@ -102,34 +108,35 @@ Status DirectEngine::set_up(Equations const& equations, Points, Progress const& 
 }
 
 // Thin cells have by far the largest entries, so beside them a small residual may hide a large
-// error. Where nothing cancelled in the factor, there is no such error. For nodal gradients the
-// factor is that of the compact scheme, so never trusted.
+// error. If nothing cancelled in the factor, there is no such error. For nodal gradients the factor
+// is that of the compact scheme, so it is never trusted.
 Status DirectEngine::examine(Equations const& equations, Span<Real> work, Fault& fault) noexcept {
     trusted = false;
     Method const& method = equations.method();
     if (method.nodal_gradients() || method.precision == Precision::in_single) return Status::ok;
     Matrix const& matrix = equations.matrix();
-    Real const even = even_above(matrix.kind()), left = factor.least_left(),
-               pivot = factor.least_pivot();
+    Real const even = min_even_pivot(matrix.kind()), ratio = factor.min_pivot_ratio(),
+               pivot = factor.min_pivot_to_diagonal();
     trusted = pivot > even;
     if (matrix.kind() != MatrixKind::real) return Status::ok;
-    trusted = left > uncancelled_above && pivot > even * (1 - left);
-    if (trusted || !(left > uncancelled_above)) return Status::ok;
+    trusted = ratio > min_uncancelled_ratio && pivot > even * (1 - ratio);
+    if (trusted || !(ratio > min_uncancelled_ratio)) return Status::ok;
     Real rise = 0;
     HARMORPH_TRY(raise_by_negative(factor, matrix, work, rise, fault));
     trusted = even * rise < 1;
     return Status::ok;
 }
 
-// For nodal gradients: the functions of the compact scheme, from which refinement starts.
+// For nodal gradients this solves for the functions of the compact scheme, from which refinement
+// starts.
 Status DirectEngine::solve(Equations const& equations, DofValues const& dofs,
                            Progress const& progress, IterationReport&, Fault& fault) noexcept {
     if (factor.precision == Precision::in_single)
         HARMORPH_TRY(check_right_hand_sides(equations, dofs, fault));
     Rows const rows = dofs.rows(equations.matrix());
     if (rows.width <= factor.padded_width) return factor.solve(rows, progress, fault);
-    for (Index first = 0; first < rows.width;
-         first += factor.padded_width) {  // combined functions and modes
+    // Combined functions and modes may have more columns than the factor has room for.
+    for (Index first = 0; first < rows.width; first += factor.padded_width) {
         Index const n = min(factor.padded_width, rows.width - first);
         HARMORPH_TRY(factor.solve(
             Rows{rows.data + first, rows.row_of, rows.row_length, n, rows.plane}, progress, fault));

@@ -1,5 +1,5 @@
-// The direct engine of a plan: a multifrontal factor of the matrix, also used for iterative
-// refinement.
+// The direct engine of a plan: a multifrontal factor of the matrix, which also serves iterative
+// refinement. tests/plan/test_precision.cpp and tests/plan/test_thin_shear.cpp cover this file.
 #pragma once
 
 #include "direct/multifrontal.hpp"
@@ -8,17 +8,17 @@
 
 namespace harmorph {
 
-// See AnyEngine for what the members do.
+// AnyEngine describes the members.
 struct DirectEngine {
     Multifrontal factor;
-    bool trusted = false;  // nothing cancelled in the factor: solutions need no refinement
+    bool trusted = false;  // Nothing cancelled in the factor, so solutions need no refinement.
 
     void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept;
     void init(Analysis const& analysis) noexcept;
     void take_pattern(Analysis const&, Matrix const&) const noexcept {}
     Status set_up(Equations const& equations, Points points, Progress const& progress,
                   Fault& fault) noexcept;
-    // `work` [n] is overwritten; empty where the factor is in single precision, which is never
+    // `work` [n] is overwritten; it is empty if the factor is in single precision, which is never
     // trusted.
     Status examine(Equations const& equations, Span<Real> work, Fault& fault) noexcept;
     Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress,
@@ -27,7 +27,7 @@ struct DirectEngine {
     Status correct(RowsOf<Number> const& rows, Fault& fault) noexcept {
         return factor.solve(rows, Progress{}, fault);
     }
-    // Memory that only set_up() needs.
+    // Returns the size of the memory that only set_up() needs.
     Offset idle_bytes() const noexcept;
     const Agglomeration* levels() const noexcept { return nullptr; }
 };

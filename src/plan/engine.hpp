@@ -1,4 +1,5 @@
 // The engine of a plan: one of a closed list, chosen by Method::engine, behind one interface.
+// tests/plan/test_plan.cpp covers this file.
 #pragma once
 
 #include <new>
@@ -35,12 +36,13 @@ struct AnyEngine {
         visit(*this, [](auto& engine) { start(engine); });
     }
 
-    // Working space that only set_up() or solve() needs lies behind the rest: the arrays laid out
-    // next may overlap with it. columns: number of right-hand sides of all functions.
+    // Working space that only set_up() or solve() needs is laid out last, so that the arrays laid
+    // out next may overlap with it. `columns` is the number of right-hand sides of all functions.
     void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
         visit(*this, [&](auto& engine) { engine.lay_out(arena, analysis, columns); });
     }
-    // Once for an analysis: init() before the matrix has a sparsity pattern, then take_pattern().
+    // Both are called once for an analysis: init() before the matrix has a sparsity pattern,
+    // take_pattern() after that.
     void init(Analysis const& analysis) noexcept {
         visit(*this, [&](auto& engine) { engine.init(analysis); });
     }
@@ -49,7 +51,7 @@ struct AnyEngine {
     }
 
     // Computes the factor or the levels of assembled equations. On Status::not_positive, fault.item
-    // is a position.
+    // is a position of the elimination.
     Status set_up(Equations const& equations, Points points, Progress const& progress,
                   Fault& fault) noexcept {
         return visit(
@@ -62,25 +64,26 @@ struct AnyEngine {
     bool trusted() const noexcept {
         return visit(*this, [](auto const& engine) { return bool{engine.trusted}; });
     }
-    // In place: the right-hand sides of the unknowns become functions.
+    // Replaces the right-hand sides of the unknowns by the functions, in place.
     Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress,
                  IterationReport& report, Fault& fault) noexcept {
         return visit(*this, [&](auto& engine) {
             return engine.solve(equations, dofs, progress, report, fault);
         });
     }
-    // Engines that factor: residuals become corrections, in place and in the factor's precision.
+    // Replaces residuals by corrections, in place and in the factor's precision; only engines that
+    // factor do so.
     template <class Number>
     Status correct(RowsOf<Number> const& rows, Fault& fault) noexcept {
         return visit(*this, [&](auto& engine) { return engine.correct(rows, fault); });
     }
 
-    // Bytes that only set_up() or solve() needs: refinement may use them without making the plan
-    // larger.
+    // Returns the number of bytes that only set_up() or solve() needs; refinement may use them
+    // without making the plan larger.
     Offset idle_bytes() const noexcept {
         return visit(*this, [](auto const& engine) { return engine.idle_bytes(); });
     }
-    // Levels of agglomeration; null where there are none.
+    // Returns the levels of agglomeration, or null if there are none.
     const Agglomeration* levels() const noexcept {
         return visit(*this, [](auto const& engine) { return engine.levels(); });
     }

@@ -50,30 +50,31 @@ void Equations::init(Analysis const& analysis) noexcept {
 }
 
 void Equations::build(Analysis const& analysis) noexcept {
-    matrix_.let_frames_change(slip_curves_.count > 0);
+    matrix_.set_directions_change(slip_curves_.count > 0);
     matrix_.build(analysis.topology().representative, analysis.graph(), analysis.order(),
                   analysis.border().position, analysis.wall_slot(), analysis.tangent(),
                   analysis.periodicity());
     if (!method_.nodal_gradients()) return;
     Topology topology = analysis.topology();
-    topology.mesh = cells_.mesh;  // the copies, which outlive the analysis
+    topology.mesh = cells_.mesh;  // These are the copies, which outlive the analysis.
     topology.reversed = cells_.reversed;
     nodal_.init(topology, matrix_, method_.scheme == Scheme::nodal_gradient);
 }
 
-// To the tangents of the curves where points slide at these coordinates.
-void Equations::turn_frames(Points points) const noexcept {
+// Turns the dofs of points that slip along curves to the tangents at these coordinates.
+void Equations::turn_tangents(Points points) const noexcept {
     if (slip_curves_.count == 0) return;
     slip_curves_.for_each([&](Index slot, Index point) {
         matrix_.set_tangent(point, slip_curves_.nearest(slot, points[point]).tangent);
     });
     for (Index k = 0; k < cells_.mesh.n_points; ++k) {
-        if (matrix_.slips(k)) matrix_.set_tangent(k, matrix_.frame(point_of(matrix_.first_row(k))));
+        if (matrix_.slips(k))
+            matrix_.set_tangent(k, matrix_.direction(point_of(matrix_.first_row(k))));
     }
 }
 
 Status Equations::assemble(Points points, Executor const& executor, Fault& fault) noexcept {
-    turn_frames(points);
+    turn_tangents(points);
     HARMORPH_TRY(method_.bounded() ? assemble_edges(points, executor, fault)
                                    : assemble_cells(points, executor, fault));
     if (method_.nodal_gradients()) nodal_.scheme.measure(points);
@@ -84,29 +85,31 @@ Status Equations::assemble_cells(Points points, Executor const& executor, Fault&
     Index const inverted = assemble_operator(method_, cells_, points, walls_, points, conductivity_,
                                              matrix_, executor);
     if (inverted == none) return Status::ok;
-    return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates",
+    return fault.refuse(Status::bad_mesh,
+                        "cell # is inverted or has no area at the given coordinates",
                         cell_item(cells_.mesh.number(inverted)));
 }
 
-bool Equations::change_operator(Operator operator_kind, Index quarters) noexcept {
+bool Equations::change_operator(Operator operator_kind, Index exponent_quarters) noexcept {
     bool const is_complex = operator_traits[static_cast<Index>(operator_kind)].is_complex;
     bool const known =
-        method_.scheme == Scheme::compact && (quarters == 0 || !conductivity_.empty());
+        method_.scheme == Scheme::compact && (exponent_quarters == 0 || !conductivity_.empty());
     if (!known || (is_complex && matrix_.kind() == MatrixKind::real)) return false;
     method_.operator_kind = operator_kind;
-    method_.quarters = quarters;
+    method_.exponent_quarters = exponent_quarters;
     return true;
 }
 
 Status Equations::assemble_edges(Points points, Executor const& executor, Fault& fault) noexcept {
     if (coordinates_fingerprint(points, cells_.mesh.n_points) != analysed_coordinates_) {
-        return fault.refuse(
-            Status::unsupported,
-            "bounded scheme: its triangles fit the analysed coordinates alone; analyse again");
+        return fault.refuse(Status::unsupported,
+                            "the triangles of the bounded scheme belong to the coordinates of the "
+                            "analysis; analyse the moved mesh again");
     }
     if (!conductivity_.empty()) {
         walls_.build(points);
-        weigh_edges(walls_, delaunay_edges_, points, method_.quarters, conductivity_, executor);
+        weigh_edges(walls_, delaunay_edges_, points, method_.exponent_quarters, conductivity_,
+                    executor);
     }
     Index const thin = assemble_bounded(delaunay_edges_, points, conductivity_, matrix_);
     if (thin == none) return Status::ok;

@@ -1,4 +1,5 @@
 // The engine fas of a plan: the paper's iteration, for the compact scheme and for nodal gradients.
+// tests/multigrid/test_full_approximation.cpp covers this file.
 #pragma once
 
 #include "multigrid/full_approximation.hpp"
@@ -10,8 +11,8 @@ struct FasEngine : LevelEngine<FullApproximation> {
     void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
         Method const& method = analysis.problem().method;
         if (method.nodal_gradients()) {
-            iteration.take_scheme(analysis.problem().mesh.n_points,
-                                  method.scheme == Scheme::nodal_gradient);
+            iteration.use_scheme(analysis.problem().mesh.n_points,
+                                 method.scheme == Scheme::nodal_gradient);
         }
         LevelEngine::lay_out(arena, analysis, columns);
     }

@@ -3,7 +3,7 @@
 namespace harmorph {
 namespace {
 
-// The slots of given points come last.
+// Returns the first slot of given points; the slots of given points come last.
 Index first_given(Analysis const& analysis) noexcept {
     Index const number = analysis.curves().count() + analysis.problem().demands.bodies;
     Index slot = 0;
@@ -11,7 +11,7 @@ Index first_given(Analysis const& analysis) noexcept {
     return slot;
 }
 
-// visit(point) for the points that are joined to another one.
+// Calls visit(point) for the points that are joined to another one.
 template <class Visit>
 void for_each_joined(Span<const Index> representative, Visit const& visit) noexcept {
     for (Index point = 0; point < representative.count(); ++point) {

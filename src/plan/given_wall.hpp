@@ -1,23 +1,26 @@
-// What a plan keeps of the boundary for displacements that are given from call to call.
+// The data of the boundary that a plan keeps for displacements that are given from call to call.
+// tests/morph/test_displacement.cpp covers this file.
 #pragma once
 
 #include "plan/analysis.hpp"
 
 namespace harmorph {
 
-// Empty where no displacements are given.
+// The arrays are empty if no displacements are given.
 struct GivenWall {
-    static constexpr Index fields_at_once = 12;  // that are solved as one block of right-hand sides
+    // So many fields are solved as one block of right-hand sides.
+    static constexpr Index fields_at_once = 12;
 
-    Span<Index> point;     // [given points] in the order of their slots
-    Index first_slot = 0;  // the slots from here on are given
-    Span<Index> joined;    // points joined to another one: beyond a cut, or periodic images
-    Span<Index> boundary_point, loop_start;  // see Boundary
+    Span<Index> point;     // [given points] The points in the order of their slots.
+    Index first_slot = 0;  // The given slots begin here.
+    // The points that are joined to another one: beyond a cut, or periodic images.
+    Span<Index> joined;
+    Span<Index> boundary_point, loop_start;  // See Boundary.
 
     void lay_out(Arena& arena, Analysis const& analysis) noexcept;
     void init(Analysis const& analysis) noexcept;
 
-    // Right-hand sides of such a block.
+    // Returns the number of right-hand sides of such a block.
     static Index columns(Analysis const& analysis) noexcept;
 };
 

@@ -1,4 +1,5 @@
-// The members that all engines on agglomerated levels have in common.
+// The common members of all engines on agglomerated levels. tests/multigrid/test_multigrid.cpp
+// covers this file.
 #pragma once
 
 #include "multigrid/iteration.hpp"
@@ -6,13 +7,13 @@
 
 namespace harmorph {
 
-// Iterative: a BlockIteration. It iterates to the given tolerance, so solutions are not refined.
+// Iterative is a BlockIteration. It iterates to the given tolerance, so solutions are not refined.
 template <class Iterative>
 struct LevelEngine {
     static constexpr bool trusted = true;
 
     Iterative iteration;
-    Span<std::uint8_t> faces;  // [entries] which of the matrix's entries are mesh edges
+    Span<std::uint8_t> faces;  // [entries] Tells which of the matrix's entries are mesh edges.
 
     void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
         Index const n = analysis.graph().n;

@@ -1,4 +1,5 @@
 // The engine multigrid of a plan: conjugate gradients on agglomerated levels of the matrix.
+// tests/multigrid/test_multigrid.cpp covers this file.
 #pragma once
 
 #include "multigrid/multigrid.hpp"

@@ -1,11 +1,12 @@
 #include "plan/plan.hpp"
 
-#include "operators/frames.hpp"
+#include "operators/dof_directions.hpp"
 
 namespace harmorph {
 namespace {
 
-constexpr Index least_points = 4096;  // that are worth a task
+// A task treats at least so many points.
+constexpr Index min_task_points = 4096;
 
 }  // namespace
 
@@ -24,7 +25,7 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     engine_.lay_out(arena, analysis, columns);
     refinement_.lay_out(arena, analysis, engine_, equations_, columns);
     Offset const numbers = Offset{numbers_of(counts.kind)} * counts.functions();
-    Offset const with_modes = block_points * (numbers + most_mode_numbers);
+    Offset const with_modes = block_points * (numbers + max_mode_numbers);
     arena.take(rows_in_work_, max(RowsToBlocks::work_numbers(numbers),
                                   analysis.problem().demands.given ? with_modes : Offset{0}));
 }
@@ -42,11 +43,12 @@ void Plan::init(Analysis const& analysis) noexcept {
     equations_.init(analysis);
     mesh_ = equations_.cells().mesh;
     refinement_.residual.kernel = executor_.kernel = equations_.method().kernel;
-    refinement_.residual.share_out(analysis.tree(), executor_);
-    executor_.for_each(3, [&](Index part) {  // the three parts are independent
-        if (part == 0) equations_.build(analysis);
-        if (part == 1) engine_.init(analysis);
-        if (part == 2) region_counts_ = RegionCounts::of(analysis.topology());
+    refinement_.residual.choose_subtrees(analysis.tree(), executor_);
+    // The three tasks are independent.
+    executor_.for_each(3, [&](Index task) {
+        if (task == 0) equations_.build(analysis);
+        if (task == 1) engine_.init(analysis);
+        if (task == 2) region_counts_ = RegionCounts::of(analysis.topology());
     });
     engine_.take_pattern(analysis, equations_.matrix());
 }
@@ -74,13 +76,14 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault,
                    Sealing sealing) noexcept {
     if (!factored_)
         return fault.refuse(Status::bad_argument,
-                            "the plan has no factor: hm_plan_factor comes first");
+                            "the plan has no factor; call hm_plan_factor first");
     HARMORPH_TRY(check_fit(basis, fault));
     if (block_points * Offset{basis.row_length()} > static_cast<Offset>(rows_in_work_.size())) {
-        return fault.refuse(Status::unsupported,
-                            "a point has # numbers, this plan solves bases with @ at most",
-                            plain(basis.row_length()),
-                            plain(static_cast<Index>(rows_in_work_.size() / block_points)));
+        return fault.refuse(
+            Status::unsupported,
+            "the basis has # numbers at a point, but this plan solves bases with at most @",
+            plain(basis.row_length()),
+            plain(static_cast<Index>(rows_in_work_.size() / block_points)));
     }
     basis.unseal();
     HARMORPH_TRY(progress_.report(Phase::solve, 0, fault));
@@ -95,14 +98,15 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault,
         set_right_hand_sides(equations_.matrix(), basis, dofs, executor_);
     }
     Status const status = solve_rows(dofs, report, fault);
-    rows.run(executor_);  // also where the solution failed: values on the wall of derived functions
-                          // must not be lost
+    // The rows become blocks even if the solution failed, as the values of derived functions on the
+    // wall must be kept.
+    rows.run(executor_);
     HARMORPH_TRY(status);
     HARMORPH_TRY(progress_.report(Phase::residual, 1, fault));
     basis.header->coordinates = coordinates_;
     basis.header->solved = 1;
     if (sealing == Sealing::complete) basis.seal(0, executor_);
-    return judge(report, equations_.method(), fault);
+    return check_accuracy(report, equations_.method(), fault);
 }
 
 Status Plan::solve_rows(DofValues const& dofs, SolveReport& report, Fault& fault) noexcept {
@@ -114,12 +118,12 @@ Status Plan::solve_rows(DofValues const& dofs, SolveReport& report, Fault& fault
     report.functions = dofs.n_functions;
     report.factor_entries = factor_entries_;
     HARMORPH_TRY(refinement_.run(equations_, engine_, dofs, progress_, report, fault));
-    Frames const frames(equations_.matrix());
-    frames.turn_slipping(dofs, mesh_.n_points);
-    executor_.for_ranges(mesh_.n_points, least_points, [&](Index begin, Index end) {
+    DofDirections const dof_directions(equations_.matrix());
+    dof_directions.turn_slipping(dofs, mesh_.n_points);
+    executor_.for_ranges(mesh_.n_points, min_task_points, [&](Index begin, Index end) {
         for (Index point = begin; point < end; ++point) dofs.copy_row(same_point(point), point);
     });
-    frames.turn_sides(dofs, mesh_.n_points);
+    dof_directions.turn_sides(dofs, mesh_.n_points);
     return Status::ok;
 }
 
@@ -129,7 +133,8 @@ void Plan::clear_all_but_wall(DofValues const& dofs) const noexcept {
         Index const slot = wall_slot(point);
         if (slot != none && wall_point_[slot] == point) continue;
         for (Index dof = components * point; dof < components * (point + 1); ++dof) {
-            std::memset(dofs.of_dof(dof), 0, sizeof(Real) * static_cast<Size>(dofs.length()));
+            std::memset(dofs.values_of_dof(dof), 0,
+                        sizeof(Real) * static_cast<Size>(dofs.length()));
         }
     }
 }
@@ -140,10 +145,10 @@ Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells,
     if (!factored_ || levels == nullptr) {
         return fault.refuse(
             Status::bad_argument,
-            "the plan has no levels: they are made by hm_plan_factor of other engines");
+            "the plan has no levels; hm_plan_factor makes them for the engines multigrid and fas");
     }
     if (level < 0 || level >= levels->count) {
-        return fault.refuse(Status::bad_argument, "there is no level #: the plan has @",
+        return fault.refuse(Status::bad_argument, "there is no level #; the plan has @ levels",
                             entry_item(level), plain(levels->count));
     }
     for (Index point = 0; point < mesh_.n_points; ++point) {
@@ -160,15 +165,16 @@ Status Plan::check_fit(Basis const& basis, Fault& fault) const noexcept {
     BasisCounts whole = basis.header->counts.share(0, basis_counts_.stored);
     if (whole.derived()) {
         whole.combined = whole.combination = whole.modes = 0;
-        if (whole.kind == ValueKind::complex)
-            whole.kind = basis_counts_.kind;  // by a complex matrix or complex modes
+        // A complex matrix or complex modes have made the kind complex.
+        if (whole.kind == ValueKind::complex) whole.kind = basis_counts_.kind;
     }
     bool const same_counts = std::memcmp(&whole, &basis_counts_, sizeof basis_counts_) == 0;
     bool const same_mesh =
         basis.header->topology == topology_ && basis.header->conditions == conditions_;
     if (same_counts && same_mesh && basis.header->method.agrees_with(equations_.method()))
         return Status::ok;
-    return fault.refuse(Status::bad_basis, "plan and basis were made of different analyses");
+    return fault.refuse(Status::bad_basis,
+                        "the plan and the basis were made from different analyses");
 }
 
 Status Plan::solve_fields(DofValues const& values, bool measured, SolveReport& report,
@@ -179,12 +185,12 @@ Status Plan::solve_fields(DofValues const& values, bool measured, SolveReport& r
     HARMORPH_TRY(engine_.solve(equations_, values, progress_, report.iteration, fault));
     HARMORPH_TRY(progress_.report(Phase::solve, 1, fault));
     HARMORPH_TRY(progress_.report(Phase::residual, 0, fault));
-    // A trusted factor needs no refinement_, and where right-hand sides are rough, residuals
-    // relative to them are large although nothing can be improved.
+    // A trusted factor needs no refinement. If right-hand sides are rough, residuals relative to
+    // them are large although nothing can be improved.
     bool const refined = !engine_.trusted() || !equations_.method().traits().factors;
     if (refined) {
         HARMORPH_TRY(refinement_.run(equations_, engine_, values, progress_, report, fault));
-        HARMORPH_TRY(judge(report, equations_.method(), fault));
+        HARMORPH_TRY(check_accuracy(report, equations_.method(), fault));
     } else if (measured) {
         refinement_.measure(equations_, values, report);
     }
@@ -192,16 +198,16 @@ Status Plan::solve_fields(DofValues const& values, bool measured, SolveReport& r
 }
 
 void Plan::to_displacements(DofValues const& values) const noexcept {
-    Frames const frames(equations_.matrix());
-    frames.turn_slipping(values, mesh_.n_points);
+    DofDirections const dof_directions(equations_.matrix());
+    dof_directions.turn_slipping(values, mesh_.n_points);
     for (Index const point : given_.joined) values.copy_row(same_point(point), point);
-    frames.turn_sides(values, mesh_.n_points);
+    dof_directions.turn_sides(values, mesh_.n_points);
 }
 
 void Plan::to_displacements_transposed(DofValues const& values) const noexcept {
-    Frames const frames(equations_.matrix());
-    frames.turn_slipping_back(values, mesh_.n_points);
-    frames.turn_sides_back(values, mesh_.n_points);
+    DofDirections const dof_directions(equations_.matrix());
+    dof_directions.turn_slipping_back(values, mesh_.n_points);
+    dof_directions.turn_sides_back(values, mesh_.n_points);
 }
 
 Index Plan::same_point(Index point) const noexcept {

@@ -12,21 +12,21 @@ constexpr Real refined_above = 1e-13;
 // Estimated errors above this, relative to the largest value, are refined as well.
 constexpr Real certain_within = 1e-10;
 // A further step is taken only if the last one reduced the residual by this factor. The estimated
-// error may fail to shrink so much this often in a row: the first correction leaves rounding errors
-// of rough right-hand sides, which are unrelated to the error that it removed.
+// error may miss this reduction max_stalls times in a row: the first correction leaves rounding
+// errors of rough right-hand sides, which are unrelated to the error that it removed.
 constexpr Real shrinking = 0.5;
-constexpr Index most_stalls = 1;
-// Rounding of the values and of their sum makes a residual of at most this times (sum of |entries|
-// of the row) (max |F|).
+constexpr Index max_stalls = 1;
+// Rounding of the values and of their sum makes a residual of at most this factor times (sum of
+// |entries| of the row) (max |F|).
 constexpr Real rounded_within = 32 * epsilon;
-// Enough for steps that reduce the error by hardly more than `shrinking`. Iterative engines stop at
-// their tolerance.
+// Returns the largest number of steps, which suffices for steps that reduce the error by hardly
+// more than `shrinking`. Iterative engines stop at their tolerance.
 Index refinement_limit(Method const& method) noexcept { return method.traits().factors ? 40 : 0; }
 
-// Nodal gradients: every refinement solves for the residual by BiCGSTAB, to this reduction of the
-// residual.
+// For nodal gradients every refinement solves for the residual by BiCGSTAB, to this reduction of
+// the residual.
 constexpr Real iterated_to = 1e-8;
-constexpr Index most_iterations = 200;
+constexpr Index max_iterations = 200;
 
 // Residuals are stored in the precision of the engine's factor.
 Precision residual_precision(Method const& method, MatrixKind kind) noexcept {
@@ -34,20 +34,21 @@ Precision residual_precision(Method const& method, MatrixKind kind) noexcept {
     return in_rows ? method.precision : Precision::in_double;
 }
 
-// Number of columns refined at a time: as many as fit into idle memory of the engine, but at least
-// a few.
+// Returns the number of columns that are refined at a time: as many as fit into idle memory of the
+// engine, but at least a few.
 Index residual_width(Method const& method, Matrix const& matrix, AnyEngine const& engine,
                      Index columns) noexcept {
-    if (method.nodal_gradients()) return min(columns, BiconjugateGradients::widest);
+    if (method.nodal_gradients()) return min(columns, BiconjugateGradients::max_width);
     bool const in_single = residual_precision(method, matrix.kind()) == Precision::in_single;
     Offset const n = max(matrix.n, Index{1}),
                  bytes = static_cast<Offset>(in_single ? sizeof(float) : sizeof(double));
     Offset const lists = 3 * n * static_cast<Offset>(sizeof(Index));
     Offset const room = max(engine.idle_bytes() - lists, Offset{0}) / (n * matrix.planes() * bytes);
-    Offset const least = in_single ? 12 : 5;
-    Offset const wanted =
-        room >= 16 ? room / 8 * 8 : max(room, least);  // whole blocks of the kernels
-    return static_cast<Index>(min(wanted, Offset{min(max(columns, Index{2}), Residual::widest)}));
+    Offset const min_columns = in_single ? 12 : 5;
+    // Columns are whole blocks of the kernels, if there are at least two.
+    Offset const wanted = room >= 16 ? room / 8 * 8 : max(room, min_columns);
+    return static_cast<Index>(
+        min(wanted, Offset{min(max(columns, Index{2}), Residual::max_width)}));
 }
 
 class RefinementRun {
@@ -63,7 +64,7 @@ public:
           residual_(with.residual),
           biconjugate_(with.biconjugate) {}
 
-    // Computes residuals, and refines where they are too large.
+    // Computes residuals, and refines the functions whose residuals are too large.
     Status run(SolveReport& report, Fault& fault) noexcept {
         Index const n_columns = dofs_.columns(matrix_);
         for (Index first = 0, n = 0; first < n_columns; first += n) {
@@ -71,7 +72,7 @@ public:
                 HARMORPH_TRY(
                     progress_.report(Phase::residual, static_cast<Real>(first) / n_columns, fault));
             Refined refined;
-            n = min(Residual::widest, n_columns - first);
+            n = min(Residual::max_width, n_columns - first);
             if (!is_accurate(first, n, refined)) {
                 n = min(residual_.width, n_columns - first);
                 HARMORPH_TRY(refine(first, n, refined, fault));
@@ -82,16 +83,16 @@ public:
     }
 
 private:
-    // Of a block of columns.
+    // The results for a block of columns.
     struct Refined {
         Residual::Norms norms;
-        Real error[Residual::widest] = {};  // estimate, relative to the largest value
+        Real error[Residual::max_width] = {};  // The estimate, relative to the largest value.
         Index steps = 0, iterations = 0;
     };
 
     void note(Index first, Index n, Refined const& refined, SolveReport& report) const noexcept {
         auto const take_worst = [](Real found, Index function, Real& worst, Index& where) {
-            if (found <= worst || worst != worst) return;  // once NaN, it stays
+            if (found <= worst || worst != worst) return;  // A NaN is kept.
             worst = found;
             where = function;
         };
@@ -114,8 +115,8 @@ private:
         return residual_.compute(matrix_, dofs_, first, n);
     }
 
-    // Most often no refinement is needed. Without storing residuals this can be checked for many
-    // columns at once.
+    // Tells whether no refinement is needed, as is usual. This can be checked for many columns at
+    // once, as no residuals are stored.
     bool is_accurate(Index first, Index n, Refined& refined) const noexcept {
         if (!engine_.trusted() || method_.nodal_gradients() ||
             matrix_.kind() == MatrixKind::coupled_xy)
@@ -127,17 +128,17 @@ private:
     }
 
     // Solves for the residual and adds the correction, until the residual is rounding or no longer
-    // shrinks. Each column by itself, so that the bits of a column do not depend on which others
-    // are in the block. The reduction of the error by a step is estimated by the ratio of two
+    // shrinks. Each column is treated by itself, so that its bits do not depend on the other
+    // columns of the block. The reduction of the error by a step is estimated by the ratio of two
     // successive corrections; the first ratio is not used, as the right-hand sides of the first
-    // step are smooth and later ones are not. Estimated error: the largest ratio times the last
-    // correction, or the last correction itself where there is no ratio yet or no reduction.
+    // step are smooth and later ones are not. The estimated error is the largest ratio times the
+    // last correction, or the last correction itself if there is no ratio yet or no reduction.
     Status refine(Index first, Index n, Refined& refined, Fault& fault) noexcept {
         Residual::Choice wanted;
-        Residual::Changes
-            change;  // by a step of refinement; that of the first solution, from 0, is 1
-        Real before[Residual::widest], left[Residual::widest] = {};
-        Index stalls[Residual::widest] = {};
+        // The change by a step of refinement; the change by the first solution, from 0, is 1.
+        Residual::Changes change;
+        Real before[Residual::max_width], left[Residual::max_width] = {};
+        Index stalls[Residual::max_width] = {};
         for (Index k = 0; k < n; ++k) {
             wanted.column[k] = true;
             // For nodal gradients the functions of the compact scheme do not count as a first
@@ -146,15 +147,15 @@ private:
             before[k] = infinity;
             refined.error[k] = engine_.trusted() ? 0 : 1;
         }
-        for (Real ratio[Residual::widest] = {};; ++refined.steps) {
+        for (Real ratio[Residual::max_width] = {};; ++refined.steps) {
             refined.norms = measure(first, n);
             bool any = false;
             for (Index k = 0; k < n; ++k) {
                 Real const now = refined.norms.relative(k);
                 bool const large = now > refined_above && now < shrinking * before[k];
                 stalls[k] = ratio[k] < shrinking ? 0 : stalls[k] + 1;
-                bool const off = refined.error[k] > certain_within && stalls[k] <= most_stalls;
-                wanted.column[k] = wanted.column[k] && (large || off);
+                bool const uncertain = refined.error[k] > certain_within && stalls[k] <= max_stalls;
+                wanted.column[k] = wanted.column[k] && (large || uncertain);
                 before[k] = now;
                 any = any || wanted.column[k];
             }
@@ -172,7 +173,7 @@ private:
         }
     }
 
-    // The residuals of n columns become corrections, in place.
+    // Replaces the residuals of n columns by corrections, in place.
     Status correct(Index n, Index& iterations, Fault& fault) noexcept {
         Offset const row_length = Offset{matrix_.planes()} * residual_.width;
         auto const solve = [&](auto* rows) {
@@ -184,21 +185,21 @@ private:
         if (!method_.nodal_gradients()) return solve(residual_.value.data());
         auto const apply = [&](const Real* from, Real* to) { equations_.nodal().apply(from, to); };
         Index taken = 0;
-        HARMORPH_TRY(biconjugate_.run(residual_.value, n, iterated_to, most_iterations, taken,
-                                      apply, solve));
+        HARMORPH_TRY(
+            biconjugate_.run(residual_.value, n, iterated_to, max_iterations, taken, apply, solve));
         iterations += taken;
         return Status::ok;
     }
 
-    // Fluxes through thin cells are far larger than those at the wall, and so are their rounding
-    // errors: there the residual relative to |b| says nothing. So the residual is compared with the
-    // entries of the same row: a value that is wrong by itself fails this test; an error common to
-    // all values of neighbouring cells passes it, but refinement has estimated that one to be
-    // small. Where refinement has not run, `error` is 0.
+    // Tells whether the residual is only rounding. Fluxes through thin cells are far larger than
+    // those at the wall, and so are their rounding errors, so the residual relative to |b| is no
+    // measure there. Therefore the residual is compared with the entries of the same row. A single
+    // wrong value fails this test; an error common to all values of neighbouring cells passes it,
+    // but refinement has estimated that error to be small. If refinement has not run, `error` is 0.
     bool is_only_rounding(Index column, Real error) const noexcept {
         bool const refined = method_.traits().factors && !method_.nodal_gradients();
         return refined && error > 0 && error <= method_.tolerance &&
-               residual_.beside_entries(matrix_, dofs_, column) <= rounded_within;
+               residual_.backward_error(matrix_, dofs_, column) <= rounded_within;
     }
 
     Equations const& equations_;
@@ -213,7 +214,7 @@ private:
 
 }  // namespace
 
-void SolveReport::take(SolveReport const& others) noexcept {
+void SolveReport::merge(SolveReport const& others) noexcept {
     if (residual_function == none || exceeds(others.residual, residual)) {
         residual = others.residual;
         residual_function = others.residual_function;
@@ -248,7 +249,7 @@ void Refinement::measure(Equations const& equations, DofValues const& dofs,
     Index const n_columns = dofs.columns(equations.matrix());
     bool const in_rows = equations.matrix().kind() == MatrixKind::coupled_xy;
     for (Index first = 0, n = 0; first < n_columns; first += n) {
-        n = min(in_rows ? residual.width : Residual::widest, n_columns - first);
+        n = min(in_rows ? residual.width : Residual::max_width, n_columns - first);
         Residual::Norms const norms = in_rows
                                           ? residual.compute(equations.matrix(), dofs, first, n)
                                           : residual.measure(equations.matrix(), dofs, first, n);
@@ -260,24 +261,23 @@ void Refinement::measure(Equations const& equations, DofValues const& dofs,
     }
 }
 
-Status judge(SolveReport const& report, Method const& method, Fault& fault) noexcept {
+Status check_accuracy(SolveReport const& report, Method const& method, Fault& fault) noexcept {
     if (!(report.missed <= method.tolerance)) {
         return fault.refuse(Status::not_converged,
-                            "function # has the relative residual ~, above the tolerance",
+                            "function # has the relative residual ~, which is above the tolerance",
                             function_item(report.missed_function), {}, report.missed);
     }
     if (!report.iteration.settled) {
-        return fault.refuse(
-            Status::not_converged,
-            "the iteration ended while values were still off by more than the tolerance");
+        return fault.refuse(Status::not_converged,
+                            "the iteration ended before the values were accurate to the tolerance");
     }
     if (report.error <= max(method.tolerance, certain_within)) return Status::ok;
     bool const in_single = method.precision == Precision::in_single;
     return fault.refuse(Status::not_converged,
-                        in_single ? "function # may be off by ~: cells are too thin for a "
+                        in_single ? "function # may have an error of ~: cells are too thin for a "
                                     "factor in single precision"
-                                  : "function # may be off by ~: cells are too thin for "
-                                    "refinement to bring it down",
+                                  : "function # may have an error of ~: cells are too thin for "
+                                    "refinement to reduce the error",
                         function_item(report.error_function), {}, report.error);
 }
 

@@ -5,16 +5,16 @@
 namespace harmorph {
 namespace {
 
-constexpr Real farthest = 0.5;  // in units of the longest side of the nearest cell
+constexpr Real max_outside = 0.5;  // The unit is the longest side of the nearest cell.
 
-// Results for a range of points.
+// The results for a range of points.
 struct Tally {
-    Index cell = none;  // the last one found: where the next point probably is
+    Index cell = none;  // The last cell found, in which the next point probably is.
     Index points = 0, outside = 0;
     Real max_distance = 0;
     Index max_distance_point = none;
-    Index lost = none;  // the first point that is too far outside
-    Real lost_by = 0;
+    Index too_far = none;  // The first point that is too far outside.
+    Real too_far_by = 0;
 
     void add(Index point, Location const& location) noexcept {
         cell = location.cell;
@@ -24,11 +24,11 @@ struct Tally {
             max_distance = location.distance;
             max_distance_point = point;
         }
-        if (lost != none || location.distance <= farthest * location.longest_side) return;
-        lost = point;
-        lost_by = location.distance;
+        if (too_far != none || location.distance <= max_outside * location.longest_side) return;
+        too_far = point;
+        too_far_by = location.distance;
     }
-    // Of points that come later.
+    // Merges the results of points that come later.
     void merge(Tally const& later) noexcept {
         points += later.points;
         outside += later.outside;
@@ -36,9 +36,9 @@ struct Tally {
             max_distance = later.max_distance;
             max_distance_point = later.max_distance_point;
         }
-        if (lost == none) {
-            lost = later.lost;
-            lost_by = later.lost_by;
+        if (too_far == none) {
+            too_far = later.too_far;
+            too_far_by = later.too_far_by;
         }
     }
 };
@@ -49,7 +49,7 @@ bool same_bytes(Span<T> a, Span<T> b) noexcept {
            (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-// The centre of a rigid body.
+// Tells whether the body has the same centre in the coarse basis.
 bool same_centre(Basis const& coarse, Condition const& rigid) noexcept {
     for (Condition const& other : coarse.conditions) {
         if (other.kind != ConditionKind::rigid || other.body != rigid.body) continue;
@@ -72,12 +72,12 @@ public:
     Tally set_wall() const noexcept {
         Index const n = fine_.wall_point.count();
         return reduce_cells<Tally>(n, executor(),
-                                   [&](Index slot, Tally& met) { set_slot(slot, met); });
+                                   [&](Index slot, Tally& tally) { set_slot(slot, tally); });
     }
 
     Tally set_points() const noexcept {
         return reduce_cells<Tally>(fine_.n_points(), executor(),
-                                   [&](Index point, Tally& met) { set_point(point, met); });
+                                   [&](Index point, Tally& tally) { set_point(point, tally); });
     }
 
     void copy_joined_points() const noexcept {
@@ -95,10 +95,10 @@ private:
         return transfer_.correction.data() + Offset{slot} * row_length_;
     }
 
-    void set_slot(Index slot, Tally& met) const noexcept {
+    void set_slot(Index slot, Tally& tally) const noexcept {
         Index const point = fine_.wall_point[slot];
-        Location const location = transfer_.locator.locate(points_[point], met.cell);
-        met.add(point, location);
+        Location const location = transfer_.locator.locate(points_[point], tally.cell);
+        tally.add(point, location);
         transfer_.reach[slot] = location.longest_side;
         interpolate(location.weights, correction(slot));
         auto const row = fine_.row(point);
@@ -106,7 +106,7 @@ private:
         for (Index k = 0; k < row_length_; ++k) correction(slot)[k] = row[k] - correction(slot)[k];
     }
 
-    // Adds them to a row of zeros.
+    // Adds the boundary functions to a row of zeros.
     void set_boundary_functions(Index slot, RowInBlock<Real> row) const noexcept {
         BoundaryFunctions const functions = fine_.boundary_functions(slot);
         for (Index k = 0; k < functions.order; ++k) {
@@ -117,13 +117,13 @@ private:
         }
     }
 
-    void set_point(Index point, Tally& met) const noexcept {
+    void set_point(Index point, Tally& tally) const noexcept {
         PointKind const kind = analysis_.kinds()[point];
         if (!is_unknown(kind)) return;
         auto const row = fine_.row(point);
-        Location const location = transfer_.locator.locate(points_[point], met.cell);
-        ++met.points;
-        met.add(point, location);
+        Location const location = transfer_.locator.locate(points_[point], tally.cell);
+        ++tally.points;
+        tally.add(point, location);
         interpolate(location.weights, row);
         move_along_with_wall(point, row);
         if (kind == PointKind::slip) keep_on_line(analysis_.tangent()[point], row);
@@ -140,8 +140,9 @@ private:
     }
 
     void move_along_with_wall(Index point, RowInBlock<Real> row) const noexcept {
-        Index group = 0;  // no guess: which of two feet at equal distance is chosen must not depend
-                          // on the threads
+        // The search begins without a guess, as the choice between two feet at equal distance must
+        // not depend on the threads.
+        Index group = 0;
         FaceDistance::Foot const foot = transfer_.wall.foot(points_[point], group);
         if (foot.face == none) return;
         FaceDistance::Face const& face = transfer_.wall.faces[foot.face];
@@ -158,7 +159,8 @@ private:
         return analysis_.wall_slot()[analysis_.topology().representative[point]];
     }
 
-    // The point is on a side of a passage that is turned against the side of the other point.
+    // Turns the values of a point on a side of a passage that is turned against the side of the
+    // other point.
     void turn(Index point, Index same) const noexcept {
         Periodicity const& periodicity = analysis_.periodicity();
         Vec2 const by =
@@ -172,8 +174,8 @@ private:
         }
     }
 
-    // A row of matrix values has the movements along x in the first half, those along y in the
-    // second one.
+    // Keeps the values of a slipping point on its line. A row of matrix values has the movements
+    // along x in the first half, those along y in the second one.
     void keep_on_line(Vec2 tangent, RowInBlock<Real> row) const noexcept {
         Index const half = row_length_ / 2;
         for (Index k = 0; k < half; ++k) {
@@ -214,16 +216,16 @@ Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis co
     wall.choose(analysis.boundary(), [&](Index face) { return analysis.is_wall_face(face); });
     wall.build(points);
     TransferRun run(*this, analysis, coarse, fine);
-    Tally met = run.set_wall();
-    met.merge(run.set_points());
-    if (met.lost != none) {
+    Tally tally = run.set_wall();
+    tally.merge(run.set_points());
+    if (tally.too_far != none) {
         return fault.refuse(
             Status::bad_mesh,
-            "point # is ~ outside the coarse mesh: the meshes are not of one domain",
-            point_item(met.lost), {}, met.lost_by);
+            "point # is ~ outside the coarse mesh; both meshes must cover the same domain",
+            point_item(tally.too_far), {}, tally.too_far_by);
     }
     run.copy_joined_points();
-    report = {met.points, met.outside, met.max_distance, met.max_distance_point, 0};
+    report = {tally.points, tally.outside, tally.max_distance, tally.max_distance_point, 0};
     for (Real const difference : correction) {
         report.wall_correction = max(report.wall_correction, abs(difference));
     }
@@ -235,9 +237,10 @@ Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis co
 Status check_alike(Basis const& coarse, Basis const& fine, Fault& fault) noexcept {
     auto const refuse = [&](const char* why) { return fault.refuse(Status::bad_basis, why); };
     Method const &a = coarse.header->method, &b = fine.header->method;
-    if (a.operator_kind != b.operator_kind || a.scheme != b.scheme || a.quarters != b.quarters ||
-        a.offset_correction != b.offset_correction || coarse.kind() != fine.kind()) {
-        return refuse("operator, scheme, weight or kind of values of the two bases differ");
+    if (a.operator_kind != b.operator_kind || a.scheme != b.scheme ||
+        a.exponent_quarters != b.exponent_quarters || a.offset_correction != b.offset_correction ||
+        coarse.kind() != fine.kind()) {
+        return refuse("the two bases differ in operator, scheme, weight or kind of values");
     }
     if (coarse.header->counts.control != fine.header->counts.control ||
         !same_bytes(coarse.shape, fine.shape) || !same_bytes(coarse.indices, fine.indices) ||
@@ -252,7 +255,8 @@ Status check_alike(Basis const& coarse, Basis const& fine, Fault& fault) noexcep
     }
     return same_bodies
                ? Status::ok
-               : refuse("the two bases have different rigid bodies, or other centres of theirs");
+               : refuse(
+                     "the two bases have different rigid bodies, or bodies with different centres");
 }
 
 }  // namespace harmorph

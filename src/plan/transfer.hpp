@@ -1,5 +1,5 @@
-// From a coarse mesh to a finer one of the same domain: solved functions are interpolated, and the
-// known values on the fine boundary are restored.
+// Transfer from a coarse mesh to a finer one of the same domain: solved functions are interpolated,
+// and the known values on the fine boundary are restored.
 #pragma once
 
 #include "boundary/distance.hpp"
@@ -9,39 +9,42 @@
 namespace harmorph {
 
 struct TransferReport {
-    Index points = 0;   // interpolated: neither on the wall nor fixed
-    Index outside = 0;  // points, also on the wall, outside the coarse mesh
+    // The number of interpolated points, which are neither on the wall nor fixed.
+    Index points = 0;
+    // The number of points outside the coarse mesh, including points on the wall.
+    Index outside = 0;
     Real max_distance = 0;
     Index max_distance_point = none;
-    Real wall_correction =
-        0;  // largest difference between interpolated and boundary functions on the wall
+    // The largest difference between interpolated functions and boundary functions on the wall.
+    Real wall_correction = 0;
 };
 
-// Points of the fine mesh get the values interpolated in the coarse cell they are in. Points
+// Points of the fine mesh get the values interpolated in the coarse cell in which they lie. Points
 // outside the coarse mesh (beyond a curved boundary, whose coarse faces are chords of the fine
-// boundary) get values extrapolated linearly from the nearest cell; at most half the longest side
-// of that cell away: a circular arc up to a semicircle rises no higher above the chord.
+// boundary) get values extrapolated linearly from the nearest cell, over at most half the longest
+// side of that cell: a circular arc up to a semicircle rises no higher above the chord.
 //
 // Wall points get the boundary functions instead. The difference D to the interpolated values, of
 // second order in the coarse spacing h, is large relative to the thin first layers of a viscous
-// mesh, which would invert. So points near the wall get the correction (1 - d/h) D, where d is the
-// distance of the point from the wall, and h and D are those at the foot. The strain that this adds
-// is of first order in h, like that of the interpolation.
+// mesh, which would invert. Therefore points near the wall get the correction (1 - d/h) D, where d
+// is the distance of the point from the wall, and h and D are those at the foot. The strain that
+// this adds is of first order in h, like that of the interpolation.
 struct Transfer {
     Locator locator;
-    FaceDistance wall;      // faces that move, of the fine mesh
-    Span<Real> correction;  // [wall x row_length] D of each slot
-    Span<Real> reach;       // [wall] h
+    FaceDistance wall;      // The faces of the fine mesh that move.
+    Span<Real> correction;  // [wall x row_length] D of each slot.
+    Span<Real> reach;       // [wall] h of each slot.
 
     void lay_out(Arena& arena, Analysis const& fine, Mesh const& coarse) noexcept;
 
-    // `fine` must have been made of the analysis; `coarse` must have been solved on coarse_mesh.
+    // `fine` must have been made from the analysis; `coarse` must have been solved on coarse_mesh.
     // Seals `fine`; after a refused call `fine` is unsolved.
     Status run(Analysis const& analysis, Mesh const& coarse_mesh, Basis const& coarse,
                Basis const& fine, TransferReport& report, Fault& fault) noexcept;
 };
 
-// Same curves, bodies and way of solving? Then function i is the same function on both meshes.
+// Refuses bases with different curves, bodies or methods; without these differences function i is
+// the same function on both meshes.
 Status check_alike(Basis const& coarse, Basis const& fine, Fault& fault) noexcept;
 
 }  // namespace harmorph

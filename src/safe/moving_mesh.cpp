@@ -26,7 +26,9 @@ void MovingMesh::init(Plan const& plan, Basis const& basis, const Real* move) no
     carried.init(basis, path, plan.mesh().points);
     for (Index k = 0; k < plan.mesh().n_points; ++k) {
         bool const is_unknown = plan.is_unknown(k);
-        ends[k] = !is_unknown ? EndOf::prescribed : plan.slips(k) ? EndOf::on_line : EndOf::unknown;
+        ends[k] = !is_unknown     ? KnownEnd::prescribed
+                  : plan.slips(k) ? KnownEnd::on_line
+                                  : KnownEnd::unknown;
         held[k] = is_unknown ? 0 : 1;
         representative[k] = plan.representative(k);
     }

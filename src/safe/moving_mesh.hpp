@@ -17,7 +17,7 @@ struct MovingMesh {
     Span<Real> reached, aimed,
         difference;  // [2 * functions] movements since the start: now, ahead, and ahead - now
     Real aimed_time = 0;
-    Span<EndOf> ends;  // [n_points] what is known of where points end
+    Span<KnownEnd> ends;  // [n_points] what is known of where points end
     Span<Index>
         representative;       // [n_points] of points that a cut joins: the one that stands for all
     Span<std::uint8_t> held;  // [n_points] 1: on the boundary, wherever the step takes it

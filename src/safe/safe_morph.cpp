@@ -45,7 +45,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     Target const target{work.cells(), basis.boundary_point, basis.loop_start,
                         mesh.ends,    plan.mesh().points,   mesh.ahead()};
     for (Index k = 0; k < mesh.ends.count(); ++k) {
-        if (mesh.ends[k] == EndOf::on_line) mesh.to_ahead().set(k, plan.mesh().points[k]);
+        if (mesh.ends[k] == KnownEnd::on_line) mesh.to_ahead().set(k, plan.mesh().points[k]);
     }
     HARMORPH_TRY(check_target(target, report.crossing, fault));
 
@@ -56,7 +56,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
                      plan.walls_at(plan.mesh().points));
     Method const method = plan.equations().method();
     Status const status = climb(work);
-    plan.change_operator(method.operator_kind, method.quarters);
+    plan.change_operator(method.operator_kind, method.exponent_quarters);
     if (work.factored_again) plan.forget_factor();  // of another mesh or operator
     HARMORPH_TRY(status);
     return finish(work);

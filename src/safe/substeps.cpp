@@ -40,7 +40,7 @@ struct SafeMorph::Operators {
     }
 
     explicit Operators(Method const& method) noexcept {
-        add({method.operator_kind, method.quarters});
+        add({method.operator_kind, method.exponent_quarters});
         if (method.conformal()) add({Operator::conformal, 4});
         if (method.operator_kind != Operator::laplace) add({Operator::laplace, 0});
     }
@@ -163,11 +163,12 @@ Status SafeMorph::change_operator(Work& work, Basis const& here, Operators& oper
 // On the mesh as it is. Status::unsupported: the conditions do not allow this operator.
 Status SafeMorph::solve_by(Work& work, Basis const& here, OperatorChoice const& choice) noexcept {
     Method& method = here.header->method;
-    bool const is_new = method.operator_kind != choice.kind || method.quarters != choice.quarters;
+    bool const is_new =
+        method.operator_kind != choice.kind || method.exponent_quarters != choice.quarters;
     if (!work.plan.change_operator(choice.kind, choice.quarters) && is_new)
         return Status::unsupported;
     method.operator_kind = choice.kind;
-    method.quarters = choice.quarters;
+    method.exponent_quarters = choice.quarters;
     return solve_at_present(work, here);
 }
 

@@ -12,9 +12,9 @@ struct Loop {
 
     Index next(Index k) const noexcept { return point[k + 1 == point.count() ? 0 : k + 1]; }
 
-    bool is_known(Span<const EndOf> ends) const noexcept {
+    bool is_known(Span<const KnownEnd> ends) const noexcept {
         for (Index const k : point) {
-            if (ends[k] == EndOf::unknown) return false;
+            if (ends[k] == KnownEnd::unknown) return false;
         }
         return true;
     }
@@ -109,7 +109,7 @@ Status check_corners(Target const& target, Fault& fault) noexcept {
         for (Index k = 0; k < shape.n; ++k) {
             Index const before = k == 0 ? shape.n - 1 : k - 1, next = k + 1 == shape.n ? 0 : k + 1;
             auto const is_known = [&](Index point) {
-                return target.ends[point] == EndOf::prescribed;
+                return target.ends[point] == KnownEnd::prescribed;
             };
             if (!is_known(shape.point[before]) || !is_known(shape.point[k]) ||
                 !is_known(shape.point[next]))

@@ -12,7 +12,7 @@ struct Target {
     OrientedMesh cells;
     Span<const Index> boundary_point, loop_start;
     // [n_points] `prescribed` for points of walls and fixed ones; inner points are `unknown`
-    Span<const EndOf> ends;
+    Span<const KnownEnd> ends;
     Points start;
     Points at_target;  // where points are prescribed; where they slide, anywhere on their line
 };

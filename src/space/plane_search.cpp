@@ -123,8 +123,8 @@ Status PlaneSearch::follow(SpaceMesh const& mesh, Plane& plane, Fault& fault) no
         Nearest const near = tree.nearest(placed.place, {}, squared);
         if (near.item == none || !(near.squared <= reach[near.item])) {
             constexpr const char* text =
-                "the mesh is not an extruded or turned plane mesh: the projection of point # is ~ "
-                "away from the nearest point of the faces";
+                "the projection of point # is ~ away from the nearest point of the faces, so the "
+                "mesh is not an extruded or turned plane mesh";
             return fault.refuse(Status::bad_mesh, text, point_item(k), {}, sqrt(near.squared));
         }
         Real const distance = sqrt(near.squared);

@@ -1,8 +1,8 @@
 #!/bin/sh
 # usage: describe.sh LIBRARY DIR   (CC from the environment; in the top directory)
 # The binary interface of the C headers and the library, as text: exported calls with their declarations, structs with
-# the places and sizes of all fields, constants. The headers themselves are taken apart:
-# nothing of them can be forgotten here.
+# the places and sizes of all members, and constants. All names are read from the headers (c_api/packaging/table.awk),
+# so that none can be forgotten here.
 : "${CC:=cc}"
 library=$1 dir=$2
 headers=$(grep -l '^HM_API' include/*.h)
@@ -16,42 +16,14 @@ sed -n '/^HM_API/,/;/p' "$dir/header" | tr '\n' ' ' | sed 's/;/;\n/g' |
     for header in $headers; do echo "#include <${header#include/}>"; done
     echo '#include <stdio.h>'
     echo 'int main(void) {'
-    awk '
-    /^enum/ { constants = 1 }
-    constants { text = text " " $0 }
-    constants && /};/ {
-        sub(/^[^{]*{/, "", text); sub(/};.*/, "", text)
-        n = split(text, names, ",")
-        for (k = 1; k <= n; ++k) {
-            sub(/=.*/, "", names[k]); gsub(/ /, "", names[k])
-            if (names[k] != "") printf "    printf(\"constant %s %%d\\n\", (int)%s);\n", names[k], names[k]
-        }
-        constants = 0; text = ""
-    }
-    /^typedef struct [a-z_]+ {/ {
-        type = $3; fields = ""
-        printf "    printf(\"struct %s: %%d bytes\\n\", (int)sizeof(%s));\n", type, type
-        next
-    }
-    type != "" && /^}/ {
-        n = split(fields, one, ";")
-        for (k = 1; k <= n; ++k) {
-            m = split(one[k], names, ",")
-            for (j = 1; j <= m; ++j) {
-                name = names[j]
-                sub(/\[.*/, "", name); sub(/ *$/, "", name); sub(/.*[ *]/, "", name)
-                if (name != "")
-                    printf "    printf(\"    %s: %%d, %%d bytes\\n\", " \
-                        "(int)offsetof(%s, %s), (int)sizeof(((%s *)0)->%s));\n",
-                        name, type, name, type, name
-            }
-        }
-        type = ""
-        next
-    }
-    type != "" { fields = fields " " $0 }' "$dir/header"
+    awk -f c_api/packaging/table.awk $headers | awk '
+        $1 == "constant" { printf "    printf(\"constant %s %%d\\n\", (int)%s);\n", $2, $2 }
+        $1 == "struct" { printf "    printf(\"struct %s: %%d bytes\\n\", (int)sizeof(%s));\n", $2, $2 }
+        $1 == "member" {
+            printf "    printf(\"    %s: %%d, %%d bytes\\n\", (int)offsetof(%s, %s), (int)sizeof(((%s *)0)->%s));\n",
+                $3, $2, $3, $2, $3
+        }'
     cat <<'END'
-    printf("constant HM_ABI %d\n", HM_ABI);
     return 0;
 }
 END

@@ -1,5 +1,6 @@
 // Values of all kinds, real, complex and 2 x 2: one basis, one morph, one adjoint, whatever a value
 // is made of.
+#include <harmorph_design.h>
 #include <harmorph_study.h>
 #include "fixtures/options.hpp"
 #include <doctest/doctest.h>

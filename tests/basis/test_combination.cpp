@@ -1,3 +1,4 @@
+#include <harmorph_design.h>
 #include <harmorph_study.h>
 #include <doctest/doctest.h>
 
@@ -183,11 +184,13 @@ TEST_CASE(
         twice.entries[static_cast<std::size_t>((row * 3 + 2) * 2 + 1)] = turned.imag();
     }
     bad.entries[7] = std::nan("");
-    CHECK(refusal(zero, "is zero", 1) == HM_BAD_CONDITION);
-    CHECK(refusal(twice, "combination", 2) == HM_BAD_CONDITION);
+    CHECK(refusal(zero, "the design variable moves no control point", 1) == HM_BAD_CONDITION);
+    CHECK(refusal(twice, "is a linear combination of the columns before it", 2) ==
+          HM_BAD_CONDITION);
     CHECK(refusal(bad, "not finite", 1) == HM_BAD_ARGUMENT);
-    CHECK(refusal(Combination(8, 9, 1, 4), "9 variables of 8", 9) == HM_BAD_CONDITION);
-    CHECK(refusal(Combination(8, 0, 1, 4), "at least one", -1) == HM_BAD_ARGUMENT);
+    CHECK(refusal(Combination(8, 9, 1, 4), "9 variables cannot be independent", 9) ==
+          HM_BAD_CONDITION);
+    CHECK(refusal(Combination(8, 0, 1, 4), "n must be at least 1, not 0", -1) == HM_BAD_ARGUMENT);
     CHECK(Combined(solved.basis, good, 1).status == HM_BLOCK_TOO_SMALL);
     CHECK(Combined(solved.basis, good, 200).status == HM_BLOCK_TOO_SMALL);
     CHECK(Combined(Single(solved.basis).basis, good).status == HM_UNSUPPORTED);

@@ -260,7 +260,8 @@ TEST_CASE("parcels out of order, of other lists or problems, truncated, or no pa
     hm_error error{};
     CHECK(unpack(rows, second.parcel(points), &error) == HM_BAD_BASIS);
     CHECK(error.item == 12);
-    CHECK(std::string(error.text).find("the next one to come is 0") != std::string::npos);
+    CHECK(std::string(error.text) ==
+          "the parcel begins with function 12, but the next function to add is 0");
     CHECK(unpack(rows, foreign.parcel(points)) == HM_BAD_BASIS);
     CHECK(unpack(rows, first.parcel(fewer)) == HM_BAD_BASIS);
     std::vector<double> parcel = first.parcel(points);
@@ -274,7 +275,8 @@ TEST_CASE("parcels out of order, of other lists or problems, truncated, or no pa
     CHECK(unpack(rows, second.parcel(points)) == HM_OK);
     CHECK(info_of(rows.basis).solved == 1);
     CHECK(unpack(rows, second.parcel(points), &error) == HM_BAD_BASIS);
-    CHECK(std::string(error.text) == "the rows have all of their functions already");
+    CHECK(std::string(error.text) ==
+          "the rows already contain all functions, so no parcel can be added");
     CHECK(hm_parcel_unpack(rows.basis, nullptr, 4, nullptr) == HM_BAD_ARGUMENT);
     std::int64_t doubles = 0;
     CHECK(hm_parcel_size(first.basis, -1, &doubles, nullptr) == HM_BAD_ARGUMENT);
@@ -291,8 +293,10 @@ TEST_CASE("a parcel is for its own list of points and its own functions") {
         const char* refusal;  // "" if the parcel is taken
     };
     const char* const other_list =
-        "the parcel was packed for another list of points than that of the rows";
-    const char* const other_problem = "the parcel comes from a basis of another problem";
+        "the parcel was packed for another list of points than the list of the rows";
+    const char* const other_problem =
+        "the parcel comes from a basis of another problem: mesh, conditions, curves or method "
+        "differ";
     Sender const senders[] = {
         {"the same", HM_LAPLACE, 0, {5, 3, 8}, ""},
         {"the same points in another order", HM_LAPLACE, 0, {3, 5, 8}, other_list},

@@ -18,7 +18,7 @@ TEST_CASE("a basis that is truncated, at any length, is refused with the reason"
         BasisCopy part(whole.data(), size);  // reading behind it would be noticed
         CHECK(part.attach() == HM_BAD_BASIS);
         bool const in_header = size < sizeof(harmorph::BasisHeader);
-        CHECK(part.says(size == 0 ? "not a harmorph basis" : "truncated"));
+        CHECK(part.says(size == 0 ? "not a harmorph basis: the mark" : "truncated"));
         std::size_t const wanted = in_header ? sizeof(harmorph::BasisHeader) : whole.size();
         if (size > 0) CHECK(part.error.value == static_cast<double>(wanted - size));
     }
@@ -60,12 +60,12 @@ TEST_CASE("each reason to refuse a basis has a sentence of its own") {
     bad.byte_order = 0x04030201;
     copy.set(bad);
     CHECK(copy.attach() == HM_BAD_BASIS);
-    CHECK(copy.says("byte order"));
+    CHECK(copy.says("with another byte order"));
     bad = good;
     bad.format = 1;
     copy.set(bad);
     CHECK(copy.attach() == HM_BAD_BASIS);
-    CHECK(copy.says("format version 1"));
+    CHECK(copy.says("format version 1, but this library"));
     bad = good;
     bad.bytes += 8;
     copy.set(bad);
@@ -75,7 +75,7 @@ TEST_CASE("each reason to refuse a basis has a sentence of its own") {
     bad.counts.points += 1;
     copy.set(bad);
     CHECK(copy.attach() == HM_BAD_BASIS);
-    CHECK(copy.says("contradict"));
+    CHECK(copy.says("counts in its header"));
     for (harmorph::Index harmorph::BasisCounts::*count :
          {&harmorph::BasisCounts::points, &harmorph::BasisCounts::control,
           &harmorph::BasisCounts::loops}) {
@@ -85,14 +85,14 @@ TEST_CASE("each reason to refuse a basis has a sentence of its own") {
             bad.counts.*count = wrong;
             copy.set(bad);
             CHECK(copy.attach() == HM_BAD_BASIS);
-            CHECK(copy.says("contradict"));
+            CHECK(copy.says("counts in its header"));
         }
     }
     bad = good;
     bad.checksum ^= 1;
     copy.set(bad);
     CHECK(copy.attach() == HM_BAD_BASIS);
-    CHECK(copy.says("checksum"));
+    CHECK(copy.says("checksum does not match"));
     copy.set(good);
     CHECK(copy.attach() == HM_OK);
     const hm_basis* basis = nullptr;
@@ -122,17 +122,17 @@ TEST_CASE(
         number = right;
     };
     for (std::int32_t const far : {-1, 0x7FFFFFFF}) {
-        spoils(basis.indices[3], far, "curves");
-        spoils(basis.shape[1].first_knot, far, "curves");
-        spoils(basis.shape[0].n_indices, far, "curves");
-        spoils(basis.conditions[1].first_curve, far, "conditions");
-        spoils(basis.wall_point[5], far, "points on curves");
-        spoils(basis.wall_curve[5], far, "points on curves");
-        spoils(basis.boundary_point[9], far, "boundary");
-        spoils(basis.loop_start[1], far, "boundary");
-        spoils(basis.header->filled, far, "method");
-        spoils(basis.header->counts.bodies, far, "contradict");
-        spoils(basis.header->counts.combination, far, "contradict");
+        spoils(basis.indices[3], far, "data of its curves");
+        spoils(basis.shape[1].first_knot, far, "data of its curves");
+        spoils(basis.shape[0].n_indices, far, "data of its curves");
+        spoils(basis.conditions[1].first_curve, far, "a condition is unknown");
+        spoils(basis.wall_point[5], far, "data of its wall points");
+        spoils(basis.wall_curve[5], far, "data of its wall points");
+        spoils(basis.boundary_point[9], far, "boundary loops are inconsistent");
+        spoils(basis.loop_start[1], far, "boundary loops are inconsistent");
+        spoils(basis.header->filled, far, "option of its solution");
+        spoils(basis.header->counts.bodies, far, "counts in its header");
+        spoils(basis.header->counts.combination, far, "counts in its header");
     }
     Case cut = cut_ring();  // has points that are joined to points of the wall
     Solved const of_cut(cut);
@@ -160,14 +160,18 @@ TEST_CASE(
         its_case.number = its_case.wrong;
         joined.header->checksum = harmorph::checksum_of(*joined.header);
         CHECK(cut_copy.attach() == (its_case.is_refused ? HM_BAD_BASIS : HM_OK));
-        if (its_case.is_refused) CHECK(cut_copy.says("points on curves"));
+        if (its_case.is_refused) CHECK(cut_copy.says("data of its wall points"));
         its_case.number = right;
     }
-    spoils(basis.knots[4], std::nan(""), "curves");
-    spoils(basis.control[4], std::nan(""), "curves");
-    spoils(basis.wall_u[4], std::nan(""), "points on curves");
-    spoils(basis.value[100], 1e9, "largest");
-    spoils(basis.header->largest, 0.5, "largest");
+    spoils(basis.knots[4], std::nan(""), "data of its curves");
+    spoils(basis.control[4], std::nan(""), "data of its curves");
+    spoils(basis.wall_u[4], std::nan(""), "data of its wall points");
+    spoils(basis.value[100], 1e9, "exceeds the largest value");
+    spoils(basis.header->largest, 0.5, "exceeds the largest value");
+    harmorph::Method& method = basis.header->method;
+    spoils(method.operator_kind, harmorph::Operator{17}, "names an unknown operator, 17");
+    spoils(method.scheme, harmorph::Scheme{-1}, "names an unknown scheme, -1");
+    spoils(method.engine, harmorph::Engine{3}, "names an unknown engine, 3");
     CHECK(attach_sealed() == HM_OK);
     CHECK(basis.header->checksum == good.checksum);
 
@@ -210,7 +214,7 @@ TEST_CASE(
         number = wrong;
         basis.header->checksum = harmorph::checksum_of(*basis.header);
         bool const is_refused =
-            copy.attach(&mesh) == HM_BAD_BASIS && copy.says("pieces of its cells");
+            copy.attach(&mesh) == HM_BAD_BASIS && copy.says("pieces of its polygonal cells");
         number = right;
         return is_refused;
     };
@@ -231,7 +235,7 @@ TEST_CASE(
     other.mesh.add_point({9, 9});
     hm_mesh view = other.mesh.view();
     CHECK(copy.attach(&view) == HM_BAD_BASIS);
-    CHECK(copy.says("another mesh: it has 48 points"));
+    CHECK(copy.says("another mesh, which has 48 points"));
     other = its;
     std::swap(other.mesh.cells[0], other.mesh.cells[2]);  // the same counts
     view = other.mesh.view();
@@ -243,18 +247,18 @@ TEST_CASE(
     REQUIRE(other.mesh.face_markers != its.mesh.face_markers);
     view = other.mesh.view();
     CHECK(copy.attach(&view) == HM_BAD_BASIS);
-    CHECK(copy.says("its markers"));
+    CHECK(copy.says("the markers contain other points"));
     other = its;
     for (std::int32_t& marker : other.mesh.face_markers)
         marker += 7;  // the same points on markers of other numbers
     view = other.mesh.view();
     CHECK(copy.attach(&view) == HM_BAD_BASIS);
-    CHECK(copy.says("its markers"));
+    CHECK(copy.says("the markers contain other points"));
     other = its;
     other.mesh.x[20] += 1e-12;
     view = other.mesh.view();
     CHECK(copy.attach(&view) == HM_MOVED);
-    CHECK(copy.says("coordinates"));
+    CHECK(copy.says("other coordinates than the mesh"));
     other.mesh.x[20] = std::nan("");
     CHECK(copy.attach(&view) == HM_BAD_MESH);
 

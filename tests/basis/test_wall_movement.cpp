@@ -217,5 +217,5 @@ TEST_CASE(
           std::string::npos);
     Recovered const negative(solved.basis, its.mesh.x, its.mesh.y, -1);
     CHECK(negative.status == HM_BAD_ARGUMENT);
-    CHECK(std::string(negative.error.text).find("tolerance must be 0 or positive") == 0);
+    CHECK(std::string(negative.error.text).find("tolerance must be at least 0") == 0);
 }

@@ -88,7 +88,7 @@ TEST_CASE("the graph couples every pair of unknowns that share a cell, and no ot
         std::sort(expected.begin(), expected.end());
         expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
         for (harmorph::Index u = 0; u < graph.n; ++u) {
-            for (harmorph::Index const v : graph.of(u)) found.push_back({u, v});
+            for (harmorph::Index const v : graph.neighbours(u)) found.push_back({u, v});
             CHECK(graph.unknown[graph.line[u]] == u);
             if (u > 0) CHECK(graph.point(u) > graph.point(u - 1));
             CHECK(graph.beside_curve[u] == near_wall[static_cast<std::size_t>(u)]);

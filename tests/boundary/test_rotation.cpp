@@ -334,10 +334,10 @@ TEST_CASE("what is no rotation pair is refused, with the place") {
     refused(its, HM_BAD_CONDITION, "has another centre or angle", options);
     its = good;
     its.conditions.back().piece = 1;
-    refused(its, HM_BAD_CONDITION, "chooses a piece, which a periodic pair cannot", options);
+    refused(its, HM_BAD_CONDITION, "chooses a piece of a marker", options);
     its = good;
     its.set_slip(right);
-    refused(its, HM_UNSUPPORTED, "do not go with slipping boundaries", options);
+    refused(its, HM_UNSUPPORTED, "cannot be combined with slip", options);
     its = good;
     its.conditions.back().partner = left;
     refused(its, HM_BAD_CONDITION, "its own periodic partner", options);
@@ -347,15 +347,15 @@ TEST_CASE("combinations without rotation pairs say so") {
     Case its = passage(Cells::quads, 5);
     Options options = options_of(HM_LAPLACE);
     options.engine = HM_MULTIGRID;
-    refused(its, HM_UNSUPPORTED, "the direct engine only", options);
+    refused(its, HM_UNSUPPORTED, "needs the direct engine", options);
     options.engine = HM_FAS;
-    refused(its, HM_UNSUPPORTED, "the direct engine only", options);
+    refused(its, HM_UNSUPPORTED, "needs the direct engine", options);
     options = options_of(HM_LAPLACE);
     options.scheme = HM_BOUNDED;
-    refused(its, HM_UNSUPPORTED, "the compact scheme only", options);
+    refused(its, HM_UNSUPPORTED, "needs the compact scheme", options);
     options.scheme = HM_NODAL_GRADIENT;
-    refused(its, HM_UNSUPPORTED, "the compact scheme only", options);
+    refused(its, HM_UNSUPPORTED, "needs the compact scheme", options);
     options = options_of(HM_CONFORMAL);
     its.set_periodic(top, bottom);
-    refused(its, HM_UNSUPPORTED, "do not go with HM_PERIODIC_PAIR", options);
+    refused(its, HM_UNSUPPORTED, "cannot be combined with HM_PERIODIC_PAIR", options);
 }

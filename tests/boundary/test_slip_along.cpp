@@ -141,8 +141,8 @@ TEST_CASE(
     hm_error const error = refusal(of);
     CHECK(error.code == HM_BAD_CONDITION);
     CHECK(std::string(error.text) ==
-          "condition 1 slides along 1 curves, but its `along` is NULL: a basis does not "
-          "keep them");
+          "condition 1 slips along 1 curves, but its `along` is NULL; give the curves again, "
+          "because a basis does not keep them");
     of.condition();
     CHECK(of.off_circle() < 1e-11);
 }
@@ -195,12 +195,11 @@ TEST_CASE("curves that do not fit are refused, with the point") {
     Along of(circle(2, 0));
     of.condition().n_curves = 2;
     CHECK(std::string(refusal(of).text) ==
-          "condition 1 has n_curves 2, but that is not the number of curves in its `along`");
+          "n_curves of condition 1 is 2, but its `along` has another number of curves");
     of.condition().kind = HM_FIXED;
     of.its.conditions.back().n_curves = 0;
     CHECK(std::string(refusal(of).text) ==
-          "condition 1 has curves along which to slide, which are of HM_SLIP only, but "
-          "its kind is 2");
+          "along of condition 1 is set, but the kind of the condition is 2, not HM_SLIP");
     of.condition().kind = HM_SLIP;
     of.curves.shapes[0].knots[1] = 9;  // not in order
     CHECK(refusal(of).code == HM_BAD_CURVE);

@@ -318,3 +318,56 @@ TEST_CASE("the tip of a horn of ice is no base: the trailing edge is where the c
             CHECK(blunt.course.base_points == 5);
         }
 }
+
+// A NACA 4-digit section with one point at the trailing edge, at the end of one side. Where the
+// thickness there is not zero, the last panel of the other side closes the base. Panels at the
+// trailing edge have the length `last`.
+static std::vector<Vec2> with_one_point_at_the_edge(fixtures::Naca4 const& naca, bool above,
+                                                    double last, int n_side) {
+    std::vector<Vec2> out;
+    fixtures::Point const edge = fixtures::naca4_point(naca, 1, above ? -1 : 1);
+    out.push_back({edge.x, edge.y});
+    double const pi = std::acos(-1.0);
+    for (int k = 0; k < 2 * n_side + 1; ++k) {
+        double const x = (1 - last) * 0.5 * (1 + std::cos(pi * k / n_side));
+        fixtures::Point const p = fixtures::naca4_point(naca, x, k <= n_side ? 1 : -1);
+        out.push_back({p.x, p.y});
+    }
+    return out;
+}
+
+TEST_CASE("a trailing edge of one point is no base, though the last panel turns by 24 degrees") {
+    double largest = 0;
+    int blunt_sections = 0;
+    for (bool const blunt : {false, true})
+        for (double const thickness : {0.06, 0.12, 0.18, 0.24})
+            for (double const camber : {0.0, 0.02, 0.06})
+                for (double const last : {0.005, 0.01, 0.0212, 0.05, 0.1})
+                    for (int const n_side : {12, 25, 60})
+                        for (bool const above : {true, false}) {
+                            auto const section = with_one_point_at_the_edge(
+                                {camber, 0.4, thickness, blunt}, above, last, n_side);
+                            std::size_t const n = section.size();
+                            Vec2 const panel = section[0] - section[above ? 1 : n - 1];
+                            Vec2 const before =
+                                section[above ? 1 : n - 1] - section[above ? 2 : n - 2];
+                            double const turn = std::asin(std::abs(cross(before, panel)) /
+                                                          (length(before) * length(panel)));
+                            if (turn > 0.42) continue;  // like a slanted base
+                            CAPTURE(blunt);
+                            CAPTURE(thickness);
+                            CAPTURE(camber);
+                            CAPTURE(last);
+                            CAPTURE(n_side);
+                            CAPTURE(above);
+                            Chosen const chosen = choose_always(section);
+                            CHECK(chosen.course.closure == Closure::tied);
+                            CHECK(chosen.course.reason == ClosureReason::corner);
+                            CHECK(chosen.course.first == 0);
+                            CHECK(chosen.corners.size() <= 1);  // at the other end of the panel
+                            largest = std::fmax(largest, turn);
+                            blunt_sections += blunt;
+                        }
+    CHECK(largest > 0.35);
+    CHECK(blunt_sections > 200);
+}

@@ -438,7 +438,7 @@ TEST_CASE("what cannot be measured is refused with the reason, outputs untouched
               HM_BAD_CURVE);
     CHECK(refusal(set, quantity(HM_THICKNESS, 1.5), "station") == HM_BAD_ARGUMENT);
     CHECK(refusal(set, quantity(HM_AREA, 0.5), "station") == HM_BAD_ARGUMENT);
-    CHECK(refusal(set, quantity(99), "kind 99") == HM_BAD_ARGUMENT);
+    CHECK(refusal(set, quantity(99), "is 99, but it must be one of HM_AREA") == HM_BAD_ARGUMENT);
     CHECK(refusal(set, quantity(HM_CLEARANCE), "polygon") == HM_BAD_ARGUMENT);
     CHECK(refusal(set, clearance({0, std::nan("")}), "point 0") == HM_BAD_ARGUMENT);
     hm_section outside{};
@@ -447,7 +447,8 @@ TEST_CASE("what cannot be measured is refused with the reason, outputs untouched
     outside.trailing_x = 11;
     CHECK(refusal(set, quantity(HM_THICKNESS, 0.5), "fewer than two", &outside) == HM_BAD_CURVE);
     outside.n_curves = 2;
-    CHECK(refusal(set, quantity(HM_AREA), "exceed", &outside) == HM_BAD_ARGUMENT);
+    CHECK(refusal(set, quantity(HM_AREA), "does not have these curves", &outside) ==
+          HM_BAD_ARGUMENT);
     CurveSet apart = section(true, false);
     apart.add(fixtures::clamped(2, 4, 3));
     CHECK(refusal(apart, quantity(HM_AREA), "curve 1") == HM_BAD_CURVE);

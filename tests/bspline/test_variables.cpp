@@ -314,7 +314,7 @@ TEST_CASE(
     hm_variables bad = kind(HM_HICKS_HENNE, 2, 0);
     bad.peaks = outside;
     CHECK(refusal(bad, "peak 1") == HM_BAD_ARGUMENT);
-    CHECK(refusal(kind(HM_CST), "0 and 0") == HM_BAD_ARGUMENT);
+    CHECK(refusal(kind(HM_CST), "variables.n_upper is 0 and n_lower is 0") == HM_BAD_ARGUMENT);
     CHECK(refusal(kind(HM_CST, 65, 1), "65") == HM_BAD_ARGUMENT);
     CHECK(refusal(kind(9), "kind") == HM_BAD_ARGUMENT);
     hm_variables mixed = kind(HM_CST, 2, 2);

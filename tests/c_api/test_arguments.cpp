@@ -115,7 +115,7 @@ TEST_CASE("from the problem to the basis") {
     Guarded analysed(g.bytes);
     check_arguments("analysis, block, bytes, problem, ?options", hm_analysis_init, &analysis,
                     analysed.data(), g.bytes, &problem, &options);
-    check_arguments("analysis, a struct to be filled", hm_analysis_report, analysis, &of_mesh);
+    check_arguments("analysis, report", hm_analysis_report, analysis, &of_mesh);
     check_arguments("analysis, -, markers, -, points, -, n, is_loop", hm_analysis_boundary,
                     analysis, 1, &marker, 0, g.list, 100, &g.n, &g.other);
     check_arguments("analysis, bytes", hm_plan_size, analysis, &g.bytes);
@@ -149,11 +149,10 @@ TEST_CASE("what a basis is asked for") {
     hm_condition conditions[4] = {with_size<hm_condition>()};
     check_arguments("basis, block, -, ?mesh", hm_basis_attach, &attached,
                     static_cast<void*>(g.basis), static_cast<std::size_t>(info.bytes), &g.mesh);
-    check_arguments("basis, a struct to be filled", hm_basis_info_get, g.basis, &info);
-    check_arguments("basis, a struct to be filled, !curve, -", hm_basis_curves, g.basis, &curves,
-                    curve, 2);
-    check_arguments("basis, move, control, a struct to be filled, !curve, -", hm_moved_curves,
-                    g.basis, g.move.data(), g.numbers.data(), &curves, curve, 2);
+    check_arguments("basis, info", hm_basis_info_get, g.basis, &info);
+    check_arguments("basis, out, !curve, -", hm_basis_curves, g.basis, &curves, curve, 2);
+    check_arguments("basis, move, control, out, !curve, -", hm_moved_curves, g.basis, g.move.data(),
+                    g.numbers.data(), &curves, curve, 2);
     check_arguments("basis, ?out, -, n", hm_basis_conditions, g.basis, conditions, 4, &g.n);
     check_arguments("basis, -, -, values", hm_basis_values, g.basis, 0, 0, g.numbers.data());
     check_arguments("basis, bytes", hm_single_size, g.basis, &g.bytes);
@@ -291,8 +290,8 @@ TEST_CASE("a mesh one cell thick") {
     Guarded block(g.bytes);
     check_arguments("plane, block, bytes, space", hm_plane_init, &plane, block.data(), g.bytes,
                     &mesh);
-    check_arguments("plane, a struct to be filled", hm_plane_info_get, plane, &info);
-    check_arguments("plane, a struct to be filled", hm_plane_mesh, plane, &of_plane);
+    check_arguments("plane, info", hm_plane_info_get, plane, &info);
+    check_arguments("plane, mesh", hm_plane_mesh, plane, &of_plane);
     check_arguments("plane, basis, move, ?from, to, ?executor", hm_plane_morph, plane, g.basis,
                     g.move.data(), &at, &to, &g.executor);
     check_arguments("plane, basis, dj, gradient, ?executor", hm_plane_adjoint, plane, g.basis, &at,
@@ -339,7 +338,7 @@ TEST_CASE("a part of a mesh, and its equations") {
         hm_mesh own = with_size<hm_mesh>();
         const std::int32_t* cell = nullptr;
         std::vector<std::uint8_t> role(whole.numbers.size());
-        check_arguments("part, a struct to be filled, cell", hm_part_cells, part, &own, &cell);
+        check_arguments("part, own, cell", hm_part_cells, part, &own, &cell);
         check_arguments("part, role", hm_part_points, part, role.data());
         std::vector<hm_edge> edges(200);
         std::int32_t n_edges = 0;
@@ -354,8 +353,7 @@ TEST_CASE("a part of a mesh, and its equations") {
         check_arguments("equations, block, bytes, part, -, edges, problem, ?options",
                         hm_equations_init, &equations, of_equations.data(), bytes, part, n_edges,
                         edges.data(), &problem, &options);
-        check_arguments("equations, a struct to be filled", hm_equations_info_get, equations,
-                        &info);
+        check_arguments("equations, info", hm_equations_info_get, equations, &info);
         std::vector<std::int32_t> row(2000), column(2000);
         std::vector<double> values(2000), numbers(2000), work(2000), residual(2000);
         std::int64_t n = 0;
@@ -380,7 +378,7 @@ TEST_CASE("a part of a mesh, and its equations") {
                 CHECK(hm_field_init(equations, &spoiled, work.data(), numbers.data(), &error) ==
                       HM_BAD_ARGUMENT);
                 CHECK(std::string(error.text) == "the displacement of point " + std::to_string(at) +
-                                                     " is not finite, or beyond 1e100");
+                                                     " is not finite or beyond 1e100");
             }
             check_arguments("equations, work, values, residuals", hm_field_residual, equations,
                             work.data(), values.data(), residual.data());

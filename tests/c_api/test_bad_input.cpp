@@ -151,9 +151,9 @@ TEST_CASE("bad cells") {
          [](Case& c) {
              c.mesh.add_cell({8, 9, 5});
          }},
-        {HM_BAD_MESH, "inverted or empty", 0, [](Case& c) { c.mesh.x[8] = -1; }},
-        {HM_BAD_MESH, "inverted or empty", 24, [](Case& c) { c.mesh.y[35] = 4; }},  // flat
-        {HM_BAD_MESH, "inverted or empty", 0,
+        {HM_BAD_MESH, "inverted or has no area", 0, [](Case& c) { c.mesh.x[8] = -1; }},
+        {HM_BAD_MESH, "inverted or has no area", 24, [](Case& c) { c.mesh.y[35] = 4; }},  // flat
+        {HM_BAD_MESH, "inverted or has no area", 0,
          [](Case& c) { c.mesh.x[8] = c.mesh.y[8] = 0.4; }},  // not convex
         {HM_BAD_MESH, "not finite", 12, [](Case& c) { c.mesh.x[12] = not_a_number; }},
         {HM_BAD_MESH, "not finite", 47, [](Case& c) { c.mesh.y[47] = -HUGE_VAL; }},
@@ -440,7 +440,7 @@ TEST_CASE("nothing inside: a mesh all of whose points are on fixed markers and c
     CHECK(std::string(attempt.error.text).find("nothing to solve") != std::string::npos);
 }
 
-TEST_CASE("a part of the mesh that hangs on no known value is refused") {
+TEST_CASE("a region of the mesh in which no value is known is refused") {
     // A second square beside the first, all of whose sides are free: constants are in the matrix's
     // kernel.
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
@@ -462,5 +462,8 @@ TEST_CASE("a part of the mesh that hangs on no known value is refused") {
             INFO(n << " x " << n << ": " << attempt.reached << ": " << attempt.error.text);
             CHECK(attempt.status == HM_BAD_CONDITION);
             CHECK(attempt.error.item >= first);  // a point of the island
+            CHECK(std::string(attempt.error.text) ==
+                  "point " + std::to_string(attempt.error.item) +
+                      " is in a region of the mesh in which no boundary is fixed or prescribed");
         }
 }

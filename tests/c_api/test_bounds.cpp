@@ -28,28 +28,29 @@ TEST_CASE("conditions and given parameters") {
         {{nullptr, [](C&) {}},
          {nullptr, [](C& c) { c.piece = 1; }},
          {nullptr, [](C& c) { c.piece = 1, c.near_x = 3; }},
-         {"a piece that is neither 0 nor 1", [](C& c) { c.piece = -1; }},
-         {"a piece that is neither 0 nor 1", [](C& c) { c.piece = 2; }},
-         {"reserved is not 0", [](C& c) { c.reserved = 1; }},
-         {"chooses no piece", [](C& c) { c.near_x = 1; }},
-         {"chooses no piece", [](C& c) { c.near_y = 1; }},
-         {"has body", [](C& c) { c.body = 1; }},
-         {"has x or y", [](C& c) { c.x = 1; }},
-         {"has x or y", [](C& c) { c.y = 1; }},
-         {"has partner", [](C& c) { c.partner = 1; }},
+         {"piece of condition 0 must be 0 or 1", [](C& c) { c.piece = -1; }},
+         {"piece of condition 0 must be 0 or 1", [](C& c) { c.piece = 2; }},
+         {"reserved must be 0", [](C& c) { c.reserved = 1; }},
+         {"but piece is 0", [](C& c) { c.near_x = 1; }},
+         {"but piece is 0", [](C& c) { c.near_y = 1; }},
+         {"body of condition 0", [](C& c) { c.body = 1; }},
+         {"x or y of condition 0", [](C& c) { c.x = 1; }},
+         {"x or y of condition 0", [](C& c) { c.y = 1; }},
+         {"partner of condition 0", [](C& c) { c.partner = 1; }},
          {"first_curve or n_curves",
           [](C& c) { c.kind = HM_SLIP, c.n_curves = 0, c.first_curve = 1; }},
-         {"a periodic pair cannot",
+         {"a pair of whole markers",
           [](C& c) { c.kind = HM_PERIODIC_PAIR, c.n_curves = 0, c.piece = 1; }},
          {"rigid body -1", [](C& c) { c.kind = HM_RIGID, c.n_curves = 0, c.body = -1; }},
          {"rigid body 1048576", [](C& c) { c.kind = HM_RIGID, c.n_curves = 0, c.body = 1 << 20; }},
          {"near_x or near_y", [](C& c) { c.piece = 1, c.near_y = beyond_range; }}},
         HM_BAD_CONDITION, size);
-    check_changes<C>(its.conditions[0],
-                     {{"struct_size of condition 0", [](C& c) { c.struct_size = 0; }},
-                      {"the unknown kind -1", [](C& c) { c.kind = -1; }},
-                      {"the unknown kind", [](C& c) { c.kind = HM_ROTATION_PAIR + 1; }}},
-                     HM_BAD_ARGUMENT, size);
+    check_changes<C>(
+        its.conditions[0],
+        {{"struct_size of condition 0", [](C& c) { c.struct_size = 0; }},
+         {"the kind of condition 0 is -1, but", [](C& c) { c.kind = -1; }},
+         {"the kind of condition 0 is 8, but", [](C& c) { c.kind = HM_ROTATION_PAIR + 1; }}},
+        HM_BAD_ARGUMENT, size);
     its.give(16, 0.5);
     auto const size_of = [](hm_problem const& problem, hm_error* e) {
         std::size_t bytes = 0;
@@ -60,12 +61,13 @@ TEST_CASE("conditions and given parameters") {
         its.problem(),
         {{nullptr, [](P&) {}},
          {"problem.struct_size", [](P& p) { p.struct_size = 0; }},
-         {"given parameters", [](P& p) { p.n_given = -1; }},
-         {"given parameters", [](P& p) { p.given_points = nullptr; }},
-         {"given parameters", [](P& p) { p.given_curves = nullptr; }},
-         {"given parameters", [](P& p) { p.given_u = nullptr; }},
-         {"n_conditions is negative, or conditions is NULL", [](P& p) { p.n_conditions = -1; }},
-         {"n_conditions is negative, or conditions is NULL", [](P& p) { p.conditions = nullptr; }}},
+         {"problem.n_given must be at least 0, not -1", [](P& p) { p.n_given = -1; }},
+         {"given_u is NULL, but problem.n_given is 1", [](P& p) { p.given_points = nullptr; }},
+         {"given_u is NULL, but problem.n_given is 1", [](P& p) { p.given_curves = nullptr; }},
+         {"given_u is NULL, but problem.n_given is 1", [](P& p) { p.given_u = nullptr; }},
+         {"problem.n_conditions must be at least 0, not -1", [](P& p) { p.n_conditions = -1; }},
+         {"problem.conditions is NULL, but problem.n_conditions is",
+          [](P& p) { p.conditions = nullptr; }}},
         HM_BAD_ARGUMENT, size_of);
 }
 
@@ -140,13 +142,13 @@ TEST_CASE("safe morphs and better cells") {
          {nullptr, [](S& s) { s.max_height_change = 1.001; }},
          {"skipped_strategies is -1", [](S& s) { s.skipped_strategies = -1; }},
          {"skipped_strategies is", [](S& s) { s.skipped_strategies = 2 << HM_STRATEGY_IMPROVED; }},
-         {"reserved is not 0", [](S& s) { s.reserved = 1; }},
+         {"options.reserved must be 0, not 1", [](S& s) { s.reserved = 1; }},
          {"max_height_change", [](S& s) { s.max_height_change = -1; }}},
         HM_BAD_ARGUMENT, morph);
     hm_error error{};
     CHECK(hm_morph_safe(solved.plan, solved.basis, move.data(), &to, solved.basis, work.data(),
                         bytes, nullptr, nullptr, &error) == HM_BAD_ARGUMENT);
-    CHECK(std::string(error.text) == "derivative is the basis itself");
+    CHECK(std::string(error.text) == "derivative and basis must be two different bases");
 
     // Some of the functions cannot move the mesh, nor be the derivative of its movement.
     hm_basis *share = nullptr, *rest = nullptr;
@@ -180,7 +182,7 @@ TEST_CASE("levels of a plan") {
         hm_error error{};
         CHECK(hm_plan_level(solved.plan, level, cells.data(), &n, &error) == HM_BAD_ARGUMENT);
         CHECK(std::string(error.text)
-                  .find("there is no level " + std::to_string(level) + ": the plan has ") == 0);
+                  .find("there is no level " + std::to_string(level) + "; the plan has ") == 0);
     }
     check_arguments("plan, -, cells, n_cells", hm_plan_level, solved.plan, 0, cells.data(), &n);
 }
@@ -267,8 +269,9 @@ TEST_CASE("a given displacement whose target is out of range") {
     hm_error error{};
     CHECK(hm_displace(displaced.plan, n, nullptr, 1, &all, &all, &to, work.data(), work.size(),
                       nullptr, &error) == HM_BAD_ARGUMENT);
-    CHECK(std::string(error.text).find("the target of point ") == 0);
-    CHECK(std::string(error.text).find("in field 0 is beyond 1e100") != std::string::npos);
+    CHECK(std::string(error.text).find("a target coordinate of point ") == 0);
+    CHECK(std::string(error.text).find("in field 0 exceeds 1e100 in magnitude") !=
+          std::string::npos);
     CHECK(x == its.mesh.x);
 }
 

@@ -35,27 +35,29 @@ TEST_CASE("quantities of a section") {
         area,
         {{nullptr, [](Q&) {}},
          {"struct_size of quantity 0", [](Q& q) { q.struct_size = 0; }},
-         {"the unknown kind -1", [](Q& q) { q.kind = -1; }},
-         {"unknown kind", [](Q& q) { q.kind = HM_CLEARANCE + 1; }},
-         {"has a station, which is of thickness and camber only", [](Q& q) { q.station = 0.5; }},
-         {"has a polygon, which is of clearance only", [](Q& q) { q.n_polygon = 1; }}},
+         {"the kind of quantity 0 is -1, but", [](Q& q) { q.kind = -1; }},
+         {"the kind of quantity 0 is 17, but", [](Q& q) { q.kind = HM_CLEARANCE + 1; }},
+         {"has a station, but only HM_THICKNESS and HM_CAMBER use one",
+          [](Q& q) { q.station = 0.5; }},
+         {"has a polygon, but only HM_CLEARANCE uses one", [](Q& q) { q.n_polygon = 1; }}},
         HM_BAD_ARGUMENT, measure);
     check_changes<Q>(thickness,
                      {{nullptr, [](Q&) {}},
                       {nullptr, [](Q& q) { q.station = 0.01; }},
                       {nullptr, [](Q& q) { q.station = 0.99; }},
-                      {"the station is 0", [](Q& q) { q.station = 0; }},
-                      {"the station is 1", [](Q& q) { q.station = 1; }},
-                      {"the station is NaN", [](Q& q) { q.station = not_a_number; }}},
+                      {"the station of quantity 0 is 0", [](Q& q) { q.station = 0; }},
+                      {"the station of quantity 0 is 1", [](Q& q) { q.station = 1; }},
+                      {"the station of quantity 0 is NaN", [](Q& q) { q.station = not_a_number; }}},
                      HM_BAD_ARGUMENT, measure);
     check_changes<Q>(
         clearance,
         {{nullptr, [](Q&) {}},
-         {"longer than 2^20", [](Q& q) { q.n_polygon = 0; }},
-         {"longer than 2^20", [](Q& q) { q.n_polygon = (1 << 20) + 1; }},
-         {"the polygon is NULL", [](Q& q) { q.polygon = nullptr; }},
-         {"point 1 of the polygon", [](Q& q) { q.polygon = bad_polygon; }},
-         {"point 1 of the polygon", [](Q& q) { q.polygon = far_polygon, q.n_polygon = 2; }}},
+         {"longer than 2^20 points", [](Q& q) { q.n_polygon = 0; }},
+         {"longer than 2^20 points", [](Q& q) { q.n_polygon = (1 << 20) + 1; }},
+         {"the polygon of quantity 0 is NULL", [](Q& q) { q.polygon = nullptr; }},
+         {"point 1 of the polygon of quantity 0", [](Q& q) { q.polygon = bad_polygon; }},
+         {"point 1 of the polygon of quantity 0",
+          [](Q& q) { q.polygon = far_polygon, q.n_polygon = 2; }}},
         HM_BAD_ARGUMENT, measure);
     hm_quantity two[] = {area, area};
     two[1].struct_size = 0;
@@ -63,10 +65,11 @@ TEST_CASE("quantities of a section") {
     hm_error error{};
     CHECK(hm_measure(&set.view(), nullptr, 0, two, values, nullptr, nullptr, &error) ==
           HM_BAD_ARGUMENT);
-    CHECK(std::string(error.text) == "n is 0: at least one quantity is measured");
+    CHECK(std::string(error.text) == "n must be at least 1, not 0");
     CHECK(hm_measure(&set.view(), nullptr, 2, two, values, nullptr, nullptr, &error) ==
           HM_BAD_ARGUMENT);
-    CHECK(std::string(error.text) == "struct_size of quantity 1 is wrong");
+    CHECK(std::string(error.text) ==
+          "struct_size of quantity 1 is not the size of an hm_quantity; begin with HM_INIT");
 }
 
 TEST_CASE("sections") {
@@ -82,10 +85,10 @@ TEST_CASE("sections") {
                      {{nullptr, [](S&) {}},
                       {nullptr, [](S& s) { s.n_curves = 1; }},
                       {"section.struct_size", [](S& s) { s.struct_size = 0; }},
-                      {"exceed the curves of the set", [](S& s) { s.first_curve = -1; }},
-                      {"exceed the curves of the set", [](S& s) { s.first_curve = 1; }},
-                      {"exceed the curves of the set", [](S& s) { s.n_curves = 2; }},
-                      {"exceed the curves of the set", [](S& s) { s.n_curves = -1; }},
+                      {"the set does not have these curves", [](S& s) { s.first_curve = -1; }},
+                      {"the set does not have these curves", [](S& s) { s.first_curve = 1; }},
+                      {"the set does not have these curves", [](S& s) { s.n_curves = 2; }},
+                      {"the set does not have these curves", [](S& s) { s.n_curves = -1; }},
                       {"an end of the chord line", [](S& s) { s.leading_x = beyond_range; }},
                       {"an end of the chord line", [](S& s) { s.leading_y = not_a_number; }},
                       {"an end of the chord line", [](S& s) { s.trailing_x = not_a_number; }},
@@ -126,25 +129,25 @@ TEST_CASE("design variables") {
         box,
         {{nullptr, [](V&) {}},
          {"variables.struct_size", [](V& v) { v.struct_size = 0; }},
-         {"unknown", [](V& v) { v.kind = -1; }},
-         {"unknown", [](V& v) { v.kind = HM_NACA4 + 1; }},
+         {"HM_HICKS_HENNE or HM_NACA4", [](V& v) { v.kind = -1; }},
+         {"HM_HICKS_HENNE or HM_NACA4", [](V& v) { v.kind = HM_NACA4 + 1; }},
          {nullptr, [](V& v) { v.degree_x = 63, v.degree_y = 0; }},
          {nullptr, [](V& v) { v.degree_x = 0, v.degree_y = 63; }},
-         {"degree_x and degree_y are -1 and 1", [](V& v) { v.degree_x = -1; }},
-         {"degree_x and degree_y are 64 and 1", [](V& v) { v.degree_x = 64; }},
-         {"degree_x and degree_y are 1 and -1", [](V& v) { v.degree_y = -1; }},
-         {"degree_x and degree_y are 1 and 64", [](V& v) { v.degree_y = 64; }},
+         {"degree_x is -1 and degree_y is 1", [](V& v) { v.degree_x = -1; }},
+         {"degree_x is 64 and degree_y is 1", [](V& v) { v.degree_x = 64; }},
+         {"degree_x is 1 and degree_y is -1", [](V& v) { v.degree_y = -1; }},
+         {"degree_x is 1 and degree_y is 64", [](V& v) { v.degree_y = 64; }},
          {"n_upper and n_lower", [](V& v) { v.n_upper = 1; }},
          {"n_upper and n_lower", [](V& v) { v.n_lower = 1; }},
          {"peaks", [](V& v) { v.peaks = peaks; }},
-         {"the exponents", [](V& v) { v.leading_exponent = 1; }},
-         {"the exponents", [](V& v) { v.trailing_exponent = 1; }},
-         {"the width", [](V& v) { v.width = 2; }},
+         {"leading_exponent and trailing_exponent", [](V& v) { v.leading_exponent = 1; }},
+         {"leading_exponent and trailing_exponent", [](V& v) { v.trailing_exponent = 1; }},
+         {"variables.width", [](V& v) { v.width = 2; }},
          {nullptr, [](V& v) { v.x_min = -1, v.x_max = 1, v.y_max = 1; }},
-         {"the box is empty", [](V& v) { v.x_min = 1; }},
-         {"the box is empty", [](V& v) { v.y_min = 1; }},
-         {"the box is empty", [](V& v) { v.x_max = 1; }},
-         {"the box is empty", [](V& v) { v.y_max = 1; }},
+         {"the box of the variables is empty", [](V& v) { v.x_min = 1; }},
+         {"the box of the variables is empty", [](V& v) { v.y_min = 1; }},
+         {"the box of the variables is empty", [](V& v) { v.x_max = 1; }},
+         {"the box of the variables is empty", [](V& v) { v.y_max = 1; }},
          {"not finite", [](V& v) { v.x_max = beyond_range, v.y_max = 1; }},
          {"not finite", [](V& v) { v.x_min = -beyond_range, v.x_max = 1, v.y_max = 1; }},
          {"not finite", [](V& v) { v.x_max = 1, v.y_max = not_a_number; }}},
@@ -153,39 +156,44 @@ TEST_CASE("design variables") {
         cst,
         {{nullptr, [](V&) {}},
          {nullptr, [](V& v) { v.n_upper = 64, v.n_lower = 64; }},
-         {"n_upper and n_lower are 0 and 0", [](V& v) { v.n_upper = 0; }},
-         {"n_upper and n_lower are 65 and 0", [](V& v) { v.n_upper = 65; }},
-         {"n_upper and n_lower are -1 and 2", [](V& v) { v.n_upper = -1, v.n_lower = 2; }},
-         {"n_upper and n_lower are 2 and 65", [](V& v) { v.n_lower = 65; }},
-         {"n_upper and n_lower are 2 and -1", [](V& v) { v.n_lower = -1; }},
-         {"degrees and box", [](V& v) { v.degree_x = 1; }},
-         {"degrees and box", [](V& v) { v.degree_y = 1; }},
-         {"degrees and box", [](V& v) { v.x_min = 1; }},
-         {"degrees and box", [](V& v) { v.y_min = 1; }},
-         {"degrees and box", [](V& v) { v.x_max = 1; }},
-         {"degrees and box", [](V& v) { v.y_max = 1; }},
+         {"n_upper is 0 and n_lower is 0", [](V& v) { v.n_upper = 0; }},
+         {"n_upper is 65 and n_lower is 0", [](V& v) { v.n_upper = 65; }},
+         {"n_upper is -1 and n_lower is 2", [](V& v) { v.n_upper = -1, v.n_lower = 2; }},
+         {"n_upper is 2 and n_lower is 65", [](V& v) { v.n_lower = 65; }},
+         {"n_upper is 2 and n_lower is -1", [](V& v) { v.n_lower = -1; }},
+         {"degree_x, degree_y and the box", [](V& v) { v.degree_x = 1; }},
+         {"degree_x, degree_y and the box", [](V& v) { v.degree_y = 1; }},
+         {"degree_x, degree_y and the box", [](V& v) { v.x_min = 1; }},
+         {"degree_x, degree_y and the box", [](V& v) { v.y_min = 1; }},
+         {"degree_x, degree_y and the box", [](V& v) { v.x_max = 1; }},
+         {"degree_x, degree_y and the box", [](V& v) { v.y_max = 1; }},
          {"peaks", [](V& v) { v.peaks = peaks; }},
          {nullptr, [](V& v) { v.leading_exponent = 10, v.trailing_exponent = 10; }},
          {nullptr, [](V& v) { v.trailing_exponent = 1; }},
-         {"leading_exponent is 11", [](V& v) { v.leading_exponent = 11; }},
-         {"leading_exponent is -1", [](V& v) { v.leading_exponent = -1; }},
-         {"trailing_exponent is 11", [](V& v) { v.trailing_exponent = 11; }},
-         {"trailing_exponent is NaN", [](V& v) { v.trailing_exponent = not_a_number; }}},
+         {"variables.leading_exponent must be between 0 and 10, not 11",
+          [](V& v) { v.leading_exponent = 11; }},
+         {"variables.leading_exponent must be between 0 and 10, not -1",
+          [](V& v) { v.leading_exponent = -1; }},
+         {"variables.trailing_exponent must be between 0 and 10, not 11",
+          [](V& v) { v.trailing_exponent = 11; }},
+         {"variables.trailing_exponent must be between 0 and 10, not NaN",
+          [](V& v) { v.trailing_exponent = not_a_number; }}},
         HM_BAD_ARGUMENT, size);
-    check_changes<V>(bumps,
-                     {{nullptr, [](V& v) { v.width = 1; }},
-                      {nullptr, [](V& v) { v.width = 100; }},
-                      {"the width is 101", [](V& v) { v.width = 101; }},
-                      {"the width is 5.00000e-1", [](V& v) { v.width = 0.5; }},
-                      {nullptr, [](V& v) { v.peaks = peaks; }},
-                      {"peak 1 is 0", [](V& v) { v.peaks = low; }},
-                      {"peak 0 is 1", [](V& v) { v.peaks = high; }},
-                      {"peak 0 is NaN", [](V& v) { v.peaks = none_at_all; }}},
-                     HM_BAD_ARGUMENT, size);
+    check_changes<V>(
+        bumps,
+        {{nullptr, [](V& v) { v.width = 1; }},
+         {nullptr, [](V& v) { v.width = 100; }},
+         {"variables.width must be 0 or between 1 and 100, not 101", [](V& v) { v.width = 101; }},
+         {"1 and 100, not 5.00000e-1", [](V& v) { v.width = 0.5; }},
+         {nullptr, [](V& v) { v.peaks = peaks; }},
+         {"peak 1 of variables.peaks is 0", [](V& v) { v.peaks = low; }},
+         {"peak 0 of variables.peaks is 1", [](V& v) { v.peaks = high; }},
+         {"peak 0 of variables.peaks is NaN", [](V& v) { v.peaks = none_at_all; }}},
+        HM_BAD_ARGUMENT, size);
     check_changes<V>(naca,
                      {{nullptr, [](V&) {}},
                       {nullptr, [](V& v) { v.n_upper = 2, v.peaks = peaks; }},
-                      {"n_lower is not of HM_NACA4", [](V& v) { v.n_lower = 1; }}},
+                      {"variables.n_lower must be 0 for HM_NACA4", [](V& v) { v.n_lower = 1; }}},
                      HM_BAD_ARGUMENT, size);
 }
 
@@ -219,7 +227,8 @@ TEST_CASE("curves: each field of the set and of a curve") {
         if (has_size) its_curves[1].struct_size = sizeof(hm_curve), its_curves[1].knots = nullptr;
         else its_curves[1].struct_size = 0;
         std::string const text =
-            has_size ? "knots of curve 1 is NULL" : "struct_size of curve 1 is wrong";
+            has_size ? "the array of knots of curve 1 is NULL"
+                     : "struct_size of curve 1 is not the size of an hm_curve; begin with HM_INIT";
         std::size_t bytes = 0;
         double at[2];
         REQUIRE(hm_analysis_size(&problem, nullptr, &bytes, nullptr) == HM_OK);
@@ -268,11 +277,19 @@ TEST_CASE("fits and finer curves") {
               (curve == 0 && n == 0 ? HM_OK : HM_BAD_ARGUMENT));
         return std::string(error.text);
     };
+    hm_error error{};
+    for (std::int32_t const degree : {3, 5}) {
+        CHECK(hm_refine_size(&set.view(), 0, degree, 0, nullptr, &bytes, &error) ==
+              HM_BAD_ARGUMENT);
+        CHECK(std::string(error.text) ==
+              "degree is " + std::to_string(degree) +
+                  ", but a curve of degree 3 can only be raised by one degree");
+    }
     CHECK(refine(0, 0, nullptr) == "");
     CHECK(refine(0, -1, &u) == "n must be between 0 and 2^24, not -1");
     CHECK(refine(0, (1 << 24) + 1, &u) == "n must be between 0 and 2^24, not 16777217");
-    CHECK(refine(-1, 1, &u) == "there is no curve -1; the set has 1");
-    CHECK(refine(1, 1, &u) == "there is no curve 1; the set has 1");
+    CHECK(refine(-1, 1, &u) == "curve -1 does not exist; curves.n_curves is 1");
+    CHECK(refine(1, 1, &u) == "curve 1 does not exist; curves.n_curves is 1");
 }
 
 TEST_CASE("an edge angle where the curve stands still") {

@@ -53,13 +53,13 @@ TEST_CASE("columns and unknowns of a part's equations") {
         CHECK(error.text == text);
     };
     for (std::int32_t const column : {-1, info.columns})
-        says(
-            hm_rows_get(equations, rows, column, numbers.data(), &error),
-            "there is no column " + std::to_string(column) + " of " + std::to_string(info.columns));
+        says(hm_rows_get(equations, rows, column, numbers.data(), &error),
+             "column " + std::to_string(column) + " does not exist; there are " +
+                 std::to_string(info.columns) + " columns");
     CHECK(hm_rows_get(equations, rows, info.columns - 1, numbers.data(), &error) == HM_OK);
     for (double const largest : {-1.0, not_a_number, HUGE_VAL}) {
         CHECK(hm_rows_finish(equations, rows, largest, &error) == HM_BAD_ARGUMENT);
-        CHECK(std::string(error.text).find("largest must be finite and not negative") == 0);
+        CHECK(std::string(error.text).find("largest must be finite and at least 0") == 0);
     }
     struct {
         std::int32_t first, n;
@@ -67,8 +67,8 @@ TEST_CASE("columns and unknowns of a part's equations") {
     for (auto const& range : outside) {
         says(hm_equations_entries(equations, range.first, range.n, nullptr, nullptr, nullptr, 0, &n,
                                   &error),
-             "from unknown " + std::to_string(range.first) + " on there are no " +
-                 std::to_string(range.n) + " unknowns");
+             "first is " + std::to_string(range.first) + " and n is " + std::to_string(range.n) +
+                 ", but unknowns first to first + n - 1 must exist in this part");
     }
     CHECK(hm_equations_entries(equations, info.unknowns, 0, nullptr, nullptr, nullptr, 0, &n,
                                &error) == HM_OK);
@@ -83,7 +83,8 @@ TEST_CASE("columns and unknowns of a part's equations") {
     hm_problem problem = other.problem();
     problem.mesh = nullptr;
     says(hm_equations_size(part, n_edges, &problem, &options, &bytes, &error),
-         "there are no curves, no rigid bodies and no given displacements");
+         "there is nothing to solve, because the problem has no curves, rigid bodies or given "
+         "displacements");
     problem = its.problem();
     problem.mesh = nullptr;
     for (std::int32_t const count : {-1, (1 << 29) + 1})
@@ -91,14 +92,14 @@ TEST_CASE("columns and unknowns of a part's equations") {
              "n_edges must be between 0 and 2^29, not " + std::to_string(count));
     REQUIRE(hm_rows_finish(equations, rows, 1, &error) == HM_OK);
     says(hm_rows_get(equations, rows, 0, numbers.data(), &error),
-         "the rows are finished: make new ones by hm_rows_init");
+         "the rows are finished; make new ones by hm_rows_init");
     Solved const whole(its, &options);
     says(hm_rows_get(equations, whole.basis, 0, numbers.data(), &error),
-         "the rows were made of other equations");
+         "the rows were made from other equations");
     Case two = two_body_case(Cells::hybrid, 4, 3);
     Solved const elsewhere(two, &options);
     says(hm_rows_get(equations, elsewhere.basis, 0, numbers.data(), &error),
-         "the rows were made of other equations");
+         "the rows were made from other equations");
 
     hm_part_mesh nobody = with_size<hm_part_mesh>();
     hm_mesh const mesh = parted.parts[0].mesh.view();
@@ -109,7 +110,7 @@ TEST_CASE("columns and unknowns of a part's equations") {
     says(hm_part_size(&nobody, &bytes, &error), "mesh is NULL");
     n = -1;
     hm_edge edge{};
-    says(hm_match_edges(&edge, &n, &error), "the number of edges is negative");
+    says(hm_match_edges(&edge, &n, &error), "*n must be the number of edges, but it is negative");
     n = 0;
     CHECK(hm_match_edges(nullptr, &n, &error) == HM_OK);
 }

@@ -71,15 +71,15 @@ TEST_CASE("spoiled arguments of displacements and of the adjoint") {
         {HM_BAD_ARGUMENT, "n_fields", -1, Call::either, [](Arguments& a) { a.n_fields = 0; }},
         {HM_BAD_ARGUMENT, "n_fields", -3, Call::either, [](Arguments& a) { a.n_fields = -3; }},
         {HM_BLOCK_TOO_SMALL, "more bytes", 1, Call::either, [](Arguments& a) { --a.bytes; }},
-        {HM_BAD_ARGUMENT, "a list may have", -5, Call::either, [](Arguments& a) { a.n = -5; }},
-        {HM_BAD_CONDITION, "is not in the list", any, Call::either, [](Arguments& a) { --a.n; }},
-        {HM_BAD_CONDITION, "whose displacements are given", 0, Call::either,
+        {HM_BAD_ARGUMENT, "a list may have 0 to", -5, Call::either, [](Arguments& a) { a.n = -5; }},
+        {HM_BAD_CONDITION, "but not in the list", any, Call::either, [](Arguments& a) { --a.n; }},
+        {HM_BAD_CONDITION, "but on no marker with given displacements", 0, Call::either,
          [](Arguments& a) { a.list[3] = 0; }},
-        {HM_BAD_CONDITION, "is not in the list", any, Call::either,
+        {HM_BAD_CONDITION, "but not in the list", any, Call::either,
          [](Arguments& a) { a.list[3] = a.list[4]; }},
-        {HM_BAD_ARGUMENT, "no point of the mesh", 2, Call::either,
+        {HM_BAD_ARGUMENT, "which is not in the mesh", 2, Call::either,
          [](Arguments& a) { a.list[2] = 48; }},
-        {HM_BAD_ARGUMENT, "no point of the mesh", 2, Call::either,
+        {HM_BAD_ARGUMENT, "which is not in the mesh", 2, Call::either,
          [](Arguments& a) { a.list[2] = -1; }},
         {HM_BAD_ARGUMENT, "n is 7", 7, Call::either,
          [](Arguments& a) { a.points = nullptr, a.n = 7; }},
@@ -92,7 +92,7 @@ TEST_CASE("spoiled arguments of displacements and of the adjoint") {
          [](Arguments& a) { a.gradient[1].x = nullptr; }},
         {HM_BAD_ARGUMENT, "in field 1 is not finite", any, Call::displace,
          [](Arguments& a) { a.wall[17] = not_a_number; }},
-        {HM_BAD_ARGUMENT, "in field 0 is beyond 1e100", any, Call::displace,
+        {HM_BAD_ARGUMENT, "in field 0 exceeds 1e100 in magnitude", any, Call::displace,
          [](Arguments& a) { a.wall[2] = 2e100; }},
         {HM_BAD_ARGUMENT, "in field 0 is not finite", 9, Call::adjoint,
          [](Arguments& a) { a.mesh[9] = not_a_number; }},
@@ -130,7 +130,7 @@ TEST_CASE("a repeated point with another displacement") {
     y[8] = 0.25;
     CHECK(arguments.displace(error) == HM_BAD_ARGUMENT);
     CHECK(error.item == arguments.list[1]);
-    CHECK(std::string(error.text).find("two displacements") != std::string::npos);
+    CHECK(std::string(error.text).find("two different displacements") != std::string::npos);
 }
 
 TEST_CASE(

@@ -123,7 +123,9 @@ TEST_CASE("edges that form no cell are refused with the edge or the cell") {
           HM_BAD_MESH);
     CHECK(refused([](EdgeList& e) { e.view.n_edges = 2; }, "n_edges must be between") ==
           HM_BAD_MESH);
-    CHECK(refused([](EdgeList& e) { e.view.struct_size = 3; }, "edges.struct_size is wrong") ==
+    CHECK(refused(
+              [](EdgeList& e) { e.view.struct_size = 3; },
+              "edges.struct_size is not the size of an hm_edge_mesh; begin with HM_INIT(edges)") ==
           HM_BAD_ARGUMENT);
     CHECK(refused([](EdgeList& e) { e.view.n_cells += 1; }, "edges") == HM_BAD_MESH);
     CHECK(refused([](EdgeList& e) { e.view.edge_cells = nullptr; }, "NULL") == HM_BAD_ARGUMENT);

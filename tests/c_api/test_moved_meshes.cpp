@@ -55,10 +55,10 @@ TEST_CASE(
     hm_points_out const to{x.data(), y.data(), 1};
     CHECK(o.safe(to, nullptr) == HM_OK);
     REQUIRE(o.go() == HM_OK);
-    check_texts(
-        {{HM_BAD_MESH,
-          "the mesh has moved since the basis was solved: solve again, or put the points back",
-          [&](hm_error* e) { return o.safe(to, e); }}});
+    check_texts({{HM_BAD_MESH,
+                  "the mesh has moved since the basis was solved; solve the basis again, or "
+                  "restore the coordinates",
+                  [&](hm_error* e) { return o.safe(to, e); }}});
     REQUIRE(hm_plan_factor(o.solved->plan, nullptr, nullptr) == HM_OK);
     REQUIRE(hm_plan_solve(o.solved->plan, o.solved->basis, nullptr, nullptr) == HM_OK);
     CHECK(o.safe(to, nullptr) == HM_OK);
@@ -73,10 +73,10 @@ TEST_CASE(
     REQUIRE(o.go() == HM_OK);
     std::vector<double> x(o.x.size()), y(o.x.size());
     hm_points_out const to{x.data(), y.data(), 1};
-    check_texts(
-        {{HM_BAD_MESH,
-          "the mesh's coordinates have changed since the analysis: give those as the reference",
-          [&](hm_error* e) { return o.improve(to, nullptr, nullptr, e); }}});
+    check_texts({{HM_BAD_MESH,
+                  "the mesh has moved since the analysis; give the coordinates before the movement "
+                  "as options.reference",
+                  [&](hm_error* e) { return o.improve(to, nullptr, nullptr, e); }}});
     hm_points const before{o.its.mesh.x.data(), o.its.mesh.y.data(), 1};
     hm_improve_options asked{};
     asked.struct_size = sizeof asked;
@@ -107,7 +107,7 @@ TEST_CASE("a mesh of other cells is refused, also with as many points and cells 
     std::swap(changed[static_cast<std::size_t>(first)],
               changed[static_cast<std::size_t>(first) + 1]);
     other_cell.cell_points = changed.data();
-    const char* const text = "the basis belongs to another mesh: the cells differ";
+    const char* const text = "the basis belongs to another mesh, because the cells differ";
     hm_basis* const basis = o.solved->basis;
     auto const measure = [&](hm_mesh const& mesh, hm_error* e) {
         return hm_assess(basis, &mesh, nullptr, nullptr, nullptr, nullptr, nullptr, &quality, e);
@@ -146,13 +146,18 @@ TEST_CASE(
         };
     };
     check_texts({
-        {HM_BAD_ARGUMENT, "to.x and to.y have numbers in common: the stride of x,y pairs is 2",
+        {HM_BAD_ARGUMENT, "to.x and to.y have numbers in common; set the stride to 2 for x,y pairs",
          morph({xy, xy + 1, 2}, {xy, xy + 1, 1})},
-        {HM_BAD_ARGUMENT, "from.x and from.y have numbers in common: the stride of x,y pairs is 2",
+        {HM_BAD_ARGUMENT,
+         "from.x and from.y have numbers in common; set the stride to 2 for x,y pairs",
          morph({xy + 1, xy, 0}, {xy, xy + 1, 2})},
-        {HM_BAD_ARGUMENT, "to has numbers of `from`, but of other points",
+        {HM_BAD_ARGUMENT,
+         "to has numbers in common with `from`, but at other points; give the same arrays or "
+         "separate ones",
          morph({xy, xy + 1, 2}, {xy + 2, xy + 3, 2})},
-        {HM_BAD_ARGUMENT, "to has numbers of `from`, but of other points",
+        {HM_BAD_ARGUMENT,
+         "to has numbers in common with `from`, but at other points; give the same arrays or "
+         "separate ones",
          morph({xy, xy + n, 1}, {xy + n, xy, 1})},
     });
     CHECK(pairs == as_given);

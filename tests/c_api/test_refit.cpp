@@ -77,7 +77,7 @@ TEST_CASE("refused calls name the argument and leave the movement as it was") {
         for (double const m : airfoil.movement) CHECK(m == 7);
     };
     CHECK(airfoil.refit(airfoil.section, 1) == HM_BAD_ARGUMENT);
-    CHECK(std::string(airfoil.error.text).find("no curve 1") != std::string::npos);
+    CHECK(std::string(airfoil.error.text).find("curve 1 does not exist") != std::string::npos);
     CHECK(airfoil.error.item_kind == HM_ITEM_CURVE);
     untouched();
     CHECK(airfoil.refit(airfoil.section, 0, 1) == HM_BLOCK_TOO_SMALL);

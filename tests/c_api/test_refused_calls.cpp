@@ -38,9 +38,10 @@ TEST_CASE("arguments that every call checks") {
     hm_basis_info info{};
     hm_points_out no_x{nullptr, o.y.data(), 1}, backwards{o.x.data(), o.y.data(), -1};
     check_texts({
-        {HM_BAD_ARGUMENT, "a struct to be filled is NULL",
+        {HM_BAD_ARGUMENT, "info is NULL",
          [&](hm_error* e) { return hm_basis_info_get(o.basis, nullptr, e); }},
-        {HM_BAD_ARGUMENT, "the struct_size of a struct to be filled is wrong",
+        {HM_BAD_ARGUMENT,
+         "info.struct_size is not the size of the struct; begin with HM_INIT(info)",
          [&](hm_error* e) { return hm_basis_info_get(o.basis, &info, e); }},
         {HM_BAD_ARGUMENT, "to is NULL",
          [&](hm_error* e) {
@@ -83,30 +84,33 @@ TEST_CASE("room for fewer than there are, and numbers that there are not") {
     curve.struct_size = sizeof curve;
     condition.struct_size = sizeof condition;
     check_texts({
-        {HM_BAD_ARGUMENT, "points has room for 0, the boundary has 8",
+        {HM_BAD_ARGUMENT, "points has room for 0 points, but this piece of the boundary has 8",
          [&](hm_error* e) { return boundary(1, 0, e); }},
-        {HM_BAD_CONDITION, "these markers have 1 pieces of boundary, there is no piece 1",
+        {HM_BAD_CONDITION,
+         "the given markers form 1 pieces of the boundary, so piece 1 does not exist",
          [&](hm_error* e) { return boundary(1, 1, e); }},
-        {HM_BAD_CONDITION, "no boundary face has these markers; the first one is 77",
+        {HM_BAD_CONDITION,
+         "no face of the boundary has one of the given markers, the first of which is 77",
          [&](hm_error* e) {
              return hm_analysis_boundary(o.solved.analysis, 1, &nobody, 0, nullptr, 0, &n, &is_loop,
                                          e);
          }},
-        {HM_BAD_ARGUMENT, "n_markers is 0, capacity is 0: one is too small",
+        {HM_BAD_ARGUMENT,
+         "n_markers is 0 and capacity is 0; n_markers must be at least 1, and capacity at least 0",
          [&](hm_error* e) { return boundary(0, 1, e); }},
-        {HM_BAD_ARGUMENT, "curve has room for 0, the basis has 1",
+        {HM_BAD_ARGUMENT, "curve has room for 0 curves, but the basis has 1",
          [&](hm_error* e) { return hm_basis_curves(o.basis, &curves, &curve, 0, e); }},
-        {HM_BAD_ARGUMENT, "capacity is negative",
+        {HM_BAD_ARGUMENT, "capacity must be at least 0, not -1",
          [&](hm_error* e) { return hm_basis_conditions(o.basis, &condition, -1, &n, e); }},
-        {HM_BAD_ARGUMENT, "out has room for 0, the basis has 1 conditions",
+        {HM_BAD_ARGUMENT, "out has room for 0 conditions, but the basis has 1",
          [&](hm_error* e) { return hm_basis_conditions(o.basis, &condition, 0, &n, e); }},
-        {HM_BAD_ARGUMENT, "values have no number 1; they have 1",
+        {HM_BAD_ARGUMENT, "number 1 does not exist; numbers_per_value of this basis is 1",
          [&](hm_error* e) { return hm_basis_values(o.basis, 0, 1, o.x.data(), e); }},
-        {HM_BAD_ARGUMENT, "values have no number -1; they have 1",
+        {HM_BAD_ARGUMENT, "number -1 does not exist; numbers_per_value of this basis is 1",
          [&](hm_error* e) { return hm_basis_values(o.basis, 0, -1, o.x.data(), e); }},
-        {HM_BAD_ARGUMENT, "there is no function 4; the basis has 4",
+        {HM_BAD_ARGUMENT, "function 4 does not exist; the basis has 4",
          [&](hm_error* e) { return hm_basis_values(o.basis, 4, 0, o.x.data(), e); }},
-        {HM_BAD_ARGUMENT, "there is no function -2147483648; the basis has 4",
+        {HM_BAD_ARGUMENT, "function -2147483648 does not exist; the basis has 4",
          [&](hm_error* e) {
              return hm_basis_values(o.basis, std::numeric_limits<std::int32_t>::min(), 0,
                                     o.x.data(), e);
@@ -156,7 +160,8 @@ TEST_CASE("combined functions, gradients in parts, parcels") {
     hm_points const dj = o.points;
     REQUIRE(hm_adjoint_scale(o.basis, &dj, &scale, nullptr, nullptr) == HM_OK);
     std::string const too_small = "scale is " + std::to_string(scale - 1) +
-                                  ", these points alone need " + std::to_string(scale);
+                                  ", but these points need at least " + std::to_string(scale) +
+                                  "; take the largest scale of all parts";
     hm_basis *share = nullptr, *rows = nullptr;
     REQUIRE(hm_share_size(o.solved.analysis, 0, 2, &bytes, nullptr) == HM_OK);
     Guarded share_block(bytes);
@@ -178,21 +183,23 @@ TEST_CASE("combined functions, gradients in parts, parcels") {
     std::vector<double> of_few(static_cast<std::size_t>(n_few));
     REQUIRE(hm_parcel_pack(share, 48, everywhere.data(), of_few.data(), nullptr) == HM_OK);
     check_texts({
-        {HM_BAD_ARGUMENT, "numbers must be 1 or 2, not 3",
+        {HM_BAD_ARGUMENT, "numbers must be 1 (real values) or 2 (complex values), not 3",
          [&](hm_error* e) { return hm_combine_size(o.basis, 1, 3, &bytes, e); }},
-        {HM_BAD_ARGUMENT, "n is 0: at least one function is made",
+        {HM_BAD_ARGUMENT, "n must be at least 1, not 0",
          [&](hm_error* e) { return hm_combine_size(o.basis, 0, 1, &bytes, e); }},
-        {HM_BAD_CONDITION, "5 variables of 4 control points: some are combinations of others",
+        {HM_BAD_CONDITION,
+         "5 variables cannot be independent, because the basis has only 4 functions to combine",
          [&](hm_error* e) { return hm_combine_size(o.basis, 5, 1, &bytes, e); }},
-        {HM_BAD_ARGUMENT, "scale is 100000, which hm_adjoint_scale never says",
+        {HM_BAD_ARGUMENT, "scale is 100000, but it must be a number that hm_adjoint_scale returned",
          [&](hm_error* e) { return hm_adjoint_sums(o.basis, &dj, 100000, sums, nullptr, e); }},
         {HM_BAD_ARGUMENT, too_small.c_str(),
          [&](hm_error* e) { return hm_adjoint_sums(o.basis, &dj, scale - 1, sums, nullptr, e); }},
-        {HM_BAD_BASIS, "parcels are for rows of all functions, this is a share of them",
+        {HM_BAD_BASIS,
+         "a parcel needs rows of all functions, but these rows have a share of the functions",
          [&](hm_error* e) { return hm_parcel_unpack(few, of_few.data(), n_few, e); }},
-        {HM_BAD_BASIS, "the parcel is truncated",
+        {HM_BAD_BASIS, "the parcel is truncated: it is shorter than its label",
          [&](hm_error* e) { return hm_parcel_unpack(rows, parcel.data(), 1, e); }},
-        {HM_BAD_BASIS, "the parcel is truncated",
+        {HM_BAD_BASIS, "the length of the parcel does not fit the rows that its label announces",
          [&](hm_error* e) { return hm_parcel_unpack(rows, parcel.data(), doubles - 1, e); }},
     });
 }
@@ -211,25 +218,31 @@ TEST_CASE("a basis of another version, of another machine, of a mesh that has mo
     std::vector<double> x = o.x;
     x[3] += 0.25;
     moved.points.x = x.data();
-    std::string const text =
-        "the basis has format version " + std::to_string(header.format) + ", this library reads " +
-        std::to_string(harmorph::BasisHeader::current_format) + ": solve it again";
+    std::string const text = "the basis has format version " + std::to_string(header.format) +
+                             ", but this library reads version " +
+                             std::to_string(harmorph::BasisHeader::current_format) +
+                             "; solve the basis again";
     auto const attach = [&](std::size_t shift) {
         return [&, shift](hm_error* e) {
             return hm_basis_attach(&attached, reinterpret_cast<char*>(copy.data()) + shift,
                                    info.bytes, nullptr, e);
         };
     };
-    check_texts({{HM_BAD_BASIS, text.c_str(), attach(0)},
-                 {HM_BAD_ARGUMENT, "the block of a basis must be aligned to 8 bytes", attach(4)}});
+    check_texts(
+        {{HM_BAD_BASIS, text.c_str(), attach(0)},
+         {HM_BAD_ARGUMENT, "the address of the block must be a multiple of 8 bytes", attach(4)}});
     unsigned char* const order = reinterpret_cast<unsigned char*>(&header.byte_order);
     std::reverse(order, order + sizeof header.byte_order);
-    check_texts({{HM_BAD_BASIS, "the basis was written with another byte order", attach(0)}});
+    check_texts({{HM_BAD_BASIS,
+                  "the basis was written on a machine with another byte order; solve the basis "
+                  "again on this machine",
+                  attach(0)}});
     CHECK(attached == nullptr);
-    check_texts({{HM_MOVED, "the mesh's coordinates are not those the basis was solved on",
-                  [&](hm_error* e) {
-                      return hm_basis_attach(&attached, o.basis, info.bytes, &moved, e);
-                  }}});
+    check_texts(
+        {{HM_MOVED, "the mesh has other coordinates than the mesh on which the basis was solved",
+          [&](hm_error* e) {
+              return hm_basis_attach(&attached, o.basis, info.bytes, &moved, e);
+          }}});
     CHECK(attached == o.basis);
 }
 
@@ -251,17 +264,17 @@ TEST_CASE("steps in the wrong order") {
     REQUIRE(hm_displace_size(of_given.plan, 1, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
     check_texts({
-        {HM_BAD_CONDITION, "no marker has the condition HM_GIVEN: no displacements can be given",
+        {HM_BAD_CONDITION, "no marker has the condition HM_GIVEN, so no displacements can be given",
          [&](hm_error* e) { return hm_displace_size(attempt.plan, 1, &bytes, e); }},
-        {HM_BAD_ARGUMENT, "the plan has no factor: hm_plan_factor comes first",
+        {HM_BAD_ARGUMENT, "the plan has no factor; call hm_plan_factor first",
          [&](hm_error* e) { return hm_plan_solve(attempt.plan, attempt.basis, nullptr, e); }},
-        {HM_BAD_ARGUMENT, "the plan has no factor: hm_plan_factor comes first",
+        {HM_BAD_ARGUMENT, "the plan has no factor; call hm_plan_factor first",
          [&](hm_error* e) {
              return hm_displace(of_given.plan, n, nullptr, 1, &wall, nullptr, &to, work.data(),
                                 bytes, nullptr, e);
          }},
         {HM_BAD_ARGUMENT,
-         "the plan has no levels: they are made by hm_plan_factor of other engines",
+         "the plan has no levels; hm_plan_factor makes them for the engines multigrid and fas",
          [&](hm_error* e) { return hm_plan_level(attempt.plan, 0, cells, &n_cells, e); }},
     });
 }
@@ -289,10 +302,10 @@ TEST_CASE("functions of other curves or bodies are not interpolated") {
     moved.points.x = x.data();
     Case same = tiny_case();
     CHECK(transfer(same, o.basis, moved) ==
-          "the coarse mesh's coordinates are not those its basis was solved on");
+          "the coordinates of the coarse mesh are not those on which the coarse basis was solved");
     CHECK(transfer(other, o.basis, o.mesh) == "the two bases were made with different curves");
     CHECK(transfer(off_centre, of_rigid.basis, rigid.mesh_view()) ==
-          "the two bases have different rigid bodies, or other centres of theirs");
+          "the two bases have different rigid bodies, or bodies with different centres");
 }
 
 TEST_CASE("modes: numbers, lists, and what they do not go with") {
@@ -322,16 +335,16 @@ TEST_CASE("modes: numbers, lists, and what they do not go with") {
             HM_OK);
     Guarded block(bytes), work(work_bytes);
     check_texts({
-        {HM_BAD_ARGUMENT, "numbers must be 1 or 2, not 0",
+        {HM_BAD_ARGUMENT, "numbers must be 1 (real values) or 2 (complex values), not 0",
          [&](hm_error* e) {
              return hm_tabulate_size(displaced.plan, displaced.basis, 1, 0, &bytes, &work_bytes, e);
          }},
-        {HM_BAD_ARGUMENT, "point 17 has two displacements in field 0",
+        {HM_BAD_ARGUMENT, "point 17 has two different displacements in field 0",
          [&](hm_error* e) {
              return hm_displace(displaced.plan, n + 1, twice.data(), 1, &wall, nullptr, &to,
                                 room.data(), room.size(), nullptr, e);
          }},
-        {HM_BAD_ARGUMENT, "the list is longer than twice the mesh: 97 points",
+        {HM_BAD_ARGUMENT, "n is 97, but the list may have at most twice as many points as the mesh",
          [&](hm_error* e) {
              return hm_tabulate(&made, block.data(), bytes, displaced.plan, displaced.basis, 97,
                                 list.data(), 1, 1, modes.data(), work.data(), work_bytes, nullptr,
@@ -346,7 +359,8 @@ TEST_CASE("modes: numbers, lists, and what they do not go with") {
     CHECK_FALSE(transfer.fill_from(made, its.mesh_view()));
     CHECK(transfer.status == HM_UNSUPPORTED);
     CHECK(std::string(transfer.error.text) ==
-          "the basis has functions by table, this call needs one without");
+          "the basis contains functions that a table gives, but this call needs a basis without "
+          "such functions");
 }
 
 TEST_CASE("options of the safe morph and of better cells") {
@@ -399,19 +413,22 @@ TEST_CASE("options of the safe morph and of better cells") {
     folded[8] = 5;
     hm_points const reference{folded.data(), o.its.mesh.y.data(), 1};
     const char* const strategies =
-        "safe options: skipped_strategies is 1048576, which names strategies there are not, or "
-        "reserved is not 0";
+        "options.skipped_strategies is 1048576, but it must be a sum of 1 << HM_STRATEGY_..., "
+        "that is between 0 and 31";
     check_texts({
-        {HM_BAD_ARGUMENT, "safe options: struct_size is wrong",
+        {HM_BAD_ARGUMENT,
+         "options.struct_size is not the size of an hm_safe_options; begin with HM_INIT(options)",
          morph([&] { safe.struct_size = 0; })},
         {HM_UNSUPPORTED,
-         "safe options: fields are set that this version of the library does not know",
+         "options contains fields that are set but unknown to this version of the library; use the "
+         "header of this version",
          [&](hm_error* e) {
              return hm_morph_safe(o.solved.plan, o.basis, o.move.data(), &o.out, nullptr,
                                   work.data(), work.size(), &younger.safe, nullptr, e);
          }},
         {HM_UNSUPPORTED,
-         "improve options: fields are set that this version of the library does not know",
+         "options contains fields that are set but unknown to this version of the library; use the "
+         "header of this version",
          [&](hm_error* e) {
              return hm_improve(o.solved.plan, &o.points, &o.out, room.data(), room.size(),
                                &younger_better.better, nullptr, e);
@@ -424,36 +441,35 @@ TEST_CASE("options of the safe morph and of better cells") {
         {HM_BAD_MESH, "cell 1 of the reference mesh is inverted",
          improve([&] { better.reference = &reference; })},
         {HM_BAD_ARGUMENT, strategies, morph([&] { safe.skipped_strategies = 1 << 20; })},
-        {HM_BAD_ARGUMENT, "safe options: others is NULL, or n_others is -1, not 0 .. 64",
+        {HM_BAD_ARGUMENT, "options.n_others must be between 0 and 64, not -1",
          morph([&] { safe.n_others = -1; })},
-        {HM_BAD_ARGUMENT, "safe options: others is NULL, or n_others is 65, not 0 .. 64",
+        {HM_BAD_ARGUMENT, "options.n_others must be between 0 and 64, not 65",
          morph([&] { safe.n_others = 65; })},
-        {HM_BAD_ARGUMENT, "safe options: others is NULL, or n_others is 1, not 0 .. 64",
+        {HM_BAD_ARGUMENT, "options.others is NULL, but n_others is 1",
          morph([&] { safe.n_others = 1; })},
-        {HM_BAD_ARGUMENT, "safe options: heights must be between 0 and 1, not 2",
+        {HM_BAD_ARGUMENT, "options.heights must be between 0 and 1, not 2",
          morph([&] { safe.heights = 2; })},
-        {HM_BAD_ARGUMENT, "safe options: heights must be between 0 and 1, not -1",
+        {HM_BAD_ARGUMENT, "options.heights must be between 0 and 1, not -1",
          morph([&] { safe.heights = -1; })},
-        {HM_BAD_ARGUMENT, "safe options: min_quality must be at most 1, not 2",
+        {HM_BAD_ARGUMENT, "options.min_quality must be at most 1, not 2",
          morph([&] { safe.min_quality = 2; })},
-        {HM_BAD_ARGUMENT, "safe options: min_quality must be at most 1, not NaN",
+        {HM_BAD_ARGUMENT, "options.min_quality must be at most 1, not NaN",
          morph([&] { safe.min_quality = std::numeric_limits<double>::quiet_NaN(); })},
-        {HM_BAD_ARGUMENT, "safe options: max_height_change must be 0 or above 1, not 1",
+        {HM_BAD_ARGUMENT, "options.max_height_change must be 0 or above 1, not 1",
          morph([&] { safe.max_height_change = 1; })},
-        {HM_BAD_ARGUMENT, "safe options: max_height_change must be 0 or above 1, not NaN",
+        {HM_BAD_ARGUMENT, "options.max_height_change must be 0 or above 1, not NaN",
          morph([&] { safe.max_height_change = std::numeric_limits<double>::quiet_NaN(); })},
-        {HM_BAD_ARGUMENT, "basis 0 of others is NULL",
+        {HM_BAD_ARGUMENT, "basis 0 of options.others is NULL",
          morph([&] { safe.others = &nobody, safe.n_others = 1; })},
-        {HM_BAD_ARGUMENT, "improve options: struct_size is wrong",
+        {HM_BAD_ARGUMENT,
+         "options.struct_size is not the size of an hm_improve_options; begin with "
+         "HM_INIT(options)",
          improve([&] { better.struct_size = 0; })},
-        {HM_BAD_ARGUMENT,
-         "improve options: max_iterations is 10001, not 0 .. 10000, or reserved is not 0",
+        {HM_BAD_ARGUMENT, "options.max_iterations must be between 0 and 10000, not 10001",
          improve([&] { better.max_iterations = 10001; })},
-        {HM_BAD_ARGUMENT,
-         "improve options: max_iterations is -1, not 0 .. 10000, or reserved is not 0",
+        {HM_BAD_ARGUMENT, "options.max_iterations must be between 0 and 10000, not -1",
          improve([&] { better.max_iterations = -1; })},
-        {HM_BAD_ARGUMENT,
-         "improve options: max_iterations is 0, not 0 .. 10000, or reserved is not 0",
+        {HM_BAD_ARGUMENT, "options.reserved must be 0, not 1",
          improve([&] { better.reserved = 1; })},
     });
 }

@@ -56,78 +56,115 @@ TEST_CASE("options that are out of range or unknown") {
     static hm_executor executor;
     executor = {};
     check({
-        {HM_UNSUPPORTED, "options.operator_kind is 7, which is unknown",
+        {HM_UNSUPPORTED,
+         "options.operator_kind is 7, but it must be HM_CONFORMAL, HM_LAPLACE or HM_WEIGHTED",
          [](auto&, auto& o, auto&) { o.operator_kind = 7; }},
-        {HM_UNSUPPORTED, "options.operator_kind is -1, which is unknown",
+        {HM_UNSUPPORTED,
+         "options.operator_kind is -1, but it must be HM_CONFORMAL, HM_LAPLACE or HM_WEIGHTED",
          [](auto&, auto& o, auto&) { o.operator_kind = -1; }},
-        {HM_UNSUPPORTED, "study options: scheme is 9, which is unknown",
+        {HM_UNSUPPORTED,
+         "options.study.scheme is 9, but it must be HM_COMPACT, HM_BOUNDED, HM_NODAL_GRADIENT or "
+         "HM_NODAL_GRADIENT_PLAIN",
          [](auto&, auto& o, auto&) { o.scheme = 9; }},
-        {HM_UNSUPPORTED, "study options: scheme is -1, which is unknown",
+        {HM_UNSUPPORTED,
+         "options.study.scheme is -1, but it must be HM_COMPACT, HM_BOUNDED, HM_NODAL_GRADIENT or "
+         "HM_NODAL_GRADIENT_PLAIN",
          [](auto&, auto& o, auto&) { o.scheme = -1; }},
-        {HM_UNSUPPORTED, "options.engine is 5, which is unknown",
+        {HM_UNSUPPORTED, "options.engine is 5, but it must be HM_DIRECT, HM_MULTIGRID or HM_FAS",
          [](auto&, auto& o, auto&) { o.engine = 5; }},
-        {HM_UNSUPPORTED, "options.engine is -2, which is unknown",
+        {HM_UNSUPPORTED,
+         "options.kernel is 99, which is unknown or not a kernel of this processor; "
+         "HM_KERNEL_AUTO always works",
+         [](auto&, auto& o, auto&) { o.kernel = 99; }},
+        {HM_UNSUPPORTED, "slip (HM_SLIP) needs the engine HM_DIRECT or HM_MULTIGRID",
+         [](auto& p, auto& o, auto&) {
+             static hm_condition conditions[2];
+             conditions[0] = conditions[1] = p.conditions[0];
+             conditions[1].marker = far_field;
+             conditions[1].kind = HM_SLIP;
+             conditions[1].n_curves = 0;
+             p.conditions = conditions;
+             p.n_conditions = 2;
+             o.engine = HM_FAS;
+         }},
+        {HM_UNSUPPORTED, "options.engine is -2, but it must be HM_DIRECT, HM_MULTIGRID or HM_FAS",
          [](auto&, auto& o, auto&) { o.engine = -2; }},
         {HM_BAD_ARGUMENT, "options.exponent_quarters must be between -1 and 16, not 17",
          [](auto&, auto& o, auto&) { o.exponent_quarters = 17; }},
         {HM_BAD_ARGUMENT, "options.exponent_quarters must be between -1 and 16, not -2",
          [](auto&, auto& o, auto&) { o.exponent_quarters = -2; }},
-        {HM_UNSUPPORTED, "the Laplace operator has no weight; HM_WEIGHTED has one",
+        {HM_UNSUPPORTED,
+         "options.exponent_quarters must be 0 or HM_NO_WEIGHT for HM_LAPLACE, which has no weight; "
+         "HM_WEIGHTED has one",
          [](auto&, auto& o, auto&) { o.exponent_quarters = 4; }},
+        {HM_UNSUPPORTED, "the schemes of nodal gradients need the operator laplace",
+         [](auto&, auto& o, auto&) {
+             o.operator_kind = HM_WEIGHTED;
+             o.scheme = HM_NODAL_GRADIENT;
+         }},
         {HM_BAD_ARGUMENT, "options.offset_correction must be 0 or 1, not 2",
          [](auto&, auto& o, auto&) { o.offset_correction = 2; }},
         {HM_BAD_ARGUMENT, "options.offset_correction must be 0 or 1, not -1",
          [](auto&, auto& o, auto&) { o.offset_correction = -1; }},
-        {HM_BAD_ARGUMENT, "study options: levels must be between 0 and 20, not 21",
+        {HM_BAD_ARGUMENT, "options.study.levels must be between 0 and 20, not 21",
          [](auto&, auto& o, auto&) { o.levels = 21; }},
-        {HM_BAD_ARGUMENT, "study options: levels must be between 0 and 20, not -1",
+        {HM_BAD_ARGUMENT, "options.study.levels must be between 0 and 20, not -1",
          [](auto&, auto& o, auto&) { o.levels = -1; }},
-        {HM_BAD_ARGUMENT, "study options: agglomeration is 9, which is unknown",
+        {HM_BAD_ARGUMENT,
+         "options.study.agglomeration is 9, but it must be one of the constants HM_AGGLOMERATE_...",
          [](auto&, auto& o, auto&) { o.agglomeration = 9; }},
-        {HM_BAD_ARGUMENT, "study options: agglomeration is -1, which is unknown",
+        {HM_BAD_ARGUMENT,
+         "options.study.agglomeration is -1, but it must be one of the constants "
+         "HM_AGGLOMERATE_...",
          [](auto&, auto& o, auto&) { o.agglomeration = -1; }},
-        {HM_BAD_ARGUMENT, "study options: block_width must be 0, 4, 8 or 16, not 5",
+        {HM_BAD_ARGUMENT, "options.study.block_width must be 0, 4, 8 or 16, not 5",
          [](auto&, auto& o, auto&) { o.block_width = 5; }},
-        {HM_BAD_ARGUMENT,
-         "study options: max_iterations or history_length is negative, or history is NULL",
+        {HM_BAD_ARGUMENT, "options.study.max_iterations must be at least 0, not -1",
          [](auto&, auto& o, auto&) { o.max_iterations = -1; }},
-        {HM_BAD_ARGUMENT,
-         "study options: max_iterations or history_length is negative, or history is NULL",
+        {HM_BAD_ARGUMENT, "options.study.history_length must be at least 0, not -1",
          [](auto&, auto& o, auto&) { o.history_length = -1; }},
-        {HM_BAD_ARGUMENT,
-         "study options: max_iterations or history_length is negative, or history is NULL",
+        {HM_BAD_ARGUMENT, "options.study.history is NULL, but history_length is 3",
          [](auto&, auto& o, auto&) { o.history_length = 3; }},
-        {HM_BAD_ARGUMENT, "study options: start is 7, which is unknown",
+        {HM_BAD_ARGUMENT,
+         "options.study.start is 7, but it must be HM_START_COARSEST or HM_START_ZERO",
          [](auto&, auto& o, auto&) { o.start = 7; }},
-        {HM_BAD_ARGUMENT, "study options: start is -1, which is unknown",
+        {HM_BAD_ARGUMENT,
+         "options.study.start is -1, but it must be HM_START_COARSEST or HM_START_ZERO",
          [](auto&, auto& o, auto&) { o.start = -1; }},
-        {HM_BAD_ARGUMENT, "options.struct_size is wrong",
+        {HM_BAD_ARGUMENT,
+         "options.struct_size is not the size of an hm_options; begin with HM_INIT(options)",
          [](auto&, auto& o, auto&) { o.hm_options::struct_size = 0; }},
-        {HM_BAD_ARGUMENT, "options.struct_size is wrong",
+        {HM_BAD_ARGUMENT,
+         "options.struct_size is not the size of an hm_options; begin with HM_INIT(options)",
          [](auto&, auto& o, auto&) { o.hm_options::struct_size = 5000; }},
-        {HM_UNSUPPORTED, "study options: block_width goes with the engines multigrid and fas only",
+        {HM_UNSUPPORTED,
+         "options.study.block_width must be 0 unless the engine is HM_MULTIGRID or HM_FAS",
          [](auto&, auto& o, auto&) { o.block_width = 4; }},
         {HM_UNSUPPORTED,
-         "study options: max_iterations goes with the engines multigrid and fas only",
+         "options.study.max_iterations must be 0 unless the engine is HM_MULTIGRID or HM_FAS",
          [](auto&, auto& o, auto&) { o.max_iterations = 1; }},
-        {HM_UNSUPPORTED, "study options: history goes with the engines multigrid and fas only",
+        {HM_UNSUPPORTED,
+         "options.study.history_length must be 0 unless the engine is HM_MULTIGRID or HM_FAS",
          [](auto&, auto& o, auto&) {
              static double history[2];
              o.history = history, o.history_length = 2;
          }},
-        {HM_UNSUPPORTED, "study options: start goes with the engine fas only",
+        {HM_UNSUPPORTED,
+         "options.study.start must be HM_START_COARSEST unless the engine is HM_FAS",
          [](auto&, auto& o, auto&) { o.engine = HM_MULTIGRID, o.start = HM_START_ZERO; }},
         {HM_BAD_ARGUMENT, "options.tolerance must be at least 0 and below 1, not 1",
          [](auto&, auto& o, auto&) { o.tolerance = 1; }},
         {HM_BAD_ARGUMENT, "options.tolerance must be at least 0 and below 1, not -2",
          [](auto&, auto& o, auto&) { o.tolerance = -2; }},
-        {HM_UNSUPPORTED, "options.precision 3 is unknown",
+        {HM_UNSUPPORTED, "options.precision is 3, but it must be HM_DOUBLE or HM_SINGLE",
          [](auto&, auto& o, auto&) { o.precision = 3; }},
-        {HM_UNSUPPORTED, "options.precision -1 is unknown",
+        {HM_UNSUPPORTED, "options.precision is -1, but it must be HM_DOUBLE or HM_SINGLE",
          [](auto&, auto& o, auto&) { o.precision = -1; }},
-        {HM_BAD_ARGUMENT, "executor.struct_size is wrong",
+        {HM_BAD_ARGUMENT,
+         "executor.struct_size is not the size of an hm_executor; begin with HM_INIT(executor)",
          [](auto&, auto& o, auto&) { o.executor = &executor; }},
-        {HM_UNSUPPORTED, "executor.kernel is 99, which is unknown",
+        {HM_UNSUPPORTED,
+         "executor.kernel is 99, but it must be one of HM_KERNEL_AUTO to HM_KERNEL_NEON",
          [](auto&, auto& o, auto&) {
              executor.struct_size = sizeof executor;
              executor.kernel = 99;
@@ -145,22 +182,26 @@ TEST_CASE("options that are out of range or unknown") {
 TEST_CASE("counts and arrays of a problem and of the mesh") {
     static std::int32_t const sizes[] = {1, 5};
     check({
-        {HM_BAD_ARGUMENT, "problem.struct_size is wrong",
+        {HM_BAD_ARGUMENT,
+         "problem.struct_size is not the size of an hm_problem; begin with HM_INIT(problem)",
          [](auto& p, auto&, auto&) { p.struct_size = 4; }},
         {HM_BAD_ARGUMENT, "mesh is NULL", [](auto& p, auto&, auto&) { p.mesh = nullptr; }},
-        {HM_BAD_ARGUMENT, "n_conditions is negative, or conditions is NULL",
+        {HM_BAD_ARGUMENT, "problem.n_conditions must be at least 0, not -1",
          [](auto& p, auto&, auto&) { p.n_conditions = -1; }},
-        {HM_BAD_ARGUMENT, "n_conditions is negative, or conditions is NULL",
+        {HM_BAD_ARGUMENT, "problem.conditions is NULL, but problem.n_conditions is 1",
          [](auto& p, auto&, auto&) { p.conditions = nullptr; }},
-        {HM_BAD_CONDITION, "there are curves, but no condition that puts a marker on one",
+        {HM_BAD_CONDITION, "the problem has curves, but no condition that puts a marker on a curve",
          [](auto& p, auto&, auto&) { p.n_conditions = 0; }},
-        {HM_BAD_ARGUMENT, "given parameters: negative number, or an array is NULL",
+        {HM_BAD_ARGUMENT, "problem.n_given must be at least 0, not -1",
          [](auto& p, auto&, auto&) { p.n_given = -1; }},
-        {HM_BAD_ARGUMENT, "mesh.struct_size is wrong",
+        {HM_BAD_ARGUMENT,
+         "mesh.struct_size is not the size of an hm_mesh; begin with HM_INIT(mesh)",
          [](auto&, auto&, auto& m) { m.struct_size = 0; }},
-        {HM_BAD_ARGUMENT, "mesh.cell_layout 99 is unknown",
+        {HM_BAD_ARGUMENT,
+         "mesh.cell_layout is 99, but it must be one of HM_CELLS_ROWS to HM_CELLS_POLYGONS",
          [](auto&, auto&, auto& m) { m.cell_layout = 99; }},
-        {HM_BAD_ARGUMENT, "mesh.cell_layout -1 is unknown",
+        {HM_BAD_ARGUMENT,
+         "mesh.cell_layout is -1, but it must be one of HM_CELLS_ROWS to HM_CELLS_POLYGONS",
          [](auto&, auto&, auto& m) { m.cell_layout = -1; }},
         {HM_BAD_ARGUMENT, "mesh.index_base must be 0 or 1, not 2",
          [](auto&, auto&, auto& m) { m.index_base = 2; }},
@@ -224,9 +265,10 @@ TEST_CASE("arrays of curves, and the kinds of conditions") {
         return condition;
     };
     check({
-        {HM_BAD_ARGUMENT, "curves.struct_size is wrong",
+        {HM_BAD_ARGUMENT,
+         "curves.struct_size is not the size of an hm_curves; begin with HM_INIT(curves)",
          [&](auto& p, auto&, auto&) { set(p), curves.struct_size = 1; }},
-        {HM_BAD_ARGUMENT, "curves.index_base must be 0 or 1",
+        {HM_BAD_ARGUMENT, "curves.index_base must be 0 or 1, not 2",
          [&](auto& p, auto&, auto&) { set(p), curves.index_base = 2; }},
         {HM_BAD_ARGUMENT, "curves.control or curves.curve is NULL",
          [&](auto& p, auto&, auto&) { set(p), curves.control = nullptr; }},
@@ -244,11 +286,15 @@ TEST_CASE("arrays of curves, and the kinds of conditions") {
              curve.indices = nullptr;
              curves.curve = &curve;
          }},
-        {HM_BAD_ARGUMENT, "condition 0 has the unknown kind 9",
+        {HM_BAD_ARGUMENT,
+         "the kind of condition 0 is 9, but it must be one of HM_ON_CURVE to HM_ROTATION_PAIR",
          [&](auto& p, auto&, auto&) { change(p).kind = 9; }},
-        {HM_BAD_ARGUMENT, "struct_size of condition 0 is wrong",
+        {HM_BAD_ARGUMENT,
+         "struct_size of condition 0 is not the size of an hm_condition; begin with HM_INIT",
          [&](auto& p, auto&, auto&) { change(p).struct_size = 0; }},
-        {HM_BAD_CONDITION, "condition 0 names rigid body -1, which there cannot be",
+        {HM_BAD_CONDITION,
+         "condition 0 names rigid body -1, but there can be no more than 2^20 bodies, numbered "
+         "without gaps",
          [&](auto& p, auto&, auto&) { change(p).kind = HM_RIGID, condition.body = -1; }},
     });
 }
@@ -300,9 +346,9 @@ TEST_CASE("a body that single precision cannot turn") {
     options.precision = HM_SINGLE;
     Attempt const attempt(its.problem(), &options);
     CHECK(attempt.status == HM_UNSUPPORTED);
-    CHECK(
-        std::string(attempt.error.text) ==
-        "point 17 is 1.00000e25 from the centre of its body: single precision takes 1e-12 .. 1e24");
+    CHECK(std::string(attempt.error.text) ==
+          "point 17 is 1.00000e25 away from the centre of its body; single precision needs a "
+          "distance from 1e-12 to 1e24");
     its.conditions.back().x = 1e24;
     Attempt const nearer(its.problem(), &options);
     CHECK_MESSAGE(nearer.status >= HM_OK, nearer.error.text);
@@ -352,11 +398,13 @@ TEST_CASE("a fit: options, and counts of points") {
         {HM_BAD_CURVE, "the consecutive points 1 and 2 are equal", fit(twice, HM_OPEN)},
         {HM_BAD_CURVE, "a tied or periodic curve needs points that form a closed loop",
          fit(apart, HM_PERIODIC)},
-        {HM_BAD_ARGUMENT, "fit options: struct_size is wrong",
+        {HM_BAD_ARGUMENT,
+         "options.struct_size is not the size of an hm_fit_options; begin with HM_INIT(options)",
          [&](hm_error* e) {
              return options.struct_size = 0, hm_fit_size(20, &options, &bytes, e);
          }},
-        {HM_BAD_ARGUMENT, "fit options: closed is 9, which is unknown",
+        {HM_BAD_ARGUMENT,
+         "options.closed is 9, but it must be HM_CLOSED_AUTO, HM_OPEN, HM_TIED or HM_PERIODIC",
          [&](hm_error* e) {
              return options.struct_size = sizeof options, options.closed = 9,
                     hm_fit_size(20, &options, &bytes, e);

@@ -22,13 +22,13 @@ runs "displace: for people" 0 displace "$ring" --given body --wall "$tmp/wall.tx
 check "displace: says seconds" says 'for the displacement'
 check "displace: ParaView's file" grep -q displacement "$tmp/displaced.vtu"
 sed '$d' "$tmp/wall.txt" >"$tmp/short.txt"
-refuses "displace: a point is missing" 2 'point 47 is on a marker of given displacements, but is not in the list' \
+refuses "displace: a point is missing" 2 'point 47 is on a marker with given displacements, but not in the list' \
     displace "$ring" --given body --wall "$tmp/short.txt" -o "$tmp/x"
 { cat "$tmp/wall.txt"; echo 60 0 0; } >"$tmp/foreign.txt"
-refuses "displace: a point of no such marker" 2 'point 60 is on no marker whose displacements are given' \
+refuses "displace: a point of no such marker" 2 'point 60 is in the list, but on no marker with given displacements' \
     displace "$ring" --given body --wall "$tmp/foreign.txt" -o "$tmp/x"
 { cat "$tmp/wall.txt"; echo 3 1 1; } >"$tmp/twice.txt"
-refuses "displace: two displacements" 2 'point 3 has two displacements' \
+refuses "displace: two displacements" 2 'point 3 has two different displacements' \
     displace "$ring" --given body --wall "$tmp/twice.txt" -o "$tmp/x"
 echo '3 nan 0' >"$tmp/nan.txt"
 refuses "displace: not a number" 3 "$tmp/nan.txt:1: expected a finite number, found 'nan'" \

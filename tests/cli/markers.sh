@@ -18,14 +18,16 @@ check "markers in another order: where it is to be" near $(place 4 5 "$tmp/shuff
 refuses "a marker of another name" \
     3 "its markers are 'block', 'high', 'in:let', 'low', 'out'; those of $tmp/renamed.su2 are 'brick'" \
     morph "$tmp/renamed.su2" "$tmp/rigid.basis" --move "$no_moves"
-refuses "the same names on other points" 3 'other points are on its markers' morph "$tmp/exchanged.su2" \
+refuses "the same names on other points" 3 'the markers contain other points' morph "$tmp/exchanged.su2" \
     "$tmp/rigid.basis" --move "$no_moves"
 sed '/^harmorph markers/,$d' "$tmp/rigid.basis" >"$tmp/unnamed.basis"
-refuses "a basis without names" 3 'without the names of its' morph "$box" "$tmp/unnamed.basis" --move "$no_moves"
+refuses "a basis without names" 3 'the file has no names of markers: solve it again' morph "$box" \
+    "$tmp/unnamed.basis" --move "$no_moves"
 { cat "$tmp/unnamed.basis"; printf 'harmorph markers 5\nblock\nhigh\nin:l'; } >"$tmp/cut.basis"
 refuses "a basis with its names cut off" 3 'it has 2 names of markers, expected are 5' morph "$box" "$tmp/cut.basis" \
     --move "$no_moves"
-refuses "messages name markers: periodic" 2 "has a condition of its own (marker 0 is 'block', marker 3 is 'low')" \
+refuses "messages name markers: periodic" 2 \
+    "must not have a condition of its own (marker 0 is 'block', marker 3 is 'low')" \
     solve "$box" --rigid block --periodic low:block -o "$tmp/x"
 refuses "messages name markers: one piece" 2 "must form one connected line that is not closed (marker 0 is 'block')" \
     solve "$box" --rigid high \

@@ -25,8 +25,8 @@ runs "export: a level" 0 export "$ring" "$tmp/fas.basis" --level 1 --svg "$tmp/l
 check "export: a level: SVG is whole" grep -c '</svg>' "$tmp/level.svg"
 refuses "export: a level that does not exist" 2 'no level' export "$ring" "$tmp/fas.basis" --level 19 \
     --svg "$tmp/none.svg"
-refuses "an engine that does not go with the operator" 2 'goes with the direct engine only' solve "$ring" \
-    --curve body="$curve" --engine multigrid -o "$tmp/none.basis"
+refuses "an engine that does not go with the operator" 2 'the conformal operator needs the direct engine' \
+    solve "$ring" --curve body="$curve" --engine multigrid -o "$tmp/none.basis"
 refuses "unknown engine" 2 'direct, multigrid, fas' solve "$ring" --curve body="$curve" --engine fast \
     -o "$tmp/none.basis"
 runs "solve: fas from zero" 0 solve "$ring" --curve body="$curve" --operator laplace --engine fas --start zero \
@@ -58,9 +58,9 @@ for kept in 5 100 4000; do
         morph "$ring" "$tmp/short.basis" --move "$no_moves"
 done
 : >"$tmp/short.basis"
-refuses "an empty basis file" 3 'short.basis: this is not a harmorph basis' morph "$ring" "$tmp/short.basis" \
+refuses "an empty basis file" 3 'short.basis: the data are not a harmorph basis' morph "$ring" "$tmp/short.basis" \
     --move "$no_moves"
-refuses "a mesh for a basis" 3 'this is not a harmorph basis' morph "$ring" "$ring" --move "$no_moves"
+refuses "a mesh for a basis" 3 'the data are not a harmorph basis' morph "$ring" "$ring" --move "$no_moves"
 runs "export" 0 export "$ring" "$basis" --function 12 --csv "$tmp/f.csv" --vtu "$tmp/f.vtu" --svg "$tmp/f.svg"
 check "export: CSV columns" sh -c "head -1 '$tmp/f.csv' | grep -Eqx 'point,x,y,(value,imaginary|xx,xy,yx,yy)'"
 check "export: CSV lines" test "$(wc -l <"$tmp/f.csv")" -eq 625
@@ -75,10 +75,10 @@ runs "solve, nodal gradients" 0 solve "$ring" --curve body="$curve" --operator l
     -o "$tmp/nodal.basis"
 runs "solve, nodal gradients by the paper's iteration" 0 solve "$ring" --curve body="$curve" --operator laplace \
     --scheme nodal-gradient --engine fas -o "$tmp/nodal.basis"
-refuses "nodal gradients without correction go with fas" 2 'go with the engine fas only' solve "$ring" \
+refuses "nodal gradients without correction go with fas" 2 'needs the engine fas' solve "$ring" \
     --curve body="$curve" --operator laplace --scheme nodal-gradient-plain -o "$tmp/x"
-refuses "the bounded scheme has no conformal operator" 2 'goes with the compact scheme only' solve "$ring" \
-    --curve body="$curve" --scheme bounded -o "$tmp/x"
+refuses "the bounded scheme has no conformal operator" 2 'the conformal operator needs the compact scheme' \
+    solve "$ring" --curve body="$curve" --scheme bounded -o "$tmp/x"
 runs "solve twice" 0 solve "$ring" --curve body="$curve" -o "$tmp/again.basis"
 check "solve twice: equal files" cmp "$basis" "$tmp/again.basis"
 refuses "a marker with two conditions" 2 'two conditions' solve "$ring" --curve body="$curve" --free body -o "$tmp/x"

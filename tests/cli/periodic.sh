@@ -1,6 +1,11 @@
 # Sides that move alike: `--periodic`, of translates and of sides that are turned.
 
 runs "--periodic, with a colon in a tag" 0 solve "$box" $on_block --periodic in:let:out -o "$tmp/pair.basis"
+runs "--periodic by patterns, with a colon in a tag" 0 solve "$box" $on_block --periodic 'in:*:ou?' \
+    -o "$tmp/named.basis"
+check "--periodic by patterns: the same basis" cmp "$tmp/pair.basis" "$tmp/named.basis"
+refuses "--periodic by a pattern of two markers" 2 "each of which stands for one marker, found 'in:let:*o*'" \
+    solve "$box" $on_block --periodic 'in:let:*o*' -o "$tmp/x"
 runs "--periodic: morph" 0 morph "$box" "$tmp/pair.basis" --move "$tmp/turn40.txt" -o "$tmp/pair.su2"
 set -- $(place 0 7 "$tmp/pair.su2")
 check "--periodic: both sides move alike" near $(place 12 7 "$tmp/pair.su2") "$(echo "$1" | awk '{
@@ -47,7 +52,7 @@ runs "--periodic: morph by the functions that were transferred" 0 morph "$tmp/pa
     --move "$tmp/passage.txt" -o "$tmp/passage-moved.su2"
 check "--periodic: the sides of the passage stay images with them" misfit "$tmp/passage-moved.su2" 5 -7
 runs "--periodic: page of a passage" 0 explore "$tmp/passage.su2" "$tmp/passage.basis" -o "$tmp/passage.html"
-refuses "--periodic: a passage with multigrid" 2 'rotation pairs go with the direct engine only' \
+refuses "--periodic: a passage with multigrid" 2 'HM_ROTATION_PAIR needs the direct engine' \
     solve "$tmp/passage.su2" --rigid block --periodic in:let:out --operator laplace --engine multigrid -o "$tmp/x"
-refuses "--periodic: a passage with sliding sides" 2 'rotation pairs do not go with slipping boundaries' solve \
+refuses "--periodic: a passage with sliding sides" 2 'HM_ROTATION_PAIR cannot be combined with slip' solve \
     "$tmp/passage.su2" --rigid block --periodic in:let:out --slip low -o "$tmp/x"

@@ -15,6 +15,15 @@ runs "--rigid: morph" 0 morph "$box" "$tmp/rigid.basis" --move "$tmp/rigid.txt" 
 runs "--rigid: export" 0 export "$box" "$tmp/rigid.basis" --function 2 --svg "$tmp/rigid-turn.svg"
 check "--rigid: pictures without a curve have a size" sh -c "! grep -E 'nan|inf' '$tmp'/rigid*.svg"
 check "--rigid: turned and scaled about its middle, and moved" near $(place 4 5 "$tmp/rigid.su2") 7.75 3.25
+printf 'rigid bl*k .5 -.25 90 1.25\n' >"$tmp/pattern.txt"
+printf 'rigid loop:2 .5 -.25 90 1.25\n' >"$tmp/loop.txt"
+for how in pattern loop; do
+    runs "--rigid: morph by a $how" 0 morph "$box" "$tmp/rigid.basis" --move "$tmp/$how.txt" -o "$tmp/$how.su2" \
+        --safe
+    check "--rigid: morph by a $how: the same mesh" cmp "$tmp/rigid.su2" "$tmp/$how.su2"
+done
+runs "--rigid: a whole loop" 0 solve "$box" --rigid loop:2 -o "$tmp/loop.basis"
+check "--rigid: a whole loop: the same basis" cmp "$tmp/rigid.basis" "$tmp/loop.basis"
 runs "--rigid with a centre" 0 solve "$box" --rigid block=4,5 -o "$tmp/hinge.basis"
 printf 'rigid block 0 0 20\n' >"$tmp/hinge.txt"
 runs "--rigid with a centre: morph" 0 morph "$box" "$tmp/hinge.basis" --move "$tmp/hinge.txt" -o "$tmp/hinge.su2"
@@ -29,6 +38,7 @@ bad_body() { # bad_body NAME LINE CONTENT
     refuses "$1" 3 "$tmp/bad.txt:$2: " morph "$box" "$tmp/rigid.basis" --move "$tmp/bad.txt" -o "$tmp/x"
 }
 bad_body "moves: a body without an angle" 1 'rigid block 1 2\n'
+bad_body "moves: a pattern without a marker" 2 '\nrigid x* 1 2 3\n'
 bad_body "moves: a marker of no body" 2 '\nrigid low 1 2 3\n'
 bad_body "moves: a body twice" 2 'rigid block 1 0 0\nrigid block 1 0 0\n'
 bad_body "moves: an angle that is none" 1 'rigid block 1 0 right\n'

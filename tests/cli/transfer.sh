@@ -16,7 +16,8 @@ check "transfer: to single precision: smaller" test "$(wc -c <"$tmp/fine3.basis"
 refuses "transfer: from single precision" 2 'single precision' transfer "$ring" "$tmp/narrow.basis" "$tmp/fine.su2" \
     -o "$tmp/x"
 awk 'NF == 3 && index($0, ".") { $1 = 1.5 * $1; $2 = 1.5 * $2 } { print }' "$tmp/fine.su2" >"$tmp/larger.su2"
-refuses "transfer: a larger domain" 3 'outside the coarse mesh' transfer "$ring" "$basis" "$tmp/larger.su2" -o "$tmp/x"
+refuses "transfer: a larger domain" 3 "outside the coarse mesh; both meshes must cover the same domain" \
+    transfer "$ring" "$basis" "$tmp/larger.su2" -o "$tmp/x"
 sed 's/body/wing/' "$tmp/fine.su2" >"$tmp/renamed.su2"
 refuses "transfer: a marker that is missing" 2 "'body'" transfer "$ring" "$basis" "$tmp/renamed.su2" -o "$tmp/x"
 refuses "transfer: a basis of another mesh" 3 'another mesh' transfer "$tmp/fine.su2" "$basis" "$ring" -o "$tmp/x"

@@ -25,7 +25,7 @@ same_sums() { "$@" | tr -d '\r' | diff "$dir/sums" -; }
 refused_by_name() {
     "$@" >"$dir/said"
     cat "$dir/said"
-    grep -q 'HM_BAD_BASIS: the basis was written with another byte order' "$dir/said"
+    grep -q 'HM_BAD_BASIS: the basis was written on a machine with another byte order' "$dir/said"
 }
 same_use() { "$@" attach here.basis | tr -d '\r' | diff "$dir/use" -; }
 c_tests() {   # where, emulator or nothing, compiler...

@@ -70,7 +70,7 @@ TEST_CASE_TEMPLATE("conductances lose nothing, however uneven they are", Its,
             }
             INFO("kernel " << static_cast<int>(kernel) << ", " << n << " points");
             REQUIRE(front.factor() == harmorph::none);
-            CHECK(front.least_left > 0.9);
+            CHECK(front.min_pivot_ratio > 0.9);
             dense::solve_forward(kernel, front.panel(), y.data(), dense::slab, front.executor);
             dense::solve_backward(kernel, front.panel(), y.data(), dense::slab, front.executor);
             double worst = 0;

@@ -62,6 +62,35 @@ if echo '#include <cgnslib.h>' | $CXX -x c++ -E - >/dev/null 2>&1 && command -v 
     refuses "cgns: a cell of a point that does not exist" \
         "outside.cgns: zone 'Ring', section 'Cells': element 168 has point 1000, but there are 168 points" \
         "$with_cgns" check "$tmp/outside.cgns"
+    # Sizes and ranges that the file does not have: within 256 MB, the program refuses the file.
+    for kind in plane cells block; do rm -f "$tmp/$kind.cgns"; "$tmp/make_cgns" "$tmp/$kind.cgns" $kind double; done
+    cgns_claim() { # cgns_claim KIND TEXT NODE NUMBER...
+        cp "$tmp/$1.cgns" "$tmp/bad.cgns"
+        text=$2; shift 2
+        check "cgns: $*: is written" "$tmp/make_cgns" claim "$tmp/bad.cgns" "$@"
+        (ulimit -v 262144 && ulimit -t 60 && exec "$with_cgns" check "$tmp/bad.cgns") >"$tmp/out" 2>&1
+        if [ $? -eq 3 ] && grep -F -e "$text" "$tmp/out" >/dev/null; then ok "cgns: $*"; else
+            fail "cgns: $*: does not say '$text': $(head -n 1 "$tmp/out")"; fi
+    }
+    cgns_claim plane "Invalid coordinates array dimension" Base/Zone1 26 7 25 6 0 0
+    # libcgns compares sizes of zones with those of coordinates, if there are any.
+    for kind in plane block; do
+        zone=Zone1
+        check "cgns: $kind without coordinates" "$tmp/make_cgns" remove "$tmp/$kind.cgns" Base/$zone GridCoordinates
+    done
+    cgns_claim plane "zone 'Zone1' has 1073741824 points, which is more than a file of this size can hold" \
+        Base/Zone1 32768 32768 32767 32767 0 0
+    cgns_claim plane "zone 'Zone1' has more than 2147483647 points" \
+        Base/Zone1 2147483647 2147483647 2147483646 2147483646 0 0
+    cgns_claim block "zone 'Zone1' has more than 2147483647 points" \
+        Base/Zone1 2097152 2097152 2097152 2097151 2097151 2097151 0 0 0
+    cgns_claim plane "zone 'Zone1' has no CoordinateX and CoordinateY" Base/Zone1 25 7 24 6 0 0
+    for kind in plane block; do rm -f "$tmp/$kind.cgns"; "$tmp/make_cgns" "$tmp/$kind.cgns" $kind double; done
+    cgns_claim cells "section 'Cells' announces 2147483647 elements" Base/Ring/Cells/ElementRange 1 2147483647
+    cgns_claim cells "zone 'Ring', section 'Wall'" Base/Ring/Wall/ElementRange 169 2147483647
+    cgns_claim cells "zone 'Ring', section 'Wall'" Base/Ring/Wall/ElementRange 192 169
+    cgns_claim cells "names element 217, which is no face" Base/Ring/ZoneBC/body/PointRange 169 2147483647
+    cgns_claim plane "has a point with the index 8 of 7" Base/Zone1/ZoneBC/far/PointRange 1 7 25 2147483647
     head -c 3000 "$tmp/plane.cgns" >"$tmp/bad.cgns"
     check "cgns: cut off" sh -c "'$with_cgns' check '$tmp/bad.cgns' >'$tmp/err' 2>&1; test \$? -eq 3"
     refuses "cgns: a program without it says so" 'CGNS files are read by programs made with' "$harmorph" \

@@ -39,6 +39,10 @@ if (ulimit -v 262144 && "$harmorph" --version) >/dev/null 2>&1; then
     claim fluent.msh "s/^(10 (1 1 a8/(10 (1 1 7fffffff/"
     claim fluent.msh "s/^(13 (3 1 /(13 (3 1 7fffffff 2 2)(/"
     claim fluent.msh "s/^2 2 1 1 0/2 2 1 7fffffff 0/"
+    claim fluent-solid.msh "s/^(10 (1 1 150/(10 (1 1 7fffffff/"
+    claim fluent-solid.msh "s/^(13 (3 1 /(13 (3 1 7fffffff 2 4)(/"
+    "$make_mesh" fluent-polygons.msh "$tmp/fluent-polygons.msh"
+    claim fluent-polygons.msh "s/^(13 (3 1 [^(]*( 4/(13 (3 1 7fffffff 2 5)( 7fffffff/"
     claim text.vtk "s/^POINTS 168/POINTS $big/"
     claim text.vtk "s/^CELLS .*/CELLS $big $big/"
     claim text.vtk "s/^CELL_TYPES .*/CELL_TYPES $big/"
@@ -61,6 +65,14 @@ if (ulimit -v 262144 && "$harmorph" --version) >/dev/null 2>&1; then
             for (k = 0; k < 3000; k++) print piece body "</Piece>"; next }
         on { body = body "\n" $0; next } { print }' "$tmp/text.vtu" | tr -d '\r' | head -c 200000 >"$tmp/claim/many.vtu"
     claims "VTU: many pieces" "$tmp/claim/many.vtu"
+    # A file that names many pieces, and a piece that is no regular file.
+    { echo '<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid>'
+        for name in a b c d e f g h; do for k in 0 1 2 3 4 5 6 7 8 9; do echo "<Piece Source=\"$name$k.vtu\"/>"
+            ln -f "$tmp/text.vtu" "$tmp/claim/$name$k.vtu"; done; done
+        echo '</PUnstructuredGrid></VTKFile>'; } >"$tmp/claim/many.pvtu"
+    claims "PVTU: many pieces" "$tmp/claim/many.pvtu"
+    sed '3,$ { /Piece/d; }; s|Source=".*"/>|Source="/dev/zero"/>|' "$tmp/claim/many.pvtu" >"$tmp/claim/device.pvtu"
+    claims "PVTU: a device as a piece" "$tmp/claim/device.pvtu"
     # OpenFOAM: lists of one value.
     rm -rf "$tmp/claim/foam"
     "$tmp/make_foam" "$tmp/claim/foam" text z
@@ -105,6 +117,15 @@ if (ulimit -t 60) 2>/dev/null; then
         for (i = n; i > 0; i--) printf "%x %x 1 0\n", i, i % n + 1
         print "))" }' >"$tmp/claim/polygon.msh"
     slow "Fluent: a polygon of many faces" "$tmp/claim/polygon.msh"
+    awk 'BEGIN { n = 100000   # one cell between two polygons, the polygons behind the other faces
+        printf "(2 3)\n(10 (1 1 %x 1 3)(\n", 2 * n
+        for (k = 0; k < 2; k++) for (i = 0; i < n; i++) { t = 8 * atan2(1, 1) * i / n; print cos(t), sin(t), k }
+        printf "))\n(13 (3 1 %x 3 4)(\n", n
+        for (i = n; i > 0; i--) printf "%x %x %x %x 1 0\n", i, i % n + 1, n + i % n + 1, n + i
+        printf "))\n(13 (4 %x %x 7 5)(\n", n + 1, n + 2
+        for (k = 0; k < 2; k++) { printf "%x", n; for (i = 1; i <= n; i++) printf " %x", k * n + i; print " 1 0" }
+        print "))" }' >"$tmp/claim/prism.msh"
+    slow "Fluent: a prism of many faces" "$tmp/claim/prism.msh"
     slow "Gmsh: a marker for each edge" "$tmp/claim/markers.msh"
     awk 'BEGIN { n = 60000   # all cells have one point
         print 2 * n + 2, 0, 0, 0, 0, n, 0

@@ -1,5 +1,5 @@
 # Writes meshes with the Python packages of gmsh, meshio and VTK, and reads points with meshio and VTK, for dialects.sh.
-#   has PACKAGE | gmsh VERSION BINARY KIND FILE | meshio VTU CODING FILE | vtk VTU CODING FILE | points PACKAGE FILE
+#   has PACKAGE | gmsh VERSION BINARY KIND FILE | meshio CODING FILE | vtk CODING FILE | points PACKAGE FILE
 import sys
 
 
@@ -91,17 +91,29 @@ def write_vtk(coding, path):
         for cell in cells: grid.InsertNextCell(vtk.VTK_QUAD, 4, cell)
     if path.endswith(".vtk"):
         writer = vtk.vtkUnstructuredGridWriter()
+    elif path.endswith(".pvtu"):   # in three pieces, each in a file of its own
+        writer, producer, parts = vtk.vtkXMLPUnstructuredGridWriter(), vtk.vtkTrivialProducer(), \
+            vtk.vtkExtractUnstructuredGridPiece()
+        producer.SetOutput(grid)
+        parts.SetInputConnection(producer.GetOutputPort())
+        parts.SetCreateGhostCells(coding == "ghosts")
+        writer.SetInputConnection(parts.GetOutputPort())
+        writer.SetNumberOfPieces(3)
+        writer.SetEndPiece(2)
+        writer.SetGhostLevel(1 if coding == "ghosts" else 0)
     else:
         writer = vtk.vtkXMLUnstructuredGridWriter()
+    if not path.endswith(".vtk"):
         mode, encoded, compressor = {"binary": ("Binary", 1, "None"), "binary-zlib": ("Binary", 1, "ZLib"),
             "appended": ("Appended", 1, "None"), "appended-zlib": ("Appended", 1, "ZLib"),
             "raw-zlib": ("Appended", 0, "ZLib"), "lz4": ("Appended", 0, "LZ4"),
-            "second": ("Appended", 0, "ZLib"), "thick": ("Appended", 1, "None")}[coding]
+            "second": ("Appended", 0, "ZLib"), "thick": ("Appended", 1, "None"), "ascii": ("Ascii", 0, "None"),
+            "raw": ("Appended", 0, "None"), "ghosts": ("Ascii", 0, "None")}[coding]
         getattr(writer, "SetDataModeTo" + mode)()
         writer.SetEncodeAppendedData(encoded)
         getattr(writer, "SetCompressorTypeTo" + compressor)()
         writer.SetBlockSize(1 << 15)
-    writer.SetInputData(grid)
+    if not path.endswith(".pvtu"): writer.SetInputData(grid)
     writer.SetFileName(path)
     writer.Write()
 
@@ -116,7 +128,11 @@ def print_points(package, path):
         reader.SetFileName(path)
         reader.Update()
         grid = reader.GetOutput()
-        points = [grid.GetPoint(k) for k in range(grid.GetNumberOfPoints())]
+        used = set()   # VTK writes points into pieces that no cell of the piece has
+        for c in range(grid.GetNumberOfCells()):
+            cell = grid.GetCell(c).GetPointIds()
+            used.update(cell.GetId(k) for k in range(cell.GetNumberOfIds()))
+        points = [grid.GetPoint(k) for k in sorted(used)]
     for point in points: print(repr(float(point[0])), repr(float(point[1])))
 
 

@@ -94,6 +94,27 @@ if python has vtk 2>/dev/null; then
         morphs "VTK's legacy file, $coding" "$tmp/legacy.vtk" boundary1
         check "VTK's legacy file, $coding: VTK reads the morphed" python points vtk "$moved"
     done
+    # VTK divides the ring into three pieces, with points in single precision.
+    for coding in ascii binary raw raw-zlib appended appended-zlib; do
+        case $coding in *zlib) has_zlib || continue ;; esac
+        pvtu="VTK's PVTU, $coding" mesh=$tmp/three.pvtu moved=$tmp/moved-three.vtu
+        check "$pvtu: is written" python vtk $coding "$mesh"
+        check "$pvtu: check" "$harmorph" check "$mesh" --json
+        says "$pvtu: the boundary" '[{"name": "boundary1", "faces": 24}, {"name": "boundary2", "faces": 24}]'
+        check "$pvtu: fit" "$harmorph" fit "$mesh" --marker boundary1 --points 8 -o "$tmp/curve"
+        check "$pvtu: solve" "$harmorph" solve "$mesh" --curve "boundary1=$tmp/curve" -o "$tmp/basis"
+        check "$pvtu: morph" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$moved"
+        check "$pvtu: VTK reads the morphed" python points vtk "$moved"
+        grep -E '^-?[0-9.e+-]+ -?[0-9.e+-]+$' "$tmp/out" >"$tmp/points"
+        awk 'NR == FNR { x[FNR] = $1; y[FNR] = $2; n = FNR; next }
+            { found = 0
+              for (k = 1; k <= n; k++) if (($1 - x[k]) ^ 2 + ($2 - y[k]) ^ 2 < 1e-10) found = seen[k] = 1
+              if (!found) exit bad = 1 }
+            END { for (k = 1; k <= n; k++) if (!seen[k]) bad = 1; exit bad || n != 168 || FNR < 168 }' \
+            "$tmp/points-of-all" "$tmp/points" && ok "$pvtu: moves as all do" || fail "$pvtu: moves as all do"
+    done
+    check "VTK's PVTU with ghost cells: is written" python vtk ghosts "$tmp/three.pvtu"
+    refuses "VTK's PVTU with ghost cells" 'the pieces have ghost cells' "$harmorph" check "$tmp/three.pvtu"
     python vtk lz4 "$tmp/lz4.vtu"
     refuses "VTK's VTU, lz4" "is compressed by 'vtkLZ4DataCompressor': save the file with the compressor ZLib" \
         "$harmorph" check "$tmp/lz4.vtu"
@@ -128,8 +149,58 @@ morphs "VTU of two pieces" "$tmp/pieces.vtu" boundary1
 says "VTU of two pieces: the boundary" '[{"name": "boundary1", "faces": 24}, {"name": "boundary2", "faces": 24}]'
 grep -v '<' "$moved" | awk 'NF == 3 { n[$1 " " $2]++ } END { for (p in n) if (n[p] == 2) k++; exit k != 14 }' &&
     ok "VTU of two pieces: they stay closed" || fail "VTU of two pieces: they stay closed"
-sed 's/UnstructuredGrid/PUnstructuredGrid/g' "$tmp/pieces.vtu" >"$tmp/parallel.vtu"
-refuses "VTU: a parallel file" 'save the grid as one file .vtu' "$harmorph" check "$tmp/parallel.vtu"
+# The same pieces in files of their own, as a file .pvtu names them.
+piece_file() { # piece_file N: the text of the N-th piece as a file
+    awk -v n=$1 '/<Piece/ { k++ } k == 0 || k == n || /<.Unstr/ || /<.VTKFile/' "$tmp/pieces.vtu" |
+        sed 's|</Piece></Piece>|</Piece>|'
+}
+mkdir -p "$tmp/parallel"
+for piece in 1 2; do piece_file $piece >"$tmp/parallel/half-$piece.vtu"; done
+parallel() { # parallel LEVEL SOURCE...
+    echo "<VTKFile type=\"PUnstructuredGrid\"><PUnstructuredGrid GhostLevel=\"$1\">"
+    shift
+    for source in "$@"; do echo "<Piece Source=\"$source\"/>"; done
+    echo "</PUnstructuredGrid></VTKFile>"
+}
+parallel 0 parallel/half-1.vtu parallel/half-2.vtu >"$tmp/halves.pvtu"
+"$harmorph" check "$tmp/halves.pvtu" --json >"$tmp/out" 2>&1
+says "PVTU: the boundary" '[{"name": "boundary1", "faces": 24}, {"name": "boundary2", "faces": 24}]'
+check "PVTU: fit" "$harmorph" fit "$tmp/halves.pvtu" --marker boundary1 --points 8 -o "$tmp/curve"
+check "PVTU: solve" "$harmorph" solve "$tmp/halves.pvtu" --curve "boundary1=$tmp/curve" -o "$tmp/basis"
+check "PVTU: morph" "$harmorph" morph "$tmp/halves.pvtu" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/joined.vtu"
+check "PVTU: one file of the pieces: morph" "$harmorph" morph "$tmp/pieces.vtu" "$tmp/basis" \
+    --move "$tmp/moves.txt" -o "$tmp/moved.vtu"
+for file in joined moved; do
+    tr -s ' \n' '\n' <"$tmp/$file.vtu" | sed 's/<[^>]*>//g' | grep . >"$tmp/$file.numbers"
+done
+check "PVTU: moves as one file of the pieces" cmp "$tmp/joined.numbers" "$tmp/moved.numbers"
+"$harmorph" morph "$tmp/halves.pvtu" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/joined.pvtu" >"$tmp/out" 2>&1
+[ $? -eq 2 ] && ok "PVTU: not under a name .pvtu" || fail "PVTU: not under a name .pvtu"
+says "PVTU: not under a name .pvtu: says why" 'must end in .vtu'
+parallel 1 parallel/half-1.vtu parallel/half-2.vtu >"$tmp/bad.pvtu"
+refuses "PVTU: ghost cells" 'save the grid without ghost cells' "$harmorph" check "$tmp/bad.pvtu"
+parallel 0 parallel/half-1.vtu ./parallel//half-1.vtu >"$tmp/bad.pvtu"
+refuses "PVTU: a file twice" "bad.pvtu:3: the file './parallel//half-1.vtu' is named a second time" "$harmorph" \
+    check "$tmp/bad.pvtu"
+parallel 0 parallel/half-3.vtu >"$tmp/bad.pvtu"
+refuses "PVTU: a file that is not there" "the file 'parallel/half-3.vtu' of this piece does not exist" "$harmorph" \
+    check "$tmp/bad.pvtu"
+parallel 0 parallel >"$tmp/bad.pvtu"
+refuses "PVTU: a folder" "the file 'parallel' of this piece does not exist" "$harmorph" check "$tmp/bad.pvtu"
+parallel 0 bad.pvtu >"$tmp/bad.pvtu"
+refuses "PVTU: itself" "expected a piece of type UnstructuredGrid, found 'PUnstructuredGrid'" "$harmorph" \
+    check "$tmp/bad.pvtu"
+parallel 0 >"$tmp/bad.pvtu"
+refuses "PVTU: no piece" 'expected <Piece' "$harmorph" check "$tmp/bad.pvtu"
+sed '4s/.*/nonsense/' "$tmp/parallel/half-2.vtu" >"$tmp/parallel/bad.vtu"
+parallel 0 parallel/half-1.vtu parallel/bad.vtu >"$tmp/bad.pvtu"
+refuses "PVTU: a bad number: the file and the line of the piece" 'parallel/bad.vtu:4: expected a coordinate' \
+    "$harmorph" check "$tmp/bad.pvtu"
+sed 's|</Piece>||' "$tmp/parallel/half-2.vtu" >"$tmp/parallel/bad.vtu"
+refuses "PVTU: a piece without its end" 'the piece has no end </Piece>' "$harmorph" check "$tmp/bad.pvtu"
+sed '1s/VTKFile /VTKFile header_type="UInt64" /' "$tmp/parallel/half-2.vtu" >"$tmp/parallel/bad.vtu"
+refuses "PVTU: pieces that store numbers in different ways" 'save all pieces in one way' "$harmorph" \
+    check "$tmp/bad.pvtu"
 # A structured grid whose first and last lines meet.
 for layers in 1 2; do
     awk -v layers=$layers 'BEGIN { pi = atan2(0, -1)

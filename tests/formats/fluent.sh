@@ -1,14 +1,13 @@
-# Fluent: bad files. (A part of tests/formats.sh.)
+# Fluent: polygons one cell thick, and bad files. (A part of tests/formats.sh.)
 "$harmorph" check "$tmp/fluent.msh" --json >"$tmp/out" 2>&1
 says "fluent: zones are markers" '"body", "faces": 24}, {"name": "far", "faces": 24}]'
 change() { sed "$1" "$tmp/fluent.msh" >"$tmp/bad.msh"; }
-change 's/^(2 2)/(2 3)/'
-refuses "fluent: three dimensions" "bad.msh:2: expected 2: meshes of two dimensions are read" \
-    "$harmorph" check "$tmp/bad.msh"
+change 's/^(2 2)/(2 1)/'
+refuses "fluent: one dimension" "bad.msh:2: expected the dimension, 2 or 3, found '1'" "$harmorph" check "$tmp/bad.msh"
 change 's/^(10 (1 1 a8/(10 (1 1 a9/'
 refuses "fluent: too few nodes" "expected a node's x, found the end of the numbers" "$harmorph" check "$tmp/bad.msh"
 change 's/^(10 (1 1 a8/(10 (1 1 a7/'
-refuses "fluent: too many nodes" 'the section has more numbers than x and y of 167 nodes' "$harmorph" \
+refuses "fluent: too many nodes" 'the section has more numbers than those of 167 nodes' "$harmorph" \
     check "$tmp/bad.msh"
 change 's/^(10 (1 1 a8/(10 (1 2 a9/'
 refuses "fluent: a node is missing" 'bad.msh:8: expected node 1, found node 2' "$harmorph" check "$tmp/bad.msh"
@@ -29,4 +28,33 @@ change 's/^2 2 1 1 0/2 1 2 1 0/'
 check "fluent: a face the other way round" "$harmorph" check "$tmp/bad.msh"
 head -c 5000 "$tmp/fluent.msh" >"$tmp/bad.msh"
 refuses "fluent: cut off" 'bad.msh:6: this bracket is not closed before the end of the file' "$harmorph" \
+    check "$tmp/bad.msh"
+
+# Three dimensions: prisms between polygons.
+"$make_mesh" fluent-polygons.msh "$tmp/fluent-polygons.msh"
+"$harmorph" check "$tmp/fluent-polygons.msh" --json >"$tmp/out" 2>&1
+says "fluent: prisms of polygons: cells" '"cells": 72'
+says "fluent: prisms of polygons: the planes are no markers" \
+    '[{"name": "body", "faces": 24}, {"name": "far", "faces": 24}]'
+check "fluent: prisms of polygons: fit" "$harmorph" fit "$tmp/fluent-polygons.msh" --marker body --points 8 \
+    -o "$tmp/curve"
+check "fluent: prisms of polygons: solve" "$harmorph" solve "$tmp/fluent-polygons.msh" --curve "body=$tmp/curve" \
+    -o "$tmp/basis"
+check "fluent: prisms of polygons: zero move" "$harmorph" morph "$tmp/fluent-polygons.msh" "$tmp/basis" \
+    --move "$tmp/none.txt" -o "$tmp/moved.msh"
+check "fluent: prisms of polygons: the same file" cmp "$tmp/fluent-polygons.msh" "$tmp/moved.msh"
+check "fluent: prisms of polygons: morph" "$harmorph" morph "$tmp/fluent-polygons.msh" "$tmp/basis" \
+    --move "$tmp/moves.txt" -o "$tmp/moved.msh"
+sed 1,2d "$tmp/moved.msh" | awk 'NF == 1 { v[n++] = $1 } END {   # both planes move alike
+        for (k = 0; k < 504; k++) if (k % 3 < 2 && v[k] != v[k + 504]) exit 1
+        exit n < 1008 }'
+passes "fluent: prisms of polygons: both planes move alike" $?
+solid() { sed "$1" "$tmp/fluent-solid.msh" >"$tmp/bad.msh"; }
+solid 's/^(13 (14 1 1 7 4)/(13 (14 1 1 7 2)/; s/^(13 (3 \([0-9a-f]*\) \([0-9a-f]*\) 2 4)/(13 (3 \1 \2 2 2)/'
+refuses "fluent: three dimensions: faces of two nodes" 'faces of the type 2, but a face of three dimensions has' \
+    "$harmorph" check "$tmp/bad.msh"
+solid 's/^(13 (10 \([0-9a-f]*\) \([0-9a-f]*\) 3 0)( 4 1 2/(13 (10 \1 \2 3 0)( 4 1 3/'
+refuses "fluent: three dimensions: a cell that is not closed" 'not one cell thick' "$harmorph" check "$tmp/bad.msh"
+solid 's/^(13 (10 \([0-9a-f]*\) \([0-9a-f]*\) 3 0)( 4 1 2/(13 (10 \1 \2 3 0)( 4 1 fff/'
+refuses "fluent: three dimensions: no such node" 'a face names node 4095, but there are 336 nodes' "$harmorph" \
     check "$tmp/bad.msh"

@@ -1,6 +1,8 @@
 /* Writes a ring as a CGNS file with libcgns, independently of the program.
  *
  *   make_cgns FILE KIND REAL
+ *   make_cgns claim FILE NODE NUMBER...   writes other whole numbers into a node of the file
+ *   make_cgns remove FILE PARENT NODE     removes a node
  *     KIND   plane: structured, 2D; planes: two structured zones; block: structured, one cell
  * thick; cells: QUAD_4 and TRI_3 in one section of MIXED elements, BAR_2 at the boundary; polygons:
  * NGON_n; solid: HEXA_8 between two planes; cube: three cells thick; and what is wrong: nan: plane
@@ -178,8 +180,45 @@ static void unstructured(const char* kind, int nk) {
     condition("far", BCFarfield, PointRange, 2, far, nk);
 }
 
+static void claim(int n, char** words) {
+    int number, k;
+    int numbers[16];
+    cglong_t longs[16];
+    double root, node;
+    char type[CGIO_MAX_DATATYPE_LENGTH + 1];
+    call(cgio_open_file(words[0], CGIO_MODE_MODIFY, CGIO_FILE_NONE, &number));
+    call(cgio_get_root_id(number, &root));
+    call(cgio_get_node_id(number, root, words[1], &node));
+    call(cgio_get_data_type(number, node, type));
+    for (k = 0; k < n - 2 && k < 16; ++k) {
+        longs[k] = strtol(words[k + 2], NULL, 10);
+        numbers[k] = (int)longs[k];
+    }
+    call(cgio_write_all_data(number, node, strcmp(type, "I8") == 0 ? (void*)longs : numbers));
+    call(cgio_close_file(number));
+}
+
+static void remove_node(char** words) {
+    int number;
+    double root, parent, node;
+    call(cgio_open_file(words[0], CGIO_MODE_MODIFY, CGIO_FILE_NONE, &number));
+    call(cgio_get_root_id(number, &root));
+    call(cgio_get_node_id(number, root, words[1], &parent));
+    call(cgio_get_node_id(number, parent, words[2], &node));
+    call(cgio_delete_node(number, parent, node));
+    call(cgio_close_file(number));
+}
+
 int main(int argc, char** argv) {
     const char* kind;
+    if (argc == 5 && strcmp(argv[1], "remove") == 0) {
+        remove_node(argv + 2);
+        return 0;
+    }
+    if (argc > 4 && strcmp(argv[1], "claim") == 0) {
+        claim(argc - 2, argv + 2);
+        return 0;
+    }
     if (argc == 3 && strcmp(argv[1], "version") == 0) {
         float version = 0;
         call(cg_open(argv[2], CG_MODE_READ, &file));

@@ -63,7 +63,7 @@ broken() { # broken FILE SED: the case with one file changed
 }
 broken points '188s/^([^ ]*/(2/'
 refuses "openfoam: a point without a partner" \
-    'points:188: the mesh has three dimensions and is not one cell thick: point 173 is 3.54184e-1 away' \
+    'points:188: the mesh has three dimensions and is not one cell thick: the projection of point 173 is' \
     "$harmorph" check "$tmp/foam-bad"
 broken boundary 's/ empty;/ patch;/'
 refuses "openfoam: three dimensions" 'no patch has the type empty or wedge: the mesh has three dimensions' "$harmorph" \

@@ -142,7 +142,7 @@ refuses "ugrid: three dimensions in earnest" \
     "$harmorph" check "$tmp/cube.ugrid"
 sed '169s/.*/1 2 30 50/' "$tmp/nozzle.ugrid" >"$tmp/bad.ugrid"
 refuses "ugrid: a face that no cell has" \
-    'bad.ugrid:169: a face of the boundary is that of no cell; it begins at (0, 0, 0)' \
+    'bad.ugrid:169: no cell has this face of the boundary, which begins at (0, 0, 0)' \
     "$harmorph" check "$tmp/bad.ugrid"
 echo "2 2 2 8*0 8*0 8*0" >"$tmp/one-point.p3d"
 refuses "plot3d: a cell that is one point" 'not one cell thick: there are no two planes' "$harmorph" \

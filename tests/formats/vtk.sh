@@ -1,7 +1,7 @@
 # VTK legacy and XML: bad files, and the files of VTK itself. (A part of tests/formats.sh.)
 sed 's/^9 /12 /' "$tmp/text.vtk" | sed '/^CELL_TYPES/,$s/ 9 / 12 /' >"$tmp/bad.vtk"
 refuses "vtk: three dimensions in earnest" \
-    'is of type 12 with 4 points: read are triangles and quadrilaterals of first and second order' \
+    'is of type 12 with 4 points, which is not read: save triangles and quadrilaterals of first or second' \
     "$harmorph" check "$tmp/bad.vtk"
 check "vtk: convert" "$harmorph" convert "$tmp/ring.su2" "$tmp/ring.vtk"
 check "vtk: what convert writes" "$harmorph" check "$tmp/ring.vtk" --json
@@ -26,7 +26,7 @@ change 's/NumberOfCells="144"/NumberOfCells="143"/'
 refuses "vtu: too many cells" 'the array offsets has 144 numbers for 143 cells' \
     "$harmorph" check "$tmp/bad.vtu"
 change 's/format="ascii"/format="binarie"/'
-refuses "vtu: an unknown format" "this one has 'binarie'" "$harmorph" check "$tmp/bad.vtu"
+refuses "vtu: an unknown format" "the array has the format 'binarie'" "$harmorph" check "$tmp/bad.vtu"
 change 's/Name="offsets"/Name="starts"/'
 refuses "vtu: an array is missing" 'the file has no array offsets' "$harmorph" check "$tmp/bad.vtu"
 change '/Name="offsets"/s/ 8 / -9223372036854775808 /; /Name="offsets"/s/Int32/Int64/'

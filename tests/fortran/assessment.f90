@@ -8,21 +8,33 @@ module assessment_tests
 
 contains
 
-    ! assess says before the morph what admissible_step and quality say before and after it, in every layout.
+    ! assess says before the morph how good the moved mesh is, in every layout of the arrays.
     subroutine assessments()
-        real(dp) :: move(2, n_control), x_new(n_points), y_new(n_points), dx(n_points), dy(n_points)
+        real(dp) :: move(2, n_control), dx(n_points), dy(n_points)
+        real(dp), target :: x_new(n_points), y_new(n_points)
         real(dp) :: block_x(around, rings), block_y(around, rings)
+        type(hm_mesh) :: moved
         type(hm_step_report) :: step, its_step
         type(hm_quality_report) :: quality, its_quality
         integer :: stat
         move = 5 * some_move()
         call basis%displacement(move, dx, dy)
         call basis%morph_to(move, x, y, x_new, y_new)
-        call basis%admissible_step(mesh, dx, dy, step)
-        call basis%quality(mesh, x_new, y_new, quality, x, y)
+        call moved%points(x_new, y_new)
+        call moved%cells(cells)
+        call moved%faces(faces, markers)
+        call basis%assess(mesh, dx, dy, step)
+        call basis%assess(moved, quality, x, y)
         call basis%assess(mesh, dx, dy, its_step, its_quality)
         call compare_assessment(step, its_step, quality, its_quality)
         call check(its_step%cell == step%cell .and. its_quality%min_quality_cell == quality%min_quality_cell, "where")
+        call basis%assess(moved, its_quality, reshape(x, shape(block_x)), reshape(y, shape(block_y)))
+        call compare_assessment(step, its_step, quality, its_quality)
+        call basis%assess(moved, its_quality, real(x, c_float), real(y, c_float))
+        call compare_assessment(step, its_step, quality, its_quality)
+        call basis%assess(moved, its_quality)
+        call check(its_quality%inverted == quality%inverted .and. its_quality%mean_quality > quality%mean_quality, &
+            "without reference the sizes of the cells do not count")
         block_x = reshape(dx, shape(block_x))
         block_y = reshape(dy, shape(block_y))
         call basis%assess(mesh, block_x, block_y, its_step, its_quality, executor=hm_openmp(2))
@@ -51,15 +63,15 @@ contains
         call elsewhere%points(x_now, y_now)
         call elsewhere%cells(cells)
         call elsewhere%faces(faces, markers)
-        call basis%admissible_step(elsewhere, dx, dy, its_step, x, y)
+        call basis%assess(elsewhere, dx, dy, its_step, x=x, y=y)
         call check(abs(its_step%admissible - step%admissible) <= 0, "the step from other coordinates")
         call basis%assess(elsewhere, dx, dy, its_step, its_quality, x, y)
         call check(abs(its_step%admissible - step%admissible) <= 0, "the assessed step from other coordinates")
         call compare_assessment(step, its_step, quality, its_quality)
-        call basis%admissible_step(elsewhere, dx, dy, its_step)
+        call basis%assess(elsewhere, dx, dy, its_step)
         call check(abs(its_step%admissible - 0.5_dp * step%admissible) < 1e-9_dp * step%admissible, &
             "the step from the mesh's own coordinates")
-        call basis%admissible_step(elsewhere, dx, dy, its_step, x, stat=stat)
+        call basis%assess(elsewhere, dx, dy, its_step, x=x, stat=stat)
         call check(stat == hm_bad_argument, "x without y")
         call basis%assess(elsewhere, dx, dy, its_step, its_quality, x(2:), y(2:), stat=stat)
         call check(stat == hm_bad_argument, "a start of one point too few")

@@ -1,11 +1,72 @@
 ! Finer curves, measures with derivatives, design variables, functions by table.
 module design_tests
+    use, intrinsic :: iso_c_binding, only: c_float
     use body_mesh
     implicit none
     private
-    public :: design, tables
+    public :: design, refits, smooth_gradients, tables
 
 contains
+
+    ! The curve of an airfoil becomes the airfoil with heights of 110 %: the points of the latter are on the moved
+    ! curve.
+    subroutine refits()
+        integer, parameter :: n = 120
+        type(hm_curves) :: curves, moved
+        type(hm_refit_report) :: report
+        type(hm_error) :: err
+        real(dp) :: px(n), py(n), t, u, distance, largest
+        real(dp), allocatable :: movement(:, :)
+        integer :: k, stat
+        do k = 1, n
+            t = 6.283185307179586_dp * (k - 1) / n
+            px(k) = 0.5_dp * (1 + cos(t))
+            py(k) = sign(0.594689181_dp * (0.298222773_dp * sqrt(px(k)) - 0.127125232_dp * px(k) - 0.357907906_dp * &
+                px(k)**2 + 0.291984971_dp * px(k)**3 - 0.105174606_dp * px(k)**4), sin(t))
+        end do
+        call curves%fit(px, py, .true., n_control=24)
+        allocate(movement(2, size(curves%control, 2)))
+        call curves%refit(1, px, 1.1_dp * py, .true., movement, report=report)
+        call check(report%max_error < 1e-4_dp .and. report%closed == hm_tied, "a refit of the thicker airfoil")
+        call check(report%max_error_point >= 1 .and. report%max_error_point <= n, "the point of the largest error")
+        moved = curves
+        moved%control = curves%control + movement
+        largest = 0
+        do k = 1, n
+            call moved%project(1, px(k), 1.1_dp * py(k), u, distance)
+            largest = max(largest, distance)
+        end do
+        call check(largest <= report%max_error + 1e-12_dp, "the points are on the moved curve")
+        call curves%refit(1, real(2 * px, c_float), real(2.2_dp * py, c_float), .true., movement, on_chord=.true.)
+        call check(maxval(abs(curves%control + movement - moved%control)) < 1e-4_dp, &
+            "an airfoil of twice the size, on the chord of the curve")
+        call curves%refit(2, px, py, .true., movement, stat=stat, err=err)
+        call check(stat == hm_bad_argument .and. err%text == "curve 2 does not exist", "curve 2: " // err%text)
+        call curves%refit(1, px, py, .true., movement(:, 2:), stat=stat)
+        call check(stat == hm_bad_argument, "a movement with too few columns")
+        call curves%refit(1, px(2:), py, .true., movement, stat=stat)
+        call check(stat == hm_bad_argument, "x and y of different lengths")
+    end subroutine
+
+    ! The smoothed gradient: length 0 keeps the gradient; a positive length leaves a direction of descent.
+    subroutine smooth_gradients()
+        type(hm_curves) :: curves
+        real(dp), allocatable :: gradient(:, :), smoothed(:, :)
+        integer :: k, stat
+        call basis%curves(curves)
+        allocate(gradient(2, size(curves%control, 2)), smoothed(2, size(curves%control, 2)))
+        gradient(1, :) = 0
+        gradient(2, :) = [((-1._dp)**k, k = 1, size(gradient, 2))]
+        call curves%smooth_gradient(0._dp, gradient, smoothed)
+        call check(maxval(abs(smoothed - gradient)) < 1e-12_dp, "a gradient that is smoothed over length 0")
+        call curves%smooth_gradient(0.5_dp, gradient, smoothed)
+        call check(sum(smoothed * gradient) > 0, "the smoothed gradient is a direction of descent")
+        call check(norm2(smoothed) < 0.5_dp * norm2(gradient), "waves are damped")
+        call curves%smooth_gradient(-1._dp, gradient, smoothed, stat=stat)
+        call check(stat == hm_bad_argument, "a negative length")
+        call curves%smooth_gradient(1._dp, gradient(:, 2:), smoothed, stat=stat)
+        call check(stat == hm_bad_argument, "a gradient with too few columns")
+    end subroutine
 
     ! More control points, measures with their gradients, variables that are not control points, and their functions.
     subroutine design()

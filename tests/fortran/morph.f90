@@ -22,7 +22,7 @@ contains
         call check(same(x, x_new) .and. same(y, y_new), "a movement of nothing keeps all bits")
         move = some_move()
         call basis%displacement(move, dx, dy)
-        call basis%admissible_step(mesh, dx, dy, step)
+        call basis%assess(mesh, dx, dy, step)
         call check(step%admissible > 0 .and. step%cell >= 1 .and. step%cell <= n_cells .and. step%point >= 1, &
             "somewhere a cell sets the limit")
         move = min(1._dp, 0.5_dp * step%admissible) * move
@@ -43,11 +43,10 @@ contains
         call check(stat == hm_bad_mesh .and. err%item == point .and. all(found == 7), "a wall that is on no curve")
         call basis%boundary_error(move, x, y, x_new, y_new, error, point)
         call check(error < 1e-12_dp .and. point >= 1 .and. point <= n_points, "the wall moves as the B-spline does")
-        call basis%quality(mesh, x_new, y_new, quality, x, y)
+        call basis%assess(mesh, x_new - x, y_new - y, quality=quality)
         call check(quality%inverted == 0 .and. quality%min_area > 0 .and. quality%self_crossing == 0, "quality")
-        call basis%quality(mesh, x_new, y_new, quality)
-        call check(quality%min_quality > 0 .and. quality%min_quality <= quality%mean_quality, &
-            "quality without reference")
+        call basis%assess(mesh, quality)
+        call check(quality%min_quality > 0 .and. quality%min_quality <= quality%mean_quality, "quality of the mesh")
         dx = x
         dy = y
         call basis%morph(move, dx, dy)
@@ -80,7 +79,7 @@ contains
         call basis%morph_to(move, x, y, x_new, y_new)
         call basis%displacement(move, dx, dy)
         call basis%adjoint(dx, dy, expected)
-        call basis%admissible_step(mesh, dx, dy, step)
+        call basis%assess(mesh, dx, dy, step)
 
         state = -1
         state(2, :) = x
@@ -106,7 +105,7 @@ contains
         call solve(other, its)
         call its%displacement(move, x_new, y_new)
         call check(same(x_new, dx) .and. same(y_new, dy), "a mesh of xy(2,:)")
-        call its%admissible_step(other, x_new, y_new, its_step)
+        call its%assess(other, x_new, y_new, its_step)
         call check(same([its_step%admissible], [step%admissible]) .and. its_step%cell == step%cell, "its step")
 
         start = 1 + 4 * [(k, k = 0, n_cells)]
@@ -132,7 +131,7 @@ contains
         call solve(other, its, first=0)
         call its%displacement(move, x_new, y_new)
         call check(same(x_new, dx) .and. same(y_new, dy), "a mesh counted from 0")
-        call its%admissible_step(other, x_new, y_new, its_step)
+        call its%assess(other, x_new, y_new, its_step)
         call check(its_step%cell == step%cell - 1, "and reports as well")
 
         do k = 1, n_cells

@@ -31,10 +31,10 @@ contains
         sides(4, :) = faces(1, :) + n_points
 
         call plane%find(stat=stat, err=err)
-        call check(stat == hm_bad_argument .and. index(err%text, "points comes first") > 0, "find without points")
+        call check(stat == hm_bad_argument .and. index(err%text, "call points first") > 0, "find without points")
         call plane%points(sx, sy, sz)
         call plane%morph(basis, reshape([0._dp, 0._dp], [2, 1]), sx, sy, sz, stat=stat, err=err)
-        call check(stat == hm_bad_argument .and. index(err%text, "find comes first") > 0, "morph without find")
+        call check(stat == hm_bad_argument .and. index(err%text, "call find first") > 0, "morph without find")
         call plane%faces(cells)
         call plane%sides(sides, markers)
         call plane%find()

@@ -47,7 +47,7 @@ contains
         call basis%morph(reshape([1._dp, 2._dp, cos(0.3_dp) - 1, sin(0.3_dp)], [2, 2]), x_new, y_new)
         call check(maxval(abs(x_new - (1 + x * cos(0.3_dp) - y * sin(0.3_dp)))) < 1e-11_dp, "polygons turn exactly: x")
         call check(maxval(abs(y_new - (2 + x * sin(0.3_dp) + y * cos(0.3_dp)))) < 1e-11_dp, "polygons turn exactly: y")
-        call basis%quality(joined, x_new, y_new, quality)
+        call basis%assess(joined, x_new - x, y_new - y, quality=quality)
         call check(quality%inverted == 0 .and. quality%min_quality > 0, "polygons are not inverted when they turn")
         allocate(types(n_points), source=0)
         types(faces(1, :)) = int(markers)

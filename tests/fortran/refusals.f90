@@ -90,7 +90,7 @@ contains
             err%text == "x and y have different lengths, or one of them is not allocated", "a gradient: " // err%text)
         call basis%boundary_error(some_move(), x, y, a(2:), b(2:), error, stat=stat)
         call check(stat == hm_bad_argument, "another length")
-        call basis%quality(mesh, x, y, quality, x(2:), y(2:), stat=stat)
+        call basis%assess(mesh, quality, x(2:), y(2:), stat=stat)
         call check(stat == hm_bad_argument, "a reference of another length")
         call basis%values(0, a, stat=stat)
         call check(stat == hm_bad_argument, "there is no function 0")

@@ -85,6 +85,8 @@ program use
     call transfers()
     call meshes_in_parts()
     call design()
+    call refits()
+    call smooth_gradients()
     call tables()
     call planes()
     call numbers_in_errors()

@@ -306,7 +306,7 @@ TEST_CASE(
         INFO(its.stride << ", " << its.row);
         CHECK(hm_blocks_gather(&mesh, 0, 1, &bad, points_out(x, y), &error) == HM_BAD_ARGUMENT);
         CHECK(std::string(error.text) ==
-              "stride or row of block 0 is not that of an array of points");
+              "stride or row of block 0 is negative, beyond 2^40, or puts two points at one place");
         CHECK(hm_blocks_scatter(&mesh, 0, 1, points_in(blocks.x, blocks.y), &bad_out, &error) ==
               HM_BAD_ARGUMENT);
     }

@@ -235,8 +235,9 @@ TEST_CASE("modes on top of combined functions and of other modes; too many are n
     REQUIRE(large.status == HM_OK);
     hm_error error{};
     CHECK(hm_plan_solve(solved.plan, large.basis, nullptr, &error) == HM_UNSUPPORTED);
-    CHECK_MESSAGE(std::string(error.text).find("1240 numbers, this plan solves bases with 1044") !=
-                      std::string::npos,
+    CHECK_MESSAGE(std::string(error.text)
+                          .find("the basis has 1240 numbers at a point, but this plan solves bases "
+                                "with at most 1044") != std::string::npos,
                   error.text);
     CHECK(info_of(large.basis).solved == 1);
 }
@@ -275,8 +276,8 @@ TEST_CASE("tables that cannot be used are refused by name, with nothing written"
         CHECK(made.error.item == item);
         return made.status;
     };
-    CHECK(refusal({solved.plan, solved.basis, {good, zero}, 2}, "mode 1 is zero", 1) ==
-          HM_BAD_CONDITION);
+    CHECK(refusal({solved.plan, solved.basis, {good, zero}, 2}, "mode 1 is zero: it moves no point",
+                  1) == HM_BAD_CONDITION);
     Field bad = good;
     bad[3] = std::nan("");
     CHECK(refusal({solved.plan, solved.basis, {bad}, 1}, "point 3", 0) == HM_BAD_ARGUMENT);
@@ -285,7 +286,7 @@ TEST_CASE("tables that cannot be used are refused by name, with nothing written"
           HM_BAD_ARGUMENT);
     std::int32_t const last = points.back();
     points.back() = points.front();
-    CHECK(refusal({solved.plan, solved.basis, {good}, 1, &points}, "is not in the list", last) ==
+    CHECK(refusal({solved.plan, solved.basis, {good}, 1, &points}, "but not in the list", last) ==
           HM_BAD_CONDITION);
     CHECK(Tabulated(solved.plan, solved.basis, {good}, 1, nullptr, 1).status == HM_BLOCK_TOO_SMALL);
     Case other = two_body_case(Cells::hybrid, 8, 6);

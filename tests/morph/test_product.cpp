@@ -66,7 +66,7 @@ struct Product {
                                                                      {0.5, 2}, total);
         for (Index k = 0; k < of.n_numbers; ++k) out.push_back(total.x[k].value());
         for (Index k = 0; k < of.n_numbers; ++k) out.push_back(total.y[k].value());
-        for (Index k = of.n_numbers; k < Movements::most; ++k) {
+        for (Index k = of.n_numbers; k < Movements::max_count; ++k) {
             CHECK(total.x[k].value() == 0);
             CHECK(total.y[k].value() == 0);
         }
@@ -79,7 +79,7 @@ struct Product {
 TEST_CASE(
     "a point's products are added up in the order of the numbers: the same bits from every "
     "kernel") {
-    for (Index numbers = 1; numbers <= Movements::most; numbers += numbers < 40 ? 1 : 11) {
+    for (Index numbers = 1; numbers <= Movements::max_count; numbers += numbers < 40 ? 1 : 11) {
         Product const product(3, numbers, static_cast<unsigned>(numbers));
         INFO(numbers << " numbers");
         std::vector<double> in_order(2 * product.n_points());
@@ -103,7 +103,7 @@ TEST_CASE(
 
 TEST_CASE(
     "the transpose is right to the rounding of each product, and the same bits from every kernel") {
-    for (Index numbers = 1; numbers <= Movements::most; numbers += numbers < 40 ? 1 : 11)
+    for (Index numbers = 1; numbers <= Movements::max_count; numbers += numbers < 40 ? 1 : 11)
         for (Index const blocks : {1, 2, 5, 8, 19}) {
             Product const product(blocks, numbers, static_cast<unsigned>(numbers));
             INFO(numbers << " numbers, " << blocks << " blocks");
@@ -161,7 +161,7 @@ TEST_CASE(
     // Each product is a multiple of 2^-30 near 1 or -1, so that all sums are exact. Sums of
     // products near 2^63 are far beyond 64 bits, along x and along y each by its own multiple of
     // 2^64.
-    Index const most = harmorph::BlockProducts<double>::most_blocks;
+    Index const most = harmorph::BlockProducts<double>::max_blocks;
     for (Index const blocks : {256, most - 1, most})
         for (int const signs : {1, 2, 3, 4}) {
             Product product(blocks, 3, 5);
@@ -240,7 +240,7 @@ TEST_CASE("the largest number, infinities and NaN above all others, wherever it 
 }
 
 TEST_CASE("numbers in single precision give the bits that they give as double ones") {
-    for (Index numbers = 1; numbers <= Movements::most; numbers += numbers < 40 ? 1 : 11) {
+    for (Index numbers = 1; numbers <= Movements::max_count; numbers += numbers < 40 ? 1 : 11) {
         Product product(3, numbers, static_cast<unsigned>(numbers));
         std::vector<float> singles(
             1, std::numeric_limits<float>::quiet_NaN());  // so that blocks begin at odd places

@@ -315,8 +315,8 @@ TEST_CASE("graphs that cannot be merged end the levels, and nothing is written b
         std::vector<Index> column;
         for (Index u = 0; u < view.n; ++u) {
             start.push_back(static_cast<Offset>(column.size()));
-            diagonal.push_back(static_cast<double>(view.of(u).size()) + 1);
-            for (Index const v : view.of(u))
+            diagonal.push_back(static_cast<double>(view.neighbours(u).size()) + 1);
+            for (Index const v : view.neighbours(u))
                 if (v > u) column.push_back(v);
         }
         start.push_back(static_cast<Offset>(column.size()));

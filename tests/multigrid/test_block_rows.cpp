@@ -136,7 +136,8 @@ TEST_CASE("a diagonal that is not positive is refused with its row") {
         harmorph::Fault fault;
         CHECK(harmorph::BlockIteration::check_diagonals(rows, fault) ==
               harmorph::Status::not_positive);
-        CHECK(std::string(fault.sentence) == "the matrix is not positive definite at point #");
+        CHECK(std::string(fault.sentence) ==
+              "the matrix of the equations is not positive definite at point #");
         CHECK(fault.item.number == 2);
         rows.n = 2;
         harmorph::Fault no_fault;

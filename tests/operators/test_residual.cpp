@@ -231,7 +231,7 @@ TEST_CASE(
                           iterative = with(HM_LAPLACE, HM_MULTIGRID);
             Solved const found(its, &exact), other(its, &iterative);
             INFO("first cell " << first << ", free " << free << ": "
-                               << inside(found.plan).engine().direct.factor.least_left()
+                               << inside(found.plan).engine().direct.factor.min_pivot_ratio()
                                << " left of a pivot");
             CHECK(inside(found.plan).engine().trusted());  // it has lost nothing
             CHECK(found.report.refinements == 0);
@@ -370,7 +370,7 @@ TEST_CASE(
         REQUIRE(matrix.fixed_row.count() > 0);
         Index const n = residual.width, wrong = matrix.n / 3;
         dofs.at(wrong)[1] += 1e-3;  // what is left is not rounding alone
-        residual.share_out({}, {});
+        residual.choose_subtrees({}, {});
         harmorph::Residual::Norms const plain = residual.compute(matrix, dofs, 0, n);
         std::vector<double> const expected(residual.value.begin(), residual.value.end());
         std::vector<double> first;

@@ -28,7 +28,7 @@ std::vector<int> depth_of(harmorph::Analysis const& a) {
     for (int layer = 0; reached < a.graph().n; ++layer)
         for (Index u = 0; u < a.graph().n; ++u)
             if (depth[static_cast<std::size_t>(u)] == layer)
-                for (Index const v : a.graph().of(u)) set(v, layer + 1);
+                for (Index const v : a.graph().neighbours(u)) set(v, layer + 1);
     return depth;
 }
 

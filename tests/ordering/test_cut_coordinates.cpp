@@ -39,18 +39,18 @@ TEST_CASE("neighbours lie within reach in every direction; layers grow by one") 
         for (Index u = 0; u < graph.n(); ++u)
             for (Index const v : graph.near[static_cast<std::size_t>(u)]) {
                 for (Index d = 0; d < harmorph::directions; ++d) {
-                    float const step = places.of[v].at[d] - places.of[u].at[d];
-                    outside.add(std::fabs(step) > places.of[u].reach[d], u, step);
+                    float const step = places.position[v].at[d] - places.position[u].at[d];
+                    outside.add(std::fabs(step) > places.position[u].reach[d], u, step);
                 }
-                float const from = places.of[u].at[harmorph::layer_direction];
-                float const to = places.of[v].at[harmorph::layer_direction];
+                float const from = places.position[u].at[harmorph::layer_direction];
+                float const to = places.position[v].at[harmorph::layer_direction];
                 jumps.add(std::fabs(to - from) > 1, u, to - from);
             }
         CHECK(outside == 0);
         CHECK(jumps == 0);
         for (Index u = 0; u < graph.n(); ++u)
             if (graph.view().beside_curve[u] != 0)
-                CHECK(places.of[u].at[harmorph::layer_direction] == 0);
+                CHECK(places.position[u].at[harmorph::layer_direction] == 0);
     }
 }
 
@@ -66,14 +66,16 @@ TEST_CASE(
         ring.view(), 0, [&](Index u) { return u % around == 0; },
         [&](Index u) { return u % around < around / 2; });
     its.places.keep_searches(ring.view(), {});
-    auto const step = [&](Index u) { return its.places.of[u].at[harmorph::across_direction]; };
+    auto const step = [&](Index u) {
+        return its.places.position[u].at[harmorph::across_direction];
+    };
     for (Index u = 0; u < ring.n(); ++u) {
         int const column = u % around, back = around - column;
         CHECK(step(u) == (column == 0 ? 1 : column <= back ? column + 1 : -back));
         float farthest = 1;
         for (Index const v : ring.near[static_cast<std::size_t>(u)])
             farthest = std::fmax(farthest, std::fabs(step(v) - step(u)));
-        CHECK(its.places.of[u].reach[harmorph::across_direction] == farthest);
+        CHECK(its.places.position[u].reach[harmorph::across_direction] == farthest);
     }
 }
 
@@ -84,7 +86,9 @@ TEST_CASE(
     graphs.push_back(grid_graph(7, 3));
     for (HandMadeGraph& graph : graphs) {
         PlacedGraph its(graph);
-        auto const level = [&](Index u) { return its.places.of[u].at[harmorph::level_direction]; };
+        auto const level = [&](Index u) {
+            return its.places.position[u].at[harmorph::level_direction];
+        };
         std::vector<Index> all(static_cast<std::size_t>(graph.n()));
         for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<Index>(k);
         its.places.find_levels(graph.view(), span(all), its.places.queue);
@@ -114,7 +118,7 @@ TEST_CASE(
     for (Index const u : half) {
         float const expected = static_cast<float>(std::abs(u % 9 - first % 9));
         CHECK((first % 9 == 5 || first % 9 == 8));
-        CHECK(its.places.of[u].at[harmorph::level_direction] >= expected);
-        CHECK(its.places.of[u].at[harmorph::level_direction] <= 3);
+        CHECK(its.places.position[u].at[harmorph::level_direction] >= expected);
+        CHECK(its.places.position[u].at[harmorph::level_direction] <= 3);
     }
 }

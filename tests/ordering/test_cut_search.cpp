@@ -10,8 +10,8 @@
 
 using namespace fixtures;
 using harmorph::Cut;
+using harmorph::CutSizes;
 using harmorph::Index;
-using harmorph::Parts;
 
 namespace {
 
@@ -32,7 +32,7 @@ struct Searched {
     Index n() const { return static_cast<Index>(order.size()); }
     Index left_of(Cut const& cut) const {
         Index left = 0;
-        for (Index u = 0; u < n(); ++u) left += places.of[u].at[cut.direction] < cut.level;
+        for (Index u = 0; u < n(); ++u) left += places.position[u].at[cut.direction] < cut.level;
         return left;
     }
 
@@ -62,7 +62,7 @@ TEST_CASE(
         for (bool const upright : {false, true}) {
             HandMadeGraph grid = upright ? grid_graph(width, length) : grid_graph(length, width);
             Searched its(grid);
-            CHECK((its.n() >= Parts::large) == (times > 1));
+            CHECK((its.n() >= CutSizes::large) == (times > 1));
             Cut const cut = its.search->best(0, its.n(), harmorph::straight_directions);
             CHECK(cut.direction == (upright ? 1 : 0));
             CHECK(std::abs(its.left_of(cut) - its.n() / 2) < its.n() / 8);
@@ -72,16 +72,16 @@ TEST_CASE(
 
 TEST_CASE("a square with a border along one side is cut such that both halves share it") {
     int const side = 300;
-    REQUIRE(side * side >= Parts::large);
+    REQUIRE(side * side >= CutSizes::large);
     for (Index const direction : {0, 1}) {
         HandMadeGraph grid = grid_graph(side, side);
         Searched its(grid);
         for (Index u = 0; u < its.n(); ++u) {
             int const at = direction == 0 ? u / side : u % side;
-            if (at == 0) its.places.of[u].at[harmorph::border_lane] = 1;
+            if (at == 0) its.places.position[u].at[harmorph::border_lane] = 1;
         }
         CHECK(its.search->border(0, its.n(), its.n()) == side);
-        CHECK(its.search->border(0, its.n(), Parts::large - 1) == 0);
+        CHECK(its.search->border(0, its.n(), CutSizes::large - 1) == 0);
         CHECK(its.search->best(0, its.n(), harmorph::straight_directions).direction == direction);
     }
 }
@@ -92,12 +92,13 @@ TEST_CASE(
     for (Index const half : {40, 200000}) {
         auto const cost = [&](Index shift, Index separator, Index left_border = 0,
                               Index right_border = 0) {
-            return Parts{half + shift, half - shift, separator, left_border, right_border}.cost();
+            return CutSizes{half + shift, half - shift, separator, left_border, right_border}
+                .cost();
         };
         CHECK(cost(0, 8) < cost(0, 9));
         CHECK(cost(0, 8) < cost(half / 4, 8));
         CHECK(cost(half / 4, 8, 5, 3) == doctest::Approx(cost(-half / 4, 8, 3, 5)).epsilon(1e-14));
-        if (half < Parts::large) continue;
+        if (half < CutSizes::large) continue;
         CHECK(cost(0, 800, 100, 100) < cost(0, 800, 200, 200));
         CHECK(cost(0, 800, 200, 200) < cost(0, 800, 0, 400));
     }
@@ -113,7 +114,7 @@ TEST_CASE(
                 double const expected = s * (s * s / 3 + s * b + b * b) +
                                         cost_by_halving(left, left_border + s) +
                                         cost_by_halving(right, right_border + s);
-                CHECK(Parts{left, right, separator, left_border, right_border}.cost() ==
+                CHECK(CutSizes{left, right, separator, left_border, right_border}.cost() ==
                       doctest::Approx(expected).epsilon(0.0125));  // 30 instead of 30.37
             }
 }
@@ -129,13 +130,14 @@ TEST_CASE(
     REQUIRE(its.search->find_level_cut(harmorph::infinity, 0, its.n(), cut));
     CHECK(cut.direction == harmorph::level_direction);
     std::map<float, Index> size;
-    for (Index u = 0; u < its.n(); ++u) ++size[its.places.of[u].at[harmorph::level_direction]];
+    for (Index u = 0; u < its.n(); ++u)
+        ++size[its.places.position[u].at[harmorph::level_direction]];
     double least = harmorph::infinity;
     float best = 0;
     Index before = 0;
     for (auto const& [level, count] : size) {
         Index const behind = its.n() - before - count;
-        double const cost = Parts{before, behind, count}.cost();
+        double const cost = CutSizes{before, behind, count}.cost();
         if (before >= its.n() / 4 && behind >= its.n() / 4 && cost < least) {
             least = cost;
             best = level;

@@ -85,7 +85,7 @@ TEST_CASE("graphs of meshes") {
             copy.add_point(p.x, p.y);
         }
         for (Index u = 0; u < graph.n; ++u)
-            for (Index const v : graph.of(u)) copy.join(u, v);
+            for (Index const v : graph.neighbours(u)) copy.join(u, v);
         check_dissection(copy);
     }
 }
@@ -154,7 +154,7 @@ TEST_CASE(
     "large parts know what is next to the separators above them, and nothing else is marked") {
     for (int const ny : {250, 270}) {  // small and large, as a whole
         HandMadeGraph grid = grid_graph(250, ny);
-        bool const is_large = grid.n() >= harmorph::Parts::large;
+        bool const is_large = grid.n() >= harmorph::CutSizes::large;
         CHECK(is_large == (ny == 270));
         Wrong wrong;
         Index marked = 0;
@@ -168,9 +168,10 @@ TEST_CASE(
             REQUIRE(its.pivots < graph.n);
             std::vector<char> is_next(grid.x.size(), 0);
             for (Index k = its.pivots; k < graph.n; ++k)
-                for (Index const v : graph.of(order[k])) is_next[static_cast<std::size_t>(v)] = 1;
+                for (Index const v : graph.neighbours(order[k]))
+                    is_next[static_cast<std::size_t>(v)] = 1;
             for (Index k = 0; k < its.pivots; ++k) {
-                float const mark = work.coordinates.of[order[k]].at[harmorph::border_lane];
+                float const mark = work.coordinates.position[order[k]].at[harmorph::border_lane];
                 marked += mark == 1;
                 wrong.compare(order[k], mark,
                               is_large ? is_next[static_cast<std::size_t>(order[k])] : 0);
@@ -198,10 +199,10 @@ TEST_CASE(
             harmorph::Dissector const dissector(graph, work, order);
             for (Index u = 0; u < graph.n; ++u) order[u] = u;
             harmorph::DividedRange const its = dissector.divide(0, graph.n);
-            REQUIRE(its.middle >= harmorph::Parts::large);
-            REQUIRE(its.pivots - its.middle >= harmorph::Parts::large);
+            REQUIRE(its.middle >= harmorph::CutSizes::large);
+            REQUIRE(its.pivots - its.middle >= harmorph::CutSizes::large);
             for (Index u = 0; u < graph.n && !is_marked; ++u)
-                work.coordinates.of[u].at[harmorph::border_lane] = 0;
+                work.coordinates.position[u].at[harmorph::border_lane] = 0;
             tree.count = 0;
             Index const first = dissector.dissect(0, its.middle, tree);
             Index const second = dissector.dissect(its.middle, its.pivots, tree);

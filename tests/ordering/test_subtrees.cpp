@@ -18,7 +18,7 @@ struct Chosen {
     harmorph::Subtrees subtrees;
 
     Chosen(Dissected const& cut, Symbolic const& symbolic, Index workers)
-        : memory(static_cast<std::size_t>(harmorph::Subtrees::most(workers))) {
+        : memory(static_cast<std::size_t>(harmorph::Subtrees::max_count(workers))) {
         subtrees.workers = workers;
         subtrees.all = span(memory);
         subtrees.choose(cut.tree, span(symbolic.start));
@@ -63,7 +63,7 @@ TEST_CASE("subtrees are whole, apart, in order, and listed by work") {
         for (Index const workers : {1, 2, 3, 8, 256}) {
             Chosen const chosen(cut, symbolic, workers);
             harmorph::Subtrees const& its = chosen.subtrees;
-            CHECK(its.count <= harmorph::Subtrees::most(workers));
+            CHECK(its.count <= harmorph::Subtrees::max_count(workers));
             CHECK((its.count == 0) == (workers == 1));
             Offset kept = 0, kept_rows = 0;
             std::set<Index> listed;

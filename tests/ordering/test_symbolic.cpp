@@ -64,8 +64,8 @@ Offset check_borders(HandMadeGraph& graph) {
         largest_front = std::max(largest_front, size + node.pivots());
     }
     CHECK(found.sizes.border_entries == entries);
-    CHECK(found.sizes.most_sums >= largest_front);
-    CHECK(found.sizes.most_sums <= largest_front + 2 * (harmorph::dense::slab - 1));
+    CHECK(found.sizes.max_sums >= largest_front);
+    CHECK(found.sizes.max_sums <= largest_front + 2 * (harmorph::dense::slab - 1));
     CHECK(found.of(cut.tree.count - 1).empty());  // nothing comes after the root
     return entries;
 }
@@ -83,7 +83,7 @@ TEST_CASE("borders with more entries than are remembered: the same") {
         graph.add_point(side * (hub + 0.5) / hubs, 0.5 * side);
         for (int k = hub % 7; k < side * side; k += 7) graph.join(k, side * side + hub);
     }
-    CHECK(check_borders(graph) > Offset{harmorph::BorderWork::remembered} * graph.n());
+    CHECK(check_borders(graph) > Offset{harmorph::BorderWork::passed_per_position} * graph.n());
 }
 
 TEST_CASE("any number of threads: the same borders") {

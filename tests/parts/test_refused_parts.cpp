@@ -35,16 +35,16 @@ TEST_CASE("parts that do not fit together are refused with the place") {
     };
     has(refusal(
             [&](std::vector<PartOfMesh>& parts) { parts[1].mesh.x[shared_point(parts)] += 1e-9; }),
-        "(global number) has different coordinates in two parts");
+        "has different coordinates in two parts");
     has(refusal([&](std::vector<PartOfMesh>& parts) {  // two numbers in each other's place
             std::size_t const at = shared_point(parts);
             std::swap(parts[1].numbers[at], parts[1].numbers[at == 0 ? 1 : 0]);
         }),
         "");
     has(refusal([&](std::vector<PartOfMesh>& parts) { parts[1].numbers[0] = parts[1].numbers[1]; }),
-        "same global number");
+        "have the same global number");
     has(refusal([&](std::vector<PartOfMesh>& parts) { parts[0].numbers[3] = -1; }),
-        "not between 0 and 2^61");
+        "but it must be from 0 to 2^61");
     has(refusal([&](std::vector<PartOfMesh>& parts) {
             parts[0].mesh.faces.resize(parts[0].mesh.faces.size() - 2);
             parts[0].mesh.face_markers.pop_back();
@@ -72,7 +72,7 @@ TEST_CASE("parts that do not fit together are refused with the place") {
                     return;
                 }
         }),
-        "(global numbers) is marked, but two parts have cells there");
+        "has a marker, but two parts have a cell at this edge");
     has(refusal([&](std::vector<PartOfMesh>& parts) {  // a part twice
             PartOfMesh copy;
             copy.mesh = parts[0].mesh;
@@ -80,7 +80,7 @@ TEST_CASE("parts that do not fit together are refused with the place") {
             copy.global_point = parts[0].global_point;
             parts.push_back(std::move(copy));
         }),
-        "cells of two parts overlap at the edge between points");
+        "cells of two parts overlap at the edge between the points with global numbers");
     has(refusal([&](std::vector<PartOfMesh>& parts) {  // two corners in one place
             Mesh& mesh = parts[0].mesh;
             std::size_t const one = static_cast<std::size_t>(mesh.cells[0]);
@@ -88,7 +88,7 @@ TEST_CASE("parts that do not fit together are refused with the place") {
             mesh.x[one] = mesh.x[other];
             mesh.y[one] = mesh.y[other];
         }),
-        "is inverted or empty: its smallest corner area is");
+        "is inverted or has no area: the smallest area at its corners is");
 }
 
 TEST_CASE("conditions that are refused for a whole mesh are refused for parts as well") {
@@ -107,23 +107,23 @@ TEST_CASE("conditions that are refused for a whole mesh are refused for parts as
         return std::string(parted.error.text);
     };
     CHECK(refusal([](Options& o) { o.scheme = HM_BOUNDED; }) ==
-          "meshes in parts go with the compact scheme only");
+          "a mesh in parts needs the compact scheme (HM_COMPACT)");
     CHECK(refusal([](Options& o) { o.engine = HM_MULTIGRID; }) ==
-          "meshes in parts: options.engine must be HM_DIRECT");
+          "options.engine must be HM_DIRECT for a mesh in parts");
     CHECK(refusal([](Options& o) { o.precision = HM_SINGLE; }) ==
-          "meshes in parts: options.precision must be HM_DOUBLE");
+          "options.precision must be HM_DOUBLE for a mesh in parts");
     its.set_rotation(its.conditions[0].marker + 50, its.conditions[0].marker + 51);
     CHECK(refusal([](Options&) {}) ==
-          "meshes in parts do not go with HM_ROTATION_PAIR; HM_PERIODIC_PAIR does");
+          "HM_ROTATION_PAIR is not available for a mesh in parts; HM_PERIODIC_PAIR is");
     its.conditions.pop_back();
     its.set_slip(far_field);
     its.conditions.back().along = &its.curves.view();
     its.conditions.back().n_curves = its.conditions.back().along->n_curves;
     CHECK(refusal([](Options&) {}) ==
-          "meshes in parts do not go with curves that are given for sliding (hm_condition.along)");
+          "hm_condition.along is not available for a mesh in parts; leave it NULL");
     its.conditions.pop_back();
     its.give(0, 0.5);
-    CHECK(refusal([](Options&) {}) == "meshes in parts: problem.n_given must be 0");
+    CHECK(refusal([](Options&) {}) == "problem.n_given must be 0 for a mesh in parts");
 }
 
 TEST_CASE("calls with parts, equations and rows that do not go together") {
@@ -155,36 +155,39 @@ TEST_CASE("calls with parts, equations and rows that do not go together") {
         return hm_equations_entries(one.equations, first, 1, nullptr, nullptr, nullptr, 0, &entries,
                                     e);
     };
-    std::string const room =
-        "edges has room for " + std::to_string(n - 1) + ", the part has " + std::to_string(n);
+    std::string const room = "edges has room for " + std::to_string(n - 1) +
+                             " edges, but the part has " + std::to_string(n);
     check_texts({
         {HM_BAD_ARGUMENT, "part is NULL",
          [&](hm_error* e) { return hm_part_edges(nullptr, nullptr, 0, &none, e); }},
         {HM_BAD_ARGUMENT, "equations is NULL",
          [&](hm_error* e) { return hm_rows_size(nullptr, &bytes, e); }},
-        {HM_BAD_ARGUMENT, "the struct_size of the part is wrong",
+        {HM_BAD_ARGUMENT,
+         "mesh.struct_size is not the size of an hm_part_mesh; begin with HM_INIT(mesh)",
          [&](hm_error* e) { return hm_part_size(&no_size, &bytes, e); }},
         {HM_BAD_ARGUMENT, room.c_str(),
          [&](hm_error* e) {
              return hm_part_edges(one.part, parted.edges.data(), n - 1, &none, e);
          }},
-        {HM_BAD_ARGUMENT, "the number of edges is negative",
+        {HM_BAD_ARGUMENT, "*n must be the number of edges, but it is negative",
          [&](hm_error* e) { return hm_match_edges(nullptr, &negative, e); }},
         {HM_BAD_ARGUMENT, "n_edges must be between 0 and 2^29, not -1",
          [&](hm_error* e) {
              return hm_equations_size(one.part, -1, &problem, &options, &bytes, e);
          }},
-        {HM_BAD_ARGUMENT, "from unknown -1 on there are no 1 unknowns",
+        {HM_BAD_ARGUMENT,
+         "first is -1 and n is 1, but unknowns first to first + n - 1 must exist in this part",
          [&](hm_error* e) { return entries_from(-1, e); }},
-        {HM_BAD_ARGUMENT, "there is room for fewer entries than there are",
+        {HM_BAD_ARGUMENT,
+         "capacity is smaller than the number of entries, which *n_entries now contains",
          [&](hm_error* e) { return entries_from(0, e); }},
-        {HM_BAD_BASIS, "the rows were made of other equations",
+        {HM_BAD_BASIS, "the rows were made from other equations",
          [&](hm_error* e) { return hm_rows_get(of_others, rows, 0, numbers.data(), e); }},
-        {HM_BAD_BASIS, "the rows are finished: make new ones by hm_rows_init",
+        {HM_BAD_BASIS, "the rows are finished; make new ones by hm_rows_init",
          [&](hm_error* e) { return hm_rows_finish(one.equations, one.rows, 0, e); }},
-        {HM_BAD_ARGUMENT, "largest must be finite and not negative, not -1",
+        {HM_BAD_ARGUMENT, "largest must be finite and at least 0, not -1",
          [&](hm_error* e) { return hm_rows_finish(one.equations, rows, -1, e); }},
-        {HM_BAD_ARGUMENT, "largest must be finite and not negative, not infinity",
+        {HM_BAD_ARGUMENT, "largest must be finite and at least 0, not infinity",
          [&](hm_error* e) { return hm_rows_finish(one.equations, rows, HUGE_VAL, e); }},
     });
 }

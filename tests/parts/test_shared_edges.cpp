@@ -75,7 +75,8 @@ TEST_CASE(
 }
 
 TEST_CASE("edges that do not fit together are refused with the number of a point") {
-    const char* const apart = "point 2 (global number) has different coordinates in two parts";
+    const char* const apart =
+        "the point with global number 2 has different coordinates in two parts";
     hm_edge moved = edge(2, 1);
     moved.begin_x += 1;
     check_refused({edge(1, 2), moved}, apart, 2);
@@ -85,16 +86,16 @@ TEST_CASE("edges that do not fit together are refused with the number of a point
     moved = edge(2, 1);
     moved.end_y += 1;
     check_refused({edge(1, 2), moved},
-                  "point 1 (global number) has different coordinates in two parts", 1);
-    check_refused({edge(1, 2), edge(1, 2)},
-                  "cells of two parts overlap at the edge between points 1 and 2 (global numbers)",
-                  1);
-    check_refused({marked(1, 2, 5), marked(1, 2, 5)},
-                  "cells of two parts overlap at the edge between points 1 and 2 (global numbers)",
-                  1);
+                  "the point with global number 1 has different coordinates in two parts", 1);
+    check_refused(
+        {edge(1, 2), edge(1, 2)},
+        "cells of two parts overlap at the edge between the points with global numbers 1 and 2", 1);
+    check_refused(
+        {marked(1, 2, 5), marked(1, 2, 5)},
+        "cells of two parts overlap at the edge between the points with global numbers 1 and 2", 1);
     const char* const both =
-        "the edge between points 1 and 2 (global numbers) is marked, but two parts have cells "
-        "there";
+        "the edge between the points with global numbers 1 and 2 has a marker, but two parts have "
+        "a cell at this edge";
     check_refused({marked(1, 2, 5), edge(2, 1)}, both, 1);
     check_refused({edge(1, 2), marked(2, 1, 5)}, both, 1);
     // Numbers that a 32-bit item cannot say.
@@ -103,7 +104,8 @@ TEST_CASE("edges that do not fit together are refused with the number of a point
     CHECK(found.status == HM_BAD_MESH);
     CHECK(found.error.item == -1);
     // Three cells at one edge: two of them overlap, or the third one is beside a sound pair.
-    check_refused({edge(1, 2), edge(2, 1), edge(2, 1)},
-                  "the edge between points 1 and 2 (global numbers) belongs to more than two cells",
-                  1);
+    check_refused(
+        {edge(1, 2), edge(2, 1), edge(2, 1)},
+        "the edge between the points with global numbers 1 and 2 belongs to more than two cells",
+        1);
 }

@@ -135,7 +135,7 @@ TEST_CASE(
     thin.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-9, 60, 40)).mesh;
     Attempt const entries(thin.problem(), &options);
     CHECK(entries.status == HM_UNSUPPORTED);
-    CHECK(std::string(entries.error.text).find("the diagonal at point") == 0);
+    CHECK(std::string(entries.error.text).find("the matrix has the diagonal entry") == 0);
     CHECK(entries.error.value > 1e36);
 
     Case body = airfoil_case(40, 12, Cells::quads);

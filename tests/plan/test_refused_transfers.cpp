@@ -114,9 +114,9 @@ TEST_CASE(
         REQUIRE(attempt.open(fine.problem()));
         attempt.fill_from(share, coarse.mesh_view());
         CHECK(attempt.status == HM_BAD_BASIS);
-        CHECK(std::string(attempt.error.text) == "the basis is a share: it has only " +
-                                                     std::to_string(range.n) + " of the " +
-                                                     std::to_string(n) + " functions");
+        CHECK(std::string(attempt.error.text) ==
+              "the basis is a share with only " + std::to_string(range.n) + " of the " +
+                  std::to_string(n) + " functions, and this call needs all of them");
         CHECK(attempt.guards_intact());
         CHECK(info_of(attempt.basis).solved == 0);
     }
@@ -131,7 +131,7 @@ TEST_CASE(
     std::vector<unsigned char> const before = bytes_of(attempt.basis);
     attempt.fill_from(attempt.basis, its.mesh_view());
     CHECK(attempt.status == HM_BAD_ARGUMENT);
-    CHECK(std::string(attempt.error.text) == "the coarse basis is also the basis to be filled");
+    CHECK(std::string(attempt.error.text) == "basis and coarse must be two different bases");
     CHECK(bytes_of(attempt.basis) == before);
 }
 

@@ -97,7 +97,7 @@ TEST_CASE("the derivative is cleared at the beginning, so it is none of the base
         hm_error error{};
         CHECK(morph(others, other.basis, error) == HM_BAD_ARGUMENT);
         CHECK(std::string(error.text) ==
-              "derivative is basis " + std::to_string(place) + " of others");
+              "derivative must not be basis " + std::to_string(place) + " of options.others");
         CHECK(bytes_of(other.basis) == before);
         CHECK(x == std::vector<double>(x.size(), 7));
     }

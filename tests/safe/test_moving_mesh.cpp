@@ -8,8 +8,8 @@
 #include "safe/moving_mesh.hpp"
 
 using namespace fixtures;
-using harmorph::EndOf;
 using harmorph::Index;
+using harmorph::KnownEnd;
 
 namespace {
 
@@ -115,10 +115,10 @@ TEST_CASE("what is known of the ends: walls and fixed points, lines, nothing ins
     Case its = tiny_case();
     its.set_slip(bottom);
     Moving moving(its, some_move(4, 0.1, 6));
-    CHECK(moving.mesh.ends[0] == EndOf::prescribed);  // a corner with a fixed side
-    CHECK(moving.mesh.ends[3] == EndOf::on_line);
-    CHECK(moving.mesh.ends[8] == EndOf::unknown);
-    CHECK(moving.mesh.ends[16] == EndOf::prescribed);  // on the wall
+    CHECK(moving.mesh.ends[0] == KnownEnd::prescribed);  // a corner with a fixed side
+    CHECK(moving.mesh.ends[3] == KnownEnd::on_line);
+    CHECK(moving.mesh.ends[8] == KnownEnd::unknown);
+    CHECK(moving.mesh.ends[16] == KnownEnd::prescribed);  // on the wall
     CHECK(moving.mesh.held[3] == 1);
     CHECK(moving.mesh.held[8] == 0);
 }

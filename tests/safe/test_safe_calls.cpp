@@ -165,3 +165,24 @@ TEST_CASE("what does not belong together is refused, and nothing is written") {
         CHECK(refused(plan, safe.solved().basis, move) == HM_BAD_ARGUMENT);
     }
 }
+
+TEST_CASE(
+    "a plan needs no analysis: the same bits after the block of the analysis is overwritten") {
+    for (std::int32_t const engine :
+         {std::int32_t{HM_DIRECT}, std::int32_t{HM_MULTIGRID}, std::int32_t{HM_FAS}}) {
+        Case its = block_in_square(Cells::quads, 15);
+        Options options = options_of(engine == HM_DIRECT ? HM_CONFORMAL : HM_LAPLACE);
+        options.engine = engine;
+        Safe safe(its, options);
+        std::vector<double> const move = turn_of(its, engine == HM_DIRECT ? 120 : 60);
+        REQUIRE(safe.run(move) >= HM_OK);
+        CHECK(safe.report.resolves > 0);
+        std::vector<double> const expected = safe.x;
+        Guarded& block = *safe.solved().analysis_block;
+        std::memset(block.data(), 0xA5, block.size());
+        REQUIRE(safe.run(move) >= HM_OK);
+        CHECK(same_bits(safe.x, expected));
+        REQUIRE(hm_plan_factor(safe.solved().plan, nullptr, nullptr) == HM_OK);
+        CHECK(hm_plan_solve(safe.solved().plan, safe.solved().basis, nullptr, nullptr) == HM_OK);
+    }
+}

@@ -8,9 +8,9 @@
 
 using namespace fixtures;
 using harmorph::Crossing;
-using harmorph::EndOf;
 using harmorph::Fault;
 using harmorph::Index;
+using harmorph::KnownEnd;
 using harmorph::Status;
 
 namespace {
@@ -23,7 +23,7 @@ struct Aim {
         harmorph::Analysis const& analysis = inside(attempt.analysis);
         for (Index k = 0; k < static_cast<Index>(x.size()); ++k) {
             bool const is_inner = analysis.kinds()[k] == harmorph::PointKind::inside;
-            ends.push_back(is_inner ? EndOf::unknown : EndOf::prescribed);
+            ends.push_back(is_inner ? KnownEnd::unknown : KnownEnd::prescribed);
         }
     }
     template <class Map>
@@ -53,7 +53,7 @@ struct Aim {
     Case its;
     Attempt attempt;
     std::vector<double> x, y;
-    std::vector<EndOf> ends;
+    std::vector<KnownEnd> ends;
     Crossing crossing;
     Fault fault;
 };
@@ -127,7 +127,7 @@ TEST_CASE("of what is not known nothing is said") {
     Aim aim(tiny_case());
     aim.map(body, [](Complex z) { return z + 3.0; });
     for (std::int32_t const k : points_on(aim.its.mesh, body))
-        aim.ends[static_cast<std::size_t>(k)] = EndOf::unknown;
+        aim.ends[static_cast<std::size_t>(k)] = KnownEnd::unknown;
     CHECK(aim.check() == Status::ok);
     aim.map(body, [](Complex z) { return z + 10.0; });
     CHECK(aim.check() == Status::ok);

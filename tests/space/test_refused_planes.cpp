@@ -93,9 +93,12 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
     auto const bad_argument = [&](const char* text, auto change) {
         refused(HM_BAD_ARGUMENT, text, change);
     };
-    bad_argument("space.struct_size is wrong", [](hm_space_mesh& s) { s.struct_size = 0; });
-    bad_argument("space.kind 3 is unknown", [](hm_space_mesh& s) { s.kind = 3; });
-    bad_argument("space.kind -1 is unknown", [](hm_space_mesh& s) { s.kind = -1; });
+    bad_argument("space.struct_size is not the size of an hm_space_mesh; begin with HM_INIT(space)",
+                 [](hm_space_mesh& s) { s.struct_size = 0; });
+    bad_argument("space.kind is 3, but it must be HM_SPACE_AUTO, HM_PLANES or HM_WEDGE",
+                 [](hm_space_mesh& s) { s.kind = 3; });
+    bad_argument("space.kind is -1, but it must be HM_SPACE_AUTO, HM_PLANES or HM_WEDGE",
+                 [](hm_space_mesh& s) { s.kind = -1; });
     bad_argument("space.index_base must be 0 or 1, not 2",
                  [](hm_space_mesh& s) { s.index_base = 2; });
     bad_argument("space.points.x, space.points.y or space.points.z is NULL",
@@ -144,9 +147,10 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
         double more;
     } younger{good.view(), 1};
     younger.known.struct_size = sizeof younger;
-    check_texts(
-        {{HM_UNSUPPORTED, "space: fields are set that this version of the library does not know",
-          [&](hm_error* e) { return hm_plane_size(&younger.known, &bytes, e); }}});
+    check_texts({{HM_UNSUPPORTED,
+                  "space contains fields that are set but unknown to this version of the library; "
+                  "use the header of this version",
+                  [&](hm_error* e) { return hm_plane_size(&younger.known, &bytes, e); }}});
     static std::int32_t const no_corners[200] = {};
     refused(HM_BAD_MESH,
             "by space.face_start the faces have 0 corners, but there must be 3 to 2^31 - 2",
@@ -173,7 +177,7 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
         };
     };
     check_texts(
-        {{HM_BAD_BASIS, "the basis has 60 points, but the plane 48", morph(foreign.basis, &to)},
+        {{HM_BAD_BASIS, "the basis has 60 points, but the plane has 48", morph(foreign.basis, &to)},
          {HM_BAD_ARGUMENT, "to is NULL", morph(solved.basis, nullptr)},
          {HM_BAD_ARGUMENT, "to.x, to.y or to.z is NULL", morph(solved.basis, &none)},
          {HM_BAD_ARGUMENT, "to.stride is negative", morph(solved.basis, &backwards)}});

@@ -1,7 +1,7 @@
 // Listens to the library's progress: seconds of each phase, and a bar.
 #pragma once
 
-#include "harmorph.h"
+#include "harmorph_study.h"
 #include "basics/progress_bar.hpp"
 #include "basics/stopwatch.hpp"
 

@@ -1,4 +1,5 @@
 #include <harmorph_design.h>
+#include <harmorph_study.h>
 #include "commands/solver.hpp"
 
 namespace cli {

@@ -131,26 +131,31 @@ void make_rigid(const Arguments& arguments, const Mesh& mesh, Task& task,
     }
 }
 
-// binding: "A:B". Tags may hold colons.
+// The markers that a name stands for; none if the mesh has no such marker.
+std::vector<std::int32_t> markers_called(const Mesh& mesh, const std::string& name) {
+    try {
+        return mesh.find_markers(name);
+    } catch (const Failure&) {
+        return {};
+    }
+}
+
+// binding: "A:B", two names or patterns that stand for one marker each. Names may hold colons.
 void make_periodic(const Arguments& arguments, const Mesh& mesh, Task& task,
                    const std::string& binding) {
-    const auto number_of = [&mesh](const std::string& tag) {
-        const auto found = std::find(mesh.markers.begin(), mesh.markers.end(), tag);
-        return found == mesh.markers.end()
-                   ? -1
-                   : static_cast<std::int32_t>(std::distance(mesh.markers.begin(), found));
-    };
     for (std::size_t colon = binding.find(':'); colon != std::string::npos;
          colon = binding.find(':', colon + 1)) {
-        const std::int32_t marker = number_of(binding.substr(0, colon)),
-                           partner = number_of(binding.substr(colon + 1));
-        if (marker < 0 || partner < 0) continue;
-        const SidePair pair = side_pair(mesh, marker, partner);
+        const std::vector<std::int32_t> from = markers_called(mesh, binding.substr(0, colon)),
+                                        to = markers_called(mesh, binding.substr(colon + 1));
+        if (from.size() != 1 || to.size() != 1) continue;
+        const SidePair pair = side_pair(mesh, from[0], to[0]);
         if (!pair.passage.empty()) task.passages.push_back(pair.passage);
         return add_condition(arguments, mesh, task, pair.condition);
     }
-    arguments.refuse("--periodic expects two markers of the mesh as A:B, found " +
-                     in_quotes(binding));
+    arguments.refuse(
+        "--periodic expects two names of the mesh as A:B, each of which stands for one marker, "
+        "found " +
+        in_quotes(binding));
 }
 
 std::int32_t quarters_of(const Arguments& arguments) {

@@ -1,5 +1,5 @@
-// Curves for CAD and Fortran programs, as B-splines with all their knots: plain text, readable as
-// it is written.
+// Writers of curve files for CAD and Fortran programs, in text. The curves are written as B-splines
+// with all knots.
 #pragma once
 
 #include "curves/curves.hpp"

@@ -1,4 +1,4 @@
-// Which format a curve's file is written in.
+// The ending of the name selects the format of a curve file.
 #include "curves/cad_curves.hpp"
 #include "curves/curve_file.hpp"
 #include "curves/section.hpp"

@@ -37,7 +37,7 @@ private:
     TextFile file_;
     LineReader lines_;
     Curves curves_;
-    Curve curve_;  // the one being read
+    Curve curve_;  // the present curve
     bool has_closed_ = false;
     std::size_t knots_offset_ = 0, indices_offset_ = 0;
 };
@@ -82,7 +82,7 @@ void CurveReader::read_closed() {
 
 void CurveReader::read_points() {
     if (!curves_.control.empty())
-        lines_.fail("a second list of points: further curves use those of the first");
+        lines_.fail("this is a second list of points; all curves use the points of the first list");
     const std::int32_t n = count("points", 2);
     for (std::int32_t point = 0; point < n; ++point) {
         const bool found = lines_.next();
@@ -166,7 +166,7 @@ std::int32_t CurveReader::count(const char* keyword, std::int32_t smallest) {
     return value;
 }
 
-// n numbers, in lines of any length.
+// Reads n numbers, in lines of any length.
 template <class Number>
 std::vector<Number> CurveReader::numbers(std::int32_t n, const char* what) {
     std::vector<Number> values;

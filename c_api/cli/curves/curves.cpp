@@ -9,7 +9,8 @@ namespace cli {
 
 void Curves::append(const Curves& others) {
     const std::int32_t first = points();
-    if (!weights.empty() || !others.weights.empty()) {  // points that came without a weight have 1
+    if (!weights.empty() ||
+        !others.weights.empty()) {  // points that were given without weights have the weight 1
         weights.resize(control.size() / 2, 1.0);
         weights.insert(weights.end(), others.weights.begin(), others.weights.end());
         weights.resize((control.size() + others.control.size()) / 2, 1.0);
@@ -44,14 +45,15 @@ Curves copied(const hm_curves& from) {
     to.control.assign(from.control, from.control + 2 * from.n_control);
     if (from.weights) to.weights.assign(from.weights, from.weights + from.n_control);
     for (std::int32_t i = 0; i < from.n_curves; ++i) {
-        const hm_curve& its = from.curve[i];
+        const hm_curve& given = from.curve[i];
         Curve curve;
-        curve.degree = its.degree;
-        curve.indices = default_indices(its.n_indices, its.degree, HM_OPEN);
-        if (its.indices) curve.indices.assign(its.indices, its.indices + its.n_indices);
-        for (std::int32_t& index : curve.indices) index -= its.indices ? from.index_base : 0;
-        curve.knots.assign(its.knots, its.knots + its.n_indices + its.degree + 1);
-        for (const std::int32_t closed : {HM_TIED, HM_PERIODIC}) {  // what the indices say
+        curve.degree = given.degree;
+        curve.indices = default_indices(given.n_indices, given.degree, HM_OPEN);
+        if (given.indices) curve.indices.assign(given.indices, given.indices + given.n_indices);
+        for (std::int32_t& index : curve.indices) index -= given.indices ? from.index_base : 0;
+        curve.knots.assign(given.knots, given.knots + given.n_indices + given.degree + 1);
+        for (const std::int32_t closed :
+             {HM_TIED, HM_PERIODIC}) {  // the indices tell how the curve closes
             curve.closed = closed;
             if (closes(curve)) break;
             curve.closed = HM_OPEN;

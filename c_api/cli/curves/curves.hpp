@@ -13,7 +13,7 @@ struct Curve {
     std::int32_t degree = 0;
     std::int32_t closed = HM_OPEN;      // HM_OPEN, HM_TIED or HM_PERIODIC
     std::vector<std::int32_t> indices;  // control points with their repeats, from 0
-    std::vector<double> knots;          // as many, and degree + 1 more
+    std::vector<double> knots;          // as many as indices, and degree + 1 more
 };
 
 struct Curves {
@@ -22,22 +22,23 @@ struct Curves {
     std::vector<Curve> curves;
 
     std::int32_t points() const { return static_cast<std::int32_t>(control.size() / 2); }
-    void append(const Curves& others);  // their control points' numbers go on after these
+    void append(const Curves& others);  // renumbers the control points of `others`
 };
 
-// The order of n points in a curve that uses each in turn and closes as said: the first of them
-// stand again at its end.
+// Returns the indices of a curve that uses n points in order and closes as `closed` says: the first
+// points are repeated at the end.
 std::vector<std::int32_t> default_indices(std::int32_t n, std::int32_t degree, std::int32_t closed);
 
-// Do repeated indices close the curve as said?
+// Tells whether the repeated indices close the curve as curve.closed says.
 bool closes(const Curve& curve);
 
-// Out of the library's arrays.
+// Copies the arrays of the library.
 Curves copied(const hm_curves& from);
 
 const char* closed_name(std::int32_t closed);  // "open", "tied", "periodic"
 
-// The library's view of curves. It points into them: they must stay as they are.
+// The view of curves that the library takes. The view points into the curves, which must not
+// change.
 class CurvesView {
 public:
     explicit CurvesView(const Curves& curves);
@@ -49,9 +50,9 @@ private:
     hm_curves view_;
 };
 
-// Curves that conditions point to (hm_condition.along): they and their view stay where they are.
+// Curves that conditions point to (hm_condition.along). Neither the curves nor their view move.
 struct CurveSet {
-    explicit CurveSet(const Curves& its) : curves(its), view(curves) {}
+    explicit CurveSet(const Curves& given) : curves(given), view(curves) {}
     const Curves curves;
     const CurvesView view;
 };

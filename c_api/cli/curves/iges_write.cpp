@@ -23,12 +23,13 @@ std::string right(std::int64_t number, int width) {
     return text;
 }
 
-// One line of 80 columns: the section's letter and the line's number at the end.
+// Writes a line of 80 columns, which ends with the letter of the section and the number of the
+// line.
 void put_line(std::ostream& out, const std::string& text, char section, std::int64_t number) {
     out << padded(text, 72) << section << right(number, 7) << '\n';
 }
 
-// Parameters between commas, broken into lines of so many columns.
+// Divides parameters with commas between them into lines of at most `width` columns.
 std::vector<std::string> lines_of(const std::vector<std::string>& parameters, std::size_t width) {
     std::vector<std::string> lines = {""};
     for (std::size_t k = 0; k < parameters.size(); ++k) {
@@ -74,7 +75,8 @@ std::string text_parameter(const std::string& text) {
     return std::to_string(text.size()) + "H" + text;
 }
 
-// What the file says of itself. The date is a constant, so that equal curves make equal files.
+// Writes the description of the file. The date is a constant, so that equal curves make equal
+// files.
 std::vector<std::string> globals_of(const Curves& curves) {
     double largest = 0;
     for (const double coordinate : curves.control)
@@ -122,7 +124,8 @@ void write_iges(std::ostream& out, const Curves& curves) {
         const auto n_lines = static_cast<std::int64_t>(entities.back().size());
         const std::string zeros = right(0, 8);
         const std::string type = right(126, 8), four_zeros = zeros + zeros + zeros + zeros;
-        const std::int32_t form = is_straight(curve) ? 1 : 0;  // a line, or what the data say
+        const std::int32_t form =
+            is_straight(curve) ? 1 : 0;  // 1: a line; 0: the form is that of the data
         put_line(out,
                  type + right(parameter_line, 8) + zeros + right(1, 8) + four_zeros + "00000000",
                  'D', directory_line);

@@ -1,5 +1,6 @@
 #include "curves/moves_file.hpp"
 
+#include "basics/failure.hpp"
 #include "basics/numbers.hpp"
 #include "basics/text_file.hpp"
 
@@ -86,14 +87,24 @@ private:
         if (words.size() == 4) moves_[2 * function + 1] = number(words[3]);
     }
 
-    std::int32_t function_of(const std::string& tag) const {
-        for (const hm_condition& condition : movable_.conditions) {
-            if (condition.kind == HM_RIGID &&
-                mesh_.markers[static_cast<std::size_t>(condition.marker)] == tag) {
-                return movable_.n_control + 2 * condition.body;
-            }
+    // Returns the first function of the body to which all markers of this name belong.
+    std::int32_t function_of(const std::string& name) const {
+        std::vector<std::int32_t> markers;
+        try {
+            markers = mesh_.find_markers(name);
+        } catch (const Failure&) {
+            lines_.expected("a marker of a rigid body", name);
         }
-        lines_.expected("a marker of a rigid body", tag);
+        std::int32_t body = -1;
+        for (const hm_condition& condition : movable_.conditions) {
+            const auto found = std::find(markers.begin(), markers.end(), condition.marker);
+            if (condition.kind != HM_RIGID || found == markers.end()) continue;
+            if (body >= 0 && condition.body != body)
+                lines_.expected("the markers of one rigid body", name);
+            body = condition.body;
+        }
+        if (body < 0) lines_.expected("a marker of a rigid body", name);
+        return movable_.n_control + 2 * body;
     }
 
     template <class Word>
@@ -115,9 +126,10 @@ private:
 std::vector<double> read_moves(const std::string& path, const Movable& movable, const Mesh& mesh) {
     const TextFile file(path);
     if (trimmed(file.text()).empty())
-        file.fail(0,
-                  "the file is empty: a file of moves without any says so by a comment, as in `# "
-                  "nothing moves`");
+        file.fail(
+            0,
+            "the file of moves is empty; if nothing is to move, write a comment such as `# nothing "
+            "moves`");
     return MovesReader(file, movable, mesh).read();
 }
 
@@ -140,13 +152,14 @@ void write_moves(std::ostream& out, const std::vector<double>& moves, const Basi
         if (condition.kind != HM_RIGID || written[static_cast<std::size_t>(condition.body)])
             continue;
         written[static_cast<std::size_t>(condition.body)] =
-            true;  // another marker of the same body says no more
-        const double* const its =
+            true;  // one marker of each body is written
+        const double* const function =
             &moves[2 * (n_control + 2 * static_cast<std::size_t>(condition.body))];
         out << "# body, dx, dy, degrees, scale\nrigid "
-            << mesh.markers[static_cast<std::size_t>(condition.marker)] << ' ' << exact(its[0])
-            << ' ' << exact(its[1]) << ' ' << exact(std::atan2(its[3], 1 + its[2]) * 180 / pi)
-            << ' ' << exact(std::hypot(1 + its[2], its[3])) << '\n';
+            << mesh.markers[static_cast<std::size_t>(condition.marker)] << ' ' << exact(function[0])
+            << ' ' << exact(function[1]) << ' '
+            << exact(std::atan2(function[3], 1 + function[2]) * 180 / pi) << ' '
+            << exact(std::hypot(1 + function[2], function[3])) << '\n';
     }
 }
 

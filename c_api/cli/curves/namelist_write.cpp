@@ -8,7 +8,7 @@ namespace cli {
 
 namespace {
 
-// name = values, so many in a line.
+// Writes name = values, with `in_a_line` values in each line.
 template <class Values, class Text>
 void put(std::ostream& out, const char* name, const Values& values, std::size_t in_a_line,
          Text text) {

@@ -50,12 +50,12 @@ private:
     void add(double x, double y) {
         const bool repeats =
             !section_.x.empty() && section_.x.back() == x && section_.y.back() == y;
-        if (repeats) return;  // some files have the leading edge twice
+        if (repeats) return;  // some files repeat the leading edge
         section_.x.push_back(x);
         section_.y.push_back(y);
     }
 
-    void read_side(double count, const char* side) {  // from the leading edge on
+    void read_side(double count, const char* side) {  // begins at the leading edge
         for (std::int32_t point = 1; point <= count; ++point) {
             double x = 0, y = 0;
             const bool found = lines_.next();
@@ -116,7 +116,7 @@ Section sampled(const Curves& curves) {
     }
     if (curve.closed == HM_OPEN) add(curve.knots[last]);
     section.is_loop =
-        curve.closed != HM_OPEN || curves.curves.size() > 1;  // a second one is the base
+        curve.closed != HM_OPEN || curves.curves.size() > 1;  // a second curve is the base
     return section;
 }
 
@@ -129,7 +129,7 @@ void write_selig(std::ostream& out, const Curves& curves) {
         std::rotate(section.y.begin(), section.y.begin() + first, section.y.end());
     }
     if (curves.curves.front().closed !=
-        HM_OPEN) {  // published closed sections repeat their first point
+        HM_OPEN) {  // published closed sections repeat the first point
         section.x.push_back(section.x[0]);
         section.y.push_back(section.y[0]);
         ++n;

@@ -97,8 +97,9 @@ void put_product(StepWriter& step, const std::string& set) {
     const std::string stage = step.put("DESIGN_CONTEXT(''," + application + ",'design')");
     const std::string definition =
         step.put("PRODUCT_DEFINITION('',''," + formation + "," + stage + ")");
-    const std::string its_shape = step.put("PRODUCT_DEFINITION_SHAPE('',''," + definition + ")");
-    step.put("SHAPE_DEFINITION_REPRESENTATION(" + its_shape + "," + shape + ")");
+    const std::string product_shape =
+        step.put("PRODUCT_DEFINITION_SHAPE('',''," + definition + ")");
+    step.put("SHAPE_DEFINITION_REPRESENTATION(" + product_shape + "," + shape + ")");
 }
 
 }  // namespace

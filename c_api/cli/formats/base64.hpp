@@ -1,4 +1,4 @@
-// Bytes as text of 64 characters (RFC 4648), as XML files have them.
+// Converts bytes to text of 64 characters (RFC 4648) and back, as XML files need.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@ namespace cli {
 
 // Decodes the text from `at` on, until `to` has `n` bytes more or the text ends; `at` moves behind
 // the last group of four characters that was taken. Blanks are passed over, and several texts with
-// their own filling (=) may follow each other. False: another character, or the end of the text
-// before n bytes.
+// their own filling (=) may follow each other. Returns false if another character is
+// found, or the text ends before n bytes.
 bool decode_base64(std::string_view text, std::size_t& at, std::size_t n, std::string& to);
 
 std::string encode_base64(std::string_view bytes);

@@ -1,4 +1,4 @@
-// Numbers at a place of a file, in text or binary.
+// Reads and writes numbers at a place of a file, in text or binary.
 #pragma once
 
 #include "mesh/mesh_file.hpp"
@@ -7,8 +7,8 @@
 
 namespace cli {
 
-// The bytes of a number of 1, 2, 4 or 8 bytes; swapped: in the other byte order. The caller has
-// checked that they are there.
+// Returns the number in 1, 2, 4 or 8 bytes; swapped: the other byte order. The caller has checked
+// that the bytes exist.
 template <class Number>
 Number load(const char* bytes, bool swapped) {
     char copy[sizeof(Number)];
@@ -26,7 +26,7 @@ inline bool little_endian_machine() {
     return first == 1;
 }
 
-// The file's coordinate that begins at the offset.
+// Returns the coordinate that begins at this place of the file.
 double read_number(const Mesh& mesh, std::size_t offset);
 std::size_t number_length(const Mesh& mesh, std::size_t offset);
 void store_real(char* bytes, double value, const FileCoordinates& as);

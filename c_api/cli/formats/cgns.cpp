@@ -1,6 +1,7 @@
 // CGNS files (https://cgns.github.io/CGNS_docs_current/sids), of both kinds that libcgns writes
 // (HDF5 and ADF): the first base, all its zones, structured and unstructured, of two dimensions or
-// one cell thick. Made with `make CGNS=1`; without, such a file is known and refused.
+// one cell thick. Programs that are not made with `make CGNS=1` recognise such a file and
+// refuse it.
 //
 // libcgns reads and writes; mesh.file keeps the coordinates alone, all x, then all y, then all z,
 // as the machine has them. A morphed file is a copy of the file in which the coordinate arrays are

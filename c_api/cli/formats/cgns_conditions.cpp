@@ -74,6 +74,11 @@ void CgnsConditions::add_conditions(std::size_t z) {
                                         normal_index, &list_size, &list_type, &n_data);
         cgns_(status, in_zone(zones_[z]) + ", boundary condition " + std::to_string(c));
         cgns_(cg_boco_gridlocation_read(cgns_.file, cgns_base, number, c, &location));
+        if (n < 0 || static_cast<std::size_t>(n) > mesh_.file.text().size()) {
+            cgns_.fail(in_zone(zones_[z]) + ": the boundary condition " + in_quotes(name) +
+                       " has " + std::to_string(n) +
+                       " points or elements, which the file cannot hold");
+        }
         const std::size_t dimensions =
             zones_[z].is_structured ? static_cast<std::size_t>(cell_dimension_) : 1;
         std::vector<cgsize_t> items(static_cast<std::size_t>(n) * dimensions);
@@ -103,8 +108,8 @@ void CgnsConditions::add_conditions(std::size_t z) {
     }
 }
 
-// Of faces, indices are those of their first corner: the points one further along the side belong
-// to it, too.
+// Returns the points of a condition on a structured zone. A face has the indices of its first
+// corner, so that the next points along the side belong to the face, too.
 CgnsConditions::Points CgnsConditions::structured_points(const CgnsZone& zone,
                                                          const std::vector<cgsize_t>& items,
                                                          std::size_t dimensions, bool is_range,
@@ -153,8 +158,8 @@ void CgnsConditions::mark(const std::string& name, Edge edge) {
     open_.erase(found);
 }
 
-// Boundary edges with both ends among the points. A condition on a whole plane of a mesh one cell
-// thick marks none and needs no words: the plane is no boundary of the mesh.
+// Marks boundary edges with both ends among the points. A condition on a whole plane of a mesh one
+// cell thick marks none, and no remark is made: the plane is no boundary of the mesh.
 void CgnsConditions::mark_points(const std::string& name, const Points& points,
                                  std::size_t in_file) {
     const auto all = static_cast<std::size_t>(mesh_.points());
@@ -170,7 +175,7 @@ void CgnsConditions::mark_points(const std::string& name, const Points& points,
                      (points.size() == all ? "all points of the mesh"
                                            : "points that are on no boundary edge without a "
                                              "condition") +
-                     ": it becomes no marker (and is kept)");
+                     ", so it becomes no marker; the file keeps the condition");
         return;
     }
     for (const Edge& edge : edges) mark(name, edge);
@@ -184,7 +189,7 @@ void CgnsConditions::mark_element(const std::string& name, std::size_t z, cgsize
                    ", which is no face of the boundary");
     }
     std::set<std::int32_t> ends;
-    for (const std::int32_t its : found->second) ends.insert(plane_point(its));
+    for (const std::int32_t corner : found->second) ends.insert(plane_point(corner));
     if (ends.size() == 2) mark(name, edge_of(*ends.begin(), *ends.rbegin()));
 }
 

@@ -1,5 +1,5 @@
-// Boundary conditions of a CGNS file: markers of the plane's mesh. Only in programs made with `make
-// CGNS=1`.
+// Boundary conditions of a CGNS file become markers of the mesh of the plane. This source is
+// compiled by `make CGNS=1` only.
 #pragma once
 
 #ifdef HARMORPH_CGNS
@@ -10,12 +10,12 @@
 
 namespace cli {
 
-// Elements of the boundary, by zone and number: their points in the file.
+// The points of elements of the boundary, by zone and number.
 using CgnsSides = std::map<std::pair<std::size_t, cgsize_t>, std::vector<std::int32_t>>;
 
 class CgnsConditions {
 public:
-    // plane_point: the point of the mesh that each point of the file is or follows.
+    // plane_point: for each point of the file, the point of the mesh that it is or follows.
     CgnsConditions(Mesh& mesh, const Cgns& cgns, const std::vector<CgnsZone>& zones,
                    int cell_dimension, std::vector<std::int32_t> plane_point,
                    const CgnsSides& sides)
@@ -30,7 +30,7 @@ public:
 
 private:
     using Edge = std::pair<std::int32_t, std::int32_t>;
-    using Points = std::set<std::int32_t>;  // of the mesh
+    using Points = std::set<std::int32_t>;  // points of the mesh
 
     void find_open_edges();
     void add_conditions(std::size_t z);
@@ -43,7 +43,7 @@ private:
     }
     void mark(const std::string& name, Edge edge);
     void mark_points(const std::string& name, const Points& points,
-                     std::size_t in_file);  // in_file: of the condition
+                     std::size_t in_file);  // in_file: number of points of the condition
     void mark_element(const std::string& name, std::size_t z, cgsize_t number);
 
     Mesh& mesh_;

@@ -2,6 +2,8 @@
 
 #ifdef HARMORPH_CGNS
 #include "formats/bytes.hpp"
+#include "formats/deflate.hpp"
+#include "basics/numbers.hpp"
 
 #include <cgns_io.h>
 
@@ -15,7 +17,7 @@
 namespace cli {
 
 Cgns::Cgns(const std::string& name, int mode, const std::string& path) : path_(path) {
-    cg_configure(CG_CONFIG_ERROR, nullptr);  // nothing is printed
+    cg_configure(CG_CONFIG_ERROR, nullptr);  // libcgns prints nothing
     (*this)(cg_open(name.c_str(), mode, &file));
     is_open_ = true;
 }
@@ -35,7 +37,29 @@ std::string CgnsZone::point(std::size_t k) const {
 
 std::string in_zone(const CgnsZone& zone) { return "zone " + in_quotes(zone.name); }
 
-std::vector<CgnsZone> read_zones(const Cgns& cgns, int& cell_dimension) {
+namespace {
+
+// Returns the number of points of a zone. HDF5 files may be compressed by zlib; a point has two
+// coordinates of four bytes at least.
+std::size_t check_points(const Cgns& cgns, const CgnsZone& zone, std::size_t file_size) {
+    std::int64_t points = 1;
+    for (const std::int64_t n : zone.n) {
+        if (n < 1)
+            cgns.fail(in_zone(zone) + " has " + std::to_string(n) + " points in a direction");
+        if (n > INT32_MAX / points) cgns.fail(in_zone(zone) + " has more than 2147483647 points");
+        points *= n;
+    }
+    const auto n_points = static_cast<std::size_t>(points);
+    if (n_points > file_size * largest_ratio_of_zlib / 8) {
+        cgns.fail(in_zone(zone) + " has " + plural(points, "point") +
+                  ", which is more than a file of this size can hold");
+    }
+    return n_points;
+}
+
+}  // namespace
+
+std::vector<CgnsZone> read_zones(const Cgns& cgns, std::size_t file_size, int& cell_dimension) {
     char name[33] = "";
     int n_bases = 0, n_zones = 0, dimension = 0;
     cgns(cg_nbases(cgns.file, &n_bases));
@@ -62,12 +86,8 @@ std::vector<CgnsZone> read_zones(const Cgns& cgns, int& cell_dimension) {
             cgns.fail(in_zone(zone) + " is neither structured nor unstructured");
         for (int d = 0; d < (zone.is_structured ? cell_dimension : 1); ++d)
             zone.n[static_cast<std::size_t>(d)] = size[d];
-        for (const std::int64_t n : zone.n) {
-            if (n < 1 || n > INT32_MAX)
-                cgns.fail(in_zone(zone) + " has a size that is none: " + std::to_string(n));
-        }
-        first += zone.points();
-        if (first > INT32_MAX) cgns.fail("more than 2147483647 points");
+        first += check_points(cgns, zone, file_size);
+        if (first > INT32_MAX) cgns.fail("the zones have together more than 2147483647 points");
         zones.push_back(zone);
     }
     return zones;
@@ -99,7 +119,8 @@ void whole_range(const CgnsZone& zone, cgsize_t* low, cgsize_t* high) {
 
 namespace {
 
-// libcgns puts its own version into files that it changes.
+// Writes the version of the given file into the copy: libcgns puts its own version into files that
+// it changes.
 void write_version(const std::string& file, float version, const std::string& path) {
     int number = 0;
     double root = 0, node = 0;
@@ -141,7 +162,8 @@ void store_cgns(std::ostream& out, const Mesh& mesh, const std::string& numbers)
     {
         Cgns cgns(copy, CG_MODE_MODIFY, path);
         int cell_dimension = 0;
-        const std::vector<CgnsZone> zones = read_zones(cgns, cell_dimension);
+        const std::vector<CgnsZone> zones =
+            read_zones(cgns, std::filesystem::file_size(path), cell_dimension);
         const std::size_t n_points = zones.back().first + zones.back().points();
         const bool single = mesh.in_file.kind == NumberKind::real32;
         for (std::size_t z = 0; z < zones.size(); ++z) {

@@ -1,5 +1,5 @@
-// What a CGNS file has of zones and coordinates, by libcgns. Only in programs made with `make
-// CGNS=1`.
+// Zones and coordinates of a CGNS file, read and written by libcgns. This source is compiled by
+// `make CGNS=1` only.
 #pragma once
 
 #ifdef HARMORPH_CGNS
@@ -16,7 +16,7 @@ namespace cli {
 
 constexpr int cgns_base = 1;
 
-// Calls of libcgns that must succeed; every file that is opened is closed.
+// Calls of libcgns that must succeed. The destructor closes the file.
 class Cgns {
 public:
     Cgns(const std::string& name, int mode, const std::string& path);
@@ -26,7 +26,7 @@ public:
     Cgns(const Cgns&) = delete;
 
     void close();
-    // what: "zone 'a', CoordinateX", for the message of libcgns.
+    // what: for the message, such as "zone 'a', CoordinateX".
     void operator()(int status, const std::string& what = "") const {
         if (status != CG_OK) fail((what.empty() ? "" : what + ": ") + cg_get_error());
     }
@@ -45,11 +45,11 @@ struct CgnsZone {
     std::string name;
     bool is_structured = false;
     std::array<std::int64_t, 3> n = {
-        1, 1, 1};           // points along i, j, k; of unstructured zones all in the first
-    std::size_t first = 0;  // its first point of all
+        1, 1, 1};  // points along i, j, k; an unstructured zone has all points in the first
+    std::size_t first = 0;  // the number of points in the zones before
     std::size_t points() const { return static_cast<std::size_t>(n[0] * n[1] * n[2]); }
-    // "zone 'a', point 12", or "zone 'a', point (4, 1, 1)": the k-th of its points, from 0, in the
-    // file's numbering.
+    // Returns "zone 'a', point 12" or "zone 'a', point (4, 1, 1)", as the file numbers points. k is
+    // counted from 0.
     std::string point(std::size_t k) const;
 };
 
@@ -59,13 +59,15 @@ struct CgnsArray {
 };
 
 std::string in_zone(const CgnsZone& zone);
-std::vector<CgnsZone> read_zones(const Cgns& cgns, int& cell_dimension);
-// The arrays of CoordinateX, Y and, if there is one, Z.
+// Refuses zones that have together more points than 2^31 - 1, or than a file of this size, in
+// bytes, can hold.
+std::vector<CgnsZone> read_zones(const Cgns& cgns, std::size_t file_size, int& cell_dimension);
+// Returns the arrays CoordinateX, CoordinateY and, if there is one, CoordinateZ.
 std::vector<CgnsArray> read_arrays(const Cgns& cgns, int zone, const std::string& where);
 void whole_range(const CgnsZone& zone, cgsize_t* low, cgsize_t* high);
 
-// The file with other coordinates, for FileCoordinates::store: a copy, in which libcgns writes the
-// arrays anew.
+// Writes the file with other coordinates, for FileCoordinates::store: libcgns writes the arrays of
+// a copy.
 void store_cgns(std::ostream& out, const Mesh& mesh, const std::string& numbers);
 
 }  // namespace cli

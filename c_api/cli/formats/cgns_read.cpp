@@ -2,6 +2,7 @@
 
 #ifdef HARMORPH_CGNS
 #include "formats/cgns_conditions.hpp"
+#include "formats/deflate.hpp"
 #include "basics/numbers.hpp"
 #include "mesh/one_cell_thick.hpp"
 
@@ -19,7 +20,8 @@ public:
         : mesh_(mesh), cgns_(mesh.file.path(), CG_MODE_READ, mesh.file.path()) {}
 
     void read() {
-        zones_ = read_zones(cgns_, cell_dimension_);
+        file_size_ = mesh_.file.text().size();
+        zones_ = read_zones(cgns_, file_size_, cell_dimension_);
         read_points();
         if (cell_dimension_ == 2) {
             take_flat(mesh_, space_, {});
@@ -42,7 +44,8 @@ public:
     }
 
 private:
-    // Of all coordinates of n points, x first: "zone 'a', point 12, CoordinateX".
+    // Names a coordinate by its number among all coordinates of n points, where all x stand first:
+    // "zone 'a', point 12, CoordinateX".
     static std::string place(const std::vector<CgnsZone>& zones, std::size_t n,
                              std::size_t number) {
         std::size_t z = zones.size() - 1;
@@ -134,6 +137,15 @@ private:
         return static_cast<std::int32_t>(zone.first) + static_cast<std::int32_t>(number) - 1;
     }
 
+    // last: the number of elements less 1; size: how many whole numbers they have.
+    void check_section(const std::string& where, cgsize_t last, cgsize_t size) const {
+        const bool is_in_file =
+            size >= 0 && static_cast<std::size_t>(size) <= file_size_ * largest_ratio_of_zlib / 4;
+        if (last >= 0 && last < size && is_in_file) return;
+        cgns_.fail(where + " announces " + std::to_string(last + 1) + " elements with " +
+                   plural(size, "whole number") + ", which the file cannot hold");
+    }
+
     void add_sections(std::size_t z) {
         const int number = static_cast<int>(z) + 1;
         int n_sections = 0;
@@ -149,6 +161,7 @@ private:
             if (type == NODE) continue;
             const std::string where = in_zone(zones_[z]) + ", section " + in_quotes(name);
             cgns_(cg_ElementDataSize(cgns_.file, cgns_base, number, s, &size), where);
+            check_section(where, end - begin, size);
             std::vector<cgsize_t> data(static_cast<std::size_t>(size)),
                 start(static_cast<std::size_t>(end - begin) + 2);
             const bool has_start = type == MIXED || type == NGON_n || type == NFACE_n;
@@ -165,14 +178,14 @@ private:
             std::size_t at = 0;
             for (cgsize_t element = begin; element <= end; ++element) {
                 const auto e = static_cast<std::size_t>(element - begin);
-                ElementType_t its = type;
+                ElementType_t element_type = type;
                 std::size_t count = static_cast<std::size_t>(n_points);
                 if (has_start) {
                     at = static_cast<std::size_t>(start[e]);
                     count = static_cast<std::size_t>(start[e + 1] - start[e]);
                 }
                 if (type == MIXED && count > 0) {
-                    its = static_cast<ElementType_t>(data[at++]);
+                    element_type = static_cast<ElementType_t>(data[at++]);
                     --count;
                 }
                 if (at + count > data.size()) {
@@ -184,7 +197,7 @@ private:
                     points.push_back(point(zones_[z], name, element, data[at + k]));
                 }
                 at += count;
-                add_element(z, element, its, points, name);
+                add_element(z, element, element_type, points, name);
             }
         }
     }
@@ -208,7 +221,7 @@ private:
         }
     }
 
-    // The point of the plane that each point of the file is or follows.
+    // Returns for each point of the file the point of the plane that it is or follows.
     std::vector<std::int32_t> find_plane_points() const {
         const std::size_t n = space_.x[0].size();
         std::vector<std::int32_t> plane_point(n, -1);
@@ -221,7 +234,8 @@ private:
     Cgns cgns_;
     std::vector<CgnsZone> zones_;
     int cell_dimension_ = 0;
-    std::size_t bytes_ = 8;  // of a number in mesh.file
+    std::size_t file_size_ = 0;
+    std::size_t bytes_ = 8;  // bytes of a number in mesh.file
     SpacePoints space_;
     std::unique_ptr<OneCellThick> solid_;
     CgnsSides sides_;

@@ -1,4 +1,4 @@
-// The mesh of a CGNS file. Only in programs made with `make CGNS=1`.
+// Reads the mesh of a CGNS file. This source is compiled by `make CGNS=1` only.
 #pragma once
 
 #ifdef HARMORPH_CGNS

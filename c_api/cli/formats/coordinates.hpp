@@ -1,6 +1,6 @@
-// Where a mesh file keeps its coordinates. With that the file can be written again with other
-// coordinates, and every byte besides them stays: readers of all formats leave such a record, so
-// that no format has a writer of its own for this.
+// The places of the coordinates in a mesh file. With them the file is written again with other
+// coordinates and without any other change. Readers of all formats leave such a record, so that no
+// format needs a writer for morphed meshes.
 #pragma once
 
 #include <array>
@@ -17,23 +17,23 @@ struct Mesh;
 
 enum class NumberKind { text, real32, real64 };
 
-// One number of the file. It is a coordinate of a point of the mesh, or moves with one.
+// One number of the file that is a coordinate of a point of the mesh, or moves with a point.
 struct CoordinateSlot {
-    std::size_t offset;  // of its first byte
-    std::int32_t point;  // of the mesh; from the number of points on: one of `between`
+    std::size_t offset;  // place of the first byte in the file
+    std::int32_t point;  // a point of the mesh; from the number of points on, one of `between`
     std::int32_t
-        rule;  // takes_x, takes_y: the number is that coordinate; else a place in `directions`
+        rule;  // takes_x, takes_y: the number is that coordinate; otherwise a place in `directions`
 };
 enum CoordinateRule : std::int32_t { takes_x = -1, takes_y = -2 };
 
-// How a number of the file grows with the movement of its point: by dx along[0] + dy along[1].
+// A number of the file grows by dx along[0] + dy along[1] if its point moves by dx, dy.
 struct Direction {
     double along[2];
 };
 
-// A point of the file that is none of the mesh, but lies between some: the middle of an edge (two
-// corners), whose distance from the straight edge turns and grows with the edge, or of a cell
-// (three or four), which moves by their mean.
+// A point of the file that is no point of the mesh, but lies between points: the middle of an edge
+// (two corners), whose distance from the straight edge turns and grows with the edge, or the middle
+// of a cell (three or four corners), which moves by the mean of the corners.
 struct Between {
     std::array<std::int32_t, 4> corners;
     std::int32_t n_corners;
@@ -42,18 +42,19 @@ struct Between {
 
 struct FileCoordinates {
     NumberKind kind = NumberKind::text;
-    bool is_computed = false;  // the mesh's coordinates are none of the file's numbers: an inclined
-                               // plane, or a wedge
+    bool is_computed = false;  // the coordinates of the mesh are not numbers of the file, as in an
+                               // inclined plane or a wedge
     bool is_packed = false;    // the file is compressed by gzip
+    bool is_joined = false;    // mesh.file is one .vtu of several files that the given file names
     bool swapped = false;      // binary numbers are not in this machine's byte order
-    std::size_t axes[2] = {
-        0, 1};  // of a file of one plane: which of its coordinates are x and y of the mesh
+    std::size_t axes[2] = {0,
+                           1};  // which coordinates of a file of one plane are x and y of the mesh
     std::vector<CoordinateSlot> slots;
     std::vector<Direction> directions;
     std::vector<Between> between;
-    // Of files that hold their numbers encoded, or that a library writes: mesh.file has the numbers
-    // decoded, and this writes the whole file with other ones, `numbers`, which are as long as
-    // mesh.file. Empty: mesh.file is the file.
+    // For files with encoded numbers, and files that a library writes: mesh.file then has the
+    // decoded numbers, and this function writes the whole file with other numbers, which are as
+    // long as mesh.file. If the function is empty, mesh.file is the file.
     using Store =
         std::function<void(std::ostream& out, const Mesh& mesh, const std::string& numbers)>;
     Store store;

@@ -22,11 +22,12 @@ TextFile read_unpacked(const std::string& path) {
 namespace {
 
 constexpr int window_bits = 15,
-              gzip_header = 16;  // of zlib: the largest window; a header of gzip around the data
+              gzip_header =
+                  16;  // flags of zlib: the largest window; a header of gzip around the data
 constexpr std::size_t most_at_once = 1 << 30;  // zlib counts bytes in 32 bits
 
-// All that the data hold, of one stream after another, but no more than `most` bytes. False: the
-// data are damaged.
+// Appends all that the data hold, stream after stream, but no more than `most` bytes. Returns false
+// if the data are damaged.
 bool inflate_all(std::string_view data, int bits, std::size_t most, std::string& to) {
     z_stream stream = {};
     if (inflateInit2(&stream, bits) != Z_OK) return false;

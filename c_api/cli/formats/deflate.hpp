@@ -1,4 +1,5 @@
-// Data compressed by zlib, and files compressed by gzip. Programs made without zlib refuse them.
+// Reads and writes data compressed by zlib, and files compressed by gzip. Programs made without
+// zlib refuse them.
 #pragma once
 
 #include "basics/text_file.hpp"
@@ -9,20 +10,21 @@
 
 namespace cli {
 
-constexpr std::size_t largest_ratio_of_zlib = 1032;  // no compressed byte stands for more bytes
+constexpr std::size_t largest_ratio_of_zlib =
+    1032;  // the largest number of bytes that a compressed byte can hold
 
-// Says that the program has no zlib; empty: the program has zlib.
+// Returns a clause that says that the program has no zlib, or nothing if it has.
 std::string lack_of_zlib();
 
-// Appends `size` bytes, which these data hold. False: the data are damaged, or hold another number
-// of bytes.
+// Appends `size` bytes from these data. Returns false if the data are damaged, or hold another
+// number of bytes.
 bool inflate_block(std::string_view data, std::size_t size, std::string& to);
 std::string deflate_block(std::string_view bytes);
 
 bool is_gzip(std::string_view data);
-// The file at this path; a file compressed by gzip as the text that it holds.
+// Reads the file at this path, which may be compressed by gzip.
 TextFile read_unpacked(const std::string& path);
-TextFile unpacked(const TextFile& file);  // of a file that is_gzip
+TextFile unpacked(const TextFile& file);  // for a file that is_gzip
 std::string gzip(std::string_view bytes);
 
 }  // namespace cli

@@ -1,6 +1,6 @@
-// Of elements of second order the mesh has the corners; the other nodes are written with it: the
-// middle of an edge keeps its distance from the straight edge, relative to the edge's length and
-// direction; the middle of a cell moves by the mean of the corners.
+// The mesh has the corners of elements of second order. The other nodes move with the corners: the
+// middle of an edge keeps its distance from the straight edge, relative to the length and direction
+// of the edge; the middle of a cell moves by the mean of the corners.
 #include "formats/element_mesh.hpp"
 
 #include "formats/tidy.hpp"
@@ -41,8 +41,9 @@ private:
     Mesh& mesh_;
     const Elements& all_;
     int dimension_ = 0;
-    SpacePoints points_;                  // corners
-    std::vector<std::int32_t> point_of_;  // of a node; at first its Kind
+    SpacePoints points_;  // corners
+    std::vector<std::int32_t>
+        point_of_;  // the point of each node; before find_points() ends, its Kind
 };
 
 void ElementMesh::find_dimension() {
@@ -56,10 +57,10 @@ void ElementMesh::find_dimension() {
     mesh_.file.fail(mesh_.file.text().size(),
                     "the file has " + found +
                         "no triangles or quadrilaterals: mesh the surface, too, and save "
-                        "its cells");
+                        "the cells");
 }
 
-// Points of the mesh are the corners of what is read.
+// Makes a point of each node that is a corner of an element which is read.
 void ElementMesh::find_points() {
     point_of_.assign(place(all_.points.points()), unused);
     for (const Element& element : all_.elements) {
@@ -117,7 +118,7 @@ void ElementMesh::add_flat() {
 
 void ElementMesh::add_solid() {
     OneCellThick solid(mesh_, std::move(points_));
-    std::int32_t corners[8] = {};
+    std::vector<std::int32_t> corners;
     for (const Element& element : all_.elements) {
         if (!is_read(element)) continue;
         if (element.shape.nodes > element.shape.corners) {
@@ -127,18 +128,13 @@ void ElementMesh::add_solid() {
                 "order (Gmsh: Mesh.ElementOrder = 1)");
         }
         const auto n = static_cast<std::size_t>(element.shape.corners);
-        if (element.shape.dimension == 2 && n > 4) {
-            mesh_.file.fail(element.offset,
-                            "a face of the boundary has " + std::to_string(n) +
-                                " corners: the mesh is "
-                                "not one cell thick, or has polygons, which are not read here");
-        }
-        for (std::size_t k = 0; k < n; ++k) corners[k] = corner(element, k);
+        corners.clear();
+        for (std::size_t k = 0; k < n; ++k) corners.push_back(corner(element, k));
         if (element.shape.dimension == 3) {
-            solid.add_cell(corners, n, element.offset);
+            solid.add_cell(corners.data(), n, element.offset);
         } else {
             for_each_marker(element, [&](std::int32_t marker) {
-                solid.add_side(corners, n, marker, element.offset);
+                solid.add_side(corners.data(), n, marker, element.offset);
             });
         }
     }
@@ -150,8 +146,9 @@ void ElementMesh::add_between() {
         if (!is_read(element)) continue;
         const auto corners = static_cast<std::size_t>(element.shape.corners);
         for (auto k = corners; k < static_cast<std::size_t>(element.shape.nodes); ++k) {
-            const std::size_t its = node(element, k);
-            if (point_of_[its] != middle) continue;  // a corner elsewhere, or done by a neighbour
+            const std::size_t middle_node = node(element, k);
+            if (point_of_[middle_node] != middle)
+                continue;  // a corner of another element, or already added
             Between between = {{}, 2, 0, 0};
             const std::size_t edge = k - corners,
                               n_edges = element.shape.dimension == 1 ? 1 : corners;
@@ -164,17 +161,20 @@ void ElementMesh::add_between() {
             const auto number =
                 static_cast<std::int32_t>(mesh_.x.size() + mesh_.in_file.between.size());
             const std::size_t* const axes = mesh_.in_file.axes;
-            between.x = all_.points.x[axes[0]][its];
-            between.y = all_.points.x[axes[1]][its];
+            between.x = all_.points.x[axes[0]][middle_node];
+            between.y = all_.points.x[axes[1]][middle_node];
             mesh_.in_file.between.push_back(between);
-            mesh_.in_file.slots.push_back({all_.points.offset[axes[0]][its], number, takes_x});
-            mesh_.in_file.slots.push_back({all_.points.offset[axes[1]][its], number, takes_y});
-            point_of_[its] = number;
+            mesh_.in_file.slots.push_back(
+                {all_.points.offset[axes[0]][middle_node], number, takes_x});
+            mesh_.in_file.slots.push_back(
+                {all_.points.offset[axes[1]][middle_node], number, takes_y});
+            point_of_[middle_node] = number;
         }
     }
     if (mesh_.in_file.between.empty()) return;
-    mesh_.remark("quadratic elements: the mesh has their corners; points between move along (" +
-                 plural(static_cast<std::int64_t>(mesh_.in_file.between.size()), "point") + ")");
+    mesh_.remark(
+        "the mesh has the corners of quadratic elements; the nodes between move with them (" +
+        plural(static_cast<std::int64_t>(mesh_.in_file.between.size()), "point") + ")");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Nodes and elements as files list them, in two dimensions or one cell thick: what the readers of
-// Gmsh's and VTK's files hand over, and one way from there to the mesh.
+// Nodes and elements as files list them, in two dimensions or one cell thick. Readers, such as
+// those of Gmsh and VTK files, fill Elements, and build_mesh() makes the mesh.
 #pragma once
 
 #include "mesh/space_mesh.hpp"
@@ -10,19 +10,20 @@ namespace cli {
 
 struct ElementShape {
     int dimension, corners,
-        nodes;  // nodes: the corners, then of second order the middles of edges and of the cell
+        nodes;  // the nodes are the corners, and in second order the middles of edges and of the
+                // cell
 };
 
 struct Elements {
     struct Element {
         ElementShape shape;
-        std::int32_t group;         // of the boundary, a place in `groups`; -1: none
-        std::size_t offset, first;  // in the file; of its nodes in `nodes`
+        std::int32_t group;         // of the boundary: a place in `groups`; -1: none
+        std::size_t offset, first;  // the place in the file; the place of its nodes in `nodes`
     };
     SpacePoints points;
     std::vector<Element> elements;
-    std::vector<std::int32_t> nodes;               // points of all elements
-    std::vector<std::vector<std::string>> groups;  // their names
+    std::vector<std::int32_t> nodes;               // the points of all elements
+    std::vector<std::vector<std::string>> groups;  // the names of each group
 
     void add(const ElementShape& shape, std::int32_t group, std::size_t offset) {
         elements.push_back({shape, group, offset, nodes.size()});

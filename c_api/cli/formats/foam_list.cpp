@@ -13,7 +13,7 @@ namespace {
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 bool is_single(char c) { return c == '(' || c == ')' || c == '{' || c == '}' || c == ';'; }
 
-// The value behind "label=" in an arch entry, in bytes.
+// Returns the number of bytes that an entry "arch" has behind "label=" or "scalar=".
 int bytes_of(const std::string& arch, const std::string& kind, int usual) {
     const std::size_t at = arch.find(kind + "=");
     return at == std::string::npos ? usual
@@ -100,9 +100,9 @@ void FoamReader::expect(std::string_view wanted) {
 
 bool FoamReader::is_next(std::string_view wanted) {
     const std::size_t here = at_;
-    const bool is = word() == wanted;
+    const bool is_found = word() == wanted;
     at_ = here;
-    return is;
+    return is_found;
 }
 
 const char* FoamReader::binary(std::int64_t n, int bytes, const char* what) {
@@ -129,7 +129,7 @@ std::vector<std::int64_t> FoamReader::labels(std::int64_t most) {
     const std::int64_t n = count("the number of labels");
     if (n > most)
         fail("the list has " + std::to_string(n) + " numbers, but at most " + std::to_string(most) +
-             " can be");
+             " are possible");
     std::vector<std::int64_t> values;
     if (is_next("{")) {
         word();
@@ -155,13 +155,14 @@ void FoamReader::faces(std::vector<std::int64_t>& start, std::vector<std::int64_
     if (header_.type == "faceCompactList") {
         const auto most =
             static_cast<std::int64_t>(std::min<std::size_t>(file_.text().size(), INT32_MAX));
-        start = labels(most);  // lists of one value are short in the file, and are none of faces
+        start = labels(most);  // a list of one repeated value cannot be a list of faces
         const std::size_t here = word_;
         points = labels(most);
         if (start.empty() || start[0] != 0 ||
             start.back() != static_cast<std::int64_t>(points.size()) ||
             !std::is_sorted(start.begin(), start.end())) {
-            file_.fail(here, "the list where faces begin does not fit the list of their points");
+            file_.fail(here,
+                       "the list of the first point of each face does not fit the list of points");
         }
         offsets.assign(start.size() - 1, here);
         return;

@@ -11,29 +11,30 @@ struct FoamHeader {
     bool is_binary = false;
     int label_bytes = 4, scalar_bytes = 8;
     std::string type;     // the entry "class"
-    std::size_t end = 0;  // of the header
+    std::size_t end = 0;  // the place behind the header
 };
 
-// The header of a file of OpenFOAM; false: there is none.
+// Reads the header of a file of OpenFOAM. Returns false if the file has none.
 bool read_foam_header(const TextFile& file, FoamHeader& header);
 
-// Runs over the words of a file: brackets and semicolons are words of their own, comments are none.
+// Reads a file word by word. Brackets and semicolons are words; comments are passed over.
 class FoamReader {
 public:
     explicit FoamReader(const TextFile& file);
 
     const FoamHeader& header() const { return header_; }
-    std::string_view word();                // the next; empty at the end
-    std::int64_t count(const char* what);   // not negative
-    void expect(std::string_view wanted);   // this word
-    bool is_next(std::string_view wanted);  // does this word follow? It is not taken
+    std::string_view word();                // the next word; empty at the end
+    std::int64_t count(const char* what);   // the next number, not negative
+    void expect(std::string_view wanted);   // refuses another word
+    bool is_next(std::string_view wanted);  // tells whether this word follows, and does not take it
     std::size_t offset() const { return word_; }
     [[noreturn]] void fail(const std::string& message) const { file_.fail(word_, message); }
     [[noreturn]] void expected(std::string_view what) const;
 
-    // A list of whole numbers, no more than `most`: N (...), N {value} or binary.
+    // Reads a list of at most `most` whole numbers: N (...), N {value} or binary.
     std::vector<std::int64_t> labels(std::int64_t most);
-    // The faces of a faceList or faceCompactList: where the points of each begin, and all points.
+    // Reads a faceList or faceCompactList: the first place of each face in `points`, the points of
+    // all faces, and the place of each face in the file.
     void faces(std::vector<std::int64_t>& start, std::vector<std::int64_t>& points,
                std::vector<std::size_t>& offsets);
     void vectors(std::array<std::vector<double>, 3>& x,

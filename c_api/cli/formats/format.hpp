@@ -1,5 +1,5 @@
-// Formats of mesh files. Each has a file here that defines one `Format`, and a row in the table of
-// formats.cpp.
+// Formats of mesh files. A source in this folder defines the `Format` of each, and the table in
+// formats.cpp lists it.
 #pragma once
 
 #include "mesh/mesh_file.hpp"
@@ -12,59 +12,60 @@
 namespace cli {
 
 struct ReadOptions {
-    std::string format;  // empty: found by content
-    std::string zone;    // of a file that has several; empty: the file must have one
+    std::string format;  // empty: the content tells the format
+    std::string zone;    // the zone to read, of several; empty: the file must have one
     std::function<void(double)>
-        progress;  // hears which part of the file has been read, 0 .. 1; may be empty
+        progress;  // is called with the part of the file that has been read, 0 .. 1; may be empty
 };
 
 struct Format {
     const char* name;       // for --format
     const char* extension;  // of new files, with the dot
     const char* title;
-    bool (*probe)(const TextFile& file);  // does the content look like it?
+    bool (*probe)(const TextFile& file);  // tells whether the content looks like this format
     void (*read)(
         Mesh& mesh,
-        const ReadOptions& options);  // mesh.file is there; fills the rest, or throws a Failure
+        const ReadOptions& options);  // mesh.file is filled; fills the rest, or throws a Failure
     void (*create)(std::ostream& out,
-                   const Mesh& mesh);  // a new file with points, cells, markers; NULL: not written
+                   const Mesh& mesh);  // writes a new file with points, cells and markers; NULL:
+                                       // convert cannot write the format
     bool has_markers = true;
-    const char* not_in_names = "";  // characters that a name of a marker cannot have in new files
+    const char* not_in_names = "";  // characters that names of markers in new files cannot have
 };
 
 extern const Format cgns_format, fluent_format, gmsh_format, openfoam_format, plot3d_format,
     su2_format, ugrid_format, vtk_format, vtk_xml_format;
 
-bool is_mesh_file(const TextFile& file);  // is the content that of one of the formats?
+bool is_mesh_file(const TextFile& file);  // tells whether the content is that of one of the formats
 
-// Of a folder of OpenFOAM (a case, or polyMesh) the file of its points, which is what is read and
-// written; else the path.
+// Returns the file of the points, which is read and written, if the path is a case of OpenFOAM or a
+// folder polyMesh; otherwise the path.
 std::string mesh_file(const std::string& path);
 
-// The file that a morphed mesh with this path goes to, as mesh_file says. The name ends in .gz if
-// the mesh was compressed, and only then; otherwise this is wrong usage.
+// Returns the file that a morphed mesh with this path is written to, as mesh_file() does. Wrong
+// usage if the name does not end in .gz exactly where the mesh was compressed, or not in .vtu where
+// the mesh was a file .pvtu.
 std::string moved_file(const Mesh& mesh, const std::string& path);
 
-// Files compressed by gzip are read, and written again, as such. Refuses, with the file's line or
-// byte, what is none of the formats or not a mesh that can be morphed.
+// Reads a mesh, which may be compressed by gzip. Refuses, with the line or byte of the file, other
+// files and meshes that cannot be morphed.
 Mesh read_mesh_file(const std::string& path, const ReadOptions& options);
 
-// The mesh's file as it is, except for coordinates that changed. They are written with the file's
-// own number of digits, or with more where those would move a point by more than a thousandth of
-// its shortest edge.
+// Writes the file of the mesh with the coordinates that changed. They have as many digits as the
+// file has, or more where these would move a point by more than a thousandth of its shortest edge.
 void write_moved(std::ostream& out, const Mesh& mesh, const double* x, const double* y);
 
-// The coordinates that the file can hold: rounded, if they are numbers of the file, binary and in
-// single precision.
+// Rounds the coordinates to single precision if the file holds them so.
 void round_as_file(const Mesh& mesh, std::vector<double>& x, std::vector<double>& y);
 
-// A new file in the format of that name, or if it is empty of the path's extension.
+// Returns the format of this name, or, if the name is empty, the format of the extension of the
+// path.
 const Format& format_to_create(const std::string& name, const std::string& path);
 
-// Replaces in the names of markers what a new file of this format cannot hold by _, so that names
-// stay different. Returns a sentence for each marker that has another name then.
+// Replaces characters in the names of markers that a new file of this format cannot hold by _, so
+// that names stay different. Returns a sentence for each marker that was renamed.
 std::vector<std::string> make_writable(Mesh& mesh, const Format& format);
 
-std::string format_table();  // for people: a line for each, with its name and what it is
+std::string format_table();  // for the help of commands: a line for each format
 
 }  // namespace cli

@@ -1,4 +1,4 @@
-// The table of formats, and what all of them have in common.
+// The table of formats, and the steps that reading has in common for all formats.
 #include "formats/format.hpp"
 
 #include "basics/failure.hpp"
@@ -17,7 +17,7 @@ namespace cli {
 
 namespace {
 
-// Probed in this order: formats with a signature first.
+// Formats are probed in this order: those with a signature first.
 const Format* const formats[] = {&gmsh_format,  &fluent_format,  &openfoam_format,
                                  &vtk_format,   &vtk_xml_format, &su2_format,
                                  &ugrid_format, &cgns_format,    &plot3d_format};
@@ -49,8 +49,8 @@ const Format& format_of(const TextFile& file) {
                   "; read are " + format_names() + " (--format chooses)");
 }
 
-// Of a file compressed by gzip: writes what `store` writes, compressed; without another number, the
-// file as it was.
+// Returns the function that compresses what `store` writes. If no number changed, it writes the
+// given file.
 FileCoordinates::Store packed(const FileCoordinates::Store& store) {
     return [store](std::ostream& out, const Mesh& mesh, const std::string& numbers) {
         if (numbers == mesh.file.text()) {
@@ -84,7 +84,7 @@ bool is_mesh_file(const TextFile& file) {
 }
 
 std::string mesh_file(const std::string& path) {
-    std::error_code ignored;  // whoever opens the file says what is wrong with its name
+    std::error_code ignored;  // an error is reported when the file is opened
     if (!std::filesystem::is_directory(path, ignored)) return path;
     for (const char* place : {"constant/polyMesh/points", "polyMesh/points", "points"}) {
         for (const char* ending : {"", ".gz"}) {
@@ -97,6 +97,13 @@ std::string mesh_file(const std::string& path) {
 
 std::string moved_file(const Mesh& mesh, const std::string& path) {
     const std::string file = mesh_file(path);
+    if (mesh.in_file.is_joined && !is_device(file) && !ends_with(file, ".vtu")) {
+        throw Failure(exit_usage,
+                      mesh.file.path() +
+                          " names the files of several pieces, and a morphed mesh is one file of "
+                          "all pieces: the name of the file to write, " +
+                          in_quotes(file) + ", must end in .vtu");
+    }
     if (is_device(file) || mesh.in_file.is_packed == ends_with(file, ".gz")) return file;
     const bool is_packed = mesh.in_file.is_packed;
     throw Failure(
@@ -111,13 +118,13 @@ Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
     const Format* forced = options.format.empty() ? nullptr : find_format(options.format);
     Mesh mesh(mesh_file(path));
     const bool is_packed = is_gzip(mesh.file.text());
-    mesh.in_file.is_packed = is_packed;
     if (is_packed) mesh.file = unpacked(mesh.file);
     const Format& format = forced ? *forced : format_of(mesh.file);
     mesh.file.listen(options.progress);
     format.read(mesh, options);
     mesh.file.listen(nullptr);
-    if (is_packed) mesh.in_file.store = packed(mesh.in_file.store);
+    mesh.in_file.is_packed = is_packed && !mesh.in_file.is_joined;
+    if (mesh.in_file.is_packed) mesh.in_file.store = packed(mesh.in_file.store);
     check_points(mesh);
     drop_interior_faces(mesh, true);
     return mesh;

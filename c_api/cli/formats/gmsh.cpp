@@ -2,7 +2,7 @@
 // in text and binary, of two dimensions or one cell thick.
 //
 // Markers are the physical groups of curves, or of surfaces in meshes one cell thick, by name if
-// they have one; a curve or surface without a group is "curve:TAG" or "surface:TAG".
+// there is one; a curve or surface without a group is "curve:TAG" or "surface:TAG".
 #include "formats/format.hpp"
 
 #include "formats/gmsh_read.hpp"
@@ -22,8 +22,8 @@ bool probe_gmsh(const TextFile& file) {
 
 void read_gmsh(Mesh& mesh, const ReadOptions&) { build_mesh(mesh, read_gmsh(mesh)); }
 
-// Version 2.2: what every program reads that reads any. Cells are the physical surface 1, markers
-// curves from 2 on.
+// Writes version 2.2, which all programs read. The cells are the physical surface 1, and the
+// markers are the physical curves from 2 on.
 void create_gmsh(std::ostream& out, const Mesh& mesh) {
     mesh.refuse_polygons("Gmsh");
     out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n"

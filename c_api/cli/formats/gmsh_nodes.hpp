@@ -1,4 +1,4 @@
-// Nodes of a Gmsh file by their numbers, which are mostly 1 .. n, but need not be.
+// Finds nodes of a Gmsh file by their numbers, which are mostly 1 .. n, but need not be.
 #pragma once
 
 #include "mesh/mesh_file.hpp"
@@ -10,7 +10,7 @@ namespace cli {
 
 class GmshNodes {
 public:
-    // numbers: of the nodes in the order of the file; offsets: where they stand.
+    // numbers, offsets: the numbers of the nodes in the order of the file, and their places.
     GmshNodes(const TextFile& file, const std::vector<std::int64_t>& numbers,
               const std::vector<std::size_t>& offsets)
         : file_(file) {
@@ -30,7 +30,7 @@ public:
         }
     }
 
-    // offset: of the element that names the node.
+    // offset: the place of the element that names the node.
     std::int32_t find(std::int64_t number, std::size_t offset) const {
         std::int32_t node = -1;
         if (is_dense_) {

@@ -1,13 +1,12 @@
 // Reads Gmsh files: the sections of versions 2.0 to 2.2 and 4.1, in any order.
 #include "formats/gmsh_read.hpp"
 
+#include "formats/gmsh_groups.hpp"
 #include "formats/gmsh_nodes.hpp"
 #include "formats/number_reader.hpp"
 
 #include <algorithm>
 #include <cstdlib>
-#include <map>
-#include <tuple>
 
 namespace cli {
 
@@ -21,7 +20,6 @@ constexpr GmshElementType element_types[] = {{15, {0, 1, 1}}, {1, {1, 2, 2}},  {
                                              {2, {2, 3, 3}},  {9, {2, 3, 6}},  {3, {2, 4, 4}},
                                              {16, {2, 4, 8}}, {10, {2, 4, 9}}, {4, {3, 4, 4}},
                                              {5, {3, 8, 8}},  {6, {3, 6, 6}},  {7, {3, 5, 5}}};
-constexpr std::size_t most_groups = 16;  // of one curve or surface
 
 class GmshReader {
 public:
@@ -29,9 +27,6 @@ public:
     Elements read();
 
 private:
-    using Entity = std::pair<int, std::int64_t>;  // dimension and number: of a curve, a surface, or
-                                                  // a physical group
-
     void read_format();
     void read_section(std::string_view name);
     void read_names();
@@ -46,8 +41,6 @@ private:
     void pass_over_section(std::string_view name);
     void end_section(std::string_view name);
 
-    std::int32_t group_of(int dimension, std::int64_t physical, std::int64_t entity);
-    void name_groups();
     std::int64_t size(const char* what) { return numbers_.count(what, 8); }  // 4.1: size_t
 
     Mesh& mesh_;
@@ -55,17 +48,9 @@ private:
     int version_ = 0;  // 2 or 4; 0: not known yet
     bool nodes_read_ = false, elements_read_ = false;
     Elements content_;
-    std::vector<std::int64_t> node_numbers_,
-        element_nodes_;                    // of content_.points; numbers of the elements' nodes
-    std::map<Entity, std::string> names_;  // of physical groups
-    std::map<Entity, std::vector<std::int64_t>>
-        physicals_;  // 4.1: physical groups of curves and surfaces
-    struct Group {
-        int dimension;
-        std::int64_t physical, entity;  // physical 0: none is known; 4.1: those of the entity
-    };
-    std::map<std::tuple<int, std::int64_t, std::int64_t>, std::int32_t> group_numbers_;
-    std::vector<Group> groups_;
+    std::vector<std::int64_t> node_numbers_;   // of content_.points
+    std::vector<std::int64_t> element_nodes_;  // the numbers of the nodes of all elements
+    GmshGroups groups_;
 };
 
 Elements GmshReader::read() {
@@ -86,7 +71,7 @@ Elements GmshReader::read() {
                 nodes.find(element_nodes_[element.first + k], element.offset);
         }
     }
-    name_groups();
+    content_.groups = groups_.names();
     return std::move(content_);
 }
 
@@ -143,7 +128,7 @@ void GmshReader::read_section(std::string_view name) {
             "4.1 (in Gmsh: "
             "-format msh41, or Mesh.MshFileVersion = 4.1)");
     } else {
-        pass_over_section(name);  // stays as it is
+        pass_over_section(name);  // the section stays as it is
     }
     end_section(name);
 }
@@ -168,7 +153,7 @@ void GmshReader::read_names() {
         if (name.size() < 2 || name.front() != '"' || name.back() != '"')
             numbers_.expected("a name in quotation marks");
         name = name.substr(1, name.size() - 2);
-        if (dimension == 1 || dimension == 2) names_[{static_cast<int>(dimension), tag}] = name;
+        groups_.add_name(static_cast<int>(dimension), tag, name);
     }
 }
 
@@ -182,12 +167,9 @@ void GmshReader::read_entities() {
             const std::int64_t n_groups = size("a number of physical groups");
             for (std::int64_t k = 0; k < n_groups; ++k) {
                 const std::int64_t group = numbers_.whole("a physical group");
-                if (dimension != 1 && dimension != 2) continue;
-                std::vector<std::int64_t>& its = physicals_[{dimension, tag}];
-                its.push_back(std::abs(group));  // negative: the other way round
-                if (its.size() > most_groups) {
-                    numbers_.fail("a curve or surface is in more than " +
-                                  std::to_string(most_groups) + " physical groups");
+                if (!groups_.add_to_group(dimension, tag, group)) {
+                    numbers_.fail("a curve or a surface is in more than " +
+                                  std::to_string(GmshGroups::max_groups) + " physical groups");
                 }
             }
             if (dimension == 0) continue;
@@ -240,10 +222,10 @@ const ElementShape& GmshReader::element_shape(std::int64_t number) {
     for (const GmshElementType& type : element_types) {
         if (type.number == number) return type.shape;
     }
-    numbers_.fail("element type " + std::to_string(number) +
-                  " is not read: triangles and quadrilaterals of first and second order are, and "
-                  "meshes one cell thick "
-                  "of first order (in Gmsh: -order 2, -order 1)");
+    numbers_.fail(
+        "element type " + std::to_string(number) +
+        " is not read: save triangles and quadrilaterals of first or second order, or a mesh one "
+        "cell thick of first order (in Gmsh: -order 2, -order 1)");
 }
 
 void GmshReader::read_element(const ElementShape& shape, std::int32_t group, std::size_t offset) {
@@ -252,7 +234,8 @@ void GmshReader::read_element(const ElementShape& shape, std::int32_t group, std
         element_nodes_.push_back(numbers_.whole("a node of an element", version_ == 4 ? 8 : 4));
     }
     if (shape.dimension == 0) {
-        element_nodes_.resize(first);  // points are kept, but are no boundary
+        element_nodes_.resize(
+            first);  // elements that are points stay in the file, but are no boundary
     } else {
         content_.elements.push_back({shape, group, offset, first});
     }
@@ -279,9 +262,9 @@ void GmshReader::read_elements_2() {
                 const std::int64_t tag = numbers_.whole("a tag of an element");
                 if (t < 2) tags[t] = tag;
             }
-            read_element(shape, group_of(shape.dimension, std::abs(tags[0]), tags[1]), offset);
+            read_element(shape, groups_.find(shape.dimension, std::abs(tags[0]), tags[1]), offset);
         }
-        if (in_block == 0) numbers_.fail("a block without elements");
+        if (in_block == 0) numbers_.fail("a block has no elements");
     }
 }
 
@@ -294,38 +277,11 @@ void GmshReader::read_elements_4() {
         const std::int64_t entity = numbers_.whole("an entity's number");
         const ElementShape& shape = element_shape(numbers_.whole("an element's type"));
         const std::int64_t n = size("the number of elements of a block");
-        const std::int32_t group = group_of(shape.dimension, 0, entity);
+        const std::int32_t group = groups_.find(shape.dimension, 0, entity);
         for (std::int64_t i = 0; i < n; ++i) {
             numbers_.whole("an element's number", 8);
             read_element(shape, group, numbers_.number_offset());
         }
-    }
-}
-
-std::int32_t GmshReader::group_of(int dimension, std::int64_t physical, std::int64_t entity) {
-    if (dimension != 1 && dimension != 2) return -1;
-    const auto known =
-        group_numbers_.emplace(std::make_tuple(dimension, physical, physical == 0 ? entity : 0),
-                               static_cast<std::int32_t>(groups_.size()));
-    if (known.second) groups_.push_back({dimension, physical, entity});
-    return known.first->second;
-}
-
-// Once all sections have been read, as names may stand behind the elements.
-void GmshReader::name_groups() {
-    for (const Group& group : groups_) {
-        std::vector<std::int64_t> physicals;
-        if (group.physical != 0) physicals.push_back(group.physical);
-        const auto of_entity = physicals_.find({group.dimension, group.entity});
-        if (group.physical == 0 && of_entity != physicals_.end()) physicals = of_entity->second;
-        std::vector<std::string> its;
-        for (const std::int64_t physical : physicals) {
-            const auto name = names_.find({group.dimension, physical});
-            its.push_back(name == names_.end() ? std::to_string(physical) : name->second);
-        }
-        const std::string kind = group.dimension == 1 ? "curve:" : "surface:";
-        if (its.empty()) its.push_back(kind + std::to_string(group.entity));
-        content_.groups.push_back(its);
     }
 }
 

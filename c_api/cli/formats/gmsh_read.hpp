@@ -1,4 +1,4 @@
-// From a Gmsh file to its nodes and elements.
+// Reads the nodes and elements of a Gmsh file.
 #pragma once
 
 #include "formats/element_mesh.hpp"

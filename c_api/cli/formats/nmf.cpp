@@ -38,7 +38,8 @@ std::vector<NmfPatch> read_nmf(const std::string& path,
     number(0, n_blocks, n_blocks, "the number of blocks");
     for (const auto& size : sizes) {
         if (!lines.next()) lines.expected("a block and its sizes");
-        for (std::size_t d = 0; d < 3; ++d) number(d + 1, size[d], size[d], "the block's size");
+        for (std::size_t d = 0; d < 3; ++d)
+            number(d + 1, size[d], size[d], "the size of the block");
     }
     std::vector<NmfPatch> patches;
     while (lines.next()) {

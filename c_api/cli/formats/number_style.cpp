@@ -9,10 +9,10 @@ namespace cli {
 
 namespace {
 
-constexpr int exact_digits = 17;   // of any double
-constexpr int evident_digits = 6;  // fewer may be round numbers, not a precision
+constexpr int exact_digits = 17;   // identify any double
+constexpr int evident_digits = 6;  // numbers with fewer digits may be round numbers
 
-// C prints 1.23e+02; many Fortran programs 0.123E+03.
+// C prints 1.23e+02; many Fortran programs print 0.123E+03.
 std::string with_leading_zero(const std::string& text) {
     const std::size_t e = text.find('e'), first = text[0] == '-' ? 1 : 0;
     std::string digits =
@@ -44,7 +44,7 @@ void NumberStyle::see(std::string_view word) {
     if (e < word.size()) {
         ++with_exponent_;
         exponent_ = word[e];
-        // All digits of 0.000 count, whichever way it is written.
+        // Zero counts as written in both ways.
         leading_zero_ +=
             digits == 0 || mantissa.substr(0, 1) == "0" || mantissa.substr(0, 1) == "." ? 1 : 0;
     }

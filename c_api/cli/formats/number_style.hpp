@@ -1,5 +1,5 @@
-// How a text file writes its numbers: found from all of them, so that others can be written the
-// same way.
+// The style in which a text file writes numbers. All numbers of the file determine the style, in
+// which other numbers are then written.
 #pragma once
 
 #include <string>
@@ -9,16 +9,17 @@ namespace cli {
 
 class NumberStyle {
 public:
-    void see(std::string_view word);  // a number of the file
+    void see(std::string_view word);  // takes account of a number of the file
 
-    // Digits are at least those of the file, and so many that the error is at most `tolerance`; 17
-    // read back as the same bits.
+    // Writes at least as many digits as the file has, and so many that the error is at most
+    // `tolerance`. A number with 17 digits is read as the same bits.
     std::string print(double value, double tolerance) const;
 
 private:
     bool fixed() const;
     bool scientific() const;
-    int digits() const;  // significant; after the point where fixed
+    int digits() const;  // significant digits, or digits behind the point if all numbers are
+                         // written without exponent
 
     long words_ = 0, with_exponent_ = 0, leading_zero_ = 0;
     int least_decimals_ = 1000, most_decimals_ = 0, most_digits_ = 0;

@@ -1,7 +1,7 @@
 // OpenFOAM's polyMesh
 // (https://www.openfoam.com/documentation/user-guide/4-mesh-generation-and-conversion): the mesh is
-// the file `points`, in text or binary; faces, owner and boundary stand beside it. Two dimensions:
-// the patches of type empty are the planes, or two patches of type wedge. All other patches are
+// the file `points`, in text or binary; the files faces, owner and boundary lie in the same folder.
+// The two planes are the patches of type empty, or two patches of type wedge. All other patches are
 // markers.
 #include <harmorph_space.h>
 #include "formats/format.hpp"
@@ -134,11 +134,11 @@ private:
             if (corners(face) < 3)
                 faces.fail(offset, "face " + std::to_string(face) + " has fewer than 3 points");
             for (std::int64_t k = 0; k < corners(face); ++k) {
-                const std::int64_t its =
+                const std::int64_t number =
                     points_[static_cast<std::size_t>(start_[static_cast<std::size_t>(face)] + k)];
-                if (its >= 0 && its < space_.points.points()) continue;
+                if (number >= 0 && number < space_.points.points()) continue;
                 faces.fail(offset, "face " + std::to_string(face) + " has point " +
-                                       std::to_string(its) + ", but there are " +
+                                       std::to_string(number) + ", but there are " +
                                        plural(space_.points.points(), "point"));
             }
         }
@@ -148,14 +148,14 @@ private:
             owners.fail(owners.text().size(),
                         "expected owners of " + faces_there + ", found " + found);
         }
-        for (const std::int64_t its : owner_) {
-            if (its < 0 || its >= n_faces())
-                owners.fail(0, "cell " + std::to_string(its) + " owns a face, but cannot exist");
+        for (const std::int64_t cell : owner_) {
+            if (cell < 0 || cell >= n_faces())
+                owners.fail(0, "cell " + std::to_string(cell) + " owns a face, but cannot exist");
         }
     }
 
-    // The faces of one plane. Patches of type empty hold both planes, which have no point in
-    // common; of patches of type wedge, which may share an axis, the first is one plane.
+    // Returns the faces of one plane. Patches of type empty hold both planes, which have no point
+    // in common. The first patch of type wedge is one plane; the second one may share the axis.
     std::vector<std::int64_t> plane_faces(const TextFile& boundary) {
         std::vector<std::int64_t> empty;
         const Patch* wedge = nullptr;
@@ -185,8 +185,8 @@ private:
         return plane;
     }
 
-    // Of faces in two planes those that are connected with the first one; of meshes of several
-    // parts, of each part.
+    // Returns those of the faces in both planes that are connected with the first face, in each
+    // connected part of the mesh.
     std::vector<std::int64_t> one_side(const std::vector<std::int64_t>& faces) const {
         std::vector<std::int32_t> parent(space_.points.x[0].size());
         std::iota(parent.begin(), parent.end(), 0);
@@ -204,16 +204,16 @@ private:
             }
         }
         std::vector<std::int64_t> of_cell(static_cast<std::size_t>(n_cells_), -1), side;
-        std::vector<char> taken(parent.size(), 0);  // 1: this plane; 2: the one opposite
+        std::vector<char> taken(parent.size(), 0);  // 1: this plane; 2: the opposite plane
         for (const std::int64_t face : faces) {
             const auto cell = static_cast<std::size_t>(owner_[static_cast<std::size_t>(face)]);
-            char& its = taken[static_cast<std::size_t>(root(point(face, 0)))];
+            char& plane = taken[static_cast<std::size_t>(root(point(face, 0)))];
             if (of_cell[cell] < 0) {
-                if (its == 0) its = 1;
+                if (plane == 0) plane = 1;
                 of_cell[cell] = face;
             } else {
                 const char other = taken[static_cast<std::size_t>(root(point(of_cell[cell], 0)))];
-                if (its == 0) its = other == 1 ? 2 : 1;
+                if (plane == 0) plane = other == 1 ? 2 : 1;
             }
         }
         for (const std::int64_t face : faces) {
@@ -223,9 +223,10 @@ private:
     }
 
     void add_plane_face(std::int64_t face) {
-        std::vector<std::int32_t> its;
-        for (std::int64_t k = 0; k < corners(face); ++k) its.push_back(point(face, k));
-        space_.add_face(its, space_.points.offset[0][static_cast<std::size_t>(its[0])]);
+        std::vector<std::int32_t> face_points;
+        for (std::int64_t k = 0; k < corners(face); ++k) face_points.push_back(point(face, k));
+        space_.add_face(face_points,
+                        space_.points.offset[0][static_cast<std::size_t>(face_points[0])]);
     }
 
     void add_sides() {

@@ -1,4 +1,4 @@
-// Points that are at one place, within a tolerance, are one point.
+// Finds points that are at one place, within a tolerance.
 #pragma once
 
 #include <array>
@@ -12,16 +12,16 @@ class Places {
 public:
     using Place = std::array<double, 3>;
 
-    // Places are one whose coordinates differ by no more than `tolerance`, which may be 0.
+    // Places are equal if no coordinate differs by more than `tolerance`, which may be 0.
     explicit Places(double tolerance) : tolerance_(tolerance) {}
 
-    // The number of the first point that is at this place. If there was none, that is `number` from
-    // now on.
+    // Returns the number of the first point at this place. If there is none, adds a point with this
+    // number.
     std::int32_t find_or_add(const Place& place, std::int32_t number);
 
 private:
-    using Cube = std::array<std::int64_t, 3>;  // of a grid so coarse that a place has neighbours in
-                                               // eight cubes at most
+    using Cube = std::array<std::int64_t, 3>;  // of a grid that is so coarse that equal places lie
+                                               // in eight cubes at most
     struct CubeHash {
         std::size_t operator()(const Cube& cube) const;
     };

@@ -1,10 +1,11 @@
 // PLOT3D grids (https://www.grc.nasa.gov/www/wind/valid/plot3d.html): one block or many, two
 // dimensions or one cell thick (between planes of any direction, or in a wedge), in text, in
-// binary, or of Fortran's unformatted records; plot3d_layout finds out which.
+// binary, or in unformatted records of Fortran; plot3d_layout finds out which.
 //
 // Points of blocks' sides at the same coordinates (to 1e-12 of the largest) are one point of the
-// mesh, so that interfaces and cuts close and cells at a pole become triangles. What is left of the
-// sides is boundary: of the names in a .nmf file beside the grid, else BLOCK:SIDE, as 1:jmin.
+// mesh, so that interfaces and cuts close and cells at a pole become triangles. The
+// remaining sides are the boundary, with the names in a .nmf file beside the grid, or else
+// BLOCK:SIDE, such as 1:jmin.
 // Numbers with a repeat count, 3*1.0, are written out when the file is read: the morphed file has
 // them one by one.
 #include "formats/format.hpp"
@@ -35,8 +36,7 @@ bool has_usual_extension(const std::string& path) {
     return false;
 }
 
-// A file that is cut off fits no layout, but its records or its name may still say what it should
-// be.
+// A file that is cut off fits no layout, but its records or its name may still identify it.
 bool probe_plot3d(const TextFile& file) {
     Plot3dLayout layout;
     std::string reason, expanded;

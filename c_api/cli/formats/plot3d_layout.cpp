@@ -23,12 +23,12 @@ std::string sizes(const Plot3dLayout& layout) {
     return text;
 }
 
-// Numbers of a block behind its sizes.
+// Returns how many numbers of the file are those of a block, without the sizes.
 std::int64_t numbers_of(const Plot3dLayout& layout, const Plot3dBlock& block) {
     return block.points() * (layout.dimensions + (layout.has_iblank ? 1 : 0));
 }
 
-// Plausible sizes only, so that no product of them overflows.
+// Tells whether the sizes are plausible; products of plausible sizes do not overflow.
 bool plausible(const Plot3dBlock& block, std::int64_t most) {
     std::int64_t points = 1;
     for (const std::int64_t n : block.n) {
@@ -45,7 +45,7 @@ public:
     explicit TextLayouts(const TextFile& file) {
         NumberReader numbers(file);
         std::int64_t value = 0;
-        // As many numbers as could be sizes; the rest is counted.
+        // Numbers that could be sizes are kept; the others are counted.
         while (parse(numbers.word(), value)) {
             if (whole_.size() < 3 * most_blocks) whole_.push_back(value);
             end_of_whole_.push_back(numbers.offset());
@@ -131,7 +131,7 @@ public:
             const bool there = opened && bytes <= left();
             if (there) at_ += static_cast<std::size_t>(bytes);
             if (there && close()) continue;
-            // The length of a record proves the layout: what is wrong is the file.
+            // The length of the record agrees with the layout, so the file is damaged.
             if (layout_.record_bytes > 0 && opened) {
                 reason = "byte " + std::to_string(begin) + ": the record of block " +
                          std::to_string(block + 1) + " (" + sizes(layout_) + ") has " +
@@ -153,7 +153,7 @@ private:
         at_ += word_bytes;
         return true;
     }
-    // The length before a record, and the same behind it.
+    // Reads the length before a record, which close() compares with the length behind the record.
     bool open(std::int64_t bytes) {
         length_ = bytes;
         return close();

@@ -17,7 +17,7 @@ namespace cli {
 namespace {
 
 constexpr double rounding_of_cuts =
-    1e-12;  // of the largest coordinate: generators compute both sides of a cut
+    1e-12;  // times the largest coordinate: both sides of a cut are computed
 
 class Plot3dReader {
 public:
@@ -32,8 +32,9 @@ private:
     int across(const Plot3dBlock& block) const;
     bool is_on_side(const Plot3dBlock& block, const Index3& index) const;
     std::int32_t point(std::size_t block, const Index3& index) const {
-        const Plot3dBlock& its = layout_.blocks[block];
-        const auto number = first_[block] + index[0] + its.n[0] * (index[1] + its.n[1] * index[2]);
+        const Plot3dBlock& grid = layout_.blocks[block];
+        const auto number =
+            first_[block] + index[0] + grid.n[0] * (index[1] + grid.n[1] * index[2]);
         return point_of_[static_cast<std::size_t>(number)];
     }
     std::vector<std::int32_t> corners(std::size_t block, const Index3& low, const Index3& high,
@@ -44,11 +45,11 @@ private:
 
     Mesh& mesh_;
     const Plot3dLayout& layout_;
-    SpacePoints in_file_, points_;  // as the file has them; joined, each place on a side once
+    SpacePoints in_file_, points_;  // all points; joined, so that each place on a side is one point
     std::vector<SpaceCopy> copies_;
-    std::vector<std::int64_t> first_;      // point of each block in the file
-    std::vector<std::int32_t> point_of_;   // in points_, of those of the file
-    std::unique_ptr<OneCellThick> solid_;  // none: one plane
+    std::vector<std::int64_t> first_;     // the number of the first point of each block in the file
+    std::vector<std::int32_t> point_of_;  // for each point of the file: its point in points_
+    std::unique_ptr<OneCellThick> solid_;  // empty for a grid of one plane
     std::vector<NmfPatch> patches_;
     std::int64_t blanked_ = 0;
 };
@@ -80,7 +81,8 @@ void Plot3dReader::read() {
     drop_interior_faces(mesh_, false);
     drop_empty_markers(mesh_);
     if (blanked_ > 0)
-        mesh_.remark(plural(blanked_, "point") + " with iblank 0: iblank is ignored (and kept)");
+        mesh_.remark(plural(blanked_, "point") +
+                     " with iblank 0: iblank is ignored, and kept in the file");
 }
 
 void Plot3dReader::read_points() {
@@ -92,7 +94,7 @@ void Plot3dReader::read_points() {
     numbers.jump(layout_.data);
     std::int64_t total = 0;
     for (const Plot3dBlock& block : layout_.blocks) total += block.points();
-    if (total > INT32_MAX) mesh_.file.fail(0, "more than 2147483647 points");
+    if (total > INT32_MAX) mesh_.file.fail(0, "the grid has more than 2147483647 points");
     const auto dimensions = static_cast<std::size_t>(layout_.dimensions);
     for (std::size_t d = 0; d < 3; ++d) {
         in_file_.x[d].reserve(static_cast<std::size_t>(total));
@@ -117,8 +119,9 @@ void Plot3dReader::read_points() {
     }
 }
 
-// The direction from one plane of a block to the other, which has two points, or one where there is
-// one plane; -1: several directions have two, and only the whole mesh tells.
+// Returns the direction from one plane of a block to the other, which has two points, or one point
+// where there is one plane. Returns -1 if several directions have two points, so that only the
+// whole mesh tells.
 int Plot3dReader::across(const Plot3dBlock& block) const {
     for (const int d : {2, 1, 0}) {
         if (block.n[static_cast<std::size_t>(d)] == 1) return d;
@@ -137,7 +140,7 @@ bool Plot3dReader::is_on_side(const Plot3dBlock& block, const Index3& index) con
     return false;
 }
 
-// Points on the sides of blocks that are at one place become one.
+// Joins points on the sides of blocks that are at one place.
 void Plot3dReader::join_points() {
     double largest = 0;
     for (const auto& values : in_file_.x) {
@@ -155,20 +158,21 @@ void Plot3dReader::join_points() {
             for (index[1] = 0; index[1] < block.n[1]; ++index[1]) {
                 for (index[0] = 0; index[0] < block.n[0]; ++index[0]) {
                     const std::size_t k = point_of_.size();
-                    SpaceCopy its = {points_.points(), {}, {}};
+                    SpaceCopy copy = {points_.points(), {}, {}};
                     for (std::size_t d = 0; d < 3; ++d) {
-                        its.x[d] = in_file_.x[d][k];
-                        its.offset[d] = in_file_.offset[d][k];
+                        copy.x[d] = in_file_.x[d][k];
+                        copy.offset[d] = in_file_.offset[d][k];
                     }
-                    if (is_on_side(block, index)) its.of = on_sides.find_or_add(its.x, its.of);
-                    point_of_.push_back(its.of);
-                    if (its.of < points_.points()) {
-                        copies_.push_back(its);
+                    if (is_on_side(block, index))
+                        copy.original = on_sides.find_or_add(copy.x, copy.original);
+                    point_of_.push_back(copy.original);
+                    if (copy.original < points_.points()) {
+                        copies_.push_back(copy);
                         continue;
                     }
                     for (std::size_t d = 0; d < 3; ++d) {
-                        points_.x[d].push_back(its.x[d]);
-                        points_.offset[d].push_back(its.offset[d]);
+                        points_.x[d].push_back(copy.x[d]);
+                        points_.offset[d].push_back(copy.offset[d]);
                     }
                 }
             }
@@ -177,8 +181,8 @@ void Plot3dReader::join_points() {
     in_file_ = {};
 }
 
-// Of a box of one cell, or of one of its sides: the points round it in the plane across
-// `direction`, without those that are the same as the one before.
+// Returns the points round a cell, or the ends of a side of a cell, in the plane across
+// `direction`. Each point is in the list once.
 std::vector<std::int32_t> Plot3dReader::corners(std::size_t block, const Index3& low,
                                                 const Index3& high, int direction) const {
     const auto u = static_cast<std::size_t>(direction == 0 ? 1 : 0),
@@ -189,25 +193,26 @@ std::vector<std::int32_t> Plot3dReader::corners(std::size_t block, const Index3&
         Index3 index = low;
         index[u] = corner[0] ? high[u] : low[u];
         index[v] = corner[1] ? high[v] : low[v];
-        const std::int32_t its = point(block, index);
-        if (std::find(found.begin(), found.end(), its) == found.end()) found.push_back(its);
+        const std::int32_t corner_point = point(block, index);
+        if (std::find(found.begin(), found.end(), corner_point) == found.end())
+            found.push_back(corner_point);
     }
     return found;
 }
 
 void Plot3dReader::build_cells(std::size_t block) {
-    const Plot3dBlock& its = layout_.blocks[block];
-    const int flat = solid_ ? -1 : across(its);
-    if (solid_ && std::count(its.n.begin(), its.n.end(), 2) == 0) {
+    const Plot3dBlock& grid = layout_.blocks[block];
+    const int flat = solid_ ? -1 : across(grid);
+    if (solid_ && std::count(grid.n.begin(), grid.n.end(), 2) == 0) {
         const auto& offset = solid_->points().offset[0];
         mesh_.file.fail(offset[static_cast<std::size_t>(point(block, {0, 0, 0}))],
                         "the mesh has three dimensions and is not one cell thick: block " +
-                            std::to_string(block + 1) + " (" + std::to_string(its.n[0]) + " x " +
-                            std::to_string(its.n[1]) + " x " + std::to_string(its.n[2]) +
+                            std::to_string(block + 1) + " (" + std::to_string(grid.n[0]) + " x " +
+                            std::to_string(grid.n[1]) + " x " + std::to_string(grid.n[2]) +
                             ") has no direction of two points");
     }
     const auto cells_along = [&](std::size_t d) {
-        return static_cast<int>(d) == flat ? 1 : its.n[d] - 1;
+        return static_cast<int>(d) == flat ? 1 : grid.n[d] - 1;
     };
     Index3 low = {0, 0, 0};
     for (low[2] = 0; low[2] < cells_along(2); ++low[2]) {
@@ -222,7 +227,8 @@ void Plot3dReader::build_cells(std::size_t block) {
                     continue;
                 }
                 std::array<std::int32_t, 8> cell;
-                for (std::size_t c = 0; c < 8; ++c) {  // round the lower side, then the upper
+                for (std::size_t c = 0; c < 8;
+                     ++c) {  // round the lower side, then round the upper side
                     const bool i = c % 4 == 1 || c % 4 == 2, j = c % 4 >= 2, k = c >= 4;
                     cell[c] = point(
                         block, {i ? high[0] : low[0], j ? high[1] : low[1], k ? high[2] : low[2]});
@@ -234,24 +240,25 @@ void Plot3dReader::build_cells(std::size_t block) {
     }
 }
 
-// Face by face, with the name of a patch that has the face, else the side's.
+// Adds the faces of all sides. A face has the name of the patch that it is in, or else that of the
+// side.
 void Plot3dReader::build_sides(std::size_t block) {
-    const Plot3dBlock& its = layout_.blocks[block];
+    const Plot3dBlock& grid = layout_.blocks[block];
     for (int direction = 0; direction < 3; ++direction) {
-        if (direction == across(its)) continue;
+        if (direction == across(grid)) continue;
         const std::size_t d = static_cast<std::size_t>(direction), u = d == 0 ? 1 : 0,
                           v = d == 2 ? 1 : 2;
         for (const bool at_end : {false, true}) {
             const std::string name =
                 std::to_string(block + 1) + ":" + "ijk"[direction] + (at_end ? "max" : "min");
-            for (std::int64_t i = 0; i < std::max<std::int64_t>(its.n[u] - 1, 1); ++i) {
-                for (std::int64_t j = 0; j < std::max<std::int64_t>(its.n[v] - 1, 1); ++j) {
+            for (std::int64_t i = 0; i < std::max<std::int64_t>(grid.n[u] - 1, 1); ++i) {
+                for (std::int64_t j = 0; j < std::max<std::int64_t>(grid.n[v] - 1, 1); ++j) {
                     NmfPatch face = {name, block, direction, at_end, {0, 0, 0}, {0, 0, 0}};
-                    face.low[d] = face.high[d] = at_end ? its.n[d] - 1 : 0;
+                    face.low[d] = face.high[d] = at_end ? grid.n[d] - 1 : 0;
                     face.low[u] = i;
                     face.low[v] = j;
-                    face.high[u] = std::min(i + 1, its.n[u] - 1);
-                    face.high[v] = std::min(j + 1, its.n[v] - 1);
+                    face.high[u] = std::min(i + 1, grid.n[u] - 1);
+                    face.high[v] = std::min(j + 1, grid.n[v] - 1);
                     for (const NmfPatch& patch : patches_) {
                         if (patch.block == block && patch.direction == direction &&
                             patch.at_end == at_end && patch.low[u] <= face.low[u] &&
@@ -268,14 +275,14 @@ void Plot3dReader::build_sides(std::size_t block) {
 }
 
 void Plot3dReader::add_side(const NmfPatch& side) {
-    const std::vector<std::int32_t> its = corners(side.block, side.low, side.high, side.direction);
-    if (its.size() < (solid_ ? 3 : 2)) return;  // a pole
-    const auto first = static_cast<std::size_t>(its[0]);
+    const std::vector<std::int32_t> ends = corners(side.block, side.low, side.high, side.direction);
+    if (ends.size() < (solid_ ? 3 : 2)) return;  // a side that is a pole has no faces
+    const auto first = static_cast<std::size_t>(ends[0]);
     if (solid_) {
-        solid_->add_side(its.data(), its.size(), mesh_.add_marker(side.name),
+        solid_->add_side(ends.data(), ends.size(), mesh_.add_marker(side.name),
                          solid_->points().offset[0][first]);
     } else {
-        mesh_.add_face(its[0], its[1], mesh_.add_marker(side.name), mesh_.point_offset[first]);
+        mesh_.add_face(ends[0], ends[1], mesh_.add_marker(side.name), mesh_.point_offset[first]);
     }
 }
 

@@ -1,4 +1,4 @@
-// From the blocks of a PLOT3D grid to points, cells and sides of a mesh; see plot3d.cpp.
+// Makes points, cells and sides of a mesh from the blocks of a PLOT3D grid; see plot3d.cpp.
 #pragma once
 
 #include "formats/format.hpp"

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t longest_value = 64;  // characters of a number
 constexpr std::int64_t most_per_word = 8,
-                       most_of_few = 1000;  // numbers; poles repeat all coordinates
+                       most_of_few = 1000;  // numbers; at a pole all coordinates are repeated
 
 std::int64_t count_words(std::string_view text) {
     std::int64_t words = 0;
@@ -52,7 +52,7 @@ bool expand_repeats(const TextFile& file, std::string& expanded) {
             continue;
         if (count > left) {
             file.fail(begin, "the repeat count " + std::to_string(count) +
-                                 " is more than a grid with so few numbers has");
+                                 " is larger than any in a grid with so few numbers");
         }
         left -= count;
         expanded.append(text, copied, begin - copied);

@@ -1,4 +1,4 @@
-// The same file with other coordinates, whatever its format.
+// Writes the file of a mesh, of any format, with other coordinates.
 #include "formats/format.hpp"
 
 #include "formats/bytes.hpp"
@@ -24,7 +24,7 @@ struct Change {
     double value, tolerance;
 };
 
-// Everything that differs between the file and the moved mesh, in the order of the file.
+// All numbers that differ between the file and the moved mesh, in the order of the file.
 class Changes {
 public:
     Changes(const Mesh& mesh, const double* x, const double* y) : mesh_(mesh), x_(x), y_(y) {
@@ -99,7 +99,7 @@ private:
     Complex before(std::size_t point) const { return {mesh_.x[point], mesh_.y[point]}; }
     Complex after(std::size_t point) const { return {x_[point], y_[point]}; }
 
-    // A thousandth of the shortest edge at each point, before or after.
+    // Finds a thousandth of the shortest edge at each point, before or after the movement.
     void find_tolerances() {
         tolerance_.assign(mesh_.x.size(), std::numeric_limits<double>::infinity());
         for (std::size_t cell = 0; cell + 1 < mesh_.cell_start.size(); ++cell) {

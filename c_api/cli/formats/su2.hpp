@@ -1,4 +1,4 @@
-// What the reader and the writer of SU2 files have in common.
+// Types of elements, and the reader of SU2 files.
 #pragma once
 
 #include "formats/format.hpp"
@@ -10,7 +10,7 @@ enum Su2Element {
     element_line = 3,
     element_triangle = 5,
     element_quad = 9
-};  // VTK's numbers
+};  // the numbers of VTK
 
 void read_su2(Mesh& mesh, const ReadOptions& options);  // fills the mesh, or throws a Failure
 

@@ -1,9 +1,9 @@
 // Reads SU2 files.
 //
-// Files from outside vary: sections in any order, tabs, carriage returns, "KEY=value" and "KEY=
-// value", two counts after NPOIN, 2 to 4 numbers per point, elements with or without their number,
-// periodic blocks and FFD boxes between or after. Of several zones (NZONE, IZONE) one is read;
-// lines of the others are passed over, and stay.
+// Files of other programs vary: sections in any order, tabs, carriage returns, "KEY=value" and
+// "KEY= value", two counts after NPOIN, 2 to 4 numbers per point, elements with or without their
+// number, periodic blocks and FFD boxes between or after. One of several zones (NZONE, IZONE) is
+// read; the lines of the others are passed over, and stay.
 #include "formats/su2.hpp"
 
 #include "basics/failure.hpp"
@@ -21,7 +21,8 @@ struct Heading {  // a line KEY= value
     std::string_view value;
 };
 
-// MARKER_TAG, and MARKERTAG, MARKER TAG, which SU2 reads as the same.
+// Tells whether the key is MARKER_TAG, MARKERTAG or MARKER TAG, between which SU2 does not
+// distinguish.
 bool is_marker_tag(const std::string& key) {
     std::string letters;
     for (const char c : key) letters += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
@@ -70,14 +71,14 @@ private:
     std::int32_t zones_ = 1, chosen_zone_ = 1, zones_begun_ = 0;
     std::size_t zones_line_ = 0;
     bool dimension_before_zones_ = false;
-    std::vector<std::int32_t> points_;  // of one element
+    std::vector<std::int32_t> points_;  // the points of one element
     std::set<std::string> seen_;        // sections that may stand only once
     std::int32_t markers_announced_ = 0, markers_found_ = 0;
 };
 
 void Su2Reader::read() {
-    bool understood = true;   // lines after a heading that is not are passed over
-    bool other_zone = false;  // than the one to be read
+    bool understood = true;   // lines after an unknown heading are passed over
+    bool other_zone = false;  // the present zone is not the one to be read
     while (lines_.next()) {
         if (at_heading()) {
             const Heading here = heading();
@@ -174,7 +175,7 @@ void Su2Reader::read_cells(const Heading& heading) {
 
 void Su2Reader::read_marker(const Heading& heading) {
     ++markers_found_;
-    if (heading.value.empty()) lines_.fail("expected the marker's name after MARKER_TAG=");
+    if (heading.value.empty()) lines_.fail("expected the name of the marker after MARKER_TAG=");
     const std::string_view tag = heading.value;
     if (!lines_.next() || this->heading().key != "MARKER_ELEMS") lines_.expected("MARKER_ELEMS=");
     const std::int32_t n = count(this->heading());
@@ -197,10 +198,10 @@ void Su2Reader::read_face(const Words& words, std::int32_t marker) {
     mesh_.add_face(ends[0], ends[1], marker, lines_.offset());
 }
 
-// Points shared with other parts or periodic partners: first SEND_RECV= 1, or SEND_TO= 1,
-// RECEIVE_FROM= 1, ...; then n lines such as "1 point transformation".
+// Passes over points that are shared with other parts or periodic partners: first SEND_RECV= 1, or
+// SEND_TO= 1, RECEIVE_FROM= 1, ...; then n lines such as "1 point transformation".
 void Su2Reader::pass_over_halo(std::int32_t n) {
-    mesh_.remark("SEND_RECEIVE blocks are ignored (and kept)");
+    mesh_.remark("SEND_RECEIVE blocks are ignored, and kept in the file");
     mesh_.likely_fault =
         "the file has SEND_RECEIVE blocks: halo layers of a periodic or divided mesh, "
         "whose outer edges are on no marker; make the mesh without halo layers";
@@ -216,9 +217,9 @@ void Su2Reader::pass_over_section(const std::string& key) {
     if (key.compare(0, 3, "FFD") == 0) {
         mesh_.remark("FFD boxes are kept as they are: they do not move with the mesh");
     } else if (key.find("PERIODIC") != std::string::npos) {
-        mesh_.remark("sections about periodic boundaries are ignored (and kept)");
+        mesh_.remark("sections about periodic boundaries are ignored, and kept in the file");
     } else {
-        mesh_.remark("section " + in_quotes(key) + " is ignored (and kept)");
+        mesh_.remark("section " + in_quotes(key) + " is ignored, and kept in the file");
     }
 }
 
@@ -253,7 +254,7 @@ const Su2Reader::Words& Su2Reader::data_line(const std::string& what, std::int32
     return lines_.words();
 }
 
-// After the type come n points and, in most files, the element's number.
+// Behind the type stand n points and, in most files, the number of the element.
 const std::vector<std::int32_t>& Su2Reader::points_of(const Words& words, std::size_t n) {
     if (words.size() < n + 1 || words.size() > n + 2) {
         lines_.expected("element type " + std::string(words[0]) + ", " + std::to_string(n) +

@@ -14,7 +14,7 @@ namespace cli {
 
 namespace {
 
-using EdgeKey = std::uint64_t;  // of two points, either way round
+using EdgeKey = std::uint64_t;  // identifies the edge between two points in both directions
 
 EdgeKey edge_of(std::int32_t a, std::int32_t b) {
     const auto low = static_cast<std::uint32_t>(std::min(a, b)),
@@ -23,7 +23,8 @@ EdgeKey edge_of(std::int32_t a, std::int32_t b) {
 }
 
 template <class Visit>
-void for_each_edge(const Mesh& mesh, Visit visit) {  // visit(from, to), once for each cell
+void for_each_edge(const Mesh& mesh,
+                   Visit visit) {  // calls visit(from, to) for each edge of each cell
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
         const std::int32_t* points = mesh.cell_points.data() + mesh.cell_start[cell];
         const std::int32_t n = mesh.cell_start[cell + 1] - mesh.cell_start[cell];
@@ -31,9 +32,9 @@ void for_each_edge(const Mesh& mesh, Visit visit) {  // visit(from, to), once fo
     }
 }
 
-// Leaves out edges (two points each) that lie in pairs at the same place: they are both sides of a
+// Removes edges (two points each) that lie in pairs at the same place: they are both sides of a
 // cut, as in the wake of a C-mesh or between the blocks of a grid, which the library closes if the
-// edges have no marker. Returns pairs of points at one place, both on edges that are left.
+// edges have no marker. Returns pairs of points at one place, both of which are on remaining edges.
 std::vector<std::int32_t> drop_cuts(Mesh& mesh, std::vector<std::int32_t>& edges) {
     using Ends = std::array<double, 4>;  // x and y of both ends, the lower one first
     const auto ends_of = [&](std::size_t edge) {
@@ -109,7 +110,7 @@ void check_points(const Mesh& mesh) {
 }
 
 void drop_interior_faces(Mesh& mesh, bool remark) {
-    std::unordered_map<EdgeKey, int> cells_at;  // cells beside each face
+    std::unordered_map<EdgeKey, int> cells_at;  // number of cells beside each face
     std::vector<char> on_face(mesh.x.size());
     for (std::size_t i = 0; i < mesh.face_points.size(); i += 2) {
         const std::int32_t a = mesh.face_points[i], b = mesh.face_points[i + 1];
@@ -143,11 +144,13 @@ void drop_interior_faces(Mesh& mesh, bool remark) {
     for (std::size_t marker = 0; marker < dropped.size(); ++marker) {
         if (dropped[marker] == 0 || !remark) continue;
         if (++named > most_named) {
-            mesh.remark("faces of other markers between two cells: ignored (and kept)");
+            mesh.remark(
+                "faces of other markers between two cells are ignored, and kept in the file");
             break;
         }
         mesh.remark(plural(dropped[marker], "face") + " of marker " +
-                    in_quotes(mesh.markers[marker]) + " between two cells: ignored (and kept)");
+                    in_quotes(mesh.markers[marker]) +
+                    " between two cells are ignored, and kept in the file");
     }
 }
 
@@ -160,7 +163,7 @@ void join_double_faces(Mesh& mesh) {
     std::sort(order.begin(), order.end());
     std::vector<char> is_double(order.size(), 0);
     std::map<std::set<std::int32_t>, std::int32_t>
-        joint;  // markers, and the one of faces that have them all
+        joint;  // sets of markers, and the marker of faces that have all of them
     for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
         std::set<std::int32_t> markers;
         for (end = begin; end < order.size() && order[end].first == order[begin].first; ++end) {
@@ -215,7 +218,7 @@ void drop_empty_markers(Mesh& mesh) {
 }
 
 void name_open_boundary(Mesh& mesh, const std::string& name) {
-    // Edges of cells by their lower point: those there once, and without a marker, are open.
+    // Edges of cells are sorted by their lower points. Edges of one cell without a marker are open.
     std::vector<std::size_t> start(mesh.x.size() + 1);
     const auto low = [](std::int32_t a, std::int32_t b) {
         return static_cast<std::size_t>(std::min(a, b));
@@ -225,7 +228,7 @@ void name_open_boundary(Mesh& mesh, const std::string& name) {
         return a >= 0 && b >= 0 && a < n && b < n;
     };
     const auto for_each_side =
-        [&](auto visit) {  // and each face, which is a second cell beside an edge
+        [&](auto visit) {  // visits faces, too, which count as a second cell beside an edge
             for_each_edge(mesh, [&](std::int32_t a, std::int32_t b) {
                 if (exists(a, b)) visit(a, b);
             });
@@ -256,7 +259,8 @@ void name_open_boundary(Mesh& mesh, const std::string& name) {
     }
     const std::vector<std::int32_t> meeting = drop_cuts(mesh, open);
     if (open.empty()) return;
-    std::vector<std::int32_t> connected = open;  // also across the ends of cuts
+    std::vector<std::int32_t> connected =
+        open;  // edges that are connected across the ends of cuts, too
     connected.insert(connected.end(), meeting.begin(), meeting.end());
     const BoundaryLoops loops(connected, n);
     for (std::size_t edge = 0; 2 * edge < open.size(); ++edge) {

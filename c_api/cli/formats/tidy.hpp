@@ -1,25 +1,25 @@
-// What is done with a mesh of any format once it has been read.
+// Steps that complete a mesh of any format after it has been read.
 #pragma once
 
 #include "mesh/mesh_file.hpp"
 
 namespace cli {
 
-// Refuses points of cells and faces that do not exist.
+// Refuses cells and faces with points that do not exist.
 void check_points(const Mesh& mesh);
 
-// Faces between two cells belong to no boundary: they are left out, and a remark may say so.
+// Removes faces between two cells, which belong to no boundary. `remark`: reports them.
 void drop_interior_faces(Mesh& mesh, bool remark);
 
-// Faces that stand several times become one: with several markers, "a" and "b", it gets the marker
-// "a+b", and mesh.groups says that both names belong to it.
+// Joins faces that are in the file several times. A face with the markers "a" and "b" gets the
+// marker "a+b", to which mesh.groups assigns both names.
 void join_double_faces(Mesh& mesh);
 
-// Leaves out markers without faces.
+// Removes markers without faces.
 void drop_empty_markers(Mesh& mesh);
 
-// Gives boundary edges that have no marker one: a loop of them is named NAME1, NAME2, ... Edges in
-// pairs at equal coordinates are cuts, and get none. For files that need not name their boundaries.
+// Names boundary edges without a marker NAME1, NAME2, ..., loop by loop. Edges in pairs at equal
+// coordinates are cuts, and get no marker. For formats in which boundaries may have no names.
 void name_open_boundary(Mesh& mesh, const std::string& name);
 
 }  // namespace cli

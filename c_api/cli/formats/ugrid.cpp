@@ -1,8 +1,8 @@
 // AFLR's UGRID files
 // (http://www.simcenter.msstate.edu/software/documentation/ug_io/3d_grid_file_type_ugrid.html), one
 // cell thick, between planes of any direction or in a wedge: text, or binary of both byte orders
-// (.b8, .lb8, .b4, .lb4). Markers have the names that a .mapbc file beside the mesh gives their
-// tags, else the tags themselves.
+// (.b8, .lb8, .b4, .lb4). Markers are called after their tags in a .mapbc file beside the
+// mesh, or else by the tags.
 #include "formats/format.hpp"
 
 #include "formats/bytes.hpp"
@@ -26,7 +26,8 @@ struct Layout {
     int real_bytes = 8;
 };
 
-// Whole numbers behind the coordinates: points of faces, tags of faces, points of cells.
+// Returns how many whole numbers stand behind the coordinates: points of faces, tags of faces and
+// points of cells.
 std::int64_t whole_numbers(const Counts& n) {
     return 4 * n[triangles] + 5 * n[quads] + 4 * n[tetrahedra] + 5 * n[pyramids] + 6 * n[prisms] +
            8 * n[hexahedra];
@@ -45,7 +46,8 @@ bool is_binary(const TextFile& file) {
     return file.text().substr(0, 4 * n_counts).find('\0') != std::string::npos;
 }
 
-// The bytes that a binary file of such a layout has; some have more, of grid levels.
+// Returns the bytes that a binary file of such a layout has at least. Files with grid levels have
+// more.
 std::int64_t binary_size(const Counts& n, int real_bytes) {
     return 4 * n_counts + 3 * real_bytes * n[nodes] + 4 * whole_numbers(n);
 }
@@ -65,7 +67,7 @@ bool find_layout(const TextFile& file, Layout& layout) {
     return false;
 }
 
-// Where the size fits none, the name must say it.
+// Returns the layout that fits the size of the file. If none fits, the name tells the layout.
 Layout layout_of(const TextFile& file) {
     Layout layout;
     if (find_layout(file, layout) || layout.is_text) return layout;
@@ -131,7 +133,7 @@ public:
                 const std::size_t n = corners_of[kind];
                 std::int32_t points[8];
                 const std::size_t offset = read_item(points, n);
-                if (kind == pyramids) {  // the base is 1 4 5 2, the apex 3
+                if (kind == pyramids) {  // the base has the corners 1 4 5 2, the apex is 3
                     const std::int32_t apex = points[2];
                     points[2] = points[4];
                     points[4] = apex;
@@ -169,7 +171,7 @@ private:
         return offset;
     }
 
-    // All faces, then all their tags.
+    // The file lists all faces, and then the tags of all faces.
     void read_sides(OneCellThick& thick) {
         struct Side {
             std::int32_t points[4];
@@ -199,7 +201,7 @@ private:
     Counts counts_ = {};
 };
 
-// Of text the first line: seven counts and nothing else.
+// A file in text has seven counts in the first line, and nothing else there.
 bool probe_ugrid(const TextFile& file) {
     Layout layout;
     if (ends_with(file.path(), ".ugrid") || find_layout(file, layout)) return true;

@@ -30,7 +30,7 @@ private:
     void read_types();
     void add_structured_cells();
     void pass_over();
-    void begin_numbers();  // behind the end of the line
+    void begin_numbers();  // goes to the next line
     std::int64_t text_count(const char* what);
 
     Mesh& mesh_;
@@ -39,7 +39,7 @@ private:
     VtkCells cells_;
     Elements elements_;
     bool is_structured_ = false;
-    std::int64_t size_[3] = {0, 0, 0};  // of a structured grid: points along i, j, k
+    std::int64_t size_[3] = {0, 0, 0};  // points of a structured grid along i, j, k
     bool points_read_ = false, cells_read_ = false, types_read_ = false;
 };
 
@@ -91,7 +91,7 @@ void VtkReader::read_head() {
     if (format != "ASCII" && format != "BINARY") numbers_.expected("ASCII or BINARY");
     binary_ = format == "BINARY";
     numbers_.swapped = mesh_.in_file.swapped =
-        binary_ && little_endian_machine();  // always big-endian
+        binary_ && little_endian_machine();  // these files are always big-endian
     if (numbers_.word() != "DATASET") numbers_.expected("DATASET");
     const std::string_view set = numbers_.word();
     is_structured_ = set == "STRUCTURED_GRID";
@@ -208,7 +208,7 @@ void VtkReader::read_types() {
     types_read_ = true;
 }
 
-// Quadrilaterals, or hexahedra where no direction has a single point.
+// Adds quadrilaterals, or hexahedra if every direction has several points.
 void VtkReader::add_structured_cells() {
     const std::int64_t points = elements_.points.points(), plane = size_[0] * size_[1];
     if (size_[0] < 1 || size_[1] < 1 || size_[2] < 1 || size_[2] > points ||
@@ -218,7 +218,7 @@ void VtkReader::add_structured_cells() {
                       plural(points, "point"));
     }
     const std::int64_t step[3] = {1, size_[0], plane};
-    std::size_t along[3], n = 0;  // directions with several points
+    std::size_t along[3], n = 0;  // the directions with several points
     for (std::size_t d = 0; d < 3; ++d) {
         if (size_[d] > 1) along[n++] = d;
     }

@@ -27,22 +27,23 @@ constexpr VtkShape vtk_shapes[] = {{vtk_line, {1, 2, 2}},
                                    {vtk_quadratic_quad, {2, 4, 8}},
                                    {vtk_biquadratic_quad, {2, 4, 9}},
                                    {vtk_biquadratic_triangle, {2, 3, 7}}};
-constexpr std::int64_t vertex = 1, several_vertices = 2, several_lines = 4;  // no part of the mesh
+constexpr std::int64_t vertex = 1, several_vertices = 2,
+                       several_lines = 4;  // these are no part of the mesh
 
 bool is_passed_over(std::int64_t type) {
     return type == vertex || type == several_vertices || type == several_lines;
 }
 
-// dimension 0: no element of a mesh.
+// Returns the shape of a cell; the dimension is 0 if the cell is no element of a mesh.
 ElementShape shape_of(std::int64_t type, std::int64_t n) {
     if (type == vtk_polygon && n >= 3) return {2, static_cast<int>(n), static_cast<int>(n)};
-    for (const VtkShape& its : vtk_shapes) {
-        if (its.type == type && its.shape.nodes == n) return its.shape;
+    for (const VtkShape& known : vtk_shapes) {
+        if (known.type == type && known.shape.nodes == n) return known.shape;
     }
     return {0, 0, 0};
 }
 
-// Pixels and voxels go line by line, and not round their faces.
+// Pixels and voxels list their corners line by line, and not round their faces.
 std::int64_t place_in_cell(std::int64_t type, std::int64_t k) {
     const bool by_lines = type == vtk_pixel || type == vtk_voxel;
     return by_lines && k % 4 >= 2 ? k / 4 * 4 + 5 - k % 4 : k;
@@ -66,13 +67,11 @@ void add_vtk_cells(const TextFile& file, const VtkCells& cells, std::int32_t fir
         if (is_passed_over(type)) continue;
         const ElementShape shape = shape_of(type, n);
         if (shape.dimension == 0) {
-            file.fail(
-                offset,
-                "cell " + std::to_string(i) + " is of type " + std::to_string(type) + " with " +
-                    plural(n, "point") +
-                    ": read are triangles and quadrilaterals of first and second order and "
-                    "polygons, and "
-                    "wedges and hexahedra one cell thick; save others as cells of first order");
+            file.fail(offset, "cell " + std::to_string(i) + " is of type " + std::to_string(type) +
+                                  " with " + plural(n, "point") +
+                                  ", which is not read: save triangles and quadrilaterals of first "
+                                  "or second order, polygons, "
+                                  "or wedges and hexahedra of first order one cell thick");
         }
         elements.add(shape, -1, offset);
         for (std::int64_t k = 0; k < n; ++k) {

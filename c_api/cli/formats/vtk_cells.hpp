@@ -1,4 +1,4 @@
-// Cells as VTK's files of both kinds have them.
+// Cells as legacy and XML files of VTK list them.
 #pragma once
 
 #include "formats/element_mesh.hpp"
@@ -23,22 +23,21 @@ enum VtkCellType {
     vtk_biquadratic_triangle = 34
 };
 
-// Of a triangle, a quadrilateral or a polygon.
+// Returns the type of a triangle, a quadrilateral or a polygon.
 inline int vtk_type(const Mesh& mesh, std::size_t cell) {
     const std::int32_t n = mesh.cell_start[cell + 1] - mesh.cell_start[cell];
     return n == 3 ? vtk_triangle : n == 4 ? vtk_quad : vtk_polygon;
 }
 
 struct VtkCells {
-    std::vector<std::int64_t> starts;  // cells + 1 places in `points`
+    std::vector<std::int64_t> starts;  // [cells + 1] places in `points`
     std::vector<std::int64_t> points, types;
-    std::vector<std::size_t> offsets;  // in the file, of each of `points`
-    std::size_t starts_offset = 0;     // in the file, of the first of `starts`
+    std::vector<std::size_t> offsets;  // the place in the file of each of `points`
+    std::size_t starts_offset = 0;     // the place in the file of the first of `starts`
 };
 
 // Adds cells of points first_point, first_point + 1, ... of `elements`, passes over vertices and
-// lines of several segments, and refuses what is no element of a mesh. VTK has no names for
-// boundaries.
+// lines of several segments, and refuses other cells. VTK has no names for boundaries.
 void add_vtk_cells(const TextFile& file, const VtkCells& cells, std::int32_t first_point,
                    Elements& elements);
 

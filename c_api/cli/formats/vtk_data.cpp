@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* zlib_compressor = "vtkZLibDataCompressor";
 
-// The bytes of an array one after another, from base64 or as they are in the file.
+// Takes the bytes of an array one after another, from base64 or raw data.
 class EncodedBytes {
 public:
     EncodedBytes(const TextFile& file, bool is_raw, std::size_t begin, std::size_t end,
@@ -31,7 +31,7 @@ public:
             at_ += n;
             return text_.substr(at_ - n, n);
         }
-        // Base64 needs more characters than bytes, so that a number of bytes that no file has is
+        // Base64 has more characters than bytes, so a number of bytes that the file cannot have is
         // refused here.
         const std::size_t there = decoded_.size() - used_;
         if (n > there &&
@@ -130,7 +130,7 @@ VtkDecoded decode_vtk(const TextFile& file, const VtkEncoding& as, const VtkArra
         }
         decode_blocks(bytes, file, as, array, name, found, text);
     }
-    // Arrays that overlap could ask for more than the file can hold.
+    // Arrays that overlap could need more memory than the file can hold.
     const std::size_t most =
         (as.compressor.empty() ? 1 : largest_ratio_of_zlib) * file.text().size();
     if (text.size() - file.text().size() > most)
@@ -182,7 +182,7 @@ void VtkStore::operator()(std::ostream& out, const Mesh& mesh, const std::string
             if (encoding.appended > 0 && list[k].begin >= encoding.appended &&
                 list[k].begin < encoding.appended + array.begin) {
                 offset += list[k].text.size() -
-                          (list[k].end - list[k].begin);  // modulo 2^64, if it shrinks
+                          (list[k].end - list[k].begin);  // modulo 2^64 if the array shrinks
             }
         }
         if (offset == array.begin) continue;

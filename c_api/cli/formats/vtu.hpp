@@ -1,4 +1,4 @@
-// VTU files (VTK XML, unstructured grid, in plain text) for ParaView.
+// Writes VTU files (VTK XML, unstructured grid, in text), which ParaView reads.
 #pragma once
 
 #include "mesh/mesh_file.hpp"
@@ -17,7 +17,7 @@ struct PointData {
 
 void write_vtu(std::ostream& out, const Mesh& mesh);
 
-// The cells of the mesh over points at x, y, with values at the points.
+// Writes the cells of the mesh, with points at x, y and values at the points.
 void write_vtu(std::ostream& out, const Mesh& mesh, const std::vector<double>& x,
                const std::vector<double>& y, const PointData& data);
 

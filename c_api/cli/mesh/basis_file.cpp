@@ -29,7 +29,7 @@ Block read_block(const std::string& path) {
     return block;
 }
 
-// The library speaks of blocks; what is missing of a file is told in its own terms.
+// Attaches the basis. The library names blocks in its errors; a file that is cut off is named here.
 bool attach(const hm_basis** basis, const Block& block, const hm_mesh* mesh,
             const std::string& path) {
     hm_error error = {};
@@ -55,7 +55,7 @@ hm_basis_info info_of(const hm_basis* basis, const std::string& path) {
 constexpr const char *title_of_names = "harmorph markers ", *title_of_slip = "harmorph slip ",
                      *title_of_conditions = "conditions ", *end_of_curves = "end";
 
-// The text behind the first `bytes` of the file.
+// Reads the text behind the first `bytes` of the file.
 class BehindBlock {
 public:
     BehindBlock(const Block& block, std::uint64_t bytes, const std::string& path)
@@ -69,9 +69,7 @@ public:
         std::int32_t n = 0;
         if (!next_line() || !begins_with(title_of_names) ||
             !parse(rest_behind(title_of_names), n) || n < 0) {
-            refuse(
-                "holds a basis without the names of its mesh's markers, so that it is not known "
-                "which are meant");
+            refuse("the file has no names of markers");
         }
         std::vector<std::string> names;
         while (names.size() < static_cast<std::size_t>(n) && next_line() && !text_.eof())
@@ -82,7 +80,7 @@ public:
                                      " names of markers, expected are " + std::to_string(n));
     }
 
-    // The curves along which points of these conditions slide.
+    // Returns the curves along which points of these conditions slide.
     std::vector<std::shared_ptr<const CurveSet>> slip_curves(
         std::vector<hm_condition>& conditions) {
         std::vector<std::shared_ptr<const CurveSet>> sets;
@@ -168,8 +166,7 @@ void refuse_other_functions(const hm_basis_info& info, const std::string& path) 
             exit_file,
             path + ": its functions are those of design variables, which only the library takes");
     }
-    // All of the functions take more bytes than this, so that no array becomes much larger than the
-    // file.
+    // The functions take more bytes than this, so no array becomes much larger than the file.
     if (static_cast<std::uint64_t>(info.functions) <= info.bytes / sizeof(float)) return;
     throw Failure(exit_file, path + ": the basis is a share: it does not hold all of its " +
                                  plural(info.functions, "function"));
@@ -190,13 +187,13 @@ Basis::Basis(const std::string& path, const Mesh& mesh)
     const hm_mesh view = mesh.view();
     mesh_has_moved_ = attach(&basis_, block_, &view, path_);
     if (info_.solved == 0)
-        throw Failure(exit_file, path_ + ": holds no functions: it has not been solved");
+        throw Failure(exit_file, path_ + ": the basis has no functions, as it has not been solved");
     refuse_other_functions(info_, path_);
-    curve_.assign(static_cast<std::size_t>(info_.curves) + 1, sized<hm_curve>());  // never none
+    curve_.assign(static_cast<std::size_t>(info_.curves) + 1, sized<hm_curve>());  // never empty
     call(path_, hm_basis_curves, basis_, &curves_, curve_.data(), info_.curves);
     std::int32_t n = 0;
     hm_basis_conditions(basis_, nullptr, 0, &n, nullptr);
-    // At least one, whose size tells that of all.
+    // There is at least one, whose size tells the size of all.
     conditions_.assign(static_cast<std::size_t>(n) + 1, sized<hm_condition>());
     call(path_, hm_basis_conditions, basis_, conditions_.data(), n + 1, &n);
     conditions_.resize(static_cast<std::size_t>(n));
@@ -206,12 +203,12 @@ Basis::Basis(const std::string& path, const Mesh& mesh)
     if (mesh_has_moved_) find_curves(mesh);
 }
 
-// By the movement that the mesh has made since the basis was solved.
+// Finds the curves from the movement that the mesh has made since the basis was solved.
 void Basis::find_curves(const Mesh& mesh) {
     std::size_t bytes = 0;
     call(path_, hm_recover_movement_size, basis_, &bytes);
     Block work(bytes);
-    std::vector<double> moves(2 * static_cast<std::size_t>(info_.functions) + 1);  // never none
+    std::vector<double> moves(2 * static_cast<std::size_t>(info_.functions) + 1);  // never empty
     const hm_points at = mesh.coordinates();
     hm_error error = {};
     const hm_status status = hm_recover_movement(basis_, &at, 0, moves.data(), &distance_, nullptr,

@@ -1,13 +1,16 @@
-// Basis files: the library's block as it is, which hm_basis_attach takes, and behind it the names
-// of the mesh's markers, which the block has by number only, and the curves along which points
+// Basis files have the block of the library, which hm_basis_attach takes, and behind the block the
+// names of the markers, which the block has by number only, and the curves along which points
 // slide, which the block does not have:
 //
 //     harmorph markers 2        (behind a line feed)
 //     far field                 marker 0
-//     airfoil                   marker 1; names stand in alphabetical order
-//     harmorph slip 1           sets of curves
-//     conditions 0 3            those of the block, from 0, whose points slide along the curves
-//     that follow degree 3                  ... the lines of a curve file end
+//     airfoil                   marker 1
+//     harmorph slip 1           number of sets of curves
+//     conditions 0 3            the conditions of the block, counted from 0, whose points slide
+//                               along the curves that follow
+//     degree 3
+//     ...                       the lines of a curve file
+//     end
 #pragma once
 
 #include "curves/curves.hpp"
@@ -20,8 +23,8 @@
 
 namespace cli {
 
-// A basis read from a file and attached to its mesh. Refused by name: a file without names, a mesh
-// with other markers, conditions on markers that the mesh does not have, functions of design
+// A basis that is read from a file and attached to its mesh. Refuses a file without names, a mesh
+// with other markers, conditions on markers that the mesh does not have, and functions of design
 // variables.
 class Basis {
 public:
@@ -30,27 +33,29 @@ public:
 
     const std::string& path() const { return path_; }
     const hm_basis* get() const { return basis_; }
-    // Where they are on the mesh, which may have moved since the basis was solved; a Failure where
-    // its wall is on none.
+    // Returns the curves on the mesh, which may have moved since the basis was solved. Throws a
+    // Failure if the wall is on no curve.
     const hm_curves& curves() const;
-    const hm_curves& curves_at_start() const { return curves_; }  // those it was solved with
+    const hm_curves& curves_at_start() const {
+        return curves_;
+    }  // the curves that the basis was solved with
     std::int32_t n_control() const { return curves_.n_control; }
     bool mesh_has_moved() const { return mesh_has_moved_; }
     const std::string& why_on_no_curve() const {
         return why_on_no_curve_;
-    }  // empty: the wall is on the curves
+    }  // empty if the wall is on the curves
     double distance_from_curves() const {
         return distance_;
-    }  // of a mesh that has moved: see hm_recover_movement
+    }  // for a mesh that has moved; see hm_recover_movement
     const hm_basis_info& info() const { return info_; }
     const std::vector<hm_condition>& conditions() const {
         return conditions_;
-    }  // on the mesh's markers
+    }  // on the markers of the mesh
     const std::vector<std::shared_ptr<const CurveSet>>& slip_curves() const {
         return slip_curves_;
-    }  // of conditions
+    }  // curves of conditions
     std::int32_t functions() const { return info_.functions; }
-    // One of the numbers of a function's value at every point of the mesh.
+    // Returns one of the numbers of the value of a function, at every point of the mesh.
     std::vector<double> values(std::int32_t function, std::int32_t number, const Mesh& mesh) const;
 
 private:
@@ -70,7 +75,7 @@ private:
     std::vector<std::shared_ptr<const CurveSet>> slip_curves_;
 };
 
-// conditions: those that the basis was solved with.
+// Writes the file. `conditions` are those that the basis was solved with.
 void write_basis(std::ostream& out, const hm_basis* basis, const Mesh& mesh,
                  const std::vector<hm_condition>& conditions);
 

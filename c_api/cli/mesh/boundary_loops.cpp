@@ -8,7 +8,7 @@
 namespace cli {
 
 BoundaryLoops::BoundaryLoops(const std::vector<std::int32_t>& ends, std::int32_t n_points) {
-    // The points of one loop have one root, which is the least of them.
+    // The points of one loop have one root, which is the smallest of them.
     std::vector<std::int32_t> parent(place(n_points));
     std::iota(parent.begin(), parent.end(), 0);
     const auto root = [&parent](std::int32_t point) {
@@ -24,8 +24,8 @@ BoundaryLoops::BoundaryLoops(const std::vector<std::int32_t>& ends, std::int32_t
     }
     std::vector<std::int32_t> number(place(n_points), -1);
     for (const std::int32_t point : ends) number[place(root(point))] = 0;
-    for (std::int32_t& its : number) {
-        if (its == 0) its = count++;
+    for (std::int32_t& loop : number) {
+        if (loop == 0) loop = count++;
     }
     for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
         of_edge.push_back(number[place(root(ends[i]))]);

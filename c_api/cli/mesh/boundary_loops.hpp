@@ -1,5 +1,5 @@
-// Edges that are connected by their ends. Edges of a closed boundary form loops; edges of a part of
-// a boundary may form open chains. Both are called loops here.
+// Finds edges that are connected by their ends. Edges of a closed boundary form loops; edges of a
+// part of a boundary may form open chains. Both are called loops here.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace cli {
 struct BoundaryLoops {
     std::int32_t count = 0;
     std::vector<std::int32_t>
-        of_edge;  // the loop of each edge, from 0; loops are numbered by their least point
+        of_edge;  // the loop of each edge, from 0; loops are in the order of their smallest points
 
     // ends: two points of each edge, between 0 and n_points - 1.
     BoundaryLoops(const std::vector<std::int32_t>& ends, std::int32_t n_points);

@@ -1,5 +1,4 @@
-// Markers by what the user calls them: names, patterns with * and ?, and whole loops of the
-// boundary.
+// Finds markers by names, patterns with * and ?, and whole loops of the boundary.
 #include "mesh/boundary_loops.hpp"
 #include "basics/failure.hpp"
 #include "mesh/mesh_file.hpp"
@@ -14,9 +13,9 @@ namespace cli {
 namespace {
 
 constexpr std::string_view loop_prefix = "loop:";
-constexpr std::size_t most_listed = 12;  // names in a message
+constexpr std::size_t most_listed = 12;  // largest number of names in a message
 
-// * stands for any characters, ? for one.
+// In a pattern, * stands for any characters, and ? for one character.
 bool matches(std::string_view pattern, std::string_view name) {
     std::size_t p = 0, n = 0, star = pattern.npos, from = 0;
     while (n < name.size()) {
@@ -131,10 +130,10 @@ private:
     }
 
     const Mesh& mesh_;
-    std::vector<std::int32_t> faces_;  // of each marker
+    std::vector<std::int32_t> faces_;  // number of faces of each marker
 };
 
-// visit(name) for each name of a list; a name may hold commas if it stands alone.
+// Calls visit(name) for each name of a list. A name that stands alone may hold commas.
 template <class Visit>
 void for_each_name(const Selection& selection, const std::string& list, const Visit& visit) {
     if (selection.is_known(list)) return visit(std::string_view(list));

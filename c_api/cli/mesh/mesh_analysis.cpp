@@ -1,3 +1,4 @@
+#include <harmorph_design.h>
 #include <harmorph_study.h>
 #include "mesh/mesh_analysis.hpp"
 

@@ -1,4 +1,4 @@
-// What the library finds out about a mesh by itself, without curves.
+// Results of the library about a mesh alone, without curves.
 #pragma once
 
 #include <harmorph_study.h>
@@ -9,7 +9,7 @@
 
 namespace cli {
 
-struct BoundaryPiece {  // points in order, the mesh on their left
+struct BoundaryPiece {  // points in order, with the mesh on the left
     std::vector<std::int32_t> points;
     bool is_loop = false;
 };
@@ -17,11 +17,11 @@ struct BoundaryPiece {  // points in order, the mesh on their left
 class MeshAnalysis {
 public:
     explicit MeshAnalysis(
-        const Mesh& mesh);  // refuses a mesh that is not well formed; inverted cells are allowed
+        const Mesh& mesh);  // refuses a mesh that is not well formed; allows inverted cells
     MeshAnalysis(const MeshAnalysis&) = delete;
 
     hm_mesh_report report() const;
-    // Refuses more than one piece, unless the one nearest to a point is asked for.
+    // Returns the piece of the markers nearest to a point. Without a point, refuses several pieces.
     BoundaryPiece boundary(const std::vector<std::int32_t>& markers,
                            const Point* near = nullptr) const;
 

@@ -41,15 +41,15 @@ std::int32_t Mesh::add_marker(std::string_view tag) {
 
 void Mesh::remark(const std::string& text) {
     constexpr std::size_t most_remarks =
-        100;  // more help nobody, and each is compared with all before
+        100;  // more do not help, and each is compared with all before
     if (remarks.size() >= most_remarks) return;
     if (std::find(remarks.begin(), remarks.end(), text) == remarks.end()) remarks.push_back(text);
 }
 
-void Mesh::add_point(double its_x, double its_y, std::size_t x_offset, std::size_t y_offset) {
+void Mesh::add_point(double point_x, double point_y, std::size_t x_offset, std::size_t y_offset) {
     const std::int32_t point = points();
-    x.push_back(its_x);
-    y.push_back(its_y);
+    x.push_back(point_x);
+    y.push_back(point_y);
     point_offset.push_back(x_offset);
     in_file.slots.push_back({x_offset, point, takes_x});
     in_file.slots.push_back({y_offset, point, takes_y});

@@ -62,7 +62,7 @@ private:
         return mesh_.face_points[static_cast<std::size_t>(2 * face + which)];
     }
 
-    // The new point on the edge between two old ones.
+    // Returns the new point on the edge between two old points.
     std::int32_t between(std::int32_t a, std::int32_t b) const {
         const Edge edge = {std::min(a, b), std::max(a, b)};
         const auto found = std::lower_bound(edges_.begin(), edges_.end(), edge, precedes);
@@ -95,7 +95,8 @@ private:
 
     const Mesh& mesh_;
     std::vector<Edge> edges_;
-    std::vector<Point> points_;  // the old ones, one on each edge, one in each quadrilateral
+    std::vector<Point>
+        points_;  // the old points, then one on each edge and one in each quadrilateral
     std::vector<std::vector<std::int32_t>> cells_;
 };
 

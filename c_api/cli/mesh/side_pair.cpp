@@ -15,10 +15,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double fits_within = 1e-6;  // of the extent, as the library has it
+constexpr double fits_within = 1e-6;  // times the extent, as in the library
 
 struct Sides {
-    std::vector<Complex> from, to;  // images of each other, in order
+    std::vector<Complex> from, to;  // points that are images of each other, in order
 
     double misfit(Complex turn, Complex shift) const {
         double worst = 0;
@@ -33,12 +33,12 @@ struct Sides {
         }
         return misfit(turn, shift) <= fits_within * extent;
     }
-    Complex mean(const std::vector<Complex>& of) const {
+    Complex mean(const std::vector<Complex>& side) const {
         Complex sum = 0;
-        for (const Complex z : of) sum += z;
-        return sum / static_cast<double>(of.size());
+        for (const Complex z : side) sum += z;
+        return sum / static_cast<double>(side.size());
     }
-    // The turn of least squares that takes `from`, seen from a, to `to`, seen from b.
+    // Returns the rotation that maps `from` - a to `to` - b best, by least squares.
     Complex turn_about(Complex a, Complex b) const {
         Complex sum = 0;
         for (std::size_t k = 0; k < from.size(); ++k) sum += std::conj(from[k] - a) * (to[k] - b);
@@ -46,7 +46,8 @@ struct Sides {
     }
 };
 
-// Nothing where the markers are not one open piece each, with as many points.
+// Returns nothing if one of the markers is not one open piece, or if their numbers of points
+// differ.
 std::optional<Sides> sides_of(const Mesh& mesh, std::int32_t marker, std::int32_t partner) {
     try {
         const MeshAnalysis analysis(mesh);
@@ -57,13 +58,13 @@ std::optional<Sides> sides_of(const Mesh& mesh, std::int32_t marker, std::int32_
             return Complex(mesh.x[static_cast<std::size_t>(point)],
                            mesh.y[static_cast<std::size_t>(point)]);
         };
-        // Both have the mesh on their left: they run against each other.
+        // Both pieces have the mesh on their left, so they run in opposite directions.
         for (std::size_t k = 0; k < a.points.size(); ++k) {
             sides.from.push_back(place(a.points[k]));
             sides.to.push_back(place(b.points[b.points.size() - 1 - k]));
         }
         return sides;
-    } catch (const Failure&) {  // the library says what is wrong when the problem is solved
+    } catch (const Failure&) {  // the library refuses the markers when the problem is solved
         return {};
     }
 }

@@ -14,7 +14,8 @@ namespace cli {
 
 namespace {
 
-// A number of the file moves by dx along[0] + dy along[1] with its point of the plane.
+// Collects the coordinates of the file that move: a number moves by dx along[0] + dy along[1] if
+// its point of the plane moves by dx, dy.
 class Slots {
 public:
     explicit Slots(Mesh& mesh) : mesh_(mesh) {}
@@ -45,7 +46,8 @@ private:
     std::map<std::pair<double, double>, std::int32_t> numbers_;
 };
 
-// What the point of a refusal says, and where it stands.
+// Refuses the mesh with the text of the library, at the place of the point, side or cell that the
+// error names.
 [[noreturn]] void refuse_space(const Mesh& mesh, const SpaceMesh& space, const hm_error& error) {
     const std::vector<std::size_t>* offsets = &space.face_offset;
     if (error.item_kind == HM_ITEM_POINT) offsets = &space.points.offset[0];
@@ -59,8 +61,8 @@ private:
                                std::string(error.text));
 }
 
-// In a wedge that reaches to the axis, its edges there are a boundary of the plane, but no face of
-// the file.
+// Adds the marker "axis": in a wedge that reaches to the axis, the edges there are a boundary of
+// the plane, but no face of the file.
 void add_axis(Mesh& mesh) {
     double largest = 0;
     for (const double y : mesh.y) largest = std::max(largest, std::fabs(y));
@@ -82,7 +84,7 @@ void add_axis(Mesh& mesh) {
 }  // namespace
 
 void take_flat(Mesh& mesh, const SpacePoints& points, const std::vector<SpaceCopy>& copies) {
-    constexpr double rounding = 1e-9;  // of the largest extent
+    constexpr double rounding = 1e-9;  // times the largest extent
     double extent = 0;
     for (const std::vector<double>& values : points.x) {
         const auto range = std::minmax_element(values.begin(), values.end());
@@ -117,7 +119,7 @@ void take_flat(Mesh& mesh, const SpacePoints& points, const std::vector<SpaceCop
             slots.add(points.offset[d][k], points.x[d][k], static_cast<std::int32_t>(k), direction);
         }
         for (const SpaceCopy& copy : copies)
-            slots.add(copy.offset[d], copy.x[d], copy.of, direction);
+            slots.add(copy.offset[d], copy.x[d], copy.original, direction);
     }
 }
 
@@ -165,8 +167,8 @@ void take_plane(Mesh& mesh, const SpaceMesh& space) {
 
     if (info.kind == HM_WEDGE) add_axis(mesh);
 
-    // Where each point of space goes with a unit step of its point in the plane, along x and along
-    // y.
+    // The movement of each point of space for unit steps of its point in the plane, along x and
+    // along y.
     const auto n = static_cast<std::size_t>(info.n_space_points),
                m = static_cast<std::size_t>(info.n_points);
     std::vector<double> steps[2], ones(m, 1.0), zeros(m, 0.0);
@@ -192,7 +194,7 @@ void take_plane(Mesh& mesh, const SpaceMesh& space) {
     }
     for (const SpaceCopy& copy : space.copies) {
         for (std::size_t d = 0; d < 3; ++d)
-            add(static_cast<std::size_t>(copy.of), d, copy.offset[d], copy.x[d]);
+            add(static_cast<std::size_t>(copy.original), d, copy.offset[d], copy.x[d]);
     }
 }
 

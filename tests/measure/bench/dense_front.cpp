@@ -28,11 +28,13 @@ Numbers numbers(harmorph::Offset count, double value = 0) {
 struct DenseFront::Inside {
     harmorph::Kernel kernel;
     Numbers original, panel_data, update_data, sums, sides;
-    double least_left = 1;
+    double min_pivot_ratio = 1;
     dense::Panel<double> panel;
     dense::UpdateMatrix<double> update;
 
-    dense::Workers<double> workers() { return {harmorph::Executor{}, sums.data(), &least_left}; }
+    dense::Workers<double> workers() {
+        return {harmorph::Executor{}, sums.data(), &min_pivot_ratio};
+    }
 };
 
 DenseFront::DenseFront(int kernel, int pivots, int front) : inside_(new Inside) {

@@ -31,7 +31,8 @@ awk -v n="$around" -v m="$layers" 'BEGIN {
     for (i = 0; i < n; ++i) print 3, m * n + i, m * n + (i + 1) % n
 }' >"$tmp/mesh.su2"
 "$harmorph" fit "$tmp/mesh.su2" --marker airfoil -o "$tmp/airfoil.curve" >"$tmp/log" &&
-    "$harmorph" solve "$tmp/mesh.su2" --curve "airfoil=$tmp/airfoil.curve" --operator laplace -o "$tmp/mesh.basis" >>"$tmp/log" &&
+    "$harmorph" solve "$tmp/mesh.su2" --curve "airfoil=$tmp/airfoil.curve" --operator laplace -o "$tmp/mesh.basis" \
+        >>"$tmp/log" &&
     "$harmorph" explore "$tmp/mesh.su2" "$tmp/mesh.basis" --points 2000000 -o "$tmp/page.html" >>"$tmp/log" || {
     cat "$tmp/log"
     exit 1

@@ -1,21 +1,23 @@
-// Numbers of dofs as displacements of points, and the transpose. Only this file and the matrix know
-// how slipping points and turned sides differ from others.
+// Turns numbers of dofs into displacements of points, and back. Only this file and the matrix
+// distinguish slipping points and turned sides from others. tests/boundary/test_slip.cpp and
+// tests/boundary/test_rotation.cpp cover this file.
 #pragma once
 
 #include "operators/residual.hpp"
 
 namespace harmorph {
 
-class Frames {
+class DofDirections {
 public:
-    explicit Frames(Matrix const& matrix) noexcept : matrix_(matrix) {}
+    explicit DofDirections(Matrix const& matrix) noexcept : matrix_(matrix) {}
 
     // The dof of a slipping point is a movement along the tangent, which becomes movements along x
-    // and y. To be called before points that are joined to slipping ones get the same numbers.
+    // and y. This must be called before points that are joined to slipping ones get the same
+    // numbers.
     void turn_slipping(DofValues const& values, Index n_points) const noexcept;
     void turn_slipping_back(DofValues const& values, Index n_points) const noexcept;
-    // The number of a dof on a side of a passage becomes the displacement of the point. To be
-    // called once joined points have the numbers of the points that they are joined to.
+    // The number of a dof on a side of a passage becomes the displacement of the point. This must
+    // be called after joined points have got the numbers of the points to which they are joined.
     void turn_sides(DofValues const& values, Index n_points) const noexcept;
     void turn_sides_back(DofValues const& values, Index n_points) const noexcept;
 

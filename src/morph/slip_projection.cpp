@@ -1,4 +1,4 @@
-#include "morph/slide.hpp"
+#include "morph/slip_projection.hpp"
 
 namespace harmorph {
 namespace {
@@ -9,24 +9,24 @@ void copy_points(Index n, Points from, MutablePoints to) noexcept {
 
 }  // namespace
 
-void Sliding::slide(Points from, MutablePoints to) const noexcept {
+void SlipProjection::project(Points from, MutablePoints to) const noexcept {
     copy_points(n_points, from, to);
-    followers.for_each(curves, [&](Index k, Index slot, Real part) {
+    followers.for_each(curves, [&](Index k, Index slot, Real share) {
         Vec2 const at = to[curves.point[slot]], back = curves.nearest(slot, at).at - at;
-        if (back.x != 0 || back.y != 0) to.set(k, to[k] + part * back);
+        if (back.x != 0 || back.y != 0) to.set(k, to[k] + share * back);
     });
     curves.for_each(
         [&](Index slot, Index point) { to.set(point, curves.nearest(slot, to[point]).at); });
 }
 
-// With J the derivative of the nearest place, followers are moved by their parts of J - 1 times the
-// points that slide.
-void Sliding::transpose(Points from, Points derivative, MutablePoints to) const noexcept {
+// With J the derivative of the nearest place, followers are moved by their shares of J - 1 times
+// the points that slip.
+void SlipProjection::transpose(Points from, Points derivative, MutablePoints to) const noexcept {
     copy_points(n_points, derivative, to);
     auto const add_followers = [&](Real sign) {
-        followers.for_each(curves, [&](Index k, Index slot, Real part) {
+        followers.for_each(curves, [&](Index k, Index slot, Real share) {
             Index const point = curves.point[slot];
-            to.set(point, to[point] + (sign * part) * to[k]);
+            to.set(point, to[point] + (sign * share) * to[k]);
         });
     };
     add_followers(1);

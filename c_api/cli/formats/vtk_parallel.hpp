@@ -1,0 +1,17 @@
+// VTK's parallel XML files of unstructured grids (.pvtu), which name a file (.vtu) for each piece.
+#pragma once
+
+#include "basics/text_file.hpp"
+
+namespace cli {
+
+// Tells whether the file begins as a parallel file does.
+bool is_parallel_vtk(const TextFile& file);
+
+// Returns one file of all pieces, as a file .vtu has them: the pieces are copied byte by byte, and
+// the offsets of appended arrays grow by what stands before them. Places in the text are named
+// after the files of the pieces. Refuses pieces that store numbers in different ways, pieces with
+// ghost cells, and a file that is named twice.
+TextFile joined_pieces(const TextFile& parallel);
+
+}  // namespace cli

@@ -1,0 +1,171 @@
+#include "formats/vtk_xml_file.hpp"
+
+#include "formats/bytes.hpp"
+#include "basics/numbers.hpp"
+
+namespace cli {
+
+namespace {
+
+class TagReader {
+public:
+    explicit TagReader(const TextFile& file) : file_(file), tags_(file) {}
+    VtkXmlFile read();
+
+private:
+    void read_tag();
+    void read_head();
+    void read_array();
+    void begin_piece();
+    VtkArray* place_of(std::string_view name);
+    std::int64_t count(std::string_view key) const;
+    const XmlTag& tag() const { return tags_.tag(); }
+
+    const TextFile& file_;
+    XmlReader tags_;
+    std::string_view section_;  // Points, Cells, PointData, ...
+    VtkXmlFile found_;
+};
+
+VtkXmlFile TagReader::read() {
+    bool has_head = false;
+    while (found_.encoding.appended == 0 && tags_.next()) {
+        const std::string_view name = tag().name;
+        if (name == "VTKFile") {
+            has_head = true;
+            read_head();
+        } else if (!has_head) {
+            file_.fail(tag().begin,
+                       "expected <VTKFile, found " + in_quotes("<" + std::string(name)));
+        } else if (name == "Points" || name == "Cells" || name == "/Points" || name == "/Cells") {
+            section_ = tag().is_empty ? "" : name;
+        } else {
+            read_tag();
+        }
+    }
+    if (found_.pieces.empty())
+        file_.fail(file_.text().size(), "expected <Piece, found the end of the file");
+    return std::move(found_);
+}
+
+void TagReader::read_tag() {
+    if (tag().name == "Piece") return begin_piece();
+    if (tag().name == "AppendedData") return find_appended(file_, tag(), found_.encoding);
+    if (tag().name == "DataArray") return read_array();
+}
+
+void TagReader::read_head() {
+    const std::string_view type = tag().attribute("type");
+    if (type != "UnstructuredGrid") {
+        file_.fail(tag().begin,
+                   "expected a file of type UnstructuredGrid (ParaView's filter "
+                   "Append Datasets makes such a grid), found " +
+                       in_quotes(type));
+    }
+    found_.encoding = vtk_encoding(file_, tag());
+}
+
+void TagReader::begin_piece() {
+    found_.pieces.emplace_back();
+    found_.pieces.back().tag = tag().begin;
+    found_.pieces.back().n_points = count("NumberOfPoints");
+    found_.pieces.back().n_cells = count("NumberOfCells");
+}
+
+// Returns the member of the present piece that the array belongs to, or NULL for other arrays.
+VtkArray* TagReader::place_of(std::string_view name) {
+    if (found_.pieces.empty()) return nullptr;
+    VtkPiece& piece = found_.pieces.back();
+    if (section_ == "Points") return &piece.points;
+    if (section_ != "Cells") return nullptr;
+    if (name == "connectivity") return &piece.connectivity;
+    if (name == "offsets") return &piece.offsets;
+    return name == "types" ? &piece.types : nullptr;
+}
+
+void TagReader::read_array() {
+    VtkArray array;
+    array.is_there = true;
+    array.type = std::string(tag().attribute("type"));
+    array.components = std::string(tag().attribute("NumberOfComponents"));
+    array.tag = tag().begin;
+    array.begin = tag().end;
+    array.end = tag().is_empty ? tag().end : tags_.text_end();
+    std::string format(tag().attribute("format"));
+    for (char& c : format) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    array.is_appended = format == "appended";
+    array.is_binary = format == "binary";
+    if (array.is_appended) {
+        const std::string_view value = tag().attribute("offset");
+        array.begin = appended_offset(file_, tag());
+        array.offset_at = static_cast<std::size_t>(value.data() - file_.text().data());
+        array.offset_length = value.size();
+        found_.appended.push_back(array);
+    }
+    VtkArray* const place = place_of(tag().attribute("Name"));
+    if (!place) return;  // the array stays as it is
+    if (place->is_there) file_.fail(tag().begin, "the piece has this array a second time");
+    if (!array.is_appended && !array.is_binary && !format.empty() && format != "ascii") {
+        file_.fail(tag().begin, "the array has the format " + in_quotes(tag().attribute("format")) +
+                                    ", but only the formats ascii, binary and appended are read");
+    }
+    *place = array;
+}
+
+std::int64_t TagReader::count(std::string_view key) const {
+    std::int64_t value = 0;
+    const std::string_view text = trimmed(tag().attribute(key));
+    if (!parse(text, value) || value < 0 || value > INT32_MAX) {
+        file_.fail(tag().begin, "expected " + std::string(key) +
+                                    " between 0 and 2147483647, found " + in_quotes(text));
+    }
+    return value;
+}
+
+}  // namespace
+
+VtkXmlFile read_vtk_xml_tags(const TextFile& file) { return TagReader(file).read(); }
+
+VtkEncoding vtk_encoding(const TextFile& file, const XmlTag& tag) {
+    const std::string_view order = tag.attribute("byte_order");
+    const std::string_view header = tag.attribute("header_type");
+    const auto refuse = [&](const char* expected, std::string_view found) {
+        file.fail(tag.begin, "expected " + std::string(expected) + ", found " + in_quotes(found));
+    };
+    if (!order.empty() && order != "LittleEndian" && order != "BigEndian")
+        refuse("LittleEndian or BigEndian", order);
+    if (!header.empty() && header != "UInt32" && header != "UInt64")
+        refuse("header_type UInt32 or UInt64", header);
+    VtkEncoding encoding;
+    encoding.swapped = (order != "BigEndian") != little_endian_machine();
+    encoding.header_bytes = header == "UInt64" ? 8 : 4;
+    // VTK names a compressor in files in text, too.
+    encoding.compressor = std::string(tag.attribute("compressor"));
+    return encoding;
+}
+
+void find_appended(const TextFile& file, const XmlTag& tag, VtkEncoding& encoding) {
+    const std::string_view kind = tag.attribute("encoding"), text = file.text();
+    if (kind != "raw" && kind != "base64") {
+        file.fail(tag.begin,
+                  "expected appended data with encoding raw or base64, found " + in_quotes(kind));
+    }
+    const std::size_t mark = text.find_first_not_of(" \t\r\n", tag.end);
+    if (mark == text.npos || text[mark] != '_')
+        file.fail(tag.end, "expected _ before the appended data");
+    encoding.is_raw = kind == "raw";
+    encoding.appended = mark + 1;
+}
+
+std::size_t appended_offset(const TextFile& file, const XmlTag& tag) {
+    const std::string_view value = tag.attribute("offset");
+    const std::size_t size = file.text().size();
+    std::int64_t offset = 0;
+    if (!parse(trimmed(value), offset) || offset < 0 || static_cast<std::size_t>(offset) > size) {
+        file.fail(tag.begin, "expected an offset between 0 and " + std::to_string(size) +
+                                 ", found " + in_quotes(value));
+    }
+    return static_cast<std::size_t>(offset);
+}
+
+}  // namespace cli

@@ -1,0 +1,37 @@
+// The tags of a VTK XML file of an unstructured grid: its pieces, their arrays, and how the file
+// stores numbers.
+#pragma once
+
+#include "formats/vtk_data.hpp"
+#include "formats/xml.hpp"
+
+#include <vector>
+
+namespace cli {
+
+struct VtkPiece {
+    std::size_t tag = 0;  // place of the tag in the file
+    std::int64_t n_points = 0, n_cells = 0;
+    VtkArray points, connectivity, offsets, types;
+};
+
+struct VtkXmlFile {
+    VtkEncoding encoding;
+    std::vector<VtkPiece> pieces;
+    std::vector<VtkArray> appended;  // all appended arrays, also those that are not read
+};
+
+// Finds the arrays of all pieces. Refuses other kinds of files, and tags that VTK does not write.
+VtkXmlFile read_vtk_xml_tags(const TextFile& file);
+
+// Reads the tag <VTKFile>. Refuses a byte order or a type of headers that VTK does not have. The
+// type of the grid is not looked at.
+VtkEncoding vtk_encoding(const TextFile& file, const XmlTag& tag);
+
+// Finds where the data begin behind the tag <AppendedData>.
+void find_appended(const TextFile& file, const XmlTag& tag, VtkEncoding& encoding);
+
+// Returns the attribute "offset" of an appended array. Refuses what is no place in the file.
+std::size_t appended_offset(const TextFile& file, const XmlTag& tag);
+
+}  // namespace cli

@@ -1,0 +1,100 @@
+# usage: awk -f table.awk include/harmorph.h ...
+# Writes the constants and structs that the C headers declare as a table, one line each, in the order of the headers:
+#     constant NAME VALUE          an enumerator with its value, and HM_ABI
+#     text NAME "TEXT"             HM_VERSION
+#     struct NAME
+#     member STRUCT NAME TYPE N    TYPE: int32, int64, double, char, pointer, function or a struct; N: array length
+#     end STRUCT
+# The Fortran module, the test of layouts and tests/abi/interface.txt are made from this table, so that a new constant
+# or member is one edit of a header. A declaration that this script does not understand ends the script with an error.
+function fail(what) {
+    print FILENAME ": " what > "/dev/stderr"
+    failed = 1
+    exit 1
+}
+# The line without comments; a comment may go on in the next line.
+function without_comments(line, start, text) {
+    text = ""
+    while (line != "") {
+        if (in_comment) {
+            if (!(start = index(line, "*/"))) return text
+            line = substr(line, start + 2)
+            in_comment = 0
+        } else {
+            if (!(start = index(line, "/*"))) return text line
+            text = text substr(line, 1, start - 1) " "
+            line = substr(line, start + 2)
+            in_comment = 1
+        }
+    }
+    return text
+}
+function constants(text, n, k, one, pair) {
+    sub(/^[^{]*[{]/, "", text)
+    n = split(text, one, ",")
+    for (k = 1; k <= n; ++k) {
+        gsub(/ /, "", one[k])
+        if (one[k] == "") continue
+        if (split(one[k], pair, "=") != 2 || pair[2] !~ /^(-?[0-9]+|INT32_MIN)$/)
+            fail("the constant " one[k] " has no value that is a plain number")
+        print "constant", pair[1], pair[2]
+    }
+}
+# Members of one type: "const double *x, *y", "int32_t worst[5]".
+function members(struct, declaration, n, k, name, type, length_of) {
+    sub(/^ */, "", declaration)
+    if (declaration == "") return
+    n = split(declaration, name, ",")
+    type = name[1]
+    sub(/^const /, "", type)
+    sub(/[ *].*/, "", type)
+    sub(/^.*[ *]/, "", name[1])
+    for (k = 1; k <= n; ++k) {
+        length_of = 1
+        if (match(name[k], /\[[0-9]+\]/)) {
+            length_of = substr(name[k], RSTART + 1, RLENGTH - 2)
+            sub(/\[.*/, "", name[k])
+        }
+        gsub(/[ *]/, "", name[k])
+        if (name[k] !~ /^[a-z][a-z0-9_]*$/) fail("the member \"" declaration "\" of " struct " has an unknown form")
+        print "member", struct, name[k], kind_of(declaration, type), length_of
+    }
+}
+function kind_of(declaration, type) {
+    if (declaration ~ /\*/) return "pointer"
+    if (type in function_type) return "function"
+    if (type == "int32_t" || type == "hm_status") return "int32"
+    if (type == "int64_t" || type == "uint64_t") return "int64"
+    if (type == "double" || type == "char" || type in struct_type) return type
+    fail("the type of \"" declaration "\" is unknown")
+}
+/^#define HM_ABI / { print "constant HM_ABI", $3 }
+/^#define HM_VERSION / { print "text HM_VERSION", $3 }
+/^#/ || /^extern "C" [{]/ || /^[}]$/ { next }
+{
+    statement = statement " " without_comments($0)
+    if (statement !~ /;/ || (statement ~ /[{]/ && statement !~ /[}]/)) next     # it goes on in the next line
+    gsub(/[ \t]+/, " ", statement)
+    sub(/^ /, "", statement)
+    if (statement ~ /^enum [a-z_]*[{]|^enum [{]/) {
+        sub(/[}].*/, "", statement)
+        constants(statement)
+    } else if (statement ~ /^typedef struct [a-z_]+ [{]/) {
+        struct = statement
+        sub(/^typedef struct /, "", struct)
+        sub(/ .*/, "", struct)
+        print "struct", struct
+        sub(/^[^{]*[{]/, "", statement)
+        sub(/[}].*/, "", statement)
+        n_members = split(statement, one_member, ";")
+        for (m = 1; m <= n_members; ++m) members(struct, one_member[m])
+        print "end", struct
+        struct_type[struct] = 1
+    } else if (statement ~ /^typedef [a-z0-9_]+ ?\(\*[a-z_]+\)/) {
+        sub(/^[^*]*\*/, "", statement)
+        sub(/\).*/, "", statement)
+        function_type[statement] = 1
+    }
+    statement = ""
+}
+END { if (!failed && (in_comment || statement ~ /[^ ]/)) fail("the header ends inside a declaration") }
