@@ -36,18 +36,22 @@
 #   make uninstall        takes the same files away
 #   make clean
 #
+# BUILD is a name of letters, digits and _ . / + , @ -; PREFIX, DESTDIR and the folder of the sources may have any name
+# (a dollar sign in a value is written $$, as always in make).
+#
 # `make CXX=clang++ CXXFLAGS="-O1 -g" BUILD=build-debug` and so on: the names below are yours to set. What the library
 # cannot do without is added to CXXFLAGS.
 .POSIX:
 .SUFFIXES:
-.PHONY: all rules deform-driver test-programs unit fuzzer fuzz test library-only tests-only coverage mutate sanitize test-petsc mpi \
+.PHONY: all checked rules deform-driver test-programs unit fuzzer fuzz test library-only tests-only coverage mutate sanitize test-petsc mpi \
 	check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
 	amalgamation compilers cross shared install-shared install-library abi manual dist
 
 BUILD = build
-PREFIX = /usr/local
-DESTDIR =
+# PREFIX is /usr/local if it is not given; DESTDIR is empty. Both come from the environment of the recipes, where make
+# puts what its command line says: no character in them can end a quotation.
+INSTALLATION = "$${DESTDIR-}$${PREFIX-/usr/local}"
 CXX = c++
 # CXXFLAGS follow the level of optimisation of each file, which the file LEVELS states; so CXXFLAGS="-O1 -g" replaces
 # all levels.
@@ -89,11 +93,20 @@ PROGRAM = $(BUILD)/harmorph
 MAKE_BY_RULES = case " $$MAKEFLAGS" in *" -j"*) jobs= ;; *) jobs='-j $(JOBS)' ;; esac; \
 	$(MAKE) -s $$jobs -f Makefile -f $(BUILD)/rules.mk -f $(BUILD)/depends.mk
 
+# For scripts that call make: JOBS is what `make -j8` says, or JOBS, and make does not look for the jobs of its caller.
+SCRIPT_JOBS = jobs=`printf ' %s' "$$MAKEFLAGS" | sed -n 's/.* -j\([0-9][0-9]*\).*/\1/p'`; JOBS=$${jobs:-$(JOBS)}; \
+	MAKEFLAGS=`printf '%s' "$$MAKEFLAGS" | sed 's/ *-j[0-9]*//; s/ *--jobserver-[a-z]*=[^ ]*//g'`; export JOBS MAKEFLAGS
+
 all: rules
 	+@$(MAKE_BY_RULES) $(LIBRARY) $(PROGRAM)
 
+# Before anything is written to BUILD, or removed there. The value comes from the environment, as PREFIX does.
+checked:
+	@sh c_api/packaging/check_build.sh "$${BUILD-build}"
+fuzz coverage mutate sanitize dist amalgamation clean: checked
+
 # What is joined or generated from sources, and the rules of all objects and programs.
-rules:
+rules: checked
 	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit $(BUILD)/objects/fuzz
 	@LEVELS='$(LEVELS)' UNITS='$(UNITS)' CXX='$(CXX)' LDFLAGS='$(LDFLAGS)' ZLIB='$(ZLIB)' \
 	    FLAGS='$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' sh c_api/packaging/rules.sh $(BUILD)
@@ -122,17 +135,17 @@ fuzzer: rules
 	+@$(MAKE_BY_RULES) $(BUILD)/fuzzer
 
 fuzz:
-	@MAKE='$(MAKE)' BUILD='$(BUILD)' JOBS='$(JOBS)' FUZZ_SECONDS='$(SECONDS)' sh tests/fuzz/run.sh
+	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' FUZZ_SECONDS='$(SECONDS)' sh tests/fuzz/run.sh
 
 coverage:
-	@MAKE='$(MAKE)' BUILD='$(BUILD)' JOBS='$(JOBS)' CXX='$(CXX)' sh tests/coverage.sh
+	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' sh tests/coverage.sh
 
 mutate:
-	@MAKE='$(MAKE)' BUILD='$(BUILD)' JOBS='$(JOBS)' CXX='$(CXX)' MUTANTS='$(MUTANTS)' SEED='$(SEED)' FILES='$(FILES)' \
+	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' MUTANTS='$(MUTANTS)' SEED='$(SEED)' FILES='$(FILES)' \
 	    LIMIT='$(LIMIT)' sh tests/mutate.sh
 
 sanitize:
-	@MAKE='$(MAKE)' BUILD='$(BUILD)' JOBS='$(JOBS)' CXX='$(CXX)' sh tests/sanitize.sh
+	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' sh tests/sanitize.sh
 
 mpi: all
 	$(MPICC) $(CFLAGS) -Wall -Wextra -Wno-missing-field-initializers -fPIC -Iinclude -Ic_api -c -o $(BUILD)/objects/harmorph_mpi.o c_api/mpi/harmorph_mpi.c
@@ -161,7 +174,7 @@ dist:
 	@echo $(BUILD)/harmorph-$(VERSION).tar.gz
 
 cross: all
-	@CC='$(CC)' JOBS='$(JOBS)' TARGETS='$(TARGETS)' PARTS='$(PARTS)' sh tests/cross/run.sh $(BUILD)
+	@$(SCRIPT_JOBS); CC='$(CC)' TARGETS='$(TARGETS)' PARTS='$(PARTS)' sh tests/cross/run.sh $(BUILD)
 
 compilers: all
 	@LEVELS='$(LEVELS)' COMPILERS='$(COMPILERS)' sh tests/compilers.sh $(BUILD)
@@ -177,8 +190,8 @@ check-link: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' sh tests/check_link.sh $(BUILD)
 
 test: all
-	@MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' \
-	    FFLAGS='$(FFLAGS)' AR='$(AR)' LDFLAGS='$(LDFLAGS)' JOBS='$(JOBS)' sh tests/run.sh
+	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' \
+	    FFLAGS='$(FFLAGS)' AR='$(AR)' LDFLAGS='$(LDFLAGS)' sh tests/run.sh
 
 test-petsc: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' FFLAGS='$(FFLAGS)' MPICC='$(MPICC)' MESHES='$(MESHES)' sh tests/petsc.sh $(BUILD)
@@ -219,7 +232,7 @@ INSTALLED = bin/harmorph share/man/man1/harmorph.1 lib/libharmorph.so* include/h
 	share/harmorph/naca0012.su2
 
 # Copies headers, library, harmorph.pc and the CMake files into the folder $$to.
-INSTALL_LIBRARY = to='$(DESTDIR)$(PREFIX)'; set -e; \
+INSTALL_LIBRARY = to=$(INSTALLATION); set -e; \
 	mkdir -p "$$to/include" "$$to/lib/pkgconfig" "$$to/lib/cmake/harmorph"; \
 	cp include/*.h "$$to/include/"; \
 	cp $(LIBRARY) "$$to/lib/"; \
@@ -241,11 +254,11 @@ install-library: library-only
 	echo "the library of harmorph $$version is in $$to"
 
 install-shared: shared
-	@mkdir -p '$(DESTDIR)$(PREFIX)/lib'
-	@cp -P $(BUILD)/shared/libharmorph.so* '$(DESTDIR)$(PREFIX)/lib/'
+	@mkdir -p $(INSTALLATION)/lib
+	@cp -P $(BUILD)/shared/libharmorph.so* $(INSTALLATION)/lib/
 
 uninstall:
-	@to='$(DESTDIR)$(PREFIX)'; \
+	@to=$(INSTALLATION); \
 	for file in $(INSTALLED); do rm -f "$$to"/$$file; done; \
 	rmdir "$$to/lib/cmake/harmorph" "$$to/share/harmorph" 2>/dev/null || :
 

@@ -216,6 +216,33 @@ for ending in curve igs step; do
     check "rational: $ending: re-read by another reader, it is the ellipse" curve_is_ellipse "$tmp/$ending.numbers"
     check "rational: $ending: the same numbers" cmp "$tmp/$ending.numbers" "$tmp/curve.numbers"
 done
+echo '# nothing moves' >"$tmp/no.moves"
+# OpenCASCADE opens the files: points of its curves are those of the B-spline, evaluated by its definition.
+python=python3
+if [ -x /usr/bin/python3 ]; then python=/usr/bin/python3; fi
+if $python -c 'import gmsh; gmsh.initialize(); gmsh.model.occ' >/dev/null 2>&1; then
+    for ending in curve igs step; do
+        for degree in 1 2 3 4 5; do for closed in periodic tied; do
+            check "CAD kernel: fit, $ending" "$harmorph" fit "$meshes/naca0012.su2" --marker airfoil --degree $degree \
+                --closed $closed -o "$tmp/cad_$degree$closed.$ending"
+        done; done
+        check "CAD kernel: fit, open, $ending" "$harmorph" fit "$meshes/two_bodies.su2" --marker left --points 12 \
+            -o "$tmp/cad_left.$ending"
+        check "CAD kernel: solve" "$harmorph" solve "$meshes/two_bodies.su2" \
+            --curve left="$meshes/two_bodies_left.curve" --curve right="$meshes/two_bodies_right.curve" \
+            -o "$tmp/cad.basis"
+        check "CAD kernel: two curves, $ending" "$harmorph" morph "$meshes/two_bodies.su2" "$tmp/cad.basis" \
+            --move "$tmp/no.moves" --curve-out "$tmp/cad_two.$ending"
+    done
+    for name in ellipse cad_left cad_two cad_1periodic cad_1tied cad_2periodic cad_2tied cad_3periodic cad_3tied \
+        cad_4periodic cad_4tied cad_5periodic cad_5tied; do
+        for ending in igs step; do
+            check "CAD kernel: $name.$ending" $python "$here/cad_kernel.py" "$tmp/$name.curve" "$tmp/$name.$ending"
+        done
+    done
+else
+    skip "IGES and STEP files opened by OpenCASCADE" "python3-gmsh is not installed"
+fi
 if $FC --version >/dev/null 2>&1; then
     check "namelist: the reader is compiled" $FC -J "$tmp" -o "$tmp/read_namelist" "$here/read_namelist.f90"
     check "namelist: a Fortran program reads it" sh -c "'$tmp/read_namelist' <'$tmp/ellipse.nml' >'$tmp/nml.numbers'"

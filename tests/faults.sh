@@ -102,6 +102,98 @@ else
     skip "kills at each system call and full disks at each write" "strace is not installed or may not trace"
 fi
 
+# All outputs of one command, or none: one of them cannot be written, or cannot take its place.
+outputs="-o m.su2 --curve-out m.curve --vtu m.vtu --svg m.svg --boundary-svg b.svg --csv m.csv --report r.html"
+names="b.svg m.csv m.curve m.su2 m.svg m.vtu r.html"
+morph_all="morph $mesh good/a.basis --move moves.txt $(echo "$outputs" | sed 's| \([mbr]\.\)| place/\1|g')"
+old_place() {   # a folder where every second output has an older file
+    rm -rf place && mkdir place
+    for name in b.svg m.curve m.svg r.html; do echo "old $name" >place/$name; done
+}
+as_before() {   # the older files alone, with their text
+    [ "$(ls -A place | tr '\n' ' ')" = "b.svg m.curve m.svg r.html " ] &&
+        for name in b.svg m.curve m.svg r.html; do [ "$(cat place/$name)" = "old $name" ] || return 1; done
+}
+all_new() { [ "$(ls -A place | tr '\n' ' ')" = "$names " ] && ! grep -l '^old' place/*; }
+for name in $names; do
+    old_place
+    run $(echo "$morph_all" | sed "s|place/$name|missing/$name|")
+    status=$?
+    passes "one output of seven cannot be written: exit code $status for $name" "$([ $status = 3 ]; echo $?)"
+    passes "one output of seven cannot be written: $name is not named" "$(grep -q "missing/$name" err; echo $?)"
+    passes "one output of seven cannot be written: $name; others are" "$(as_before; echo $?)"
+done
+old_place
+run $morph_all
+passes "seven outputs" $?
+passes "seven outputs: not the new files alone" "$(all_new; echo $?)"
+if strace -f -qq -o trace -e trace=rename "$harmorph" --version >out 2>err; then
+    for place in 1 2 3 4 5 6 7; do
+        old_place
+        strace -f -qq -o trace -e trace=rename -e inject=rename:error=EPERM:when=$place \
+            "$harmorph" $morph_all >out 2>err
+        status=$?
+        passes "output $place of seven cannot take its place: exit code $status" "$([ $status = 3 ]; echo $?)"
+        passes "output $place of seven cannot take its place: others have" "$(as_before; echo $?)"
+    done
+    # Ended at every third system call: the old files, or the new ones, and nothing beside them.
+    old_place
+    strace -f -qq -o trace -e trace=$system_calls "$harmorph" $morph_all >out 2>err
+    n=$(grep -c '(' trace)
+    first=$(grep -n '"place' trace | head -n 1 | cut -d: -f1)
+    for signal in TERM INT HUP; do
+        bad=0
+        for call in $(seq $((first - 2)) 3 $((n + 1))); do
+            old_place
+            under_strace "$system_calls:signal=$signal:when=$call" $morph_all 2>shell_says
+            as_before || all_new || bad=$((bad + 1))
+        done 2>shell_says
+        passes "ended by $signal at a call from $first to $n: $bad times not all outputs or none" $((bad > 0))
+    done
+else
+    skip "outputs that cannot take their places, and signals" "strace is not installed or may not trace"
+fi
+(trap '' TERM; under_strace "write:signal=TERM:when=3" $morph_all)
+passes "a signal that is ignored" "$(all_new; echo $?)"
+
+# An output keeps the permissions of the file that it replaces, and while it is written only its owner may read it. A
+# link stays a link.
+mode() { stat -c %a "$1"; }
+for name in a.curve a.basis m.su2; do
+    for permissions in 600 640 400 664 755; do
+        rm -rf place && mkdir place && echo old >place/$name && chmod $permissions place/$name
+        command_for $name place/$name
+        passes "$name over a file of mode $permissions" $?
+        passes "$name over a file of mode $permissions: has mode $(mode place/$name)" \
+            "$([ "$(mode place/$name)" = $permissions ] && cmp -s place/$name good/$name; echo $?)"
+    done
+    for mask in 022 077; do
+        rm -rf place && mkdir place
+        (umask $mask && command_for $name place/$name)
+        passes "a new $name: mode $(mode place/$name)" \
+            "$([ "$(mode place/$name)" = "$(printf '%o' $((0666 & ~0$mask)))" ]; echo $?)"
+    done
+    rm -rf place && mkdir place && echo old >place/file && chmod 600 place/file && ln -s file place/$name
+    command_for $name place/$name
+    passes "$name over a link" "$([ -L place/$name ] && [ "$(mode place/file)" = 600 ] &&
+        cmp -s place/file good/$name; echo $?)"
+    rm -rf place && mkdir place && ln -s file place/$name
+    command_for $name place/$name
+    passes "$name over a link to no file" "$([ -L place/$name ] && cmp -s place/file good/$name; echo $?)"
+    if [ "$(id -u)" = 0 ]; then
+        rm -rf place && mkdir place && echo old >place/$name && chown 65534:65534 place/$name
+        command_for $name place/$name
+        passes "$name over a file of another user" "$([ "$(stat -c %u:%g place/$name)" = 65534:65534 ]; echo $?)"
+    fi
+    if strace -f -qq -o trace -e trace=$system_calls "$harmorph" --version >out 2>err; then
+        rm -rf place && mkdir place && echo old >place/$name && chmod 644 place/$name
+        strace -f -qq -o trace -e trace=fchmodat,chmod,fchmod -e inject=fchmodat,chmod,fchmod:signal=KILL:when=1 \
+            "$harmorph" $(arguments $name place/$name) >out 2>shell_says
+        passes "$name while it is written: mode $(mode place/$name.part*)" \
+            "$([ "$(mode place/$name.part*)" = 600 ]; echo $?)" 2>shell_says
+    fi
+done
+
 # Places that are no files.
 mkdir -p folder
 for name in a.curve a.basis m.su2; do
@@ -153,7 +245,7 @@ for input in folder /dev/null missing.su2; do
     done
 done
 
-# The same mesh through a pipe to and from the program, with CR LF, and where the decimal sign is a comma.
+# The same mesh through a pipe to and from the program, and with CR LF.
 "$harmorph" morph "$mesh" good/a.basis --move moves.txt -o /dev/stdout 2>/dev/null | cat >piped
 passes "a mesh to a pipe" "$(head -c "$(wc -c <good/m.su2)" piped | cmp -s - good/m.su2; echo $?)"
 mkfifo fifo
@@ -170,13 +262,32 @@ run morph crlf.su2 good/a.basis --move crlf.txt -o crlf_moved.su2
 passes "lines that end with CR LF" $?
 tr -d '\r' <crlf_moved.su2 >without_cr
 passes "lines that end with CR LF: the same mesh" "$(cmp -s without_cr good/m.su2; echo $?)"
-if localedef -i de_DE -f UTF-8 ./de_DE.UTF-8 >/dev/null 2>&1; then
-    decimal_point=$(LOCPATH=$PWD LC_ALL=de_DE.UTF-8 locale decimal_point)
-    passes "the locale has a decimal comma" "$([ "$decimal_point" = , ]; echo $?)"
-    LOCPATH=$PWD LC_ALL=de_DE.UTF-8 run morph "$mesh" good/a.basis --move moves.txt -o comma.su2
-    passes "a locale with a decimal comma" "$(cmp -s comma.su2 good/m.su2; echo $?)"
-else
-    skip "a locale with a decimal comma" "there is no localedef, or no Debian package locales"
-fi
+# Every file of the demo, and what commands print as JSON, where the decimal sign is a comma, and where the small letter
+# of I has no dot.
+all_outputs() {   # folder: the demo in it, and what is printed; the times are taken out
+    rm -rf demo
+    run demo demo --mesh "$mesh" || return 1
+    "$harmorph" check "$mesh" --json >demo/check.json
+    "$harmorph" curve demo/airfoil.curve --stations .25,.5 --json >demo/curve.json
+    "$harmorph" variables demo/airfoil.curve --naca .4 -o demo/map --json >demo/map.json
+    "$harmorph" fit "$mesh" --marker airfoil -o demo/CURVE.IGS >/dev/null
+    "$harmorph" convert "$mesh" demo/new.vtu >/dev/null
+    sed -i 's/"seconds": [^,}]*//g' demo/report.html
+    rm -rf "$1" && mv demo "$1"
+}
+all_outputs locale_of_c
+passes "the demo where the decimal sign is a point" $?
+for name in de_DE tr_TR; do
+    if localedef -i $name -f UTF-8 ./$name.UTF-8 >/dev/null 2>&1; then
+        passes "$name has a decimal comma" \
+            "$([ "$(LOCPATH=$PWD LC_ALL=$name.UTF-8 locale decimal_point)" = , ]; echo $?)"
+        (export LOCPATH="$PWD" LC_ALL=$name.UTF-8 && all_outputs locale_of_$name)
+        passes "the demo, $name" $?
+        diff -rq locale_of_c locale_of_$name >differences
+        passes "the demo, $name: other files" $? differences
+    else
+        skip "the locale $name" "there is no localedef, or no Debian package locales"
+    fi
+done
 
 finish

@@ -72,6 +72,15 @@ for file in c_api/cli/*.cpp c_api/cli/*/*.[ch]pp; do
     is_empty "$file" "$(included "$file" | grep '/' | grep -vE "^(${rooms_of_program}sys)/")"
 done
 
+# All that the program says goes through c_api/cli/basics/print.hpp, which makes any bytes readable. Each option whose
+# value names a file says what the command does with the file, so that no output replaces an input.
+is_empty "the program prints past basics/print.hpp" \
+    "$(grep -nE 'std::(printf|puts|cout|cerr|vprintf)' c_api/cli/main.cpp c_api/cli/*/*.[ch]pp)"
+is_empty "options for files without a FileUse" "$(cat c_api/cli/commands/*.cpp | tr '\n' ' ' | awk -v RS='}' '
+    match($0, /\{"-[-a-z]*", +"[^"]*(FILE|MESH|BASIS|CURVE|MOVES|MAP|DAT|FIELD|PAGE|csv)[^"]*"/) {
+        if ($0 !~ /FileUse::/) print substr($0, RSTART + 1, RLENGTH - 1)
+    }')"
+
 # C and C++ have at most 100 columns, laid out as .clang-format has it; Fortran and scripts 120.
 too_wide() {   # columns, names of files
     columns=$1; shift

@@ -223,4 +223,11 @@ check "large: the picture says that it is drawn pixel by pixel" grep -q 'drawn p
 for file in large-mesh large-morph large-function; do
     check "large: $file.svg is small" test "$(wc -c <"$tmp/$file.svg")" -lt 2000000
 done
+# Each picture is XML in the judgement of another program.
+if command -v xmllint >/dev/null; then
+    for file in "$tmp"/*.svg; do check "$(basename "$file") is XML" xmllint --noout "$file"; done
+else
+    skip "pictures read as XML" "xmllint is not installed (Debian's libxml2-utils)"
+fi
+
 finish

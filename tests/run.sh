@@ -70,6 +70,7 @@ steps() {
     step 1 "binary interface" sh tests/abi/run.sh "$BUILD" quick
     step 1 "distribution" sh tests/dist.sh "$BUILD"
     step 1 "installation" sh tests/install.sh "$BUILD"
+    step 1 "folders with odd names" sh tests/odd_paths.sh "$BUILD"
     step 1 "examples" sh tests/examples.sh "$BUILD"
     step 1 "README" sh tests/readme.sh "$BUILD"
     step 2 "Fortran" sh tests/fortran.sh "$BUILD"

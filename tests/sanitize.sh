@@ -11,7 +11,7 @@ mkdir -p "$BUILD"
 
 if wanted memcheck && echo '#include <valgrind/memcheck.h>' | $CXX -x c++ -E - >/dev/null 2>&1; then
     $MAKE -s BUILD="$BUILD" JOBS="$JOBS" fuzzer || exit 1
-    for run in "problem 150" "basis 60" "sequence 30" "files 60"; do
+    for run in "problem 150" "basis 60" "sequence 30" "files 60" "commands 20"; do
         HARMORPH_UNDEFINED=1 valgrind -q --error-exitcode=9 --track-origins=no "$BUILD/fuzzer" $run 1 \
             >"$BUILD/memcheck.log" 2>&1
         passes "valgrind: fuzzer $run 1" $? "$BUILD/memcheck.log"

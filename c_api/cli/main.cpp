@@ -2,6 +2,7 @@
 // sentence and an exit code.
 #include "commands/commands.hpp"
 #include "basics/failure.hpp"
+#include "basics/print.hpp"
 #include "harmorph.h"
 
 #include <cerrno>
@@ -15,7 +16,7 @@ namespace {
 using namespace cli;
 
 int complain(ExitCode code, const std::string& message) {
-    std::fprintf(stderr, "harmorph: %s\n", message.c_str());
+    print_error(message);
     return code;
 }
 

@@ -57,7 +57,7 @@ refuses "--max-height-change 1" 2 '--max-height-change' morph "$box" "$tmp/confo
     --max-height-change 1
 refuses "--strict without --safe" 2 '--strict' morph "$box" "$tmp/conformal.basis" --move "$no_moves" --strict
 : >"$tmp/empty.txt"
-refuses "an empty file of moves" 3 'empty.txt:1: the file is empty' morph "$box" "$tmp/conformal.basis" \
+refuses "an empty file of moves" 3 'empty.txt:1: the file of moves is empty' morph "$box" "$tmp/conformal.basis" \
     --move "$tmp/empty.txt"
 runs "--safe for people" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe
 check "--safe for people: strategy" says 'strategy:'

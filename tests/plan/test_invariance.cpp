@@ -117,6 +117,6 @@ TEST_CASE("a plan does not solve the basis of another problem on the same mesh")
     problem.given_u = u.data();
     Solved theirs(problem);
     CHECK(hm_plan_solve(mine.plan, theirs.basis, nullptr, &mine.error) == HM_BAD_BASIS);
-    CHECK(std::string(mine.error.text) == "plan and basis were made of different analyses");
+    CHECK(std::string(mine.error.text) == "the plan and the basis were made from different analyses");
     CHECK(hm_plan_solve(mine.plan, mine.basis, nullptr, &mine.error) == HM_OK);
 }

@@ -31,7 +31,7 @@ TEST_CASE(
     bad[2] = {0, std::nan("")};
     refusal(bad, HM_BAD_ARGUMENT, "is not finite", safe.points[2]);
     bad[2] = 1e101;
-    refusal(bad, HM_BAD_ARGUMENT, "beyond 1e100", safe.points[2]);
+    refusal(bad, HM_BAD_ARGUMENT, "exceeds 1e100 in magnitude", safe.points[2]);
     refusal(Field(good.begin(), good.end() - 1), HM_BAD_ARGUMENT, "points have given displacements",
             static_cast<std::int32_t>(good.size()) - 1);
     CHECK(safe.run(Field(good.size(), Complex(5, 0))) == HM_CROSSING);

@@ -1,6 +1,7 @@
 #include "basics/arguments.hpp"
 
 #include "basics/numbers.hpp"
+#include "basics/output_file.hpp"
 #include "basics/text_file.hpp"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace cli {
 
 namespace {
 
-// Two columns; further lines of the help begin in the second.
+// The help has two columns; further lines begin in the second column.
 std::string help_line(const Option& option) {
     constexpr std::size_t column = 26;
     std::string text =
@@ -42,19 +43,18 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
     }
     const std::size_t wanted = command_.operands.size();
     if (operands_.size() < wanted)
-        refuse(std::string(command_.operands[operands_.size()]) + " is missing");
+        refuse(std::string(command_.operands[operands_.size()].name) + " is missing");
     if (operands_.size() > wanted)
         refuse(in_quotes(operands_[wanted]) + " is one argument too many");
 }
 
-// Returns where the option ends: at its value, if that is a word of its own.
+// Returns the index of the last word of the option: its value, if the value is a word of its own.
 std::size_t Arguments::take_option(const std::vector<std::string>& words, std::size_t at) {
     const std::string& word = words[at];
     const std::size_t equals = word.compare(0, 2, "--") == 0 ? word.find('=') : std::string::npos;
     const std::string name = word.substr(0, equals);
-    const auto known = std::find_if(command_.options.begin(), command_.options.end(),
-                                    [&name](const Option& option) { return name == option.name; });
-    if (known == command_.options.end()) refuse("unknown option " + in_quotes(name));
+    const Option* const known = find(name);
+    if (known == nullptr) refuse("unknown option " + in_quotes(name));
     std::string value;
     if (equals != std::string::npos) {
         if (!known->value) refuse(name + " takes no value");
@@ -65,6 +65,41 @@ std::size_t Arguments::take_option(const std::vector<std::string>& words, std::s
     }
     given_.push_back({name, value});
     return at;
+}
+
+const Option* Arguments::find(std::string_view option) const {
+    const auto known = std::find_if(command_.options.begin(), command_.options.end(),
+                                    [option](const Option& one) { return option == one.name; });
+    return known == command_.options.end() ? nullptr : &*known;
+}
+
+std::string Arguments::output(const Option& option) const {
+    if (has(option.name)) return text(option.name);
+    const bool is_implied = option.ending != nullptr && has("-o") &&
+                            (option.with == nullptr || has(option.with)) && !is_device(text("-o"));
+    return is_implied ? text("-o") + option.ending : "";
+}
+
+std::string Arguments::output(std::string_view option) const { return output(*find(option)); }
+
+std::vector<NamedFile> Arguments::files() const {
+    std::vector<NamedFile> files;
+    const auto add = [&files](FileUse use, const char* name, const std::string& path) {
+        if (use != FileUse::none && !path.empty()) files.push_back({use, name, path});
+    };
+    for (std::size_t k = 0; k < operands_.size(); ++k)
+        add(command_.operands[k].use, command_.operands[k].name, operands_[k]);
+    for (const Option& option : command_.options) {
+        for (const std::string& value : all(option.name)) {
+            const bool is_bound = option.use == FileUse::input_after_equals;
+            const std::size_t equals = value.find('=');
+            if (!is_bound) add(option.use, option.name, value);
+            if (is_bound && equals != value.npos)
+                add(FileUse::input, option.name, value.substr(equals + 1));
+        }
+        if (!has(option.name)) add(option.use, option.name, output(option));
+    }
+    return files;
 }
 
 bool Arguments::has(std::string_view option) const {
@@ -163,7 +198,7 @@ std::int32_t threads_of(const Arguments& arguments) {
 
 std::string help_text(const Command& command) {
     std::string text = "Usage: harmorph " + std::string(command.name);
-    for (const char* operand : command.operands) text += std::string(" ") + operand;
+    for (const Operand& operand : command.operands) text += std::string(" ") + operand.name;
     text += std::string(" [options]\n\n") + command.summary + ".\n\n" + command.details +
             "\nOptions:\n";
     for (const Option& option : command.options) text += help_line(option);

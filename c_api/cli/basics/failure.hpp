@@ -1,4 +1,4 @@
-// How the program ends, and the exception that carries a reason up to main().
+// Exit codes of the program, and the exception that carries a reason to main().
 #pragma once
 
 #include <stdexcept>
@@ -8,7 +8,7 @@ namespace cli {
 
 enum ExitCode {
     exit_done = 0,
-    exit_unusable = 1,  // the result is of no use: inverted cells, not converged
+    exit_unusable = 1,  // the result cannot be used: inverted cells, not converged
     exit_usage = 2,     // the command line is wrong
     exit_file = 3       // a file cannot be read, understood or written
 };

@@ -8,7 +8,7 @@
 
 namespace cli {
 
-// Where the points are, or how far they go.
+// Places or displacements of the points of a mesh.
 struct Field {
     std::vector<double> x, y;
     explicit Field(std::size_t points) : x(points), y(points) {}

@@ -29,7 +29,7 @@ struct Box {
         return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
                other.low.y <= high.y;
     }
-    Box common(const Box& other) const {  // of two that overlap
+    Box common(const Box& other) const {  // the boxes must overlap
         return {{std::max(low.x, other.low.x), std::max(low.y, other.low.y)},
                 {std::min(high.x, other.high.x), std::min(high.y, other.high.y)}};
     }

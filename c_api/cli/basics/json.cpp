@@ -1,6 +1,7 @@
 #include "basics/json.hpp"
 
 #include "basics/numbers.hpp"
+#include "basics/readable.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -11,15 +12,19 @@ namespace {
 
 std::string json_string(std::string_view text) {
     std::string result = "\"";
-    for (const char c : text) {
+    while (!text.empty()) {
+        const char c = text[0];
+        const std::size_t bytes = readable_character(text);
         if (c == '"' || c == '\\') result += '\\';
-        if (static_cast<unsigned char>(c) >= ' ') {
-            result += c;
-        } else {
+        if (static_cast<unsigned char>(c) < ' ') {
             char escaped[8];
             std::snprintf(escaped, sizeof escaped, "\\u%04x", static_cast<unsigned>(c));
             result += escaped;
+        } else if (bytes == 0) {
+            result += '\\' + byte_in_hexadecimal(c);
         }
+        result += text.substr(0, bytes);
+        text.remove_prefix(bytes > 0 ? bytes : 1);
     }
     return result + "\"";
 }

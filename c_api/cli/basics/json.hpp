@@ -10,7 +10,7 @@ namespace cli {
 
 class JsonObject {
 public:
-    JsonObject& add(std::string_view key, double value);  // infinite and NaN: null
+    JsonObject& add(std::string_view key, double value);  // infinities and NaN become null
     JsonObject& add(std::string_view key, bool value);
     JsonObject& add(std::string_view key, std::int64_t value);
     JsonObject& add(std::string_view key, std::int32_t value) {

@@ -20,7 +20,7 @@ ExitCode exit_code(hm_status status) {
     }
 }
 
-// Where an item stands in the file of the mesh; nullptr: nowhere.
+// The offset of an item in the file of the mesh; nullptr: the item is not in the file.
 const std::size_t* offset_of(std::int32_t kind, std::int32_t item, const Mesh& mesh) {
     const std::vector<std::size_t>* offsets = nullptr;
     if (kind == HM_ITEM_CELL) offsets = &mesh.cell_offset;
@@ -39,7 +39,7 @@ std::string place_of(const hm_error& error, const Mesh& mesh) {
     return offset != nullptr ? mesh.file.place(*offset) : mesh.file.path();
 }
 
-// The library knows markers by number only: " (marker 4 is 'axis')".
+// The library knows the numbers of markers only; returns text such as " (marker 4 is 'axis')".
 std::string names_of_markers(const hm_error& error, const Mesh& mesh) {
     std::string text;
     const auto add = [&](std::int32_t kind, std::int32_t number) {
@@ -58,7 +58,7 @@ std::string names_of_markers(const hm_error& error, const Mesh& mesh) {
 
 void Block::resize(std::size_t bytes) {
     if (!memory_ || bytes > capacity_) {
-        memory_.reset();  // first, so that old and new are never there together
+        memory_.reset();  // before the allocation, so that both blocks never exist together
         data_ = nullptr;
         capacity_ = 0;
         memory_.reset(std::malloc(hm_pages_room(bytes)));

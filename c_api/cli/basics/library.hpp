@@ -1,5 +1,5 @@
-// Calls of the library: refusals become failures of the program that say which file, and if
-// possible which line, is meant.
+// Calls of the library: a refusal becomes a failure of the program that names the file and, if
+// possible, the line.
 #pragma once
 
 #include "commands/commands.hpp"
@@ -13,14 +13,13 @@
 
 namespace cli {
 
-// Memory for an object of the library, in huge pages where the system has them. It is not filled:
-// untouched pages cost nothing until the library needs them.
+// Memory for an object of the library, in huge pages where the system has them. The
+// memory is not filled: pages cost nothing until the library touches them.
 class Block {
 public:
     Block() = default;
     explicit Block(std::size_t bytes) { resize(bytes); }
-    void resize(
-        std::size_t bytes);  // keeps the memory where it is large enough, but not what is in it
+    void resize(std::size_t bytes);  // keeps memory that is large enough, but not its contents
     unsigned char* data() { return data_; }
     const unsigned char* data() const { return data_; }
     std::size_t size() const { return size_; }
@@ -34,7 +33,7 @@ private:
     std::size_t size_ = 0, capacity_ = 0;
 };
 
-// An options or report struct as the library wants it: its size, and 0.
+// An options or report struct with its size set and all other members 0.
 template <class Struct>
 Struct sized() {
     Struct result = {};
@@ -43,7 +42,7 @@ Struct sized() {
 }
 
 [[noreturn]] void refuse(const hm_error& error,
-                         const std::string& path);  // path: the file that is at fault
+                         const std::string& path);  // path: the file that causes the error
 [[noreturn]] void refuse(const hm_error& error, const Mesh& mesh);
 
 // call(about, hm_function, arguments without the hm_error) returns the status, 0 or a warning.

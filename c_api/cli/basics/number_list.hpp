@@ -1,4 +1,4 @@
-// Values of options that are several numbers with commas between them.
+// Values of options that consist of several numbers separated by commas.
 #pragma once
 
 #include "basics/arguments.hpp"

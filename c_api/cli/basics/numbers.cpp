@@ -10,7 +10,7 @@ namespace cli {
 
 namespace {
 
-std::string print(const char* format, double value) {
+std::string formatted(const char* format, double value) {
     char text[40];
     std::snprintf(text, sizeof text, format, value);
     return text;
@@ -30,7 +30,7 @@ bool parse(std::string_view word, std::int64_t& value) {
     return result.ec == std::errc() && result.ptr == end;
 }
 
-// strtod wants a terminated string, and a D of Fortran as an e.
+// strtod needs a terminated string, and e for the D of Fortran.
 static bool parse_slowly(std::string_view word, double& value) {
     char text[64];
     if (word.empty() || word.size() >= sizeof text) return false;
@@ -55,10 +55,10 @@ bool parse(std::string_view word, double& value) {
     return parse_slowly(word, value);
 }
 
-std::string exact(double value) { return print("%.17g", value); }
-std::string scientific(double value) { return print("%.16E", value); }
+std::string exact(double value) { return formatted("%.17g", value); }
+std::string scientific(double value) { return formatted("%.16E", value); }
 
-std::string brief(double value) { return print("%.4g", value); }
+std::string brief(double value) { return formatted("%.4g", value); }
 
 std::string plural(std::int64_t count, std::string_view noun) {
     return (std::to_string(count) + " ").append(noun) + (count == 1 ? "" : "s");

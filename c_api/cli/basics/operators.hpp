@@ -1,4 +1,4 @@
-// What the program calls the operators of the library: a row for each, from which options, help,
+// Names of the operators of the library. Each operator has a row, from which options, help,
 // pictures and pages take their words.
 #pragma once
 
@@ -7,8 +7,8 @@
 namespace cli {
 
 struct OperatorName {
-    Choice choice;             // behind --operator; the first row is the default
-    const char* functions;     // adjective of its functions, in pictures and pages
+    Choice choice;             // value of --operator; the first row is the default
+    const char* functions;     // adjective of the functions, in pictures and pages
     const char* help;          // ends without a full stop
     const char* usual_weight;  // default of --exponent, or NULL: the operator has no exponent
 };

@@ -15,7 +15,7 @@ public:
     Progress(const Progress&) = delete;
 
     void listen(hm_options& options);
-    void wipe() { bar_.wipe(); }  // takes the bar away
+    void wipe() { bar_.wipe(); }  // removes the bar
     double seconds(std::int32_t phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
 
 private:
@@ -24,7 +24,7 @@ private:
     static std::int32_t on_progress(void* self, std::int32_t phase, double fraction);
     void report(std::int32_t phase, double fraction);
 
-    std::array<double, n_phases> seconds_ = {};  // of each phase's latest run
+    std::array<double, n_phases> seconds_ = {};  // the last run of each phase
     Stopwatch phase_watch_;
     ProgressBar bar_;
 };

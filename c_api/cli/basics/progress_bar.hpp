@@ -1,4 +1,4 @@
-// A bar on standard error when that is a terminal; else nothing.
+// A progress bar on standard error, drawn if standard error is a terminal.
 #pragma once
 
 namespace cli {
@@ -10,7 +10,7 @@ public:
     ProgressBar(const ProgressBar&) = delete;
 
     void draw(const char* what, double fraction);
-    void wipe();  // takes the bar away
+    void wipe();  // removes the bar
 
 private:
     bool is_terminal_;

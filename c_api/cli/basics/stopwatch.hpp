@@ -16,7 +16,7 @@ private:
     Clock::time_point start_ = Clock::now();
 };
 
-// Of at least one value.
+// There must be at least one value.
 inline double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const std::size_t half = values.size() / 2;

@@ -1,10 +1,10 @@
 #include "basics/text_file.hpp"
 
 #include "basics/failure.hpp"
+#include "basics/readable.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -20,7 +20,7 @@ std::string read_whole(const std::string& path) {
                                                                std::fclose);
     std::string text;
     std::size_t filled = 0;
-    // The size as a guess, as pipes have none.
+    // The size is only a guess, as pipes have no size.
     const long size = file && std::fseek(file.get(), 0, SEEK_END) == 0 ? std::ftell(file.get()) : 0;
     if (file) std::rewind(file.get());
     while (file && !std::feof(file.get()) && !std::ferror(file.get())) {
@@ -36,7 +36,7 @@ std::string read_whole(const std::string& path) {
     return text;
 }
 
-// What each byte is to a reader of lines.
+// The class of each byte for a reader of lines.
 enum : unsigned char { part_of_word, blank, end_of_line };
 
 constexpr auto kinds_of_bytes() {
@@ -85,8 +85,8 @@ LineReader::LineReader(const TextFile& file, char comment) : file_(file), commen
         next_ = byte_order_mark.size();
 }
 
-// One pass over the line's bytes finds its end, its comment and where it begins and ends without
-// blanks.
+// One pass over the bytes of a line finds the end of the line, the comment, and the first and the
+// last byte that are not blank.
 bool LineReader::next() {
     const char* const text = file_.text().data();
     const std::size_t size = file_.text().size();
@@ -95,7 +95,7 @@ bool LineReader::next() {
         std::size_t at = next_;
         while (at < size && kind(text[at]) == blank) ++at;
         const std::size_t begin = at;
-        std::size_t end = at;  // behind the last byte that is no blank
+        std::size_t end = at;  // behind the last byte that is not blank
         for (; at < size && kind(text[at]) != end_of_line && text[at] != comment_; ++at) {
             if (kind(text[at]) == part_of_word) end = at + 1;
         }
@@ -145,10 +145,10 @@ bool ends_with(std::string_view text, std::string_view end) {
 
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t longest = 48;
-    std::string result = "'";
-    for (const char c : text.substr(0, longest))
-        result += std::iscntrl(static_cast<unsigned char>(c)) ? '?' : c;
-    return result + (text.size() > longest ? "...'" : "'");
+    std::size_t bytes = 0;  // characters stay whole
+    while (bytes < std::min(longest, text.size()))
+        bytes += std::max<std::size_t>(readable_character(text.substr(bytes)), 1);
+    return "'" + readable(text.substr(0, bytes)) + (text.size() > bytes ? "...'" : "'");
 }
 
 }  // namespace cli

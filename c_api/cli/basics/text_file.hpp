@@ -1,5 +1,5 @@
-// A file in memory, text for the most part, read line by line; errors name the file, the line and
-// what was expected.
+// A file in memory, usually text, which is read line by line. Errors name the file and the line,
+// and say what was expected.
 #pragma once
 
 #include <cstddef>
@@ -14,21 +14,21 @@ namespace cli {
 
 class TextFile {
 public:
-    explicit TextFile(const std::string& path);  // reads it whole
-    // Instead of what is there.
+    explicit TextFile(const std::string& path);  // reads the whole file
+    // The given text takes the place of the contents of the file.
     TextFile(const std::string& path, std::string text) : path_(path), text_(std::move(text)) {}
 
     const std::string& path() const { return path_; }
     const std::string& text() const { return text_; }
     std::string place(std::size_t offset) const;  // "FILE:LINE"; behind binary parts "FILE: byte N"
-    // Where the text is not what people see of the file: other words for an offset.
+    // Gives other names to offsets, where the text in memory is not the text of the file.
     void name_places(std::function<std::string(std::size_t)> name) {
         name_of_place_ = std::move(name);
     }
     [[noreturn]] void fail(std::size_t offset, std::string_view message) const;
 
-    // Readers say how far they have come; hundredth by hundredth the listener hears which part that
-    // is, 0 .. 1.
+    // Readers report how far they have come; after each hundredth of the file the listener gets
+    // the fraction, 0 to 1.
     void listen(std::function<void(double)> listener);
     void passed(std::size_t offset) const {
         if (offset >= next_mark_) report(offset);
@@ -43,8 +43,7 @@ private:
     mutable std::size_t next_mark_ = std::numeric_limits<std::size_t>::max();
 };
 
-// Runs over the lines that are not empty once the comment is cut off. A line ends with LF, CR LF or
-// CR.
+// Reads the lines that are not empty without their comments. A line ends with LF, CR LF or CR.
 class LineReader {
 public:
     LineReader(const TextFile& file, char comment);
@@ -53,8 +52,8 @@ public:
     std::string_view line() const { return line_; }           // trimmed
     const std::vector<std::string_view>& words();             // between blanks and tabs
     std::size_t offset() const { return offset(line_); }      // of the line in the file's text
-    std::size_t offset(std::string_view part) const;          // of a part of it
-    std::size_t next_offset() const { return next_; }         // of the line after it
+    std::size_t offset(std::string_view part) const;          // of a part of the line
+    std::size_t next_offset() const { return next_; }         // of the next line
     void jump(std::size_t offset) { next_ = offset; }         // next() goes on there
     [[noreturn]] void fail(std::string_view message) const;   // about this line
     [[noreturn]] void expected(std::string_view what) const;  // "expected WHAT, found LINE"
@@ -71,7 +70,6 @@ private:
 constexpr std::string_view blanks = " \t\v\f\r\n";
 std::string_view trimmed(std::string_view text);
 bool ends_with(std::string_view text, std::string_view end);
-std::string in_quotes(
-    std::string_view text);  // for messages: 'text', shortened and without control characters
+std::string in_quotes(std::string_view text);  // for messages: 'text', shortened and readable
 
 }  // namespace cli

@@ -1,4 +1,4 @@
-// Text of many numbers, several times as fast as by a stream's own operators.
+// Output of many numbers, several times as fast as the operators of a stream.
 #pragma once
 
 #include "basics/numbers.hpp"
@@ -30,7 +30,7 @@ public:
         const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
         return *this << std::string_view(digits, static_cast<std::size_t>(end - digits));
     }
-    // With as many digits as read back as the same bits.
+    // Writes as many digits as are needed to read back the same bits.
     TextOut& operator<<(double value) {
 #if defined(__cpp_lib_to_chars)  // some C++17 libraries lack it for real numbers
         char digits[32];

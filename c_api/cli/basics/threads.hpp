@@ -1,4 +1,5 @@
-// Threads for the library, as many as --threads says; one means none besides the program's own.
+// Threads for the library, as many as --threads says; with one, only the thread of the program
+// runs.
 #pragma once
 
 #include "harmorph_pthreads.h"

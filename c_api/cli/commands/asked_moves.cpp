@@ -1,14 +1,13 @@
 #include "commands/asked_moves.hpp"
 #include "curves/moves_file.hpp"
 #include "basics/numbers.hpp"
-#include "basics/output_file.hpp"
 #include "curves/variables_file.hpp"
 
 namespace cli {
 
 namespace {
 
-// Of the control points, or of the variables that stand for them; bodies then stay.
+// Reads moves of control points and bodies, or values of variables; with variables, bodies stay.
 std::vector<double> moves_of_file(const Arguments& arguments, const Basis& basis,
                                   const Mesh& mesh) {
     const std::string path = arguments.text("--move");
@@ -42,11 +41,6 @@ std::vector<double> asked_moves(const Arguments& arguments, const Mesh& mesh, co
     if (basis.info().curves == 0) arguments.refuse("--to-airfoil: the basis has no curve");
     const std::int32_t curve = arguments.whole("--airfoil-curve", 1, 1, basis.info().curves) - 1;
     airfoil = moves_to_airfoil(basis, curve, read_section(path), path, arguments.has("--on-chord"));
-    if (arguments.has("--moves-out")) {
-        OutputFiles files;
-        write_moves(files.add(arguments.text("--moves-out")), airfoil->moves, basis, mesh);
-        files.commit();
-    }
     return airfoil->moves;
 }
 

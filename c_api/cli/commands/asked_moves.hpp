@@ -11,8 +11,8 @@
 
 namespace cli {
 
-// Pairs [2*functions] for hm_morph. `airfoil`: how well the curve can be the airfoil of
-// --to-airfoil; empty otherwise.
+// Returns pairs [2*functions] for hm_morph. `airfoil` gets the distances between the curve and the
+// airfoil of --to-airfoil; it stays empty without that option.
 std::vector<double> asked_moves(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
                                 std::optional<ToAirfoil>& airfoil);
 

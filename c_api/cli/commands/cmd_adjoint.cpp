@@ -4,6 +4,7 @@
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
 #include "basics/output_file.hpp"
+#include "basics/print.hpp"
 #include "basics/threads.hpp"
 #include "commands/commands.hpp"
 #include "curves/gradient_file.hpp"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 namespace cli {
@@ -107,20 +107,19 @@ void run_adjoint(const Arguments& arguments) {
         files.commit();
     }
     if (arguments.has("--json")) {
-        std::printf("%s\n",
-                    gradients_json(gradients, basis, mesh, map ? &*map : nullptr).text().c_str());
+        print("%s\n", gradients_json(gradients, basis, mesh, map ? &*map : nullptr).text().c_str());
         return;
     }
     for (const Gradient& gradient : gradients) {
-        std::printf(
-            "objective        %s: derivatives at %s of the mesh's %d\n", gradient.objective.c_str(),
-            plural(static_cast<std::int64_t>(gradient.points), "point").c_str(), mesh.points());
+        print("objective        %s: derivatives at %s of the mesh's %d\n",
+              gradient.objective.c_str(),
+              plural(static_cast<std::int64_t>(gradient.points), "point").c_str(), mesh.points());
         const double most = gradient.admissible_descent;
-        std::printf("steepest descent %s\n",
-                    std::isinf(most) ? "no limit"
-                                     : (brief(most) + " times the gradient, subtracted from the "
-                                                      "control points, is admissible")
-                                           .c_str());
+        print("steepest descent %s\n",
+              std::isinf(most) ? "no limit"
+                               : (brief(most) + " times the gradient, subtracted from the "
+                                                "control points, is admissible")
+                                     .c_str());
     }
 }
 
@@ -128,7 +127,7 @@ void run_adjoint(const Arguments& arguments) {
 
 const Command adjoint_command = {
     "adjoint",
-    {"MESH", "BASIS"},
+    {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}},
     "Derivatives by control points from derivatives by mesh points",
     "An adjoint flow solver writes the derivatives of an objective by the coordinates of all mesh "
     "points. This command\n"
@@ -147,7 +146,8 @@ const Command adjoint_command = {
     "the control points: second derivatives by control points are F^T H F with the solver's H, "
     "and have no other term.\n",
     std::vector<Option>{
-        {"--sensitivity", "FILE", "derivatives by mesh points; may be repeated, once an objective"},
+        {"--sensitivity", "FILE", "derivatives by mesh points; may be repeated, once an objective",
+         FileUse::input},
         {"--x", "NAME", "the column of dJ/dx (default: Sensitivity_x)"},
         {"--y", "NAME", "the column of dJ/dy (default: Sensitivity_y)"},
         {"--normal", "NAME",
@@ -156,10 +156,11 @@ const Command adjoint_command = {
         {"--per-length", nullptr,
          "for --normal: the values are by the length of the wall (default: by point)"},
         {"--variables", "MAP",
-         "derivatives by the design variables in MAP, a file of `harmorph variables`"},
+         "derivatives by the design variables in MAP, a file of `harmorph variables`",
+         FileUse::input},
         {"--smooth", "LENGTH",
          "smooth the gradient along the curves: changes along less than LENGTH are damped"},
-        {"-o", "FILE", "where to write the gradient: .csv, .json, or else text"},
+        {"-o", "FILE", "where to write the gradient: .csv, .json, or else text", FileUse::output},
         {"--json", nullptr, "print one JSON object with all gradients"},
         format_option,
         zone_option,

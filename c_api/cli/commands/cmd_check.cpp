@@ -1,4 +1,4 @@
-// harmorph check: is a mesh well formed, and how good is it?
+// harmorph check: tests whether a mesh is well formed, and reports size and quality.
 #include <harmorph_study.h>
 #include "mesh/boundary_loops.hpp"
 #include "commands/commands.hpp"
@@ -6,6 +6,7 @@
 #include "basics/json.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "pictures/pictures.hpp"
 #include "basics/place.hpp"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <ostream>
 
 namespace cli {
@@ -36,19 +36,19 @@ void print_json(const hm_mesh_report& report, const Mesh& mesh) {
     object.add("inverted", report.inverted);
     object.add("min_area", report.min_area).add("min_quality", report.min_quality);
     object.add("mean_quality", report.mean_quality).add("markers", markers);
-    std::printf("%s\n", object.text().c_str());
+    print("%s\n", object.text().c_str());
 }
 
-// Of many markers, the first ones and the loops that they form.
+// Prints all markers; where there are many, the first ones and the loops that the markers form.
 void print_markers(const Mesh& mesh) {
     constexpr std::size_t most_printed = 20;
     const std::size_t n = mesh.markers.size(), printed = n > most_printed ? most_printed / 2 : n;
     for (std::size_t marker = 0; marker < printed; ++marker) {
-        std::printf("marker        %s: %s\n", mesh.markers[marker].c_str(),
-                    plural(mesh.faces(static_cast<std::int32_t>(marker)), "face").c_str());
+        print("marker        %s: %s\n", mesh.markers[marker].c_str(),
+              plural(mesh.faces(static_cast<std::int32_t>(marker)), "face").c_str());
     }
     if (printed == n) return;
-    std::printf("marker        ... and %s more\n", std::to_string(n - printed).c_str());
+    print("marker        ... and %s more\n", std::to_string(n - printed).c_str());
     const BoundaryLoops loops(mesh.face_points, mesh.points());
     struct Extent {
         std::int32_t faces = 0;
@@ -67,30 +67,30 @@ void print_markers(const Mesh& mesh) {
     }
     for (std::size_t loop = 0; loop < extents.size() && loop < most_printed; ++loop) {
         const Extent& extent = extents[loop];
-        std::printf("loop          loop:%s: %s, x = %s .. %s, y = %s .. %s\n",
-                    std::to_string(loop + 1).c_str(), plural(extent.faces, "face").c_str(),
-                    brief(extent.low[0]).c_str(), brief(extent.high[0]).c_str(),
-                    brief(extent.low[1]).c_str(), brief(extent.high[1]).c_str());
+        print("loop          loop:%s: %s, x = %s .. %s, y = %s .. %s\n",
+              std::to_string(loop + 1).c_str(), plural(extent.faces, "face").c_str(),
+              brief(extent.low[0]).c_str(), brief(extent.high[0]).c_str(),
+              brief(extent.low[1]).c_str(), brief(extent.high[1]).c_str());
     }
 }
 
 void print_for_people(const hm_mesh_report& report, const Mesh& mesh) {
-    std::printf("points        %d, %d of them in cells\n", report.points, report.used_points);
+    print("points        %d, %d of them in cells\n", report.points, report.used_points);
     const std::string polygons =
         report.polygons == 0 ? "" : ", " + plural(report.polygons, "polygon");
-    std::printf("cells         %d: %s, %s%s\n", report.cells,
-                plural(report.triangles, "triangle").c_str(), plural(report.quads, "quad").c_str(),
-                polygons.c_str());
-    std::printf("edges         %d, %d of them boundary in %s\n", report.edges,
-                report.boundary_edges, plural(report.boundary_loops, "loop").c_str());
+    print("cells         %d: %s, %s%s\n", report.cells,
+          plural(report.triangles, "triangle").c_str(), plural(report.quads, "quad").c_str(),
+          polygons.c_str());
+    print("edges         %d, %d of them boundary in %s\n", report.edges, report.boundary_edges,
+          plural(report.boundary_loops, "loop").c_str());
     print_markers(mesh);
-    std::printf("corner areas  %s at least\n", brief(report.min_area).c_str());
-    std::printf("skew quality  %s at least, %s on average\n", brief(report.min_quality).c_str(),
-                brief(report.mean_quality).c_str());
-    std::printf("inverted      %d\n", report.inverted);
+    print("corner areas  %s at least\n", brief(report.min_area).c_str());
+    print("skew quality  %s at least, %s on average\n", brief(report.min_quality).c_str(),
+          brief(report.mean_quality).c_str());
+    print("inverted      %d\n", report.inverted);
 }
 
-// The mesh, or volumes round some of its points.
+// Draws the mesh, or volumes round some points of the mesh.
 void write_picture(const Arguments& arguments, const Mesh& mesh) {
     const std::optional<Box> window = window_of(arguments);
     OutputFiles files;
@@ -110,8 +110,8 @@ void write_picture(const Arguments& arguments, const Mesh& mesh) {
     files.commit();
 }
 
-// The further checks of `harmorph solve`: as if the points of the whole boundary, which is one
-// marker here, were given. One marker, as the time grows with the number of conditions.
+// Makes the further checks of `harmorph solve`, as if the displacements of the whole boundary were
+// given. The whole boundary is one marker here, as the time grows with the number of conditions.
 void check_as_solve_does(const Mesh& mesh) {
     const std::vector<std::int32_t> one_marker(mesh.face_markers.size(), 0);
     hm_mesh view = mesh.view();
@@ -151,7 +151,7 @@ void run_check(const Arguments& arguments) {
 
 const Command check_command = {
     "check",
-    {"MESH"},
+    {{"MESH", FileUse::mesh}},
     "Checks a mesh and reports its size and quality",
     "Refused with the line of the first offender: wrong indices, "
     "points repeated in a cell, edges of more than two cells,\n"
@@ -160,10 +160,11 @@ const Command check_command = {
     "Then what solve refuses beside: cells too thin for the size of their coordinates.\n",
     {format_option,
      zone_option,
-     {"--svg", "FILE", "picture of the mesh, its markers in colours"},
+     {"--svg", "FILE", "picture of the mesh, its markers in colours", FileUse::output},
      {"--boundaries", nullptr, "--svg shows the boundaries alone"},
      {"--curve", "CURVE",
-      "--svg also shows these B-splines with their control points (may be repeated)"},
+      "--svg also shows these B-splines with their control points (may be repeated)",
+      FileUse::input},
      {"--window", "X,Y,X,Y",
       "lower left and upper right corner of what --svg shows (default: all of the mesh)"},
      {"--dual-volumes", "P[,Q..]",

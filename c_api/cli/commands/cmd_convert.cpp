@@ -1,9 +1,8 @@
-// harmorph convert: a mesh of one format as a new file of another.
+// harmorph convert: writes a mesh as a new file of another format.
 #include "commands/commands.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
-
-#include <cstdio>
 
 namespace cli {
 
@@ -19,16 +18,16 @@ void run_convert(const Arguments& arguments) {
     format.create(files.add(path), mesh);
     files.commit();
     const std::string markers = plural(static_cast<std::int64_t>(mesh.markers.size()), "marker");
-    std::printf("written        %s: %s, %s, %s%s (%s)\n", path.c_str(),
-                plural(mesh.points(), "point").c_str(), plural(mesh.cells(), "cell").c_str(),
-                format.has_markers ? "" : "without the ", markers.c_str(), format.title);
+    print("written        %s: %s, %s, %s%s (%s)\n", path.c_str(),
+          plural(mesh.points(), "point").c_str(), plural(mesh.cells(), "cell").c_str(),
+          format.has_markers ? "" : "without the ", markers.c_str(), format.title);
 }
 
 }  // namespace
 
 const Command convert_command = {
     "convert",
-    {"MESH", "NEW"},
+    {{"MESH", FileUse::mesh}, {"NEW", FileUse::output}},
     "Writes a mesh as a new file of another format",
     "The new file has the points, cells and markers (not in VTK files, which have none) that the "
     "other commands see:\n"

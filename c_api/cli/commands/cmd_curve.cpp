@@ -1,4 +1,4 @@
-// harmorph curve: measures of a section, and the same curve with more control points.
+// harmorph curve: measures a section, and gives its curve more control points.
 #include <harmorph_design.h>
 #include "commands/commands.hpp"
 #include "curves/curve_file.hpp"
@@ -6,17 +6,17 @@
 #include "basics/library.hpp"
 #include "basics/number_list.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "commands/section_option.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace cli {
 
 namespace {
 
-// The same shape with more control points: inserted knots, or the degree that hm_refine is given.
+// Returns curves of the same shape with more control points, by inserted knots or a higher degree.
 Curves refined(const std::string& path, const Curves& curves, std::int32_t curve,
                std::int32_t degree, const std::vector<double>& knots) {
     const CurvesView view(curves);
@@ -30,7 +30,7 @@ Curves refined(const std::string& path, const Curves& curves, std::int32_t curve
     return copied(*finer);
 }
 
-// The middles of all knot spans, or of the longest where only some are wanted.
+// Returns the middles of all knot spans.
 std::vector<double> middles(const Curve& curve) {
     std::vector<double> found;
     const auto degree = static_cast<std::size_t>(curve.degree);
@@ -119,13 +119,13 @@ void print_measures(const Arguments& arguments, const Curves& curves) {
         if (arguments.has("--json")) {
             if (status >= 0) object.add(wanted.key, value);
         } else if (status < 0) {
-            std::printf("%-22s none: %s\n", wanted.text.c_str(), error.text);
+            print("%-22s none: %s\n", wanted.text.c_str(), error.text);
         } else {
-            std::printf("%-22s %-12s at x = %s, y = %s\n", wanted.text.c_str(),
-                        brief(value).c_str(), brief(at[0]).c_str(), brief(at[1]).c_str());
+            print("%-22s %-12s at x = %s, y = %s\n", wanted.text.c_str(), brief(value).c_str(),
+                  brief(at[0]).c_str(), brief(at[1]).c_str());
         }
     }
-    if (arguments.has("--json")) std::printf("%s\n", object.text().c_str());
+    if (arguments.has("--json")) print("%s\n", object.text().c_str());
 }
 
 void run_curve(const Arguments& arguments) {
@@ -142,7 +142,7 @@ void run_curve(const Arguments& arguments) {
 
 const Command curve_command = {
     "curve",
-    {"CURVE"},
+    {{"CURVE", FileUse::input}},
     "Measures a section; inserts knots into its curve, or raises the degree",
     "Prints area, centroid, second moments, chord, thickness, camber, "
     "radii of curvature, and the angle and gap of the\n"
@@ -162,7 +162,7 @@ const Command curve_command = {
      {"--elevate", nullptr, "raise the degree by 1"},
      {"--halve", nullptr, "insert a knot in the middle of each knot span"},
      {"--insert", "U[,U..]", "insert these knots"},
-     {"-o", "CURVE", "file to write\n" CURVE_FORMATS},
+     {"-o", "CURVE", "file to write\n" CURVE_FORMATS, FileUse::output},
      {"--json", nullptr,
       "print one JSON object: points, curves, area, centroid_x, .., thickness_S, camber_S, "
       "clearance"}},

@@ -1,34 +1,37 @@
-// harmorph demo: the whole path on the shipped mesh, as a user would go it with the other commands.
+// harmorph demo: runs all steps on the shipped mesh, by the commands that a user would type.
 #include <harmorph_design.h>
 #include "mesh/basis_file.hpp"
 #include "commands/commands.hpp"
+#include "commands/used_files.hpp"
 #include "curves/curve_file.hpp"
 #include "commands/morph.hpp"
 #include "curves/moves_file.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "mesh/refine.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 namespace cli {
 
 namespace {
 
-// Says what would have to be typed, and does it.
+// Prints the command that a user would type, and runs the command.
 void step(const std::string& purpose, const std::vector<std::string>& words) {
     std::string line = "harmorph";
     for (const std::string& word : words) line += " " + word;
-    std::printf("\n# %s\n$ %s\n", purpose.c_str(), line.c_str());
+    print("\n# %s\n$ %s\n", purpose.c_str(), line.c_str());
     run_command(words);
 }
 
-constexpr double camber = .03, thickening = .4;  // in chords, and as a share of the thickness
+constexpr double camber = .03,
+                 thickening = .4;  // camber in chords, thickening as a share of the thickness
 
-// An airfoil of chord 1 from x = 0 to 1 gets more camber (a parabolic arc) and more thickness.
+// Returns moves that give an airfoil of chord 1 from x = 0 to 1 more camber (a parabolic arc) and
+// more thickness.
 std::vector<double> pleasing_moves(const Curves& curves) {
     std::vector<double> moves(curves.control.size());
     for (std::size_t i = 0; i < moves.size(); i += 2) {
@@ -38,7 +41,7 @@ std::vector<double> pleasing_moves(const Curves& curves) {
     return moves;
 }
 
-// Scaled down to at most half of what the mesh can take, so that the picture shows healthy cells.
+// The moves are at most half of the admissible step, so that the picture shows good cells.
 void write_admissible_moves(const std::string& mesh_path, const std::string& curve_path,
                             const std::string& basis_path, const std::string& moves_path) {
     const Mesh mesh = read_mesh(mesh_path);
@@ -49,15 +52,15 @@ void write_admissible_moves(const std::string& mesh_path, const std::string& cur
         admissible_step(basis, mesh, displacement(basis, mesh, moves, threads), threads));
     const double scale = std::min(1.0, admissible / 2);
     for (double& move : moves) move *= scale;
-    std::printf("\n# more camber (%s chord) and thickness (%s %%), written to %s\n",
-                brief(camber * scale).c_str(), brief(100 * thickening * scale).c_str(),
-                moves_path.c_str());
+    print("\n# more camber (%s chord) and thickness (%s %%), written to %s\n",
+          brief(camber * scale).c_str(), brief(100 * thickening * scale).c_str(),
+          moves_path.c_str());
     OutputFiles files;
     write_moves(files.add(moves_path), moves, basis, mesh);
     files.commit();
 }
 
-// Turned by that much about a point: farther than one step of the mesh can follow.
+// The airfoil turns by this angle about this point, which is too far for one step.
 constexpr double far_degrees = 170, far_x = .25, far_y = 0;
 
 void write_far_moves(const std::string& mesh_path, const std::string& curve_path,
@@ -73,14 +76,14 @@ void write_far_moves(const std::string& mesh_path, const std::string& curve_path
         moves[i] = c * x - s * y - x;
         moves[i + 1] = s * x + c * y - y;
     }
-    std::printf("\n# a turn by %s degrees about x = %s, written to %s\n",
-                brief(far_degrees).c_str(), brief(far_x).c_str(), moves_path.c_str());
+    print("\n# a turn by %s degrees about x = %s, written to %s\n", brief(far_degrees).c_str(),
+          brief(far_x).c_str(), moves_path.c_str());
     OutputFiles files;
     write_moves(files.add(moves_path), moves, basis, mesh);
     files.commit();
 }
 
-// The middles of faces on the airfoil lie on its curve, as far off it as their ends are.
+// New points on the airfoil are as far from the curve as the ends of their faces are on average.
 void write_fine_mesh(const std::string& mesh_path, const std::string& curve_path,
                      const std::string& fine_path) {
     const Mesh mesh = read_mesh(mesh_path);
@@ -93,7 +96,7 @@ void write_fine_mesh(const std::string& mesh_path, const std::string& curve_path
         call(curve_path, hm_curve_point, view.get(), std::int32_t{0}, u, std::int32_t{0}, foot);
         return Point{foot[0], foot[1]};
     };
-    std::printf("\n# the mesh with each cell divided in four, written to %s\n", fine_path.c_str());
+    print("\n# the mesh with each cell divided in four, written to %s\n", fine_path.c_str());
     OutputFiles files;
     write_refined(files.add(fine_path), mesh, [&](std::int32_t marker, Point a, Point b) {
         const Point middle = {.5 * (a.x + b.x), .5 * (a.y + b.y)};
@@ -112,6 +115,12 @@ void copy_mesh(const std::string& from, const std::string& to) {
     files.commit();
 }
 
+// All files of the demo except mesh.su2, the copy of the shipped mesh.
+constexpr const char* made_files[] = {
+    "airfoil.curve", "airfoil.basis",     "function.svg", "moves.txt",   "far.txt", "morphed.su2",
+    "morphed.vtu",   "morphed.su2.curve", "morph.svg",    "report.html", "far.su2", "far.su2.curve",
+    "far.svg",       "fine.su2",          "fine.basis",   "page.html"};
+
 void run_demo(const Arguments& arguments) {
     const std::filesystem::path folder = arguments.operand(0);
     const std::string shipped =
@@ -129,6 +138,8 @@ void run_demo(const Arguments& arguments) {
     const std::string mesh = in_folder("mesh.su2"), curve = in_folder("airfoil.curve"),
                       basis = in_folder("airfoil.basis"), moves = in_folder("moves.txt"),
                       far_moves = in_folder("far.txt"), fine = in_folder("fine.su2");
+    for (const char* const name : made_files)
+        refuse_overwriting(arguments, {FileUse::output, "a file of DIR,", in_folder(name)});
     copy_mesh(shipped, mesh);
 
     step("is the mesh sound?", {"check", mesh});
@@ -151,16 +162,16 @@ void run_demo(const Arguments& arguments) {
          {"transfer", mesh, basis, fine, "-o", in_folder("fine.basis")});
     step("a page on which control points can be dragged",
          {"explore", mesh, basis, "-o", in_folder("page.html")});
-    std::printf("\n# look at %s and %s, and open %s and %s in a browser\n",
-                in_folder("morph.svg").c_str(), in_folder("function.svg").c_str(),
-                in_folder("report.html").c_str(), in_folder("page.html").c_str());
+    print("\n# look at %s and %s, and open %s and %s in a browser\n",
+          in_folder("morph.svg").c_str(), in_folder("function.svg").c_str(),
+          in_folder("report.html").c_str(), in_folder("page.html").c_str());
 }
 
 }  // namespace
 
 const Command demo_command = {
     "demo",
-    {"DIR"},
+    {{"DIR", FileUse::none}},
     "Goes the whole path on the shipped mesh and leaves all files in DIR",
     "Each step is printed as the command that does the same. In DIR are then, among others: "
     "mesh.su2, airfoil.curve,\n"
@@ -168,7 +179,8 @@ const Command demo_command = {
     "one that only --safe does; fine.su2, the\n"
     "mesh with each cell divided in four. The commands that --help shows work on them.\n",
     {{"--mesh", "FILE",
-      "mesh with a marker `airfoil` of chord 1 (default tests/meshes/naca0012.su2)"}},
+      "mesh with a marker `airfoil` of chord 1 (default tests/meshes/naca0012.su2)",
+      FileUse::input}},
     "  harmorph demo demo-output\n",
     run_demo};
 

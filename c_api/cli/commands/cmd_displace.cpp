@@ -7,6 +7,7 @@
 #include "commands/morph.hpp"
 #include "curves/moves_file.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "commands/safe_way.hpp"
 #include "commands/solver.hpp"
@@ -16,14 +17,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 namespace cli {
 
 namespace {
 
-// What moves: points as a file says, and control points and rigid bodies, if there are any.
+// The given displacements of wall points, and the moves of control points and rigid bodies.
 struct Movement {
     std::string path;
     WallField wall;
@@ -34,9 +34,9 @@ struct Displacement {
     Field by, moved;
     hm_step_report step = sized<hm_step_report>();
     hm_quality_report quality = sized<hm_quality_report>();
-    double factor_seconds = 0, displace_seconds = 0;  // the latter: the median
+    double factor_seconds = 0, displace_seconds = 0;  // displace_seconds: the median of all repeats
     std::optional<hm_safe_report> safe;
-    std::string refusal, warning;  // of the safe way
+    std::string refusal, warning;  // set by the safe displacement
 
     explicit Displacement(const Mesh& mesh) : by(mesh.x.size()), moved(mesh.x.size()) {}
     bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
@@ -50,7 +50,7 @@ void displace(Solver& solver, const Movement& movement, const hm_points* from, F
          movement.wall.points.data(), 1, &given, from, &result, work.data(), work.size(), nullptr);
 }
 
-// Displacements of the mesh by control points and bodies alone; nothing if there are none.
+// Computes the displacements of the mesh by control points and bodies alone, if there are any.
 void displace_by_moves(const Mesh& mesh, const Solver& solver, const Movement& movement,
                        const Threads& threads, Field& to) {
     if (movement.moves.empty()) return;
@@ -128,7 +128,8 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solve
         at_once(mesh, solver, movement, repeats, threads, found);
         solver.slide(found.moved, found.by);
     }
-    round_as_file(mesh, found.moved.x, found.moved.y);  // what is judged is what can be written
+    round_as_file(mesh, found.moved.x,
+                  found.moved.y);  // the file can hold the coordinates that are judged
     const hm_mesh view = mesh.view();
     const hm_points along = found.by.read(), at = found.moved.read(), start = mesh.coordinates();
     call(mesh, hm_assess, solver.basis(), &view, nullptr, &along, nullptr, threads.executor(),
@@ -163,24 +164,24 @@ void print_json(const Displacement& found) {
     object.add("factor_seconds", found.factor_seconds)
         .add("displace_seconds", found.displace_seconds);
     if (found.safe) add_safe(object, *found.safe, found.warning, nullptr);
-    std::printf("%s\n", object.text().c_str());
+    print("%s\n", object.text().c_str());
 }
 
 void print_for_people(const Displacement& found) {
     if (found.safe) print_target(*found.safe);
-    std::printf("inverted cells   %d\n", found.quality.inverted);
+    print("inverted cells   %d\n", found.quality.inverted);
     if (!found.safe) {
         const double step = valid_fraction(found.step);
         const std::string text = std::isinf(step) ? "unlimited" : brief(step) + " of this one";
-        std::printf("admissible step  %s\n", text.c_str());
+        print("admissible step  %s\n", text.c_str());
     }
-    std::printf(
+    print(
         "quality          %s at least, %s on average (size and skew, relative to the mesh as it "
         "was)\n",
         brief(found.quality.min_quality).c_str(), brief(found.quality.mean_quality).c_str());
     if (found.safe) print_worst_cells(*found.safe);
-    std::printf("seconds          %s for analysis and factor, %s for the displacement\n",
-                brief(found.factor_seconds).c_str(), brief(found.displace_seconds).c_str());
+    print("seconds          %s for analysis and factor, %s for the displacement\n",
+          brief(found.factor_seconds).c_str(), brief(found.displace_seconds).c_str());
 }
 
 std::string reason(const Displacement& found, const Mesh& mesh) {
@@ -244,7 +245,7 @@ void run_displace(const Arguments& arguments) {
 
 const Command displace_command = {
     "displace",
-    {"MESH"},
+    {{"MESH", FileUse::mesh}},
     "Moves the points of a wall as a file says, and the mesh with them",
     "FIELD is a text file with lines \"point dx dy\": all points of the markers of --given, "
     "each with its displacement. Points\n"
@@ -257,11 +258,12 @@ const Command displace_command = {
     "cells is not written, and a wall that would cross itself is refused.\n",
     std::vector<Option>{
         {"--given", "A[,B..]", "markers whose displacements FIELD has (required; may be repeated)"},
-        {"--wall", "FIELD", "their displacements (required)"},
+        {"--wall", "FIELD", "their displacements (required)", FileUse::input},
         {"--move", "MOVES",
-         "with --curve or --rigid: what control points and bodies move by, see `harmorph morph`"},
-        {"-o", "MESH", "moved mesh to write"},
-        {"--vtu", "FILE", "moved mesh and its displacement for ParaView"}} +
+         "with --curve or --rigid: what control points and bodies move by, see `harmorph morph`",
+         FileUse::input},
+        {"-o", "MESH", "moved mesh to write", FileUse::moved_mesh},
+        {"--vtu", "FILE", "moved mesh and its displacement for ParaView", FileUse::output}} +
         task_options() + engine_options() + safe_options() +
         std::vector<Option>{
             {"--repeat", "N",

@@ -1,20 +1,20 @@
-// harmorph explore: one page to drag control points on, for any browser.
+// harmorph explore: writes a page for any browser, on which control points can be dragged.
 #include "commands/commands.hpp"
 #include "curves/moves_file.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "page/page_data.hpp"
 #include "page/page_text.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <ostream>
 
 namespace cli {
 
 namespace {
 
-// The page measures how far a valid mesh goes.
+// The page computes admissible steps, which only a valid mesh has.
 void refuse_inverted_cells(const Mesh& mesh, const Basis& basis) {
     const hm_mesh view = mesh.view();
     auto quality = sized<hm_quality_report>();
@@ -45,7 +45,7 @@ void run_explore(const Arguments& arguments) {
     std::string moves;
     if (arguments.has("--move")) {
         read_moves(arguments.text("--move"), basis,
-                   mesh);  // refuses what the page would not understand
+                   mesh);  // refuses moves that the page would not understand
         moves = TextFile(arguments.text("--move")).text();
     }
     const hm_basis_info& info = basis.info();
@@ -59,10 +59,10 @@ void run_explore(const Arguments& arguments) {
     out << ";\n</script>\n" << explore_page.after_data;
     const double megabytes = static_cast<double>(out.tellp()) / 1e6;
     files.commit();
-    std::printf("%s: %s megabytes; open it in a browser\n", path.c_str(), brief(megabytes).c_str());
+    print("%s: %s megabytes; open it in a browser\n", path.c_str(), brief(megabytes).c_str());
     const auto n_cells = static_cast<std::int32_t>(selection.cells.size());
     if (n_cells < mesh.cells()) {
-        std::printf(
+        print(
             "left out: %d of %d cells, far from what moves, are drawn thinned and not judged (see "
             "--points)\n",
             mesh.cells() - n_cells, mesh.cells());
@@ -73,7 +73,7 @@ void run_explore(const Arguments& arguments) {
 
 const Command explore_command = {
     "explore",
-    {"MESH", "BASIS"},
+    {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}},
     "Writes a page to drag control points on while the mesh follows",
     "One self-contained file for any browser, without a network: control points, "
     "rigid bodies and design variables to drag;\n"
@@ -85,12 +85,12 @@ const Command explore_command = {
     "precision.\n"
     "Points that slide along curves (--slip) move along the tangents on the page; "
     "`harmorph morph` puts them onto the curves.\n",
-    {{"-o", "PAGE", "page to write, HTML (required)"},
+    {{"-o", "PAGE", "page to write, HTML (required)", FileUse::output},
      {"--points", "N",
       "how many points nearest to the body are shown with all their cells; farther away the mesh "
       "is thinned\n"
       "for drawing (default 200000; 50000 at least if there are many functions)"},
-     {"--move", "MOVES", "movement of the control points to begin with"},
+     {"--move", "MOVES", "movement of the control points to begin with", FileUse::input},
      format_option,
      zone_option},
     "  harmorph explore naca0012.su2 airfoil.basis -o page.html\n",

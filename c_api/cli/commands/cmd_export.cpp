@@ -1,4 +1,4 @@
-// harmorph export: one function of a basis as a table, for ParaView, or as a picture.
+// harmorph export: writes functions of a basis as a table, for ParaView, or as a picture.
 #include <harmorph_study.h>
 #include "mesh/basis_file.hpp"
 #include "commands/commands.hpp"
@@ -42,7 +42,7 @@ PointData point_data(const std::vector<Column>& columns) {
     return data;
 }
 
-// The levels are made once more, as the basis does not keep them.
+// Agglomerates again, as the basis does not keep the levels.
 std::vector<Level> levels_of(const Arguments& arguments, const Mesh& mesh, const Basis& basis) {
     Task task = task_of(basis);
     if (task.options.engine == HM_DIRECT)
@@ -75,7 +75,7 @@ void export_levels(const Arguments& arguments) {
     files.commit();
 }
 
-// The functions of one basis, numbers of each in turn.
+// Adds a panel for each number of each function of one basis.
 void add_panels(const Arguments& arguments, const Basis& basis, const Mesh& mesh,
                 std::vector<FunctionPanel>& panels) {
     const std::int32_t numbers = basis.info().numbers_per_value;
@@ -104,11 +104,11 @@ void write_pictures(const Arguments& arguments, const Mesh& mesh, const Basis& b
                          ": no value has so many numbers");
     const std::optional<Box> window = window_of(arguments);
     if (arguments.has("--contour-csv")) {
-        const Box its = window ? *window : function_window(mesh, basis);
-        const double step = contour_step(mesh, panels, its);
+        const Box box = window ? *window : function_window(mesh, basis);
+        const double step = contour_step(mesh, panels, box);
         std::vector<std::vector<ContourLine>> lines;
         for (const FunctionPanel& panel : panels)
-            lines.push_back(contour_lines(mesh, panel.values, step, its));
+            lines.push_back(contour_lines(mesh, panel.values, step, box));
         write_contours_csv(files.add(arguments.text("--contour-csv")), lines, step);
     }
     if (arguments.has("--svg"))
@@ -154,7 +154,7 @@ void run_export(const Arguments& arguments) {
 
 const Command export_command = {
     "export",
-    {"MESH", "BASIS"},
+    {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}},
     "Writes one function of a basis for other programs and as a picture",
     "Functions are numbered from 1 as their control points are. With --level: "
     "the volumes that agglomeration merges instead,\n"
@@ -165,15 +165,20 @@ const Command export_command = {
      {"--function", "I[,J..]", "which functions (required without --level)"},
      {"--csv", "FILE",
       "table with the columns point,x,y and value (real), value,imaginary (complex: conformal) or\n"
-      "xx,xy,yx,yy (matrix: with slip); points as numbered in the mesh file"},
-     {"--vtu", "FILE", "mesh and function for ParaView, its numbers as components"},
-     {"--svg", "FILE", "picture: colours and labelled contour lines, a panel for each function"},
-     {"--contour-csv", "FILE", "these contour lines as a table: panel, value, line, x, y"},
+      "xx,xy,yx,yy (matrix: with slip); points as numbered in the mesh file",
+      FileUse::output},
+     {"--vtu", "FILE", "mesh and function for ParaView, its numbers as components",
+      FileUse::output},
+     {"--svg", "FILE", "picture: colours and labelled contour lines, a panel for each function",
+      FileUse::output},
+     {"--contour-csv", "FILE", "these contour lines as a table: panel, value, line, x, y",
+      FileUse::output},
      window_option,
      {"--number", "K[,L..]",
       "which numbers the picture shows, in the order of the table (default 1)"},
      {"--beside", "BASIS",
-      "the picture also shows the functions of this basis of the same mesh (may be repeated)"},
+      "the picture also shows the functions of this basis of the same mesh (may be repeated)",
+      FileUse::input},
      {"--level", "L[,M..]",
       "picture of levels of agglomeration; 0: the mesh's own control volumes"},
      agglomeration_option},

@@ -1,15 +1,15 @@
-// harmorph fit: from a marker of the mesh to a B-spline in a file.
+// harmorph fit: fits a B-spline to the points of a marker, and writes the curve to a file.
 #include <harmorph_design.h>
 #include "commands/commands.hpp"
 #include "curves/curve_file.hpp"
 #include "basics/json.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "curves/section.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace cli {
 
@@ -20,9 +20,9 @@ struct Fit {
     hm_fit_report report = sized<hm_fit_report>();
 };
 
-// Points in order: of a piece of the mesh's boundary, or of a file with a section.
+// The ordered points of a piece of the boundary of a mesh, or of a file with a section.
 struct Outline {
-    std::vector<std::int32_t> numbers;  // of the points in the mesh, or in the file
+    std::vector<std::int32_t> numbers;  // numbers of the points in the mesh, or in the file
     std::vector<double> x, y;
     bool is_loop;
 
@@ -64,7 +64,7 @@ hm_fit_options fit_options(const Arguments& arguments) {
     return options;
 }
 
-// path: where the points come from.
+// path: the file of the points.
 Fit fit(const std::string& path, const Outline& outline, const hm_fit_options& options) {
     Fit fit;
     std::size_t bytes = 0;
@@ -113,17 +113,16 @@ void print_for_people(const Fit& fit, const Outline& outline, const std::string&
                       const std::string& path) {
     const double chord = outline.chord();
     const auto worst = static_cast<std::size_t>(fit.report.max_error_point);
-    std::printf("%s: degree %d, through %s of %s\n",
-                plural(fit.curves.points(), "control point").c_str(), fit.curves.curves[0].degree,
-                plural(outline.points(), "point").c_str(), from.c_str());
-    std::printf("closed         %s: %s\n", closed_name(fit.report.closed),
-                reason_for_people(fit, outline).c_str());
-    std::printf("largest error  %s chord, at x = %s, y = %s\n",
-                brief(fit.report.max_error / chord).c_str(), brief(outline.x[worst]).c_str(),
-                brief(outline.y[worst]).c_str());
-    std::printf("rms error      %s chord (chord: %s)\n",
-                brief(fit.report.rms_error / chord).c_str(), brief(chord).c_str());
-    std::printf("written        %s\n", path.c_str());
+    print("%s: degree %d, through %s of %s\n", plural(fit.curves.points(), "control point").c_str(),
+          fit.curves.curves[0].degree, plural(outline.points(), "point").c_str(), from.c_str());
+    print("closed         %s: %s\n", closed_name(fit.report.closed),
+          reason_for_people(fit, outline).c_str());
+    print("largest error  %s chord, at x = %s, y = %s\n",
+          brief(fit.report.max_error / chord).c_str(), brief(outline.x[worst]).c_str(),
+          brief(outline.y[worst]).c_str());
+    print("rms error      %s chord (chord: %s)\n", brief(fit.report.rms_error / chord).c_str(),
+          brief(chord).c_str());
+    print("written        %s\n", path.c_str());
 }
 
 void print_json(const Fit& fit) {
@@ -135,11 +134,11 @@ void print_json(const Fit& fit) {
     object.add("base_points", fit.report.base_points)
         .add("backtracks", fit.report.backtrack_point >= 0);
     object.add("max_error", fit.report.max_error).add("rms_error", fit.report.rms_error);
-    std::printf("%s\n", object.text().c_str());
+    print("%s\n", object.text().c_str());
 }
 
 Outline outline_of(const Arguments& arguments, const std::string& path) {
-    // Airfoils and grids are both called .dat: the content decides, as far as the options do not.
+    // Files of airfoils and of grids may both end in .dat: options or else the content decide.
     const bool is_mesh = arguments.has("--format") || arguments.has("--zone") ||
                          (ends_with(path, ".dat") && is_mesh_file(TextFile(path)));
     const bool is_section = !is_mesh && ends_with(path, ".dat"),
@@ -185,7 +184,7 @@ void run_fit(const Arguments& arguments) {
 
 const Command fit_command = {
     "fit",
-    {"MESH"},
+    {{"MESH", FileUse::mesh}},
     "Fits a B-spline to a boundary of a mesh, or to an airfoil's coordinates",
     "The points of the markers, which must form one piece of boundary, are approximated by least "
     "squares. The curve\n"
@@ -206,7 +205,7 @@ const Command fit_command = {
       "auto (default): no corner: periodic; a straight blunt base between two corners at the end\n"
       "away from the nose: open, with a second curve over the base; else tied at the sharpest "
       "corner"},
-     {"-o", "CURVE", "file to write (required)\n" CURVE_FORMATS},
+     {"-o", "CURVE", "file to write (required)\n" CURVE_FORMATS, FileUse::output},
      format_option,
      zone_option,
      {"--json", nullptr,

@@ -31,16 +31,11 @@ PointData displacement_data(const Field& displacement) {
 }
 
 Companions companions_of(const Arguments& arguments, const Basis& basis, const Morph& morph) {
-    const auto path = [&](const char* option, const char* ending, bool by_default) -> std::string {
-        if (arguments.has(option)) return arguments.text(option);
-        const bool beside = by_default && arguments.has("-o") && !is_device(arguments.text("-o"));
-        return beside ? arguments.text("-o") + ending : "";
-    };
-    const bool is_short = !morph.refusal.empty();
-    Companions names = {path("--curve-out", ".curve", true),
-                        path("--reached", ".reached", is_short)};
+    const bool has_reached = arguments.has("--reached") || !morph.refusal.empty();
+    Companions names = {arguments.output("--curve-out"),
+                        has_reached ? arguments.output("--reached") : ""};
     if (basis.info().curves == 0 || !basis.why_on_no_curve().empty())
-        names.curve.clear();  // bodies alone; unknown
+        names.curve.clear();  // there are no curves, or their places are unknown
     return names;
 }
 
@@ -55,8 +50,7 @@ void write_report(std::ostream& out, const Mesh& mesh, const Basis& basis, const
 }
 
 void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
-                 const Morph& morph, const Companions& companions) {
-    OutputFiles files;
+                 const Morph& morph, const Companions& companions, OutputFiles& files) {
     const Field& moved = morph.moved;
     if (arguments.has("-o"))
         write_moved(files.add(moved_file(mesh, arguments.text("-o"))), mesh, moved.x.data(),
@@ -78,16 +72,6 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     }
     if (arguments.has("--csv"))
         write_moved_curves_csv(files.add(arguments.text("--csv")), mesh, basis, morph);
-    files.commit();
-}
-
-// Also of a mesh that is not valid: it shows why.
-void write_report_file(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
-                       const Morph& morph) {
-    OutputFiles files;
-    write_report(files.add(arguments.text("--report")), mesh, basis, morph,
-                 arguments.has("--safe"));
-    files.commit();
 }
 
 Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
@@ -105,8 +89,8 @@ Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     return Morph(basis, mesh, moves, options, threads);
 }
 
-// With --heights and --improve, also without the heights, as improvement from there may end with
-// better cells.
+// With --heights and --improve, the morph is tried without heights, too, as the improvement may
+// then end with better cells.
 Morph improved_safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basis,
                           const std::vector<double>& moves, const Threads& threads) {
     const bool heights = arguments.has("--heights"), improves = arguments.has("--improve");
@@ -127,7 +111,7 @@ Morph improved_safe_morph(const Arguments& arguments, const Mesh& mesh, const Ba
     return morph;
 }
 
-// What is drawn or written about the curves needs to know where they are.
+// Refuses outputs that need the curves, if the places of the curves are unknown.
 void tell_of_earlier_movement(const Arguments& arguments, const Basis& basis) {
     const bool needs_curves = arguments.has("--curve-out") || arguments.has("--svg") ||
                               arguments.has("--boundary-svg") || arguments.has("--csv") ||
@@ -159,12 +143,17 @@ void run_morph(const Arguments& arguments) {
     if (!safe && arguments.has("--improve") && morph.valid()) morph.improve(basis, mesh, threads);
     const bool strict = arguments.has("--strict") && !morph.warning.empty();
     const bool reached = morph.valid() && morph.refusal.empty() && !strict;
+    OutputFiles files;  // --report and --moves-out are written for invalid meshes, too
     Companions written;
     if (reached || arguments.has("--force")) {
         written = companions_of(arguments, basis, morph);
-        write_files(arguments, mesh, basis, morph, written);
+        write_files(arguments, mesh, basis, morph, written, files);
     }
-    if (arguments.has("--report")) write_report_file(arguments, mesh, basis, morph);
+    if (arguments.has("--report"))
+        write_report(files.add(arguments.text("--report")), mesh, basis, morph, safe);
+    if (arguments.has("--moves-out"))
+        write_moves(files.add(arguments.text("--moves-out")), moves, basis, mesh);
+    files.commit();
     if (arguments.has("--json")) {
         print_json(morph, safe, written, airfoil);
     } else {
@@ -182,7 +171,7 @@ void run_morph(const Arguments& arguments) {
 
 const Command morph_command = {
     "morph",
-    {"MESH", "BASIS"},
+    {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}},
     "Moves control points, and the mesh with them",
     "MOVES is a text file with lines \"index dx dy\": control point (from 1) and its movement; "
     "for bodies of solve --rigid\n"
@@ -197,42 +186,54 @@ const Command morph_command = {
     "and then not by a fraction of it, as\n"
     "bodies turn on the way: MESH.reached is the file of moves that it has.\n",
     std::vector<Option>{
-        {"--move", "MOVES", "movement of the control points (this or --to-airfoil is required)"},
+        {"--move", "MOVES", "movement of the control points (this or --to-airfoil is required)",
+         FileUse::input},
         {"--variables", "MAP",
          "MOVES has lines \"variable value\" (or \"variable x y\") of the design variables in MAP, "
          "a file of\n"
-         "`harmorph variables`; bodies stay"},
+         "`harmorph variables`; bodies stay",
+         FileUse::input},
         {"--to-airfoil", "DAT",
          "make this airfoil of the mesh's (.dat in Selig's or Lednicer's order): control points by "
          "least\n"
-         "squares, with the curve's own knots; how far its points are off is reported"},
+         "squares, with the curve's own knots; how far its points are off is reported",
+         FileUse::input},
         {"--on-chord", nullptr,
          "for --to-airfoil: scale, turn and move it so that its leading and trailing edges come to "
          "where the\n"
          "curve's are (default: coordinates are those of the mesh)"},
         {"--airfoil-curve", "N",
          "for --to-airfoil: which curve of the basis is the airfoil (default 1)"},
-        {"--moves-out", "MOVES", "for --to-airfoil: where to write the movement, for --move"},
-        {"-o", "MESH", "morphed mesh to write, in the format of MESH"},
+        {"--moves-out", "MOVES",
+         "for --to-airfoil: where to write the movement, for --move; written even if the morphed "
+         "mesh is not valid",
+         FileUse::output},
+        {"-o", "MESH", "morphed mesh to write, in the format of MESH", FileUse::moved_mesh},
         {"--curve-out", "CURVE",
-         "where to write the moved curve (default: -o with .curve behind)\n" CURVE_FORMATS},
-        {"--vtu", "FILE", "morphed mesh and its displacement for ParaView"},
-        {"--svg", "FILE", "picture: mesh before in blue, after in red, with the control points"},
+         "where to write the moved curve (default: -o with .curve behind)\n" CURVE_FORMATS,
+         FileUse::output, ".curve"},
+        {"--vtu", "FILE", "morphed mesh and its displacement for ParaView", FileUse::output},
+        {"--svg", "FILE", "picture: mesh before in blue, after in red, with the control points",
+         FileUse::output},
         window_option,
-        {"--boundary-svg", "FILE", "picture: the moved B-spline, and the mesh's points on it"},
+        {"--boundary-svg", "FILE", "picture: the moved B-spline, and the mesh's points on it",
+         FileUse::output},
         {"--csv", "FILE",
          "the curves of these pictures as a table: what (curve, control, mesh), curve, number (of "
          "the control\n"
-         "point, from 1, or of the mesh point), u (where it has one), x, y, moved_x, moved_y"},
+         "point, from 1, or of the mesh point), u (where it has one), x, y, moved_x, moved_y",
+         FileUse::output},
         {"--report", "FILE",
          "HTML page for any browser: what moved, quality before and after, the worst cells, angles "
          "and heights\n"
-         "along the wall; written even if the morphed mesh is not valid"}} +
+         "along the wall; written even if the morphed mesh is not valid",
+         FileUse::output}} +
         safe_options() +
         std::vector<Option>{
             {"--other", "BASIS",
              "for --safe: a basis of the same problem, solved with another operator or exponent\n"
-             "(may be repeated)"},
+             "(may be repeated)",
+             FileUse::input},
             {"--improve", nullptr,
              "make the morphed mesh better where it is valid: inner points move to where cells are "
              "more like those of\n"
@@ -241,7 +242,8 @@ const Command morph_command = {
             {"--reached", "MOVES",
              "for --safe: where to write the movement that the mesh has (default where it falls "
              "short of the\n"
-             "target: -o with .reached behind)"},
+             "target: -o with .reached behind)",
+             FileUse::output, ".reached", "--force"},
             {"--repeat", "N",
              "morph N times after a warm-up, in memory, and report the median time (default 1, no "
              "warm-up)"},

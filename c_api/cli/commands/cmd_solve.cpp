@@ -1,10 +1,11 @@
-// harmorph solve: from mesh and curves to the basis, the harmonic functions of all control points.
+// harmorph solve: solves the basis, the harmonic functions of all control points on a mesh.
 #include <harmorph_design.h>
 #include "mesh/basis_file.hpp"
 #include "commands/commands.hpp"
 #include "commands/engine.hpp"
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "commands/solver.hpp"
 #include "commands/storage.hpp"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 namespace cli {
@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t longest_history = 200001;  // steps of Runge-Kutta on one level, and the start
 
-// With repeats, the first run only warms up: it touches the memory that the others find ready.
+// The caller has made a first run, which warms up: later runs find the memory ready.
 SolveTimes repeat(Solver& solver, std::int32_t runs) {
     std::vector<double> setup, factor, solve;
     for (std::int32_t i = 0; i < runs; ++i) {
@@ -55,47 +55,45 @@ void print_json(const Solver& solver, const Stored& stored, const Mesh& mesh,
     object.add("plan_bytes", static_cast<std::int64_t>(solver.plan_bytes()));
     object.add("basis_bytes", static_cast<std::int64_t>(stored.bytes()));
     object.add("storage", std::string(stored.in_single() ? "single" : "double"));
-    std::printf("%s\n", object.text().c_str());
+    print("%s\n", object.text().c_str());
 }
 
 void print_for_people(const Solver& solver, const Stored& stored, const Mesh& mesh,
                       const Task& task, const SolveTimes& times) {
     const hm_solve_report& report = solver.report();
-    std::printf("%s on %s and %s, %s\n", plural(report.functions, "function").c_str(),
-                plural(mesh.points(), "point").c_str(), plural(mesh.cells(), "cell").c_str(),
-                plural(report.unknowns, "unknown").c_str());
+    print("%s on %s and %s, %s\n", plural(report.functions, "function").c_str(),
+          plural(mesh.points(), "point").c_str(), plural(mesh.cells(), "cell").c_str(),
+          plural(report.unknowns, "unknown").c_str());
     for (const std::string& passage : task.passages)
-        std::printf("passage          %s\n", passage.c_str());
-    std::printf("residual         %s (function %d)\n", brief(report.residual).c_str(),
-                report.residual_function + 1);
+        print("passage          %s\n", passage.c_str());
+    print("residual         %s (function %d)\n", brief(report.residual).c_str(),
+          report.residual_function + 1);
     if (report.iterations > 0) {
-        std::printf("iterations       %s on %s, %s over the finest\n",
-                    brief(report.iterations).c_str(), plural(report.levels, "level").c_str(),
-                    plural(report.fine_sweeps, "sweep").c_str());
+        print("iterations       %s on %s, %s over the finest\n", brief(report.iterations).c_str(),
+              plural(report.levels, "level").c_str(), plural(report.fine_sweeps, "sweep").c_str());
     }
     if (report.curve_points > 0) {
-        std::printf("boundary error   %s", brief(report.boundary_error).c_str());
+        print("boundary error   %s", brief(report.boundary_error).c_str());
         if (!task.curves.curves.empty())
-            std::printf("; sum of the functions there: 1 to %s",
-                        brief(report.partition_defect).c_str());
-        std::printf("\n");
+            print("; sum of the functions there: 1 to %s", brief(report.partition_defect).c_str());
+        print("\n");
     }
-    if (!task.curves.curves.empty()) {  // of control points
-        std::printf("values           %s to %s\n", brief(report.min_value).c_str(),
-                    brief(report.max_value).c_str());
-        std::printf("mesh from curve  %s at most (point %d), kept by every morph\n",
-                    brief(report.max_distance).c_str(), report.max_distance_point);
+    if (!task.curves.curves.empty()) {  // there are functions of control points
+        print("values           %s to %s\n", brief(report.min_value).c_str(),
+              brief(report.max_value).c_str());
+        print("mesh from curve  %s at most (point %d), kept by every morph\n",
+              brief(report.max_distance).c_str(), report.max_distance_point);
     }
     const char* const preparation = report.factor_entries > 0 ? "factorisation" : "agglomeration";
-    std::printf("seconds          %s set-up, %s %s, %s solution\n", brief(times.setup).c_str(),
-                brief(times.factor).c_str(), preparation, brief(times.solve).c_str());
-    std::printf("megabytes        %s plan, %s basis%s\n",
-                brief(1e-6 * static_cast<double>(solver.plan_bytes())).c_str(),
-                brief(1e-6 * static_cast<double>(stored.bytes())).c_str(),
-                stored.in_single() ? " in single precision" : "");
+    print("seconds          %s set-up, %s %s, %s solution\n", brief(times.setup).c_str(),
+          brief(times.factor).c_str(), preparation, brief(times.solve).c_str());
+    print("megabytes        %s plan, %s basis%s\n",
+          brief(1e-6 * static_cast<double>(solver.plan_bytes())).c_str(),
+          brief(1e-6 * static_cast<double>(stored.bytes())).c_str(),
+          stored.in_single() ? " in single precision" : "");
 }
 
-// Functions by table, solved behind the others: one for each file of --mode.
+// Functions given by tables, one for each file of --mode, which are solved after all others.
 class Modes {
 public:
     Modes(const Arguments& arguments, const Mesh& mesh) : paths_(arguments.all("--mode")) {
@@ -121,7 +119,7 @@ public:
     }
 
 private:
-    // In the order of the first file.
+    // Adds the values in the order of the first file.
     void add(const std::string& path, const WallField& field) {
         if (points_.empty()) points_ = field.points;
         std::vector<std::size_t> place(points_.size());
@@ -193,7 +191,7 @@ void run_solve(const Arguments& arguments) {
 
 const Command solve_command = {
     "solve",
-    {"MESH"},
+    {{"MESH", FileUse::mesh}},
     "Solves the functions that carry control points' movements to the mesh",
     "Each control point's function has the values of its B-spline basis function "
     "on the curve and 0 on fixed boundaries.\n"
@@ -223,13 +221,14 @@ const Command solve_command = {
              "a function whose values at the points of --given are a table: lines \"point x y\", "
              "points counted\n"
              "from 0 (may be repeated; `morph` moves it by lines \"mode K amplitude [amplitude "
-             "y]\")"},
+             "y]\")",
+             FileUse::input},
             {"--repeat", "N",
              "solve N times after a warm-up, in memory, and report median times (default 1, no "
              "warm-up)"},
             storage_option,
             threads_option,
-            {"-o", "BASIS", "file to write (required)"},
+            {"-o", "BASIS", "file to write (required)", FileUse::output},
             {"--force", nullptr,
              "write the basis even if it has not converged (exit code 1 all the same)"},
             format_option,

@@ -1,9 +1,10 @@
-// harmorph transfer: functions solved on one mesh, interpolated to a denser one of the same domain.
+// harmorph transfer: interpolates functions from one mesh to a denser mesh of the same domain.
 #include <harmorph_design.h>
 #include "mesh/basis_file.hpp"
 #include "commands/commands.hpp"
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "basics/stopwatch.hpp"
 #include "commands/storage.hpp"
@@ -11,13 +12,12 @@
 #include "basics/threads.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace cli {
 
 namespace {
 
-// A marker of one mesh is the marker of the same tag in the other.
+// Returns the number of the marker that has the same name in the fine mesh.
 std::int32_t same_marker(const Arguments& arguments, const Mesh& mesh, std::int32_t marker,
                          const Mesh& fine) {
     const std::string& tag = mesh.markers.at(static_cast<std::size_t>(marker));
@@ -29,7 +29,7 @@ std::int32_t same_marker(const Arguments& arguments, const Mesh& mesh, std::int3
     return static_cast<std::int32_t>(found - fine.markers.begin());
 }
 
-// What the basis was solved for, on the other mesh, which finds parameters of its own.
+// The problem that the basis was solved for, on the fine mesh, whose points get new parameters.
 Task task_on(const Arguments& arguments, const Basis& basis, const Mesh& mesh, const Mesh& fine) {
     Task task = task_of(basis);
     task.given_points.clear();
@@ -42,11 +42,11 @@ Task task_on(const Arguments& arguments, const Basis& basis, const Mesh& mesh, c
     return task;
 }
 
-// The fine mesh's analysis and basis, and the transfer between them.
+// Analysis and basis of the fine mesh, and the transfer to that basis.
 class Transfer {
 public:
     Transfer(const Mesh& fine, const Basis& basis, const Task& task,
-             const Threads& threads)  // all must outlive it
+             const Threads& threads)  // all must outlive the transfer
         : fine_(fine), basis_(basis), view_(fine.view()), options_(task.options) {
         options_.executor = threads.executor();
         problem_.mesh = &view_;
@@ -105,25 +105,24 @@ void print_json(const Transfer& transfer, const Mesh& fine, const Basis& basis) 
         .add("wall_correction", report.wall_correction);
     object.add("analysis_seconds", transfer.analysis_seconds())
         .add("transfer_seconds", transfer.transfer_seconds());
-    std::printf("%s\n", object.text().c_str());
+    print("%s\n", object.text().c_str());
 }
 
 void print_for_people(const Transfer& transfer, const Mesh& fine, const Basis& basis) {
     const hm_transfer_report& report = transfer.report();
-    std::printf("%s from %s to %s, %d of them interpolated\n",
-                plural(basis.info().functions, "function").c_str(),
-                plural(basis.info().points, "point").c_str(),
-                plural(fine.points(), "point").c_str(), report.points);
-    std::printf("outside          %d", report.outside);
+    print("%s from %s to %s, %d of them interpolated\n",
+          plural(basis.info().functions, "function").c_str(),
+          plural(basis.info().points, "point").c_str(), plural(fine.points(), "point").c_str(),
+          report.points);
+    print("outside          %d", report.outside);
     if (report.outside > 0) {
-        std::printf(", by %s at most (point %d)", brief(report.max_distance).c_str(),
-                    report.max_distance_point);
+        print(", by %s at most (point %d)", brief(report.max_distance).c_str(),
+              report.max_distance_point);
     }
-    std::printf("\nboundary error   %s; %s before the boundary functions were restored\n",
-                brief(report.boundary_error).c_str(), brief(report.wall_correction).c_str());
-    std::printf("seconds          %s analysis of the fine mesh, %s transfer\n",
-                brief(transfer.analysis_seconds()).c_str(),
-                brief(transfer.transfer_seconds()).c_str());
+    print("\nboundary error   %s; %s before the boundary functions were restored\n",
+          brief(report.boundary_error).c_str(), brief(report.wall_correction).c_str());
+    print("seconds          %s analysis of the fine mesh, %s transfer\n",
+          brief(transfer.analysis_seconds()).c_str(), brief(transfer.transfer_seconds()).c_str());
 }
 
 void run_transfer(const Arguments& arguments) {
@@ -155,7 +154,7 @@ void run_transfer(const Arguments& arguments) {
 
 const Command transfer_command = {
     "transfer",
-    {"MESH", "BASIS", "FINE_MESH"},
+    {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}, {"FINE_MESH", FileUse::mesh}},
     "Interpolates solved functions to a denser mesh of the same domain",
     "Both meshes have the same markers; curves, conditions and operator are those of BASIS. "
     "Points on curves get their basis\n"
@@ -164,7 +163,7 @@ const Command transfer_command = {
     "them move along. Points a little beyond a curved boundary take the nearest cell's functions; "
     "farther ones than half a\n"
     "cell's side are refused.\n",
-    {{"-o", "BASIS", "file to write, for FINE_MESH (required)"},
+    {{"-o", "BASIS", "file to write, for FINE_MESH (required)", FileUse::output},
      storage_option,
      threads_option,
      format_option,

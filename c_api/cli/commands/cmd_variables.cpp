@@ -1,4 +1,4 @@
-// harmorph variables: design variables that are not control points, as a map to the control points.
+// harmorph variables: writes design variables as a map to the control points.
 #include <harmorph_design.h>
 #include "commands/commands.hpp"
 #include "curves/curve_file.hpp"
@@ -6,13 +6,13 @@
 #include "basics/library.hpp"
 #include "basics/number_list.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 #include "basics/output_file.hpp"
 #include "commands/section_option.hpp"
 #include "curves/variables_file.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace cli {
 
@@ -24,7 +24,7 @@ std::int32_t whole(const Arguments& arguments, const std::string& option, double
     return static_cast<std::int32_t>(number);
 }
 
-// Two whole numbers, as of the two sides.
+// Reads two whole numbers, for example of the upper and the lower side.
 void take_pair(const Arguments& arguments, const std::string& option, std::int32_t& first,
                std::int32_t& second) {
     const std::vector<double> numbers = number_list(arguments, option);
@@ -36,18 +36,20 @@ void take_pair(const Arguments& arguments, const std::string& option, std::int32
 hm_variables variables_of(const Arguments& arguments, std::vector<double>& peaks) {
     auto variables = sized<hm_variables>();
     std::int32_t kinds = 0;
-    const auto is = [&](const char* option, std::int32_t kind) {
+    const auto chosen = [&](const char* option, std::int32_t kind) {
         if (!arguments.has(option)) return false;
         variables.kind = kind;
         ++kinds;
         return true;
     };
-    if (is("--ffd", HM_FFD)) take_pair(arguments, "--ffd", variables.degree_x, variables.degree_y);
-    if (is("--cst", HM_CST)) take_pair(arguments, "--cst", variables.n_upper, variables.n_lower);
-    if (is("--hicks-henne", HM_HICKS_HENNE)) {
+    if (chosen("--ffd", HM_FFD))
+        take_pair(arguments, "--ffd", variables.degree_x, variables.degree_y);
+    if (chosen("--cst", HM_CST))
+        take_pair(arguments, "--cst", variables.n_upper, variables.n_lower);
+    if (chosen("--hicks-henne", HM_HICKS_HENNE)) {
         take_pair(arguments, "--hicks-henne", variables.n_upper, variables.n_lower);
     }
-    if (is("--naca", HM_NACA4)) {
+    if (chosen("--naca", HM_NACA4)) {
         peaks = number_list(arguments, "--naca");
         variables.n_upper = static_cast<std::int32_t>(peaks.size());
     }
@@ -96,21 +98,19 @@ void run_variables(const Arguments& arguments) {
         files.commit();
     }
     std::vector<JsonObject> rows;
-    if (!arguments.has("--json"))
-        std::printf("variable  error on the curve (rms, largest), per unit\n");
+    if (!arguments.has("--json")) print("variable  error on the curve (rms, largest), per unit\n");
     for (std::size_t j = 0; j < static_cast<std::size_t>(map.variables); ++j) {
         if (!arguments.has("--json")) {
-            std::printf("%-9zu %-10s %s\n", j + 1, brief(error[2 * j]).c_str(),
-                        brief(error[2 * j + 1]).c_str());
+            print("%-9zu %-10s %s\n", j + 1, brief(error[2 * j]).c_str(),
+                  brief(error[2 * j + 1]).c_str());
         }
         rows.push_back(
             JsonObject().add("rms_error", error[2 * j]).add("max_error", error[2 * j + 1]));
     }
     if (arguments.has("--json")) {
-        std::printf("%s\n",
-                    JsonObject().add("points", map.points).add("variables", rows).text().c_str());
+        print("%s\n", JsonObject().add("points", map.points).add("variables", rows).text().c_str());
     } else if (arguments.has("-o")) {
-        std::printf("written   %s\n", arguments.text("-o").c_str());
+        print("written   %s\n", arguments.text("-o").c_str());
     }
 }
 
@@ -118,7 +118,7 @@ void run_variables(const Arguments& arguments) {
 
 const Command variables_command = {
     "variables",
-    {"CURVE"},
+    {{"CURVE", FileUse::input}},
     "Design variables (FFD, CST, Hicks-Henne, NACA) as a map to the control points",
     "Writes what one unit of each variable does to each control point: the least-squares "
     "approximation of the wanted\n"
@@ -138,7 +138,7 @@ const Command variables_command = {
       "points)"},
      {"--peaks", "P[,P..]", "of --hicks-henne: where the bumps are largest, 0 to 1"},
      chord_option,
-     {"-o", "MAP", "file to write"},
+     {"-o", "MAP", "file to write", FileUse::output},
      {"--json", nullptr,
       "print one JSON object: points, variables (rms_error, max_error of each)"}},
     "  harmorph variables airfoil.curve --cst 6,6 -o cst.map\n"

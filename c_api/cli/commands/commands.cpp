@@ -1,12 +1,13 @@
 #include "commands/commands.hpp"
+#include "commands/used_files.hpp"
 
 #include "formats/format.hpp"
 #include "harmorph.h"
 #include "basics/marker_names.hpp"
+#include "basics/print.hpp"
 #include "basics/progress_bar.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace cli {
 
@@ -50,8 +51,6 @@ std::string program_help() {
     return text + conclusion + "\nFormats of meshes:\n" + format_table();
 }
 
-void print(const std::string& text) { std::fputs(text.c_str(), stdout); }
-
 const Command& find_command(const std::string& name) {
     for (const Command* command : commands) {
         if (name == command->name) return *command;
@@ -63,13 +62,15 @@ const Command& find_command(const std::string& name) {
 
 void run_command(const std::vector<std::string>& words) {
     if (words.empty()) throw Failure(exit_usage, "a command is missing\n\n" + program_help());
-    if (words[0] == "--help") return print(program_help());
-    if (words[0] == "--version") return print(std::string("harmorph ") + hm_version() + "\n");
+    if (words[0] == "--help") return print("%s", program_help().c_str());
+    if (words[0] == "--version") return print("harmorph %s\n", hm_version());
     const Command& command = find_command(words[0]);
     const std::vector<std::string> rest(words.begin() + 1, words.end());
     if (std::find(rest.begin(), rest.end(), "--help") != rest.end())
-        return print(help_text(command));
-    command.run(Arguments(command, rest));
+        return print("%s", help_text(command).c_str());
+    const Arguments arguments(command, rest);
+    refuse_overwriting(arguments);
+    command.run(arguments);
 }
 
 Mesh read_mesh(const std::string& path, const ReadOptions& options) {
@@ -96,8 +97,6 @@ Mesh read_mesh(const Arguments& arguments, std::size_t operand) {
     return read_mesh(arguments.operand(operand), options);
 }
 
-void warn(const std::string& message) {
-    std::fprintf(stderr, "harmorph: warning: %s\n", message.c_str());
-}
+void warn(const std::string& message) { print_error("warning: " + message); }
 
 }  // namespace cli

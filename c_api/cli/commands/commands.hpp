@@ -1,4 +1,4 @@
-// The commands of the program, and what they all begin with.
+// The commands of the program, and how all of them read a mesh and warn.
 #pragma once
 
 #include "basics/arguments.hpp"
@@ -13,11 +13,10 @@ extern const Command fit_command, solve_command, morph_command, export_command, 
     transfer_command, displace_command, adjoint_command, explore_command, convert_command,
     curve_command, variables_command, demo_command;
 
-// words: all after the program's name. A Failure says what went wrong.
+// words: all words after the name of the program. Throws a Failure that says what went wrong.
 void run_command(const std::vector<std::string>& words);
 
-// Reads a mesh and tells the user on standard error what was passed over. Commands that do so have
-// both options.
+// Reads a mesh, and warns of what was passed over. Commands that read meshes have both options.
 extern const Option format_option, zone_option;
 Mesh read_mesh(const Arguments& arguments, std::size_t operand);
 Mesh read_mesh(const std::string& path, const ReadOptions& options = {});

@@ -27,7 +27,8 @@ std::vector<Option> engine_options() {
         agglomeration_option,
         {"--start", "START", "of fas: fmg (default), level by level from the coarsest, or zero"},
         {"--history", "F.csv",
-         "multigrid and fas: the largest residual of all functions, cycle by cycle"}};
+         "multigrid and fas: the largest residual of all functions, cycle by cycle",
+         FileUse::output}};
 }
 
 void set_agglomeration(const Arguments& arguments, SolveOptions& options) {

@@ -1,4 +1,4 @@
-// Which engine solves, and its record: options of every command that solves.
+// Options of all commands that solve: the engine, and the record of the iterations.
 #pragma once
 
 #include "basics/arguments.hpp"
@@ -14,7 +14,7 @@ extern const Option agglomeration_option;
 void set_engine(const Arguments& arguments, SolveOptions& options);
 void set_agglomeration(const Arguments& arguments, SolveOptions& options);
 
-// Lines of cycle and residual, from cycle 0 to the last.
+// Writes lines with the columns cycle and residual, from cycle 0 to the last cycle.
 void write_history(std::ostream& out, const std::vector<double>& residuals,
                    std::int32_t iterations);
 

@@ -60,9 +60,9 @@ double valid_fraction(const hm_step_report& step) {
     return std::min(step.admissible, step.boundary);
 }
 
-Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& its_moves,
+Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves_of_functions,
              std::int32_t repeats, const Threads& threads)
-    : moves(its_moves),
+    : moves(moves_of_functions),
       displacement(cli::displacement(basis, mesh, moves, threads)),
       moved(mesh.x.size()),
       step(sized<hm_step_report>()),
@@ -91,7 +91,7 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
     Block work(bytes);
     moved.x = mesh.x;
     moved.y = mesh.y;
-    options.reached = moves.data();  // stays 0 where the target is refused
+    options.reached = moves.data();  // all values stay 0 if the target is refused
     const hm_points_out to = moved.write();
     hm_error error = {};
     const hm_status status = hm_morph_safe(solver.plan(), basis.get(), target.data(), &to, nullptr,
@@ -127,7 +127,7 @@ void Morph::improve(const Basis& basis, const Mesh& mesh, const Threads& threads
     std::size_t bytes = 0;
     call(mesh, hm_improve_size, solver.plan(), &bytes);
     Block work(bytes);
-    // As rounded they may be beside their curves, where they are held.
+    // Rounding may have put sliding points beside the curves that hold the points.
     if (slips(task)) solver.slide(moved, displacement);
     const hm_points from = moved.read();
     const hm_points_out to = moved.write();
@@ -140,8 +140,8 @@ void Morph::improve(const Basis& basis, const Mesh& mesh, const Threads& threads
     const hm_step_report step_of_morph = step;
     judge(basis, mesh, threads);
     step = step_of_morph;
-    safe.n_worst = 0;                               // those of before
-    if (safe.min_quality >= least_quality) return;  // a warning has another reason
+    safe.n_worst = 0;  // the worst cells are those before the improvement
+    if (safe.min_quality >= least_quality) return;  // then the warning is about something else
     warning.clear();
     if (quality.min_quality >= least_quality) return;
     warning = "the smallest quality is " + brief(quality.min_quality) +
@@ -154,7 +154,7 @@ Curves Morph::moved_curves(const Basis& basis) const {
     return curves;
 }
 
-// Points that slide along curves are put onto them.
+// Puts points that slide along curves onto the curves.
 void Morph::slide(const Basis& basis, const Mesh& mesh, const Threads& threads) {
     const Task task = task_of(basis);
     if (!slips(task)) return;
@@ -168,12 +168,12 @@ void Morph::judge(const Basis& basis, const Mesh& mesh, const Threads& threads) 
     const hm_points along = displacement.read(), to = moved.read();
     call(mesh, hm_assess, basis.get(), &view, nullptr, &along, nullptr, threads.executor(), &step,
          &quality);
-    std::int32_t worst_point = -1;  // of no interest
+    std::int32_t worst_point = -1;  // not used
     call(mesh, hm_boundary_error, basis.get(), moves.data(), &view.points, &to, &boundary_error,
          &worst_point);
-    boundary_error = std::fabs(boundary_error -
-                               safe.turned_offset);  // what is left beside the offsets that turned
-    boundary_error += basis.distance_from_curves();  // before this movement
+    boundary_error =
+        std::fabs(boundary_error - safe.turned_offset);  // without the offsets that turned
+    boundary_error += basis.distance_from_curves();      // the distance before this movement
 }
 
 }  // namespace cli

@@ -1,4 +1,4 @@
-// A mesh moved by its control points, and whether it is any good.
+// A mesh that was moved by control points, and the quality of the moved mesh.
 #pragma once
 
 #include "mesh/basis_file.hpp"
@@ -11,8 +11,8 @@
 
 namespace cli {
 
-// The points' movement for dx,dy pairs of the control points, and how far it may go on without
-// inverting a cell.
+// The displacements of all points for pairs dx, dy of the control points, and the largest multiple
+// of displacements that inverts no cell.
 Field displacement(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves,
                    const Threads& threads);
 hm_step_report admissible_step(const Basis& basis, const Mesh& mesh, const Field& displacement,
@@ -24,32 +24,30 @@ double valid_fraction(const hm_step_report& step);
 
 struct Morph {
     std::vector<double>
-        moves;  // of control points and bodies, as far as the mesh followed: see hm_morph
+        moves;  // movement of control points and bodies as far as the mesh followed: see hm_morph
     Field displacement, moved;
     hm_step_report step;
-    hm_quality_report quality;  // relative to the mesh as it was
+    hm_quality_report quality;  // relative to the mesh before the morph
     double boundary_error =
-        0;  // at most, against the B-spline that `moves` moved from where it was on the mesh
-    double seconds = 0;       // of one hm_morph: the median; of hm_morph_safe
-    hm_safe_report safe;      // where it went the safe way
-    std::string refusal;      // of the safe way: why it did not reach the target
-    bool impossible = false;  // of the safe way: no mesh can have the target's boundary
-    std::string warning;  // of the safe way: it did, but the mesh is not as good as was asked for
-    double least_quality =
-        0;  // of the safe way: what was asked for, of cells relative to the start
+        0;  // largest distance from the B-spline that `moves` moved from the place on the mesh
+    double seconds = 0;        // of hm_morph: the median of all repeats; or of hm_morph_safe
+    hm_safe_report safe;       // set by the safe morph, as are all members below
+    std::string refusal;       // why the mesh does not reach the target
+    bool impossible = false;   // no mesh can have the boundary of the target
+    std::string warning;       // the target is reached, but the mesh is poorer than was asked for
+    double least_quality = 0;  // the quality that was asked for, relative to the mesh before
 
-    Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& its_moves,
+    Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves_of_functions,
           std::int32_t repeats, const Threads& threads);
-    // Solves again where it must.
+    // The safe morph, which solves again where that is needed.
     Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target,
           hm_safe_options options, const Threads& threads);
-    // Puts inner points where cells are better. Walls, and so `moves`, stay.
+    // Moves inner points to where cells are better. Walls, and therefore `moves`, stay.
     void improve(const Basis& basis, const Mesh& mesh, const Threads& threads);
     bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
     std::vector<double> moved_control(
-        const Basis& basis) const;  // x, y pairs: control points after `moves`
-    Curves moved_curves(
-        const Basis& basis) const;  // where the basis's curves are on the moved mesh
+        const Basis& basis) const;  // pairs x, y of the control points after `moves`
+    Curves moved_curves(const Basis& basis) const;  // the curves of the basis on the moved mesh
 
 private:
     void slide(const Basis& basis, const Mesh& mesh, const Threads& threads);

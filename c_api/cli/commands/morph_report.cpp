@@ -1,9 +1,9 @@
 #include "commands/morph_report.hpp"
 #include "basics/json.hpp"
 #include "basics/numbers.hpp"
+#include "basics/print.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 namespace cli {
 
@@ -27,11 +27,11 @@ void print_json(const Morph& morph, bool safe, const Companions& written,
     if (airfoil)
         object.add("airfoil_max_error", airfoil->max_error)
             .add("airfoil_rms_error", airfoil->rms_error);
-    std::printf("%s\n", object.text().c_str());
+    print("%s\n", object.text().c_str());
 }
 
 void print_airfoil(const std::string& path, const ToAirfoil& airfoil) {
-    std::printf(
+    print(
         "airfoil          %s: its %s are %s chord off the moved curve at most (point %d), %s rms\n",
         path.c_str(), plural(airfoil.points, "point").c_str(),
         brief(airfoil.max_error / airfoil.chord).c_str(), airfoil.worst_point,
@@ -41,30 +41,30 @@ void print_airfoil(const std::string& path, const ToAirfoil& airfoil) {
 void print_for_people(const Morph& morph, bool safe, const Companions& written) {
     const double admissible = safe ? morph.safe.admissible : valid_fraction(morph.step);
     if (safe) print_target(morph.safe);
-    std::printf("inverted cells   %d\n", morph.quality.inverted);
+    print("inverted cells   %d\n", morph.quality.inverted);
     const std::string step =
         std::isinf(admissible)
             ? "unlimited"
             : brief(admissible) + (safe ? " of the last step that was tried" : " of this one");
     const bool touches = !safe && morph.step.boundary < morph.step.admissible;
-    std::printf("admissible step  %s%s\n", step.c_str(),
-                touches ? ": there the boundary first touches itself" : "");
-    std::printf("boundary         %s; %s off the B-spline at most\n",
-                morph.quality.self_crossing != 0 ? "crosses itself" : "does not cross itself",
-                brief(morph.boundary_error).c_str());
-    std::printf(
+    print("admissible step  %s%s\n", step.c_str(),
+          touches ? ": there the boundary first touches itself" : "");
+    print("boundary         %s; %s off the B-spline at most\n",
+          morph.quality.self_crossing != 0 ? "crosses itself" : "does not cross itself",
+          brief(morph.boundary_error).c_str());
+    print(
         "quality          %s at least, %s on average (size and skew, relative to the mesh as it "
         "was)\n",
         brief(morph.quality.min_quality).c_str(), brief(morph.quality.mean_quality).c_str());
     if (safe) print_worst_cells(morph.safe);
-    std::printf("seconds          %s\n", brief(morph.seconds).c_str());
-    if (!written.curve.empty()) std::printf("moved curve      %s\n", written.curve.c_str());
+    print("seconds          %s\n", brief(morph.seconds).c_str());
+    if (!written.curve.empty()) print("moved curve      %s\n", written.curve.c_str());
     if (written.reached.empty()) return;
-    std::printf("reached moves    %s", written.reached.c_str());
+    print("reached moves    %s", written.reached.c_str());
     if (morph.refusal.empty()) {
-        std::printf("\n");
+        print("\n");
     } else {
-        std::printf(
+        print(
             ": the movement that the mesh has, which is not %s %% of each line of the file, "
             "as bodies turn on the way\n",
             brief(100 * morph.safe.step_fraction).c_str());

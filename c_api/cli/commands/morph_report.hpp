@@ -1,4 +1,4 @@
-// What `harmorph morph` says of a morphed mesh: for people, and as JSON.
+// The report of `harmorph morph` about a morphed mesh, for people and as JSON.
 #pragma once
 
 #include "commands/morph.hpp"
@@ -10,18 +10,19 @@
 
 namespace cli {
 
-// Files that go with the morphed mesh; beside it unless the user says where. Empty: not written.
+// Files that go with the morphed mesh. They lie beside the mesh unless the user names them; an
+// empty name means that the file is not written.
 struct Companions {
     std::string curve, reached;
 };
 
-// safe: by hm_morph_safe, so that morph.safe is the report of that call.
+// safe: the mesh was moved by hm_morph_safe, whose report is morph.safe.
 void print_json(const Morph& morph, bool safe, const Companions& written,
                 const std::optional<ToAirfoil>& airfoil);
 void print_for_people(const Morph& morph, bool safe, const Companions& written);
 void print_airfoil(const std::string& path, const ToAirfoil& airfoil);
 
-// Inverted cells and crossings, with numbers and places in the mesh file.
+// Describes inverted cells and crossings, with their numbers and their places in the mesh file.
 std::string why_not_valid(const Morph& morph, const Mesh& mesh);
 
 }  // namespace cli

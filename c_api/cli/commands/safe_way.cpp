@@ -1,7 +1,6 @@
 #include "commands/safe_way.hpp"
 #include "basics/numbers.hpp"
-
-#include <cstdio>
+#include "basics/print.hpp"
 
 namespace cli {
 
@@ -36,17 +35,17 @@ void add_safe(JsonObject& object, const hm_safe_report& safe, const std::string&
 }
 
 void print_target(const hm_safe_report& safe) {
-    std::printf("target           %s %% of the way in %s, %s of the functions; strategy: %s\n",
-                brief(100 * safe.step_fraction).c_str(), plural(safe.steps, "step").c_str(),
-                plural(safe.resolves, "new solution").c_str(), strategy_name(safe.strategy));
+    print("target           %s %% of the way in %s, %s of the functions; strategy: %s\n",
+          brief(100 * safe.step_fraction).c_str(), plural(safe.steps, "step").c_str(),
+          plural(safe.resolves, "new solution").c_str(), strategy_name(safe.strategy));
 }
 
 void print_worst_cells(const hm_safe_report& safe) {
     for (std::int32_t i = 0; i < safe.n_worst; ++i) {
         const hm_worst_cell& cell = safe.worst[i];
-        std::printf("%-16s cell %d at (%s, %s): %s, before %s\n", i == 0 ? "worst cells" : "",
-                    cell.cell, brief(cell.x).c_str(), brief(cell.y).c_str(),
-                    brief(cell.quality).c_str(), brief(cell.start_quality).c_str());
+        print("%-16s cell %d at (%s, %s): %s, before %s\n", i == 0 ? "worst cells" : "", cell.cell,
+              brief(cell.x).c_str(), brief(cell.y).c_str(), brief(cell.quality).c_str(),
+              brief(cell.start_quality).c_str());
     }
 }
 

@@ -1,4 +1,4 @@
-// What the commands that go a safe way have in common: what is asked of it, and what is said of it.
+// Options and reports that all commands with --safe have in common.
 #pragma once
 
 #include "basics/arguments.hpp"
@@ -10,11 +10,11 @@
 
 namespace cli {
 
-std::vector<Option> safe_options();  // without bases
+std::vector<Option> safe_options();  // all but --other
 hm_safe_options safe_options_of(const Arguments& arguments);
 
-// Keys of JSON, and lines for people. reached_moves: the file of them, or null where there is none
-// such.
+// Adds the keys of JSON, and prints lines for people. reached_moves: the file of moves, or NULL
+// where the command has no such file.
 void add_safe(JsonObject& object, const hm_safe_report& safe, const std::string& warning,
               const std::string* reached_moves);
 void print_target(const hm_safe_report& safe);

@@ -1,4 +1,4 @@
-// The section of a curve file and its chord: an option of commands that measure.
+// The option of measuring commands for the chord of the section in a curve file.
 #pragma once
 
 #include <harmorph_design.h>

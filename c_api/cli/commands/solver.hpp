@@ -1,4 +1,4 @@
-// Solves the harmonic functions of a mesh: the library's whole pipeline, in memory.
+// Solves the harmonic functions of a mesh by all calls of the library in turn, in memory.
 #pragma once
 
 #include "basics/field.hpp"
@@ -19,12 +19,13 @@ struct SolveTimes {     // seconds
 
 class Solver {
 public:
-    Solver(const Mesh& mesh, const Task& task, const Threads& threads);  // all must outlive it
+    Solver(const Mesh& mesh, const Task& task,
+           const Threads& threads);  // all must outlive the solver
     Solver(const Solver&) = delete;
 
-    hm_status run();  // from the mesh to the basis; once more does the same in the same memory
+    hm_status run();  // from the mesh to the basis; a second run uses the same memory
 
-    void prepare();  // up to the plan, without numbers
+    void prepare();  // analysis and plan, without the factor
 
     // Puts points of a moved mesh that slide along curves onto these curves, and changes the
     // displacement accordingly.
@@ -36,7 +37,7 @@ public:
     const hm_solve_report& report() const { return report_; }
     double found() const {
         return found_;
-    }  // where the last solution has not converged: hm_error.value
+    }  // hm_error.value of the last solution, if that has not converged
     const SolveTimes& times() const { return times_; }
     std::size_t plan_bytes() const { return plan_block_.size(); }
 

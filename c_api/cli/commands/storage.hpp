@@ -1,4 +1,4 @@
-// The precision in which a basis is kept in its file: an option of every command that makes one.
+// The option of all commands that make a basis for the precision of the functions in the file.
 #pragma once
 
 #include "basics/arguments.hpp"
@@ -8,11 +8,11 @@ namespace cli {
 
 extern const Option storage_option;
 
-// The basis as it is, or in single precision in a block of its own.
+// A basis as it was solved, or a copy in single precision in a separate block.
 class Stored {
 public:
     Stored(const Arguments& arguments, const Mesh& mesh,
-           const hm_basis* solved);  // the basis must outlive it
+           const hm_basis* solved);  // the basis must outlive this object
 
     const hm_basis* basis() const { return basis_; }
     std::size_t bytes() const;

@@ -41,7 +41,7 @@ void add_condition(const Arguments& arguments, const Mesh& mesh, Task& task,
     task.conditions.push_back(condition);
 }
 
-// binding: "A[,B..]=FILE", the markers that lie on the curves of that file.
+// binding: "A[,B..]=FILE"; these markers lie on the curves of that file.
 void put_on_curves(const Arguments& arguments, const Mesh& mesh, Task& task,
                    const std::string& binding) {
     const std::size_t equals = binding.find('=');
@@ -57,8 +57,8 @@ void put_on_curves(const Arguments& arguments, const Mesh& mesh, Task& task,
     }
 }
 
-// binding: "A[,B..]" or "A[,B..]=FILE", the markers whose points slide, along the curves of that
-// file.
+// binding: "A[,B..]" or "A[,B..]=FILE"; the points of these markers slide, along the curves of that
+// file if there is one.
 void let_slide(const Arguments& arguments, const Mesh& mesh, Task& task,
                const std::string& binding) {
     const std::size_t equals = binding.find('=');
@@ -77,7 +77,8 @@ void let_slide(const Arguments& arguments, const Mesh& mesh, Task& task,
     }
 }
 
-// The middle of the box round the markers' points; of pieces, the point that the first is near to.
+// Finds the middle of the box round the points of the markers; for pieces, the point that names the
+// first piece.
 void centre_of(const Mesh& mesh, const std::vector<MarkerPiece>& pieces, double& x, double& y) {
     std::vector<std::int32_t> markers;
     for (const MarkerPiece& piece : pieces) {
@@ -90,10 +91,10 @@ void centre_of(const Mesh& mesh, const std::vector<MarkerPiece>& pieces, double&
     double low[2] = {0, 0}, high[2] = {0, 0};
     bool first = true;
     for (std::int32_t face = 0; face < mesh.faces(); ++face) {
-        const auto its = static_cast<std::size_t>(face);
-        if (std::find(markers.begin(), markers.end(), mesh.face_markers[its]) == markers.end())
+        const auto at_face = static_cast<std::size_t>(face);
+        if (std::find(markers.begin(), markers.end(), mesh.face_markers[at_face]) == markers.end())
             continue;
-        for (std::size_t end = 2 * its; end < 2 * its + 2; ++end) {
+        for (std::size_t end = 2 * at_face; end < 2 * at_face + 2; ++end) {
             const auto point = static_cast<std::size_t>(mesh.face_points[end]);
             const double at[2] = {mesh.x[point], mesh.y[point]};
             for (std::size_t i = 0; i < 2; ++i) {
@@ -107,7 +108,7 @@ void centre_of(const Mesh& mesh, const std::vector<MarkerPiece>& pieces, double&
     y = .5 * (low[1] + high[1]);
 }
 
-// binding: "A[,B..]" or "A[,B..]=X,Y", the markers of one body and what it turns about.
+// binding: "A[,B..]" or "A[,B..]=X,Y", the markers of one body and the centre of its turns.
 void make_rigid(const Arguments& arguments, const Mesh& mesh, Task& task,
                 const std::string& binding, std::int32_t body) {
     const std::size_t equals = binding.find('=');
@@ -158,24 +159,25 @@ void make_periodic(const Arguments& arguments, const Mesh& mesh, Task& task,
         in_quotes(binding));
 }
 
-std::int32_t quarters_of(const Arguments& arguments) {
+std::int32_t exponent_in_quarters(const Arguments& arguments) {
     if (!arguments.has("--exponent")) return 0;
     double exponent = 0;
     const bool is_number = parse(arguments.text("--exponent"), exponent);
-    const auto quarters =
+    const auto in_quarters =
         is_number && exponent >= 0 && exponent <= 4 ? static_cast<std::int32_t>(4 * exponent) : -1;
-    if (quarters < 0 || quarters != 4 * exponent) {
+    if (in_quarters < 0 || in_quarters != 4 * exponent) {
         arguments.refuse("--exponent expects a number from 0 to 4 in steps of 1/4, found " +
                          in_quotes(arguments.text("--exponent")));
     }
-    return quarters == 0 ? HM_NO_WEIGHT : quarters;
+    return in_quarters == 0 ? HM_NO_WEIGHT : in_quarters;
 }
 
-// Conditions that need nothing but markers.
+// Conditions that are given by markers alone.
 struct PlainCondition {
     Option option;
     std::int32_t kind;
-    bool is_common;  // an option of all commands that solve; otherwise of some, which describe it
+    bool
+        is_common;  // all commands that solve have this option; otherwise each command describes it
 };
 const PlainCondition plain_conditions[] = {
     {{"--given", nullptr, nullptr}, HM_GIVEN, false},
@@ -191,14 +193,16 @@ std::vector<Option> task_options() {
     std::vector<Option> of_conditions = {
         {"--curve", "A[,B..]=CURVE",
          "markers, and the file with the curves they lie on (may be repeated). A@X:Y is the piece\n"
-         "of marker A nearest to (X, Y): one of several bodies or sides, here and below"},
+         "of marker A nearest to (X, Y): one of several bodies or sides, here and below",
+         FileUse::input_after_equals},
         {"--rigid", "A[,B..][=X,Y]",
          "markers of a body that only moves, turns about X,Y (default: its middle; of a piece, "
          "the\n"
          "point that it is near to) and scales (may be repeated)"},
         {"--slip", "C[,D..][=CURVE]",
          "markers along which points slide, straight or curved without corners, or along the\n"
-         "curves of a file, which BASIS keeps (may be repeated)"},
+         "curves of a file, which BASIS keeps (may be repeated)",
+         FileUse::input_after_equals},
         {"--periodic", "E:F",
          "a pair of markers, one the other moved: their points move alike; or one the other "
          "turned, as\n"
@@ -223,7 +227,7 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
     Task task;
     task.options.tolerance = arguments.positive("--tol", 1e-10);
     task.options.operator_kind = operator_of(arguments);
-    task.options.exponent_quarters = quarters_of(arguments);
+    task.options.exponent_quarters = exponent_in_quarters(arguments);
     task.options.scheme =
         arguments.choice("--scheme", {{"compact", HM_COMPACT},
                                       {"nodal-gradient", HM_NODAL_GRADIENT},
@@ -264,7 +268,7 @@ Task task_of(const Basis& basis) {
     task.curves =
         copied(basis.why_on_no_curve().empty() ? basis.curves() : basis.curves_at_start());
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
-        if (info.point_curve[k] >= info.curves) continue;  // on no curve
+        if (info.point_curve[k] >= info.curves) continue;  // the point is on no curve
         task.given_points.push_back(info.curve_point[k]);
         task.given_curves.push_back(info.point_curve[k]);
         task.given_u.push_back(info.point_u[k]);

@@ -1,5 +1,5 @@
-// What is to be solved: curves, conditions, operator; from the command line, or once more as a
-// basis was solved.
+// A problem to solve: curves, conditions and operator, as the command line says, or as a basis was
+// solved.
 #pragma once
 
 #include "basics/arguments.hpp"
@@ -15,9 +15,9 @@ namespace cli {
 struct Task {
     Curves curves;
     std::vector<hm_condition> conditions;
-    std::vector<std::shared_ptr<const CurveSet>> slip_curves;  // that conditions point to
-    std::vector<std::string> passages;  // pairs of sides that are turned, in words
-    std::vector<std::int32_t> given_points, given_curves;  // parameters that are known
+    std::vector<std::shared_ptr<const CurveSet>> slip_curves;  // conditions point to these
+    std::vector<std::string> passages;                     // descriptions of pairs of turned sides
+    std::vector<std::int32_t> given_points, given_curves;  // points with known parameters
     std::vector<double> given_u;
     SolveOptions options;
 };

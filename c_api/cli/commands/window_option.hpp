@@ -1,4 +1,4 @@
-// The option of commands that draw: which part of the plane.
+// The option of drawing commands for the part of the plane that is shown.
 #pragma once
 
 #include "basics/arguments.hpp"
@@ -10,6 +10,6 @@ namespace cli {
 
 extern const Option window_option;
 
-std::optional<Box> window_of(const Arguments& arguments);  // nothing: not given
+std::optional<Box> window_of(const Arguments& arguments);  // empty without the option
 
 }  // namespace cli

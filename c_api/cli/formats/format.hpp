@@ -42,6 +42,10 @@ bool is_mesh_file(const TextFile& file);  // tells whether the content is that o
 // folder polyMesh; otherwise the path.
 std::string mesh_file(const std::string& path);
 
+// The files beside the mesh with this path that belong to the mesh, as far as they exist: names of
+// markers (.nmf, .mapbc), and all other files of OpenFOAM's polyMesh.
+std::vector<std::string> files_beside_mesh(const std::string& path);
+
 // Returns the file that a morphed mesh with this path is written to, as mesh_file() does. Wrong
 // usage if the name does not end in .gz exactly where the mesh was compressed, or not in .vtu where
 // the mesh was a file .pvtu.

@@ -95,6 +95,28 @@ std::string mesh_file(const std::string& path) {
     return path;
 }
 
+std::vector<std::string> files_beside_mesh(const std::string& path) {
+    namespace fs = std::filesystem;
+    const fs::path mesh = mesh_file(path), folder = mesh.parent_path();
+    std::vector<fs::path> candidates = {fs::path(mesh).replace_extension(".nmf")};
+    for (fs::path stem = mesh; stem.has_extension();) {
+        stem.replace_extension();
+        candidates.push_back(stem.string() + ".mapbc");
+    }
+    if (mesh.filename() == "points" || mesh.filename() == "points.gz") {
+        for (const char* name : {"faces", "owner", "neighbour", "boundary"}) {
+            candidates.push_back(folder / name);
+            candidates.push_back(folder / (std::string(name) + ".gz"));
+        }
+    }
+    std::vector<std::string> files;
+    std::error_code ignored;
+    for (const fs::path& candidate : candidates) {
+        if (fs::exists(candidate, ignored)) files.push_back(candidate.string());
+    }
+    return files;
+}
+
 std::string moved_file(const Mesh& mesh, const std::string& path) {
     const std::string file = mesh_file(path);
     if (mesh.in_file.is_joined && !is_device(file) && !ends_with(file, ".vtu")) {

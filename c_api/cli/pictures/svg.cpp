@@ -1,5 +1,7 @@
 #include "pictures/svg.hpp"
 
+#include "basics/readable.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -25,7 +27,7 @@ std::string short_decimal(std::int64_t hundredths) {
 
 std::string escaped(const std::string& text) {
     std::string result;
-    for (const char c : text)
+    for (const char c : readable(text))
         result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
     return result;
 }
@@ -111,7 +113,7 @@ std::string Svg::document(double its_height) const {
 std::string pixels(double value) { return short_decimal(hundredths(value)); }
 
 double width_of_text(const std::string& text, double font_size) {
-    return .55 * font_size * static_cast<double>(text.size());
+    return .55 * font_size * static_cast<double>(readable(text).size());
 }
 
 }  // namespace cli
