@@ -73,7 +73,7 @@
         const shift = wanted.down / app.camera.scale;
         check(
             "a dragged point is where the pointer is",
-            Math.abs(app.moves[2 * i + 1] + shift) <= app.digit,
+            Math.abs(app.moves[2 * i + 1] + shift) <= app.movement.digit,
             app.moves[2 * i + 1],
         );
         const dragged = coordinates();
@@ -84,9 +84,9 @@
         key("y", { ctrlKey: true });
         frame();
         check("redo does, too", coordinates() === dragged);
-        app.select(-1);
+        app.selection.choose(-1);
         key("Tab");
-        check("Tab chooses the first point", app.selected === 0, app.selected);
+        check("Tab chooses the first point", app.selection.point === 0, app.selection.point);
         key("ArrowUp");
         frame();
         check("an arrow key moves it", app.moves[1] > 0, app.moves[1]);
@@ -113,7 +113,7 @@
             across = app.moves[2 * j + 1] - before[2 * j + 1];
         check(
             "the point across moves the other way",
-            Math.abs(moved + across) <= 2 * app.digit && moved !== 0,
+            Math.abs(moved + across) <= 2 * app.movement.digit && moved !== 0,
             `${moved} ${across}`,
         );
         document.querySelector("#pair [data-value=alone]").click();
@@ -139,7 +139,7 @@
         frame();
         const zoom = app.camera.scale / before;
         check("two fingers zoom", Math.abs(zoom - 2) < 1e-9 && app.moves.join() === moves, zoom);
-        app.fit();
+        app.view.fit();
         frame();
     };
 
@@ -157,14 +157,14 @@
     };
 
     const drag_body = () => {
-        const handle = app.body_handle(0),
+        const handle = app.view.body_handle(0),
             start = coordinates();
         drag([app.camera.pixel_x(handle.x), app.camera.pixel_y(handle.y)], 12, -9, 5);
-        const its = app.shape.state.bodies[0];
-        check("a body is where the pointer is", Math.abs(its.x - 12 / app.camera.scale) <= app.digit, its.x);
-        const moved = app.body_handle(0);
+        const body = () => app.shape.state.bodies[0];
+        check("a body is where the pointer is", Math.abs(body().x - 12 / app.camera.scale) <= app.movement.digit, body().x);
+        const moved = app.view.body_handle(0);
         drag([moved.knob_x, moved.knob_y], -14, -30, 5); // up, so counter-clockwise
-        check("its knob turns it", its.degrees > 10, its.degrees);
+        check("its knob turns it", body().degrees > 10, body().degrees);
         key("z", { ctrlKey: true });
         key("z", { ctrlKey: true });
         frame();
@@ -236,6 +236,8 @@
         document.querySelector(`#colour [data-value=${colour}]`).click();
         frame();
     }
+    document.getElementById("state_name").value = 'a "state" # 1';
+    document.getElementById("keep_state").click();
     const text = saved(),
         moves = app.moves.slice(),
         here = coordinates();

@@ -5,35 +5,35 @@
     const lines = [];
     const check = (name, holds, found = "") => lines.push(`check ${name} ${holds ? "ok" : `FAILED ${found}`}`);
     const box = (id) => element(id).getBoundingClientRect();
-    const shown = (selector) => [...document.querySelectorAll(selector)].filter((its) => its.offsetParent !== null);
+    const shown = (selector) => [...document.querySelectorAll(selector)].filter((node) => node.offsetParent !== null);
     const stage = box("stage");
     check("the mesh has room", stage.width >= 400 && stage.height >= Math.min(300, 0.9 * innerHeight), `${stage.width} x ${stage.height}`);
     const [left, top, right, bottom] = [
-        app.camera.pixel_x(app.home[0]),
-        app.camera.pixel_y(app.home[3]),
-        app.camera.pixel_x(app.home[2]),
-        app.camera.pixel_y(app.home[1]),
+        app.camera.pixel_x(app.view.home[0]),
+        app.camera.pixel_y(app.view.home[3]),
+        app.camera.pixel_x(app.view.home[2]),
+        app.camera.pixel_y(app.view.home[1]),
     ];
     for (const id of ["hint", "left_out"]) {
-        const its = box(id);
-        const apart = its.left - stage.left > right || its.right - stage.left < left ||
-            its.top - stage.top > bottom || its.bottom - stage.top < top;
-        check(`the body is not under ${id}`, apart || its.width === 0, `${its.top} ${its.bottom} ${top} ${bottom}`);
+        const note = box(id);
+        const apart = note.left - stage.left > right || note.right - stage.left < left ||
+            note.top - stage.top > bottom || note.bottom - stage.top < top;
+        check(`the body is not under ${id}`, apart || note.width === 0, `${note.top} ${note.bottom} ${top} ${bottom}`);
     }
     check("nothing is wider than the window", document.documentElement.scrollWidth <= innerWidth);
     if (innerWidth <= 760 || innerHeight <= 480) {
-        const small = shown("button, input").filter((its) => {
-            const { width, height } = its.getBoundingClientRect();
+        const small = shown("button, input").filter((node) => {
+            const { width, height } = node.getBoundingClientRect();
             return Math.min(width, height) < 39.5;
         });
-        check("fingers find everything", small.length === 0, small.map((its) => its.id || its.outerHTML).join());
+        check("fingers find everything", small.length === 0, small.map((node) => node.id || node.outerHTML).join());
     }
-    const least = Math.min(...shown("aside *").map((its) => parseFloat(getComputedStyle(its).fontSize)));
+    const least = Math.min(...shown("aside *").map((node) => parseFloat(getComputedStyle(node).fontSize)));
     check("letters grow with the screen", least >= (innerWidth >= 2400 ? 18 : 11.5), least);
     if (matchMedia("(forced-colors: active)").matches) {
-        app.move_point(2, 0, 0.01);
+        app.movement.move_point(2, 0, 0.01);
         app.follow();
-        const colour = (its, pseudo) => getComputedStyle(its, pseudo).backgroundColor;
+        const colour = (node, pseudo) => getComputedStyle(node, pseudo).backgroundColor;
         const panel = colour(document.querySelector("aside"));
         check("the gauge is seen", colour(element("gauge_fill")) !== panel &&
             getComputedStyle(element("gauge_fill")).forcedColorAdjust === "none");

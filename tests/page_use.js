@@ -52,21 +52,21 @@
         element("redo").click();
         frame();
         check("and redo brings it again", app.moves.every((move, k) => move === moved[k]));
-        app.move_point(1, 0, 0.001);
+        app.movement.move_point(1, 0, 0.001);
         app.commit();
-        app.move_point(2, 0, 0.001); // as in the middle of a drag
+        app.movement.move_point(2, 0, 0.001); // as in the middle of a drag
         element("undo").click();
         element("redo").click();
         frame();
         check("undo loses nothing that is not finished", app.moves[5] === 0.001, app.moves[5]);
         back_to_start();
-        app.fit();
+        app.view.fit();
     };
 
     const numbers = () => {
-        app.select(3);
+        app.selection.choose(3);
         const exact = 0.0123456789012345;
-        app.move_point(3, 0, exact);
+        app.movement.move_point(3, 0, exact);
         app.commit();
         frame();
         check("a decimal comma is no error", !type("dx", "0,00125"));
@@ -88,7 +88,7 @@
             for (let i = 0; i < app.data.n_control; ++i) {
                 for (const dy of [-0.2, 0.2]) {
                     back_to_start();
-                    app.move_point(i, 0, dy);
+                    app.movement.move_point(i, 0, dy);
                     frame();
                     if (app.wall.crossing.length > 0 && app.cells.inverted === 0) return [i, dy];
                 }
@@ -108,7 +108,7 @@
         const [i, dy] = found,
             exact = app.admissible_step();
         for (const [factor, crosses] of [[0.25, 0], [0.5, 0], [0.75, 0], [0.9999, 0], [1.0001, 1]]) {
-            app.move_point(i, 0, factor * exact * dy);
+            app.movement.move_point(i, 0, factor * exact * dy);
             frame();
             check(`at ${factor} of the admissible step the wall ${crosses ? "crosses" : "does not cross"} itself`,
                 app.wall.crossing.length > 0 === (crosses === 1));
@@ -143,7 +143,7 @@
 
     const screen_reader = async () => {
         const spoken = () => element("spoken").textContent;
-        app.select(-1);
+        app.selection.choose(-1);
         key(handles, "Tab");
         check("choosing a point is announced", spoken().includes("Control point 1"), spoken());
         for (let i = 0; i < 20; ++i) key(handles, "ArrowUp");
@@ -151,12 +151,12 @@
         check("the verdict is announced by a live region", element("spoken").getAttribute("role") === "status");
         check("the gauge is a meter", element("gauge").getAttribute("role") === "meter" &&
             Number(element("gauge").getAttribute("aria-valuenow")) > 0);
-        const nameless = [...document.querySelectorAll("aside input:not([type=file]), button")].filter((its) => {
-            const name = its.getAttribute("aria-label") || its.textContent.trim() || its.title ||
-                (its.labels && [...its.labels].map((label) => label.textContent).join(""));
+        const nameless = [...document.querySelectorAll("aside input:not([type=file]), button")].filter((node) => {
+            const name = node.getAttribute("aria-label") || node.textContent.trim() || node.title ||
+                (node.labels && [...node.labels].map((label) => label.textContent).join(""));
             return !/[A-Za-z]/.test(name || "");
         });
-        check("everything has a name in letters", nameless.length === 0, nameless.map((its) => its.outerHTML).join());
+        check("everything has a name in letters", nameless.length === 0, nameless.map((node) => node.outerHTML).join());
         for (const group of document.querySelectorAll("[role=radiogroup]")) {
             const stops = [...group.children].filter((button) => button.tabIndex === 0);
             check(`one stop for Tab in ${group.id}`, stops.length === 1, stops.length);
@@ -166,14 +166,14 @@
         check("arrow keys choose the next colour", app.options.colour === "quality" && document.activeElement === quality);
         document.querySelector("#colour [data-value=none]").click();
         const problems = typeof axe === "undefined" ? [] : (await axe.run(document)).violations;
-        check("axe finds nothing", problems.length === 0, problems.map((its) => `${its.id} ${its.help}`).join("; "));
+        check("axe finds nothing", problems.length === 0, problems.map((node) => `${node.id} ${node.help}`).join("; "));
         back_to_start();
     };
 
     const bodies = () => {
-        app.select(-1);
+        app.selection.choose(-1);
         for (let i = 0; i <= app.data.n_control; ++i) key(handles, "Tab");
-        check("Tab comes to the first body", app.chosen_body === 0, app.chosen_body);
+        check("Tab comes to the first body", app.selection.body === 0, app.selection.body);
         check("and says so", element("spoken").textContent.includes(app.data.bodies[0].marker));
         key(handles, "ArrowUp");
         frame();
@@ -182,8 +182,8 @@
         check("and so does a typed number", app.shape.state.bodies[0].y === 0.25, app.shape.state.bodies[0].y);
         back_to_start();
         app.camera.zoom(0.01);
-        check("the handle of a small body is small", app.body_handle(0).radius < 40, app.body_handle(0).radius);
-        app.fit();
+        check("the handle of a small body is small", app.view.body_handle(0).radius < 40, app.view.body_handle(0).radius);
+        app.view.fit();
         check("the keys say how to turn a body", /turn a body/.test(element("keys").textContent));
     };
 
@@ -193,7 +193,7 @@
         lines.push("section", app.sections[0].text().trimEnd(), "end");
         const caption = element("section_name");
         check("the table says of which section, if there are several", caption.hidden === (app.sections.length === 1) &&
-            caption.textContent === app.current_section().name);
+            caption.textContent === app.selection.section().name);
     };
 
     const pointer = () => {
@@ -201,17 +201,17 @@
         const box = handles.getBoundingClientRect();
         handles.dispatchEvent(new PointerEvent("pointermove",
             { pointerId: 7, clientX: clientX + box.left, clientY: clientY + box.top }));
-        check("a point under the pointer has a halo", app.hovered === 2, app.hovered);
+        check("a point under the pointer has a halo", app.selection.hovered === 2, app.selection.hovered);
         handles.dispatchEvent(new PointerEvent("pointerleave", { pointerId: 7 }));
-        check("until the pointer leaves", app.hovered === -1, app.hovered);
-        app.select(-1);
+        check("until the pointer leaves", app.selection.hovered === -1, app.selection.hovered);
+        app.selection.choose(-1);
         const look = (field) => getComputedStyle(field).opacity;
         check("a disabled field looks disabled", Number(look(element("dx"))) < 0.6, look(element("dx")));
     };
 
     // Both painters put the same colour at the centre of a pixel, and each cell that has one is filled.
     const painters = () => {
-        app.move_point(3, 0, 0.02);
+        app.movement.move_point(3, 0, 0.02);
         frame();
         const { picture, camera, data } = app,
             of_page = picture.painter;
@@ -221,6 +221,7 @@
             painter.begin(camera.width, camera.height, 1, [1, 1, 1]);
             painter.place(picture.screen);
             painter.fill_cells(picture.values_of_pieces(true), scales.light.good, [1, 0, 0]);
+            painter.end();
             const copy = document.createElement("canvas");
             Object.assign(copy, { width: canvas.width, height: canvas.height });
             copy.getContext("2d").drawImage(canvas, 0, 0);

@@ -142,7 +142,7 @@ TEST_CASE("safe morphs and better cells") {
          {nullptr, [](S& s) { s.max_height_change = 1.001; }},
          {"skipped_strategies is -1", [](S& s) { s.skipped_strategies = -1; }},
          {"skipped_strategies is", [](S& s) { s.skipped_strategies = 2 << HM_STRATEGY_IMPROVED; }},
-         {"options.reserved must be 0, not 1", [](S& s) { s.reserved = 1; }},
+         {"options.improve must be 0 or 1, not -1", [](S& s) { s.improve = -1; }},
          {"max_height_change", [](S& s) { s.max_height_change = -1; }}},
         HM_BAD_ARGUMENT, morph);
     hm_error error{};

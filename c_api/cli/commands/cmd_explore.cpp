@@ -7,6 +7,7 @@
 #include "page/page_data.hpp"
 #include "page/page_text.hpp"
 
+#include <algorithm>
 #include <ostream>
 
 namespace cli {
@@ -26,9 +27,18 @@ void refuse_inverted_cells(const Mesh& mesh, const Basis& basis) {
                                      mesh.file.place(line));
 }
 
+// Returns the number of points that a page shows if the user does not wish another one: as many as
+// are drawn at once in 0.1 s by a processor alone, but no more than 8 million numbers of functions,
+// which take 43 megabytes.
+std::int32_t usual_points(const Basis& basis) {
+    const double per_point =
+        static_cast<double>(basis.functions()) * basis.info().numbers_per_value;
+    return static_cast<std::int32_t>(std::clamp(8e6 / per_point, 50000., 200000.));
+}
+
 void run_explore(const Arguments& arguments) {
     const std::string path = arguments.text("-o");
-    const std::int32_t most = arguments.whole("--points", 50000, 100, 2000000);
+    const std::int32_t wished = arguments.whole("--points", 0, 100, 2000000);
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
     refuse_inverted_cells(mesh, basis);
@@ -40,7 +50,8 @@ void run_explore(const Arguments& arguments) {
     }
     const hm_basis_info& info = basis.info();
     const std::vector<std::int32_t> body(info.curve_point, info.curve_point + info.curve_points);
-    const PageSelection selection = select_for_page(mesh, body, most);
+    const PageSelection selection =
+        select_for_page(mesh, body, wished > 0 ? wished : usual_points(basis));
     OutputFiles files;
     std::ostream& out = files.add(path);
     out << page_head << explore_page.before_data << "<script>\nconst page_data = ";
@@ -78,7 +89,7 @@ const Command explore_command = {
      {"--points", "N",
       "how many points nearest to the body are shown with all their cells; farther away the mesh "
       "is thinned\n"
-      "for drawing (default 50000)"},
+      "for drawing (default 200000; 50000 at least if there are many functions)"},
      {"--move", "MOVES", "movement of the control points to begin with", FileUse::input},
      format_option,
      zone_option},

@@ -1,9 +1,10 @@
 "use strict";
-// Which part of the plane the canvas shows. Pixels are computed in double precision, so that one can look at cells of
-// 1e-8.
+// The part of the plane that a canvas shows. Pixels are computed in double precision, so that cells of 1e-8 can be
+// looked at.
 
 class Camera {
-    // scale: pixels for a length; is_home: the whole body is shown, and stays so when the window changes.
+    // scale is in pixels per unit of length. If is_home is true, the whole body is shown, also after the window
+    // changes.
     constructor() {
         Object.assign(this, { x: 0, y: 0, scale: 1, width: 1, height: 1, is_home: false });
     }
@@ -25,7 +26,7 @@ class Camera {
         Object.assign(this, { width, height });
     }
 
-    // margin: of the canvas, left free at each side.
+    // Shows a box of the plane; margin is the part of the canvas that stays free at each side.
     fit(box, margin) {
         this.is_home = false;
         this.x = (box[0] + box[2]) / 2;
@@ -51,19 +52,19 @@ class Camera {
         this.y += py / this.scale;
     }
 
-    // Pixel pairs of all points.
+    // Writes the pixels of all points into `to`, in pairs.
     project(x, y, to) {
         const { scale } = this,
             left = this.width / 2 - this.x * scale,
             up = this.height / 2 + this.y * scale;
-        const safe = Math.abs(left) < 1e9 && Math.abs(up) < 1e9; // else the differences come first
+        const safe = Math.abs(left) < 1e9 && Math.abs(up) < 1e9; // otherwise the differences have to come first
         for (let k = 0; k < x.length; ++k) {
             to[2 * k] = safe ? left + x[k] * scale : this.pixel_x(x[k]);
             to[2 * k + 1] = safe ? up - y[k] * scale : this.pixel_y(y[k]);
         }
     }
 
-    // A round length of at most so many pixels.
+    // Returns the largest round length that takes at most so many pixels.
     round_length(pixels) {
         const most = pixels / this.scale,
             power = 10 ** Math.floor(Math.log10(most));

@@ -1,8 +1,8 @@
 "use strict";
-// What becomes of the cells: inverted ones, the admissible step in closed form, and size-skew quality; the formulas of
-// hm_assess. Cells that are divided (see polygons.js) are judged in divided_cell.js.
+// The cells are judged with the formulas of hm_assess: inverted cells, the admissible step in closed form, and
+// size-skew quality. DividedCell judges cells that are divided (see polygons.js).
 
-// Smallest s > 0 with c + b s + a s^2 = 0, where c > 0, without cancellation; infinite if there is none.
+// Returns the smallest s > 0 with c + b s + a s^2 = 0, where c > 0, without cancellation; infinite if there is none.
 function smallest_positive_root(a, b, c) {
     if (!Number.isFinite(a + b)) return 0;
     if (a >= 0 && b >= 0) return Infinity;
@@ -20,15 +20,15 @@ class Cells {
         this.n = data.cell.length;
         this.data = data;
         this.pieces = data.pieces;
-        this.quality = new Float32Array(this.n); // 0: inverted
+        this.quality = new Float64Array(this.n); // of each cell; 0 if the cell is inverted
         this.inverted = 0;
-        this.step = Infinity; // in parts of the movement
+        this.step = Infinity; // as a fraction of the movement
         this.limiting = -1; // the cell that limits the step
         this.min_quality = this.mean_quality = 1;
         this.worst = -1;
         this.reference_area = new Float64Array(this.n);
         for (let cell = 0; cell < this.n; ++cell) this.reference_area[cell] = this.area(cell, model.x0, model.y0);
-        this.sides = new Float64Array(16); // of one cell: 4 of the mesh as it was, 4 of the movement
+        this.sides = new Float64Array(16); // x, y of the sides of one cell, then x, y of their changes
     }
 
     corners(cell) {
@@ -87,7 +87,8 @@ class Cells {
                 sides[8 + k] = dx[b] - dx[a];
                 sides[12 + k] = dy[b] - dy[a];
             }
-            // A corner's area is half of area + slope s + curvature s^2; a triangle has one for all corners.
+            // The area at a corner is (area + slope s + curvature s^2) / 2; all corners of a triangle have the same
+            // area.
             let smallest = Infinity,
                 first_area = 0,
                 third_area = 0,
@@ -106,15 +107,15 @@ class Cells {
                 const area = ux * vy - uy * vx,
                     curvature = mx * ny - my * nx;
                 const slope = ux * ny - uy * nx + mx * vy - my * vx;
-                // Most corners cannot become 0 before the limit so far.
+                // Most corners cannot lose their area before the present limit.
                 const known = k > 0 && corners === 3;
                 if (
                     !known &&
                     (step === Infinity || area + step * (Math.min(slope, 0) + step * Math.min(curvature, 0)) <= 0)
                 ) {
-                    const its = smallest_positive_root(curvature, slope, area);
-                    if (its < step) {
-                        step = its;
+                    const root = smallest_positive_root(curvature, slope, area);
+                    if (root < step) {
+                        step = root;
                         limiting = cell;
                     }
                 }
@@ -135,14 +136,14 @@ class Cells {
             if (is_divided) smallest = divided.smallest;
             let quality = 0;
             if (smallest > 0) {
-                let its_area = 0.5 * (corners === 3 ? first_area : first_area + third_area);
+                let cell_area = 0.5 * (corners === 3 ? first_area : first_area + third_area);
                 const size = this.reference_area[cell];
                 quality = corners === 3 ? (2 * 1.7320508075688772 * first_area) / skew : 4 / skew;
                 if (is_divided) {
-                    its_area = divided.area;
+                    cell_area = divided.area;
                     quality = divided.quality;
                 }
-                quality *= Math.sqrt(Math.min(its_area, size) / Math.max(its_area, size));
+                quality *= Math.sqrt(Math.min(cell_area, size) / Math.max(cell_area, size));
             } else {
                 ++inverted;
             }

@@ -1,7 +1,7 @@
 "use strict";
-// Curves and histograms with axes, as SVG elements; each below its name, with its numbers as a file.
+// Charts are curves and histograms with axes, as SVG elements, below a title and a link to the numbers as a file.
 
-// Round numbers between low and high, about so many.
+// Returns about so many round numbers between low and high.
 function ticks(low, high, about) {
     const rough = (high - low) / about,
         power = 10 ** Math.floor(Math.log10(rough));
@@ -11,14 +11,14 @@ function ticks(low, high, about) {
     return list;
 }
 
-// Lines of numbers and texts; texts with a comma or a quotation mark stand between quotation marks.
+// Returns rows of numbers and texts as lines; a text with a comma or a quotation mark stands between quotation marks.
 function csv(rows) {
     const field = (value) => (/[",\n]/.test(value) ? `"${value.replaceAll('"', '""')}"` : String(value));
     return rows.map((row) => row.map(field).join() + "\n").join("");
 }
 
 class Chart {
-    // width, height [pixels]: letters keep their size on small screens.
+    // width and height are in pixels, so that letters keep their size on small screens.
     constructor({ x, y, x_name, width, height = 220 }) {
         Object.assign(this, { x, y, width, height, left: 48, right: 14, top: 8, bottom: 40 });
         this.parts = [];
@@ -59,7 +59,8 @@ class Chart {
         this.parts.push(`<polyline points="${path}" fill="none" stroke="${colour}" stroke-width="2"/>`);
     }
 
-    // counts: of equal bins over the x axis; drawn as their share'th part of the bin, from `begin` on.
+    // Draws the counts of equal bins over the x axis. A bar begins at the fraction `begin` of its bin and is `share` of
+    // the bin wide.
     bars(counts, colour, begin, share) {
         const bin = (this.x[1] - this.x[0]) / counts.length;
         counts.forEach((count, i) => {
@@ -78,7 +79,7 @@ class Chart {
         return `<svg viewBox="0 0 ${this.width} ${this.height}">${this.parts.join("")}</svg>`;
     }
 
-    // columns: names of the numbers in each of the rows; file: name of the table without ".csv".
+    // columns are the names of the numbers in each row; file is the name of the table without ".csv".
     show_in(box, name, file, columns, rows) {
         const title = document.createElement("h3"),
             link = document.createElement("a"),

@@ -1,5 +1,5 @@
 "use strict";
-// Colours as arrays of parts 0..1, and scales of them. Those of light and dark stand in page.css.
+// Colours are arrays of parts 0..1. Variables of page.css hold the colours of the light and of the dark page.
 
 function colour_of(name) {
     const text = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
@@ -11,12 +11,12 @@ function style_of(name) {
     return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
-// Three bytes as a pixel, red in the lowest byte.
+// Returns three bytes as a pixel, red in the lowest byte.
 function pixel_of(red, green, blue) {
     return ((255 << 24) | (Math.round(blue) << 16) | (Math.round(green) << 8) | Math.round(red)) >>> 0;
 }
 
-// A scale from 0 to 1 between equally spaced colours "#rrggbb"; at(t) gives three bytes.
+// A scale from 0 to 1 interpolates between equally spaced colours "#rrggbb"; at(t) returns three bytes.
 class Scale {
     constructor(colours) {
         this.table = new Uint8Array(3 * 256);
@@ -36,13 +36,13 @@ class Scale {
         return this.table.subarray(i, i + 3);
     }
 
-    // The 256 colours as pixels, red in the lowest byte.
+    // Returns the 256 colours as pixels.
     pixels() {
-        if (!this.its_pixels) {
+        if (!this.pixel_table) {
             const { table } = this;
-            this.its_pixels = Uint32Array.from({ length: 256 }, (_, i) => pixel_of(...table.subarray(3 * i, 3 * i + 3)));
+            this.pixel_table = Uint32Array.from({ length: 256 }, (_, i) => pixel_of(...table.subarray(3 * i, 3 * i + 3)));
         }
-        return this.its_pixels;
+        return this.pixel_table;
     }
 
     css(t) {
@@ -50,7 +50,7 @@ class Scale {
     }
 }
 
-// Poor is what one looks for: it is strong in light and in dark, and good is quiet. Readable for the colour-blind.
+// Poor cells are strong on a light and on a dark page, and good cells are quiet. The scales suit colour-blind readers.
 const scales = {
     light: {
         good: new Scale(["#5b1a72", "#a8327d", "#e2695a", "#f5b35f", "#f7e3b4", "#eef4f2"]),

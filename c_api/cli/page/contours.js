@@ -1,20 +1,41 @@
 "use strict";
-// Contour lines of values at the points of the cells' pieces, each as one or two triangles.
+// Contour lines of values at the mesh points, found in the triangles of which the pieces of cells consist.
 
 class Contours {
     constructor() {
         this.positions = new Float32Array(4096);
-        this.n = 0; // segments
+        this.n = 0; // number of segments
+        this.values = null; // to which parts belong
     }
 
-    // screen: pixel pairs of the points; levels are the multiples of `distance`.
-    find(points, screen, values, distance) {
+    // Finds the contours at the multiples of `distance` on a canvas; screen holds the pixels of the points, in pairs.
+    find(points, screen, values, distance, width, height) {
         this.n = 0;
+        this.number_parts(values, distance);
+        const { parts } = this;
         for (let i = 0; i < points.length; i += 4) {
-            const [a, b, c, d] = [points[i], points[i + 1], points[i + 2], points[i + 3]];
+            const a = points[i],
+                b = points[i + 1],
+                c = points[i + 2],
+                d = points[i + 3];
+            if (parts[a] === parts[b] && parts[b] === parts[c] && parts[c] === parts[d]) continue;
+            const left = Math.min(screen[2 * a], screen[2 * b], screen[2 * c], screen[2 * d]),
+                right = Math.max(screen[2 * a], screen[2 * b], screen[2 * c], screen[2 * d]);
+            if (right < 0 || left > width) continue;
+            const top = Math.min(screen[2 * a + 1], screen[2 * b + 1], screen[2 * c + 1], screen[2 * d + 1]),
+                bottom = Math.max(screen[2 * a + 1], screen[2 * b + 1], screen[2 * c + 1], screen[2 * d + 1]);
+            if (bottom < 0 || top > height) continue;
             this.triangle(a, b, c, screen, values, distance);
             if (d !== c) this.triangle(a, c, d, screen, values, distance);
         }
+    }
+
+    // Numbers the parts between neighbouring levels, in which the values lie: a line passes between two parts.
+    number_parts(values, distance) {
+        if (this.values === values) return;
+        this.values = values;
+        this.parts = new Int32Array(values.length);
+        for (let k = 0; k < values.length; ++k) this.parts[k] = Math.floor(values[k] / distance);
     }
 
     triangle(a, b, c, screen, values, distance) {
@@ -42,8 +63,8 @@ class Contours {
     }
 
     grow() {
-        const larger = new Float32Array(2 * this.positions.length);
-        larger.set(this.positions);
-        this.positions = larger;
+        const grown = new Float32Array(2 * this.positions.length);
+        grown.set(this.positions);
+        this.positions = grown;
     }
 }

@@ -1,11 +1,11 @@
 "use strict";
-// The B-spline curves: C(u) = sum_k N_k(u) P[indices[k]], rational where there are weights.
+// The B-spline curves are C(u) = sum_k N_k(u) P[indices[k]], and rational where there are weights.
 
 class Curves {
     constructor(data) {
         this.weights = data.weights;
         this.control0 = data.control;
-        this.control = data.control.slice(); // where the control points are now
+        this.control = data.control.slice(); // after the movement
         this.curves = data.curves.map((curve) => Object.assign({ samples: this.tabulate(curve) }, curve));
     }
 
@@ -13,7 +13,7 @@ class Curves {
         for (let i = 0; i < this.control.length; ++i) this.control[i] = this.control0[i] + moves[i];
     }
 
-    // x,y pairs along a curve; `control`: those of now if not given.
+    // Returns x,y pairs along a curve.
     outline(curve, control = this.control) {
         const line = new Float64Array(2 * curve.samples.length);
         curve.samples.forEach((sample, place) => {
@@ -33,9 +33,9 @@ class Curves {
         return line;
     }
 
-    // What an outline that begins and ends at its trailing edge has there and at its leading edge, the point farthest
-    // from the trailing edge: the radius of curvature, and the angle between both ends [degrees]. A periodic curve has
-    // no ends.
+    // Returns the leading-edge radius and the trailing-edge angle [degrees] of an outline that begins and ends at its
+    // trailing edge. The leading edge is the point farthest from there. A periodic curve has no ends, and returns
+    // nothing.
     edges(number) {
         const curve = this.curves[number],
             { degree, knots, indices } = curve,
@@ -60,7 +60,7 @@ class Curves {
             if (distance(one) > distance(other)) high = other;
             else low = one;
         }
-        // The circle through three points.
+        // The radius is the one of the circle through three points.
         const [a, b, c] = [low - small, low, low + small].map((u) => this.point(curve, u)),
             [ab, bc, ca] = [minus(b, a), minus(c, b), minus(a, c)],
             twice_area = Math.abs(ab[0] * bc[1] - ab[1] * bc[0]),
@@ -88,7 +88,7 @@ class Curves {
         return [x / w, y / w];
     }
 
-    // The control points of a curve in order; a closed one ends where it comes back to the first.
+    // Returns the control points of a curve in order; the polygon of a closed curve ends with the first point.
     polygon(curve) {
         const indices = [];
         for (const index of curve.indices) {
@@ -98,7 +98,7 @@ class Curves {
         return indices;
     }
 
-    // The functions that are not 0, at equal distances in each span between two knots.
+    // Tabulates the functions that are not 0 at equally spaced parameters in each span between two knots.
     tabulate(curve) {
         const samples = [],
             per_span = 16,
@@ -116,7 +116,7 @@ class Curves {
         return samples;
     }
 
-    // Piegl and Tiller, The NURBS Book, A2.2.
+    // Returns the functions that are not 0 in a span (Piegl and Tiller, The NURBS Book, algorithm A2.2).
     functions_at(curve, span, u) {
         const { degree, knots } = curve,
             values = [1],

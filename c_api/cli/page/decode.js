@@ -1,20 +1,23 @@
 "use strict";
-// What the program wrote into `page_data`: one object, whose arrays are little-endian numbers in base 64.
+// The program writes `page_data`, one object, whose arrays are little-endian numbers in base 64.
 //
 //   version, mesh, basis      text
-//   all_points, all_cells     of the whole mesh; points, in_cells, cells: of those on this page
-//   point [points]            their places in the mesh, from 0; the first in_cells are points of whole cells
+//   all_points, all_cells     numbers of points and cells of the whole mesh
+//   points, in_cells, cells   numbers of points and cells of this page; the first in_cells points belong to whole cells
+//   point [points]            the places of the points in the mesh, from 0
 //   x, y [points]             coordinates before anything moves, in double precision
-//   cell [cells]              their places in the mesh; cell_start [cells+1], cell_points: rows of points
-//   has_polygons              the mesh is one of HM_CELLS_POLYGONS: cells of four corners may be divided, too
-//   face_points, face_markers boundary; markers: name, kind, which curves or which body,
-//   and the marker across a sliding interface
-//   thin_edges [2*]           what is drawn of the mesh beyond the cells
-//   control, weights, curves  the B-spline as it was, see curve.js
+//   cell [cells]              the places of the cells in the mesh
+//   cell_start [cells+1], cell_points    rows of points
+//   has_polygons              true for a mesh of HM_CELLS_POLYGONS, where cells of four corners may be divided, too
+//   face_points, face_markers the faces of the boundary
+//   markers                   name and kind, and the curves or the body of a marker, and the marker across a sliding
+//                             interface
+//   thin_edges [2*]           the lines that are drawn beyond the cells
+//   control, weights, curves  the B-spline before anything moves, see curve.js
 //   bodies                    marker and centre of each rigid body
-//   numbers                   of one value: 1 real, 2 complex, 4 a matrix xx, xy, yx, yy
-//   functions                 single precision: [function][number][point]
-//   moves                     a file of movements to begin with, or ""
+//   numbers                   numbers per value: 1 real, 2 complex, 4 a matrix xx, xy, yx, yy
+//   functions                 values in single precision: [function][number][point]
+//   moves                     the text of a file of movements to begin with, or ""
 
 function decode_base64(text, Numbers) {
     const characters = atob(text);

@@ -1,17 +1,17 @@
 "use strict";
-// One cell that is divided into triangles (see polygons.js): its triangles, and its corners with the angle that each
-// may bend, have to keep positive areas. Formulas as in harmorph.h, HM_CELLS_POLYGONS.
+// A cell that is divided into triangles (see polygons.js) is valid while its triangles, and its corners with the angle
+// that each corner may bend, have positive areas. harmorph.h gives the formulas at HM_CELLS_POLYGONS.
 
 class DividedCell {
     constructor(pieces, model) {
         Object.assign(this, { pieces, model });
-        const half = Math.SQRT1_2;
-        this.turns = [[1, 0], [half, half], [-half, half]]; // 0, 45, 135 degrees for convex, flat, reflex corners
+        const root = Math.SQRT1_2;
+        this.turns = [[1, 0], [root, root], [-root, root]]; // 0, 45, 135 degrees for convex, flat, reflex corners
         this.length_product = 0;
     }
 
-    // Sets smallest (twice the area of the worst corner, as moved), area, quality, and step: where the first triangle
-    // loses its area, or what was the limit before.
+    // Sets smallest (twice the area of the worst corner after the movement), area, quality, and step, the fraction of
+    // the movement at which the first triangle loses its area, if that is less than the given step.
     judge(cell, step) {
         const { start, points, guard_start, guards, kinds } = this.pieces;
         this.step = step;
@@ -36,7 +36,8 @@ class DividedCell {
         this.quality = convex < 3 ? 1 : Math.min(1, convex / (sum * Math.sin((2 * Math.PI) / convex)));
     }
 
-    // Twice the area between the sides from a to b, turned back, and from b to c, after the movement; bounds the step.
+    // Returns twice the area between the side from a to b, turned back, and the side from b to c, after the movement.
+    // The step becomes smaller where this area vanishes earlier.
     triangle(a, b, c, [cosine, sine]) {
         const { x0, y0, dx, dy } = this.model,
             [ux, uy] = [x0[b] - x0[a], y0[b] - y0[a]],

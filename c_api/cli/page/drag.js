@@ -1,13 +1,13 @@
 "use strict";
-// Pointers and keys: dragging control points and bodies, pan and zoom, with mouse, pen, fingers or keyboard.
+// Pointers and keys drag control points and bodies, pan and zoom: with mouse, pen, fingers or keyboard.
 
 class Drag {
     constructor(canvas, app) {
-        Object.assign(this, { canvas, app, pointers: new Map(), grip: null });
+        Object.assign(this, { canvas, app, pointers: new Map(), grip: null, mirrors: false });
         canvas.addEventListener("pointerdown", (event) => this.down(event));
         canvas.addEventListener("pointermove", (event) => this.move(event));
         canvas.addEventListener("pointerup", (event) => this.up(event));
-        canvas.addEventListener("pointerleave", () => app.hover(-1));
+        canvas.addEventListener("pointerleave", () => app.selection.hover(-1));
         canvas.addEventListener("pointercancel", (event) => this.up(event));
         canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
         window.addEventListener("keydown", (event) => this.key(event));
@@ -23,7 +23,7 @@ class Drag {
         return [event.clientX - box.left, event.clientY - box.top];
     }
 
-    // What is under a pixel: {kind: "point" | "body" | "knob", place}, or null.
+    // Returns the handle under a pixel, {kind: "point" | "body" | "knob", place}, or null.
     find(px, py, reach) {
         const { app } = this,
             { camera, curves } = app;
@@ -34,7 +34,7 @@ class Drag {
             if (distance < least) [best, least] = [{ kind, place }, distance];
         };
         app.data.bodies.forEach((_, place) => {
-            const body = app.body_handle(place);
+            const body = app.view.body_handle(place);
             offer("body", place, camera.pixel_x(body.x), camera.pixel_y(body.y));
             offer("knob", place, body.knob_x, body.knob_y);
         });
@@ -60,24 +60,27 @@ class Drag {
             return;
         }
         const found = this.find(px, py, event.pointerType === "touch" ? 28 : 16);
-        this.grip = found === null ? { kind: "plane" } : this.take(found, px, py);
+        if (found !== null) this.grip = this.take(found, px, py, event.shiftKey);
+        else this.grip = event.shiftKey ? { kind: "frame", px, py, to_x: px, to_y: py } : { kind: "plane" };
         canvas.classList.toggle("dragging", true);
         if (found !== null) app.said_hello();
     }
 
-    take({ kind, place }, px, py) {
+    // Returns the grip of a handle; a drag of one of several chosen points moves them all.
+    take({ kind, place }, px, py, adds) {
         const { app } = this,
-            { camera } = app,
+            { camera, selection } = app,
             x = camera.plane_x(px),
             y = camera.plane_y(py);
         if (kind === "point") {
-            app.select(place);
-            return { kind, place, x, y, dx: app.moves[2 * place], dy: app.moves[2 * place + 1] };
+            if (adds) selection.add_or_remove(place);
+            else if (!selection.points.has(place)) selection.choose(place);
+            return selection.points.has(place) ? { kind, x, y } : null;
         }
-        app.choose_body(place);
-        const body = app.shape.state.bodies[place],
-            handle = app.body_handle(place);
-        return { kind, place, x, y, start: { ...body }, angle: Math.atan2(y - handle.y, x - handle.x) };
+        selection.choose_body(place);
+        const { degrees } = app.shape.state.bodies[place],
+            handle = app.view.body_handle(place);
+        return { kind, place, x, y, degrees, angle: Math.atan2(y - handle.y, x - handle.x) };
     }
 
     move(event) {
@@ -86,7 +89,7 @@ class Drag {
         if (!this.pointers.has(event.pointerId)) {
             const near = this.find(px, py, 16);
             canvas.classList.toggle("near", near !== null);
-            app.hover(near !== null && near.kind === "point" ? near.place : -1);
+            app.selection.hover(near !== null && near.kind === "point" ? near.place : -1);
             return;
         }
         const [old_x, old_y] = this.pointers.get(event.pointerId);
@@ -96,28 +99,27 @@ class Drag {
         if (this.grip.kind === "plane") {
             app.camera.pan(px - old_x, py - old_y);
             app.draw_soon();
+        } else if (this.grip.kind === "frame") {
+            Object.assign(this.grip, { to_x: px, to_y: py });
+            app.draw_soon();
         } else {
-            this.drag_to(app.camera.plane_x(px), app.camera.plane_y(py));
+            this.drag_to(app.camera.plane_x(px), app.camera.plane_y(py), event.altKey);
         }
     }
 
-    drag_to(x, y) {
+    // mirrors: the points across move the other way during this drag, whatever the user has chosen.
+    drag_to(x, y, mirrors) {
         const { app, grip } = this;
-        if (grip.kind === "point") {
-            app.move_point(grip.place, app.rounded(grip.dx + x - grip.x), app.rounded(grip.dy + y - grip.y));
+        if (grip.kind !== "knob") {
+            this.mirrors = mirrors;
+            app.movement.move_choice_by(x - grip.x, y - grip.y, mirrors ? "mirror" : undefined);
             return;
         }
-        const body = app.shape.state.bodies[grip.place],
-            handle = app.body_handle(grip.place);
-        if (grip.kind === "body") {
-            body.x = app.rounded(grip.start.x + x - grip.x);
-            body.y = app.rounded(grip.start.y + y - grip.y);
-        } else {
-            const turned = ((Math.atan2(y - handle.y, x - handle.x) - grip.angle) * 180) / Math.PI;
-            const degrees = grip.start.degrees + turned;
-            body.degrees = Number((degrees - 360 * Math.round((degrees - body.degrees) / 360)).toFixed(2));
-        }
-        app.changed();
+        const { degrees: last } = app.shape.state.bodies[grip.place],
+            handle = app.view.body_handle(grip.place),
+            turned = ((Math.atan2(y - handle.y, x - handle.x) - grip.angle) * 180) / Math.PI,
+            degrees = grip.degrees + turned;
+        app.movement.turn_choice(Number((degrees - 360 * Math.round((degrees - last) / 360)).toFixed(2)));
     }
 
     pinch(id, px, py) {
@@ -131,10 +133,27 @@ class Drag {
         app.draw_soon();
     }
 
-    // What is dragged stays where it is.
+    // Ends a drag; the dragged handle stays at its place, and a frame chooses the points inside.
     release() {
-        if (this.grip !== null && this.grip.kind !== "plane") this.app.commit();
+        const { app, grip } = this;
         this.grip = null;
+        this.mirrors = false;
+        if (grip !== null && grip.kind === "frame") this.choose_inside(grip);
+        else if (grip !== null && grip.kind !== "plane") app.commit();
+    }
+
+    choose_inside({ px, py, to_x, to_y }) {
+        const { app } = this,
+            { control } = app.curves,
+            { camera, selection, options } = app,
+            between = (a, b, c) => (a - b) * (a - c) <= 0;
+        const inside = [...Array(options.polygon ? app.data.n_control : 0).keys()].filter(
+            (i) =>
+                between(camera.pixel_x(control[2 * i]), px, to_x) &&
+                between(camera.pixel_y(control[2 * i + 1]), py, to_y),
+        );
+        if (inside.length > 0) selection.add(inside);
+        app.draw_soon();
     }
 
     up(event) {
@@ -164,22 +183,24 @@ class Drag {
         if (typing) return undefined;
         if (control && key === "z") return does(() => (event.shiftKey ? app.redo() : app.undo()));
         if (control && key === "y") return does(() => app.redo());
-        if (control || element("keys").open) return undefined;
         const on_canvas = event.target === this.canvas || event.target === document.body;
-        if (on_canvas && key === "tab" && app.step_selection(event.shiftKey ? -1 : 1)) return does(() => {});
+        if (control && key === "a" && on_canvas) return does(() => app.selection.choose_all());
+        if (control || element("keys").open) return undefined;
+        if (on_canvas && key === "tab" && app.selection.step(event.shiftKey ? -1 : 1)) return does(() => {});
         const arrows = { arrowleft: [-1, 0], arrowright: [1, 0], arrowup: [0, 1], arrowdown: [0, -1] };
         if (on_canvas && key in arrows)
             return does(() => this.nudge(arrows[key], event.shiftKey ? 10 : event.altKey ? 0.1 : 1));
         const actions = {
-            escape: () => app.select(-1),
-            f: () => app.fit(),
-            l: () => app.show_limit(),
-            "+": () => app.zoom(1.4),
-            "=": () => app.zoom(1.4),
-            "-": () => app.zoom(1 / 1.4),
+            escape: () => app.selection.choose(-1),
+            f: () => app.view.fit(),
+            l: () => app.view.show_limit(),
+            "+": () => app.view.zoom(1.4),
+            "=": () => app.view.zoom(1.4),
+            "-": () => app.view.zoom(1 / 1.4),
             b: () => app.toggle("before"),
             p: () => app.toggle("polygon"),
             t: () => app.switch_theme(),
+            n: () => app.selection.extend(event.shiftKey ? -1 : 1),
             "?": () => element("keys").showModal(),
         };
         const colour = ["none", "quality", "angle", "height", "function"]["12345".indexOf(key)];
@@ -189,24 +210,14 @@ class Drag {
 
     nudge([right, up], factor) {
         const { app } = this,
-            length = (app.extent / 1000) * factor;
-        if (app.chosen_body >= 0) {
-            const body = app.shape.state.bodies[app.chosen_body];
-            body.x = app.rounded(body.x + right * length);
-            body.y = app.rounded(body.y + up * length);
-            app.changed();
-        } else if (app.selected >= 0) {
-            const i = app.selected;
-            app.move_point(
-                i,
-                app.rounded(app.moves[2 * i] + right * length),
-                app.rounded(app.moves[2 * i + 1] + up * length),
-            );
-        } else {
+            length = (app.view.extent / 1000) * factor;
+        if (app.selection.is_empty()) {
             app.camera.pan(-40 * right, 40 * up);
             app.draw_soon();
             return;
         }
+        app.commit();
+        app.movement.move_choice_by(right * length, up * length);
         app.commit();
     }
 }

@@ -1,15 +1,15 @@
-# What embed.sh does, for CMake: ${PROJECT_BINARY_DIR}/page_text.cpp.
+# Does for CMake what embed.sh does, and writes ${PROJECT_BINARY_DIR}/page_text.cpp.
 set(page_parts ${CMAKE_CURRENT_LIST_DIR})
 file(GLOB page_files CONFIGURE_DEPENDS ${page_parts}/*.html ${page_parts}/*.css ${page_parts}/*.js)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page_files})
-# The text of a page's file with its style sheets and scripts inside, as C++ strings.
+# Returns a page with its style sheets and scripts inside, as C++ strings.
 function(embed page out)
     file(READ ${page_parts}/${page}.html text)
     foreach(path IN LISTS page_files)
         get_filename_component(name ${path} NAME)
-        file(READ ${path} its)
-        # A literal of its own for each file: compilers limit them.
-        set(inside ")page\"\nR\"page(${its})page\"\nR\"page(")
+        file(READ ${path} content)
+        # Each file is a literal of its own, as compilers limit the length of literals.
+        set(inside ")page\"\nR\"page(${content})page\"\nR\"page(")
         string(REPLACE "<script src=\"${name}\"></script>\n" "<script>\n${inside}</script>\n" text "${text}")
         string(REPLACE "<link href=\"${name}\" rel=\"stylesheet\">\n" "<style>\n${inside}</style>\n" text "${text}")
     endforeach()

@@ -1,11 +1,11 @@
 #!/bin/sh
 # usage: embed.sh >page_text.cpp
-# Each page with its style sheets and scripts inside, as two C++ strings: what stands before and what stands after the
-# line of data.js, where the program puts its own data; and head.html, which all pages begin with, as a third.
-# Indentation and lines of comments stay behind. embed.cmake does the same.
+# Writes each page with its style sheets and scripts inside as two C++ strings, the text before and the text after the
+# line of data.js, where the program puts its data; and head.html, with which all pages begin, as a third string.
+# Indentation and lines of comments are left out. embed.cmake does the same.
 cd "$(dirname "$0")" || exit 1
 
-# literals FILE: its lines. A short literal for each: compilers limit them.
+# literals FILE: writes each line as a short literal, as compilers limit the length of literals.
 literals() {
     awk '
         function put(line) {

@@ -1,5 +1,5 @@
 "use strict";
-// moves.txt, out of the page and into it, and what is said of it.
+// Files that the page writes and reads, and the messages about them.
 
 class Files {
     constructor(app) {
@@ -7,29 +7,30 @@ class Files {
     }
 
     save() {
-        this.write("moves.txt", [this.app.shape.text()], "text/plain");
+        const { shape, panel } = this.app;
+        this.write("moves.txt", [shape.text() + panel.design.states.text()], "text/plain");
         this.say(
             this.app.is_valid()
-                ? "Saved as moves.txt, for harmorph morph --move"
+                ? "Saved as moves.txt for harmorph morph --move"
                 : this.app.wall.crossing.length > 0
                   ? "Saved as moves.txt; no mesh can have this wall, which crosses itself"
-                  : "Saved as moves.txt; harmorph morph will want --safe",
+                  : "Saved as moves.txt; harmorph morph needs --safe for this movement",
         );
     }
 
-    // The wall of the section that the table describes, as an airfoil file in Selig's order.
+    // Saves the wall of the section that the table describes, as an airfoil file in Selig's order.
     save_section() {
-        const section = this.app.current_section();
+        const section = this.app.selection.section();
         this.write(`${section.name}.dat`, [section.text()], "text/plain");
-        this.say(`Saved as ${section.name}.dat, for harmorph fit and morph --to-airfoil`);
+        this.say(`Saved as ${section.name}.dat for harmorph fit and morph --to-airfoil`);
     }
 
-    // What is seen: the mesh, and what lies over it.
+    // Saves the mesh with the overlay.
     save_picture() {
         const { canvas } = this.app.picture.painter,
             picture = document.createElement("canvas");
         Object.assign(picture, { width: canvas.width, height: canvas.height });
-        this.app.draw(); // WebGL keeps its picture no longer than for this task
+        this.app.draw(); // WebGL keeps a picture during one task only
         for (const layer of [canvas, element("handles")]) picture.getContext("2d").drawImage(layer, 0, 0);
         picture.toBlob((bytes) => this.write("mesh.png", [bytes], "image/png"));
         this.say("Saved as mesh.png");
@@ -49,7 +50,10 @@ class Files {
 
     load(text, name = "moves.txt") {
         try {
+            const { states } = this.app.panel.design,
+                found = states.read(text);
             this.app.after(() => this.app.shape.load(text));
+            states.add(found);
         } catch (error) {
             this.say(`${name}: ${error.message}`);
         }

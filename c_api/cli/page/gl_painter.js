@@ -1,6 +1,7 @@
 "use strict";
-// Draws what CanvasPainter draws, by WebGL 2. Cells and edges are sent once; a frame sends where the points are and one
-// number for each piece of a cell, all as textures, from which the vertices are looked up by their numbers.
+// This painter draws by WebGL 2 what CanvasPainter draws on a 2D canvas. Cells and edges are sent once; a frame sends
+// the places of the points and one number for each piece of a cell. All are textures, in which a vertex finds its place
+// by its number.
 
 const gl_common = `#version 300 es
     precision highp float; precision highp int; precision highp usampler2D;
@@ -10,7 +11,7 @@ const gl_common = `#version 300 es
     vec4 pixel(uint point) { return on_canvas(texelFetch(at, place(int(point)), 0).xy); }
     const vec4 nowhere = vec4(2.0, 2.0, 2.0, 1.0);`;
 
-// Six vertices for each piece. shown: 0 good cells, 1 bad ones, 2 values of points.
+// Each piece has six vertices. shown is 0 for good cells, 1 for bad cells, 2 for values of points.
 const gl_cells = `${gl_common}
     uniform usampler2D pieces; uniform sampler2D values; uniform sampler2D scale; uniform int shown; uniform vec4 bad;
     out vec4 shade;
@@ -23,7 +24,7 @@ const gl_cells = `${gl_common}
         shade = shown == 1 ? bad : texelFetch(scale, ivec2(int(255.0 * clamp(value, 0.0, 1.0) + 0.5), 0), 0);
         gl_Position = here ? pixel(point) : nowhere;
     }`;
-// Two vertices for each edge.
+// Each edge has two vertices.
 const gl_lines = `${gl_common}
     uniform usampler2D edges; uniform sampler2D spacing; uniform vec4 colour; uniform float fade;
     out vec4 shade;
@@ -39,8 +40,8 @@ const gl_segments = `${gl_common}
     void main() { gl_Position = on_canvas(given); shade = colour; }`;
 
 class GlPainter {
-    // Throws where the browser has no WebGL 2, or draws with it without a graphics processor, which takes longer than a
-    // canvas.
+    // Throws an error where the browser has no WebGL 2, or has it without a graphics processor, which takes longer than
+    // a 2D canvas.
     constructor(canvas, pieces, more = { failIfMajorPerformanceCaveat: true }) {
         const gl = (this.gl = canvas.getContext("webgl2", { antialias: true, alpha: false, ...more }));
         if (!gl || (more.failIfMajorPerformanceCaveat && GlPainter.is_software(gl))) throw new Error("no WebGL 2");
@@ -48,7 +49,7 @@ class GlPainter {
         this.n_pieces = pieces.length / 4;
         this.programs = [gl_cells, gl_lines, gl_segments].map((text) => this.program(text));
         this.positions = gl.createBuffer();
-        this.textures = new Map(); // of arrays
+        this.textures = new Map(); // by their names
         const { RGBA32UI, RGBA_INTEGER, RG32UI, RG_INTEGER, UNSIGNED_INT, FLOAT } = gl;
         this.formats = {
             four: [RGBA32UI, RGBA_INTEGER, UNSIGNED_INT, 4],
@@ -103,29 +104,29 @@ class GlPainter {
         gl.clear(gl.COLOR_BUFFER_BIT);
     }
 
-    // The texture of an array, in rows of 2048; sent anew where the numbers have changed.
+    // Binds the texture of an array, in rows of 2048 texels; the array is sent again if its numbers have changed.
     texture(unit, name, numbers, format, has_changed) {
         const { gl } = this,
             [internal, external, type, per_texel] = this.formats[format],
             rows = Math.ceil(numbers.length / per_texel / 2048);
         gl.activeTexture(gl.TEXTURE0 + unit);
-        let its = this.textures.get(name);
-        if (its && its.rows === rows) {
-            gl.bindTexture(gl.TEXTURE_2D, its.texture);
+        let texture = this.textures.get(name);
+        if (texture && texture.rows === rows) {
+            gl.bindTexture(gl.TEXTURE_2D, texture.handle);
             if (!has_changed) return;
         } else {
-            its = { texture: gl.createTexture(), rows, padded: new numbers.constructor(rows * 2048 * per_texel) };
-            this.textures.set(name, its);
-            gl.bindTexture(gl.TEXTURE_2D, its.texture);
+            texture = { handle: gl.createTexture(), rows, padded: new numbers.constructor(rows * 2048 * per_texel) };
+            this.textures.set(name, texture);
+            gl.bindTexture(gl.TEXTURE_2D, texture.handle);
             for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
                 gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
             gl.texStorage2D(gl.TEXTURE_2D, 1, internal, 2048, rows);
         }
-        its.padded.set(numbers);
-        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 2048, rows, external, type, its.padded);
+        texture.padded.set(numbers);
+        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 2048, rows, external, type, texture.padded);
     }
 
-    // Begins to draw with a program; textures: their names in the order of their units.
+    // Begins to draw with a program; textures are names in the order of their units.
     use(program, textures, colour) {
         const { gl } = this,
             uniform = (name) => gl.getUniformLocation(program, name);
@@ -181,6 +182,9 @@ class GlPainter {
         gl.drawArrays(gl.LINES, 0, 2 * n);
         gl.disableVertexAttribArray(0);
     }
+
+    // Ends a picture: nothing is left to do.
+    end() {}
 
     finish() {
         this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, new Uint8Array(4));

@@ -1,12 +1,12 @@
 "use strict";
-// What the present colours mean: their scale, and how the values are distributed.
+// The legend explains the present colours: their scale, and the distribution of the values.
 
 class Legend {
     constructor(app) {
         this.app = app;
     }
 
-    // A round angle, so that the scale does not change with every movement.
+    // Returns a round angle, so that the scale does not change with every movement.
     most_degrees() {
         const most = this.app.wall.angle.reduce((a, b) => Math.max(a, b), 0);
         return [1, 2, 5, 10, 20, 45, 90, 180].find((degrees) => most <= degrees) || 180;
@@ -19,7 +19,7 @@ class Legend {
         return scale.change.css(Legend.place_of_ratio(this.app.wall.height[i]));
     }
 
-    // What the histogram shows of the present colours.
+    // Returns the content of the histogram for the present colours.
     distribution() {
         const { cells, wall, options, picture, data } = this.app,
             scale = scales[options.theme];
@@ -63,8 +63,8 @@ class Legend {
                     summary: `${brief(least(wall.height))} to ${brief(most(wall.height))}, ${brief(mean(wall.height))} on average`,
                 };
             default: {
-                const [low, high] = picture.value_range(),
-                    i = this.app.shown_function();
+                const [low, high] = picture.value_range,
+                    i = this.app.selection.shown_function();
                 return {
                     values: picture.values,
                     low,
@@ -73,10 +73,10 @@ class Legend {
                     high_text: brief(high),
                     name: i < data.n_control ? `function of control point ${i + 1}` : "function of the body",
                     colour_at: (value) => scale.function.css((value - low) / (high - low || 1)),
-                    summary: `lines every ${brief(picture.level_distance())}`,
+                    summary: `lines every ${brief(picture.level_distance)}`,
                 };
             }
         }
     }
 }
-Legend.place_of_ratio = (ratio) => 0.5 + 0.5 * Math.log2(Math.max(ratio, 1e-9)); // 1/2 to 2, 1 in the middle
+Legend.place_of_ratio = (ratio) => 0.5 + 0.5 * Math.log2(Math.max(ratio, 1e-9)); // from 1/2 to 2, with 1 in the middle

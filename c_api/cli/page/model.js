@@ -1,6 +1,7 @@
 "use strict";
-// The morph itself: X = X0 + sum_i F_i dP_i. Functions are in single precision, products and sums in double precision,
-// so a point is within 2^-24 sum_i |F_i| |dP_i| of where `harmorph morph` puts it, but for the rounding of sums.
+// The morph itself is X = X0 + sum_i F_i dP_i. Functions are in single precision, products and sums in double
+// precision; therefore a point is within 2^-24 sum_i |F_i| |dP_i| of the place that `harmorph morph` computes, apart
+// from the rounding of sums.
 
 class Model {
     constructor(data) {
@@ -16,7 +17,8 @@ class Model {
         this.y = data.y.slice();
     }
 
-    // moves [2*functions]: see hm_morph. Always from the start, so that no rounding gathers.
+    // moves [2*functions] is the array that hm_morph takes. The mesh always moves from the start, so that rounding
+    // errors do not accumulate.
     morph(moves) {
         this.dx.fill(0);
         this.dy.fill(0);
@@ -29,18 +31,29 @@ class Model {
         }
     }
 
-    // The values of one number of a function at all points.
+    // Returns the values of one number of a function at all points.
     values(i, number) {
         const begin = (i * this.numbers + number) * this.n;
         return this.functions.subarray(begin, begin + this.n);
     }
 
-    // What a movement of (1, 0) does to a point is |F|: the length of its first column.
+    // Returns |F| at all points: the length of the first column of F, by which a movement of (1, 0) displaces a point.
     size_of_function(i) {
         const a = this.values(i, 0);
         if (this.numbers === 1) return a;
         const b = this.values(i, this.numbers === 2 ? 1 : 2);
         return a.map((value, k) => Math.hypot(value, b[k]));
+    }
+
+    // Returns the displacement of point k by the movement (mx, my) of function i.
+    displacement(i, k, mx, my) {
+        const { numbers, n, functions } = this,
+            at = i * numbers * n + k,
+            a = functions[at];
+        if (numbers === 1) return [a * mx, a * my];
+        const b = functions[at + n];
+        if (numbers === 2) return [a * mx - b * my, a * my + b * mx];
+        return [a * mx + b * my, functions[at + 2 * n] * mx + functions[at + 3 * n] * my];
     }
 
     add_function(i, mx, my) {

@@ -1,19 +1,19 @@
 "use strict";
 // Numbers as text.
 
-// What a user has typed, with a decimal point or comma and any minus; NaN where the text is no finite number.
+// Returns the number that a user has typed, with a decimal point or comma and any minus, or NaN for another text.
 function number_of(text) {
     const words = text.trim().replace(",", ".").replace("−", "-");
     return words !== "" && Number.isFinite(Number(words)) ? Number(words) : NaN;
 }
 
-// Four digits for people, and a proper minus.
+// Returns a number with four digits and a typographical minus.
 function brief(value) {
     if (!Number.isFinite(value)) return "∞";
     return String(Number(value.toPrecision(4))).replace("-", "−");
 }
 
-// "1 point", "2 points"
+// Returns "1 point", "2 points".
 function plural(count, noun) {
     return `${count} ${noun}${count === 1 ? "" : "s"}`;
 }

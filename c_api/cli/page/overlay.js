@@ -1,5 +1,6 @@
 "use strict";
-// What lies over the mesh: walls, B-spline, control points, handles of bodies, what is wrong and where, the scale.
+// The overlay lies over the mesh: walls, B-spline, control points, handles of bodies, marks of bad places, and the
+// scale.
 
 class Overlay {
     constructor(canvas, app) {
@@ -17,11 +18,13 @@ class Overlay {
         context.lineJoin = context.lineCap = "round";
         this.draw_walls();
         if (app.options.colour === "angle" || app.options.colour === "height") this.draw_ribbon();
+        if (app.options.comb) Comb.draw(this);
         if (app.options.polygon) this.draw_curves();
         this.draw_bad_cells();
         this.draw_limit();
         app.shape.state.bodies.forEach((body, place) => this.draw_body(place));
         if (app.options.polygon) this.draw_control_points();
+        if (app.drag && app.drag.grip !== null && app.drag.grip.kind === "frame") this.draw_frame(app.drag.grip);
         this.draw_scale();
     }
 
@@ -61,7 +64,7 @@ class Overlay {
         for (const chain of wall.chains) {
             this.path_of_points(chain.points, chain.closed, model.x, model.y);
             if (chain.closed && app.is_valid()) {
-                // else it might hide inverted cells
+                // a filled invalid body might hide inverted cells
                 context.fillStyle = style_of("--body");
                 context.fill("evenodd");
             }
@@ -72,18 +75,18 @@ class Overlay {
         }
     }
 
-    // Along the wall, inside the body: one stripe for each face in the colour of its point.
+    // Draws one stripe for each face along the wall, inside the body, in the colour of the point.
     draw_ribbon() {
         const { app, context } = this,
             { wall, model } = app,
             width = 9;
         context.lineCap = "butt";
-        wall.layer.forEach((its, i) => {
-            if (its.next < 0) return;
-            const ax = this.px(model.x[its.point]),
-                ay = this.py(model.y[its.point]);
-            const bx = this.px(model.x[its.next]),
-                by = this.py(model.y[its.next]),
+        wall.layer.forEach((at, i) => {
+            if (at.next < 0) return;
+            const ax = this.px(model.x[at.point]),
+                ay = this.py(model.y[at.point]);
+            const bx = this.px(model.x[at.next]),
+                by = this.py(model.y[at.next]),
                 length = Math.hypot(bx - ax, by - ay);
             if (!(length > 0)) return;
             const nx = -(by - ay) / length,
@@ -123,12 +126,14 @@ class Overlay {
     draw_control_points() {
         const { app, context } = this,
             { control } = app.curves,
-            { selected, hovered, unit } = app;
-        const partner = app.partner_of(selected);
+            { unit } = app.view,
+            { points, hovered } = app.selection,
+            follows = app.options.pair !== "alone" || app.drag.mirrors,
+            partners = new Set(follows ? [...points].map((i) => app.pairs.partner[i]) : []);
         for (let i = 0; i < control.length / 2; ++i) {
             const x = this.px(control[2 * i]),
                 y = this.py(control[2 * i + 1]);
-            const chosen = i === selected,
+            const chosen = points.has(i),
                 near = i === hovered;
             if (chosen || near) {
                 context.beginPath();
@@ -138,16 +143,25 @@ class Overlay {
             }
             context.beginPath();
             context.arc(x, y, (chosen || near ? 8 : 6) * unit, 0, 7);
-            context.fillStyle = style_of(chosen || i === partner ? "--accent" : "--handle");
+            context.fillStyle = style_of(chosen || partners.has(i) ? "--accent" : "--handle");
             context.fill();
-            this.stroke(chosen || i === partner ? "--handle" : "--accent", 2.25);
+            this.stroke(chosen || partners.has(i) ? "--handle" : "--accent", 2.25);
             if (chosen || near) this.label(String(i + 1), x, y - 22 * unit);
         }
     }
 
+    // Draws the frame that chooses control points.
+    draw_frame({ px, py, to_x, to_y }) {
+        this.context.beginPath();
+        this.context.rect(px, py, to_x - px, to_y - py);
+        this.context.fillStyle = style_of("--halo");
+        this.context.fill();
+        this.stroke("--accent", 1, [4, 4]);
+    }
+
     label(text, x, y, name = "--ink") {
         const { context } = this;
-        context.font = `600 ${14 * this.app.unit}px ${style_of("--font")}`;
+        context.font = `600 ${14 * this.app.view.unit}px ${style_of("--font")}`;
         context.textAlign = "center";
         context.textBaseline = "middle";
         context.lineWidth = 4;
@@ -159,8 +173,8 @@ class Overlay {
 
     draw_body(place) {
         const { app, context } = this,
-            body = app.body_handle(place),
-            chosen = app.chosen_body === place;
+            body = app.view.body_handle(place),
+            chosen = app.selection.body === place;
         const x = this.px(body.x),
             y = this.py(body.y);
         context.beginPath();
@@ -171,8 +185,8 @@ class Overlay {
         context.lineTo(body.knob_x, body.knob_y);
         this.stroke("--accent", 1.5);
         for (const [cx, cy, radius] of [
-            [x, y, 10 * app.unit],
-            [body.knob_x, body.knob_y, 8 * app.unit],
+            [x, y, 10 * app.view.unit],
+            [body.knob_x, body.knob_y, 8 * app.view.unit],
         ]) {
             context.beginPath();
             context.arc(cx, cy, radius, 0, 7);
@@ -191,7 +205,7 @@ class Overlay {
         this.stroke(chosen ? "--handle" : "--accent", 2);
     }
 
-    // Cells too small to be seen are marked, and so is where the wall crosses itself.
+    // Marks inverted cells that are too small to be seen, and the places where the wall crosses itself.
     draw_bad_cells() {
         const { app, context } = this,
             { cells, model, camera, wall } = app;
@@ -220,7 +234,7 @@ class Overlay {
         }
     }
 
-    // The cell that will invert first, or where the wall will touch itself first, once it is near.
+    // Marks the cell that inverts first, or the place where the wall first touches itself, if the limit is near.
     draw_limit() {
         const { cells, model } = this.app,
             { touch } = this.app.wall,
@@ -249,6 +263,6 @@ class Overlay {
         context.lineTo(x + pixels, y);
         context.lineTo(x + pixels, y - 5);
         this.stroke("--ink", 1.5);
-        this.label(brief(length), x + pixels / 2, y - 13 * app.unit, "--quiet");
+        this.label(brief(length), x + pixels / 2, y - 13 * app.view.unit, "--quiet");
     }
 }

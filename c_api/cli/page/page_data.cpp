@@ -12,7 +12,7 @@ namespace cli {
 
 namespace {
 
-// Bytes of numbers, the lowest first whatever the processor's order, in base 64.
+// Encodes the bytes of numbers in base 64, the lowest byte first on any processor.
 class Base64 {
 public:
     template <class Number>
@@ -63,7 +63,7 @@ public:
     Writer(const Mesh& mesh, const Basis& basis, const PageSelection& selection)
         : mesh_(mesh), basis_(basis), selection_(selection) {}
 
-    // All but what is asked for afterwards.
+    // Adds everything except functions and displacements.
     JsonObject& run() {
         const auto name = [](const std::string& path) {
             return std::filesystem::path(path).filename().string();
@@ -84,8 +84,7 @@ public:
         return object_;
     }
 
-    // The points' values of the first number of the first function, of its second number, ..., of
-    // the next function.
+    // Adds the values at the points, function by function, and number by number of a function.
     void add_functions() {
         Base64 all;
         for (std::int32_t function = 0; function < basis_.functions(); ++function) {
@@ -158,7 +157,7 @@ private:
         add_array("thin_edges", edges);
     }
 
-    // Markers in the numbering of the faces: what is asked of each.
+    // Adds the condition on each marker, in the numbering of the faces.
     void add_boundary() {
         static const char* const kinds[] = {"curve", "rigid",    "fixed", "slip",
                                             "free",  "periodic", "given", "rotation"};
@@ -176,14 +175,14 @@ private:
         }
         std::vector<JsonObject> markers;
         for (std::size_t i = 0; i < conditions.size(); ++i) {
-            const hm_condition& its = conditions[i];
+            const hm_condition& condition = conditions[i];
             markers.emplace_back()
                 .add("name", mesh_.markers[i])
-                .add("kind", std::string(kinds[its.kind]));
+                .add("kind", std::string(kinds[condition.kind]));
             markers.back()
-                .add("first_curve", its.first_curve)
-                .add("n_curves", its.n_curves)
-                .add("body", its.body)
+                .add("first_curve", condition.first_curve)
+                .add("n_curves", condition.n_curves)
+                .add("body", condition.body)
                 .add("across", across[i]);
         }
         object_.add("markers", markers);
@@ -230,7 +229,7 @@ private:
     JsonObject object_;
 };
 
-// A tag of the mesh might end the script it stands in.
+// Escapes "<": a marker name with a tag in it might end the script.
 std::string for_script(std::string json) {
     for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;)
         json.replace(at, 1, "\\u003c");

@@ -1,4 +1,4 @@
-// What the pages of `harmorph explore` and `harmorph morph --report` know of mesh and basis.
+// The data of mesh and basis for the pages of `harmorph explore` and `harmorph morph --report`.
 #pragma once
 
 #include "commands/morph.hpp"
@@ -9,12 +9,12 @@
 
 namespace cli {
 
-// One JSON object; page/decode.js says what is in it. moves: the text of a file of movements to
-// begin with, or empty.
+// Writes one JSON object, which page/decode.js describes. moves is the text of a file of movements
+// to begin with, or empty.
 void write_page_data(std::ostream& out, const Mesh& mesh, const Basis& basis,
                      const PageSelection& selection, const std::string& moves);
-// The same without functions, but with where everything went and what the program says of it; see
-// page/report.js.
+// Writes the same object without functions, and with the displacement of each point and the
+// program's findings; page/report.js describes these.
 void write_report_data(std::ostream& out, const Mesh& mesh, const Basis& basis,
                        const PageSelection& selection, const Morph& morph, bool safe);
 

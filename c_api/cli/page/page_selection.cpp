@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::int32_t unselected = -1;
 
-// The length of the shortest way along edges of the mesh from some points to each point; infinite
-// where none leads.
+// Computes the length of the shortest way along edges of the mesh from given points to each point;
+// the length is infinite where no way leads.
 class Distances {
 public:
     explicit Distances(const Mesh& mesh) : mesh_(mesh), start_(mesh.x.size() + 1) {
@@ -116,9 +116,9 @@ private:
         }
     }
 
-    // One point of each square of a grid that is the coarser the farther it is from the body stands
-    // for all in it; two such points are joined where mesh edges lead from the one's square to the
-    // other's. The boundary keeps its points.
+    // One point stands for all points in a square of a grid that is the coarser, the farther the
+    // square is from the body. Two such points are joined if a mesh edge leads from one square to
+    // the other. The boundary keeps its points.
     void thin_the_rest() {
         for (const std::int32_t point : mesh_.face_points) add(point);
         const std::size_t most = place(selection_.in_cells) / 4 + 100;
@@ -144,8 +144,8 @@ private:
                                selection_.edges.end());
     }
 
-    // Grid squares of about `share` of the distance to the body, which is not 0: those points have
-    // been selected.
+    // The sides of the squares are about `share` times the distance to the body. This distance is
+    // not 0, as points on the body have been selected.
     void group(double share) {
         std::unordered_map<std::uint64_t, std::int32_t> first;
         stand_ins_.clear();
@@ -166,16 +166,16 @@ private:
     }
 
     std::int32_t stand_in(std::int32_t point) const {
-        const std::int32_t its_group = group_[place(point)];
-        return slot_[place(its_group == unselected ? point : its_group)];
+        const std::int32_t group = group_[place(point)];
+        return slot_[place(group == unselected ? point : group)];
     }
 
     const Mesh& mesh_;
     bool is_whole_ = false;
     double reach_ = 0;
     std::vector<double> distance_;     // of each point from the body
-    std::vector<std::int32_t> slot_;   // of each point: its place in the selection
-    std::vector<std::int32_t> group_;  // of each point of the rest: the one that stands for it
+    std::vector<std::int32_t> slot_;   // place of each point in the selection
+    std::vector<std::int32_t> group_;  // point that stands for each point of the rest
     std::vector<std::int32_t> stand_ins_;
     PageSelection selection_;
 };

@@ -1,5 +1,6 @@
-// Which part of a mesh the page of `harmorph explore` shows, so that any browser can follow: all of
-// it near what moves; far from there fewer points, for drawing alone.
+// The part of a mesh that the page of `harmorph explore` shows, so that any browser can follow: the
+// mesh near the moving body with all its cells, and fewer points far from the body, for drawing
+// alone.
 #pragma once
 
 #include "pictures/edge_chains.hpp"
@@ -10,15 +11,15 @@
 namespace cli {
 
 struct PageSelection {
-    std::vector<std::int32_t> points;  // places in the mesh; first those of whole cells
-    std::int32_t in_cells = 0;  // how many of them are points of cells, or of faces between these
-    std::vector<std::int32_t> cells;  // all cells with no other points than those
-    std::vector<Edge> edges;          // what is drawn of the rest: places in `points`
-    std::vector<std::int32_t> faces;  // of the boundary, both of whose points are among them
+    std::vector<std::int32_t> points;  // places in the mesh; points of whole cells come first
+    std::int32_t in_cells = 0;        // number of points of cells, or of faces between these points
+    std::vector<std::int32_t> cells;  // all cells with no other points
+    std::vector<Edge> edges;          // lines beyond the cells: places in `points`
+    std::vector<std::int32_t> faces;  // faces of the boundary between two of the points
 };
 
-// The `most` points nearest to the body, which is given by its mesh points, as far as whole cells
-// are made of them.
+// Selects the whole cells among the `most` points nearest to the body, which is given by its mesh
+// points.
 PageSelection select_for_page(const Mesh& mesh, const std::vector<std::int32_t>& body,
                               std::int32_t most);
 

@@ -1,5 +1,5 @@
-// The pages of the program, as page/embed.sh makes them of the files in page/: what all pages begin
-// with, and the text before and after the data of each.
+// The pages of the program, which page/embed.sh makes of the files in page/: the beginning of all
+// pages, and the text before and after the data of each page.
 #pragma once
 
 namespace cli {

@@ -1,10 +1,10 @@
 "use strict";
-// Symmetric pairs: of each control point of a section, the one across the chord, which may be moved along.
+// Pairs of control points that lie on opposite sides of the chord of a section, and may move together.
 
 class Pairs {
     constructor(data, sections) {
         this.partner = new Int32Array(data.n_control).fill(-1);
-        this.frame = []; // of each control point's section
+        this.frame = []; // the chord frame of the section of each control point
         for (const section of sections) {
             const at = new Map(
                 section.control.map((i) => [
@@ -14,7 +14,7 @@ class Pairs {
             );
             const nearest = (i) => {
                 let best = -1,
-                    least = 0.1; // in chords along the chord
+                    least = 0.1; // [chords]
                 for (const j of section.control) {
                     if (!(at.get(i)[1] * at.get(j)[1] < 0)) continue;
                     const distance =
@@ -31,7 +31,8 @@ class Pairs {
         }
     }
 
-    // "alone", "mirror" (thickness) or "along" (camber): what the partner does when a point moves by dx, dy.
+    // Returns the movement of the partner of a point that moves by dx, dy; mode is "mirror" (thickness) or "along"
+    // (camber).
     partner_moves(mode, index, dx, dy) {
         if (mode === "along") return [dx, dy];
         const { tx, ty } = this.frame[index],

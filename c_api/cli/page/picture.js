@@ -1,8 +1,10 @@
 "use strict";
-// What lies behind the handles: mesh before and after, cells in colour, contours.
+// The picture lies behind the overlay: the mesh before and after, cells in colour, contours.
 
-// The edges of the cells, each once, as a drawing takes them: pairs of points, and spacing: how far the next line beside
-// an edge is at least, before anything moves.
+// Returns the edges of the cells, each once: pairs of points, spacing, the least distance to the next line beside an
+// edge before anything moves, and least_scale, the scale from which on an edge is drawn where lines are thinned,
+// because they lie closer together than half a pixel. The edges are sorted by powers of two of least_scale; neighbours
+// in the mesh stay together.
 function edges_of(data) {
     const places = new Map(),
         pairs = [],
@@ -26,7 +28,16 @@ function edges_of(data) {
             spacing[place] = Math.min(spacing[place], across);
         });
     }
-    return { pairs: new Uint32Array(pairs), spacing: new Float32Array(spacing) };
+    const part = (i) => ((i * 0.6180339887) % 1) / 2, // of the lines, equally distributed
+        order = Uint32Array.from(spacing.keys()),
+        least = Float32Array.from(spacing, (distance, i) => part(i) / distance),
+        power = Int32Array.from(least, (scale) => Math.max(-1000, Math.floor(Math.log2(scale))));
+    order.sort((i, j) => power[i] - power[j] || i - j);
+    return {
+        pairs: Uint32Array.from({ length: pairs.length }, (_, k) => pairs[2 * order[k >> 1] + (k & 1)]),
+        spacing: Float32Array.from(order, (i) => spacing[i]),
+        least_scale: Float32Array.from(order, (i) => least[i]),
+    };
 }
 
 class Picture {
@@ -35,18 +46,19 @@ class Picture {
         this.screen = new Float32Array(2 * model.n);
         this.screen_before = new Float32Array(2 * model.n);
         this.edges = data.edges = data.edges || edges_of(data);
-        // How close these lie together says nothing of the mesh.
+        // These lines are thinned already.
         this.thin_edges = {
             pairs: new Uint32Array(data.thin_edges),
             spacing: new Float32Array(data.thin_edges.length / 2).fill(Infinity),
+            least_scale: new Float32Array(data.thin_edges.length / 2),
         };
         this.piece_values = new Float32Array(data.pieces.points.length / 4);
-        this.point_values = new Float32Array(model.n);
+        this.point_values = new Float32Array(model.n); // of the function that is shown, scaled to 0..1
         this.contours = new Contours();
-        this.values = null; // of the function shown
+        this.values = null; // of the function that is shown
     }
 
-    // options: colour ("none", "quality", "function", ...), before, theme; values: of the function, at the points.
+    // options are colour ("none", "quality", "function", ...), before, and theme.
     draw(camera, ratio, options) {
         const { painter, model, screen, cells } = this,
             { colour } = options,
@@ -55,7 +67,7 @@ class Picture {
         painter.begin(camera.width, camera.height, ratio, colour_of("--canvas"));
         camera.project(model.x, model.y, screen);
         painter.place(screen);
-        if (shows_function) painter.fill_points(this.values_from_0_to_1(), scale.function);
+        if (shows_function) painter.fill_points(this.point_values, scale.function);
         if (colour === "quality" || cells.inverted > 0)
             painter.fill_cells(this.values_of_pieces(colour === "quality"), scale.good, colour_of("--bad"));
         const line = colour_of("--mesh"),
@@ -64,10 +76,11 @@ class Picture {
         painter.lines(this.thin_edges, [...line, strong / 3], camera.scale, false);
         painter.lines(this.edges, [...line, strong], camera.scale, is_coloured);
         if (options.before) this.draw_before_and_after(camera);
-        if (shows_function) this.draw_contours();
+        if (shows_function) this.draw_contours(camera);
+        painter.end();
     }
 
-    // Only edges that have visibly moved: elsewhere blue under red would be neither.
+    // Draws edges that have visibly moved; elsewhere red lines over blue ones would show neither colour.
     draw_before_and_after(camera) {
         const { screen, screen_before, model, painter } = this,
             edges = this.edges.pairs,
@@ -93,34 +106,26 @@ class Picture {
         painter.segments(this.after, n, [...colour_of("--after"), 0.7]);
     }
 
-    draw_contours() {
-        this.contours.find(this.data.pieces.points, this.screen, this.values, this.level_distance());
+    draw_contours({ width, height }) {
+        this.contours.find(this.data.pieces.points, this.screen, this.values, this.level_distance, width, height);
         this.painter.segments(this.contours.positions, this.contours.n, [...colour_of("--ink"), 0.9]);
     }
 
-    value_range() {
+    // Takes the values of the function that is shown, at the points; sets their range and the distance of contour
+    // lines.
+    set_values(values) {
         let low = 0,
             high = 0;
-        for (const value of this.values) {
-            low = Math.min(low, value);
-            high = Math.max(high, value);
+        for (let k = 0; k < values.length; ++k) {
+            low = Math.min(low, values[k]);
+            high = Math.max(high, values[k]);
         }
-        return [low, high];
+        Object.assign(this, { values, value_range: [low, high], level_distance: high - low > 1.2 ? 0.2 : 0.1 });
+        const span = high - low || 1;
+        for (let k = 0; k < values.length; ++k) this.point_values[k] = (values[k] - low) / span;
     }
 
-    level_distance() {
-        const [low, high] = this.value_range();
-        return high - low > 1.2 ? 0.2 : 0.1;
-    }
-
-    values_from_0_to_1() {
-        const [low, high] = this.value_range(),
-            span = high - low || 1;
-        for (let k = 0; k < this.values.length; ++k) this.point_values[k] = (this.values[k] - low) / span;
-        return this.point_values;
-    }
-
-    // The quality of each piece's cell, or of inverted cells alone.
+    // Returns the quality of the cell of each piece, or values that show inverted cells alone.
     values_of_pieces(all) {
         const { start } = this.data.pieces,
             { quality, n } = this.cells;

@@ -1,12 +1,13 @@
 "use strict";
-// Cells of any number of corners in triangles and quadrilaterals, as harmorph.h has it for HM_CELLS_POLYGONS. The
-// triangles are those of the library: the same operations in the same order as in src/mesh/division.cpp.
+// Cells of any number of corners are divided into triangles and quadrilaterals, as harmorph.h describes at
+// HM_CELLS_POLYGONS. The operations and their order are those of src/mesh/division.cpp, and so are the triangles.
 
 const corner_kind = { convex: 0, flat: 1, reflex: 2 };
 
-// start [cells + 1]: first piece of each cell; points [4*pieces]: a triangle repeats its last point. Of cells in more
-// than one piece, guard_start [cells + 1], guards [3*corners]: each corner between its neighbours; kinds [corners]: what
-// the corner was. All, and the rows of the cells, are counter-clockwise afterwards.
+// start [cells + 1] is the first piece of each cell, and points [4*pieces] are the corners of the pieces; a triangle
+// repeats its last point. For cells in several pieces, guard_start [cells + 1] is the first corner, guards [3*corners]
+// has each corner between its neighbours, and kinds [corners] says what the corner was. All of them, and the rows of
+// the cells, are counter-clockwise afterwards.
 class Pieces {
     constructor(data) {
         const { cell_start, cell_points } = data,
@@ -99,8 +100,8 @@ class CellOutline {
         return squares > 0 ? (this.reversed ? -area : area) / squares : 0;
     }
 
-    // Corners i, k, j of the triangles of which the worst is as good as possible (G. T. Klincsek, Ann. Discrete Math. 9
-    // (1980) 121).
+    // Returns corners i, k, j of triangles whose worst one is as good as possible (G. T. Klincsek, Ann. Discrete Math.
+    // 9 (1980) 121).
     triangles() {
         const { n } = this,
             worst = new Float64Array(n * n),
@@ -135,12 +136,12 @@ class CellOutline {
     }
 }
 
-// visit(a, b) for each side of a row of points that is closed.
+// Calls visit(a, b) for each side of a closed row of points.
 function for_each_pair(row, visit) {
     for (let k = 0; k < row.length; ++k) visit(row[k], row[k + 1 < row.length ? k + 1 : 0]);
 }
 
-// visit(a, b) for each side of each cell, counter-clockwise.
+// Calls visit(a, b) for each side of each cell, counter-clockwise.
 function for_each_side({ cell_start, cell_points }, visit) {
     for (let cell = 0; cell + 1 < cell_start.length; ++cell)
         for_each_pair(cell_points.subarray(cell_start[cell], cell_start[cell + 1]), visit);

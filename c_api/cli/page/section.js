@@ -1,9 +1,8 @@
 "use strict";
-// A closed wall as an airfoil section: chord, thickness, camber, area; and what its design variables do to control
-// points.
+// A section is a closed wall with a chord, a thickness, a camber and an area. Design variables move its control points.
 
 class Section {
-    // curves: of what moves; without them, edges are not measured.
+    // The edges are measured if curves are given.
     constructor(chain, data, model, curves = null) {
         this.model = model;
         this.curves = curves;
@@ -28,7 +27,7 @@ class Section {
         return [...control];
     }
 
-    // The two points farthest apart; the trailing edge is the one with less of the section round it.
+    // Finds the two points farthest apart; round the trailing edge the section is thinner than round the leading edge.
     find_ends() {
         const { x0: x, y0: y } = this.model,
             n = this.points.length,
@@ -43,8 +42,8 @@ class Section {
                 ends = [i, j];
             }
         }
+        // The width of the part of the section within a twentieth of the chord from an end.
         const width = (end) => {
-            // of what is within a twentieth of the chord
             const near = [...this.points.keys()].filter((i) => distance(i, end) < most / 20);
             let widest = 0;
             for (const i of near) for (const j of near) widest = Math.max(widest, distance(i, j));
@@ -64,7 +63,7 @@ class Section {
         return (Math.max(...across) - Math.min(...across)) / Math.hypot(x[b] - x[a], y[b] - y[a]);
     }
 
-    // Origin at the leading edge, (tx, ty) along the chord.
+    // Returns a frame with its origin at the leading edge and (tx, ty) along the chord.
     chord_frame(x, y) {
         const a = this.points[this.leading],
             b = this.points[this.trailing];
@@ -72,14 +71,14 @@ class Section {
         return { x: x[a], y: y[a], tx: (x[b] - x[a]) / chord, ty: (y[b] - y[a]) / chord, chord };
     }
 
-    // Along the chord and across it, in chords.
+    // Returns the coordinates along the chord and across it, in chords.
     in_chords(frame, x, y) {
         const dx = x - frame.x,
             dy = y - frame.y;
         return [(dx * frame.tx + dy * frame.ty) / frame.chord, (dy * frame.tx - dx * frame.ty) / frame.chord];
     }
 
-    // Lengths are in chords, the area in the mesh's own unit.
+    // Thickness and camber are in chords; the chord and the area are in units of the mesh.
     measure(x, y) {
         const frame = this.chord_frame(x, y),
             n = this.points.length,
@@ -90,8 +89,8 @@ class Section {
                 b = this.points[(i + 1) % n];
             twice_area += x[a] * y[b] - x[b] * y[a];
         }
+        // The heights of one side of the section at the stations.
         const side = (from, to) => {
-            // heights at the stations
             const heights = new Float64Array(stations + 1).fill(NaN);
             for (let i = from; i !== to; i = (i + 1) % n) {
                 const a = this.in_chords(frame, x[this.points[i]], y[this.points[i]]);
@@ -112,9 +111,9 @@ class Section {
             thickest = 0,
             camber = 0;
         for (let k = 0; k <= stations; ++k) {
-            const its = Math.abs(one[k] - other[k]);
-            if (its > thickness) {
-                thickness = its;
+            const height = Math.abs(one[k] - other[k]);
+            if (height > thickness) {
+                thickness = height;
                 thickest = k / stations;
             }
             if (Math.abs(camber_line[k]) > Math.abs(camber)) camber = camber_line[k];
@@ -134,7 +133,7 @@ class Section {
         if (this.curves !== null) Object.assign(this.now, this.curves.edges(this.first_curve));
     }
 
-    // Its points as they are now, from the trailing edge over the upper side and back.
+    // Returns the moved points as lines, from the trailing edge over the upper side and back.
     text() {
         const { x, y } = this.model,
             n = this.points.length,
@@ -146,7 +145,7 @@ class Section {
         return lines.join("\n") + "\n";
     }
 
-    // What a design variable's value moves a control point by.
+    // Returns the movement of a control point at x, y by a value of a design variable.
     moved_by(name, value, x, y) {
         const { frame } = this,
             [along, across] = this.in_chords(frame, x, y);
@@ -157,7 +156,7 @@ class Section {
             (dt * frame.ty + dn * frame.tx) * frame.chord,
         ];
         const turned = (hinge, height, degrees) => {
-            // nose up, or flap down
+            // a positive angle turns the leading edge up, or the flap down
             const c = Math.cos((degrees * Math.PI) / 180) - 1,
                 s = Math.sin((degrees * Math.PI) / 180);
             const dt = along - hinge,
@@ -176,7 +175,7 @@ class Section {
         }
     }
 }
-Section.hinge = 0.7; // of the flap, in chords
+Section.hinge = 0.7; // of the flap, in chords from the leading edge
 Section.variables = [
     { name: "thickness", label: "Thickness", unit: "%", most: 60, step: 0.5 },
     { name: "camber", label: "Camber", unit: "% c", most: 6, step: 0.05 },

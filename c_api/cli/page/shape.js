@@ -1,12 +1,12 @@
 "use strict";
-// What the user has moved, with undo and redo: control points one by one, design variables of sections, rigid bodies.
+// The shape is the state of control points, design variables of sections and rigid bodies, with undo and redo.
 
 class Shape {
     constructor(data, sections) {
         this.data = data;
         this.sections = sections;
         this.state = {
-            points: new Array(2 * data.n_control).fill(0), // dx, dy of each, besides what the variables do
+            points: new Array(2 * data.n_control).fill(0), // dx, dy of each, apart from the variables
             variables: sections.map(() => Object.fromEntries(Section.variables.map((variable) => [variable.name, 0]))),
             bodies: data.bodies.map(() => ({ x: 0, y: 0, degrees: 0, scale: 1 })),
         };
@@ -15,7 +15,7 @@ class Shape {
         this.last = JSON.stringify(this.state);
     }
 
-    // A change is finished: what was before can be had again.
+    // Finishes a change, which undo takes back.
     commit() {
         const now = JSON.stringify(this.state);
         if (now === this.last) return false;
@@ -24,7 +24,7 @@ class Shape {
         this.last = now;
         return true;
     }
-    // What is not finished yet is finished first, or it would be lost.
+    // A change that is not finished yet is finished first, or redo could not bring it again.
     undo() {
         this.commit();
         this.exchange(this.done, this.undone);
@@ -40,14 +40,40 @@ class Shape {
         this.state = JSON.parse(this.last);
     }
 
-    // The state of now, to which back_to_valid() goes.
+    // Remembers the present state, to which back_to_valid() returns.
     remember_valid() {
         this.last_valid = JSON.stringify(this.state);
     }
     back_to_valid() {
+        this.take(JSON.parse(this.last_valid));
+    }
+
+    // Takes an unfinished change back.
+    restart() {
+        this.state = JSON.parse(this.last);
+    }
+    // Returns the movements of the last finished state.
+    finished_moves() {
+        return this.moves(JSON.parse(this.last));
+    }
+
+    // Changes to another state.
+    take(state) {
         this.commit();
-        this.state = JSON.parse(this.last_valid);
+        this.state = state;
         this.commit();
+    }
+    // Returns true if a value has the form of a state: the same names and as many numbers.
+    is_state(value) {
+        const form = (part) =>
+            typeof part === "number" && Number.isFinite(part)
+                ? 0
+                : Array.isArray(part)
+                  ? part.map(form)
+                  : part !== null && typeof part === "object"
+                    ? Object.keys(part).sort().map((name) => [name, form(part[name])])
+                    : null;
+        return JSON.stringify(form(value)) === JSON.stringify(form(this.state));
     }
 
     reset() {
@@ -57,10 +83,10 @@ class Shape {
         this.commit();
     }
 
-    // dx,dy of control points, then each body's translation and s - 1: what hm_morph takes.
-    moves() {
-        const moves = new Float64Array(2 * this.data.n_functions),
-            { state, data } = this;
+    // Returns the array that hm_morph takes: dx,dy of control points, then each body's translation and s - 1.
+    moves(state = this.state) {
+        const { data } = this,
+            moves = new Float64Array(2 * data.n_functions);
         moves.set(state.points);
         this.sections.forEach((section, place) => {
             for (const [name, value] of Object.entries(state.variables[place])) {
@@ -80,7 +106,7 @@ class Shape {
         return moves;
     }
 
-    // The movement of one control point, of all reasons, becomes this.
+    // Sets the movement of one control point, which includes the movement by the variables.
     set_point(index, dx, dy) {
         const moves = this.moves(),
             { points } = this.state;
@@ -88,7 +114,7 @@ class Shape {
         points[2 * index + 1] = dy - (moves[2 * index + 1] - points[2 * index + 1]);
     }
 
-    // moves.txt: numbers with all their digits, so that `harmorph morph` reads the same.
+    // Returns the text of moves.txt; numbers have all their digits, so that `harmorph morph` reads the same numbers.
     text() {
         const moves = this.moves(),
             lines = ["# control point, dx, dy"];
@@ -102,7 +128,7 @@ class Shape {
         return lines.join("\n") + "\n";
     }
 
-    // The opposite; nothing changes where a line is not understood, and the Error says which.
+    // Takes the movements of a moves.txt. If a line is not understood, nothing changes and the Error names the line.
     load(text) {
         const points = new Array(2 * this.data.n_control).fill(0);
         const bodies = this.data.bodies.map(() => ({ x: 0, y: 0, degrees: 0, scale: 1 }));
@@ -142,7 +168,7 @@ class Shape {
                 points.splice(2 * index - 2, 2, ...values);
             }
         });
-        for (const variables of this.state.variables) for (const its of Object.keys(variables)) variables[its] = 0;
+        for (const variables of this.state.variables) for (const name of Object.keys(variables)) variables[name] = 0;
         Object.assign(this.state, { points, bodies });
         this.commit();
     }

@@ -1,18 +1,18 @@
 "use strict";
-// Where the boundary first touches itself on the way of the movement: hm_step_report.boundary, with the formulas of
-// src/morph/touch.cpp.
+// The fraction of the movement at which the boundary first touches itself, as hm_step_report.boundary, with the
+// formulas of src/morph/touch.cpp.
 
 class FirstTouch {
-    // faces: {a, b}
+    // faces are {a, b}.
     constructor(faces, model) {
         this.model = model;
         this.root = this.node(faces.slice());
-        this.step = Infinity; // in parts of the movement
-        this.point = -1; // which touches
-        this.face = null; // the face that the point touches
+        this.step = Infinity; // as a fraction of the movement
+        this.point = -1; // the point that touches a face
+        this.face = null; // this face
     }
 
-    // Faces that lie close together share a node; few of them are no longer divided.
+    // Makes a node of a tree; faces that lie close together share a node, and eight faces or fewer are not divided.
     node(faces) {
         const node = { faces, parts: null, box: new Float64Array(8) };
         if (faces.length <= 8) return node;
@@ -24,7 +24,7 @@ class FirstTouch {
         return Object.assign(node, { parts: [this.node(faces.slice(0, middle)), this.node(faces.slice(middle))] });
     }
 
-    // limit: what happens later is of no interest; crosses: whether the boundary crosses itself after the movement.
+    // Touches after the limit do not matter; crosses says that the boundary crosses itself after the movement.
     judge(limit, crosses) {
         Object.assign(this, { step: limit, point: -1, face: null });
         if (limit > 0) {
@@ -32,11 +32,12 @@ class FirstTouch {
             this.within(this.root);
         }
         if (this.point < 0) this.step = Infinity;
-        // Faces that touched each other before the movement, or rounding.
+        // The faces touched each other before the movement already, or rounding hides the touch.
         if (crosses && limit > 1 && this.step > 1) this.step = this.step < 1 + 1e-9 ? 1 : 0;
     }
 
-    // The boxes of the places before anything moves, x and y, and of the displacements: smallest, then largest.
+    // Sets the boxes of the coordinates before the movement and of the displacements: x, y, dx, dy; least, then
+    // largest.
     place(node) {
         const { box, parts } = node,
             { x0, y0, dx, dy } = this.model,
@@ -46,18 +47,19 @@ class FirstTouch {
             };
         box.fill(Infinity, 0, 4).fill(-Infinity, 4);
         if (parts !== null) {
-            for (const its of parts) {
-                this.place(its);
-                for (let part = 0; part < 4; ++part) include(part, its.box[part], its.box[part + 4]);
+            for (const inner of parts) {
+                this.place(inner);
+                for (let part = 0; part < 4; ++part) include(part, inner.box[part], inner.box[part + 4]);
             }
             return;
         }
         for (const { a, b } of node.faces) {
-            [x0, y0, dx, dy].forEach((of, part) => include(part, Math.min(of[a], of[b]), Math.max(of[a], of[b])));
+            [x0, y0, dx, dy].forEach((values, part) =>
+                include(part, Math.min(values[a], values[b]), Math.max(values[a], values[b])));
         }
     }
 
-    // Can two boxes have a point in common before the limit, but for rounding?
+    // Returns true if two boxes may have a point in common before the limit, also in spite of rounding.
     may_meet(one, other) {
         let begin = 0,
             end = this.step;
@@ -89,7 +91,7 @@ class FirstTouch {
     between(one, other) {
         if (!this.may_meet(one.box, other.box)) return;
         if (one.parts === null && other.parts === null) {
-            for (const face of one.faces) for (const its of other.faces) this.pair(face, its);
+            for (const face of one.faces) for (const another of other.faces) this.pair(face, another);
         } else if (other.parts === null || (one.parts !== null && one.faces.length > other.faces.length)) {
             for (const part of one.parts) this.between(part, other);
         } else {

@@ -1,6 +1,6 @@
 "use strict";
-// The boundary: its faces with the mesh on their left, where it crosses itself, and the first layer on the walls that
-// move.
+// The boundary: faces with the mesh on their left, crossings of the boundary with itself, and the first layer on the
+// walls that move.
 
 class Wall {
     constructor(data, model) {
@@ -17,7 +17,7 @@ class Wall {
         this.find_first_layer(data);
         this.chains = this.find_chains(); // {points, closed, marker}
         this.layer = this.points.filter((point) => point.above >= 0);
-        this.angle = new Float32Array(this.layer.length); // [degrees] what the edge turned more than the wall
+        this.angle = new Float32Array(this.layer.length); // [degrees] by which the edge turned more than the wall
         this.height = new Float32Array(this.layer.length); // [-] height after over before
         this.crossing = []; // pairs of faces
         this.touch = new FirstTouch(this.faces, model);
@@ -63,7 +63,7 @@ class Wall {
             }
             const { x0: x, y0: y } = this.model,
                 last = points[points.length - 1];
-            // Of a C-mesh, at the trailing edge.
+            // The wall of a C-mesh begins and ends at the trailing edge with two points at one place.
             const is_cut = points.length > 2 && x[first] === x[last] && y[first] === y[last];
             chains.push({ points, closed: point === first || is_cut, marker: marker_of.get(first) });
         };
@@ -72,7 +72,7 @@ class Wall {
         return chains;
     }
 
-    // Of the parabola through a point and its neighbours.
+    // Returns the tangent of the parabola through a point and its neighbours.
     tangent(wall, x, y) {
         const { point, previous, next } = wall;
         const ahead = [x[next] - x[point], y[next] - y[point]],
@@ -84,7 +84,7 @@ class Wall {
         return [(a / b) * behind[0] + (b / a) * ahead[0], (a / b) * behind[1] + (b / a) * ahead[1]];
     }
 
-    // The mesh edge from each wall point that is nearest to the normal.
+    // Finds the mesh edge from each wall point that is nearest to the normal.
     find_first_layer(data) {
         const { x0: x, y0: y } = this.model;
         const slope = (wall, to) => {
@@ -104,7 +104,7 @@ class Wall {
         });
     }
 
-    // By what the wall turned at a point: the angles of its faces, weighted as in the tangent.
+    // Returns the angle by which the wall turned at a point: the angles of its faces, weighted as in the tangent.
     turn(wall) {
         const { x0, y0, x, y } = this.model,
             { point, previous, next } = wall;
@@ -121,7 +121,7 @@ class Wall {
         );
     }
 
-    // limit: the admissible step of the cells.
+    // limit is the admissible step of the cells.
     judge(limit) {
         const { x0, y0, x, y } = this.model;
         this.layer.forEach((wall, i) => {
@@ -135,7 +135,7 @@ class Wall {
                 nx = x[b] - x[a],
                 ny = y[b] - y[a];
             const ix = c * nx + s * ny,
-                iy = c * ny - s * nx; // as it is, turned back with the wall
+                iy = c * ny - s * nx; // the moved edge, turned back with the wall
             const [tx, ty] = this.tangent(wall, x0, y0);
             this.angle[i] = (Math.abs(turn_between(wx, wy, ix, iy)) * 180) / Math.PI;
             this.height[i] = (tx * iy - ty * ix) / (tx * wy - ty * wx);
@@ -144,7 +144,7 @@ class Wall {
         this.touch.judge(limit, this.crossing.length > 0);
     }
 
-    // Pairs of faces whose ends lie strictly on both sides of each other, found from left to right. Faces that cross
+    // Finds pairs of faces whose ends lie strictly on both sides of each other, from left to right. Faces that cross
     // each other before the movement do not count.
     find_crossings() {
         const { x, y, x0, y0 } = this.model;

@@ -14,7 +14,7 @@ constexpr const char* point = "fill=\"none\" stroke=\"#d62828\" stroke-width=\"1
 constexpr const char* polygon = "stroke=\"#888\" stroke-width=\".9\"";
 constexpr const char* control = "fill=\"#1a1a1a\"";
 }  // namespace boundary_style
-constexpr double point_radius = 3.2;  // of the circles round the mesh's points
+constexpr double point_radius = 3.2;  // radius of the circles round the mesh points [pixels]
 
 void draw_boundary_points(Plot& plot, const hm_basis_info& info, const Field& moved) {
     for (std::int32_t k = 0; k < info.curve_points; ++k) {

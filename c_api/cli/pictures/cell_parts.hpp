@@ -1,5 +1,5 @@
-// The parts of one mesh cell in its corners' control volumes of the median dual, bounded by the
-// middles of the cell's sides and its barycentre.
+// The parts of one mesh cell in the control volumes of its corners. The control volumes are those
+// of the median dual, bounded by the middles of the sides and the barycentres of the cells.
 #pragma once
 
 #include "basics/geometry.hpp"
@@ -11,8 +11,8 @@
 namespace cli {
 
 struct CellParts {
-    std::vector<std::int32_t> points;   // of the mesh
-    std::vector<Point> corner, middle;  // middle[i]: of the side from corner i to the next one
+    std::vector<std::int32_t> points;   // places of the corners in the mesh
+    std::vector<Point> corner, middle;  // middle[i] lies between corner i and the next one
     Point barycentre = {0, 0};
     Box box;
 
@@ -32,7 +32,7 @@ struct CellParts {
         }
     }
     std::size_t size() const { return corner.size(); }
-    // The part in the control volume of corner i.
+    // Returns the part in the control volume of corner i.
     std::array<Point, 4> part(std::size_t i) const {
         return {middle[(i + size() - 1) % size()], corner[i], middle[i], barycentre};
     }

@@ -12,7 +12,7 @@ struct Colour {
     double red, green, blue;
 };
 
-// At equal distances from 0 on; linear in between.
+// These colours have equal distances, from 0 on; colours between two of them are interpolated.
 constexpr Colour upwards[] = {{250, 252, 247}, {214, 239, 209}, {150, 213, 195}, {78, 175, 195},
                               {40, 125, 182},  {35, 74, 147},   {20, 28, 84}};
 constexpr Colour downwards[] = {{250, 252, 247}, {254, 226, 190}, {252, 187, 120}, {238, 137, 58},

@@ -1,16 +1,15 @@
-// Colours for values of both signs, which people who see no red, or no green, tell apart and which
-// stay in order when printed in grey: nearly white at 0, over green and blue to dark blue upwards,
-// over orange to brown downwards.
+// Colours for values of both signs. Readers who see no red, or no green, can distinguish them, and
+// their order remains visible in grey print. The colour is nearly white at 0; positive values are
+// green, blue and dark blue, negative values are orange and brown.
 #pragma once
 
 #include <string>
 
 namespace cli {
 
-std::string colour(
-    double value);  // "#rrggbb"; from -1 to 1, values outside are taken for the nearest inside
+std::string colour(double value);  // "#rrggbb"; values outside -1..1 have the colour of -1 or of 1
 
-// Where between -1 and 1 a value stands whose largest size is `most`: by the power 2/3, as harmonic
+// Scales a value whose largest absolute value is `most` to -1..1, by the power 2/3, as harmonic
 // functions have small values nearly everywhere.
 double colour_place(double value, double most);
 

@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-// One end of a piece of a line: it lies on an edge of the mesh, where the neighbouring triangle's
-// piece begins.
+// One end of a piece of a line. The end lies on an edge of the mesh, where the piece of the
+// neighbouring triangle begins.
 struct End {
-    std::int32_t multiple, a, b;  // a < b: the edge
+    std::int32_t multiple, a, b;  // a < b are the points of the edge
     Point at;
 };
 
@@ -33,7 +33,7 @@ public:
             for (std::size_t i = 0; i < 3; ++i) {
                 const std::size_t next = (i + 1) % 3;
                 if ((value(i) < level) == (value(next) < level))
-                    continue;  // two of three edges are crossed
+                    continue;  // the line crosses two of three edges
                 ends_.push_back(end_on(std::min(corners[i], corners[next]),
                                        std::max(corners[i], corners[next]), level));
             }
@@ -44,16 +44,15 @@ public:
         join();
         std::vector<ContourLine> lines;
         std::vector<bool> used(ends_.size() / 2);
-        const auto follow =
-            [&](std::size_t end) {  // from this end of a piece to where the line leaves or closes
-                ContourLine line = {ends_[end].multiple, {ends_[end].at}};
-                while (end != none && !used[end / 2]) {
-                    used[end / 2] = true;
-                    line.points.push_back(ends_[end ^ 1].at);
-                    end = partner_[end ^ 1];
-                }
-                lines.push_back(std::move(line));
-            };
+        const auto follow = [&](std::size_t end) {  // follows the line from this end of a piece
+            ContourLine line = {ends_[end].multiple, {ends_[end].at}};
+            while (end != none && !used[end / 2]) {
+                used[end / 2] = true;
+                line.points.push_back(ends_[end ^ 1].at);
+                end = partner_[end ^ 1];
+            }
+            lines.push_back(std::move(line));
+        };
         for (std::size_t end = 0; end < ends_.size(); ++end) {
             if (partner_[end] == none && !used[end / 2]) follow(end);
         }
@@ -74,7 +73,7 @@ private:
                  mesh_.y[i] + t * (mesh_.y[j] - mesh_.y[i])}};
     }
 
-    // Pieces 2k, 2k + 1 are of one triangle; ends on the same edge are of neighbours.
+    // Ends 2k and 2k + 1 belong to one triangle; two ends on the same edge belong to neighbours.
     void join() {
         const auto key = [this](std::size_t end) {
             return std::tie(ends_[end].multiple, ends_[end].a, ends_[end].b);
@@ -96,7 +95,8 @@ private:
     const std::vector<double>& values_;
     double step_;
     std::vector<End> ends_;
-    std::vector<std::size_t> partner_;  // of each end: the neighbour's, or none at a boundary
+    std::vector<std::size_t>
+        partner_;  // the end of the neighbour at each end, or none at a boundary
 };
 
 }  // namespace

@@ -9,13 +9,13 @@
 namespace cli {
 
 struct ContourLine {
-    std::int32_t multiple;  // of the step: the function's value on this line
+    std::int32_t multiple;  // the value of the function on this line, divided by the step
     std::vector<Point> points;
 };
 
-// The lines of all multiples of the step in the triangles that the window shows, each as long as it
-// goes; a closed line has its first point again at the end. values: at the mesh's points, linear on
-// each triangle.
+// Returns the lines of all multiples of the step in the triangles that the window shows. Each line
+// has its full length; a closed line ends with its first point. The function has the given values
+// at the mesh points, and is linear on each triangle.
 std::vector<ContourLine> contour_lines(const Mesh& mesh, const std::vector<double>& values,
                                        double step, const Box& window);
 

@@ -9,7 +9,7 @@ namespace cli {
 
 namespace {
 
-// In pixels; points that nobody could tell apart are left out.
+// Returns the line in pixels, without points that nobody could distinguish.
 std::vector<Point> in_pixels(const Plot& plot, const ContourLine& line) {
     constexpr double visible = .4;
     std::vector<Point> pixels;
@@ -21,7 +21,7 @@ std::vector<Point> in_pixels(const Plot& plot, const ContourLine& line) {
     return pixels;
 }
 
-// Values stand apart from each other, inside the frame, where there is most room.
+// Values are written inside the frame, apart from each other, where there is most room.
 class Labels {
 public:
     Labels(Plot& plot, const std::vector<Point>& taken) : plot_(plot), taken_(taken) {}
@@ -59,7 +59,7 @@ private:
         return room;
     }
 
-    // Along the line, upright.
+    // Writes the value along the line, never upside down.
     void write(const std::string& text, Point at, Point before, Point after) {
         double angle =
             std::atan2(after.y - before.y, after.x - before.x) * 180 / 3.14159265358979323846;
@@ -76,7 +76,7 @@ private:
 
     Plot& plot_;
     const std::vector<Point>& taken_;
-    std::vector<Point> places_;  // of values
+    std::vector<Point> places_;  // places of values
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Contour lines in pictures, with their values written on some of them.
+// Draws contour lines, with values written on some of them.
 #pragma once
 
 #include "pictures/contour_lines.hpp"
@@ -6,7 +6,7 @@
 
 namespace cli {
 
-// taken: pixels where something else is written.
+// taken are the places where something else is written [pixels].
 void draw_contours(Plot& plot, const std::vector<ContourLine>& lines, double step,
                    const std::vector<Point>& taken);
 

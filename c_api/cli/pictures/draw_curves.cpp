@@ -24,7 +24,8 @@ std::int32_t control_index(const hm_curves& curves, const hm_curve& curve, std::
     return curve.indices ? curve.indices[i] - curves.index_base : i;
 }
 
-// Control points of a curve in order; a closed curve's ends where it comes back to the first.
+// Returns the control points of a curve in order; the polygon of a closed curve ends with the first
+// point.
 std::vector<std::int32_t> polygon(const hm_curves& curves, std::int32_t index) {
     const hm_curve& curve = curves.curve[index];
     std::vector<std::int32_t> points;
@@ -45,8 +46,8 @@ bool runs_clockwise(const hm_curves& curves, const std::vector<std::int32_t>& po
     return area <= 0;
 }
 
-// The unit vector that leads away from the polygon at one of its corners: to the left if it runs
-// clockwise.
+// Returns the unit vector that leads away from the polygon at a corner; if the polygon runs
+// clockwise, this vector points to the left.
 Point outward(const hm_curves& curves, const std::vector<std::int32_t>& polygon,
               std::size_t corner) {
     const std::size_t last = polygon.size() - 1;
@@ -61,8 +62,8 @@ Point outward(const hm_curves& curves, const std::vector<std::int32_t>& polygon,
     return {-left * (b.y - a.y) / length, left * (b.x - a.x) / length};
 }
 
-// So many pixels outside the control polygon at one of its points; at the point if it is in no
-// polygon.
+// Returns a place so many pixels outside the control polygon at a control point, or the control
+// point if it belongs to no polygon.
 Point beside(const Plot& plot, const hm_curves& curves, std::int32_t index, double distance) {
     const Point pixel = plot.pixel(control_point(curves, index));
     for (std::int32_t i = 0; i < curves.n_curves; ++i) {
@@ -111,8 +112,7 @@ Box window_round(const std::vector<Box>& boxes, double chords) {
     Box all;
     for (const Box& box : boxes) all.include(box);
     const double chord = std::max(all.width(), all.height());
-    return all.widened(chord > 0 ? chords * chord
-                                 : 1);  // control points moved into one spot still make a picture
+    return all.widened(chord > 0 ? chords * chord : 1);  // all control points may lie at one place
 }
 
 void draw_outlines(Plot& plot, const hm_curves& curves, const std::string& attributes) {
@@ -141,19 +141,20 @@ void draw_control_points(Plot& plot, const hm_curves& curves, double radius,
 void draw_numbers(Plot& plot, const hm_curves& curves, const LabelStyle& style, std::int32_t chosen,
                   const LabelStyle& chosen_style) {
     std::vector<Box> taken;
-    const auto draw = [&](std::int32_t index, const LabelStyle& its) {
-        const Point at = beside(plot, curves, index, its.distance);
+    const auto draw = [&](std::int32_t index, const LabelStyle& style) {
+        const Point at = beside(plot, curves, index, style.distance);
         const std::string text = std::to_string(index + 1);
-        const double width = width_of_text(text, its.font_size) / 2, height = .4 * its.font_size;
+        const double width = width_of_text(text, style.font_size) / 2,
+                     height = .4 * style.font_size;
         const Box box = {{at.x - width, at.y - height}, {at.x + width, at.y + height}};
         if (std::any_of(taken.begin(), taken.end(),
                         [&](const Box& other) { return box.overlaps(other); }))
             return;
         taken.push_back(box);
-        plot.svg().text({at.x, at.y + .36 * its.font_size}, text,
+        plot.svg().text({at.x, at.y + .36 * style.font_size}, text,
                         "text-anchor=\"middle\" stroke=\"white\" stroke-width=\"3\" "
                         "paint-order=\"stroke\" font-size=\"" +
-                            pixels(its.font_size) + "\" " + its.attributes);
+                            pixels(style.font_size) + "\" " + style.attributes);
     };
     if (chosen >= 0 && chosen < curves.n_control) draw(chosen, chosen_style);
     for (std::int32_t i = 0; i < curves.n_control; ++i) {

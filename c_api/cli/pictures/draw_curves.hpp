@@ -1,4 +1,4 @@
-// B-spline curves in pictures: their outline, control polygon and numbered control points.
+// Draws B-spline curves: outline, control polygon, and numbered control points.
 #pragma once
 
 #include "harmorph.h"
@@ -6,14 +6,15 @@
 
 namespace cli {
 
-// Where a picture samples a curve: 24 times between two knots.
+// Returns the parameters at which a picture samples a curve, 24 between two knots.
 std::vector<double> sample_parameters(const hm_curve& curve);
 
-// What holds the curves (not all of their control points), and the mesh's points on rigid bodies.
+// Returns the box round the curves (not round all control points) and round the mesh points on
+// rigid bodies.
 Box box_of(const hm_curves& curves);
 Box box_of_bodies(const hm_basis_info& info, const std::vector<double>& x,
                   const std::vector<double>& y);
-// The part of the plane that shows the boxes and so many chords round them.
+// Returns the part of the plane that shows the boxes and so many chords round them.
 Box window_round(const std::vector<Box>& boxes, double chords);
 
 void draw_outlines(Plot& plot, const hm_curves& curves, const std::string& attributes);
@@ -21,9 +22,9 @@ void draw_control_polygons(Plot& plot, const hm_curves& curves, const std::strin
 void draw_control_points(Plot& plot, const hm_curves& curves, double radius,
                          const std::string& attributes);
 
-// Numbers (from 1) of control points beside them, so many pixels outside the control polygon. A
-// number that would hide another one is left out; `chosen` (-1: none) has its own attributes and
-// comes first.
+// Writes the numbers (from 1) of control points, so many pixels outside the control polygon. A
+// number that would hide another one is left out. The number of `chosen` (-1: none) has its own
+// attributes and is written first.
 struct LabelStyle {
     double distance, font_size;
     const char* attributes;
@@ -31,8 +32,8 @@ struct LabelStyle {
 void draw_numbers(Plot& plot, const hm_curves& curves, const LabelStyle& style,
                   std::int32_t chosen = -1, const LabelStyle& chosen_style = {0, 0, ""});
 
-// Where a control point stands in the polygon of a curve, from 0; -1: not there.
+// Returns the place of a control point in the polygon of a curve, from 0, or -1.
 std::int32_t place_on_curve(const hm_curves& curves, std::int32_t curve, std::int32_t index);
-Point control_point(const hm_curves& curves, std::int32_t index);  // from 0
+Point control_point(const hm_curves& curves, std::int32_t index);  // the index begins at 0
 
 }  // namespace cli

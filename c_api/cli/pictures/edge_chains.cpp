@@ -7,7 +7,7 @@ namespace cli {
 
 namespace {
 
-// The edges at each point, and which of them no chain has used yet.
+// The edges at each point, with a record of the edges that no chain has used yet.
 class UnusedEdges {
 public:
     UnusedEdges(const std::vector<Edge>& edges, std::int32_t n_points)
@@ -27,7 +27,7 @@ public:
         next_ = begin_;
     }
 
-    // Uses an edge at the point and returns where it leads; -1: there is none left.
+    // Uses an edge at the point and returns its other point, or -1 if there is no edge left.
     std::int32_t follow(std::int32_t point) {
         std::size_t& next = next_[index(point)];
         for (; next < begin_[index(point) + 1]; ++next) {
@@ -45,7 +45,7 @@ private:
     const std::vector<Edge>& edges_;
     std::vector<bool> used_;
     std::vector<std::size_t> begin_, next_,
-        at_point_;  // compressed rows; next_: the first that may be unused
+        at_point_;  // compressed rows; next_ is the first edge that may be unused
 };
 
 }  // namespace

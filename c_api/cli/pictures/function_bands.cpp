@@ -13,18 +13,18 @@ namespace cli {
 
 namespace {
 
-// Triangles are shapes of their own up to so many, and as long as each has some pixels; otherwise a
-// raster says the same in less, and contour lines hide that colours end at pixels.
+// Up to so many triangles are drawn as shapes, provided that each has some pixels. Otherwise a
+// raster makes a smaller file; contour lines hide that its colours end at pixels.
 constexpr double most_triangles = 60000, least_pixels = 16;
 
 // A function is linear on each triangle. The parts of all triangles between two levels are one
-// path: small files, and bands whose edges are the function's level lines.
+// path, so that files are small, and the edges of the bands are level lines of the function.
 class BandPainter {
 public:
     explicit BandPainter(const Bands& bands)
         : bands_(bands), paths_(static_cast<std::size_t>(bands.count())) {}
 
-    // Corners in pixels.
+    // Adds a triangle with its corners in pixels.
     void add(const std::array<Point, 3>& corners, const std::array<double, 3>& values) {
         Piece triangle;
         for (std::size_t i = 0; i < 3; ++i)
@@ -51,7 +51,7 @@ private:
     };
     using Piece = std::vector<Corner>;
 
-    // The part of a convex piece that lies above a level; with the sign -1 below it.
+    // Returns the part of a convex piece above a level, or below the level if the sign is -1.
     static Piece part_above(const Piece& piece, double level, double sign) {
         Piece part;
         for (std::size_t i = 0; i < piece.size(); ++i) {
@@ -101,16 +101,16 @@ std::string paint_function(Plot& plot, const Mesh& mesh, const std::vector<doubl
     Raster raster(is_raster ? plot.frame() : Box{{0, 0}, {1, 1}});
     for_each_triangle(mesh, plot.window(), [&](const Corners& corners) {
         std::array<Point, 3> at;
-        std::array<double, 3> its;
+        std::array<double, 3> at_corners;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto corner = static_cast<std::size_t>(corners[i]);
             at[i] = plot.pixel({mesh.x[corner], mesh.y[corner]});
-            its[i] = values[corner];
+            at_corners[i] = values[corner];
         }
         if (is_raster) {
-            raster.fill(at, its);
+            raster.fill(at, at_corners);
         } else {
-            painter.add(at, its);
+            painter.add(at, at_corners);
         }
     });
     if (is_raster) {
@@ -123,7 +123,7 @@ std::string paint_function(Plot& plot, const Mesh& mesh, const std::vector<doubl
     }
     for (std::int32_t band = 0; band < bands.count(); ++band) {
         const std::string shade = bands.colour(band);
-        // The line of the same colour covers the hair lines that renderers leave between
+        // The line of the same colour covers the thin gaps that renderers leave between
         // neighbours.
         const std::string line = is_raster ? " shape-rendering=\"crispEdges\""
                                            : " stroke=\"" + shade + "\" stroke-width=\".5\"";
@@ -136,7 +136,7 @@ std::string paint_function(Plot& plot, const Mesh& mesh, const std::vector<doubl
 }
 
 void draw_colour_bar(Sheet& sheet, const Bands& bands, const std::string& name) {
-    constexpr double least_between = 20;  // pixels between two numbers
+    constexpr double least_between = 20;  // least distance of two numbers [pixels]
     const Box frames = sheet.frames();
     const Box bar = {{frames.high.x + 20, frames.low.y}, {frames.high.x + 40, frames.high.y}};
     const double height = bar.height() / bands.count();

@@ -34,7 +34,7 @@ struct Range {
     double most() const { return std::max(std::fabs(low), std::fabs(high)); }
 };
 
-// Of what the window shows.
+// Returns the range of the values that the window shows.
 Range visible_range(const Mesh& mesh, const std::vector<FunctionPanel>& panels, const Box& window) {
     Range range;
     for_each_triangle(mesh, window, [&](const Corners& corners) {
@@ -44,7 +44,7 @@ Range visible_range(const Mesh& mesh, const std::vector<FunctionPanel>& panels, 
         }
     });
     if (!(range.low <= range.high)) return {0, 1};
-    const double rounding = 1e-9 * range.most();  // has no contour lines
+    const double rounding = 1e-9 * range.most();  // smaller changes have no contour lines
     if (std::fabs(range.low) <= rounding) range.low = 0;
     if (std::fabs(range.high) <= rounding) range.high = 0;
     return range;
@@ -66,7 +66,7 @@ std::string exponent(const FunctionPanel& panel) {
     return "exponent " + brief(panel.basis->info().exponent_quarters / 4.0);
 }
 
-// Which of a value's numbers a panel shows.
+// Names the number of a value that a panel shows.
 std::string number_name(const FunctionPanel& panel) {
     static const char* const complex[] = {"real part", "imaginary part"};
     static const char* const matrix[] = {"xx", "xy", "yx", "yy"};
@@ -76,8 +76,8 @@ std::string number_name(const FunctionPanel& panel) {
                           : std::string("component ") + matrix[panel.number];
 }
 
-// Functions of control points are numbered as these are; each rigid body has one for its shift and
-// one for its turn.
+// Functions of control points have the numbers of the control points; each rigid body has a
+// function for its translation and one for its rotation.
 std::string subject(const FunctionPanel& panel) {
     const hm_curves& curves = panel.basis->curves();
     const std::int32_t body_function = panel.function - curves.n_control;
@@ -109,7 +109,7 @@ std::string capitalised(std::string text) {
     return text;
 }
 
-// Whether all panels say the same.
+// Returns true if all panels have the same text.
 template <class Text>
 bool common(const std::vector<FunctionPanel>& panels, Text text) {
     return std::all_of(panels.begin(), panels.end(),
@@ -121,7 +121,7 @@ struct Words {
     std::vector<std::string> heads;
 };
 
-// What all panels have in common stands in the title, the rest over each of them.
+// The title says what all panels have in common; the rest stands above each panel.
 Words words_of(const std::vector<FunctionPanel>& panels) {
     const auto kind = [](const FunctionPanel& panel) {
         return joined(functions_of(panel), exponent(panel));
@@ -205,7 +205,7 @@ std::string function_picture(const Mesh& mesh, std::vector<FunctionPanel> panels
         if (panels.size() > 1) sheet.head(k, words.heads[k]);
         plot.begin_inside();
         note = paint_function(plot, mesh, panels[k].values, bands);
-        std::vector<Point> numbers;  // where those of control points stand
+        std::vector<Point> numbers;  // places of the numbers of control points
         for (std::int32_t i = 0; i < panels[k].basis->curves().n_control; ++i) {
             numbers.push_back(plot.pixel(control_point(panels[k].basis->curves(), i)));
         }

@@ -19,16 +19,16 @@ constexpr std::array<const char*, 7> shades = {"#f2d7b6", "#bcd9ea", "#c9e4bd", 
 constexpr std::size_t known_shade = shades.size(), side_shade = known_shade + 1;
 constexpr const char* known_colour = "#8d969e";
 constexpr const char* side_colour = "#333";
-constexpr std::size_t most_cells = 40000;  // drawn as shapes; above: a raster
+constexpr std::size_t most_cells = 40000;  // more cells than these are drawn as a raster
 
-// Which merged cell a point belongs to; where the value is known, its own control volume is a cell
-// of the picture.
+// Returns the merged cell to which a point belongs; a point whose value is known has a cell of its
+// own in the picture.
 std::int32_t owner(const Level& level, std::int32_t point) {
     const std::int32_t cell = level.cells[place(point)];
     return cell >= 0 ? cell : -1 - point;
 }
 
-// A shade for each merged cell, other than those of its neighbours as far as there are enough.
+// Returns a shade for each merged cell, which differs from those of the neighbours if possible.
 std::vector<std::size_t> shades_of(const Mesh& mesh, const Level& level) {
     std::vector<std::pair<std::int32_t, std::int32_t>> neighbours;
     for (std::size_t cell = 0; cell < place(mesh.cells()); ++cell) {
@@ -49,7 +49,7 @@ std::vector<std::size_t> shades_of(const Mesh& mesh, const Level& level) {
         std::array<bool, shades.size() + 1> taken = {};
         for (; next != neighbours.end() && next->first == cell; ++next)
             taken[shade[place(next->second)]] = true;
-        const std::size_t start = place(cell) % shades.size();  // all shades come to be used
+        const std::size_t start = place(cell) % shades.size();  // so that all shades are used
         shade[place(cell)] = start;
         for (std::size_t i = 0; i < shades.size(); ++i) {
             const std::size_t candidate = (start + i) % shades.size();

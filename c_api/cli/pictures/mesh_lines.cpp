@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t most_edges = 80000;
 
-// The first point in each square of so many pixels stands for all in it; two such points are joined
-// where an edge leads from the one's square to the other's.
+// The first point in each square of so many pixels stands for all points in the square. Two such
+// points are joined if an edge leads from one square to the other.
 std::vector<Edge> thinned(const std::vector<Edge>& edges, const std::vector<Point>& pixels,
                           double side) {
     std::unordered_map<std::int64_t, std::int32_t> first;

@@ -1,4 +1,4 @@
-// The edges of a mesh in pictures.
+// Draws the edges of a mesh.
 #pragma once
 
 #include "mesh/mesh_file.hpp"
@@ -8,12 +8,12 @@
 
 namespace cli {
 
-// All edges that the frame shows, with the points at x, y. Above 80 000 of them, points in one
-// square of some pixels are drawn as one. Returns what to say of that, or "".
+// Draws all edges that the frame shows, with the points at x, y. If there are more than 80 000 of
+// them, one point stands for all points in a square of some pixels. Returns a note on that, or "".
 std::string draw_mesh(Plot& plot, const Mesh& mesh, const std::vector<double>& x,
                       const std::vector<double>& y, const std::string& attributes);
 
-// The faces on a marker, or, with -1, on all of them.
+// Draws the faces on a marker, or on all markers if the marker is -1.
 void draw_boundary(Plot& plot, const Mesh& mesh, std::int32_t marker,
                    const std::string& attributes);
 

@@ -10,7 +10,7 @@ namespace cli {
 
 namespace {
 
-// Colours that the colour-blind tell apart (M. Okabe, K. Ito, Color universal design, 2008).
+// Colour-blind readers distinguish these colours (M. Okabe, K. Ito, Color universal design, 2008).
 constexpr std::array<const char*, 7> marker_colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                        "#e69f00", "#56b4e9", "#000000"};
 
@@ -38,7 +38,7 @@ std::string mesh_picture(const Mesh& mesh, bool boundaries_alone, const hm_curve
                 plural(mesh.points(), "point") + ", " + plural(mesh.cells(), "cell") +
                     "; boundaries in colours");
     Plot& plot = sheet.plot();
-    std::vector<std::pair<std::string, std::string>> legend;  // attributes, tag
+    std::vector<std::pair<std::string, std::string>> legend;  // attributes and marker
     plot.begin_inside();
     std::string note;
     if (!boundaries_alone)

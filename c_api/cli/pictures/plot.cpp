@@ -11,9 +11,9 @@ namespace cli {
 namespace {
 
 constexpr double left = 62, right_margin = 20, above = 50, axis_space = 36;
-constexpr double line_height = 20;              // of the subtitle
-constexpr double heading_space = 26, gap = 18;  // between panels
-constexpr double row_height = 24;               // of legend and notes
+constexpr double line_height = 20;              // height of a line of the subtitle
+constexpr double heading_space = 26, gap = 18;  // space between panels
+constexpr double row_height = 24;               // height of a row of legend and notes
 
 constexpr const char* number_style = "font-size=\"13\" fill=\"#333\"";
 constexpr const char* tick_style = "stroke=\"#444\" stroke-width=\"1\"";
@@ -22,14 +22,14 @@ std::size_t columns_for(std::size_t panels) {
     return panels <= 3 ? panels : panels == 4 ? 2 : panels <= 9 ? 3 : 4;
 }
 
-// The wished window, and more on two sides where its shape is not that of the frame.
+// Returns the wished window, extended on two sides to the shape of the frame.
 Box fill(const Box& frame, double scale, Point centre) {
     const double x = frame.width() / scale / 2, y = frame.height() / scale / 2;
     return {{centre.x - x, centre.y - y}, {centre.x + x, centre.y + y}};
 }
 
-// A text in lines of words that fit into a width. Sentences take less room than width_of_text()
-// says of short labels.
+// Breaks a text into lines that fit into a width. Sentences are shorter than width_of_text()
+// estimates for short labels.
 std::vector<std::string> broken(const std::string& text, double font_size, double width) {
     std::vector<std::string> lines(1);
     std::istringstream words(text);
@@ -95,7 +95,7 @@ void Plot::draw_scale(bool numbers_along_x, bool numbers_along_y) {
     for (double i = std::ceil(window_.low.x / step); i * step <= window_.high.x; ++i) {
         const double x = pixel({i * step, 0}).x;
         svg_.line({x, frame_.high.y}, {x, frame_.high.y + 5}, tick_style);
-        if (!numbers_along_x || x > frame_.high.x - 24) continue;  // there stands the x
+        if (!numbers_along_x || x > frame_.high.x - 24) continue;  // the x stands there
         svg_.text({x, frame_.high.y + 19}, brief(i * step + 0.0),
                   std::string("text-anchor=\"middle\" ") + number_style);
     }
@@ -103,7 +103,7 @@ void Plot::draw_scale(bool numbers_along_x, bool numbers_along_y) {
     for (double i = std::ceil(window_.low.y / step); i * step <= window_.high.y; ++i) {
         const double y = pixel({0, i * step}).y;
         svg_.line({frame_.low.x - 5, y}, {frame_.low.x, y}, tick_style);
-        if (!numbers_along_y || y < frame_.low.y + 20) continue;  // there stands the y
+        if (!numbers_along_y || y < frame_.low.y + 20) continue;  // the y stands there
         svg_.text({frame_.low.x - 8, y + 4.5}, brief(i * step + 0.0),
                   std::string("text-anchor=\"end\" ") + number_style);
     }
@@ -117,7 +117,7 @@ Sheet::Sheet(const Box& window, const std::string& title, const std::string& sub
              SheetLayout layout)
     : width_(columns_for(layout.panels) < 3 ? 960 : 1200), svg_(width_, title, subtitle) {
     constexpr double lowest[] = {320, 180},
-                     highest[] = {900, 420};  // of one frame, of each of several
+                     highest[] = {900, 420};  // heights of one frame, and of each of several frames
     const std::size_t columns = columns_for(layout.panels);
     const bool is_single = layout.panels == 1;
     const auto n = static_cast<double>(columns);
@@ -154,7 +154,8 @@ Box Sheet::frames() const {
     return all;
 }
 
-// Where an entry begins; the next one follows it, on a new row if this one is full.
+// Returns the place where an entry begins. The next entry follows, on a new row if this row is
+// full.
 double Sheet::begin_entry(const std::string& text) {
     constexpr double sign = 40;
     const double needed = sign + width_of_text(text, 14) + 22;

@@ -1,5 +1,5 @@
-// A sheet with one picture, or with several panels of the same part of the plane: title, frames
-// with scales along x and y, what is drawn inside the frames, legend and notes below.
+// A sheet with one picture, or with several panels of the same part of the plane. A sheet has a
+// title, frames with scales along x and y, and a legend and notes below.
 #pragma once
 
 #include "pictures/svg.hpp"
@@ -10,10 +10,11 @@
 
 namespace cli {
 
-// The least of 1, 2, 5 times a power of ten that is not below `rough`, which is positive.
+// Returns the least number, 1, 2 or 5 times a power of ten, that is not below `rough`, which is
+// positive.
 double round_step(double rough);
 
-// The part of a sheet inside one frame.
+// A plot is the part of a sheet inside one frame.
 class Plot {
 public:
     Plot(Svg& svg, const Box& frame, const Box& window);
@@ -24,8 +25,8 @@ public:
     SvgPath polyline(const std::vector<Point>& points) const;
 
     Svg& svg() { return svg_; }
-    void begin_inside();  // what is drawn from here ...
-    void end_inside();    // ... to here is cut off at the frame, which is drawn then
+    void begin_inside();  // drawings between these two calls
+    void end_inside();    // are cut off at the frame, which end_inside() draws
     void draw_scale(bool numbers_along_x, bool numbers_along_y);
 
 private:
@@ -37,12 +38,12 @@ private:
 
 struct SheetLayout {
     std::size_t panels = 1;
-    double right = 0;  // pixels kept free beside the frames, for a colour bar
+    double right = 0;  // free width beside the frames, for a colour bar [pixels]
 };
 
 class Sheet {
 public:
-    // window: what each panel shows at least.
+    // Each panel shows at least the window.
     Sheet(const Box& window, const std::string& title, const std::string& subtitle,
           SheetLayout layout = {});
     Sheet(const Sheet&) = delete;
@@ -50,15 +51,15 @@ public:
     std::size_t panels() const { return plots_.size(); }
     Plot& plot(std::size_t panel = 0) { return plots_[panel]; }
     Svg& svg() { return svg_; }
-    void head(std::size_t panel, const std::string& text);  // over a panel
-    Box frames() const;                                     // round all of them
+    void head(std::size_t panel, const std::string& text);  // text above a panel
+    Box frames() const;                                     // box round all frames
 
-    // Entries of the legend from left to right: a line, a disc or a box of these attributes, and
-    // what it stands for.
+    // Adds an entry to the legend, from left to right: a line, a disc or a box of these attributes,
+    // and its meaning.
     void legend_line(const std::string& attributes, const std::string& text);
     void legend_disc(double radius, const std::string& attributes, const std::string& text);
     void legend_box(const std::string& attributes, const std::string& text);
-    void note(const std::string& text);  // lines of their own below; "" adds none
+    void note(const std::string& text);  // adds lines below the legend; "" adds none
     std::string document() const;
 
 private:

@@ -7,13 +7,13 @@ namespace cli {
 
 namespace {
 
-// Twice the area of a triangle, positive one way round.
+// Returns twice the area of a triangle, with a sign.
 double cross(Point a, Point b, Point c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// The pixels, counted from `origin`, whose centres lie between two coordinates: from first up to,
-// but not, end.
+// The pixels, counted from `origin`, whose centres lie between two coordinates; `end` is not one of
+// them.
 struct Span {
     std::size_t first, end;
     Span(double low, double high, double origin, std::size_t n) {
@@ -45,11 +45,11 @@ void Raster::fill(const std::array<Point, 3>& corners, const std::array<double, 
                                   frame_.low.y + static_cast<double>(row) + .5};
             const double of_a = cross(centre, b, c) / area, of_b = cross(a, centre, c) / area,
                          of_c = 1 - of_a - of_b;
-            constexpr double on_side = -1e-9;  // belongs to both neighbours
+            constexpr double on_side = -1e-9;  // a centre on a side belongs to both neighbours
             if (of_a < on_side || of_b < on_side || of_c < on_side) continue;
             value_[row * columns_ + column] =
                 values[0] + of_b * (values[1] - values[0]) +
-                of_c * (values[2] - values[0]);  // exact if all are one
+                of_c * (values[2] - values[0]);  // exact if all three values are equal
         }
     }
 }

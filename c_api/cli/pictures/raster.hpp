@@ -16,16 +16,16 @@ public:
 
     explicit Raster(const Box& frame);
 
-    // The values of a linear function at the pixels whose centres lie in the triangle; all in
-    // pixels of the sheet.
+    // Sets the values of a linear function at the pixels whose centres lie in the triangle, which
+    // is given in pixels of the sheet.
     void fill(const std::array<Point, 3>& corners, const std::array<double, 3>& values);
     std::size_t columns() const { return columns_; }
     std::size_t rows() const { return rows_; }
     double at(std::size_t column, std::size_t row) const {
         return value_[row * columns_ + column];
-    }  // nothing: not filled
+    }  // no value if the pixel is not filled
 
-    // One path for each shade: shade_of(column, row) is a place in the paths, or -1.
+    // Returns one path for each shade; shade_of(column, row) is a place in the paths, or -1.
     template <class ShadeOf>
     void runs(std::vector<SvgPath>& paths, ShadeOf shade_of) const {
         for (std::size_t row = 0; row < rows_; ++row) {

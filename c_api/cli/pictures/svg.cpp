@@ -10,11 +10,11 @@ namespace cli {
 namespace {
 
 std::int64_t hundredths(double value) {
-    constexpr double far_away = 1e7;  // pixels; nobody sees the difference
+    constexpr double far_away = 1e7;  // larger numbers of pixels look the same
     return std::llround(100 * std::clamp(value, -far_away, far_away));
 }
 
-// "-12.3", ".05", "7": as short as SVG allows.
+// Returns a number as short as SVG allows: "-12.3", ".05", "7".
 std::string short_decimal(std::int64_t hundredths) {
     const std::int64_t size = std::abs(hundredths), whole = size / 100, rest = size % 100;
     std::string text = hundredths < 0 ? "-" : "";

@@ -1,4 +1,4 @@
-// SVG documents: shapes in pixels, y downwards.
+// SVG documents have shapes in pixels, with y downwards.
 #pragma once
 
 #include "basics/geometry.hpp"
@@ -8,7 +8,8 @@
 
 namespace cli {
 
-// The data of a path element, kept short: steps from point to point in hundredths of pixels.
+// The data of a path element are steps from point to point in hundredths of pixels, which are
+// short.
 class SvgPath {
 public:
     void move_to(Point pixel);
@@ -18,7 +19,7 @@ public:
     const std::string& data() const { return data_; }
 
 private:
-    struct Grid {  // a point in hundredths; steps between rounded points do not drift
+    struct Grid {  // a point in hundredths of pixels; steps between rounded points do not drift
         std::int64_t x, y;
     };
     static Grid rounded(Point pixel);
@@ -26,28 +27,29 @@ private:
 
     std::string data_;
     Grid at_ = {0, 0};
-    bool in_steps_ = false;  // the last command was a step: the next needs no letter
+    bool in_steps_ = false;  // the last command was a step, so that the next one needs no letter
 };
 
 class Svg {
 public:
-    // Title and description are read by browsers, screen readers and search; they are not drawn.
+    // Browsers, screen readers and search engines read title and description, which are not drawn.
     Svg(double width, const std::string& title, const std::string& description);
 
     void path(const SvgPath& path, const std::string& attributes);
     void line(Point from, Point to, const std::string& attributes);
     void circle(Point centre, double radius, const std::string& attributes);
     void rectangle(const Box& box, const std::string& attributes);
-    void text(Point at, const std::string& text, const std::string& attributes);  // escaped here
+    void text(Point at, const std::string& text,
+              const std::string& attributes);  // text() escapes the text
     void raw(const std::string& markup) { body_ += markup; }
-    std::string document(double height) const;  // on white
+    std::string document(double height) const;  // the background is white
 
 private:
     double width_;
     std::string title_, description_, body_;
 };
 
-std::string pixels(double value);                                 // "12.5": at most two decimals
-double width_of_text(const std::string& text, double font_size);  // about, in pixels
+std::string pixels(double value);                                 // at most two decimals, "12.5"
+double width_of_text(const std::string& text, double font_size);  // estimate in pixels
 
 }  // namespace cli

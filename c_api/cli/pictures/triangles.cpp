@@ -10,7 +10,7 @@ public:
     Polygon(const Mesh& mesh, std::size_t cell) : mesh_(mesh) {
         const auto first = mesh.cell_points.begin();
         corners_.assign(first + mesh.cell_start[cell], first + mesh.cell_start[cell + 1]);
-        double area = 0;  // twice the area, from the first corner
+        double area = 0;  // twice the area
         for (std::size_t i = 1; i + 1 < corners_.size(); ++i)
             area += turn(corners_[0], corners_[i], corners_[i + 1]);
         orientation_ = area < 0 ? -1 : 1;
@@ -18,8 +18,8 @@ public:
 
     bool is_triangle() const { return corners_.size() == 3; }
 
-    // Takes the ear away that has the largest area; of a polygon that has none (collapsed,
-    // inverted), the largest corner.
+    // Cuts off the ear that has the largest area, or the corner of the largest area if the polygon
+    // has no ear, because it has collapsed or is inverted.
     Corners cut() {
         std::size_t best = 0;
         double largest = -1;
@@ -54,7 +54,7 @@ private:
         const std::size_t n = corners_.size();
         return {corners_[(i + n - 1) % n], corners_[i], corners_[(i + 1) % n]};
     }
-    // No other corner of the polygon lies in the triangle or on its sides.
+    // Returns true if no other corner of the polygon lies in the triangle or on its sides.
     bool is_empty(const Corners& ear) const {
         return std::none_of(corners_.begin(), corners_.end(), [&](std::int32_t corner) {
             if (std::find(ear.begin(), ear.end(), corner) != ear.end()) return false;

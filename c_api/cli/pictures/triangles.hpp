@@ -1,4 +1,4 @@
-// The cells of a mesh as triangles, and what a function that is linear on each of them has where.
+// The cells of a mesh as triangles, on each of which a function is linear.
 #pragma once
 
 #include "basics/geometry.hpp"
@@ -9,14 +9,14 @@
 
 namespace cli {
 
-using Corners = std::array<std::int32_t, 3>;  // points of the mesh
+using Corners = std::array<std::int32_t, 3>;  // places of the points in the mesh
 
 // Adds the triangles of a cell that need not be convex, by cutting off its ears (G. H. Meisters,
 // Polygons have ears, The American Mathematical Monthly 82, 1975).
 void divide_polygon(const Mesh& mesh, std::size_t cell, std::vector<Corners>& triangles);
 
-// visit(corners) for each triangle that the window shows at least a part of: a triangular cell, the
-// two of a quad, those of a polygon.
+// Calls visit(corners) for each triangle that lies at least partly in the window. A quadrilateral
+// has two triangles, and a polygon as many as it needs.
 template <class Visit>
 void for_each_triangle(const Mesh& mesh, const Box& window, Visit visit) {
     std::vector<Corners> triangles;
