@@ -399,7 +399,7 @@ enum {
 };
 
 /* Fields that belong to another kind must be 0 (else HM_BAD_CONDITION). A marker has at most one
- * condition without a piece; pieces without any condition are fixed. */
+ * condition without a piece, interfaces apart; pieces without any condition are fixed. */
 typedef struct hm_condition {
     uint64_t struct_size; /* the same in all conditions of one problem */
     int32_t marker;

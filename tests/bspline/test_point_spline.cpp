@@ -51,7 +51,8 @@ TEST_CASE("the spline passes through the points, and straight lines stay straigh
         Vec2 const middle = run.spline.at(k, 0.3);
         CHECK(std::fabs(middle.y - 2 * middle.x) < 1e-14);
     }
-    SplineRun const two({{0, 0}, {1, 1}}, false);
+    std::vector<Vec2> const ends = {{0, 0}, {1, 1}};
+    SplineRun const two(ends, false);
     CHECK(length(two.spline.at(0, 0.5) - Vec2{0.5, 0.5}) < 1e-16);
 }
 

@@ -141,20 +141,20 @@ void draw_control_points(Plot& plot, const hm_curves& curves, double radius,
 void draw_numbers(Plot& plot, const hm_curves& curves, const LabelStyle& style, std::int32_t chosen,
                   const LabelStyle& chosen_style) {
     std::vector<Box> taken;
-    const auto draw = [&](std::int32_t index, const LabelStyle& style) {
-        const Point at = beside(plot, curves, index, style.distance);
+    const auto draw = [&](std::int32_t index, const LabelStyle& label) {
+        const Point at = beside(plot, curves, index, label.distance);
         const std::string text = std::to_string(index + 1);
-        const double width = width_of_text(text, style.font_size) / 2,
-                     height = .4 * style.font_size;
+        const double width = width_of_text(text, label.font_size) / 2,
+                     height = .4 * label.font_size;
         const Box box = {{at.x - width, at.y - height}, {at.x + width, at.y + height}};
         if (std::any_of(taken.begin(), taken.end(),
                         [&](const Box& other) { return box.overlaps(other); }))
             return;
         taken.push_back(box);
-        plot.svg().text({at.x, at.y + .36 * style.font_size}, text,
+        plot.svg().text({at.x, at.y + .36 * label.font_size}, text,
                         "text-anchor=\"middle\" stroke=\"white\" stroke-width=\"3\" "
                         "paint-order=\"stroke\" font-size=\"" +
-                            pixels(style.font_size) + "\" " + style.attributes);
+                            pixels(label.font_size) + "\" " + label.attributes);
     };
     if (chosen >= 0 && chosen < curves.n_control) draw(chosen, chosen_style);
     for (std::int32_t i = 0; i < curves.n_control; ++i) {

@@ -60,7 +60,7 @@ public:
     cli::Morph safe(const Moves& moves, double heights = 0) const {
         auto options = cli::sized<hm_safe_options>();
         options.heights = heights;
-        return cli::Morph(*basis_, mesh_, moves, options, threads_);
+        return cli::Morph(*basis_, mesh_, moves, options, basis_->info().operator_kind, threads_);
     }
 
     // The largest amount for which a single linear morph is valid, by bisection.

@@ -94,7 +94,7 @@ Counts count(const std::string& name, const cli::Mesh& mesh, cli::Task task,
     for (std::uint64_t seed = 1;
          counts.counted < wanted && seed < 1000 * static_cast<std::uint64_t>(wanted); ++seed) {
         const cli::Morph morph(basis, mesh, movement(task.curves.control, seed),
-                               cli::sized<hm_safe_options>(), threads);
+                               cli::sized<hm_safe_options>(), basis.info().operator_kind, threads);
         if (morph.impossible) {
             ++counts.impossible;
             continue;
