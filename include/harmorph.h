@@ -61,8 +61,7 @@
  * Threads          There is no hidden state. Only one thread at a time may write an object (plan,
  *                  basis) or make other objects from one (analysis); any number may read (morph,
  *                  adjoint, assess). The library uses the threads of an hm_executor, if given.
- * Stack            hm_morph needs 16 KiB of stack, hm_adjoint on one thread 40 KiB, other calls at
- *                  most 112 KiB.
+ * Stack            hm_morph: 16 KiB; hm_adjoint on one thread: 40 KiB; other calls: 112 KiB.
  * Exceptions       A call that succeeds on finite numbers raises only inexact and underflow.
  * Repeatability    The same input and the same kernel give bitwise identical results: from run to
  *                  run, for any number of threads and of processes (harmorph_mpi.h).
@@ -243,8 +242,7 @@ enum {
     /* cell_start, cell_points: compressed rows of 3 to 1024 points, see harmorph_space.h. */
     HM_CELLS_POLYGONS = 6
 };
-/* In hm_mesh.block_markers: the side is an interface or a cut, or faces or lists give its markers.
- */
+/* In hm_mesh.block_markers: the side is an interface or a cut, or has faces or lists of its own. */
 enum { HM_NO_MARKER = INT32_MIN };
 
 /* Every boundary edge must be on a marker. The exception is a cut, such as the seam of an O-mesh or
@@ -315,8 +313,7 @@ enum {
     /* Points that are no loop: open. A loop without a corner: periodic. A loop with a blunt base:
      * open, plus a straight curve of degree 1 along the base that shares both end points. A base is
      * straight, lies between two corners at the end farthest from the leading edge, is at most 0.15
-     * of the extent long, and is no tip of an ice horn. Other loops: tied at the sharpest corner.
-     */
+     * of the extent long, and is no tip of a horn of ice. Others: tied at the sharpest corner. */
     HM_CLOSED_AUTO = 0,
     HM_OPEN = 1,    /* clamped at the first and the last point */
     HM_TIED = 2,    /* clamped, both ends are one control point: a sharp trailing edge */
@@ -392,9 +389,8 @@ enum {
      * (x, y) by an angle that the library finds, and so are its displacements. All pairs have one
      * centre and one angle. A point on the centre does not move. Not with HM_PERIODIC_PAIR. */
     HM_ROTATION_PAIR = 7,
-    /* A sliding interface: this marker and its partner are coincident boundaries, such as those of
-     * a rotor and a stator, whose faces may touch and cross each other. Both markers may have
-     * other conditions, which say how their points move. A marker has at most one interface. */
+    /* A sliding interface: the faces of this marker and its partner, the coincident boundaries of a
+     * rotor and a stator, may touch and cross. Other conditions move the points of both markers. */
     HM_INTERFACE = 8
 };
 
@@ -545,8 +541,7 @@ typedef struct hm_plan hm_plan;
 typedef struct hm_basis hm_basis;
 
 /* The analysis must have curves, rigid bodies or markers with HM_GIVEN; with the latter alone, the
- * basis has no functions, and serves hm_assess. Plan and basis copy what they need of the analysis.
- */
+ * basis has no functions, and serves hm_assess. Plan and basis copy what they need of it. */
 HM_API hm_status hm_plan_size(const hm_analysis* analysis, size_t* bytes, hm_error* err);
 HM_API hm_status hm_plan_init(hm_plan** plan, void* block, size_t bytes,
                               const hm_analysis* analysis, hm_error* err);
@@ -581,8 +576,7 @@ typedef struct hm_solve_report {
 } hm_solve_report;
 
 /* Solves for all functions of the basis with the factor of the plan. Both must come from the same
- * analysis. report may be NULL. If cancelled, the basis is not solved, and the factor stays valid.
- */
+ * analysis. report may be NULL. If cancelled, the basis is not solved; the factor stays valid. */
 HM_API hm_status hm_plan_solve(hm_plan* plan, hm_basis* basis, hm_solve_report* report,
                                hm_error* err);
 
@@ -597,14 +591,12 @@ typedef struct hm_basis_info {
     uint64_t struct_size;
     uint64_t bytes; /* of the block, from the address of the basis */
     int32_t solved; /* 0 or 1 */
-    /* curve_points: including rigid and given ones */
-    int32_t points, cells, functions, curves, curve_points;
+    int32_t points, cells, functions, curves, curve_points; /* the last: also rigid and given */
     int32_t numbers_per_value; /* 1: real f; 2: complex a + i b; 4: matrix xx, xy, yx, yy */
     int32_t operator_kind, scheme, engine;
     int32_t index_base;         /* of the mesh: the first number of points and cells in reports */
     const int32_t* curve_point; /* [curve_points] mesh points on curves, counted from 0 */
-    /* [curve_points] the curve of each of them; curves + b: rigid body b; curves + bodies: a point
-     * of a marker with HM_GIVEN. */
+    /* [curve_points] their curves; curves + b: rigid body b; curves + bodies: HM_GIVEN */
     const int32_t* point_curve;
     const double* point_u;     /* [curve_points] the parameter of each of them */
     int32_t exponent_quarters; /* 0: no weight */
@@ -702,9 +694,8 @@ HM_API hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_
  * hm_morph, and give the result as `from`.
  *
  * The wall points of a call are listed in `points` [n] in any order, counted from mesh.index_base;
- * NULL: in the order of hm_given_points. The list must contain all points of the markers with
- * HM_GIVEN that are on no curve and no rigid body. A point may be in the list twice, and so may the
- * two sides of a cut, with equal displacements. */
+ * NULL: in the order of hm_given_points. The list must contain all points of markers with HM_GIVEN
+ * that are on no curve and no rigid body. A point, or both sides of a cut, may be in it twice. */
 
 /* The wall points with given displacements, in order along the boundary with the mesh on the left.
  * points [capacity]; *n: number of points, also if the capacity is too small (HM_BAD_ARGUMENT). */
@@ -718,9 +709,8 @@ HM_API hm_status hm_displace_size(const hm_plan* plan, int32_t n_fields, size_t*
  * of n_points mesh points; to = from + displacement; from NULL: see hm_morph. Wall points move by
  * the given bits. Arrays of different fields, and `wall`, must have no number of `to` in common.
  * With `from`, a boundary that crosses itself at `to` is refused (HM_CROSSING); cells may be
- * inverted (hm_assess). All fields are computed before any is written. report may be NULL, in which
- * case HM_DIRECT computes residuals only where the factor lost digits; functions are fields there.
- */
+ * inverted (hm_assess). All fields are computed before any is written. report counts fields as
+ * functions; NULL: HM_DIRECT computes residuals only where the factor lost digits. */
 HM_API hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n_fields,
                              const hm_points* wall, const hm_points* from, const hm_points_out* to,
                              void* work, size_t bytes, hm_solve_report* report, hm_error* err);
@@ -739,10 +729,8 @@ HM_API hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* po
  * at the target and as good as the options ask for. The result is the best mesh of all: the one
  * nearest to the target, and of several at the target the one of better quality. */
 enum {
-    /* x + sum_i F_i dP_i, if the admissible step is larger than 1. */
-    HM_STRATEGY_LINEAR = 0,
-    /* One linear step with each of the other bases of the options, in their order. */
-    HM_STRATEGY_OTHER = 1,
+    HM_STRATEGY_LINEAR = 0, /* x + sum_i F_i dP_i, if the admissible step is larger than 1 */
+    HM_STRATEGY_OTHER = 1,  /* one linear step with each of options.others, in their order */
     /* Several steps, each at most half of the admissible step; the functions are solved again after
      * each. Where the steps become too short, another operator takes over. Each body, that is each
      * loop of the boundary that moves all round, rotates and scales about the centre of its control
@@ -753,8 +741,7 @@ enum {
      * (foldover-free energy of Garanzha et al., ACM Trans. Graph. 40 (2021)). Tried where substeps
      * need more than 5 solutions or become too short; with a derivative, after all substeps. */
     HM_STRATEGY_UNTANGLED = 3,
-    /* Inner points of a mesh at the target are placed for quality, see hm_improve. */
-    HM_STRATEGY_IMPROVED = 4
+    HM_STRATEGY_IMPROVED = 4 /* inner points of a mesh at the target are moved, see hm_improve */
 };
 
 typedef struct hm_safe_options {
@@ -763,9 +750,8 @@ typedef struct hm_safe_options {
     int32_t max_resolves;
     int32_t skipped_strategies; /* sum of 1 << HM_STRATEGY_... of the strategies to skip */
     int32_t n_others;           /* 0 .. 64 */
-    /* 0; 1: the cells of the mesh at the target are improved in any case, as hm_improve does. With
-     * `heights`, the meshes with and without these heights are improved, and the better one stays.
-     */
+    /* 1: the mesh at the target is improved in any case, as by hm_improve; with `heights`, the mesh
+     * without these heights is improved too, and the better one is returned. 0: only where poor */
     int32_t improve;
     /* [n_others] solved bases of the same mesh, curves, conditions and offset correction. With a
      * derivative, which must not be one of them, those with another numbers_per_value than the
@@ -818,12 +804,9 @@ typedef struct hm_safe_report {
     double turned_offset;   /* [length] largest |(r - 1) e|, see hm_morph_safe */
     double start_quality;   /* [0..1] smallest skew quality of the start */
     hm_worst_cell worst[5]; /* [n_worst] the cells of lowest quality of `to`, the worst first */
-    /* Of the ends of walls that leave the line or curve of the fixed or slipping boundary beside
-     * them at the target, the one that goes farthest from this line; -1: no end does. Known before
-     * anything is solved. */
-    int32_t end_point;
+    int32_t end_point; /* the end of a wall that leaves the boundary beside it farthest; -1: none */
     int32_t reserved;  /* 0 */
-    double end_leaves; /* [length] how far */
+    double end_leaves; /* [length] how far that end is from this boundary at the target */
 } hm_safe_report;
 
 /* Working memory of hm_morph_safe with a basis like this one; NULL: as hm_basis_init makes it. */
@@ -860,14 +843,13 @@ HM_API hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const doubl
 
 /* Does the same for displacements that are given at the points of markers with HM_GIVEN (see
  * hm_displace). n_others must be 0; functions of other operators are solved when they are needed
- * (report.other is then their operator_kind). If the smallest quality at the target is below 0.3 of
- * that of the start, other operators and an improvement of the cells are tried, even if
- * options.min_quality asks for less. basis: of the same analysis as the plan; solved if it
- * has functions, without functions by table. move [2*functions]: the movement of curves and rigid
- * bodies in the same call; NULL: none. A loop of the boundary all of whose points are given rotates
- * as a body; points of other loops move on straight lines. Where the whole movement is possible,
- * wall points are displaced by the given bits. The plan needs no factor; where functions were
- * solved again, call hm_plan_factor before the next hm_displace. */
+ * (report.other is then their operator_kind). Below 0.3 of the smallest quality of the start, other
+ * operators and an improvement are tried, even if options.min_quality asks for less. basis: of the
+ * same analysis as the plan; solved if it has functions, without functions by table. move
+ * [2*functions]: the movement of curves and rigid bodies in the same call; NULL: none. A loop of
+ * the boundary all of whose points are given rotates as a body; points of other loops move on
+ * straight lines. Where the whole movement is possible, wall points are displaced by the given
+ * bits. Where functions were solved again, call hm_plan_factor before the next hm_displace. */
 HM_API hm_status hm_displace_safe_size(const hm_plan* plan, const hm_basis* basis, size_t* bytes,
                                        hm_error* err);
 HM_API hm_status hm_displace_safe(hm_plan* plan, const hm_basis* basis, const double* move,
