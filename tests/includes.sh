@@ -34,6 +34,9 @@ for file in src/* src/*/*; do
     is_empty "$file" "$wrong"
 done
 # tsort names the files of a circle.
+top=$(git ls-files 2>/dev/null | cut -d/ -f1 | sort -u | grep -vxE \
+    'CMakeLists.txt|LICENSE|Makefile|README.md|c_api|fortran|include|src|tests|\.[a-z-]+')
+is_empty "files of the top level that do not belong there" "$top"
 is_empty "circles" "$(tsort "$pairs" 2>&1 >/dev/null)"
 
 # The table of rooms in src/README.md is this list.

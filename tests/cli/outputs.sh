@@ -2,7 +2,7 @@
 # file for each kind of input; a refused command leaves all bytes of the folder as they were.
 
 outputs=$tmp/outputs
-mkdir "$outputs"
+mkdir "$outputs" && outputs=$(cd "$outputs" && pwd)
 cp "$ring" "$outputs/mesh.su2"
 cp "$curve" "$outputs/a.curve"
 cp "$basis" "$outputs/a.basis"

@@ -20,7 +20,7 @@ contains
         its_x(1) = nan
         call curves%fit(its_x, its_y, .true., stat=stat, err=err)
         call check(err%item == 1, "the first point of a fit")
-        call check(err%text == "point 1 is not finite", "in words: " // err%text)
+        call check(err%text == "point 1 has a coordinate that is not finite", "in words: " // err%text)
         its_x = x(:around)
         its_x(11) = its_x(10)
         its_y(11) = its_y(10)
@@ -37,7 +37,8 @@ contains
         copy%curve(2)%knots = [0, 0, 0, 1, 2, 2, 2] * 1._dp
         copy%control(1, 2) = nan
         call copy%check(stat, err)
-        call check(err%text == "control point 2 of curve 1 is not finite", "a control point: " // err%text)
+        call check(err%text == "control point 2 of curve 1 has a coordinate that is not finite", &
+                   "a control point: " // err%text)
         call check(err%item == 2, "control points count from 1 in C, too")
         copy = curves
         copy%curve(2)%degree = 0

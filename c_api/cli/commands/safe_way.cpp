@@ -67,14 +67,14 @@ void add_trials(JsonObject& object, const std::vector<OperatorTrial>& trials) {
 void print_trials(const std::vector<OperatorTrial>& trials) {
     for (std::size_t i = 0; i < trials.size(); ++i) {
         const OperatorTrial& trial = trials[i];
-        std::printf("%-16s %s: ", i == 0 ? "operator" : "not",
-                    operator_named(trial.operator_kind).choice.name);
+        print("%-16s %s: ", i == 0 ? "operator" : "not",
+              operator_named(trial.operator_kind).choice.name);
         if (trial.refusal.empty()) {
-            std::printf("%s %% of the way, quality %s at least, %s seconds\n",
-                        brief(100 * trial.step_fraction).c_str(), brief(trial.min_quality).c_str(),
-                        brief(trial.seconds).c_str());
+            print("%s %% of the way, quality %s at least, %s seconds\n",
+                  brief(100 * trial.step_fraction).c_str(), brief(trial.min_quality).c_str(),
+                  brief(trial.seconds).c_str());
         } else {
-            std::printf("%s\n", trial.refusal.c_str());
+            print("%s\n", trial.refusal.c_str());
         }
     }
 }
