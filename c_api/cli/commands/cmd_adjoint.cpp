@@ -39,8 +39,8 @@ SensitivityColumns columns_of(const Arguments& arguments) {
     return columns;
 }
 
-// The largest s for which the movement -s * gradient inverts no cell and makes the boundary touch
-// nowhere.
+// The largest s for which the movement -s * gradient inverts no cell, and for which the boundary
+// does not touch itself.
 double admissible_descent(const Mesh& mesh, const Basis& basis, std::vector<double> gradient,
                           const Threads& threads) {
     for (double& g : gradient) g = -g;
