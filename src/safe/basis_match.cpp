@@ -46,8 +46,8 @@ Status check_other(Basis const& basis, Basis const& other, Fault& fault) noexcep
 Status check_derivative(Plan const& plan, Basis const& basis, Basis const& derivative,
                         Fault& fault) noexcept {
     HARMORPH_TRY(plan.check_fit(derivative, fault));
-    BasisCounts const &own = basis.header->counts, &its = derivative.header->counts;
-    if (std::memcmp(&own, &its, sizeof own) == 0) return Status::ok;
+    BasisCounts const &own = basis.header->counts, &derivative_counts = derivative.header->counts;
+    if (std::memcmp(&own, &derivative_counts, sizeof own) == 0) return Status::ok;
     return fault.refuse(Status::bad_basis,
                         "the basis for the derivative has other functions than the basis");
 }

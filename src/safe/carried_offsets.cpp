@@ -56,9 +56,10 @@ void CarriedOffsets::find_groups(Basis const& basis, MovementPath const& path, P
             if (foot.face == none) continue;
             Index const slot = path.slot_of[walls.faces[foot.face].point[0]];
             if (slot == none || !basis.is_on_curve(slot)) continue;
-            Index const its = path.group_of_slot(basis, slot);
+            Index const group_of_point = path.group_of_slot(basis, slot);
             part[k] = fade_of_offset(length(start[k] - walls.at(foot, start)) / reach);
-            if (part[k] > 0 && !path.groups[its].is_straight()) group[k] = its;
+            if (part[k] > 0 && !path.groups[group_of_point].is_straight())
+                group[k] = group_of_point;
         }
     });
     for (Index k = 0; k < group.count(); ++k) {

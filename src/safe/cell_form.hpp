@@ -18,11 +18,11 @@ struct CornerForm {
     void add(const Vec2 (&gradient)[3], const CornerMode (&mode)[4]) noexcept {
         by_side = by_side - gradient[0];
         by_next = by_next + gradient[2];
-        for (CornerMode const& its : mode) {
-            Vec2 const side = -1 * its.at[0], next = its.at[2];
-            side_side.add(its.curvature, side, side);
-            side_next.add(its.curvature, side, next);
-            next_next.add(its.curvature, next, next);
+        for (CornerMode const& corner_mode : mode) {
+            Vec2 const side = -1 * corner_mode.at[0], next = corner_mode.at[2];
+            side_side.add(corner_mode.curvature, side, side);
+            side_next.add(corner_mode.curvature, side, next);
+            next_next.add(corner_mode.curvature, next, next);
         }
     }
     // Derivatives by a side that is turned become those by the side itself.
@@ -41,12 +41,12 @@ struct CellForm {
     Block hessian[n][n];
 
     // Of the corner at point `own`, from point `before` to point `after`.
-    void add(Index before, Index own, Index after, CornerForm const& its) noexcept {
-        by[before] = by[before] - its.by_side;
-        by[own] = by[own] + (its.by_side - its.by_next);
-        by[after] = by[after] + its.by_next;
-        Block const cross = its.side_next, turned = transpose(cross);
-        Block const side = its.side_side, next = its.next_next;
+    void add(Index before, Index own, Index after, CornerForm const& corner) noexcept {
+        by[before] = by[before] - corner.by_side;
+        by[own] = by[own] + (corner.by_side - corner.by_next);
+        by[after] = by[after] + corner.by_next;
+        Block const cross = corner.side_next, turned = transpose(cross);
+        Block const side = corner.side_side, next = corner.next_next;
         hessian[before][before] = hessian[before][before] + side;
         hessian[before][own] = hessian[before][own] + (cross - side);
         hessian[before][after] = hessian[before][after] - cross;

@@ -39,11 +39,12 @@ void Region::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
 void Region::link(Tangle const& tangle) noexcept {
     fill(cell_start, Offset{0});
     for (Index i = 0; i < cell.count(); ++i) {
-        for_each_point(tangle, tangle.cell(i), [&](Index its) { ++cell_start[its]; });
+        for_each_point(tangle, tangle.cell(i), [&](Index corner) { ++cell_start[corner]; });
     }
     counts_to_starts(cell_start);
     for (Index i = 0; i < cell.count(); ++i) {
-        for_each_point(tangle, tangle.cell(i), [&](Index its) { cell_of[cell_start[its]++] = i; });
+        for_each_point(tangle, tangle.cell(i),
+                       [&](Index corner) { cell_of[cell_start[corner]++] = i; });
     }
     rewind_starts(cell_start);
 }
@@ -73,10 +74,10 @@ Index Region::reach_points(Tangle const& tangle, Index layers) noexcept {
     }
     fill(reached, std::uint8_t{0});
     auto const reach = [&](Index i) {
-        for_each_point(tangle, tangle.cell(i), [&](Index its) {
-            if (reached[its] != 0) return;
-            reached[its] = 1;
-            queue[filled++] = its;
+        for_each_point(tangle, tangle.cell(i), [&](Index corner) {
+            if (reached[corner] != 0) return;
+            reached[corner] = 1;
+            queue[filled++] = corner;
         });
     };
     for (Index const i : cell.first(n_cells)) reach(i);

@@ -88,8 +88,8 @@ void SafeDisplacement::find_bodies(Plan const& plan) noexcept {
     fill(body, none);
     for_each_body(plan, [&](Span<const Index> points) {
         for (Index const point : points) {
-            Index& of = body[plan.given_index(point)];
-            if (of == none) of = number;
+            Index& body_of_point = body[plan.given_index(point)];
+            if (body_of_point == none) body_of_point = number;
         }
         ++number;
     });

@@ -25,9 +25,9 @@ struct SafeMorph::Work {
 
     Real goal() const noexcept { return options.min_quality * report.start_quality; }
     ImproveOptions improve_options() const noexcept {
-        ImproveOptions its = options.improve;
-        its.enough = goal();
-        return its;
+        ImproveOptions improvement = options.improve;
+        improvement.enough = goal();
+        return improvement;
     }
     // In parts of what is asked for; 1 is enough.
     Real score(Outcome const& outcome) const noexcept {

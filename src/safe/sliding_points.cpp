@@ -2,16 +2,16 @@
 
 namespace harmorph {
 
-void SlidingPoints::find(SlipCurves const& its, Points now, Span<const Index> representative,
-                         Span<std::uint8_t> held) noexcept {
+void SlidingPoints::find(SlipCurves const& slip_curves, Points now,
+                         Span<const Index> representative, Span<std::uint8_t> held) noexcept {
     if (slot.empty()) return;
-    curves = &its;
+    curves = &slip_curves;
     fill(slot, none);
-    its.for_each([&](Index its_slot, Index point) {
-        Vec2 const p = now[point], beside = p - its.nearest(its_slot, p).at;
-        Index const neighbour = its.is_last(its_slot) ? its_slot - 1 : its_slot + 1;
-        Real const most = most_beside * length(its.at[neighbour] - its.at[its_slot]);
-        if (held[point] == 0 && length(beside) <= most) slot[point] = its_slot;
+    slip_curves.for_each([&](Index place, Index point) {
+        Vec2 const p = now[point], beside = p - slip_curves.nearest(place, p).at;
+        Index const neighbour = slip_curves.is_last(place) ? place - 1 : place + 1;
+        Real const most = most_beside * length(slip_curves.at[neighbour] - slip_curves.at[place]);
+        if (held[point] == 0 && length(beside) <= most) slot[point] = place;
         else held[point] = 1;
     });
     for (Index k = 0; k < slot.count(); ++k) {

@@ -23,7 +23,7 @@ struct SlidingPoints {
 
     // Those that are on their curves in `now`; the others are held. Points that others are joined
     // to are held, too.
-    void find(SlipCurves const& its, Points now, Span<const Index> representative,
+    void find(SlipCurves const& slip_curves, Points now, Span<const Index> representative,
               Span<std::uint8_t> held) noexcept;
     // The tangents where points are now.
     void turn_lines(Points now) const noexcept;

@@ -122,10 +122,10 @@ Basis const& SafeMorph::choose_first(Work& work, Real& length) noexcept {
     if (work.options.tries(Strategy::other) && length < 1) {
         for (Basis const& other : work.options.others) {
             if (work.derivative != nullptr && other.kind() != work.basis.kind()) continue;
-            Real const its = find_step(work, other);
+            Real const step = find_step(work, other);
             last = &other;
-            if (its <= worth_changing * length) continue;
-            length = its;
+            if (step <= worth_changing * length) continue;
+            length = step;
             best = &other;
         }
     }
@@ -151,9 +151,9 @@ Status SafeMorph::change_operator(Work& work, Basis const& here, Operators& oper
         if (status == Status::unsupported) continue;
         HARMORPH_TRY(status);
         solved = number;
-        Real const its = find_step(work, here);
-        if (its <= worth_changing * length) continue;
-        length = its;
+        Real const step = find_step(work, here);
+        if (step <= worth_changing * length) continue;
+        length = step;
         operators.current = number;
     }
     if (operators.current == first && solved != first) operators.rest = 3;

@@ -13,9 +13,9 @@ constexpr Index least_cells = 4096;  // for a thread
 Real extent_along(CellShape const& shape, Vec2 direction) noexcept {
     Real low = 0, high = 0;
     for (Index k = 1; k < shape.n; ++k) {
-        Real const its = dot(direction, shape.at[k] - shape.at[0]);
-        low = min(low, its);
-        high = max(high, its);
+        Real const along_side = dot(direction, shape.at[k] - shape.at[0]);
+        low = min(low, along_side);
+        high = max(high, along_side);
     }
     return high - low;
 }
@@ -64,12 +64,12 @@ void Targets::find_stretch(Cell& target, CellShape const& shape, FaceDistance co
         (1 - ratio) * (1 - distance / reach) * (length(now[end[1]] - now[end[0]]) / size - 1);
 }
 
-Real Targets::quality(Index its_cell, CellShape const& now) const noexcept {
+Real Targets::quality(Index number, CellShape const& now) const noexcept {
     CellCorners const corners(now);
-    Cell const& its = cell[its_cell];
+    Cell const& target = cell[number];
     Real const found = skew_quality(now.n, corners),
-               skew = its.is_part ? min(1.0, found / its.own) : found;
-    Real const area = corners.cell_area(now.n), before = its.area;
+               skew = target.is_part ? min(1.0, found / target.own) : found;
+    Real const area = corners.cell_area(now.n), before = target.area;
     return skew > 0 ? skew * sqrt(min(area, before) / max(area, before)) : 0;
 }
 

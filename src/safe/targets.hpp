@@ -44,18 +44,18 @@ struct Targets {
               Executor const& executor) noexcept;
 
     // Of the corner of a cell with these three points, whose sides are now those of `now`.
-    Triangle of(Index its_cell, CornerPoints const& points, Triangle const& now) const noexcept;
+    Triangle of(Index number, CornerPoints const& points, Triangle const& now) const noexcept;
     // How much a corner counts: a quadrilateral has four, a polygon more than two parts for each
     // corner.
-    Real share(Index its_cell) const noexcept {
-        return cell[its_cell].is_quad || cell[its_cell].is_part ? 0.25 : 1;
+    Real share(Index number) const noexcept {
+        return cell[number].is_quad || cell[number].is_part ? 0.25 : 1;
     }
     // The corner of best quality with the area of the reference's: of an equilateral triangle, or
     // of a rectangle. To be it, turned, is to have the size-skew quality 1.
-    Triangle ideal(Index its_cell, CornerPoints const& points, Triangle const& now) const noexcept;
+    Triangle ideal(Index number, CornerPoints const& points, Triangle const& now) const noexcept;
     // Size-skew quality, as measure_quality has it; of parts of polygons relative to that of the
     // reference, at most 1.
-    Real quality(Index its_cell, CellShape const& now) const noexcept;
+    Real quality(Index number, CellShape const& now) const noexcept;
 
 private:
     void find_stretch(Cell& target, CellShape const& shape, FaceDistance const& walls, Points now,
@@ -71,24 +71,24 @@ inline Triangle with_ratio_of(Triangle const& now, Vec2 side, Vec2 next) noexcep
     return {{-root * side, {0, 0}, 1 / root * next}};
 }
 
-inline Triangle Targets::of(Index its_cell, CornerPoints const& points,
+inline Triangle Targets::of(Index number, CornerPoints const& points,
                             Triangle const& now) const noexcept {
     Triangle triangle = triangle_of(points, reference);
-    Cell const& its = cell[its_cell];
-    if (its.any_ratio)
+    Cell const& target = cell[number];
+    if (target.any_ratio)
         return with_ratio_of(now, triangle.at[1] - triangle.at[0], triangle.at[2] - triangle.at[1]);
-    if (its.more == 0) return triangle;
-    for (Vec2& at : triangle.at) at = at + its.more * dot(its.along, at) * its.along;
+    if (target.more == 0) return triangle;
+    for (Vec2& at : triangle.at) at = at + target.more * dot(target.along, at) * target.along;
     return triangle;
 }
 
-inline Triangle Targets::ideal(Index its_cell, CornerPoints const& points,
+inline Triangle Targets::ideal(Index number, CornerPoints const& points,
                                Triangle const& now) const noexcept {
     constexpr Real height = 0.8660254037844386;  // of the equilateral triangle with sides of 1
     Triangle const before = triangle_of(points, reference);
-    if (cell[its_cell].is_part) return before;
+    if (cell[number].is_part) return before;
     Real const twice_area = before.twice_area();
-    if (cell[its_cell].is_quad) {
+    if (cell[number].is_quad) {
         Real const side = sqrt(twice_area);
         return with_ratio_of(now, {side, 0}, {0, side});
     }
