@@ -1,0 +1,492 @@
+"""Morph: the functions of a mesh, and all that is done with them."""
+
+from __future__ import annotations
+
+import copy
+import threading
+from typing import Any, Dict, NamedTuple, Optional, Sequence
+
+import numpy as np
+
+from ._native import ffi, lib
+from .arrays import apart, doubles, numbers, points_in, points_out
+from .basis import Basis
+from .conditions import Given, listed
+from .curves import Curves
+from .errors import Error, call, check
+from .large import Large
+from .measures import Measures
+from .mesh import Mesh
+from .reports import Report, new, report
+from .solver import Solver, options_of
+from .threads import ONE_THREAD, Executor
+from .variables import Variables
+
+_new, _NULL = ffi.new, ffi.NULL
+_hm_morph, _hm_adjoint = lib.hm_morph, lib.hm_adjoint
+
+
+class Assessment(NamedTuple):
+    """Result of :meth:`Morph.assess`.
+
+    Attributes
+    ----------
+    step : Report or None
+        The members of ``hm_step_report``: `admissible`, the factor by which the displacement can be
+        multiplied before the first cell inverts, `boundary`, `cell`, `point`, ...
+    quality : Report
+        The members of ``hm_quality_report``: `inverted`, `min_area` [length^2], `min_quality` and
+        `mean_quality` [0..1], `self_crossing`, ...
+    """
+
+    step: Optional[Report]
+    quality: Report
+
+
+class Morph(Large):
+    """The functions that carry movements of control points to a mesh.
+
+    ``Morph(mesh, curves)`` checks the mesh, orders and factors the matrix and solves for one
+    function for each control point.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        Its coordinates are copied once; they are `start`. So the arrays of the mesh may move.
+    curves : Curves, optional
+        None: rigid bodies and given displacements only.
+    conditions : mapping of marker to Condition or str, or sequence of such pairs, optional
+        What the markers do (:class:`harmorph.Condition`). Markers that `curves` was fitted to are
+        on the curves; other markers without a condition are fixed.
+    operator : {"conformal", "laplace", "weighted"}
+        Conformal functions keep the angles at the wall; Laplace functions are those of the paper.
+    engine : {"direct", "multigrid", "fas"}
+    precision : {"double", "single"}
+        Of the factor.
+    exponent : float, optional
+        The exponent q of the weight 1 / d^q, a multiple of 0.25 up to 4; 0: no weight.
+    offset_correction : bool
+        Conformal only: offsets of mesh points from the curve rotate with the curve.
+    tolerance : float
+        Relative residual above which the solution warns; 0 means 1e-10.
+    threads : int
+        Threads of each call, 1 to 256. Calls of one object wait for each other if it is not 1.
+
+    Attributes
+    ----------
+    mesh : Mesh or None
+    curves : Curves or None
+    start : ndarray of shape (n_points, 2), or None
+        Read-only: the coordinates on which the functions were solved.
+    functions : int
+        Rows of `move`: control points, then two rows for each rigid body (:func:`harmorph.rigid`).
+    n_points : int
+    info : Report
+        The members of ``hm_basis_info``.
+    solve_report : Report or None
+        The members of ``hm_solve_report``; None after :meth:`load`.
+
+    Raises
+    ------
+    Error
+        ``BAD_MESH``, ``BAD_CURVE``, ``BAD_CONDITION``, ``UNSUPPORTED``, ``NOT_POSITIVE``.
+
+    Warns
+    -----
+    HarmorphWarning
+        ``FAR_FROM_CURVE``: a point is far from its curve; ``NOT_CONVERGED``.
+
+    Notes
+    -----
+    The library runs without the interpreter lock. Any number of threads may call `displacement`,
+    `morph`, `adjoint` and `assess` of one object; other calls wait for each other.
+    """
+
+    def __init__(
+        self,
+        mesh: Mesh,
+        curves: Optional[Curves] = None,
+        conditions: Given = None,
+        *,
+        operator: str = "conformal",
+        engine: str = "direct",
+        precision: str = "double",
+        exponent: Optional[float] = None,
+        offset_correction: bool = False,
+        tolerance: float = 0.0,
+        threads: int = 1,
+    ) -> None:
+        if not isinstance(mesh, Mesh):
+            raise Error(f"mesh must be a harmorph.Mesh, not {type(mesh).__name__}.")
+        self._options = options_of(operator, engine, precision, exponent, offset_correction, tolerance)
+        self._own(mesh, curves, listed(mesh, curves, conditions), threads)
+        self._solve()
+
+    def _own(self, mesh: Optional[Mesh], curves: Optional[Curves], pairs: Any, threads: int) -> None:
+        self.mesh, self.curves, self._pairs = mesh, curves, pairs
+        self._executor = ONE_THREAD if threads == 1 else Executor(threads)
+        self._lock = threading.RLock()
+        self._basis: Optional[Basis] = None
+        self._solver: Optional[Solver] = None
+        self._problem: Optional[Mesh] = None
+        self.solve_report: Optional[Report] = None
+        if mesh is not None:
+            x, y = mesh.points if isinstance(mesh.points, tuple) else mesh.points.T
+            self._problem = mesh.with_points(np.stack([x, y], axis=1).astype(np.float64))
+            self._problem._file = None
+
+    def _ready(self) -> Solver:
+        """The solver, made anew where it was released or the object was loaded; with a factor."""
+        if self._solver is None:
+            if self._problem is None:
+                raise Error("This call needs the mesh; give it to Morph.load().", Error.BAD_BASIS)
+            self._solver = Solver(self._problem, self.curves, self._pairs, self._options, self._executor)
+        self._solver.factor()
+        return self._solver
+
+    def _solve(self) -> None:
+        solver = self._ready()
+        pointer, block = Basis.empty(solver.analysis)
+        result = new("hm_solve_report")
+        basis = Basis(pointer, block)
+        if basis.info.functions:
+            call(lib.hm_plan_solve, solver.plan, pointer, result)
+        self._set_basis(Basis(pointer, block))
+        self.solve_report = report(result)
+
+    def _set_basis(self, basis: Basis) -> None:
+        self._basis = basis
+        self.functions, self.n_points, self.info = basis.shape[0], basis.n_points, basis.info
+
+    def _open(self) -> Basis:
+        if self._basis is None:
+            raise Error("This object was closed.", Error.BAD_BASIS)
+        return self._basis
+
+    @property
+    def start(self) -> Optional[np.ndarray]:
+        if self._problem is None:
+            return None
+        view = self._problem.points.view()
+        view.flags.writeable = False
+        return view
+
+    # ---- Movements ----
+
+    def displacement(self, move: Any, out: Any = None) -> Any:
+        """Return the displacement of each mesh point, sum_i F_i (dx, dy)_i.
+
+        Parameters
+        ----------
+        move : array of shape (functions, 2)
+            Movements of the control points [length], then two rows for each rigid body. Velocities
+            give velocities.
+        out : array of shape (n_points, 2), or pair of arrays of shape (n_points,), optional
+            Receives the result; see :mod:`harmorph.arrays`.
+
+        Returns
+        -------
+        ndarray of shape (n_points, 2), or `out`
+        """
+        basis = self._basis or self._open()
+        step = doubles(move, basis.shape, "move")
+        if out is None:
+            out = np.empty((basis.n_points, 2))
+        to, _alive = points_out(out, basis.n_points, "out")
+        error = _new("hm_error*")
+        if self._executor.threads == 1:
+            status = _hm_morph(basis.pointer, step, _NULL, to, self._executor.view, error)
+        else:
+            with self._lock:
+                status = _hm_morph(basis.pointer, step, _NULL, to, self._executor.view, error)
+        if status:
+            check(status, error)
+        return out
+
+    def morph(self, move: Any, points: Any = None, out: Any = None) -> Any:
+        """Return moved coordinates, points + sum_i F_i (dx, dy)_i.
+
+        Parameters
+        ----------
+        move : array of shape (functions, 2)
+            See :meth:`displacement`.
+        points : array of shape (n_points, 2), or pair of arrays, optional
+            Coordinates before the movement; the default is `start`.
+        out : array of shape (n_points, 2), or pair of arrays, optional
+            Receives the result; it may be `points`, which then moves in place.
+
+        Returns
+        -------
+        ndarray of shape (n_points, 2), or `out`
+
+        Notes
+        -----
+        Points on the wall follow the B-spline. Points with a displacement of 0 keep their bits. A
+        sum of movements gives the same mesh in one call or in several. Whether cells invert,
+        :meth:`assess` tells.
+        """
+        basis = self._basis or self._open()
+        step = doubles(move, basis.shape, "move")
+        if out is None:
+            out = np.empty((basis.n_points, 2))
+        if points is None:
+            if self._problem is None:
+                raise Error("A basis without a mesh has no coordinates; give `points`.")
+            points = self._problem.points
+        elif points is not out:
+            points = apart(points, out)
+        to, _alive = points_out(out, basis.n_points, "out")
+        from_, _alive_too = points_in(points, basis.n_points, "points")
+        error = _new("hm_error*")
+        if self._executor.threads == 1:
+            status = _hm_morph(basis.pointer, step, from_, to, self._executor.view, error)
+        else:
+            with self._lock:
+                status = _hm_morph(basis.pointer, step, from_, to, self._executor.view, error)
+        if status:
+            check(status, error)
+        return out
+
+    def adjoint(self, dj: Any, out: Optional[np.ndarray] = None) -> np.ndarray:
+        """Return derivatives by the movement from those by the mesh points: the exact transpose.
+
+        Parameters
+        ----------
+        dj : array of shape (n_points, 2), or pair of arrays of shape (n_points,)
+            Derivatives of an objective J by x and y of each mesh point.
+        out : C-contiguous float64 array of shape (functions, 2), optional
+
+        Returns
+        -------
+        ndarray of shape (functions, 2), or `out`
+            Derivatives by the rows of `move`. If a number is not finite, all are NaN.
+        """
+        basis = self._basis or self._open()
+        view, _alive = points_in(dj, basis.n_points, "dj")
+        if out is None:
+            out = np.empty(basis.shape)
+        gradient = doubles(out, basis.shape, "out", out=True)
+        error = _new("hm_error*")
+        if self._executor.threads == 1:
+            status = _hm_adjoint(basis.pointer, view, gradient, self._executor.view, error)
+        else:
+            with self._lock:
+                status = _hm_adjoint(basis.pointer, view, gradient, self._executor.view, error)
+        if status:
+            check(status, error)
+        return out
+
+    def assess(self, displacement: Any = None, points: Any = None, reference: Any = None) -> Assessment:
+        """Judge a movement before anything moves, or a mesh as it is.
+
+        Parameters
+        ----------
+        displacement : array of shape (n_points, 2), or pair of arrays, optional
+            From :meth:`displacement`. None: the mesh at `points` is judged.
+        points : array of shape (n_points, 2), or pair of arrays, optional
+            Coordinates from which the points move; the default is `start`.
+        reference : array of shape (n_points, 2), or pair of arrays, optional
+            Coordinates with the sizes of cells that the quality refers to; the default is `points`.
+
+        Returns
+        -------
+        Assessment
+        """
+        basis, n = self._open(), self.n_points
+        if self._problem is None:
+            raise Error("This call needs the mesh; give it to Morph.load().", Error.BAD_BASIS)
+        views = [(_NULL, None) if one is None else points_in(one, n, what)
+                 for one, what in ((points, "points"), (displacement, "displacement"),
+                                   (reference, "reference"))]
+        step = new("hm_step_report") if displacement is not None else _NULL
+        quality = new("hm_quality_report")
+        with self._lock if self._executor.threads > 1 else _NoLock():
+            call(lib.hm_assess, basis.pointer, self._problem._c, *(view for view, _ in views),
+                 self._executor.view, step, quality)
+        return Assessment(None if step == _NULL else report(step), report(quality))
+
+    # ---- Curves ----
+
+    def measure(self, *quantities: Any, move: Any = None, chord: Any = None, curves: Any = None) -> Measures:
+        """Measure the section, with derivatives by the rows of `move`.
+
+        Parameters
+        ----------
+        *quantities, chord, curves
+            See :func:`harmorph.measures.measure`.
+        move : array of shape (functions, 2), optional
+            The section is measured after this movement.
+
+        Returns
+        -------
+        Measures
+            `gradients` has the shape (n, functions, 2); rows of rigid bodies are 0.
+        """
+        section = self._curves()
+        n_control = len(section.control)
+        if move is not None:
+            step = numbers(move, "move")
+            if step.shape != (self.functions, 2):
+                raise Error(f"move must have the shape {(self.functions, 2)}, not {step.shape}.")
+            section = section.moved(step[:n_control])
+        found = section.measure(*quantities, chord=chord, curves=curves)
+        gradients = np.zeros((len(quantities), self.functions, 2))
+        gradients[:, :n_control] = found.gradients
+        return found._replace(gradients=gradients)
+
+    def variables(self, kind: str, **options: Any) -> Variables:
+        """Return design variables of the section; see :class:`harmorph.Variables`."""
+        return self._curves().variables(kind, **options)
+
+    def _curves(self) -> Curves:
+        if self.curves is None:
+            raise Error("This object has no curves.", Error.BAD_CURVE)
+        return self.curves
+
+    # ---- Again, files, copies ----
+
+    def solve(self, points: Any = None) -> None:
+        """Solve again, on other coordinates of the mesh points, which become `start`.
+
+        Parameters
+        ----------
+        points : array of shape (n_points, 2), or pair of arrays, optional
+            A valid mesh; the default is `start`. If it is refused, the object stays as it was.
+        """
+        with self._lock:
+            self._open()
+            solver = self._ready()
+            own, before = solver.mesh.points, solver.mesh.points.copy()
+            try:
+                if points is not None:
+                    _view, (x, y) = points_in(points, self.n_points, "points")
+                    own[:] = points if isinstance(points, np.ndarray) else np.stack([x, y], axis=1)
+                    solver.has_factor = False
+                self._solve()
+            except Error:
+                own[:] = before
+                solver.has_factor = False
+                raise
+
+    def release(self) -> None:
+        """Free analysis and plan. Calls that need them make them again, which takes time."""
+        with self._lock:
+            self._solver = None
+
+    def close(self) -> None:
+        """Free everything. Later calls are refused; a mapped file is closed."""
+        with self._lock:
+            self._solver = self._basis = None
+
+    def __enter__(self) -> "Morph":
+        return self
+
+    def __exit__(self, *_ignored: Any) -> None:
+        self.close()
+
+    def save(self, path: Any) -> None:
+        """Write the basis to a file, which C, Fortran and, for meshes that were read, the program
+        harmorph load, too. The file appears as a whole or not at all."""
+        self._open().save(path, self.mesh)
+
+    @classmethod
+    def load(cls, path: Any, mesh: Optional[Mesh] = None, *, threads: int = 1) -> "Morph":
+        """Map a basis file into memory.
+
+        Parameters
+        ----------
+        path : path
+            A file of :meth:`save`, or of C, Fortran or the program.
+        mesh : Mesh, optional
+            The mesh of the basis, which is compared. Without it only `displacement`, `morph` with
+            `points`, and `adjoint` are possible.
+        threads : int
+            See :class:`Morph`.
+
+        Raises
+        ------
+        Error
+            ``BAD_FILE``, or ``BAD_BASIS``: no basis, cut off, damaged, of another mesh.
+
+        Warns
+        -----
+        HarmorphWarning
+            ``MOVED``: the mesh has other coordinates than the basis was solved on.
+
+        Notes
+        -----
+        Curves along which points slip (``Condition.along``) are not in the file.
+        """
+        basis = Basis.load(path, mesh)
+        return cls._attached(basis, mesh, basis.curves(), basis.conditions(mesh) if mesh else [], threads)
+
+    @classmethod
+    def _attached(cls, basis: Basis, mesh: Any, curves: Any, pairs: Any, threads: int) -> "Morph":
+        self = cls.__new__(cls)
+        info = basis.info
+        self._options = {
+            "operator_kind": info.operator_kind, "engine": info.engine,
+            "exponent_quarters": info.exponent_quarters if info.operator_kind != lib.HM_LAPLACE else 0,
+            "offset_correction": info.offset_correction,
+        }
+        self._own(mesh, curves, pairs, threads)
+        self._set_basis(basis)
+        return self
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return {
+            "mesh": self.mesh, "start": self.start, "curves": self.curves, "pairs": self._pairs,
+            "options": self._options, "threads": self._executor.threads,
+            "basis": self._open().to_bytes(), "report": self.solve_report,
+        }
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        self._options = state["options"]
+        self._own(state["mesh"], state["curves"], state["pairs"], state["threads"])
+        if self._problem is not None:
+            self._problem.points[:] = state["start"]
+        self._set_basis(Basis.attach(state["basis"], self._problem))
+        self.solve_report = state["report"]
+
+    def __copy__(self) -> "Morph":
+        basis, other = self._open(), self.__class__.__new__(self.__class__)
+        other._options = dict(self._options)
+        other._own(self.mesh, self.curves, self._pairs, self._executor.threads)
+        if other._problem is not None:
+            other._problem.points[:] = self.start
+        other._set_basis(basis)
+        other.solve_report = copy.copy(self.solve_report)
+        return other
+
+    def __repr__(self) -> str:
+        if self._basis is None:
+            return "Morph(closed)"
+        return f"Morph({self.n_points} points, {self.functions} functions)"
+
+
+class _NoLock:
+    def __enter__(self) -> None:
+        pass
+
+    def __exit__(self, *_ignored: Any) -> None:
+        pass
+
+
+def rigid(shift: Sequence[float] = (0.0, 0.0), degrees: float = 0.0, scale: float = 1.0) -> np.ndarray:
+    """Return the two rows of `move` for a rigid body.
+
+    Parameters
+    ----------
+    shift : pair of float
+        Translation [length].
+    degrees : float
+        Rotation about the centre of the body, counter-clockwise.
+    scale : float
+        Scale about the centre.
+
+    Returns
+    -------
+    ndarray of shape (2, 2)
+    """
+    angle = np.radians(degrees)
+    return np.array([shift, [scale * np.cos(angle) - 1, scale * np.sin(angle)]], dtype=float)

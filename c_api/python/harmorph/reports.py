@@ -1,0 +1,42 @@
+"""Reports: the structs of the library that describe a result, with the names of the C header."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+from ._native import ffi
+
+_HIDDEN = ("struct_size", "bytes")
+
+
+class Report(SimpleNamespace):
+    """The members of a struct of the C header as attributes, in its units.
+
+    Arrays are tuples. Numbers of points and cells are counted from 0; -1 means none.
+    """
+
+
+def new(name: str) -> Any:
+    """Return a new struct of the library, as HM_INIT makes it."""
+    struct = ffi.new(f"{name}*")
+    struct.struct_size = ffi.sizeof(name)
+    return struct
+
+
+def report(struct: Any) -> Report:
+    """Return a copy of a struct that the library has filled."""
+    members = {}
+    for name, field in ffi.typeof(struct[0]).fields:
+        if name in _HIDDEN or name.startswith("reserved") or field.type.kind == "pointer":
+            continue
+        members[name] = _value(getattr(struct, name), field.type)
+    return Report(**members)
+
+
+def _value(value: Any, kind: Any) -> Any:
+    if kind.kind == "array":
+        if kind.item.kind == "struct":
+            return tuple(report(ffi.addressof(one)) for one in value)
+        return tuple(value)
+    return value
