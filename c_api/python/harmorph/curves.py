@@ -249,6 +249,29 @@ class Curves:
             result[k] = xy[2 * derivative], xy[2 * derivative + 1]
         return result
 
+    def basis(self, u: Any, curve: int = 0) -> np.ndarray:
+        """Return the basis functions at parameters of a curve.
+
+        Parameters
+        ----------
+        u : array of shape (n,)
+        curve : int
+            From 0.
+
+        Returns
+        -------
+        ndarray of shape (n, n_control)
+            Row k times the control points is the point of the curve at ``u[k]``.
+        """
+        parameters = np.atleast_1d(numbers(u, "u")).astype(float)
+        result = np.zeros((len(parameters), len(self.control)))
+        control, values = ffi.new("int32_t[6]"), ffi.new("double[6]")
+        for row, parameter in zip(result, parameters):
+            call(lib.hm_curve_basis, self._c, curve, parameter, 0, control, values)
+            for k in range(self.curves[curve].degree + 1):
+                row[control[k]] += values[k]
+        return result
+
     def range(self, curve: int = 0) -> Tuple[float, float]:
         """Return the first and the last parameter of a curve."""
         one = self.curves[curve]
@@ -299,6 +322,10 @@ class Curves:
 
     def __setstate__(self, state: Dict[str, Any]) -> None:
         self.__dict__.update(state)
+        # Arrays that were copied or pickled can be written.
+        for array in (self.control, self.weights, *(one.knots for one in self.curves)):
+            if array is not None:
+                array.flags.writeable = False
         self._view()
 
     def __repr__(self) -> str:

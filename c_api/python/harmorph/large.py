@@ -174,7 +174,8 @@ class Large:
             self._open()
             solver = self._ready()
             if reference is not None:
-                options.reference, _kept = points_in(apart(reference, out), n, "reference")
+                before, _kept = points_in(apart(reference, out), n, "reference")
+                options.reference = before
             work = solver.work(lib.hm_improve_size)
             call(lib.hm_improve, solver.plan, from_, to, ffi.from_buffer(work), len(work), options, result)
         return out, report(result)

@@ -128,19 +128,23 @@ class Morph(Large):
         self._lock = threading.RLock()
         self._basis: Optional[Basis] = None
         self._solver: Optional[Solver] = None
-        self._problem: Optional[Mesh] = None
+        self._problem: Optional[Mesh] = None  # at the start
+        self._analysed: Optional[np.ndarray] = None  # coordinates on which the curve was projected
         self.solve_report: Optional[Report] = None
         if mesh is not None:
             x, y = mesh.points if isinstance(mesh.points, tuple) else mesh.points.T
             self._problem = mesh.with_points(np.stack([x, y], axis=1).astype(np.float64))
             self._problem._file = None
+            self._analysed = self._problem.points
 
     def _ready(self) -> Solver:
         """The solver, made anew where it was released or the object was loaded; with a factor."""
         if self._solver is None:
             if self._problem is None:
                 raise Error("This call needs the mesh; give it to Morph.load().", Error.BAD_BASIS)
-            self._solver = Solver(self._problem, self.curves, self._pairs, self._options, self._executor)
+            mesh = self._problem.with_points(self._analysed.copy())
+            self._solver = Solver(mesh, self.curves, self._pairs, self._options, self._executor)
+            mesh.points[:] = self._problem.points
         self._solver.factor()
         return self._solver
 
@@ -355,16 +359,18 @@ class Morph(Large):
         """
         with self._lock:
             self._open()
-            solver = self._ready()
-            own, before = solver.mesh.points, solver.mesh.points.copy()
+            solver, before = self._ready(), self._problem
             try:
                 if points is not None:
-                    _view, (x, y) = points_in(points, self.n_points, "points")
-                    own[:] = points if isinstance(points, np.ndarray) else np.stack([x, y], axis=1)
+                    _view, columns = points_in(points, self.n_points, "points")
+                    at = points if isinstance(points, np.ndarray) else np.stack(columns, axis=1)
+                    self._problem = before.with_points(at.astype(np.float64))
+                    solver.mesh.points[:] = at
                     solver.has_factor = False
                 self._solve()
             except Error:
-                own[:] = before
+                self._problem = before
+                solver.mesh.points[:] = before.points
                 solver.has_factor = False
                 raise
 
@@ -435,7 +441,7 @@ class Morph(Large):
 
     def __getstate__(self) -> Dict[str, Any]:
         return {
-            "mesh": self.mesh, "start": self.start, "curves": self.curves, "pairs": self._pairs,
+            "mesh": self.mesh, "start": self._problem, "analysed": self._analysed, "curves": self.curves, "pairs": self._pairs,
             "options": self._options, "threads": self._executor.threads,
             "basis": self._open().to_bytes(), "report": self.solve_report,
         }
@@ -443,8 +449,7 @@ class Morph(Large):
     def __setstate__(self, state: Dict[str, Any]) -> None:
         self._options = state["options"]
         self._own(state["mesh"], state["curves"], state["pairs"], state["threads"])
-        if self._problem is not None:
-            self._problem.points[:] = state["start"]
+        self._problem, self._analysed = state["start"], state["analysed"]
         self._set_basis(Basis.attach(state["basis"], self._problem))
         self.solve_report = state["report"]
 
@@ -452,8 +457,7 @@ class Morph(Large):
         basis, other = self._open(), self.__class__.__new__(self.__class__)
         other._options = dict(self._options)
         other._own(self.mesh, self.curves, self._pairs, self._executor.threads)
-        if other._problem is not None:
-            other._problem.points[:] = self.start
+        other._problem, other._analysed = self._problem, self._analysed
         other._set_basis(basis)
         other.solve_report = copy.copy(self.solve_report)
         return other
