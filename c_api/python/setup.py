@@ -5,6 +5,7 @@ In a checkout the sources are those of the checkout; a source distribution has c
 
 HARMORPH_LIBRARY  a libharmorph.a that was compiled with -fPIC (as `make` does): it is linked, and
                   the library is not compiled again
+HARMORPH_BUILD    the folder for what is built from a checkout; build/python of the checkout if not set
 CXXFLAGS          flags that follow those below, for instance -O0
 """
 
@@ -30,6 +31,13 @@ IS_CHECKOUT = not BUNDLED.is_dir()
 TOP = HERE.parent.parent
 HEADERS = TOP / "include" if IS_CHECKOUT else BUNDLED / "include"
 READERS = TOP / "c_api/cli" if IS_CHECKOUT else BUNDLED / "cli"
+
+# Nothing is written into the folder of the package in a checkout.
+OPTIONS = {}
+if IS_CHECKOUT:
+    BUILD = Path(os.environ.get("HARMORPH_BUILD", TOP / "build/python")).resolve()
+    BUILD.mkdir(parents=True, exist_ok=True)
+    OPTIONS = {"build": {"build_base": str(BUILD)}, "egg_info": {"egg_base": str(BUILD)}}
 
 # As `make amalgamation` says, and no contraction, so that the bits are those of the library. The
 # readers use exceptions, the library does not.
@@ -150,5 +158,6 @@ setup(
     long_description=(HERE / "README.md").read_text(encoding="utf-8"),
     long_description_content_type="text/markdown",
     ext_modules=[Extension("harmorph._native", [])],
+    options=OPTIONS,
     cmdclass={"build_ext": BuildNative, "sdist": SourceDistribution},
 )
