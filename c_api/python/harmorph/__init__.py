@@ -17,10 +17,11 @@ from ._native import ffi as _ffi, lib as _lib
 from .conditions import Condition
 from .curves import Curve, Curves
 from .errors import Error, HarmorphWarning
+from .functions import Assessment, rigid
 from .large import Safe
 from .measures import Measures
 from .mesh import Mesh
-from .morph import Assessment, Morph, rigid
+from .morph import Morph
 from .plane import Plane
 from .reports import Report
 from .variables import Variables

@@ -1,4 +1,4 @@
-"""The calls of Morph that need the plan: large movements, given displacements, better cells."""
+"""Large movements, better cells, and points that slip along curves: calls that need the plan."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
 import numpy as np
 
 from ._native import ffi, lib
-from .arrays import apart, doubles, int32_view, int32s, numbers, points_in, points_out
+from .arrays import apart, doubles, points_in, points_out
 from .basis import Basis
 from .errors import Error, call
 from .reports import Report, new, report
@@ -39,7 +39,7 @@ class Safe(NamedTuple):
 
 
 class Large:
-    """Methods of :class:`harmorph.Morph`."""
+    """Methods of :class:`harmorph.Morph` that solve on the way."""
 
     _basis: Optional[Basis]
     _lock: Any
@@ -100,8 +100,9 @@ class Large:
         HarmorphWarning
             ``SHORT``: only a part of the movement was possible; ``POOR``; ``NOT_CONVERGED``.
         """
-        options, alive = self._safe_options(max_resolves, skip, others, improve, heights, min_quality,
-                                            max_height_change)
+        options, alive = safe_options(
+            max_resolves, skip, others, improve, heights, min_quality, max_height_change
+        )
         with self._lock:
             basis, solver = self._open(), self._ready()
             step = doubles(move, basis.shape, "move")
@@ -119,22 +120,6 @@ class Large:
             found = self._derivative(Basis(other, block)) if derivative else None
         del alive
         return Safe(out, report(result), reached, found)
-
-    def _safe_options(self, max_resolves: int, skip: Any, others: Any, improve: bool, heights: float,
-                      min_quality: float, max_height_change: float) -> Tuple[Any, Any]:
-        options = new("hm_safe_options")
-        options.max_resolves, options.improve, options.heights = max_resolves, int(improve), heights
-        options.min_quality, options.max_height_change = min_quality, max_height_change
-        for name in skip:
-            if name not in _STRATEGIES:
-                raise Error(f"The strategy {name!r} is unknown; known are {list(_STRATEGIES)}.")
-            options.skipped_strategies |= 1 << _STRATEGIES.index(name)
-        alive: List[Any] = [other._open() for other in others]
-        if alive:
-            pointers = ffi.new("hm_basis*[]", [one.pointer for one in alive])
-            options.others, options.n_others = pointers, len(alive)
-            alive.append(pointers)
-        return options, alive
 
     def _derivative(self, basis: Basis) -> Any:
         from copy import copy
@@ -225,156 +210,33 @@ class Large:
             call(lib.hm_slip_adjoint, self._ready().analysis, from_, view, to)
         return result
 
-    # ---- Given displacements ----
-
-    @property
-    def given_points(self) -> np.ndarray:
-        """The wall points with given displacements: int32 array of mesh points, in order."""
-        with self._lock:
-            self._open()
-            return self._ready().given_points()
-
-    def displace(self, wall: Any, points: Any = None, out: Any = None, *, wall_points: Any = None) -> Any:
-        """Carry displacements of wall points to the mesh.
-
-        Parameters
-        ----------
-        wall : array of shape (n, 2) or (fields, n, 2)
-            Displacements of the wall points [length]; several fields are solved at once.
-        points : array of shape (n_points, 2), or pair of arrays, optional
-            Coordinates that the displacements are added to. None: displacements are returned.
-        out : array of shape (n_points, 2), or pair of arrays, optional
-            Receives the result of a single field; it may be `points`.
-        wall_points : int array of shape (n,), optional
-            The mesh points of `wall`, in any order; the default is `given_points`.
-
-        Returns
-        -------
-        ndarray of shape (n_points, 2) or (fields, n_points, 2), or `out`
-
-        Raises
-        ------
-        Error
-            ``CROSSING``: with `points`, the moved boundary crosses itself.
-        """
-        with self._lock:
-            self._open()
-            solver, where, n, fields, is_stack = self._wall(wall, wall_points, "wall")
-            if is_stack and out is not None:
-                raise Error("out is for a single field.")
-            results = np.empty((len(fields), self.n_points, 2)) if out is None else [out]
-            views = [points_in(one, n, "wall") for one in fields]
-            targets = [points_out(one, self.n_points, "out") for one in results]
-            from_, _alive = (ffi.NULL, None)
-            if points is not None:
-                from_, _alive = points_in(apart(points, out), self.n_points, "points")
-            work = solver.work(lib.hm_displace_size, len(fields))
-            call(lib.hm_displace, solver.plan, n, where, len(fields),
-                 ffi.new("hm_points[]", [view[0] for view, _ in views]), from_,
-                 ffi.new("hm_points_out[]", [view[0] for view, _ in targets]), ffi.from_buffer(work),
-                 len(work), ffi.NULL)
-        return results if is_stack else results[0]
-
-    def displace_adjoint(self, dj: Any, *, wall_points: Any = None) -> np.ndarray:
-        """The transpose of :meth:`displace`: forces on mesh points become forces on the wall.
-
-        Parameters
-        ----------
-        dj : array of shape (n_points, 2) or (fields, n_points, 2), or pair of arrays
-            Derivatives of objectives by the mesh points.
-        wall_points : int array of shape (n,), optional
-            As in :meth:`displace`. Where a point is repeated, its first entry receives the whole
-            derivative.
-
-        Returns
-        -------
-        ndarray of shape (n, 2) or (fields, n, 2)
-        """
-        with self._lock:
-            self._open()
-            solver = self._ready()
-            n, where, _kept = self._where(solver, wall_points)
-            is_stack = not isinstance(dj, tuple) and np.ndim(dj) == 3
-            fields = list(dj) if is_stack else [dj]
-            results = np.empty((len(fields), n, 2))
-            views = [points_in(one, self.n_points, "dj") for one in fields]
-            targets = [points_out(one, n, "out") for one in results]
-            work = solver.work(lib.hm_displace_size, len(fields))
-            call(lib.hm_displace_adjoint, solver.plan, n, where, len(fields),
-                 ffi.new("hm_points[]", [view[0] for view, _ in views]),
-                 ffi.new("hm_points_out[]", [view[0] for view, _ in targets]), ffi.from_buffer(work),
-                 len(work), ffi.NULL)
-        return results if is_stack else results[0]
-
-    def displace_safe(
-        self,
-        wall: Any,
-        move: Any = None,
-        out: Any = None,
-        *,
-        wall_points: Any = None,
-        max_resolves: int = 0,
-        skip: Sequence[str] = (),
-        improve: bool = False,
-        heights: float = 0.0,
-        min_quality: float = 0.0,
-        max_height_change: float = 0.0,
-    ) -> Safe:
-        """Move the mesh from `start` by given displacements of any size, so that no cell inverts.
-
-        Parameters
-        ----------
-        wall : array of shape (n, 2)
-            See :meth:`displace`.
-        move : array of shape (functions, 2), optional
-            Movements of curves and rigid bodies in the same call.
-        out, max_resolves, skip, improve, heights, min_quality, max_height_change
-            See :meth:`safe`.
-        wall_points
-            See :meth:`displace`.
-
-        Returns
-        -------
-        Safe
-        """
-        options, _others = self._safe_options(max_resolves, skip, (), improve, heights, min_quality,
-                                              max_height_change)
-        with self._lock:
-            basis = self._open()
-            solver, where, n, fields, is_stack = self._wall(wall, wall_points, "wall")
-            if is_stack:
-                raise Error("displace_safe takes one field, an array of shape (n, 2).")
-            out = np.empty((self.n_points, 2)) if out is None else out
-            to, _to_alive = points_out(out, self.n_points, "out")
-            view, _alive = points_in(fields[0], n, "wall")
-            step = ffi.NULL if move is None else doubles(move, basis.shape, "move")
-            reached, result = np.zeros(basis.shape), new("hm_safe_report")
-            if basis.shape[0]:
-                options.reached = doubles(reached, basis.shape, "reached", out=True)
-            work = solver.work(lib.hm_displace_safe_size, basis.pointer)
-            try:
-                call(lib.hm_displace_safe, solver.plan, basis.pointer, step, n, where, view, to,
-                     ffi.from_buffer(work), len(work), options, result)
-            finally:
-                solver.has_factor = solver.has_factor and result.resolves == 0
-        return Safe(out, report(result), reached, None)
-
-    def _where(self, solver: Any, wall_points: Any) -> Tuple[int, Any, Any]:
-        if wall_points is None:
-            return len(solver.given_points()), ffi.NULL, None
-        where = int32s(wall_points, "wall_points")
-        return len(where), int32_view(where), where
-
-    def _wall(self, wall: Any, wall_points: Any, what: str) -> tuple:
-        solver = self._ready()
-        n, where, _kept = self._where(solver, wall_points)
-        array = numbers(wall, what)
-        if array.ndim not in (2, 3) or array.shape[-2:] != (n, 2):
-            raise Error(f"{what} must have the shape ({n}, 2) or (fields, {n}, 2), not {array.shape}.")
-        return solver, where, n, list(array) if array.ndim == 3 else [array], array.ndim == 3
-
     def _open(self) -> Basis:
         raise NotImplementedError
 
     def _ready(self) -> Any:
         raise NotImplementedError
+
+
+def safe_options(
+    max_resolves: int,
+    skip: Any,
+    others: Any,
+    improve: bool,
+    heights: float,
+    min_quality: float,
+    max_height_change: float,
+) -> Tuple[Any, Any]:
+    """Return ``hm_safe_options*``, and what must stay alive with it."""
+    options = new("hm_safe_options")
+    options.max_resolves, options.improve, options.heights = max_resolves, int(improve), heights
+    options.min_quality, options.max_height_change = min_quality, max_height_change
+    for name in skip:
+        if name not in _STRATEGIES:
+            raise Error(f"The strategy {name!r} is unknown; known are {list(_STRATEGIES)}.")
+        options.skipped_strategies |= 1 << _STRATEGIES.index(name)
+    alive: List[Any] = [other._open() for other in others]
+    if alive:
+        pointers = ffi.new("hm_basis*[]", [one.pointer for one in alive])
+        options.others, options.n_others = pointers, len(alive)
+        alive.append(pointers)
+    return options, alive
