@@ -8,7 +8,9 @@ from typing import Any, Iterable, List, Mapping, Optional, Tuple, Union
 from ._native import ffi, lib
 from .curves import Curves
 from .errors import Error
-from .mesh import Marker, Mesh
+from .boundary import Marker
+from .mesh import Mesh
+from .reports import fill, pair
 
 KINDS = {
     "curve": lib.HM_ON_CURVE,
@@ -98,15 +100,17 @@ def structs(mesh: Mesh, curves: Optional[Curves], pairs: List[Tuple[int, Conditi
     result = ffi.new("hm_condition[]", len(pairs))
     for struct, (marker, condition) in zip(result, pairs):
         struct.struct_size, struct.marker = ffi.sizeof("hm_condition"), marker
-        struct.kind = KINDS[condition.kind]
+        struct.kind, view = KINDS[condition.kind], ffi.addressof(struct)
         if condition.kind == "curve" and curves is not None:
-            struct.first_curve, struct.n_curves = condition.curves or (0, len(curves.curves))
-        struct.body = condition.body
+            first, n = pair(condition.curves or (0, len(curves.curves)), "curves")
+            fill(view, first_curve=first, n_curves=n)
         if condition.partner is not None:
             struct.partner = mesh.marker(condition.partner)
-        struct.x, struct.y = condition.centre
+        x, y = pair(condition.centre, "centre")
+        fill(view, body=condition.body, x=x, y=y)
         if condition.near is not None:
-            struct.piece, (struct.near_x, struct.near_y) = 1, condition.near
+            near_x, near_y = pair(condition.near, "near")
+            fill(view, piece=1, near_x=near_x, near_y=near_y)
         if condition.along is not None:
             struct.along, struct.n_curves = condition.along._c, len(condition.along.curves)
     return result

@@ -7,20 +7,15 @@ from typing import Any, Dict, Iterable, List, NamedTuple, Optional, Sequence, Tu
 import numpy as np
 
 from . import airfoil_file
-from .arrays import doubles, int32_view, int32s, numbers, points_in
+from .arrays import doubles, int32_view, int32s, numbers
 from .errors import Error, call
+from .fit import fit_in_order, fit_markers
 from .measures import Measures, measure
-from .mesh import Marker, Mesh
-from .reports import Report, new, report
+from .boundary import Marker
+from .mesh import Mesh
+from .reports import Report, new, pair
 from .variables import Variables
 from ._native import ffi, lib
-
-_CLOSED = {
-    "auto": lib.HM_CLOSED_AUTO,
-    "open": lib.HM_OPEN,
-    "tied": lib.HM_TIED,
-    "periodic": lib.HM_PERIODIC,
-}
 
 
 class Curve(NamedTuple):
@@ -147,19 +142,11 @@ class Curves:
         HarmorphWarning
             ``BACKTRACKS``: the curve runs against the order of the points; use fewer control points.
         """
-        options, result = _fit_options(n_control, degree, closed), new("hm_fit_report")
         one = isinstance(markers, (str, int, np.integer))
         names: tuple = (markers,) if one else tuple(markers)  # type: ignore
-        wanted = np.array(mesh.numbers_of(names), np.int32)
-        size, work_size = ffi.new("size_t*"), ffi.new("size_t*")
-        call(lib.hm_fit_marker_size, mesh._c, len(wanted), int32_view(wanted), options, size, work_size,
-             names=mesh.names)
-        block, work = np.empty(size[0], np.uint8), np.empty(work_size[0], np.uint8)
-        found = ffi.new("hm_curves**")
-        call(lib.hm_fit_marker, found, ffi.from_buffer(block), len(block), mesh._c, len(wanted),
-             int32_view(wanted), options, result, ffi.from_buffer(work), len(work), names=mesh.names)
-        curves = cls._copied(found[0])
-        curves.markers, curves.fit_report = names, report(result)
+        found, result, _block = fit_markers(mesh, names, n_control, degree, closed)
+        curves = cls._copied(found)
+        curves.markers, curves.fit_report = names, result
         return curves
 
     @classmethod
@@ -181,14 +168,9 @@ class Curves:
         n_control, degree, closed
             See :meth:`fit`.
         """
-        n = len(points[0]) if isinstance(points, tuple) else len(points)
-        view, _alive = points_in(points, n, "points")
-        options, result, size = _fit_options(n_control, degree, closed), new("hm_fit_report"), ffi.new("size_t*")
-        call(lib.hm_fit_size, n, options, size)
-        block, found = np.empty(size[0], np.uint8), ffi.new("hm_curves**")
-        call(lib.hm_fit, found, ffi.from_buffer(block), len(block), view, n, bool(is_loop), options, result)
-        curves = cls._copied(found[0])
-        curves.fit_report = report(result)
+        found, result, _block = fit_in_order(points, is_loop, n_control, degree, closed)
+        curves = cls._copied(found)
+        curves.fit_report = result
         return curves
 
     @classmethod
@@ -268,19 +250,25 @@ class Curves:
         control, values = ffi.new("int32_t[6]"), ffi.new("double[6]")
         for row, parameter in zip(result, parameters):
             call(lib.hm_curve_basis, self._c, curve, parameter, 0, control, values)
-            for k in range(self.curves[curve].degree + 1):
+            for k in range(self._curve(curve).degree + 1):
                 row[control[k]] += values[k]
         return result
 
     def range(self, curve: int = 0) -> Tuple[float, float]:
         """Return the first and the last parameter of a curve."""
-        one = self.curves[curve]
+        one = self._curve(curve)
         return float(one.knots[one.degree]), float(one.knots[len(one.indices)])
+
+    def _curve(self, curve: int) -> Curve:
+        if not 0 <= curve < len(self.curves):
+            raise Error(f"There is no curve {curve}; the set has {len(self.curves)}, counted from 0.")
+        return self.curves[curve]
 
     def project(self, point: Sequence[float], curve: int = 0) -> Tuple[float, float]:
         """Return the parameter of the curve point nearest to `point`, and its distance [length]."""
         u, distance = ffi.new("double*"), ffi.new("double*")
-        call(lib.hm_curve_project, self._c, curve, float(point[0]), float(point[1]), u, distance)
+        x, y = pair(point, "point")
+        call(lib.hm_curve_project, self._c, curve, x, y, u, distance)
         return u[0], distance[0]
 
     def measure(self, *quantities: Any, chord: Any = None, curves: Any = None) -> Measures:
@@ -351,11 +339,3 @@ def _uniform(n: int, degree: int, closed: str) -> Curve:
     indices = np.arange(n + 1) % n if closed == "tied" else np.arange(n)
     inner = np.linspace(0, 1, len(indices) - degree + 1)
     return Curve(degree, np.concatenate([[0.0] * degree, inner, [1.0] * degree]), indices)
-
-
-def _fit_options(n_control: int, degree: int, closed: str) -> Any:
-    if closed not in _CLOSED:
-        raise Error(f"closed must be one of {list(_CLOSED)}, not {closed!r}.")
-    options = new("hm_fit_options")
-    options.n_control, options.degree, options.closed = n_control, degree, _CLOSED[closed]
-    return options

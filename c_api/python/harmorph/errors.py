@@ -128,7 +128,11 @@ def check(status: int, error: Any, names: Optional[Mapping[int, str]] = None) ->
 def call(function: Any, *arguments: Any, names: Optional[Mapping[int, str]] = None) -> int:
     """Call `function` of the library with an ``hm_error``; see :func:`check`."""
     error = ffi.new("hm_error*")
-    return check(function(*arguments, error), error, names)
+    try:
+        status = function(*arguments, error)
+    except (TypeError, OverflowError) as reason:
+        raise Error(f"An argument has another type, or is too large: {reason}.") from None
+    return check(status, error, names)
 
 
 def _item(kind: int, item: int, base: int) -> tuple:

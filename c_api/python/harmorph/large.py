@@ -10,7 +10,7 @@ from ._native import ffi, lib
 from .arrays import apart, doubles, points_in, points_out
 from .basis import Basis
 from .errors import Error, call
-from .reports import Report, new, report
+from .reports import Report, fill, new, report
 
 _STRATEGIES = ("linear", "other", "substeps", "untangled", "improved")
 
@@ -151,7 +151,7 @@ class Large:
             The members of ``hm_improve_report``: `min_quality_before`, `min_quality`, ...
         """
         options, result, n = new("hm_improve_options"), new("hm_improve_report"), self.n_points
-        options.max_iterations = max_iterations
+        fill(options, max_iterations=max_iterations)
         out = np.empty((n, 2)) if out is None else out
         to, _to_alive = points_out(out, n, "out")
         from_, _alive = points_in(apart(points, out), n, "points")
@@ -227,9 +227,8 @@ def safe_options(
     max_height_change: float,
 ) -> Tuple[Any, Any]:
     """Return ``hm_safe_options*``, and what must stay alive with it."""
-    options = new("hm_safe_options")
-    options.max_resolves, options.improve, options.heights = max_resolves, int(improve), heights
-    options.min_quality, options.max_height_change = min_quality, max_height_change
+    options = fill(new("hm_safe_options"), max_resolves=max_resolves, improve=int(bool(improve)),
+                   heights=heights, min_quality=min_quality, max_height_change=max_height_change)
     for name in skip:
         if name not in _STRATEGIES:
             raise Error(f"The strategy {name!r} is unknown; known are {list(_STRATEGIES)}.")

@@ -9,7 +9,7 @@ import numpy as np
 from ._native import ffi, lib
 from .arrays import doubles, numbers
 from .errors import Error, call
-from .reports import new
+from .reports import fill, new, pair
 
 _KINDS = {
     name: getattr(lib, "HM_" + name.upper())
@@ -45,9 +45,12 @@ def section_of(chord: Any, curves: Any) -> Any:
         return ffi.NULL
     section = new("hm_section")
     if curves is not None:
-        section.first_curve, section.n_curves = curves
+        first, n = pair(curves, "curves")
+        fill(section, first_curve=first, n_curves=n)
     if chord is not None:
-        (section.leading_x, section.leading_y), (section.trailing_x, section.trailing_y) = chord
+        leading, trailing = (pair(end, "An end of the chord") for end in pair(chord, "chord"))
+        fill(section, leading_x=leading[0], leading_y=leading[1], trailing_x=trailing[0],
+             trailing_y=trailing[1])
     return section
 
 
@@ -94,7 +97,7 @@ def measure(view: Any, n_control: int, quantities: Sequence[Any], chord: Any, cu
             alive.append(view_of_polygon)
             struct.polygon, struct.n_polygon = view_of_polygon, len(polygon)
         elif value is not None:
-            struct.station = value
+            fill(ffi.addressof(struct), station=value)
     result = Measures(np.empty(n), np.empty((n, n_control, 2)), np.empty((n, 2)))
     views = [doubles(one, one.shape, "result", out=True) for one in result]
     call(lib.hm_measure, view, section_of(chord, curves), n, structs, views[0], views[2], views[1])

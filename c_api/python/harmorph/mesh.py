@@ -10,11 +10,10 @@ from . import cells as _cells
 from . import files as _files
 from . import pictures as _pictures
 from ._native import ffi, lib
-from .arrays import _columns, int32_view, int32s, points_in
+from .arrays import _columns, int32_view, points_in
+from .boundary import Marker, faces_of, numbered
 from .errors import Error, call
 from .reports import Report, new, report
-
-Marker = Union[str, int]
 
 
 class Mesh:
@@ -82,8 +81,8 @@ class Mesh:
             raise Error(f"The mesh has {self.n_points} points; at most 2^30 are possible.")
         self._layout, self._cells = layout, arrays
         self.n_cells: int = _cells.count(layout, arrays)
-        self.markers: Dict[Marker, int] = _numbered(boundary)
-        faces: List[np.ndarray] = [_faces_of(boundary[name], name) for name in self.markers]
+        self.markers: Dict[Marker, int] = numbered(boundary)
+        faces: List[np.ndarray] = [faces_of(boundary[name], name) for name in self.markers]
         counts = [len(one) for one in faces]
         joined = np.concatenate(faces) if faces else np.empty((0, 2), np.int32)
         self._faces = np.ascontiguousarray(joined, np.int32)
@@ -351,34 +350,3 @@ class Mesh:
 
     def __repr__(self) -> str:
         return f"Mesh({self.n_points} points, {self.n_cells} cells, markers {list(self.markers)})"
-
-
-def _numbered(boundary: Mapping[Marker, Any]) -> Dict[Marker, int]:
-    if not isinstance(boundary, Mapping):
-        raise Error("boundary must be a dict: an array of edges, or a run of points, by marker.")
-    numbers: Dict[Marker, int] = {}
-    for name in boundary:
-        if isinstance(name, (bool, np.bool_)) or not isinstance(name, (str, int, np.integer)):
-            raise Error(f"A marker is a name or an integer, not {name!r}.")
-        if not isinstance(name, str):
-            if not -(2**31) < name < 2**31:
-                raise Error(f"The marker {name} is beyond 32 bits.")
-            numbers[name] = int(name)
-    free = 0
-    for name in sorted(one for one in boundary if isinstance(one, str)):
-        while free in numbers.values():
-            free += 1
-        numbers[name] = free
-        free += 1
-    return numbers
-
-
-def _faces_of(points: Any, name: Marker) -> np.ndarray:
-    array = np.asarray(points)
-    if array.ndim == 1 and array.size != 1:
-        run = int32s(array, f"The run of points of marker {name!r}")
-        return np.stack([run[:-1], run[1:]], axis=1) if len(run) else np.empty((0, 2), np.int32)
-    if array.ndim != 2 or array.shape[1] != 2:
-        raise Error(f"The boundary of marker {name!r} must have the shape (m, 2), or be a run of at "
-                    f"least two points; its shape is {array.shape}.")
-    return int32s(array, f"The edges of marker {name!r}", 2)

@@ -9,8 +9,9 @@ import numpy as np
 from ._native import ffi, lib
 from .arrays import int32_view, int32s, numbers, points_in, points_out
 from .errors import Error, call
-from .mesh import Marker, Mesh, _numbered
-from .reports import Report, new, report
+from .boundary import Marker, numbered
+from .mesh import Mesh
+from .reports import Report, fill, new, report
 
 
 class Plane:
@@ -70,7 +71,7 @@ class Plane:
             cells = np.ascontiguousarray(cells[:, [0, 1, 2, 2]])
         if cells.shape[1] != 4:
             raise Error(f"faces must have 3 or 4 columns; their shape is {cells.shape}.")
-        markers = _numbered(sides)
+        markers = numbered(sides)
         tables = [int32s(sides[name], f"The sides of marker {name!r}", 2) for name in markers]
         if any(one.shape[1] != 4 for one in tables):
             raise Error("sides must have 4 columns.")
@@ -85,8 +86,8 @@ class Plane:
         space.side_points, space.side_markers = int32_view(side_points), int32_view(numbers_of_sides)
         for name, value in (("axis_point", axis_point), ("axis", axis)):
             if value is not None:
-                setattr(space, name, [float(one) for one in value])
-        space.tolerance = tolerance
+                setattr(space, name, _triple(value, name))
+        fill(space, tolerance=tolerance)
         size, plane = ffi.new("size_t*"), ffi.new("hm_plane**")
         names = {number: name for name, number in markers.items() if isinstance(name, str)}
         call(lib.hm_plane_size, space, size, names=names)
@@ -169,6 +170,37 @@ class Plane:
         call(lib.hm_plane_gather, self._plane, ffi.new("hm_space_points*", self._view(xyz)), to, ffi.NULL)
         return result
 
+    def to_plane(self, vectors: np.ndarray, points: np.ndarray) -> np.ndarray:
+        """Return vectors at points of any layer in the directions of the plane.
+
+        Parameters
+        ----------
+        vectors, points : array of shape (n, 3)
+
+        Returns
+        -------
+        ndarray of shape (n, 3)
+            Along x and y of the plane (in a wedge: along the axis and outward), and across the plane.
+        """
+        axis, unit = self._directions(points)
+        across = np.cross(axis, unit)
+        return np.stack([vectors @ axis, (vectors * unit).sum(1), (vectors * across).sum(1)], axis=1)
+
+    def from_plane(self, vectors: np.ndarray, points: np.ndarray) -> np.ndarray:
+        """Return vectors of the plane, shape (n, 2), at points of any layer: shape (n, 3)."""
+        axis, unit = self._directions(points)
+        return vectors[:, :1] * axis + vectors[:, 1:2] * unit
+
+    def _directions(self, points: np.ndarray) -> tuple:
+        """The direction of x, and that of y at each point: in a wedge outward from the axis."""
+        axis, y = np.array(self.info.x_direction), np.array(self.info.y_direction)
+        if self.info.kind == lib.HM_PLANES:
+            return axis, np.tile(y, (len(points), 1))
+        offset = points - np.array(self.info.origin)
+        outward = offset - (offset @ axis)[:, None] * axis
+        radius = np.linalg.norm(outward, axis=1)[:, None]
+        return axis, np.where(radius > 0, outward / np.where(radius > 0, radius, 1), y)
+
     def _all(self, points: Any, what: str) -> np.ndarray:
         xyz = np.ascontiguousarray(numbers(points, what), np.float64)
         if xyz.shape != self._points.shape:
@@ -177,3 +209,10 @@ class Plane:
 
     def __reduce__(self) -> Any:
         raise TypeError("A Plane cannot be copied or pickled; make it anew from its arrays.")
+
+
+def _triple(values: Any, what: str) -> list:
+    array = numbers(values, what)
+    if array.shape != (3,):
+        raise Error(f"{what} must be three numbers, not {values!r}.")
+    return [float(one) for one in array]

@@ -1,4 +1,4 @@
-"""Reports: the structs of the library that describe a result, with the names of the C header."""
+"""Structs of the library: options to fill in, and reports that describe a result."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from types import SimpleNamespace
 from typing import Any
 
 from ._native import ffi
+from .errors import Error
 
 _HIDDEN = ("struct_size", "bytes")
 
@@ -22,6 +23,26 @@ def new(name: str) -> Any:
     struct = ffi.new(f"{name}*")
     struct.struct_size = ffi.sizeof(name)
     return struct
+
+
+def fill(struct: Any, **values: Any) -> Any:
+    """Set members of a struct; a value of another type, or beyond the range of the member, is refused."""
+    for name, value in values.items():
+        try:
+            setattr(struct, name, value)
+        except (TypeError, OverflowError):
+            kind = dict(ffi.typeof(struct).item.fields)[name].type.cname
+            raise Error(f"{name} must be a number that fits into {kind}, not {value!r}.") from None
+    return struct
+
+
+def pair(value: Any, what: str) -> tuple:
+    """Return the two entries of `value`; anything but two entries is refused."""
+    try:
+        first, second = value
+    except (TypeError, ValueError):
+        raise Error(f"{what} must have two entries, not {value!r}.") from None
+    return first, second
 
 
 def report(struct: Any) -> Report:

@@ -11,7 +11,7 @@ from .conditions import Condition, structs
 from .curves import Curves
 from .errors import Error, call
 from .mesh import Mesh
-from .reports import new
+from .reports import fill, new
 from .threads import Executor
 
 OPERATORS = {"conformal": lib.HM_CONFORMAL, "laplace": lib.HM_LAPLACE, "weighted": lib.HM_WEIGHTED}
@@ -32,6 +32,8 @@ def options_of(
                                ("precision", precision, PRECISIONS)):
         if value not in known:
             raise Error(f"{name} must be one of {list(known)}, not {value!r}.")
+    if exponent is not None and not isinstance(exponent, (int, float)):
+        raise Error(f"exponent must be a number, not {exponent!r}.")
     quarters = 0 if exponent is None else lib.HM_NO_WEIGHT if exponent == 0 else round(4 * exponent)
     if exponent and quarters != 4 * exponent:
         raise Error(f"exponent must be a multiple of 0.25, not {exponent!r}.")
@@ -41,7 +43,7 @@ def options_of(
         "precision": PRECISIONS[precision],
         "exponent_quarters": quarters,
         "offset_correction": int(offset_correction),
-        "tolerance": float(tolerance),
+        "tolerance": tolerance,
     }
 
 
@@ -69,9 +71,7 @@ class Solver:
     ) -> None:
         self.mesh = mesh
         self._alive = (curves, pairs, executor)
-        struct = new("hm_options")
-        for name, value in options.items():
-            setattr(struct, name, value)
+        struct = fill(new("hm_options"), **options)
         struct.executor = executor.view
         conditions = structs(mesh, curves, pairs)
         problem = new("hm_problem")

@@ -13,7 +13,8 @@ import numpy as np
 
 from .conditions import Given
 from .errors import Error
-from .mesh import Marker, Mesh
+from .boundary import Marker
+from .mesh import Mesh
 from .morph import Morph
 from .plane import Plane
 
@@ -231,33 +232,14 @@ class USMesh:
         return place
 
     def _to_plane(self, vectors: np.ndarray) -> np.ndarray:
-        """Vectors at the surface points as vectors of the plane, and what is across the plane."""
         if self._plane is None:
             return vectors
-        info = self._plane.info
-        axes = np.array([info.x_direction, info.y_direction, info.normal])
-        if self._plane.info.layers and info.kind == 2:  # a wedge: along the axis, outward, around
-            offset = self._surface_start - np.array(info.origin)
-            along = offset @ axes[0]
-            outward = offset - along[:, None] * axes[0]
-            radius = np.linalg.norm(outward, axis=1)
-            unit = np.where(radius[:, None] > 0, outward / np.maximum(radius, 1e-300)[:, None], axes[1])
-            around = np.cross(axes[0], unit)
-            return np.stack([vectors @ axes[0], (vectors * unit).sum(1), (vectors * around).sum(1)], 1)
-        return vectors @ axes.T
+        return self._plane.to_plane(vectors, self._surface_start)
 
     def _from_plane(self, vectors: np.ndarray) -> np.ndarray:
         if self._plane is None:
             return np.column_stack([vectors, np.zeros(len(vectors))])
-        info = self._plane.info
-        axes = np.array([info.x_direction, info.y_direction])
-        if info.kind == 2:
-            offset = self._surface_start - np.array(info.origin)
-            outward = offset - (offset @ axes[0])[:, None] * axes[0]
-            radius = np.linalg.norm(outward, axis=1)
-            unit = np.where(radius[:, None] > 0, outward / np.maximum(radius, 1e-300)[:, None], axes[1])
-            return vectors[:, :1] * axes[0] + vectors[:, 1:] * unit
-        return vectors @ axes
+        return self._plane.from_plane(vectors, self._surface_start)
 
     def _gathered(self, plane: np.ndarray) -> tuple:
         """The vectors and places of all processes, in the order of the processes."""

@@ -10,7 +10,7 @@ from ._native import ffi, lib
 from .arrays import doubles, numbers
 from .errors import Error, call
 from .measures import section_of
-from .reports import new
+from .reports import fill, new, pair
 
 _KINDS = {"ffd": lib.HM_FFD, "cst": lib.HM_CST, "hicks_henne": lib.HM_HICKS_HENNE, "naca4": lib.HM_NACA4}
 
@@ -78,16 +78,17 @@ class Variables:
         if kind not in _KINDS:
             raise Error(f"The kind of variables {kind!r} is unknown; known are {list(_KINDS)}.")
         struct = new("hm_variables")
-        struct.kind, struct.n_upper, struct.n_lower = _KINDS[kind], n_upper, n_lower
-        struct.degree_x, struct.degree_y = degrees
+        degree_x, degree_y = pair(degrees, "degrees")
+        leading, trailing = pair(exponents, "exponents")
+        fill(struct, kind=_KINDS[kind], n_upper=n_upper, n_lower=n_lower, degree_x=degree_x,
+             degree_y=degree_y, leading_exponent=leading, trailing_exponent=trailing, width=width)
         if box is not None:
-            (struct.x_min, struct.y_min), (struct.x_max, struct.y_max) = box
+            low, high = (pair(corner, "A corner of the box") for corner in pair(box, "box"))
+            fill(struct, x_min=low[0], y_min=low[1], x_max=high[0], y_max=high[1])
         if peaks is not None:
             stations = numbers(peaks, "peaks")
             places = doubles(stations, (n_upper + n_lower,), "peaks")
             struct.peaks = places
-        struct.leading_exponent, struct.trailing_exponent = exponents
-        struct.width = width
         section, n, size = section_of(chord, curves), ffi.new("int32_t*"), ffi.new("size_t*")
         call(lib.hm_variables_size, view, section, struct, n, size)
         self.n: int = n[0]

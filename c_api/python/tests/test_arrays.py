@@ -149,6 +149,13 @@ def test_a_gradient_is_written_in_place(morph, random):
 
 
 def test_numbers_that_are_not_finite(morph, move):
+    wrong = move.copy()
+    wrong[3, 0] = np.nan
+    out = np.full((N, 2), 5.0)
+    for use in (lambda: morph.displacement(wrong, out), lambda: morph.morph(wrong, out, out)):
+        with pytest.raises(harmorph.Error, match="not finite") as refused:
+            use()
+        assert (refused.value.kind, refused.value.item) == ("function", 3) and (out == 5).all()
     dj = np.zeros((N, 2))
     dj[3, 0] = np.inf
     assert np.isnan(morph.adjoint(dj)).all()

@@ -70,3 +70,40 @@ def test_the_codes_are_those_of_the_header():
     for name in names:
         assert harmorph.Error("", getattr(harmorph.Error, name)).name == "HM_" + name
     assert harmorph.Error("", harmorph.Error.BAD_FILE).name == "BAD_FILE"
+
+
+@pytest.mark.parametrize("use", [
+    lambda mesh, curves, morph: harmorph.Curves.fit(mesh, "wall", n_control="many"),
+    lambda mesh, curves, morph: harmorph.Curves.fit(mesh, "wall", n_control=2**40),
+    lambda mesh, curves, morph: curves.points([0.1], curve="first"),
+    lambda mesh, curves, morph: curves.points([0.1], curve=1),
+    lambda mesh, curves, morph: curves.points([0.1], derivative=6),
+    lambda mesh, curves, morph: curves.points("ab"),
+    lambda mesh, curves, morph: curves.basis([0.1], curve=1),
+    lambda mesh, curves, morph: curves.range(1),
+    lambda mesh, curves, morph: curves.project(3.0),
+    lambda mesh, curves, morph: curves.project(("a", 1)),
+    lambda mesh, curves, morph: curves.smooth_gradient(np.zeros((12, 2)), "far"),
+    lambda mesh, curves, morph: curves.measure("area", chord=(1, 2, 3)),
+    lambda mesh, curves, morph: curves.measure(("thickness", "half"), chord=((-1, 0), (1, 0))),
+    lambda mesh, curves, morph: curves.measure("area", curves="all"),
+    lambda mesh, curves, morph: curves.variables("ffd", degrees=3),
+    lambda mesh, curves, morph: curves.variables("ffd", box=(0, 1)),
+    lambda mesh, curves, morph: curves.variables("cst", n_upper=2.5),
+    lambda mesh, curves, morph: mesh.wall("wall", piece="first"),
+    lambda mesh, curves, morph: morph.safe(np.zeros((12, 2)), heights="all"),
+    lambda mesh, curves, morph: morph.safe(np.zeros((12, 2)), max_resolves=1.5),
+    lambda mesh, curves, morph: morph.improve(morph.start, max_iterations="all"),
+    lambda mesh, curves, morph: harmorph.Morph(mesh, curves, tolerance="small"),
+    lambda mesh, curves, morph: harmorph.Morph(mesh, curves, exponent="small"),
+    lambda mesh, curves, morph: harmorph.Morph(
+        mesh, conditions={"wall": harmorph.Condition("rigid", centre=3)}),
+    lambda mesh, curves, morph: harmorph.Morph(
+        mesh, conditions={"wall": harmorph.Condition("rigid", body="flap")}),
+    lambda mesh, curves, morph: harmorph.Morph(
+        mesh, curves, {"far": harmorph.Condition("slip", near="here")}),
+    lambda mesh, curves, morph: harmorph.Plane(np.zeros((4, 3)), [[0, 1, 2]], {}, axis=(1, 2)),
+])
+def test_arguments_of_another_type_are_refusals_too(mesh, curves, morph, use):
+    with pytest.raises(harmorph.Error):
+        use(mesh, curves, morph)

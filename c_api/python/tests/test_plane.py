@@ -65,3 +65,19 @@ def test_wrong_arrays_are_refused():
         plane.gather(np.zeros((3, 3)))
     with pytest.raises(TypeError):
         copy.copy(plane)
+
+
+@pytest.mark.parametrize("wedge", [False, True])
+def test_vectors_of_the_plane(random, wedge):
+    mesh = ring_mesh(ni=9, nj=3)
+    points, faces, sides = thick(mesh, wedge)
+    plane = harmorph.Plane(points, faces, sides)
+    displacement = random.normal(size=(mesh.n_points, 2))
+    vectors = plane.from_plane(displacement[plane.follows], points)
+    assert vectors == pytest.approx(plane.spread(displacement), abs=1e-14)
+    back = plane.to_plane(vectors, points)
+    assert back[:, :2] == pytest.approx(displacement[plane.follows], abs=1e-14)
+    assert back[:, 2] == pytest.approx(np.zeros(len(points)), abs=1e-14)
+    any_vectors = random.normal(size=points.shape)
+    lengths = np.linalg.norm(plane.to_plane(any_vectors, points), axis=1)
+    assert lengths == pytest.approx(np.linalg.norm(any_vectors, axis=1))
