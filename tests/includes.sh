@@ -84,7 +84,7 @@ is_empty "options for files without a FileUse" "$(cat c_api/cli/commands/*.cpp |
         if ($0 !~ /FileUse::/) print substr($0, RSTART + 1, RLENGTH - 1)
     }')"
 
-# C and C++ have at most 100 columns, laid out as .clang-format has it; Fortran and scripts 120.
+# C and C++ have at most 100 columns, laid out as .clang-format has it; Fortran, Python and scripts 120.
 too_wide() {   # columns, names of files
     columns=$1; shift
     find c_api fortran include src tests -type f \( "$@" \) -exec awk -v most="$columns" '
@@ -92,7 +92,7 @@ too_wide() {   # columns, names of files
 }
 is_empty "lines of more than 100 columns" "$(too_wide 100 -name '*.[ch]pp' -o -name '*.[ch]')"
 is_empty "lines of more than 120 columns" \
-    "$(too_wide 120 -name '*.sh' -o -name '*.f90' -o -name '*.f90.in' -o -name '*.f')"
+    "$(too_wide 120 -name '*.sh' -o -name '*.py' -o -name '*.f90' -o -name '*.f90.in' -o -name '*.f')"
 if command -v clang-format >/dev/null; then
     is_empty "files that clang-format would change" "$(find c_api include src tests \
         \( -name '*.cpp' -o -name '*.hpp' -o -name '*.[ch]' \) -exec \

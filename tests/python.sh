@@ -33,9 +33,10 @@ if [ $status != 0 ] || [ $wrong -gt 0 ]; then
     fail "pytest" "$log"
     failed=$((failed + wrong - (wrong > 0)))
 fi
-sed -n 's/^SKIPPED \[[0-9]*\] /skipped: /p' "$log" | sed "s|$source/||" | grep . && skipped=$((skipped + $(number skipped)))
+skipped=$((skipped + $(number skipped)))
+sed -n 's/^SKIPPED \[[0-9]*\] [./]*/skipped: /p' "$log"
 
-if $PYTHON -c 'import build, wheel, venv, ensurepip' 2>/dev/null; then
+if $PYTHON -c 'import build.__main__, wheel, venv, ensurepip' 2>/dev/null; then
     # A copy, so that the sources of the wheel are those of the source distribution alone.
     distributions() {
         (cd "$package" && $PYTHON -m build --sdist --no-isolation --skip-dependency-check --outdir "$dir/dist" .) &&

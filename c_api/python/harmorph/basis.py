@@ -71,9 +71,9 @@ class Basis:
     def save(self, path: Any, mesh: Optional[Mesh]) -> None:
         """Write the block, and behind it the names of the markers as the program harmorph does."""
         data = bytes(ffi.buffer(ffi.cast("char*", self.pointer), self.bytes))
-        names = list(mesh.markers) if mesh else []
-        if mesh and sorted(mesh.markers.values()) == list(range(len(names))):
-            ordered = sorted(names, key=lambda name: mesh.markers[name])
+        markers = mesh.markers if mesh else {}
+        if mesh and sorted(markers.values()) == list(range(len(markers))):
+            ordered = sorted(markers, key=lambda name: markers[name])
             lines = [str(name).encode("utf-8", "surrogateescape") for name in ordered]
             data += _TITLE + b"%d\n" % len(lines) + b"".join(line + b"\n" for line in lines)
         replace(os.fsdecode(path), data)

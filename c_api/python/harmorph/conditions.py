@@ -77,14 +77,13 @@ def listed(mesh: Mesh, curves: Optional[Curves], given: Given) -> List[Tuple[int
         Conditions by marker: a :class:`Condition` or the name of its kind. Markers that `curves`
         was fitted to, and that have no condition here, are on all curves.
     """
-    pairs = list(given.items() if isinstance(given, Mapping) else (given or ()))
+    pairs: List[Tuple[Marker, Any]] = list(given.items() if isinstance(given, Mapping) else (given or ()))
     named = {name for name, _ in pairs}
     fitted = curves.markers if curves is not None else ()
     pairs = [(name, "curve") for name in fitted if name not in named] + pairs
-    result = []
-    for name, condition in pairs:
-        if isinstance(condition, str):
-            condition = Condition(condition)
+    result: List[Tuple[int, Condition]] = []
+    for name, wanted in pairs:
+        condition = Condition(wanted) if isinstance(wanted, str) else wanted
         if not isinstance(condition, Condition) or condition.kind not in KINDS:
             raise Error(f"The condition of marker {name!r} must be one of {list(KINDS)}, or a "
                         f"harmorph.Condition; it is {condition!r}.", Error.BAD_CONDITION)

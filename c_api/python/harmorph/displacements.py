@@ -56,7 +56,7 @@ class Displacements:
             solver, where, n, fields, is_stack = self._wall(wall, wall_points, "wall")
             if is_stack and out is not None:
                 raise Error("out is for a single field.")
-            results = np.empty((len(fields), self.n_points, 2)) if out is None else [out]
+            results: Any = np.empty((len(fields), self.n_points, 2)) if out is None else [out]
             views = [points_in(one, n, "wall") for one in fields]
             targets = [points_out(one, self.n_points, "out") for one in results]
             from_, _alive = (ffi.NULL, None)

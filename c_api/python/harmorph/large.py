@@ -216,6 +216,9 @@ class Large:
     def _ready(self) -> Any:
         raise NotImplementedError
 
+    def _set_basis(self, basis: Basis) -> None:
+        raise NotImplementedError
+
 
 def safe_options(
     max_resolves: int,

@@ -72,7 +72,7 @@ class Mesh:
     def _set(
         self, points: Any, layout: str, arrays: Tuple[np.ndarray, ...], boundary: Mapping[Marker, Any]
     ) -> None:
-        self.points = points if isinstance(points, np.ndarray) else tuple(points)
+        self.points: Any = points if isinstance(points, np.ndarray) else tuple(points)
         is_pair = isinstance(points, (tuple, list)) and len(points) == 2 and np.ndim(points[0]) == 1
         if not is_pair:
             self.points = np.asarray(points)

@@ -111,7 +111,7 @@ class Morph(Functions, Large, Displacements):
         self._basis: Optional[Basis] = None
         self._solver: Optional[Solver] = None
         self._problem: Optional[Mesh] = None  # at the start
-        self._analysed: Optional[np.ndarray] = None  # coordinates on which the curve was projected
+        self._analysed: Any = None  # coordinates on which the curve was projected
         self.solve_report: Optional[Report] = None
         if mesh is not None:
             x, y = mesh.points if isinstance(mesh.points, tuple) else mesh.points.T
@@ -208,6 +208,7 @@ class Morph(Functions, Large, Displacements):
         with self._lock:
             self._open()
             solver, before = self._ready(), self._problem
+            assert before is not None  # or _ready() has refused
             try:
                 if points is not None:
                     _view, columns = points_in(points, self.n_points, "points")
@@ -279,9 +280,10 @@ class Morph(Functions, Large, Displacements):
     def _attached(cls, basis: Basis, mesh: Any, curves: Any, pairs: Any, threads: int) -> "Morph":
         self = cls.__new__(cls)
         info = basis.info
+        is_laplace = info.operator_kind == lib.HM_LAPLACE
         self._options = {
             "operator_kind": info.operator_kind, "engine": info.engine,
-            "exponent_quarters": info.exponent_quarters if info.operator_kind != lib.HM_LAPLACE else 0,
+            "exponent_quarters": 0 if is_laplace else info.exponent_quarters,
             "offset_correction": info.offset_correction,
         }
         self._own(mesh, curves, pairs, threads)
@@ -290,8 +292,9 @@ class Morph(Functions, Large, Displacements):
 
     def __getstate__(self) -> Dict[str, Any]:
         return {
-            "mesh": self.mesh, "start": self._problem, "analysed": self._analysed, "curves": self.curves, "pairs": self._pairs,
-            "options": self._options, "threads": self._executor.threads,
+            "mesh": self.mesh, "start": self._problem, "analysed": self._analysed,
+            "curves": self.curves, "pairs": self._pairs, "options": self._options,
+            "threads": self._executor.threads,
             "basis": self._open().to_bytes(), "report": self.solve_report,
         }
 

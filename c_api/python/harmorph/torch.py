@@ -54,7 +54,7 @@ def morph_points(morph: Morph, move: torch.Tensor, points: Optional[torch.Tensor
 
 class _Displacement(torch.autograd.Function):
     @staticmethod
-    def forward(ctx: Any, move: torch.Tensor, morph: Morph) -> torch.Tensor:
+    def forward(ctx: Any, move: torch.Tensor, morph: Morph) -> torch.Tensor:  # type: ignore[override]
         ctx.morph = morph
         return _rows(morph.displacement, move, (morph.n_points, 2))
 
@@ -65,7 +65,7 @@ class _Displacement(torch.autograd.Function):
 
 class _Adjoint(torch.autograd.Function):
     @staticmethod
-    def forward(ctx: Any, dj: torch.Tensor, morph: Morph) -> torch.Tensor:
+    def forward(ctx: Any, dj: torch.Tensor, morph: Morph) -> torch.Tensor:  # type: ignore[override]
         ctx.morph = morph
         return _rows(morph.adjoint, dj, (morph.functions, 2))
 

@@ -7,7 +7,7 @@ coordinates have three columns, and points of the mesh are named by their number
 
 from __future__ import annotations
 
-from typing import Any, List, Optional, Sequence, Union
+from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -63,8 +63,9 @@ class USMesh:
             mesh = grid.mesh
         else:
             mesh = grid if isinstance(grid, Mesh) else Mesh.read(grid)
-        given: List[tuple] = [(name, "given") for name in surfaces]
-        others = list(conditions.items()) if hasattr(conditions, "items") else list(conditions or ())
+        given: List[Tuple[Marker, Any]] = [(name, "given") for name in surfaces]
+        more = conditions.items() if isinstance(conditions, Mapping) else conditions or ()
+        others: List[Tuple[Marker, Any]] = list(more)
         self._morph = Morph(mesh, conditions=given + others, **options)
         self._start = grid.points if isinstance(grid, Plane) else _raised(self._morph.start)
         self._follows = grid.follows if isinstance(grid, Plane) else np.arange(mesh.n_points)

@@ -9,14 +9,20 @@ import harmorph
 import pytest
 
 MODULES = ["arrays", "measures", "usmesh", "dvgeo", "openmdao", "torch", "jax"]
-CLASSES = [one for one in vars(harmorph).values() if inspect.isclass(one) and one.__module__.startswith("harmorph")]
-TESTS = "".join(path.read_text() for path in Path(__file__).parent.glob("test_*.py") if path.name != Path(__file__).name)
+HERE = Path(__file__)
+TESTS = "".join(path.read_text() for path in HERE.parent.glob("test_*.py") if path.name != HERE.name)
+CLASSES = [one for one in vars(harmorph).values()
+           if inspect.isclass(one) and one.__module__.startswith("harmorph")]
+
+
+def is_member(name, value):
+    is_call = inspect.isfunction(value) or inspect.ismethod(value) or isinstance(value, property)
+    is_own = getattr(value, "__module__", "harmorph").startswith("harmorph")
+    return not name.startswith("_") and is_call and is_own
 
 
 def members(one):
-    return {name: value for name, value in inspect.getmembers(one)
-            if not name.startswith("_") and (inspect.isfunction(value) or inspect.ismethod(value) or isinstance(value, property))
-            and getattr(value, "__module__", "harmorph").startswith("harmorph")}
+    return {name: value for name, value in inspect.getmembers(one) if is_member(name, value)}
 
 
 def test_all_is_complete():
