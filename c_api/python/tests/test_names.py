@@ -17,8 +17,7 @@ CLASSES = [one for one in vars(harmorph).values()
 
 def is_member(name, value):
     is_call = inspect.isfunction(value) or inspect.ismethod(value) or isinstance(value, property)
-    is_own = getattr(value, "__module__", "harmorph").startswith("harmorph")
-    return not name.startswith("_") and is_call and is_own
+    return not name.startswith("_") and is_call and "harmorph" in getattr(value, "__module__", "harmorph")
 
 
 def members(one):

@@ -170,4 +170,4 @@ def test_several_processes(tmp_path):
                str(Path(__file__).parent)]
     found = subprocess.run(command, capture_output=True, text=True, env={**os.environ, "OMP_NUM_THREADS": "1"})
     assert found.returncode == 0, found.stderr
-    assert sorted(found.stdout.split("\n"))[1:] == ["process 0 of 2 agrees", "process 1 of 2 agrees"]
+    assert all(f"process {k} of 2 agrees" in found.stdout for k in (0, 1))
