@@ -36,7 +36,7 @@ double difference(hm_basis const* a, hm_basis const* b, Index functions, std::si
 void bench_iterative(Settings const& settings, Report& report) {
     Table table{"Engines, to 1e-10 (threads: " + std::to_string(settings.threads) +
                     ", functions in blocks of 4)",
-                {"mesh", "functions", "engine", "levels", "iterations", "fine sweeps", "seconds",
+                {"mesh", "functions", "engine", "levels", "iterations", "work", "seconds",
                  "plan B/node", "residual", "from direct"},
                 {},
                 {}};
@@ -61,7 +61,7 @@ void bench_iterative(Settings const& settings, Report& report) {
                                          : difference(direct.basis(), ours.basis(), functions,
                                                       its_case.mesh.x.size());
                 table.add({its_case.name(), count(functions), engine.name, count(its.levels),
-                           count(its.iterations), count(its.fine_sweeps), seconds(once.engine()),
+                           count(its.iterations), count(its.work), seconds(once.engine()),
                            count(ours.plan_bytes() / points), residual(its.residual),
                            residual(apart)});
             }
