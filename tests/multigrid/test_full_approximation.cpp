@@ -193,7 +193,8 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("coarser levels save half of the work, and the improved cycle saves a third of the rest") {
+TEST_CASE(
+    "coarser levels save half of the work, and the improved cycle saves a third of the rest") {
     Case two_bodies = two_body_case(Cells::hybrid, 16, 10);
     Options one_level = fas(), improved = fas(HM_CYCLE_IMPROVED);
     one_level.levels = 1;

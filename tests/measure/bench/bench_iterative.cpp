@@ -14,7 +14,8 @@ struct Engine {
     char const* name;
     std::int32_t number;
 };
-constexpr Engine engines[] = {{"direct", HM_DIRECT}, {"multigrid", HM_MULTIGRID}, {"fas", HM_FAS}};
+constexpr Engine engines[] = {
+    {"direct", HM_DIRECT}, {"multigrid", HM_MULTIGRID}, {"improved FAS", HM_FAS}};
 
 // Beyond, minutes for each row.
 constexpr double most_points_of_fas = 300000;
@@ -71,7 +72,7 @@ void bench_iterative(Settings const& settings, Report& report) {
         "Seconds: direct: ordering, symbolic pass, factor and solution; others: levels and "
         "solution. One cold "
         "run, so only roughly.");
-    table.notes.push_back("FAS: up to 300000 points.");
+    table.notes.push_back("Improved FAS: up to 300000 points.");
     report.finish(table);
 }
 
