@@ -40,7 +40,8 @@ fit() {
 equally() { awk -v a="$1" -v b="$2" -v dx="$3" -v dy="$4" 'BEGIN { for (i = a; i <= b; i++) print i, dx, dy }'; }
 
 echo "Figures 1 to 11 are numbered as in the paper; further figures have letters. Captions are our own words, and"
-echo "shapes are drawn after the paper's description. All pictures are made with the compact scheme and the direct engine."
+echo "shapes are drawn after the paper's description. All pictures are made with the compact scheme and the direct"
+echo "engine."
 
 echo "== The method, on an axisymmetric diffuser: cubic, 11 control points (figures 1 to 5)"
 window=-1.85,-0.05,3.25,2.65 near=-0.6,0.3,1.7,1.5

@@ -37,9 +37,9 @@ if echo '#include <eigen3/Eigen/Eigenvalues>' | ${CXX:-c++} -x c++ -E - >/dev/nu
         fail "spectra of the schemes"
     echo
     figure spectrum.svg "Figure K | Eigenvalues and modes of the four schemes on the mesh of case 2 with" \
-        "quadrilaterals at the airfoil. Each point is a mode. The horizontal axis is the eigenvalue of the mode, the vertical axis" \
-        "how much the mode alternates from point to point. Plain averages reverse the order, and the modes with negative" \
-        "eigenvalues, which are orange, grow."
+        "quadrilaterals at the airfoil. Each point is a mode. The horizontal axis is the eigenvalue of the mode," \
+        "the vertical axis how much the mode alternates from point to point. Plain averages reverse the order, and" \
+        "the modes with negative eigenvalues, which are orange, grow."
     rm -f "$out/read_su2.o" "$out/schemes"
 else
     echo "This section is skipped, because Eigen is not installed (Debian's libeigen3-dev)."
