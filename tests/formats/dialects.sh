@@ -205,6 +205,12 @@ for file in joined moved; do
     tr -s ' \n' '\n' <"$tmp/$file.vtu" | sed 's/<[^>]*>//g' | grep . >"$tmp/$file.numbers"
 done
 check "PVTU: moves as one file of the pieces" cmp "$tmp/joined.numbers" "$tmp/moved.numbers"
+for output in -o --svg; do
+    other=$([ $output = -o ] || echo "-o $tmp/other.vtu")
+    "$harmorph" morph "$tmp/halves.pvtu" "$tmp/basis" --move "$tmp/moves.txt" $other $output \
+        "$tmp/parallel/half-2.vtu" >"$tmp/out" 2>&1
+    says "PVTU: $output does not replace a piece" 'an output must not replace an input'
+done
 "$harmorph" morph "$tmp/halves.pvtu" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/joined.pvtu" >"$tmp/out" 2>&1
 [ $? -eq 2 ] && ok "PVTU: not under a name .pvtu" || fail "PVTU: not under a name .pvtu"
 says "PVTU: not under a name .pvtu: says why" 'must end in .vtu'
