@@ -196,7 +196,7 @@ test: all
 	@$(SCRIPT_JOBS); MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' \
 	    FFLAGS='$(FFLAGS)' AR='$(AR)' LDFLAGS='$(LDFLAGS)' PYTHON='$(PYTHON)' sh tests/run.sh
 
-test-python: library-only
+test-python: all
 	@CXX='$(CXX)' PYTHON='$(PYTHON)' sh tests/python.sh $(BUILD)
 
 test-petsc: all

@@ -11,7 +11,7 @@ topic=Python log=$dir/log
 . "$(dirname "$0")/count.sh"
 rm -rf "$dir"
 mkdir -p "$dir/work"
-PYTHONDONTWRITEBYTECODE=1 HARMORPH_BUILD=$build/python
+PYTHONDONTWRITEBYTECODE=1 HARMORPH_BUILD=$dir/build
 export PYTHONDONTWRITEBYTECODE HARMORPH_BUILD CXX
 package=$source/c_api/python
 
@@ -22,7 +22,8 @@ extension_alone() (
 check "the extension, linked with the library" extension_alone
 
 # pytest's last line is "293 passed, 2 skipped in 13.09s"; tests that are skipped are named with their reasons.
-(cd "$dir/work" && PYTHONPATH=$dir/lib HARMORPH_MESHES=$source/tests/meshes MPLBACKEND=agg $PYTHON -m pytest -q -rs \
+(cd "$dir/work" && PYTHONPATH=$dir/lib HARMORPH_MESHES=$source/tests/meshes \
+    HARMORPH_PROGRAM=$build/harmorph MPLBACKEND=agg $PYTHON -m pytest -q -rs \
     --tb=short -p no:cacheprovider -c "$package/pyproject.toml" --rootdir "$package" "$package/tests") >"$log" 2>&1
 status=$?
 last=$(tail -n 1 "$log")

@@ -32,7 +32,7 @@ make() { command $MAKE "$@" BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLA
 cc() { command $CC "$@"; }
 python3() { command $PYTHON "$@"; }
 # The package is linked with the library of the tests, and its own sources are not optimised.
-HARMORPH_LIBRARY=$build/libharmorph.a HARMORPH_BUILD=$build/python
+HARMORPH_LIBRARY=$build/libharmorph.a HARMORPH_BUILD=$dir/python
 export HARMORPH_LIBRARY HARMORPH_BUILD
 # As debugging builds of solvers do: what traps these must not die in the library.
 traps=; if $FC --version 2>/dev/null | grep -q '^GNU'; then traps=-ffpe-trap=invalid,zero,overflow; fi

@@ -70,17 +70,21 @@ class Basis:
 
     def save(self, path: Any, mesh: Optional[Mesh]) -> None:
         """Write the block, and behind it the names of the markers as the program harmorph does."""
-        data = bytes(ffi.buffer(ffi.cast("char*", self.pointer), self.bytes))
+        behind = b""
         markers = mesh.markers if mesh else {}
-        if mesh and sorted(markers.values()) == list(range(len(markers))):
+        can_be_lines = not any("\n" in str(name) for name in markers)
+        if can_be_lines and markers and sorted(markers.values()) == list(range(len(markers))):
             ordered = sorted(markers, key=lambda name: markers[name])
             lines = [str(name).encode("utf-8", "surrogateescape") for name in ordered]
-            data += _TITLE + b"%d\n" % len(lines) + b"".join(line + b"\n" for line in lines)
-        replace(os.fsdecode(path), data)
+            behind = _TITLE + b"%d\n" % len(lines) + b"".join(line + b"\n" for line in lines)
+        replace(os.fsdecode(path), self._buffer(), behind)
+
+    def _buffer(self) -> Any:
+        return ffi.buffer(ffi.cast("char*", self.pointer), self.bytes)
 
     def to_bytes(self) -> bytes:
         """Return a copy of the block."""
-        return bytes(ffi.buffer(ffi.cast("char*", self.pointer), self.bytes))
+        return bytes(self._buffer())
 
     def curves(self) -> Optional[Curves]:
         """Return the curves that the basis was solved with; None if it has none."""

@@ -91,12 +91,12 @@ def write(mesh: Any, path: Any, x: np.ndarray, y: np.ndarray, format: str) -> No
     replace(os.fsdecode(ffi.string(text)), ffi.buffer(data, length[0]))
 
 
-def replace(path: str, data: Any) -> None:
-    """Write the bytes `data` to a new file that takes the place of `path` when it is complete."""
+def replace(path: str, *parts: Any) -> None:
+    """Write bytes to a new file that takes the place of `path` when it is complete."""
     target = os.path.realpath(path)
     if os.path.exists(target) and not os.path.isfile(target):  # a device or a pipe
         with open(target, "wb") as out:
-            out.write(data)
+            out.writelines(parts)
         return
     try:
         number, temporary = tempfile.mkstemp(dir=os.path.dirname(target), prefix=".harmorph-")
@@ -104,7 +104,7 @@ def replace(path: str, data: Any) -> None:
         raise Error(f"{path}: cannot be written: {error.strerror}", Error.BAD_FILE) from None
     try:
         with os.fdopen(number, "wb") as out:
-            out.write(data)
+            out.writelines(parts)
         if os.path.exists(target):
             shutil.copymode(target, temporary)
         else:

@@ -72,11 +72,11 @@ class Mesh:
     def _set(
         self, points: Any, layout: str, arrays: Tuple[np.ndarray, ...], boundary: Mapping[Marker, Any]
     ) -> None:
-        self.points: Any = points if isinstance(points, np.ndarray) else tuple(points)
+        self._points: Any = points if isinstance(points, np.ndarray) else tuple(points)
         is_pair = isinstance(points, (tuple, list)) and len(points) == 2 and np.ndim(points[0]) == 1
         if not is_pair:
-            self.points = np.asarray(points)
-        self.n_points: int = len(points[0]) if is_pair else len(self.points)
+            self._points = np.asarray(points)
+        self.n_points: int = len(points[0]) if is_pair else len(self._points)
         if self.n_points > 2**30:
             raise Error(f"The mesh has {self.n_points} points; at most 2^30 are possible.")
         self._layout, self._cells = layout, arrays
@@ -92,12 +92,12 @@ class Mesh:
 
     def _view(self) -> None:
         mesh = new("hm_mesh")
-        view, alive = points_in(self.points, self.n_points, "The coordinates of the mesh")
-        if isinstance(self.points, np.ndarray) and not np.shares_memory(alive[-1], self.points):
-            self.points = np.stack(alive, axis=1)  # the one copy
-            view, alive = points_in(self.points, self.n_points, "The coordinates of the mesh")
-        elif not isinstance(self.points, np.ndarray):
-            self.points = alive
+        view, alive = points_in(self._points, self.n_points, "The coordinates of the mesh")
+        if isinstance(self._points, np.ndarray) and not np.shares_memory(alive[-1], self._points):
+            self._points = np.stack(alive, axis=1)  # the one copy
+            view, alive = points_in(self._points, self.n_points, "The coordinates of the mesh")
+        elif not isinstance(self._points, np.ndarray):
+            self._points = alive
         mesh.points = view[0]
         mesh.n_points = self.n_points
         _cells.fill(mesh, self._layout, self._cells)
@@ -221,6 +221,11 @@ class Mesh:
         _files.write(self, path, x, y, format)
 
     @property
+    def points(self) -> Any:
+        """The coordinates: an array of shape (n_points, 2), or the pair of arrays that was given."""
+        return self._points
+
+    @property
     def remarks(self) -> List[str]:
         """Sentences of the reader on what was passed over; empty for other meshes."""
         return self._file.remarks if self._file else []
@@ -332,7 +337,7 @@ class Mesh:
         """Return a mesh with the same cells and markers and with other coordinates."""
         mesh = self.__class__.__new__(self.__class__)
         mesh.__dict__.update(self.__dict__)
-        mesh.points = points
+        mesh._points = points
         mesh._view()
         return mesh
 

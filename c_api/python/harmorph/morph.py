@@ -151,6 +151,7 @@ class Morph(Functions, Large, Displacements):
 
     @property
     def start(self) -> Optional[np.ndarray]:
+        """Read-only view of the coordinates on which the functions were solved, shape (n_points, 2)."""
         if self._problem is None:
             return None
         view = self._problem.points.view()

@@ -63,6 +63,15 @@ def meshes():
     return folder
 
 
+@pytest.fixture(scope="session")
+def program():
+    """The program harmorph."""
+    path = os.environ.get("HARMORPH_PROGRAM", "")
+    if not os.access(path, os.X_OK) or os.path.isdir(path):
+        pytest.skip("HARMORPH_PROGRAM does not name the program")
+    return path
+
+
 @pytest.fixture
 def random():
     return np.random.default_rng(7)

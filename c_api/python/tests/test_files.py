@@ -93,3 +93,57 @@ def test_permissions_stay(mesh, tmp_path):
     mesh.write(link)
     assert link.is_symlink() and stat.S_IMODE(os.stat(path).st_mode) == 0o640
     assert path.read_text().startswith("NDIME")
+
+
+def open_foam(folder):
+    """Two cells beside each other, one cell thick, as a case of OpenFOAM."""
+    poly = folder / "constant/polyMesh"
+    poly.mkdir(parents=True)
+    points = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1, 2)]
+    faces = [(1, 4, 10, 7), (0, 1, 7, 6), (1, 2, 8, 7), (2, 5, 11, 8), (5, 4, 10, 11), (4, 3, 9, 10),
+             (3, 0, 6, 9), (0, 3, 4, 1), (1, 4, 5, 2), (6, 7, 10, 9), (7, 8, 11, 10)]
+    patches = {"low": ("wall", 2, 1), "rest": ("patch", 4, 3), "sides": ("empty", 4, 7)}
+
+    def write(name, kind, entries):
+        text = f"FoamFile\n{{ version 2.0; format ascii; class {kind}; object {name}; }}\n"
+        (poly / name).write_text(text + f"{len(entries)}\n(\n" + "\n".join(entries) + "\n)\n")
+
+    write("points", "vectorField", [f"({x} {y} {z})" for x, y, z in points])
+    write("faces", "faceList", ["4(" + " ".join(map(str, face)) + ")" for face in faces])
+    write("owner", "labelList", list("00111000101"))
+    write("neighbour", "labelList", ["1"])
+    write("boundary", "polyBoundaryMesh", [
+        f"{name} {{ type {kind}; nFaces {n}; startFace {first}; }}" for name, (kind, n, first) in patches.items()])
+    return poly
+
+
+def test_a_case_of_openfoam(tmp_path):
+    import shutil
+
+    poly = open_foam(tmp_path / "case")
+    mesh = harmorph.Mesh.read(tmp_path / "case")
+    assert (mesh.n_points, mesh.n_cells, set(mesh.markers)) == (6, 2, {"low", "rest"})
+    shutil.copytree(tmp_path / "case", tmp_path / "copy")
+    mesh.write(tmp_path / "copy", mesh.points * [1.0, 0.5])
+    again = harmorph.Mesh.read(tmp_path / "copy")
+    assert np.array_equal(again.points, mesh.points * [1.0, 0.5])
+    before, after = ((tmp_path / name / "constant/polyMesh/points").read_text() for name in ("case", "copy"))
+    assert before != after and before.split("(")[0] == after.split("(")[0]
+    for name in ("faces", "owner", "neighbour", "boundary"):
+        assert (poly / name).read_bytes() == (tmp_path / "copy/constant/polyMesh" / name).read_bytes()
+
+
+def test_compressed_files(meshes, tmp_path):
+    import gzip
+
+    data = (meshes / "naca0012.su2").read_bytes()
+    (tmp_path / "mesh.su2.gz").write_bytes(gzip.compress(data))
+    try:
+        mesh = harmorph.Mesh.read(tmp_path / "mesh.su2.gz")
+    except harmorph.Error as refused:
+        assert "zlib" in refused.text
+        pytest.skip("the extension was built without zlib")
+    mesh.write(tmp_path / "moved.su2.gz", mesh.points + 1.0)
+    assert gzip.decompress((tmp_path / "moved.su2.gz").read_bytes()).startswith(data[:20])
+    with pytest.raises(harmorph.Error, match="must end in .gz"):
+        mesh.write(tmp_path / "moved.su2")

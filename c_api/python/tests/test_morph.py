@@ -7,6 +7,7 @@ import harmorph
 import numpy as np
 import pytest
 from conftest import ring, ring_mesh
+from harmorph._native import ffi
 
 
 def test_the_wall_follows_the_curve(morph, curves, move):
@@ -226,3 +227,48 @@ def test_damaged_files_are_refused(curves, tmp_path):
         harmorph.Morph.load(path)
     with pytest.raises(harmorph.Error, match="No such file"):
         harmorph.Morph.load(tmp_path / "none.basis")
+
+
+def test_bases_of_the_program(meshes, program, tmp_path):
+    """The program morphs by a basis of Python to the same mesh, and Python loads a basis of the program."""
+    import subprocess
+
+    mesh = harmorph.Mesh.read(meshes / "naca0012.su2")
+    morph = harmorph.Morph(mesh, harmorph.Curves.fit(mesh, "airfoil"))
+    morph.save(tmp_path / "python.basis")
+    (tmp_path / "moves.txt").write_text("6 0 0.02\n")
+    subprocess.run([program, "morph", meshes / "naca0012.su2", "python.basis", "--move", "moves.txt", "-o", "moved.su2"],
+                   cwd=tmp_path, check=True, capture_output=True)
+    move = np.zeros((20, 2))
+    move[5, 1] = 0.02
+    mesh.write(tmp_path / "python.su2", morph.morph(move))
+    assert (tmp_path / "moved.su2").read_bytes() == (tmp_path / "python.su2").read_bytes()
+    subprocess.run([program, "fit", meshes / "naca0012.su2", "--marker", "airfoil", "-o", "airfoil.curve"],
+                   cwd=tmp_path, check=True, capture_output=True)
+    subprocess.run([program, "solve", meshes / "naca0012.su2", "--curve", "airfoil=airfoil.curve", "-o", "program.basis"],
+                   cwd=tmp_path, check=True, capture_output=True)
+    loaded = harmorph.Morph.load(tmp_path / "program.basis", mesh)
+    assert loaded.displacement(move) == pytest.approx(morph.displacement(move), abs=1e-12)
+    assert loaded.safe(4 * move).report.step_fraction == 1
+
+
+class CountedFrom1(harmorph.Mesh):
+    """A mesh as a Fortran code has it."""
+
+    def _view(self):
+        super()._view()
+        self._c.index_base = 1
+        self._from_1 = np.ascontiguousarray(self._faces.reshape(-1) + 1)
+        self._c.face_points = ffi.from_buffer("int32_t[]", self._from_1)
+
+
+def test_a_basis_counted_from_1(curves, move, tmp_path):
+    """Numbers of points and cells in reports and errors are counted from 0 for any basis."""
+    CountedFrom1.structured(ring(), j_min="wall", j_max="far").report()
+    other = harmorph.Morph(CountedFrom1.structured(ring(), j_min="wall", j_max="far"), curves)
+    other.save(tmp_path / "fortran.basis")
+    loaded = harmorph.Morph.load(tmp_path / "fortran.basis", ring_mesh())
+    morph = harmorph.Morph(ring_mesh(), curves)
+    displacement = 50 * morph.displacement(move)
+    assert loaded.assess(displacement) == morph.assess(displacement)
+    assert vars(loaded.safe(move).report) == vars(morph.safe(move).report)

@@ -38,7 +38,7 @@ def test_docstrings_hints_and_tests(one):
     for name, member in members(one).items():
         function = member.fget if isinstance(member, property) else member
         if one.__name__ not in ("Safe", "Assessment", "Measures", "Curve"):
-            assert inspect.getdoc(member) or name == "start", f"{one.__name__}.{name} has no docstring"
+            assert inspect.getdoc(member), f"{one.__name__}.{name} has no docstring"
             assert name in TESTS, f"no test uses {one.__name__}.{name}"
             hints = typing.get_type_hints(function)
             assert "return" in hints, f"{one.__name__}.{name} has no hint of what it returns"
