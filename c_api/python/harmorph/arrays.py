@@ -68,7 +68,9 @@ def apart(read: Any, written: Any) -> Any:
     if read is written or read is None:
         return read
     if isinstance(read, np.ndarray) and isinstance(written, np.ndarray):
-        if not np.may_share_memory(read, written) or _address(read) == _address(written):
+        if not np.may_share_memory(read, written):
+            return read
+        if _address(read) == _address(written) and read.strides == written.strides:
             return read
         return read.copy()
     pair = read if isinstance(read, (tuple, list)) else (read,)

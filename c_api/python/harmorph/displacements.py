@@ -57,7 +57,7 @@ class Displacements:
             if is_stack and out is not None:
                 raise Error("out is for a single field.")
             results: Any = np.empty((len(fields), self.n_points, 2)) if out is None else [out]
-            views = [points_in(one, n, "wall") for one in fields]
+            views = [points_in(apart(one, out), n, "wall") for one in fields]
             targets = [points_out(one, self.n_points, "out") for one in results]
             from_, _alive = (ffi.NULL, None)
             if points is not None:
@@ -141,7 +141,7 @@ class Displacements:
                 raise Error("displace_safe takes one field, an array of shape (n, 2).")
             out = np.empty((self.n_points, 2)) if out is None else out
             to, _to_alive = points_out(out, self.n_points, "out")
-            view, _alive = points_in(fields[0], n, "wall")
+            view, _alive = points_in(apart(fields[0], out), n, "wall")
             step = ffi.NULL if move is None else doubles(move, basis.shape, "move")
             reached, result = np.zeros(basis.shape), new("hm_safe_report")
             if basis.shape[0]:

@@ -117,6 +117,10 @@ def test_overlapping_input_and_output(morph, move):
     memory[:N] = morph.start
     morph.morph(move, memory[:N], out=memory[1:])
     assert np.array_equal(memory[1:], morph.morph(move))
+    memory = np.zeros(3 * N)
+    three, two = memory.reshape(N, 3)[:, :2], memory[: 2 * N].reshape(N, 2)  # at the same address
+    three[:] = morph.start
+    assert np.array_equal(morph.morph(move, three, out=two), morph.morph(move))
     columns = np.zeros((2, N))
     columns[:] = morph.start.T
     morph.morph(move, columns.T, out=(columns[1], columns[0]))

@@ -107,6 +107,9 @@ def test_given_displacements(given, random):
     assert abs(moved - given.start - displacement).max() < 1e-15
     inside = given.start.copy()
     assert given.displace(wall, inside, inside) is inside and np.array_equal(inside, moved)
+    within = np.zeros((given.n_points, 2))
+    within[10:74] = wall
+    assert np.array_equal(given.displace(within[10:74], out=within), displacement)
     order = random.permutation(64)
     assert np.array_equal(given.displace(wall[order], wall_points=points[order]), displacement)
     stack = given.displace(np.stack([wall, 2 * wall]))
