@@ -43,6 +43,76 @@ HM_API hm_status hm_swept_areas(const hm_mesh* mesh, const hm_points* from, cons
                                 double* sides, double* duals, double* halves,
                                 const hm_executor* executor, hm_error* err);
 
+/* ---- Distances to the walls ---- */
+
+/* The faces of chosen markers in one position of the mesh. */
+typedef struct hm_walls hm_walls;
+
+/* analysis: of the mesh, with conditions or without (hm_problem). markers [n_markers], n_markers >=
+ * 1: the markers of the walls; a marker that no face has is refused (HM_BAD_CONDITION). at
+ * [n_points]: the coordinates of the mesh points; NULL: those of the mesh. The walls keep all that
+ * they need in their block: analysis, mesh and `at` are not needed afterwards. */
+HM_API hm_status hm_walls_size(const hm_analysis* analysis, int32_t n_markers,
+                               const int32_t* markers, size_t* bytes, hm_error* err);
+HM_API hm_status hm_walls_init(hm_walls** walls, void* block, size_t bytes,
+                               const hm_analysis* analysis, int32_t n_markers,
+                               const int32_t* markers, const hm_points* at, hm_error* err);
+/* Moves the walls to the mesh points `at` [n_points], after a morph for instance. The time is
+ * proportional to the number of faces. Refused (HM_BAD_MESH), the walls unchanged: a coordinate of
+ * a wall point that is not finite or larger than 1e100. */
+HM_API hm_status hm_walls_move(hm_walls* walls, const hm_points* at, hm_error* err);
+
+typedef struct hm_walls_info {
+    uint64_t struct_size;
+    int32_t n_faces, n_wall_points;
+    /* The arrays are in the block of the walls. Points, and faces in the calls below, are counted
+     * from the index_base of the mesh. */
+    const int32_t* face_points;  /* [2*n_faces] in order along the boundary, the mesh on the left */
+    const int32_t* face_markers; /* [n_faces] */
+    const int32_t* wall_points;  /* [n_wall_points] the points of the faces */
+    /* [n_wall_points] the other end of the mesh edge at the wall point that is nearest to the
+     * normal: the first layer; -1: no edge leaves the wall there */
+    const int32_t* layer_points;
+} hm_walls_info;
+HM_API hm_status hm_walls_info_get(const hm_walls* walls, hm_walls_info* info, hm_error* err);
+
+/* Distances of n points to the nearest place on the walls: mesh points, centres of cells or any
+ * others. Periodic images of walls and other boundaries are not considered.
+ *   hint      [n] faces that are probably nearest, such as those before the last movement; NULL:
+ *             none. The results are the same bits with any hints; good hints save time. Numbers
+ *             that are no faces are no hints. May be the array `face`.
+ *   distance  [n] [length] with an error of a few units in the last place of the distance and of
+ *             the length of the face times 2^-53; exactly 0 at a wall point
+ *   face      [n] the nearest face; of faces at equal distances, the first one; NULL: not wanted
+ *   parameter [n] t in 0..1: the nearest place is (1-t) * first + t * second point of the face;
+ *             NULL: not wanted
+ * executor NULL: one thread. Refused (HM_BAD_MESH), the outputs unchanged: a point that is not
+ * finite or larger than 1e100; error.item counts from index_base. */
+HM_API hm_status hm_wall_distance(const hm_walls* walls, int32_t n, const hm_points* points,
+                                  const int32_t* hint, double* distance, int32_t* face,
+                                  double* parameter, const hm_executor* executor, hm_error* err);
+/* The derivative of the distances, each to its nearest face [n] of hm_wall_distance with the same
+ * points: change [n] = n . (point_change - (1-t) first_change - t second_change), with the unit
+ * vector n from the nearest place to the point (at distance 0: the normal of the face into the
+ * mesh). point_change [n]: changes of the points; NULL: 0. mesh_change [n_points]: changes of the
+ * mesh points; NULL: 0. Where two faces are nearest, this is the derivative on one side. */
+HM_API hm_status hm_wall_distance_change(const hm_walls* walls, int32_t n, const hm_points* points,
+                                         const int32_t* face, const hm_points* point_change,
+                                         const hm_points* mesh_change, double* change,
+                                         hm_error* err);
+/* The transpose: adds the derivatives of an objective by the points to point_dj [n] and those by
+ * the mesh points to mesh_dj [n_points], from its derivatives dj [n] by the distances. Where the
+ * points are the mesh points, both may be the same arrays. NULL: not wanted. */
+HM_API hm_status hm_wall_distance_adjoint(const hm_walls* walls, int32_t n, const hm_points* points,
+                                          const int32_t* face, const double* dj,
+                                          const hm_points_out* point_dj,
+                                          const hm_points_out* mesh_dj, hm_error* err);
+/* Heights of the first layer at the mesh points `at` [n_points]: for each wall point, how far the
+ * other end of its first-layer edge is from the wall, in the direction of the normal of the wall at
+ * the wall point [length]; 0 where there is no such edge. heights [n_wall_points]. */
+HM_API hm_status hm_first_layer(const hm_walls* walls, const hm_points* at, double* heights,
+                                hm_error* err);
+
 #ifdef __cplusplus
 }
 #endif

@@ -105,6 +105,26 @@ FaceDistance::Foot FaceDistance::foot(Vec2 from, Index& group) const noexcept {
     return best;
 }
 
+void FaceDistance::find_nearest(const Vec2* point, Index n, Index* hint) const noexcept {
+    static_assert(block == SortedPoints::max_points, "");
+    DistanceKernels const& kernels = distance_kernels(kernel);
+    SortedPoints sorted;
+    sorted.sort(*this, point, n);
+    Index group = 0;  // without a hint, the group of the last point
+    for (Index i = 0; i < sorted.n; i += in_group) {
+        Index first[in_group], nearest[in_group];
+        for (Index lane = 0; lane < in_group; ++lane) {
+            Index const face = hint[sorted.number[i + lane]];
+            if (face != none) group = face / in_group;
+            first[lane] = group;
+        }
+        kernels.nearest_faces(*this, sorted.x + i, sorted.y + i, first, nearest);
+        // The numbers after the last point repeat its number.
+        for (Index lane = 0; lane < in_group; ++lane) hint[sorted.number[i + lane]] = nearest[lane];
+        group = nearest[in_group - 1] / in_group;
+    }
+}
+
 Vec2 FaceDistance::at(Foot const& foot, Points points) const noexcept {
     Face const& face = faces[foot.face];
     return (1 - foot.t) * points[face.point[0]] + foot.t * points[face.point[1]];
