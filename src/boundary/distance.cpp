@@ -28,11 +28,19 @@ struct SortedPoints {
         for (Index i = 0; i < n_points; ++i) ++start[square[i]];
         counts_to_starts(Span<std::uint16_t>(start, squares));
         for (Index i = 0; i < n_points; ++i) set(start[square[i]]++, point[i], i);
-        for (n = n_points; n % in_group != 0; ++n)
-            set(n, {x[n_points - 1], y[n_points - 1]}, number[n_points - 1]);
+        repeat_last(n_points);
+    }
+    // Leaves the points in their order.
+    void take(const Vec2* point, Index n_points) noexcept {
+        for (Index i = 0; i < n_points; ++i) set(i, point[i], i);
+        repeat_last(n_points);
     }
 
 private:
+    void repeat_last(Index n_points) noexcept {
+        for (n = n_points; n % in_group != 0; ++n)
+            set(n, {x[n_points - 1], y[n_points - 1]}, number[n_points - 1]);
+    }
     void set(Index at, Vec2 point, Index new_number) noexcept {
         x[at] = point.x;
         y[at] = point.y;
@@ -109,7 +117,12 @@ void FaceDistance::find_nearest(const Vec2* point, Index n, Index* hint) const n
     static_assert(block == SortedPoints::max_points, "");
     DistanceKernels const& kernels = distance_kernels(kernel);
     SortedPoints sorted;
-    sorted.sort(*this, point, n);
+    // Points with hints begin next to their faces, so their order matters less.
+    if (hint[0] == none) {
+        sorted.sort(*this, point, n);
+    } else {
+        sorted.take(point, n);
+    }
     Index group = 0;  // without a hint, the group of the last point
     for (Index i = 0; i < sorted.n; i += in_group) {
         Index first[in_group], nearest[in_group];

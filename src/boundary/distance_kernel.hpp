@@ -248,17 +248,17 @@ void nearest_faces(FaceDistance const& tree, const Real* x, const Real* y, const
             searches.try_group(tree.groups[groups[k]], groups[k]);
     }
     Search<EightFeet>(tree, searches, none).run();
+    Real square[lanes];
+    for (Index v = 0; v < vectors; ++v) Registers::store(square + v * width, searches.square[v]);
     for (Index k = 0; k < lanes; ++k) {
-        Real squares[lanes];
         Vec2 const from{x[k], y[k]};
+        FaceDistance::Segments const& segments = tree.groups[searches.groups[k]];
+        unsigned farther = 0;  // faces that are farther than the nearest one
         for (Index lane = 0; lane < lanes; lane += width) {
-            Registers::store(squares + lane,
-                             square_from(tree.groups[searches.groups[k]], lane, from));
+            farther |= Registers::less(Vector{} + square[k], square_from(segments, lane, from))
+                       << lane;
         }
-        Index nearest = 0;
-        for (Index lane = 1; lane < lanes; ++lane)
-            nearest = squares[lane] < squares[nearest] ? lane : nearest;
-        faces[k] = lanes * searches.groups[k] + nearest;
+        faces[k] = lanes * searches.groups[k] + __builtin_ctz(~farther);
     }
 }
 
