@@ -420,8 +420,8 @@ typedef struct hm_condition {
     int32_t reserved;      /* 0 */
     double near_x, near_y; /* piece: a point near it, at the start coordinates [length] */
     /* Slip: the curves along which the points move (see hm_slip); NULL (n_curves 0): the polyline
-     * of the marker, made smooth. Read by hm_analysis_size and hm_analysis_init only; a basis does
-     * not keep these curves. */
+     * of the marker, made smooth. Read by hm_analysis_size and hm_analysis_init only; a basis
+     * keeps copies, see hm_basis_along of harmorph_study.h. */
     const hm_curves* along;
 } hm_condition;
 
