@@ -4,7 +4,7 @@
 #ifndef HARMORPH_FIELDS_H
 #define HARMORPH_FIELDS_H
 
-#include "harmorph.h"
+#include "harmorph_study.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -112,6 +112,40 @@ HM_API hm_status hm_wall_distance_adjoint(const hm_walls* walls, int32_t n, cons
  * the wall point [length]; 0 where there is no such edge. heights [n_wall_points]. */
 HM_API hm_status hm_first_layer(const hm_walls* walls, const hm_points* at, double* heights,
                                 hm_error* err);
+
+/* ---- Coarse levels of control volumes, for multigrid flow solvers ---- */
+
+/* The control volumes of the median dual of a mesh, merged level by level. */
+typedef struct hm_levels hm_levels;
+
+/* analysis: of the mesh, with conditions or without; it must exist as long as the levels. at
+ * [n_points]: the coordinates by which volumes are merged; NULL: those of the mesh. agglomeration:
+ * HM_AGGLOMERATE_... of harmorph_study.h, here with the length of the common face of two volumes,
+ * divided by the length of the mesh edge, as conductance: HM_AGGLOMERATE_DIRECTIONAL merges
+ * across the layers of thin cells, HM_AGGLOMERATE_ISOTROPIC whatever the shapes of cells.
+ * max_levels 0 .. 20, the finest level included; 0: as many as there are. Each level has at most a
+ * third of the volumes of the next finer one; levels end where this fails, or at 48 volumes. All
+ * volumes are connected. Points that a cut joins, and in an analysis with conditions those of
+ * pairs, have one volume; polygons count as the triangles and quadrilaterals into which the library
+ * divides them.
+ */
+HM_API hm_status hm_levels_size(const hm_analysis* analysis, size_t* bytes, hm_error* err);
+HM_API hm_status hm_levels_init(hm_levels** levels, void* block, size_t bytes,
+                                const hm_analysis* analysis, const hm_points* at,
+                                int32_t agglomeration, int32_t max_levels, hm_error* err);
+/* cells [n_points] receives the volume of a level, counted from 0, in which the volume of each
+ * point is; -1 for points that no cell uses. Level 0 is the finest. *n_cells: the volumes of the
+ * level; *n_levels: all levels. Each of the three may be NULL. The volumes of one level are unions
+ * of those of finer levels. */
+HM_API hm_status hm_level_cells(const hm_levels* levels, int32_t level, int32_t* cells,
+                                int32_t* n_cells, int32_t* n_levels, hm_error* err);
+/* areas [n_cells of the level] [length^2] receives the areas of the volumes at the mesh points `to`
+ * [n_points], or, with `from` [n_points], by how much they grow from there to `to`. The sum over
+ * the corners of cells is rounded; each of its terms is computed with twice the precision of
+ * doubles. The growth is the sum of what the faces of the volume sweep (hm_swept_areas, duals and
+ * halves), but for rounding. */
+HM_API hm_status hm_level_areas(const hm_levels* levels, int32_t level, const hm_points* from,
+                                const hm_points* to, double* areas, hm_error* err);
 
 #ifdef __cplusplus
 }
