@@ -147,6 +147,49 @@ HM_API hm_status hm_level_cells(const hm_levels* levels, int32_t level, int32_t*
 HM_API hm_status hm_level_areas(const hm_levels* levels, int32_t level, const hm_points* from,
                                 const hm_points* to, double* areas, hm_error* err);
 
+/* ---- Fields of one mesh on another ---- */
+
+/* Where points are in a mesh, and the weights of the mesh points there. */
+typedef struct hm_interpolation hm_interpolation;
+
+typedef struct hm_interpolation_report {
+    uint64_t struct_size;
+    int32_t outside;            /* points outside the mesh */
+    int32_t max_distance_point; /* the point farthest outside, counted from index_base; -1: none */
+    double max_distance;        /* [length] its distance from the mesh */
+} hm_interpolation_report;
+
+/* from: an analysis of the mesh that has the fields, with conditions or without; not needed
+ * afterwards. n: points to which fields are interpolated, of another mesh for instance, 0 .. 2^29.
+ */
+HM_API hm_status hm_interpolation_size(const hm_analysis* from, int32_t n, size_t* bytes,
+                                       hm_error* err);
+/* Finds each of the n points `to` in the mesh of the analysis at the mesh points `at` [n_points];
+ * NULL: the coordinates of the mesh. In a triangle, values are linear; in a quadrilateral they are
+ * the mean over its two divisions into triangles, so that linear fields are exact but for rounding,
+ * and the error of smooth fields falls with the square of the size of the cells. At a point outside
+ * the mesh the value is that of the nearest place of the boundary, linear by arc length between the
+ * two points of its face. distance [n] [length] receives 0 at points inside and the distance from
+ * the mesh outside; NULL: not wanted. The time does not depend much on the order of the points.
+ * Periodic images of the mesh are not considered. executor and report may be NULL. Refused
+ * (HM_BAD_MESH): a cell that is inverted at `at`, a point that is not finite or larger than 1e100.
+ */
+HM_API hm_status hm_interpolation_init(hm_interpolation** interpolation, void* block, size_t bytes,
+                                       const hm_analysis* from, const hm_points* at, int32_t n,
+                                       const hm_points* to, double* distance,
+                                       const hm_executor* executor, hm_interpolation_report* report,
+                                       hm_error* err);
+/* to [n_fields * n] = the values of n_fields fields at the points; from [n_fields * n_points] has
+ * the values at the mesh points, one field after the other. The arrays must have no number in
+ * common. executor NULL: one thread. */
+HM_API hm_status hm_interpolate(const hm_interpolation* interpolation, int32_t n_fields,
+                                const double* from, double* to, const hm_executor* executor,
+                                hm_error* err);
+/* The transpose: adds to from_dj [n_fields * n_points] the derivatives by the values at the mesh
+ * points, from the derivatives to_dj [n_fields * n] by the interpolated values. */
+HM_API hm_status hm_interpolate_adjoint(const hm_interpolation* interpolation, int32_t n_fields,
+                                        const double* to_dj, double* from_dj, hm_error* err);
+
 #ifdef __cplusplus
 }
 #endif
