@@ -169,8 +169,10 @@ Basis::Basis(const std::string& path, const Mesh& mesh)
     if (mesh_has_moved_) find_curves(mesh);
 }
 
-// Finds the curves along which points slide. Each condition gets copies of its own.
+// Finds the curves along which points slide. Conditions whose curves have the same arrays in the
+// basis share one set, so that points can slip from one marker to the next.
 void Basis::find_slip_curves() {
+    std::vector<const double*> knots;  // of the first curve of each set
     for (std::size_t number = 0; number < conditions_.size(); ++number) {
         hm_condition& condition = conditions_[number];
         if (condition.kind != HM_SLIP || condition.n_curves == 0) continue;
@@ -178,8 +180,13 @@ void Basis::find_slip_curves() {
         std::vector<hm_curve> curve(static_cast<std::size_t>(condition.n_curves));
         call(path_, hm_basis_along, basis_, static_cast<std::int32_t>(number), &found, curve.data(),
              condition.n_curves);
-        slip_curves_.push_back(std::make_shared<const CurveSet>(copied(found)));
-        condition.along = slip_curves_.back()->view.get();
+        const std::size_t set = static_cast<std::size_t>(
+            std::find(knots.begin(), knots.end(), curve[0].knots) - knots.begin());
+        if (set == knots.size()) {
+            knots.push_back(curve[0].knots);
+            slip_curves_.push_back(std::make_shared<const CurveSet>(copied(found)));
+        }
+        condition.along = slip_curves_[set]->view.get();
     }
 }
 

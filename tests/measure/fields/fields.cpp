@@ -98,21 +98,79 @@ void measure_distances(fixtures::Mesh mesh) {
     if (distance != again) std::printf("the distances differ\n");
 }
 
+void measure_levels(fixtures::Mesh const& mesh) {
+    Analysed const analysed(mesh.view());
+    hm_error error;
+    std::size_t bytes = 0;
+    require(hm_levels_size(analysed.analysis, &bytes, &error), error, "hm_levels_size");
+    std::unique_ptr<char[]> const block(new char[bytes]);
+    hm_levels* levels = nullptr;
+    std::printf("%-52s %8.1f ms\n", "coarse levels", fastest(2, [&] {
+                    require(hm_levels_init(&levels, block.get(), bytes, analysed.analysis, nullptr,
+                                           HM_AGGLOMERATE_AUTO, 0, &error),
+                            error, "hm_levels_init");
+                }));
+    std::int32_t n = 0, n_levels = 0;
+    require(hm_level_cells(levels, 1, nullptr, &n, &n_levels, &error), error, "hm_level_cells");
+    std::vector<double> areas(static_cast<std::size_t>(n));
+    hm_points const at = {mesh.x.data(), mesh.y.data(), 1};
+    std::printf("%-52s %8.1f ms\n", "areas of the volumes of one level", fastest(3, [&] {
+                    require(hm_level_areas(levels, 1, nullptr, &at, areas.data(), &error), error,
+                            "hm_level_areas");
+                }));
+}
+
+// Fields go from one mesh to the points of another, in the order of the mesh and shuffled.
+void measure_interpolation(fixtures::Mesh const& from, fixtures::Mesh const& to) {
+    hm_error error;
+    std::unique_ptr<Analysed> analysed;
+    std::printf("%-52s %8.1f ms\n", "analysis of the mesh with the fields",
+                fastest(2, [&] { analysed = std::make_unique<Analysed>(from.view()); }));
+    std::vector<double> x = to.x, y = to.y, field(from.x), value(to.x.size());
+    std::int32_t const n = to.n_points();
+    std::size_t bytes = 0;
+    require(hm_interpolation_size(analysed->analysis, n, &bytes, &error), error, "size");
+    std::unique_ptr<char[]> const block(new char[bytes]);
+    hm_interpolation* object = nullptr;
+    hm_interpolation_report report;
+    HM_INIT(report);
+    for (bool const shuffled : {false, true}) {
+        for (std::size_t k = 0; shuffled && k < x.size(); ++k) {
+            std::size_t const other = (k * 1664525 + 1013904223) % x.size();
+            std::swap(x[k], x[other]);
+            std::swap(y[k], y[other]);
+        }
+        hm_points const at = {x.data(), y.data(), 1};
+        std::printf(
+            "%-52s %8.1f ms\n",
+            shuffled ? "the points in random order" : "cells and weights of all points",
+            fastest(2, [&] {
+                require(hm_interpolation_init(&object, block.get(), bytes, analysed->analysis,
+                                              nullptr, n, &at, nullptr, nullptr, &report, &error),
+                        error, "hm_interpolation_init");
+            }));
+    }
+    std::printf("%-52s %8.1f ms\n", "one field", fastest(5, [&] {
+                    require(hm_interpolate(object, 1, field.data(), value.data(), nullptr, &error),
+                            error, "hm_interpolate");
+                }));
+    std::printf("%d points are outside, at most by %g\n", report.outside, report.max_distance);
+}
+
 }  // namespace
 
 int main(int n_arguments, char** arguments) {
     int const n = n_arguments > 1 ? std::atoi(arguments[1]) : 1000000;
-    struct Kind {
-        const char* name;
-        fixtures::Mesh mesh;
-    };
-    for (Kind const& kind :
-         {Kind{"quads, 1e-5 chords high at the wall", fixtures::naca0012_viscous(n)},
-          Kind{"triangles", fixtures::naca0012_triangles(n)}}) {
-        std::printf("%s: %d points, %d cells\n", kind.name, kind.mesh.n_points(),
-                    kind.mesh.n_cells());
-        measure_swept_areas(kind.mesh);
-        measure_distances(kind.mesh);
+    fixtures::Mesh const quads = fixtures::naca0012_viscous(n),
+                         triangles = fixtures::naca0012_triangles(n);
+    for (fixtures::Mesh const* const mesh : {&quads, &triangles}) {
+        std::printf("%s: %d points, %d cells\n",
+                    mesh == &quads ? "quads, 1e-5 chords high at the wall" : "triangles",
+                    mesh->n_points(), mesh->n_cells());
+        measure_swept_areas(*mesh);
+        measure_distances(*mesh);
+        measure_levels(*mesh);
+        measure_interpolation(*mesh, mesh == &quads ? triangles : quads);
     }
     return 0;
 }
