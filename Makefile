@@ -184,7 +184,7 @@ amalgamation:
 	@mkdir -p $(BUILD)/amalgamation
 	@sh c_api/packaging/amalgamate.sh >$(BUILD)/amalgamation/harmorph.cpp
 	@cp include/harmorph.h include/harmorph_design.h include/harmorph_space.h include/harmorph_parts.h \
-	    include/harmorph_study.h $(BUILD)/amalgamation/
+	    include/harmorph_study.h include/harmorph_quality.h $(BUILD)/amalgamation/
 
 check-link: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' sh tests/check_link.sh $(BUILD)
@@ -225,6 +225,7 @@ demo: all
 # What lies where after an installation; uninstall takes the same list away.
 INSTALLED = bin/harmorph share/man/man1/harmorph.1 lib/libharmorph.so* include/harmorph.h include/harmorph_design.h \
 	include/harmorph_space.h include/harmorph_parts.h include/harmorph_study.h include/harmorph_openmp.h \
+	include/harmorph_quality.h \
 	include/harmorph_pthreads.h include/harmorph_mpi.h include/harmorph_petsc.h include/harmorph_pages.h \
 	lib/libharmorph.a lib/pkgconfig/harmorph.pc \
 	lib/cmake/harmorph/harmorphConfig.cmake lib/cmake/harmorph/harmorphConfigVersion.cmake share/harmorph/*.f90 \

@@ -8,11 +8,11 @@
  * functions for the concurrent shape and mesh morphing of airfoils".)
  *
  * This header suffices for a solver on one process. The other headers contain, by topic:
- *   harmorph_design.h  evaluation, refinement and measures of curves, design variables, functions
- *                      that are combined, given by table, stored in single precision, transferred
+ *   harmorph_design.h  evaluation, refinement and measures of curves, design variables, other bases
+ *   harmorph_study.h   diagnostics, and the schemes and engines of the paper
  *   harmorph_space.h   meshes one cell thick, blocks in arrays of their own, meshes given as edges
  *   harmorph_parts.h   functions and meshes shared among processes (harmorph_mpi.h, _petsc.h)
- *   harmorph_study.h   diagnostics, and the schemes and engines of the paper
+ *   harmorph_quality.h smooth bounds of the quality of a mesh, with derivatives, for optimisers
  *   harmorph_openmp.h, harmorph_pthreads.h, harmorph_pages.h   ready-made threads, huge pages
  *
  * CONVENTIONS hold for every function of these headers.
