@@ -5,7 +5,7 @@
 
 #include "base/executor.hpp"
 #include "mesh/topology.hpp"
-#include "morph/smooth_minimum.hpp"
+#include "base/smooth_minimum.hpp"
 
 namespace harmorph {
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "boundary/first_layer.hpp"
-#include "morph/smooth_minimum.hpp"
+#include "base/smooth_minimum.hpp"
 
 namespace harmorph {
 

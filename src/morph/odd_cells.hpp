@@ -5,7 +5,7 @@
 
 #include "mesh/guard_shape.hpp"
 #include "morph/point_gradient.hpp"
-#include "morph/smooth_minimum.hpp"
+#include "base/smooth_minimum.hpp"
 
 namespace harmorph {
 

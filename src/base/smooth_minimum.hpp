@@ -9,7 +9,7 @@
 #pragma once
 
 #include "base/elementary.hpp"
-#include "morph/exponential_series.hpp"
+#include "base/exponential_series.hpp"
 
 namespace harmorph {
 
