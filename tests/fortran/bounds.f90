@@ -12,7 +12,8 @@ contains
         integer, parameter :: kinds(6) = [hm_bound_quality, hm_bound_kept_quality, hm_bound_area, hm_bound_height, &
             hm_bound_stretch, hm_bound_angle]
         real(dp), parameter :: eps = 1e-5_dp
-        real(dp) :: move(2, n_control), dx(n_points), dy(n_points), slope(2, n_control), gradients(2, n_points, 6)
+        real(dp) :: move(2, n_control), dx(n_points), dy(n_points), slope(2, n_control)
+        real(dp), allocatable :: gradients(:, :, :)
         real(dp) :: x_new(n_points), y_new(n_points), difference
         type(hm_quality) :: quality
         type(hm_bound_value) :: values(6), same(6), up(6), down(6)
@@ -20,6 +21,7 @@ contains
         type(hm_step_report) :: step
         type(hm_error) :: err
         integer :: k, stat
+        allocate(gradients(2, n_points, 6))
         move = some_move()
         call basis%displacement(move, dx, dy)
         call quality%bounds(kinds, x, y, values, stat=stat, err=err)
@@ -46,7 +48,7 @@ contains
         call quality%bounds(kinds, x, y, same(:5), stat=stat)
         call check(stat == hm_bad_argument, "a value too few")
         call quality%bounds([17], x, y, same(:1), stat=stat, err=err)
-        call check(stat == hm_bad_argument .and. index(err%text, "the kind of bound 0 is 17") == 1, err%text)
+        call check(stat == hm_bad_argument .and. index(err%text, "the kind of bound 1 is 17") == 1, err%text)
         call quality%free()
 
         call basis%assess(mesh, dx, dy, step)
