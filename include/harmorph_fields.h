@@ -21,10 +21,10 @@ extern "C" {
 HM_API hm_status hm_swept_count(const hm_mesh* mesh, int64_t* n, hm_error* err);
 /* Computes the areas that lines of the mesh sweep while each point moves linearly in time from its
  * place in `from` to its place in `to`. Points [n_points]; from NULL: the mesh's own coordinates.
- * Entry k, from 0, of a cell belongs to side k, which runs from point k of the cell to the next point
- * (the last side runs to point 0). Point k is that of the list of the cell; in structured meshes and
- * blocks the points of cell (i,j) are (i,j), (i+1,j), (i+1,j+1), (i,j+1). Where a triangle repeats
- * its last point, the side between the repetitions has the area 0.
+ * Entry k, from 0, of a cell belongs to side k, which runs from point k of the cell to the next
+ * point (the last side runs to point 0). Point k is that of the list of the cell; in structured
+ * meshes and blocks the points of cell (i,j) are (i,j), (i+1,j), (i+1,j+1), (i,j+1). Where a
+ * triangle repeats its last point, the side between the repetitions has the area 0.
  *   sides   [n] side k
  *   duals   [n] the face of the median dual in this cell that runs from the middle of side k to the
  *           mean of the points of the cell, between the control volumes of the points of the side
