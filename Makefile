@@ -186,8 +186,7 @@ amalgamation:
 	@rm -rf $(BUILD)/amalgamation
 	@mkdir -p $(BUILD)/amalgamation
 	@sh c_api/packaging/amalgamate.sh >$(BUILD)/amalgamation/harmorph.cpp
-	@cp include/harmorph.h include/harmorph_design.h include/harmorph_space.h include/harmorph_parts.h \
-	    include/harmorph_study.h include/harmorph_fields.h include/harmorph_quality.h $(BUILD)/amalgamation/
+	@for header in `cat fortran/harmorph/headers`; do cp include/$$header $(BUILD)/amalgamation/; done
 
 check-link: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' sh tests/check_link.sh $(BUILD)
