@@ -23,13 +23,13 @@ using namespace fixtures;
 namespace {
 
 struct Given {  // a mesh with a solved basis, and points to read and to write
-    Case its = tiny_case();
-    hm_mesh mesh = its.mesh_view();
-    Solved solved{its.problem(mesh)};
+    Case setup = tiny_case();
+    hm_mesh mesh = setup.mesh_view();
+    Solved solved{setup.problem(mesh)};
     hm_analysis* analysis = solved.analysis;
     hm_plan* plan = solved.plan;
     hm_basis* basis = solved.basis;
-    std::vector<double> x = its.mesh.x, y = its.mesh.y, to_x = x, to_y = y,
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y, to_x = x, to_y = y,
                         zero = std::vector<double>(x.size(), 0.0);
     std::vector<double> move = std::vector<double>(8, 0.0),
                         numbers = std::vector<double>(1000, 0.0);
@@ -103,7 +103,7 @@ TEST_CASE("curves and fits") {
 
 TEST_CASE("from the problem to the basis") {
     Given g;
-    hm_problem const problem = g.its.problem(g.mesh);
+    hm_problem const problem = g.setup.problem(g.mesh);
     Options const options = laplace();
     hm_analysis* analysis = nullptr;
     hm_plan* plan = nullptr;
@@ -168,7 +168,7 @@ TEST_CASE("what a basis is asked for") {
     check_arguments("analysis, mesh, bytes", hm_transfer_size, g.analysis, &g.mesh, &g.bytes);
     Guarded room(g.bytes);
     Attempt fine;
-    REQUIRE(fine.analyse(g.its.problem()));
+    REQUIRE(fine.analyse(g.setup.problem()));
     REQUIRE(fine.prepare());
     check_arguments("basis, block, bytes, analysis, coarse, mesh, ?report", hm_transfer, fine.basis,
                     room.data(), g.bytes, fine.analysis, g.basis, &g.mesh, &report);
@@ -242,12 +242,12 @@ TEST_CASE("large movements and better cells") {
 }
 
 TEST_CASE("given displacements") {
-    Case its = given_instead(tiny_case());
-    Displaced d(its);
+    Case setup = given_instead(tiny_case());
+    Displaced d(setup);
     std::int32_t const n = static_cast<std::int32_t>(d.points.size());
-    std::vector<double> zero(100, 0.0), x = its.mesh.x, y = its.mesh.y, modes(200, 1.0);
+    std::vector<double> zero(100, 0.0), x = setup.mesh.x, y = setup.mesh.y, modes(200, 1.0);
     hm_points const wall{zero.data(), zero.data(), 1},
-        from{its.mesh.x.data(), its.mesh.y.data(), 1};
+        from{setup.mesh.x.data(), setup.mesh.y.data(), 1};
     hm_points_out const to{x.data(), y.data(), 1};
     hm_solve_report report = with_size<hm_solve_report>();
     hm_safe_options safe = with_size<hm_safe_options>();
@@ -278,7 +278,7 @@ TEST_CASE("given displacements") {
 
 TEST_CASE("a mesh one cell thick") {
     Given g;
-    Extruded const space(g.its.mesh, along_axis(2));
+    Extruded const space(g.setup.mesh, along_axis(2));
     hm_space_mesh const mesh = space.view();
     hm_plane* plane = nullptr;
     hm_plane_info info = with_size<hm_plane_info>();
@@ -319,11 +319,11 @@ TEST_CASE("structured blocks in arrays of their own") {
 
 TEST_CASE("a part of a mesh, and its equations") {
     for (bool const given : {false, true}) {
-        Case its = given ? given_instead(tiny_case()) : tiny_case();
-        std::vector<PartOfMesh> parts = cut(its.mesh, stripes(its.mesh, 1), false);
+        Case setup = given ? given_instead(tiny_case()) : tiny_case();
+        std::vector<PartOfMesh> parts = cut(setup.mesh, stripes(setup.mesh, 1), false);
         PartOfMesh& whole = parts[0];
         Options const options = laplace();
-        hm_problem problem = its.problem();
+        hm_problem problem = setup.problem();
         problem.mesh = nullptr;
         hm_mesh const mesh = whole.mesh.view();
         hm_part_mesh of_part = with_size<hm_part_mesh>();

@@ -27,14 +27,14 @@ struct Spoiled {
 
 void check_refused(Spoiled const& bad) {
     for (std::int32_t const base : {0, 1}) {
-        Case its = tiny_case();
-        its.index_base = base;
-        if (bad.change) bad.change(its);
-        hm_mesh view = its.mesh_view();
+        Case setup = tiny_case();
+        setup.index_base = base;
+        if (bad.change) bad.change(setup);
+        hm_mesh view = setup.mesh_view();
         if (bad.change_view) bad.change_view(view);
-        hm_problem const problem = its.problem(view);
-        Mesh const mesh = its.mesh;
-        std::vector<double> const control = its.curves.control;
+        hm_problem const problem = setup.problem(view);
+        Mesh const mesh = setup.mesh;
+        std::vector<double> const control = setup.curves.control;
 
         Attempt attempt(problem);
         INFO(std::string(bad.word)
@@ -52,9 +52,9 @@ void check_refused(Spoiled const& bad) {
         if (kind == HM_ITEM_NONE && bad.item != nobody) CHECK(attempt.error.value == bad.item);
         CHECK(attempt.guards_intact());
         CHECK(attempt.basis == nullptr);
-        CHECK(same_bits(mesh.x, its.mesh.x));
-        CHECK(mesh.cells == its.mesh.cells);
-        CHECK(same_bits(control, its.curves.control));
+        CHECK(same_bits(mesh.x, setup.mesh.x));
+        CHECK(mesh.cells == setup.mesh.cells);
+        CHECK(same_bits(control, setup.curves.control));
     }
 }
 
@@ -75,9 +75,9 @@ void replace_cell(Mesh& mesh, std::int32_t cell, std::vector<std::int32_t> const
 
 TEST_CASE("what the others spoil is sound") {
     for (std::int32_t const base : {0, 1}) {
-        Case its = tiny_case();
-        its.index_base = base;
-        Solved const solved(its);
+        Case setup = tiny_case();
+        setup.index_base = base;
+        Solved const solved(setup);
         CHECK(solved.report.curve_points == 8);
         CHECK(solved.report.unknowns == 48 - 8 - 24);
     }
@@ -165,23 +165,23 @@ TEST_CASE("the largest and smallest of numbers as an index") {
     for (std::int32_t const base : {0, 1})
         for (std::int32_t const number :
              {std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()}) {
-            Case its = tiny_case();
-            its.index_base = base;
-            hm_mesh view = its.mesh_view();
+            Case setup = tiny_case();
+            setup.index_base = base;
+            hm_mesh view = setup.mesh_view();
             std::vector<std::int32_t> cells(view.cell_points,
-                                            view.cell_points + its.mesh.cells.size());
+                                            view.cell_points + setup.mesh.cells.size());
             cells[17] = number;
             view.cell_points = cells.data();
-            Attempt const in_cell(its.problem(view));
+            Attempt const in_cell(setup.problem(view));
             CHECK(in_cell.status == HM_BAD_MESH);
             CHECK(in_cell.error.item == 4 + base);
 
-            view = its.mesh_view();
+            view = setup.mesh_view();
             std::vector<std::int32_t> faces(view.face_points,
-                                            view.face_points + its.mesh.faces.size());
+                                            view.face_points + setup.mesh.faces.size());
             faces[17] = number;
             view.face_points = faces.data();
-            Attempt const in_face(its.problem(view));
+            Attempt const in_face(setup.problem(view));
             CHECK(in_face.status == HM_BAD_MESH);
             CHECK(in_face.error.item == 8 + base);
         }
@@ -265,10 +265,10 @@ TEST_CASE(
     std::vector<std::int32_t> points;
     for (std::int32_t k = 1; k <= 7; ++k) points.push_back(k);
     for (std::int32_t k = 48; k > 41; --k) points.push_back(k);
-    Case its = tiny_case();
-    its.index_base = 1;
-    Mixed const mixed(its.mesh, 1);
-    hm_mesh view = mixed.put_into(its.mesh_view());
+    Case setup = tiny_case();
+    setup.index_base = 1;
+    Mixed const mixed(setup.mesh, 1);
+    hm_mesh view = mixed.put_into(setup.mesh_view());
     view.n_cells = mixed.n_triangles();
     view.n_quads = 0;
     for (bool const in_lists : {true, false}) {
@@ -280,9 +280,9 @@ TEST_CASE(
             view.n_faces = 0;
         } else {
             view.n_lists = 0;
-            view.n_faces = its.mesh.n_faces();
+            view.n_faces = setup.mesh.n_faces();
         }
-        Attempt const attempt(its.problem(view));
+        Attempt const attempt(setup.problem(view));
         INFO(attempt.error.text);
         CHECK(attempt.status == HM_BAD_MESH);
         std::string const text = attempt.error.text;
@@ -296,14 +296,14 @@ TEST_CASE(
 
 TEST_CASE("bad cells in two arrays") {
     for (std::int32_t const base : {0, 1}) {
-        Case its = tiny_case();
-        its.index_base = base;
-        Mixed mixed(its.mesh, base);
+        Case setup = tiny_case();
+        setup.index_base = base;
+        Mixed mixed(setup.mesh, base);
         auto const refused = [&](hm_status status, const char* word, std::int32_t item,
                                  auto change) {
-            hm_mesh view = mixed.put_into(its.mesh_view());
+            hm_mesh view = mixed.put_into(setup.mesh_view());
             change(view);
-            Attempt const attempt(its.problem(view));
+            Attempt const attempt(setup.problem(view));
             INFO(std::string(word) << ": " << attempt.error.text);
             CHECK(attempt.status == status);
             CHECK(std::string(attempt.error.text).find(word) != std::string::npos);
@@ -359,9 +359,9 @@ TEST_CASE("bad curves") {
          {}},
     };
     for (Bad const& bad : all) {
-        Case its = tiny_case();
-        if (bad.change) bad.change(its.curves);
-        hm_problem problem = its.problem();
+        Case setup = tiny_case();
+        if (bad.change) bad.change(setup.curves);
+        hm_problem problem = setup.problem();
         hm_curves view = *problem.curves;
         if (bad.change_view) bad.change_view(view);
         problem.curves = &view;
@@ -420,11 +420,11 @@ TEST_CASE(
         for (auto const& field : fields) {
             if (field.kind == kind || field.also == kind) continue;
             if (field.kind == HM_PERIODIC_PAIR && kind == HM_INTERFACE) continue;
-            Case its = tiny_case();
-            its.add_condition(far_field, kind);
-            its.conditions[1].n_curves = kind == HM_ON_CURVE ? 1 : 0;
-            field.set(its.conditions[1]);
-            Attempt const attempt(its.problem());
+            Case setup = tiny_case();
+            setup.add_condition(far_field, kind);
+            setup.conditions[1].n_curves = kind == HM_ON_CURVE ? 1 : 0;
+            field.set(setup.conditions[1]);
+            Attempt const attempt(setup.problem());
             INFO("kind " << kind << ", " << std::string(field.name) << ": " << attempt.error.text);
             CHECK(attempt.status == HM_BAD_CONDITION);
             CHECK(attempt.error.item == 1);
@@ -433,10 +433,10 @@ TEST_CASE(
 }
 
 TEST_CASE("nothing inside: a mesh all of whose points are on fixed markers and curves") {
-    Case its = tiny_case();
-    its.mesh = square(4, Cells::hybrid, 2, 2);
-    its.curves = polyline({{.25, .25}, {.75, .25}, {.75, .75}, {.25, .75}});
-    Attempt const attempt(its.problem());
+    Case setup = tiny_case();
+    setup.mesh = square(4, Cells::hybrid, 2, 2);
+    setup.curves = polyline({{.25, .25}, {.75, .25}, {.75, .75}, {.25, .75}});
+    Attempt const attempt(setup.problem());
     CHECK(attempt.status == HM_BAD_CONDITION);
     CHECK(std::string(attempt.error.text).find("nothing to solve") != std::string::npos);
 }
@@ -446,20 +446,21 @@ TEST_CASE("a region of the mesh in which no value is known is refused") {
     // kernel.
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         for (int const n : {1, 2, 3, 10, 30}) {
-            Case its = tiny_case();
+            Case setup = tiny_case();
             Mesh const island = square(n, kind);
-            std::int32_t const first = its.mesh.n_points();
+            std::int32_t const first = setup.mesh.n_points();
             for (std::size_t k = 0; k < island.x.size(); ++k)
-                its.mesh.add_point({10 + island.x[k], 1 + 0.7 * island.y[k]});
+                setup.mesh.add_point({10 + island.x[k], 1 + 0.7 * island.y[k]});
             for (std::size_t cell = 0; cell + 1 < island.cell_start.size(); ++cell) {
                 for (std::int32_t k = island.cell_start[cell]; k < island.cell_start[cell + 1]; ++k)
-                    its.mesh.cells.push_back(first + island.cells[static_cast<std::size_t>(k)]);
-                its.mesh.cell_start.push_back(static_cast<std::int32_t>(its.mesh.cells.size()));
+                    setup.mesh.cells.push_back(first + island.cells[static_cast<std::size_t>(k)]);
+                setup.mesh.cell_start.push_back(static_cast<std::int32_t>(setup.mesh.cells.size()));
             }
             for (std::size_t f = 0; f < island.face_markers.size(); ++f)
-                its.mesh.add_face(first + island.faces[2 * f], first + island.faces[2 * f + 1], 50);
-            its.set_free(50);
-            Attempt const attempt(its.problem());
+                setup.mesh.add_face(first + island.faces[2 * f], first + island.faces[2 * f + 1],
+                                    50);
+            setup.set_free(50);
+            Attempt const attempt(setup.problem());
             INFO(n << " x " << n << ": " << attempt.reached << ": " << attempt.error.text);
             CHECK(attempt.status == HM_BAD_CONDITION);
             CHECK(attempt.error.item >= first);  // a point of the island

@@ -15,16 +15,16 @@
 using namespace fixtures;
 
 TEST_CASE("conditions and given parameters") {
-    Case its = tiny_case();
+    Case setup = tiny_case();
     auto const size = [&](hm_condition const& condition, hm_error* e) {
-        hm_problem problem = its.problem();
+        hm_problem problem = setup.problem();
         problem.conditions = &condition;
         std::size_t bytes = 0;
         return hm_analysis_size(&problem, nullptr, &bytes, e);
     };
     using C = hm_condition;
     check_changes<C>(
-        its.conditions[0],
+        setup.conditions[0],
         {{nullptr, [](C&) {}},
          {nullptr, [](C& c) { c.piece = 1; }},
          {nullptr, [](C& c) { c.piece = 1, c.near_x = 3; }},
@@ -46,19 +46,19 @@ TEST_CASE("conditions and given parameters") {
          {"near_x or near_y", [](C& c) { c.piece = 1, c.near_y = beyond_range; }}},
         HM_BAD_CONDITION, size);
     check_changes<C>(
-        its.conditions[0],
+        setup.conditions[0],
         {{"struct_size of condition 0", [](C& c) { c.struct_size = 0; }},
          {"the kind of condition 0 is -1, but", [](C& c) { c.kind = -1; }},
          {"the kind of condition 0 is 9, but", [](C& c) { c.kind = HM_INTERFACE + 1; }}},
         HM_BAD_ARGUMENT, size);
-    its.give(16, 0.5);
+    setup.give(16, 0.5);
     auto const size_of = [](hm_problem const& problem, hm_error* e) {
         std::size_t bytes = 0;
         return hm_analysis_size(&problem, nullptr, &bytes, e);
     };
     using P = hm_problem;
     check_changes<P>(
-        its.problem(),
+        setup.problem(),
         {{nullptr, [](P&) {}},
          {"problem.struct_size", [](P& p) { p.struct_size = 0; }},
          {"problem.n_given must be at least 0, not -1", [](P& p) { p.n_given = -1; }},
@@ -120,9 +120,9 @@ TEST_CASE("blocks, and the distances between their points") {
 }
 
 TEST_CASE("safe morphs and better cells") {
-    Case its = tiny_case();
-    Solved const solved(its);
-    std::vector<double> x = its.mesh.x, y = its.mesh.y, move(8, 0.0);
+    Case setup = tiny_case();
+    Solved const solved(setup);
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y, move(8, 0.0);
     hm_points_out const to{x.data(), y.data(), 1};
     std::size_t bytes = 0;
     REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
@@ -166,15 +166,15 @@ TEST_CASE("safe morphs and better cells") {
         CHECK(std::string(error.text) ==
               "a share of the functions cannot move the mesh: all of them are needed");
     }
-    CHECK(x == its.mesh.x);
+    CHECK(x == setup.mesh.x);
 }
 
 TEST_CASE("levels of a plan") {
-    Case its = two_body_case(Cells::quads, 8, 6);
+    Case setup = two_body_case(Cells::quads, 8, 6);
     Options options = laplace();
     options.engine = HM_MULTIGRID;
-    Solved const solved(its, &options);
-    std::vector<std::int32_t> cells(its.mesh.x.size());
+    Solved const solved(setup, &options);
+    std::vector<std::int32_t> cells(setup.mesh.x.size());
     std::int32_t n = 0;
     std::int32_t const levels = solved.report.levels;
     REQUIRE(levels > 0);
@@ -188,8 +188,8 @@ TEST_CASE("levels of a plan") {
 }
 
 TEST_CASE("what else a call finds wrong in its numbers") {
-    Case its = tiny_case();
-    Solved const solved(its);
+    Case setup = tiny_case();
+    Solved const solved(setup);
     CurveSet set = airfoil_case().curves;
     std::size_t bytes = 0;
     std::vector<double> values(1000, 0.0), x(48, 0.0), y = x;
@@ -242,7 +242,7 @@ TEST_CASE("what else a call finds wrong in its numbers") {
          HM_BAD_ARGUMENT, "-1");
     says(hm_parcel_pack(solved.basis, -1, &point, values.data(), &error), HM_BAD_ARGUMENT, "-1");
 
-    hm_mesh broken = its.mesh_view();
+    hm_mesh broken = setup.mesh_view();
     broken.cell_points = nullptr;
     hm_quality_report quality = with_size<hm_quality_report>();
     says(hm_assess(solved.basis, &broken, nullptr, nullptr, nullptr, nullptr, nullptr, &quality,
@@ -259,10 +259,10 @@ TEST_CASE("what else a call finds wrong in its numbers") {
 }
 
 TEST_CASE("a given displacement whose target is out of range") {
-    Case its = given_instead(tiny_case());
-    Displaced displaced(its);
+    Case setup = given_instead(tiny_case());
+    Displaced displaced(setup);
     std::int32_t const n = static_cast<std::int32_t>(displaced.points.size());
-    std::vector<double> far(its.mesh.x.size(), 6e99), x = its.mesh.x, y = its.mesh.y;
+    std::vector<double> far(setup.mesh.x.size(), 6e99), x = setup.mesh.x, y = setup.mesh.y;
     hm_points const all{far.data(), far.data(), 1};
     hm_points_out const to{x.data(), y.data(), 1};
     Guarded work = displaced.work_for(1);
@@ -272,17 +272,17 @@ TEST_CASE("a given displacement whose target is out of range") {
     CHECK(std::string(error.text).find("a target coordinate of point ") == 0);
     CHECK(std::string(error.text).find("in field 0 exceeds 1e100 in magnitude") !=
           std::string::npos);
-    CHECK(x == its.mesh.x);
+    CHECK(x == setup.mesh.x);
 }
 
 TEST_CASE("rigid bodies are numbered without a gap") {
     for (std::int32_t const second : {1, 2}) {
-        Case its = two_body_case(Cells::hybrid, 4, 3);
-        its.conditions.clear();
-        its.curves = {};
-        its.set_rigid(body, 0.5, 0.5, 0);
-        its.set_rigid(second_body, 1.5, 0.5, second);
-        Attempt const attempt(its.problem());
+        Case setup = two_body_case(Cells::hybrid, 4, 3);
+        setup.conditions.clear();
+        setup.curves = {};
+        setup.set_rigid(body, 0.5, 0.5, 0);
+        setup.set_rigid(second_body, 1.5, 0.5, second);
+        Attempt const attempt(setup.problem());
         CHECK(attempt.status == (second == 1 ? HM_OK : HM_BAD_CONDITION));
         if (second == 1) continue;
         CHECK(std::string(attempt.error.text) ==
@@ -291,7 +291,7 @@ TEST_CASE("rigid bodies are numbered without a gap") {
 }
 
 TEST_CASE("numbers in sentences: integers below 1e15 with all their digits, others with six") {
-    Case its = tiny_case();
+    Case setup = tiny_case();
     struct {
         double value;
         const char* words;
@@ -304,7 +304,7 @@ TEST_CASE("numbers in sentences: integers below 1e15 with all their digits, othe
     for (auto const& one : all) {
         Options options = laplace();
         options.tolerance = one.value;
-        Attempt const attempt(its.problem(), &options);
+        Attempt const attempt(setup.problem(), &options);
         INFO(attempt.error.text);
         CHECK(attempt.status == HM_BAD_ARGUMENT);
         CHECK(std::string(attempt.error.text).find(one.words) != std::string::npos);

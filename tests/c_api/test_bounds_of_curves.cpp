@@ -200,7 +200,9 @@ TEST_CASE("design variables") {
 TEST_CASE("curves: each field of the set and of a curve") {
     CurveSet set = ring(3, 8, 1, 1);
     hm_curves const& curves = set.view();
-    auto const check = [](hm_curves const& its, hm_error* e) { return hm_curves_check(&its, e); };
+    auto const check = [](hm_curves const& all, hm_error* e) {
+        return hm_curves_check(&all, e);
+    };
     using C = hm_curves;
     check_changes<C>(
         curves,
@@ -216,9 +218,9 @@ TEST_CASE("curves: each field of the set and of a curve") {
                       {"index_base", [](C& c) { c.index_base = -1; }}},
                      HM_BAD_ARGUMENT, check);
     // Wherever curves are read.
-    Case its = tiny_case();
-    its.curves.add(ring(3, 8, 1, 1));
-    hm_problem problem = its.problem();
+    Case setup = tiny_case();
+    setup.curves.add(ring(3, 8, 1, 1));
+    hm_problem problem = setup.problem();
     hm_curves two = *problem.curves;
     std::vector<hm_curve> its_curves(two.curve, two.curve + 2);
     two.curve = its_curves.data();

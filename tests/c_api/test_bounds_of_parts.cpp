@@ -31,11 +31,11 @@ TEST_CASE("two cells of a part on one side of an edge") {
 }
 
 TEST_CASE("columns and unknowns of a part's equations") {
-    Case its = tiny_case();
+    Case setup = tiny_case();
     Options const options = laplace();
-    Parted parted(cut(its.mesh, stripes(its.mesh, 1), false));
+    Parted parted(cut(setup.mesh, stripes(setup.mesh, 1), false));
     REQUIRE(parted.match());
-    REQUIRE(parted.equate(its.problem(), options));
+    REQUIRE(parted.equate(setup.problem(), options));
     hm_equations* const equations = parted.parts[0].equations;
     hm_equations_info const& info = parted.parts[0].info();
     hm_part* const part = parted.parts[0].part;
@@ -85,7 +85,7 @@ TEST_CASE("columns and unknowns of a part's equations") {
     says(hm_equations_size(part, n_edges, &problem, &options, &bytes, &error),
          "there is nothing to solve, because the problem has no curves, rigid bodies or given "
          "displacements");
-    problem = its.problem();
+    problem = setup.problem();
     problem.mesh = nullptr;
     for (std::int32_t const count : {-1, (1 << 29) + 1})
         says(hm_equations_size(part, count, &problem, &options, &bytes, &error),
@@ -93,7 +93,7 @@ TEST_CASE("columns and unknowns of a part's equations") {
     REQUIRE(hm_rows_finish(equations, rows, 1, &error) == HM_OK);
     says(hm_rows_get(equations, rows, 0, numbers.data(), &error),
          "the rows are finished; make new ones by hm_rows_init");
-    Solved const whole(its, &options);
+    Solved const whole(setup, &options);
     says(hm_rows_get(equations, whole.basis, 0, numbers.data(), &error),
          "the rows were made from other equations");
     Case two = two_body_case(Cells::hybrid, 4, 3);

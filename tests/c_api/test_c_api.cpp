@@ -33,10 +33,10 @@ TEST_CASE("versions and names") {
 }
 
 TEST_CASE("NULL where it is not allowed is refused, everywhere; hm_error may always be NULL") {
-    Case its = tiny_case();
-    Solved const solved(its);
-    hm_problem const problem = its.problem();
-    hm_mesh const mesh = its.mesh.view();
+    Case setup = tiny_case();
+    Solved const solved(setup);
+    hm_problem const problem = setup.problem();
+    hm_mesh const mesh = setup.mesh.view();
     std::size_t bytes = 0;
     std::vector<unsigned char> block(64);
     hm_analysis* analysis = nullptr;
@@ -56,7 +56,7 @@ TEST_CASE("NULL where it is not allowed is refused, everywhere; hm_error may alw
     curves.struct_size = sizeof curves;
     std::int32_t const marker = body;
     std::int32_t points[8], n = 0, is_loop = 0;
-    std::vector<double> x = its.mesh.x, y = its.mesh.y, move(8, 0.0);
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y, move(8, 0.0);
     double error = 0;
 
     hm_status const refused[] = {
@@ -152,14 +152,14 @@ TEST_CASE("NULL where it is not allowed is refused, everywhere; hm_error may alw
     CHECK(basis == nullptr);
     CHECK(attached == nullptr);
     CHECK(bytes == 0);
-    CHECK(same_bits(x, its.mesh.x));
-    CHECK(same_bits(y, its.mesh.y));
+    CHECK(same_bits(x, setup.mesh.x));
+    CHECK(same_bits(y, setup.mesh.y));
     CHECK(same_bits(move, std::vector<double>(8, 0.0)));
 }
 
 TEST_CASE("success clears the error") {
-    Case its = tiny_case();
-    hm_problem problem = its.problem();
+    Case setup = tiny_case();
+    hm_problem problem = setup.problem();
     hm_error error{};
     std::size_t bytes = 0;
     CHECK(hm_analysis_size(nullptr, nullptr, &bytes, &error) == HM_BAD_ARGUMENT);
@@ -175,10 +175,10 @@ TEST_CASE("success clears the error") {
 
 TEST_CASE("reports and sentences count as the caller does") {
     for (std::int32_t const base : {0, 1}) {
-        Case its = tiny_case();
-        its.index_base = base;
-        Solved const solved(its);
-        hm_mesh const mesh = its.mesh_view();
+        Case setup = tiny_case();
+        setup.index_base = base;
+        Solved const solved(setup);
+        hm_mesh const mesh = setup.mesh_view();
         CHECK(solved.info().index_base == base);
 
         std::int32_t const marker = body;
@@ -202,7 +202,7 @@ TEST_CASE("reports and sentences count as the caller does") {
         CHECK(step.point == base);
         CHECK(step.admissible == doctest::Approx(0.5));
 
-        std::vector<double> x = its.mesh.x;
+        std::vector<double> x = setup.mesh.x;
         x[8] = -1;
         hm_quality_report quality{};
         quality.struct_size = sizeof quality;
@@ -226,11 +226,11 @@ TEST_CASE("reports and sentences count as the caller does") {
         }
 
         // Control points have a base of their own.
-        its.curves.control[5] = std::nan("");
-        CHECK(Attempt(its.problem()).error.item == 2);
-        its.curves.index_base = 1;
-        for (std::int32_t& index : its.curves.shapes[0].indices) ++index;
-        Attempt const attempt(its.problem());
+        setup.curves.control[5] = std::nan("");
+        CHECK(Attempt(setup.problem()).error.item == 2);
+        setup.curves.index_base = 1;
+        for (std::int32_t& index : setup.curves.shapes[0].indices) ++index;
+        Attempt const attempt(setup.problem());
         CHECK(attempt.status == HM_BAD_CURVE);
         CHECK(attempt.error.item == 3);
         CHECK(says(attempt.error, "control point 3"));
@@ -246,8 +246,8 @@ TEST_CASE("functions belong to control points whatever those are counted from") 
 }
 
 TEST_CASE("options that do not exist are refused before anything else is done") {
-    Case its = tiny_case();
-    hm_problem const problem = its.problem();
+    Case setup = tiny_case();
+    hm_problem const problem = setup.problem();
     std::size_t bytes = 0;
     Options good{};
     std::int32_t Options::*const options[] = {&Options::operator_kind, &Options::scheme,
@@ -282,8 +282,8 @@ TEST_CASE("options that do not exist are refused before anything else is done") 
 }
 
 TEST_CASE("boundaries by markers: pieces, loops, and room for the points") {
-    Case its = tiny_case();
-    hm_problem problem = its.problem();
+    Case setup = tiny_case();
+    hm_problem problem = setup.problem();
     problem.curves = nullptr;
     Attempt attempt;
     REQUIRE(attempt.analyse(problem));

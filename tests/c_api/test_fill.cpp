@@ -28,8 +28,8 @@ public:
     }
     // Statuses, numbers, and reports: structs of this interface have no padding.
     template <class Plain>
-    void add(Plain const& its) {
-        add_bytes(&its, sizeof its);
+    void add(Plain const& plain) {
+        add_bytes(&plain, sizeof plain);
     }
     // The text behind its end is nobody's.
     void add_outcome(hm_status status, hm_error const& error) {
@@ -48,8 +48,8 @@ public:
 private:
     void add_bytes(const void* begin, std::size_t n) {
         if (n == 0) return;
-        const unsigned char* const its = static_cast<const unsigned char*>(begin);
-        bytes_.insert(bytes_.end(), its, its + n);
+        const unsigned char* const bytes = static_cast<const unsigned char*>(begin);
+        bytes_.insert(bytes_.end(), bytes, bytes + n);
     }
     std::vector<unsigned char> bytes_;
 };
@@ -123,9 +123,9 @@ std::vector<Way> ways() {
     offset.name = "conformal, offset correction";
     offset.options.offset_correction = 1;
     out.insert(out.end(), {single, real_single, offset});
-    for (Way& its : out)
-        if (its.options.engine == HM_FAS)
-            its.options.max_iterations = 5;  // enough to touch all that an iteration has
+    for (Way& each : out)
+        if (each.options.engine == HM_FAS)
+            each.options.max_iterations = 5;  // enough to touch all that an iteration has
     return out;
 }
 
@@ -147,7 +147,7 @@ TEST_CASE(
         for (std::int32_t const threads : {1, 3}) {
             INFO(way.name << ", " << threads << " threads");
             check_fills([&](Record& record) {
-                Case its = ring_case(12, 60, 0.5, 2, Cells::hybrid);
+                Case setup = ring_case(12, 60, 0.5, 2, Cells::hybrid);
                 Backwards order;
                 hm_executor const executor = order.executor(threads);
                 Options options = way.options;
@@ -157,12 +157,12 @@ TEST_CASE(
                     options.history_length = 8;
                 }
                 options.executor = &executor;
-                Attempt const attempt(its.problem(), &options);
+                Attempt const attempt(setup.problem(), &options);
                 record.add_solution(attempt);
                 if (options.engine == HM_DIRECT) return;
                 for (std::int32_t k = 0; k <= std::min(attempt.report.iterations, 7); ++k)
                     record.add(history[static_cast<std::size_t>(k)]);
-                std::vector<std::int32_t> cells = filled<std::int32_t>(its.mesh.x.size());
+                std::vector<std::int32_t> cells = filled<std::int32_t>(setup.mesh.x.size());
                 std::int32_t n = -1;
                 record.add(hm_plan_level(attempt.plan, 1, cells.data(), &n, nullptr));
                 record.add(cells);
@@ -176,30 +176,30 @@ TEST_CASE(
     "precision") {
     for (KindOfProblem const& problem : problems_and_a_cut())
         check_fills([&](Record& record) {
-            Case its = problem.its;
-            Attempt const solved(its.problem(), &problem.options);
+            Case setup = problem.its;
+            Attempt const solved(setup.problem(), &problem.options);
             record.add_solution(solved);
             REQUIRE(solved.status >= 0);
-            hm_mesh const& mesh = its.mesh_view();
-            std::size_t const n = its.mesh.x.size();
+            hm_mesh const& mesh = setup.mesh_view();
+            std::size_t const n = setup.mesh.x.size();
             std::int32_t const functions = info_of(solved.basis).functions,
                                numbers = info_of(solved.basis).numbers_per_value;
             std::vector<double> const move = some_move(functions, 0.01, 3),
                                       gradient = some_move(mesh.n_points, 1, 4);
             std::vector<double> x = filled<double>(n), y = filled<double>(n);
-            record.add(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+            record.add(hm_morph(solved.basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
                                 points_out(x, y), nullptr, nullptr));
             record.add(x);
             record.add(y);
             double error = 0;
             std::int32_t point = 0;
             record.add(hm_boundary_error(solved.basis, move.data(),
-                                         points_in(its.mesh.x, its.mesh.y), points_in(x, y), &error,
-                                         &point, nullptr));
+                                         points_in(setup.mesh.x, setup.mesh.y), points_in(x, y),
+                                         &error, &point, nullptr));
             record.add(error);
             hm_quality_report quality = filled_report<hm_quality_report>();
             record.add(hm_assess(solved.basis, &mesh, points_in(x, y), nullptr,
-                                 points_in(its.mesh.x, its.mesh.y), nullptr, nullptr, &quality,
+                                 points_in(setup.mesh.x, setup.mesh.y), nullptr, nullptr, &quality,
                                  nullptr));
             record.add(quality);
             record.add(
@@ -308,20 +308,20 @@ TEST_CASE("fits of every closure, and the points of a curve") {
                 record.add(
                     std::vector<double>(curves->control, curves->control + 2 * curves->n_control));
                 for (std::int32_t k = 0; k < curves->n_curves; ++k) {
-                    hm_curve const& its = curves->curve[k];
-                    record.add(
-                        std::vector<double>(its.knots, its.knots + its.n_indices + its.degree + 1));
-                    if (its.indices != nullptr)
-                        record.add(
-                            std::vector<std::int32_t>(its.indices, its.indices + its.n_indices));
+                    hm_curve const& curve = curves->curve[k];
+                    record.add(std::vector<double>(
+                        curve.knots, curve.knots + curve.n_indices + curve.degree + 1));
+                    if (curve.indices != nullptr)
+                        record.add(std::vector<std::int32_t>(curve.indices,
+                                                             curve.indices + curve.n_indices));
                     double u = 0, distance = 0;
                     record.add(hm_curve_project(curves, k, 0.3, 0.2, &u, &distance, nullptr));
                     record.add(u);
                     record.add(distance);
                     std::vector<double> values = filled<double>(24), at = filled<double>(6);
                     std::vector<std::int32_t> control = filled<std::int32_t>(6);
-                    values.resize(3 * static_cast<std::size_t>(its.degree + 1));
-                    control.resize(static_cast<std::size_t>(its.degree + 1));
+                    values.resize(3 * static_cast<std::size_t>(curve.degree + 1));
+                    control.resize(static_cast<std::size_t>(curve.degree + 1));
                     record.add(
                         hm_curve_basis(curves, k, u, 2, control.data(), values.data(), nullptr));
                     record.add(hm_curve_point(curves, k, u, 2, at.data(), nullptr));
@@ -336,9 +336,9 @@ TEST_CASE("fits of every closure, and the points of a curve") {
 TEST_CASE("the boundary of a mesh, and its report") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         check_fills([&](Record& record) {
-            Case its = airfoil_case(30, 12, kind);
+            Case setup = airfoil_case(30, 12, kind);
             Attempt attempt;
-            REQUIRE(attempt.analyse(its.problem()));
+            REQUIRE(attempt.analyse(setup.problem()));
             hm_mesh_report report = filled_report<hm_mesh_report>();
             record.add(hm_analysis_report(attempt.analysis, &report, nullptr));
             record.add(report);
@@ -366,19 +366,19 @@ TEST_CASE(
                 INFO(way.name << ", turned by " << degrees << " degrees, without the strategies "
                               << skipped);
                 check_fills([&](Record& record) {
-                    Case its = block();
-                    Solved const solved(its, &way.options);
+                    Case setup = block();
+                    Solved const solved(setup, &way.options);
                     Attempt derivative;
-                    REQUIRE(derivative.analyse(its.problem(), &way.options));
+                    REQUIRE(derivative.analyse(setup.problem(), &way.options));
                     REQUIRE(derivative.prepare());
                     std::size_t bytes = 0;
                     REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) ==
                             HM_OK);
                     Guarded work(bytes);
                     std::vector<double> const move = similarity_move(
-                        its.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), {0.5, 0.5},
+                        setup.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), {0.5, 0.5},
                         0.03);
-                    std::vector<double> x = filled<double>(its.mesh.x.size()), y = x,
+                    std::vector<double> x = filled<double>(setup.mesh.x.size()), y = x,
                                         reached = filled<double>(move.size());
                     hm_safe_options options{};
                     options.struct_size = sizeof options;
@@ -406,20 +406,20 @@ TEST_CASE(
 TEST_CASE("improvements: of a mesh with layers, and of one whose sides slide") {
     for (bool const slides : {false, true}) {
         check_fills([&](Record& record) {
-            Case its = slides ? block() : airfoil_case(20, 8);
-            if (slides) its.set_slip(top);
-            Solved const solved(its);
+            Case setup = slides ? block() : airfoil_case(20, 8);
+            if (slides) setup.set_slip(top);
+            Solved const solved(setup);
             std::size_t bytes = 0;
             REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
             Guarded work(bytes);
-            std::vector<double> const move =
-                similarity_move(its.curves, std::polar(1.0, 0.04), {0.5, slides ? 0.5 : 0.0}, 0.01);
-            std::vector<double> x = its.mesh.x, y = its.mesh.y;
+            std::vector<double> const move = similarity_move(setup.curves, std::polar(1.0, 0.04),
+                                                             {0.5, slides ? 0.5 : 0.0}, 0.01);
+            std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
             REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
                              nullptr) == HM_OK);
             hm_improve_options options{};
             options.struct_size = sizeof options;
-            hm_points const reference = {its.mesh.x.data(), its.mesh.y.data(), 1};
+            hm_points const reference = {setup.mesh.x.data(), setup.mesh.y.data(), 1};
             options.reference = &reference;
             hm_improve_report report = filled_report<hm_improve_report>();
             hm_error error{};

@@ -12,20 +12,21 @@ namespace {
 
 // The arrays of the mesh are the caller's, and change.
 struct Moved {
-    Case its = airfoil_case();
-    std::vector<double> x = its.mesh.x, y = its.mesh.y;
+    Case setup = airfoil_case();
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
     hm_points own{x.data(), y.data(), 1};
     hm_points_out in_place{x.data(), y.data(), 1};
-    hm_mesh mesh = its.mesh_view();
+    hm_mesh mesh = setup.mesh_view();
     Options options = options_of(HM_CONFORMAL);
     std::unique_ptr<Solved> solved;
     std::vector<double> move, work;
 
     Moved() {
         mesh.points = own;
-        solved = std::make_unique<Solved>(its.problem(mesh), &options);
-        move.assign(its.curves.control.size(), 0);
-        for (std::size_t k = 0; k < move.size(); k += 2) move[k + 1] = 0.1 * its.curves.control[k];
+        solved = std::make_unique<Solved>(setup.problem(mesh), &options);
+        move.assign(setup.curves.control.size(), 0);
+        for (std::size_t k = 0; k < move.size(); k += 2)
+            move[k + 1] = 0.1 * setup.curves.control[k];
         std::size_t safe = 0, improve = 0;
         REQUIRE(hm_morph_safe_size(solved->plan, solved->basis, &safe, nullptr) == HM_OK);
         REQUIRE(hm_improve_size(solved->plan, &improve, nullptr) == HM_OK);
@@ -62,8 +63,8 @@ TEST_CASE(
     REQUIRE(hm_plan_factor(o.solved->plan, nullptr, nullptr) == HM_OK);
     REQUIRE(hm_plan_solve(o.solved->plan, o.solved->basis, nullptr, nullptr) == HM_OK);
     CHECK(o.safe(to, nullptr) == HM_OK);
-    o.x = o.its.mesh.x;  // the functions are those of the moved mesh now
-    o.y = o.its.mesh.y;
+    o.x = o.setup.mesh.x;  // the functions are those of the moved mesh now
+    o.y = o.setup.mesh.y;
     CHECK(o.safe(to, nullptr) == HM_BAD_MESH);
 }
 
@@ -77,7 +78,7 @@ TEST_CASE(
                   "the mesh has moved since the analysis; give the coordinates before the movement "
                   "as options.reference",
                   [&](hm_error* e) { return o.improve(to, nullptr, nullptr, e); }}});
-    hm_points const before{o.its.mesh.x.data(), o.its.mesh.y.data(), 1};
+    hm_points const before{o.setup.mesh.x.data(), o.setup.mesh.y.data(), 1};
     hm_improve_options asked{};
     asked.struct_size = sizeof asked;
     asked.reference = &before;
@@ -96,14 +97,14 @@ TEST_CASE("a mesh of other cells is refused, also with as many points and cells 
     quality.struct_size = sizeof quality;
     step.struct_size = sizeof step;
     std::vector<std::int32_t> turned(
-        o.its.mesh.cells);  // each point has the number of the next one
+        o.setup.mesh.cells);  // each point has the number of the next one
     for (std::int32_t& point : turned) point = (point + 1) % o.mesh.n_points;
     hm_mesh renumbered = o.mesh, other_cell = o.mesh;
     renumbered.cell_points = turned.data();
     std::vector<std::int32_t> changed(
-        o.its.mesh.cells);  // the last of the 64 cells that are compared
+        o.setup.mesh.cells);  // the last of the 64 cells that are compared
     std::int32_t const first =
-        o.its.mesh.cell_start[static_cast<std::size_t>(63LL * o.mesh.n_cells / 64)];
+        o.setup.mesh.cell_start[static_cast<std::size_t>(63LL * o.mesh.n_cells / 64)];
     std::swap(changed[static_cast<std::size_t>(first)],
               changed[static_cast<std::size_t>(first) + 1]);
     other_cell.cell_points = changed.data();

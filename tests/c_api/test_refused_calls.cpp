@@ -22,11 +22,11 @@ using namespace fixtures;
 namespace {
 
 struct Objects {
-    Case its = tiny_case();
-    hm_mesh mesh = its.mesh_view();
-    Solved solved{its.problem(mesh)};
+    Case setup = tiny_case();
+    hm_mesh mesh = setup.mesh_view();
+    Solved solved{setup.problem(mesh)};
     hm_basis* basis = solved.basis;
-    std::vector<double> x = its.mesh.x, y = its.mesh.y, move = std::vector<double>(8, 0.0);
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y, move = std::vector<double>(8, 0.0);
     hm_points points{x.data(), y.data(), 1};
     hm_points_out out{x.data(), y.data(), 1};
 };
@@ -247,13 +247,13 @@ TEST_CASE("a basis of another version, of another machine, of a mesh that has mo
 }
 
 TEST_CASE("steps in the wrong order") {
-    Case its = tiny_case();
+    Case setup = tiny_case();
     Attempt attempt;
-    REQUIRE(attempt.analyse(its.problem()));
+    REQUIRE(attempt.analyse(setup.problem()));
     REQUIRE(attempt.prepare());
     std::int32_t cells[100], n_cells = 0;
-    hm_points const wall{its.mesh.x.data(), its.mesh.y.data(), 1};
-    hm_points_out const to{its.mesh.x.data(), its.mesh.y.data(), 1};
+    hm_points const wall{setup.mesh.x.data(), setup.mesh.y.data(), 1};
+    hm_points_out const to{setup.mesh.x.data(), setup.mesh.y.data(), 1};
     Case given = given_instead(tiny_case());
     Attempt of_given;
     REQUIRE(of_given.analyse(given.problem()));
@@ -283,10 +283,10 @@ TEST_CASE("functions of other curves or bodies are not interpolated") {
     Objects o;
     Case other = tiny_case(), rigid = tiny_case(), off_centre = tiny_case();
     other.curves.control[0] += 1e-9;
-    for (Case* its : {&rigid, &off_centre}) {
-        its->conditions.clear();
-        its->curves = {};
-        its->set_rigid(body, its == &rigid ? 3 : 3.5, 3);
+    for (Case* setup : {&rigid, &off_centre}) {
+        setup->conditions.clear();
+        setup->curves = {};
+        setup->set_rigid(body, setup == &rigid ? 3 : 3.5, 3);
     }
     Solved const of_rigid(rigid);
     auto const transfer = [](Case& fine, hm_basis const* coarse, hm_mesh const& mesh) {
@@ -309,18 +309,19 @@ TEST_CASE("functions of other curves or bodies are not interpolated") {
 }
 
 TEST_CASE("modes: numbers, lists, and what they do not go with") {
-    Case its = given_instead(tiny_case());
-    Displaced displaced(its);
+    Case setup = given_instead(tiny_case());
+    Displaced displaced(setup);
     std::size_t bytes = 0, work_bytes = 0;
     hm_basis* made = nullptr;
     std::int32_t const n = static_cast<std::int32_t>(displaced.points.size());
     std::vector<double> modes(200, 1.0);
     std::vector<std::int32_t> list(100, displaced.points[0]), twice = displaced.points;
     twice.push_back(twice[0]);
-    std::vector<double> dx(twice.size(), 0.0), dy(twice.size(), 0.0), x = its.mesh.x,
-                                                                      y = its.mesh.y;
+    std::vector<double> dx(twice.size(), 0.0), dy(twice.size(), 0.0), x = setup.mesh.x,
+                                                                      y = setup.mesh.y;
     dx.back() = 1;
-    hm_points const wall{dx.data(), dy.data(), 1}, from{its.mesh.x.data(), its.mesh.y.data(), 1};
+    hm_points const wall{dx.data(), dy.data(), 1},
+        from{setup.mesh.x.data(), setup.mesh.y.data(), 1};
     hm_points_out const to{x.data(), y.data(), 1};
     Guarded room = displaced.work_for(1);
     std::vector<double> far(twice.size(), 0.0);
@@ -355,8 +356,8 @@ TEST_CASE("modes: numbers, lists, and what they do not go with") {
                         nullptr, 1, 1, modes.data(), work.data(), work_bytes, nullptr,
                         nullptr) == HM_OK);
     TransferAttempt transfer;
-    REQUIRE(transfer.open(its.problem()));
-    CHECK_FALSE(transfer.fill_from(made, its.mesh_view()));
+    REQUIRE(transfer.open(setup.problem()));
+    CHECK_FALSE(transfer.fill_from(made, setup.mesh_view()));
     CHECK(transfer.status == HM_UNSUPPORTED);
     CHECK(std::string(transfer.error.text) ==
           "the basis contains functions that a table gives, but this call needs a basis without "
@@ -409,9 +410,9 @@ TEST_CASE("options of the safe morph and of better cells") {
     } younger_better{};
     younger_better.better.struct_size = sizeof younger_better;
     younger_better.more = 1;
-    std::vector<double> folded = o.its.mesh.x;
+    std::vector<double> folded = o.setup.mesh.x;
     folded[8] = 5;
-    hm_points const reference{folded.data(), o.its.mesh.y.data(), 1};
+    hm_points const reference{folded.data(), o.setup.mesh.y.data(), 1};
     const char* const strategies =
         "options.skipped_strategies is 1048576, but it must be a sum of 1 << HM_STRATEGY_..., "
         "that is between 0 and 31";
@@ -477,11 +478,11 @@ TEST_CASE("options of the safe morph and of better cells") {
 }
 
 TEST_CASE("a safe displacement that turns a body inside out") {
-    Case its = given_instead(tiny_case());
-    Displaced displaced(its);
-    std::vector<double> dx, dy(displaced.points.size(), 0.0), x = its.mesh.x, y = its.mesh.y;
+    Case setup = given_instead(tiny_case());
+    Displaced displaced(setup);
+    std::vector<double> dx, dy(displaced.points.size(), 0.0), x = setup.mesh.x, y = setup.mesh.y;
     for (std::int32_t const point : displaced.points)
-        dx.push_back(2 * (3 - its.mesh.point(point).x));
+        dx.push_back(2 * (3 - setup.mesh.point(point).x));
     hm_points const wall{dx.data(), dy.data(), 1};
     hm_points_out const to{x.data(), y.data(), 1};
     std::size_t bytes = 0;
@@ -492,5 +493,5 @@ TEST_CASE("a safe displacement that turns a body inside out") {
                            static_cast<std::int32_t>(dx.size()), displaced.points.data(), &wall,
                            &to, work.data(), bytes, nullptr, nullptr, &error) == HM_CROSSING);
     CHECK(std::string(error.text) == "the boundary through point 17 at (3, 2) is inside out");
-    CHECK(x == its.mesh.x);
+    CHECK(x == setup.mesh.x);
 }

@@ -22,9 +22,9 @@ struct Bad {
 // The analysis of the tiny case, spoiled, which the size query or the initialisation refuses.
 void check(std::initializer_list<Bad> all) {
     for (Bad const& bad : all) {
-        Case its = tiny_case();
-        hm_mesh mesh = its.mesh_view();
-        hm_problem problem = its.problem(mesh);
+        Case setup = tiny_case();
+        hm_mesh mesh = setup.mesh_view();
+        hm_problem problem = setup.problem(mesh);
         Options options = laplace();
         bad.spoil(problem, options, mesh);
         Attempt attempt;
@@ -40,9 +40,9 @@ void check(std::initializer_list<Bad> all) {
 void check(std::initializer_list<std::pair<const char*, std::function<void(Case&)>>> all,
            hm_status status) {
     for (auto const& bad : all) {
-        Case its = tiny_case();
-        bad.second(its);
-        Attempt const attempt(its.problem());
+        Case setup = tiny_case();
+        bad.second(setup);
+        Attempt const attempt(setup.problem());
         INFO(std::string(bad.first));
         CHECK(attempt.status == status);
         CHECK(std::string(attempt.error.text) == bad.first);
@@ -325,12 +325,12 @@ TEST_CASE("polygons with more corners than cells can be counted") {
     std::vector<std::int32_t> start(
         600001);  // of these the library knows how many corners there are
     for (std::size_t k = 0; k < start.size(); ++k) start[k] = static_cast<std::int32_t>(1000 * k);
-    Case its = tiny_case();
-    hm_mesh mesh = its.mesh_view();
+    Case setup = tiny_case();
+    hm_mesh mesh = setup.mesh_view();
     mesh.cell_layout = HM_CELLS_POLYGONS;
     mesh.cell_start = start.data();
     mesh.n_cells = 600000;
-    hm_problem const problem = its.problem(mesh);
+    hm_problem const problem = setup.problem(mesh);
     Options const options = laplace();
     std::size_t bytes = 0;
     check_texts({{HM_BAD_MESH, "all polygons together have more than 2^29 corners",
@@ -338,38 +338,38 @@ TEST_CASE("polygons with more corners than cells can be counted") {
 }
 
 TEST_CASE("a body that single precision cannot turn") {
-    Case its = tiny_case();
-    its.conditions.clear();
-    its.curves = {};
-    its.set_rigid(body, 1e25, 3);
+    Case setup = tiny_case();
+    setup.conditions.clear();
+    setup.curves = {};
+    setup.set_rigid(body, 1e25, 3);
     Options options = laplace();
     options.precision = HM_SINGLE;
-    Attempt const attempt(its.problem(), &options);
+    Attempt const attempt(setup.problem(), &options);
     CHECK(attempt.status == HM_UNSUPPORTED);
     CHECK(std::string(attempt.error.text) ==
           "point 17 is 1.00000e25 away from the centre of its body; single precision needs a "
           "distance from 1e-12 to 1e24");
-    its.conditions.back().x = 1e24;
-    Attempt const nearer(its.problem(), &options);
+    setup.conditions.back().x = 1e24;
+    Attempt const nearer(setup.problem(), &options);
     CHECK_MESSAGE(nearer.status >= HM_OK, nearer.error.text);
 }
 
 TEST_CASE("four translations of a periodic mesh, which no lattice has") {
-    Case its = tiny_case();
-    for (std::size_t face = 0; face < its.mesh.face_markers.size();
+    Case setup = tiny_case();
+    for (std::size_t face = 0; face < setup.mesh.face_markers.size();
          ++face) {  // each side in two halves
-        std::int32_t& marker = its.mesh.face_markers[face];
+        std::int32_t& marker = setup.mesh.face_markers[face];
         if (marker == body) continue;
-        Point const a = its.mesh.point(its.mesh.faces[2 * face]),
-                    b = its.mesh.point(its.mesh.faces[2 * face + 1]);
+        Point const a = setup.mesh.point(setup.mesh.faces[2 * face]),
+                    b = setup.mesh.point(setup.mesh.faces[2 * face + 1]);
         bool const upright = marker == left || marker == right;
         marker += (upright ? a.y + b.y : a.x + b.x) < 6 ? 20 : 40;
     }
-    its.set_periodic(bottom + 20, top + 40);
-    its.set_periodic(bottom + 40, top + 20);
-    its.set_periodic(left + 20, right + 40);
-    its.set_periodic(left + 40, right + 20);
-    Attempt const attempt(its.problem());
+    setup.set_periodic(bottom + 20, top + 40);
+    setup.set_periodic(bottom + 40, top + 20);
+    setup.set_periodic(left + 20, right + 40);
+    setup.set_periodic(left + 40, right + 20);
+    Attempt const attempt(setup.problem());
     CHECK(attempt.status == HM_BAD_CONDITION);
     CHECK(std::string(attempt.error.text) ==
           "periodic marker 54 needs another translation, but periodic pairs can have at most 3 "

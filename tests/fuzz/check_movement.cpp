@@ -58,7 +58,7 @@ void SolutionCheck::pairs_move_alike(Numbers const& dx, Numbers const& dy, doubl
         // How well the angle is known from the coordinates.
         double const turning = is_turned ? 1e-13 * largest * problem_.size() / extent() : 0;
         for (Domain::Image const& image : problem_.domain.images) {
-            std::size_t const from = std::size_t(image.of), to = std::size_t(image.at);
+            std::size_t const from = std::size_t(image.source), to = std::size_t(image.at);
             Point const by{dx[from], dy[from]},
                 expected = is_turned ? turned(by, problem_.domain.turn) : by;
             expect(std::abs(dx[to] - expected.x) <= turning + rounding,

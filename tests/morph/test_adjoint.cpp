@@ -36,9 +36,9 @@ TEST_CASE("the same bits for any parts of the mesh") {
 }
 
 TEST_CASE("the same bits on threads, in any order of their tasks") {
-    Case its = ring_case(50, 200, 0.5, 2);
-    Solved const solved(its);
-    Gradient g(its.mesh.x.size(), 15);
+    Case setup = ring_case(50, 200, 0.5, 2);
+    Solved const solved(setup);
+    Gradient g(setup.mesh.x.size(), 15);
     Numbers const expected = adjoint(solved.basis, g);
     for (std::int32_t const threads : {2, 5}) {
         Backwards order;
@@ -50,14 +50,14 @@ TEST_CASE("the same bits on threads, in any order of their tasks") {
         g.x.back() = 0;
         g.y[0] = HUGE_VAL;
         for (double const value : adjoint(solved.basis, g, &executor)) CHECK(std::isnan(value));
-        g = Gradient(its.mesh.x.size(), 15);
+        g = Gradient(setup.mesh.x.size(), 15);
     }
 }
 
 TEST_CASE("rows far from the wall, where all values are small, are scaled like the whole") {
-    Case its = ring_case(20, 40, 0.5, 2);
-    Solved const solved(its);
-    std::int32_t const n = its.mesh.n_points(), outer = n - 80;
+    Case setup = ring_case(20, 40, 0.5, 2);
+    Solved const solved(setup);
+    std::int32_t const n = setup.mesh.n_points(), outer = n - 80;
     std::vector<std::int32_t> points;
     for (std::int32_t k = outer; k < n; ++k) points.push_back(k);
     Rows const rows(solved.basis, points);
@@ -70,19 +70,19 @@ TEST_CASE("rows far from the wall, where all values are small, are scaled like t
 }
 
 TEST_CASE("more numbers in a row than are summed in one block") {
-    Case its = ring_case(3, 150, 0.5, 2, Cells::quads, 3, 150);
-    Solved const solved(its);
-    Gradient const g(its.mesh.x.size(), 7);
-    CHECK(same_bits(adjoint_in_parts(solved.basis, g, random_parts(its.mesh.n_points(), 3, 4)),
+    Case setup = ring_case(3, 150, 0.5, 2, Cells::quads, 3, 150);
+    Solved const solved(setup);
+    Gradient const g(setup.mesh.x.size(), 7);
+    CHECK(same_bits(adjoint_in_parts(solved.basis, g, random_parts(setup.mesh.n_points(), 3, 4)),
                     adjoint(solved.basis, g)));
 }
 
 TEST_CASE(
     "a gradient times a power of two gives the same bits times it, from the smallest to the "
     "largest") {
-    Case its = two_body_case();
-    Solved const solved(its);
-    Gradient const g(its.mesh.x.size(), 9);
+    Case setup = two_body_case();
+    Solved const solved(setup);
+    Gradient const g(setup.mesh.x.size(), 9);
     Numbers const expected = adjoint(solved.basis, g);
     for (int const e : {-900, -40, 1, 60, 1000}) {
         Gradient scaled = g;
@@ -96,17 +96,17 @@ TEST_CASE(
 
 TEST_CASE("one number that is not finite makes the gradient NaN, wherever it is") {
     Untrapped const untrapped;
-    Case its = two_body_case();
-    Solved const solved(its);
+    Case setup = two_body_case();
+    Solved const solved(setup);
     for (double const bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
-        Gradient g(its.mesh.x.size(), 11);
+        Gradient g(setup.mesh.x.size(), 11);
         g.y[5] = bad;
         for (double const value : adjoint(solved.basis, g)) CHECK(std::isnan(value));
         for (double const value :
-             adjoint_in_parts(solved.basis, g, random_parts(its.mesh.n_points(), 3, 2)))
+             adjoint_in_parts(solved.basis, g, random_parts(setup.mesh.n_points(), 3, 2)))
             CHECK(std::isnan(value));
     }
-    Gradient zero(its.mesh.x.size(), 12);
+    Gradient zero(setup.mesh.x.size(), 12);
     std::fill(zero.x.begin(), zero.x.end(), 0.0);
     zero.y = zero.x;
     for (double const value : adjoint(solved.basis, zero)) {
@@ -116,9 +116,9 @@ TEST_CASE("one number that is not finite makes the gradient NaN, wherever it is"
 }
 
 TEST_CASE("scales that do not fit are refused") {
-    Case its = two_body_case();
-    Solved const solved(its);
-    Gradient const g(its.mesh.x.size(), 13);
+    Case setup = two_body_case();
+    Solved const solved(setup);
+    Gradient const g(setup.mesh.x.size(), 13);
     std::vector<std::int64_t> sums(80);
     Numbers gradient(40);
     std::int32_t scale = 0;

@@ -49,11 +49,11 @@ TEST_CASE(
     rigid.conditions.clear();
     rigid.set_rigid(body, 0.5, 0.5);
     rigid.set_given(second_body);
-    for (Case* its : {&curve, &rigid, &slipping})
+    for (Case* setup : {&curve, &rigid, &slipping})
         for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL})
             for (std::int32_t const numbers : {1, 2}) {
                 Options const options = options_of(kind);
-                Attempt solved(its->problem(), &options);
+                Attempt solved(setup->problem(), &options);
                 INFO(solved.error.text);
                 REQUIRE(solved.status == HM_OK);
                 std::vector<std::int32_t> const points = given_points(solved.plan);
@@ -125,7 +125,7 @@ TEST_CASE(
                 std::vector<unsigned char> const copy = bytes_of(tabulated.basis);
                 Numbers block(copy.size() / sizeof(double));
                 std::memcpy(block.data(), copy.data(), copy.size());
-                hm_mesh const mesh = its->mesh_view();
+                hm_mesh const mesh = setup->mesh_view();
                 const hm_basis* attached = nullptr;
                 REQUIRE(hm_basis_attach(&attached, block.data(), copy.size(), &mesh, nullptr) ==
                         HM_OK);
@@ -138,7 +138,7 @@ TEST_CASE(
                 // Solved again on a moved mesh: as displaced there, and the wall as before.
                 Numbers part = move;
                 for (double& number : part) number *= 0.1;
-                Moved const elsewhere = morphed(tabulated.basis, its->mesh, part);
+                Moved const elsewhere = morphed(tabulated.basis, setup->mesh, part);
                 REQUIRE(hm_plan_factor(solved.plan, points_in(elsewhere.x, elsewhere.y), nullptr) ==
                         HM_OK);
                 hm_solve_report report{};
@@ -164,8 +164,8 @@ TEST_CASE(
 }
 
 TEST_CASE("a cancelled solution leaves the table, and the next one uses it") {
-    Case its = curve_and_table();
-    Solved const solved(its);
+    Case setup = curve_and_table();
+    Solved const solved(setup);
     std::size_t const n = given_points(solved.plan).size();
     Tabulated const tabulated(solved.plan, solved.basis,
                               {some_field(n, 5, 0.02), some_field(n, 6, 0.02)}, 2);
@@ -182,7 +182,7 @@ TEST_CASE("a cancelled solution leaves the table, and the next one uses it") {
     options.progress = Stop::at;
     options.progress_user = &stop;
     Attempt second;
-    REQUIRE(second.analyse(its.problem(), &options));
+    REQUIRE(second.analyse(setup.problem(), &options));
     REQUIRE(second.prepare());
     REQUIRE(hm_plan_factor(second.plan, nullptr, nullptr) == HM_OK);
     for (std::int32_t const phase : {HM_PHASE_SOLVE, HM_PHASE_RESIDUAL}) {
@@ -200,8 +200,8 @@ TEST_CASE("a cancelled solution leaves the table, and the next one uses it") {
 }
 
 TEST_CASE("modes on top of combined functions and of other modes; too many are not solved again") {
-    Case its = curve_and_table();
-    Solved const solved(its);
+    Case setup = curve_and_table();
+    Solved const solved(setup);
     std::size_t const n = given_points(solved.plan).size();
     std::int32_t const controls = info_of(solved.basis).control_points;
     Combination const matrix(controls, 2, 1, 2);
@@ -227,7 +227,7 @@ TEST_CASE("modes on top of combined functions and of other modes; too many are n
                             nullptr) == HM_OK);
     Numbers const by = matrix.expanded({few.begin(), few.begin() + 4});
     for (std::size_t i = 0; i < control.size(); ++i)
-        CHECK(control[i] - its.curves.control[i] == doctest::Approx(by[i]).epsilon(1e-12));
+        CHECK(control[i] - setup.curves.control[i] == doctest::Approx(by[i]).epsilon(1e-12));
 
     std::vector<Field> many;
     for (unsigned k = 0; k < 600; ++k) many.push_back(some_field(n, k, 0.02));
@@ -243,8 +243,8 @@ TEST_CASE("modes on top of combined functions and of other modes; too many are n
 }
 
 TEST_CASE("modes stay behind combined functions") {
-    Case its = curve_and_table();
-    Solved const solved(its);
+    Case setup = curve_and_table();
+    Solved const solved(setup);
     std::vector<std::int32_t> const points = given_points(solved.plan);
     Tabulated const tabulated(solved.plan, solved.basis, {some_field(points.size(), 5, 0.02)}, 2);
     REQUIRE(tabulated.status == HM_OK);
@@ -265,8 +265,8 @@ TEST_CASE("modes stay behind combined functions") {
 }
 
 TEST_CASE("tables that cannot be used are refused by name, with nothing written") {
-    Case its = curve_and_table();
-    Solved const solved(its);
+    Case setup = curve_and_table();
+    Solved const solved(setup);
     std::vector<std::int32_t> points = given_points(solved.plan);
     Field const good = some_field(points.size(), 5), zero(points.size());
     auto const refusal = [&](Tabulated const& made, std::string const& word, int item) {

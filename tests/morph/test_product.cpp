@@ -49,24 +49,25 @@ struct Product {
     // All x, then all y.
     std::vector<double> multiply(Kernel kernel) const { return multiply(kernel, whole()); }
     template <class Number>
-    std::vector<double> multiply(Kernel kernel, harmorph::ValueBlocks<Number> const& of) const {
+    std::vector<double> multiply(Kernel kernel, harmorph::ValueBlocks<Number> const& factor) const {
         std::vector<double> x(n_points(), 0.5), y(n_points(), -0.25);  // is added to
-        harmorph::product_kernels(kernel).of(of).multiply(of, by, {x.data(), y.data()});
+        harmorph::product_kernels(kernel).of(factor).multiply(factor, by, {x.data(), y.data()});
         x.insert(x.end(), y.begin(), y.end());
         return x;
     }
     std::vector<double> transposed(Kernel kernel) const { return transposed(kernel, whole()); }
     template <class Number>
-    std::vector<double> transposed(Kernel kernel, harmorph::ValueBlocks<Number> const& of) const {
+    std::vector<double> transposed(Kernel kernel,
+                                   harmorph::ValueBlocks<Number> const& factor) const {
         std::vector<double> x, y, out;
         for (double const w : weight_x) x.push_back(std::ldexp(w, 63));
         for (double const w : weight_y) y.push_back(std::ldexp(w, 63));
         harmorph::FixedSums total{};
-        harmorph::product_kernels(kernel).of(of).multiply_transposed(of, {x.data(), y.data()},
-                                                                     {0.5, 2}, total);
-        for (Index k = 0; k < of.n_numbers; ++k) out.push_back(total.x[k].value());
-        for (Index k = 0; k < of.n_numbers; ++k) out.push_back(total.y[k].value());
-        for (Index k = of.n_numbers; k < Movements::max_count; ++k) {
+        harmorph::product_kernels(kernel).of(factor).multiply_transposed(
+            factor, {x.data(), y.data()}, {0.5, 2}, total);
+        for (Index k = 0; k < factor.n_numbers; ++k) out.push_back(total.x[k].value());
+        for (Index k = 0; k < factor.n_numbers; ++k) out.push_back(total.y[k].value());
+        for (Index k = factor.n_numbers; k < Movements::max_count; ++k) {
             CHECK(total.x[k].value() == 0);
             CHECK(total.y[k].value() == 0);
         }

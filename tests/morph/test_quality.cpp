@@ -37,13 +37,13 @@ double const root3 = std::sqrt(3.0);
 
 TEST_CASE("cells with a coordinate that is not finite count as inverted, and spoil no mean") {
     Untrapped const untrapped;
-    Case its = tiny_case();
-    Solved const solved(its);
-    hm_mesh const mesh = its.mesh.view();
+    Case setup = tiny_case();
+    Solved const solved(setup);
+    hm_mesh const mesh = setup.mesh.view();
     std::int32_t cells = 0;
-    for (std::int32_t const point : its.mesh.cells) cells += point == 8 ? 1 : 0;
+    for (std::int32_t const point : setup.mesh.cells) cells += point == 8 ? 1 : 0;
     for (double const bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
-        std::vector<double> x = its.mesh.x;
+        std::vector<double> x = setup.mesh.x;
         x[8] = bad;
         hm_quality_report report{};
         report.struct_size = sizeof report;
@@ -209,14 +209,14 @@ TEST_CASE("an infinite area counts beside a finite one that is negative") {
 }
 
 TEST_CASE("the report on a mesh says the same, in the caller's numbering") {
-    Case its = tiny_case();
-    its.index_base = 1;
-    its.mesh.x[8] = 0.1;  // thin, but valid
-    Solved const solved(its);
+    Case setup = tiny_case();
+    setup.index_base = 1;
+    setup.mesh.x[8] = 0.1;  // thin, but valid
+    Solved const solved(setup);
     hm_mesh_report report{};
     report.struct_size = sizeof report;
     REQUIRE(hm_analysis_report(solved.analysis, &report, nullptr) == HM_OK);
-    Quality const expected = measure(its.mesh);
+    Quality const expected = measure(setup.mesh);
     CHECK(report.points == 48);
     CHECK(report.used_points == 48);
     CHECK(report.cells == 48);
@@ -230,7 +230,7 @@ TEST_CASE("the report on a mesh says the same, in the caller's numbering") {
     CHECK(report.mean_quality == expected.mean_quality());
     hm_quality_report quality{};
     quality.struct_size = sizeof quality;
-    hm_mesh const mesh = its.mesh_view();
+    hm_mesh const mesh = setup.mesh_view();
     REQUIRE(hm_assess(solved.basis, &mesh, &mesh.points, nullptr, &mesh.points, nullptr, nullptr,
                       &quality, nullptr) == HM_OK);
     CHECK(quality.mean_quality == doctest::Approx(expected.mean_quality()).epsilon(1e-15));

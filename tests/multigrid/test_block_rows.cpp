@@ -20,8 +20,8 @@ namespace {
 constexpr Index w = 4;
 
 struct Setting {
-    Case its = two_body_case(Cells::hybrid, 10, 6);
-    Analysed seen{its};
+    Case setup = two_body_case(Cells::hybrid, 10, 6);
+    Analysed seen{setup};
     FrontMatrix front{*seen.operator->()};
     DenseMatrix dense = dense_of(front.rows);
     std::vector<double> x;

@@ -106,8 +106,8 @@ TEST_CASE(
 }
 
 TEST_CASE("the rows of a matrix are its unknowns' part, and its faces are the mesh's edges") {
-    Case its = two_body_case(Cells::hybrid, 8, 5);
-    Analysed const seen(its);
+    Case setup = two_body_case(Cells::hybrid, 8, 5);
+    Analysed const seen(setup);
     FrontMatrix const front(*seen.operator->());
     harmorph::Edges const& edges = seen->topology().edges;
     int faces = 0, diagonals = 0;

@@ -9,14 +9,14 @@
 using namespace fixtures;
 
 TEST_CASE("parts that do not fit together are refused with the place") {
-    Case its = two_airfoils();
-    Partition const partition = stripes(its.mesh, 2);
+    Case setup = two_airfoils();
+    Partition const partition = stripes(setup.mesh, 2);
     auto const refusal = [&](std::function<void(std::vector<PartOfMesh>&)> const& spoil) {
-        std::vector<PartOfMesh> parts = cut(its.mesh, partition, false);
+        std::vector<PartOfMesh> parts = cut(setup.mesh, partition, false);
         spoil(parts);
         Parted parted(std::move(parts));
         bool const accepted =
-            parted.match() && parted.equate(its.problem(), options_of(HM_LAPLACE));
+            parted.match() && parted.equate(setup.problem(), options_of(HM_LAPLACE));
         CHECK(!accepted);
         CHECK(parted.status == HM_BAD_MESH);
         CHECK(parted.error.text[0] != 0);
@@ -92,17 +92,17 @@ TEST_CASE("parts that do not fit together are refused with the place") {
 }
 
 TEST_CASE("conditions that are refused for a whole mesh are refused for parts as well") {
-    Case its = two_airfoils();
-    Parted parted(cut(its.mesh, stripes(its.mesh, 2), false));
+    Case setup = two_airfoils();
+    Parted parted(cut(setup.mesh, stripes(setup.mesh, 2), false));
     REQUIRE(parted.match());
-    its.conditions[0].marker = 77;
-    CHECK(!parted.equate(its.problem(), options_of(HM_LAPLACE)));
+    setup.conditions[0].marker = 77;
+    CHECK(!parted.equate(setup.problem(), options_of(HM_LAPLACE)));
     CHECK(parted.status == HM_BAD_CONDITION);
-    its.conditions[0].marker = body;
+    setup.conditions[0].marker = body;
     auto const refusal = [&](std::function<void(Options&)> const& spoil) {
         Options options = options_of(HM_LAPLACE);
         spoil(options);
-        CHECK(!parted.equate(its.problem(), options));
+        CHECK(!parted.equate(setup.problem(), options));
         CHECK(parted.status == HM_UNSUPPORTED);
         return std::string(parted.error.text);
     };
@@ -112,31 +112,31 @@ TEST_CASE("conditions that are refused for a whole mesh are refused for parts as
           "options.engine must be HM_DIRECT for a mesh in parts");
     CHECK(refusal([](Options& o) { o.precision = HM_SINGLE; }) ==
           "options.precision must be HM_DOUBLE for a mesh in parts");
-    its.set_rotation(its.conditions[0].marker + 50, its.conditions[0].marker + 51);
+    setup.set_rotation(setup.conditions[0].marker + 50, setup.conditions[0].marker + 51);
     CHECK(refusal([](Options&) {}) ==
           "HM_ROTATION_PAIR is not available for a mesh in parts; HM_PERIODIC_PAIR is");
-    its.conditions.pop_back();
-    its.set_slip(far_field);
-    its.conditions.back().along = &its.curves.view();
-    its.conditions.back().n_curves = its.conditions.back().along->n_curves;
+    setup.conditions.pop_back();
+    setup.set_slip(far_field);
+    setup.conditions.back().along = &setup.curves.view();
+    setup.conditions.back().n_curves = setup.conditions.back().along->n_curves;
     CHECK(refusal([](Options&) {}) ==
           "hm_condition.along is not available for a mesh in parts; leave it NULL");
-    its.conditions.pop_back();
-    its.give(0, 0.5);
+    setup.conditions.pop_back();
+    setup.give(0, 0.5);
     CHECK(refusal([](Options&) {}) == "problem.n_given must be 0 for a mesh in parts");
 }
 
 TEST_CASE("calls with parts, equations and rows that do not go together") {
-    Case its = two_airfoils();
-    Parted parted(cut(its.mesh, stripes(its.mesh, 2), false)),
-        conformal(cut(its.mesh, stripes(its.mesh, 2), false));
+    Case setup = two_airfoils();
+    Parted parted(cut(setup.mesh, stripes(setup.mesh, 2), false)),
+        conformal(cut(setup.mesh, stripes(setup.mesh, 2), false));
     REQUIRE(parted.match());
     REQUIRE(conformal.match());
     PartOfMesh& one = parted.parts[0];
     std::int32_t n = 0, none = 0;
     hm_part_edges(one.part, nullptr, 0, &n, nullptr);
-    REQUIRE(parted.equate(its.problem(), options_of(HM_LAPLACE)));
-    REQUIRE(conformal.equate(its.problem(), options_of(HM_CONFORMAL)));
+    REQUIRE(parted.equate(setup.problem(), options_of(HM_LAPLACE)));
+    REQUIRE(conformal.equate(setup.problem(), options_of(HM_CONFORMAL)));
     parted.solve();
     std::size_t bytes = 0;
     REQUIRE(hm_rows_size(one.equations, &bytes, nullptr) == HM_OK);
@@ -146,9 +146,9 @@ TEST_CASE("calls with parts, equations and rows that do not go together") {
     hm_equations* const of_others = conformal.parts[0].equations;
     std::vector<double> numbers(parted.size() * 4);
     std::int64_t entries = 0, negative = -1;
-    hm_problem problem = its.problem();
+    hm_problem problem = setup.problem();
     Options const options = options_of(HM_LAPLACE);
-    hm_mesh const view = its.mesh.view();
+    hm_mesh const view = setup.mesh.view();
     hm_part_mesh no_size{};
     no_size.mesh = &view;
     auto const entries_from = [&](std::int32_t first, hm_error* e) {

@@ -105,14 +105,14 @@ template <class One, class Other>
 std::pair<std::vector<double>, std::vector<double>> in_turn(One one, Other other,
                                                             double budget = 1) {
     std::pair<std::vector<double>, std::vector<double>> seconds;
-    auto const turn = [](auto& work, std::vector<double>& its) {
+    auto const turn = [](auto& work, std::vector<double>& laps) {
         Stopwatch whole, watch;
         work();
         bool const is_long = watch.lap() > 1e-3;
         do {
             watch.lap();
             work();
-            its.push_back(watch.lap());
+            laps.push_back(watch.lap());
         } while (!is_long && whole.seconds() < 1e-3);
     };
     Stopwatch whole;

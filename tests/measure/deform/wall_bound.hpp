@@ -126,19 +126,20 @@ private:
 
     // One of the cells at a point has the mean of their angles, or more.
     double bound_of_widest(std::size_t k, double open) const {
-        Corner const& its = corners[k];
-        double const mean = open / (its.triangles + its.quads);
+        Corner const& corner = corners[k];
+        double const mean = open / (corner.triangles + corner.quads);
         double best = 0;
-        if (its.triangles > 0) best = best_with_wide_angle(3, mean);
-        if (its.quads > 0) best = std::max(best, best_with_wide_angle(4, mean));
-        if (its.triangles > 0 || its.quads != 2) return best;
-        auto const next = cells.find({static_cast<int>(k), its.next}),
-                   previous = cells.find({its.previous, static_cast<int>(k)});
+        if (corner.triangles > 0) best = best_with_wide_angle(3, mean);
+        if (corner.quads > 0) best = std::max(best, best_with_wide_angle(4, mean));
+        if (corner.triangles > 0 || corner.quads != 2) return best;
+        auto const next = cells.find({static_cast<int>(k), corner.next}),
+                   previous = cells.find({corner.previous, static_cast<int>(k)});
         if (next == cells.end() || previous == cells.end()) return best;
-        return std::min(best, std::max(best_quad_with_wide_angle(mean, length(k, at(its.next)),
-                                                                 next->second.area),
-                                       best_quad_with_wide_angle(mean, length(k, at(its.previous)),
-                                                                 previous->second.area)));
+        return std::min(
+            best,
+            std::max(best_quad_with_wide_angle(mean, length(k, at(corner.next)), next->second.area),
+                     best_quad_with_wide_angle(mean, length(k, at(corner.previous)),
+                                               previous->second.area)));
     }
 };
 

@@ -106,9 +106,9 @@ struct Gradients {  // over volumes: those of all cells round a point, or on bot
         add_gradient(mesh, cell, x[to], y[to]);
         area[to] += mesh.area(cell);
     }
-    void add_flux(std::size_t of, Vector const& through, Row& flux) const {
-        for (auto const& [point, by] : x[of]) flux[point] += through.x() * by / area[of];
-        for (auto const& [point, by] : y[of]) flux[point] += through.y() * by / area[of];
+    void add_flux(std::size_t cell, Vector const& through, Row& flux) const {
+        for (auto const& [point, by] : x[cell]) flux[point] += through.x() * by / area[cell];
+        for (auto const& [point, by] : y[cell]) flux[point] += through.y() * by / area[cell];
     }
 };
 
