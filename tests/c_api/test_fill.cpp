@@ -290,18 +290,15 @@ TEST_CASE("fits of every closure, and the points of a curve") {
                 Outline const outline = naca4(naca, 30);
                 double const* const xy = &outline.points[0].x;
                 std::int32_t const n = static_cast<std::int32_t>(outline.points.size());
-                hm_fit_options options{};
-                options.struct_size = sizeof options;
+                auto options = sized<hm_fit_options>();
                 options.closed = closed;
-                std::size_t bytes = 0;
-                REQUIRE(hm_fit_size(n, &options, &bytes, nullptr) == HM_OK);
-                Guarded block(bytes);
+                Guarded block = block_of(hm_fit_size, n, &options);
                 hm_fit_report report = filled_report<hm_fit_report>();
                 const hm_curves* curves = nullptr;
                 hm_error error{};
                 hm_status const status =
-                    hm_fit(&curves, block.data(), bytes, points_in(xy, xy + 1, 2), n, 1, &options,
-                           &report, &error);
+                    hm_fit(&curves, block.data(), block.size(), points_in(xy, xy + 1, 2), n, 1,
+                           &options, &report, &error);
                 record.add_outcome(status, error);
                 if (status < 0) return;
                 record.add(report);
@@ -371,17 +368,13 @@ TEST_CASE(
                     Attempt derivative;
                     REQUIRE(derivative.analyse(setup.problem(), &way.options));
                     REQUIRE(derivative.prepare());
-                    std::size_t bytes = 0;
-                    REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) ==
-                            HM_OK);
-                    Guarded work(bytes);
+                    Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
                     std::vector<double> const move = similarity_move(
                         setup.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), {0.5, 0.5},
                         0.03);
                     std::vector<double> x = filled<double>(setup.mesh.x.size()), y = x,
                                         reached = filled<double>(move.size());
-                    hm_safe_options options{};
-                    options.struct_size = sizeof options;
+                    auto options = sized<hm_safe_options>();
                     options.skipped_strategies = skipped;
                     options.max_resolves = 3;
                     options.heights = 0.5;
@@ -390,7 +383,7 @@ TEST_CASE(
                     hm_error error{};
                     hm_status const status = hm_morph_safe(
                         solved.plan, solved.basis, move.data(), points_out(x, y), derivative.basis,
-                        work.data(), bytes, &options, &report, &error);
+                        work.data(), work.size(), &options, &report, &error);
                     REQUIRE(status >= 0);
                     record.add_outcome(status, error);
                     record.add(report);
@@ -409,22 +402,20 @@ TEST_CASE("improvements: of a mesh with layers, and of one whose sides slide") {
             Case setup = slides ? block() : airfoil_case(20, 8);
             if (slides) setup.set_slip(top);
             Solved const solved(setup);
-            std::size_t bytes = 0;
-            REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
-            Guarded work(bytes);
+            Guarded work = block_of(hm_improve_size, solved.plan);
             std::vector<double> const move = similarity_move(setup.curves, std::polar(1.0, 0.04),
                                                              {0.5, slides ? 0.5 : 0.0}, 0.01);
             std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
             REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr,
                              nullptr) == HM_OK);
-            hm_improve_options options{};
-            options.struct_size = sizeof options;
+            auto options = sized<hm_improve_options>();
             hm_points const reference = {setup.mesh.x.data(), setup.mesh.y.data(), 1};
             options.reference = &reference;
             hm_improve_report report = filled_report<hm_improve_report>();
             hm_error error{};
-            hm_status const status = hm_improve(solved.plan, points_in(x, y), points_out(x, y),
-                                                work.data(), bytes, &options, &report, &error);
+            hm_status const status =
+                hm_improve(solved.plan, points_in(x, y), points_out(x, y), work.data(), work.size(),
+                           &options, &report, &error);
             INFO(error.text);
             REQUIRE(status == HM_OK);
             record.add_outcome(status, error);

@@ -47,8 +47,7 @@ struct Morphed {
         return status;
     }
     hm_quality_report quality(std::vector<double> const& at_x, std::vector<double> const& at_y) {
-        hm_quality_report out{};
-        out.struct_size = sizeof out;
+        auto out = sized<hm_quality_report>();
         hm_mesh const& mesh = setup.mesh_view();
         REQUIRE(hm_assess(solved.basis, &mesh, points_in(at_x, at_y), nullptr,
                           points_in(setup.mesh.x, setup.mesh.y), nullptr, nullptr, &out,
@@ -251,8 +250,7 @@ TEST_CASE("hm_improve: what cannot be improved is refused by name, and nothing h
     CHECK(hm_improve(out.solved.plan, nullptr, points_out(out.better_x, out.better_y), nullptr, 0,
                      nullptr, nullptr, &out.error) == HM_BAD_ARGUMENT);
     CHECK(hm_improve_size(nullptr, &out.bytes, &out.error) == HM_BAD_ARGUMENT);
-    hm_improve_options options{};
-    options.struct_size = sizeof options;
+    auto options = sized<hm_improve_options>();
     for (std::int32_t const wrong : {-1, 10001}) {
         options.max_iterations = wrong;
         CHECK(out.improve(&options) == HM_BAD_ARGUMENT);

@@ -79,11 +79,9 @@ TEST_CASE(
                   "as options.reference",
                   [&](hm_error* e) { return o.improve(to, nullptr, nullptr, e); }}});
     hm_points const before{o.setup.mesh.x.data(), o.setup.mesh.y.data(), 1};
-    hm_improve_options asked{};
-    asked.struct_size = sizeof asked;
+    auto asked = sized<hm_improve_options>();
     asked.reference = &before;
-    hm_improve_report report{};
-    report.struct_size = sizeof report;
+    auto report = sized<hm_improve_report>();
     CHECK(o.improve(to, &asked, &report, nullptr) == HM_OK);
     CHECK(report.mean_quality > report.mean_quality_before);
 }
@@ -92,10 +90,8 @@ TEST_CASE("a mesh of other cells is refused, also with as many points and cells 
     Moved o;
     std::vector<double> const still(o.x.size());
     hm_points const none{still.data(), still.data(), 1};
-    hm_quality_report quality{};
-    hm_step_report step{};
-    quality.struct_size = sizeof quality;
-    step.struct_size = sizeof step;
+    auto quality = sized<hm_quality_report>();
+    auto step = sized<hm_step_report>();
     std::vector<std::int32_t> turned(
         o.setup.mesh.cells);  // each point has the number of the next one
     for (std::int32_t& point : turned) point = (point + 1) % o.mesh.n_points;

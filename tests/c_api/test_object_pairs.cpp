@@ -32,13 +32,6 @@ struct Arrays {
     hm_points_out out{x.data(), y.data(), 1};
 };
 
-template <class Struct>
-Struct sized() {
-    Struct out{};
-    out.struct_size = sizeof out;
-    return out;
-}
-
 // The size of a block, then the block.
 template <class Size, class Init>
 hm_status in_block(hm_error* error, Size const& size, Init const& init) {

@@ -54,8 +54,7 @@ TEST_CASE(
                 step.struct_size = also_step.struct_size = sizeof step;
                 REQUIRE(hm_assess(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, nullptr,
                                   &step, nullptr, nullptr) == HM_OK);
-                hm_quality_report assessed{};
-                assessed.struct_size = sizeof assessed;
+                auto assessed = sized<hm_quality_report>();
                 REQUIRE(hm_assess(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, nullptr,
                                   &also_step, &assessed, nullptr) == HM_OK);
                 CHECK(also_step.admissible == step.admissible);
@@ -154,8 +153,7 @@ TEST_CASE(
         std::vector<double> dx(setup.mesh.x.size(), together), dy(dx);
         dx[1] -= inwards_x;
         dy[1] -= inwards_y;
-        hm_step_report step{};
-        step.struct_size = sizeof step;
+        auto step = sized<hm_step_report>();
         REQUIRE(hm_assess(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, nullptr, &step,
                           nullptr, nullptr) == HM_OK);
         CHECK(step.cell == 0);
@@ -173,9 +171,7 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
         hm_mesh const view = in_polygons(setup.mesh_view());
         Options options = options_of(HM_CONFORMAL);
         Solved const solved(setup.problem(view), &options);
-        std::size_t bytes = 0;
-        REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
-        Guarded work(bytes);
+        Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
         std::int32_t const n = solved.info().functions;
         std::vector<std::vector<double>> moves = {some_move(n, 0.12, 5), std::vector<double>()};
         moves[1] = turned_by(1.2, setup.curves,
@@ -185,11 +181,9 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
                  {0, without({HM_STRATEGY_LINEAR, HM_STRATEGY_SUBSTEPS})}) {
                 CAPTURE(skipped);
                 std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
-                hm_safe_options safe{};
-                safe.struct_size = sizeof safe;
+                auto safe = sized<hm_safe_options>();
                 safe.skipped_strategies = skipped;
-                hm_safe_report report{};
-                report.struct_size = sizeof report;
+                auto report = sized<hm_safe_report>();
                 hm_error error{};
                 REQUIRE(hm_plan_factor(solved.plan, nullptr, nullptr) == HM_OK);
                 hm_status const status =
@@ -209,13 +203,11 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
                 CHECK(report.worst[0].quality == report.min_quality);
                 CHECK(report.worst[0].cell < setup.mesh.n_cells());
 
-                REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
-                Guarded improve_work(bytes);
-                hm_improve_report improved{};
-                improved.struct_size = sizeof improved;
+                Guarded improve_work = block_of(hm_improve_size, solved.plan);
+                auto improved = sized<hm_improve_report>();
                 std::vector<double> better_x(x.size()), better_y(x.size());
                 REQUIRE(hm_improve(solved.plan, points_in(x, y), points_out(better_x, better_y),
-                                   improve_work.data(), bytes, nullptr, &improved,
+                                   improve_work.data(), improve_work.size(), nullptr, &improved,
                                    &error) == HM_OK);
                 CHECK(improve_work.guards_intact());
                 CHECK(is_sound(setup.mesh, better_x, better_y));
@@ -225,12 +217,11 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
         }
         // The mesh itself is as good as it can be: it is its own target.
         std::vector<double> same_x(setup.mesh.x.size()), same_y(same_x);
-        hm_improve_report report{};
-        report.struct_size = sizeof report;
-        Guarded improve_work(bytes);
+        auto report = sized<hm_improve_report>();
+        Guarded improve_work = block_of(hm_improve_size, solved.plan);
         REQUIRE(hm_improve(solved.plan, points_in(setup.mesh.x, setup.mesh.y),
-                           points_out(same_x, same_y), improve_work.data(), bytes, nullptr, &report,
-                           nullptr) == HM_OK);
+                           points_out(same_x, same_y), improve_work.data(), improve_work.size(),
+                           nullptr, &report, nullptr) == HM_OK);
         CHECK(largest_difference(same_x, setup.mesh.x) < 1e-12);
         CHECK(largest_difference(same_y, setup.mesh.y) < 1e-12);
     }
@@ -253,15 +244,11 @@ TEST_CASE("polygons: the last strategy untangles cells that one step inverts") {
     }
     REQUIRE(morphed.self_crossing == 0);
     REQUIRE(!is_sound(setup.mesh, x, y));
-    std::size_t bytes = 0;
-    REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
-    Guarded work(bytes);
-    hm_safe_options safe{};
-    safe.struct_size = sizeof safe;
+    Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
+    auto safe = sized<hm_safe_options>();
     safe.max_resolves = -1;
     safe.skipped_strategies = without({HM_STRATEGY_SUBSTEPS});
-    hm_safe_report report{};
-    report.struct_size = sizeof report;
+    auto report = sized<hm_safe_report>();
     REQUIRE(hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(x, y), nullptr,
                           work.data(), work.size(), &safe, &report, nullptr) >= HM_OK);
     CHECK(report.untangled > 0);

@@ -21,8 +21,7 @@ TEST_CASE("polygons: the report counts cells, sides and kinds as they are in the
         problem.n_conditions = 0;
         Attempt attempt;
         REQUIRE(attempt.analyse(problem));
-        hm_mesh_report report{};
-        report.struct_size = sizeof report;
+        auto report = sized<hm_mesh_report>();
         REQUIRE(hm_analysis_report(attempt.analysis, &report, nullptr) == HM_OK);
         std::int32_t triangles = 0, quads = 0;
         double smallest = 1, sum = 0;
@@ -98,8 +97,7 @@ TEST_CASE(
     hm_quality_report const other = quality_of(b, polygons, setup.mesh.x, setup.mesh.y);
     CHECK(one.min_quality == other.min_quality);
     CHECK(one.mean_quality == doctest::Approx(other.mean_quality).epsilon(1e-14));
-    hm_quality_report report{};
-    report.struct_size = sizeof report;
+    auto report = sized<hm_quality_report>();
     CHECK(hm_assess(a.basis, &polygons, nullptr, nullptr, nullptr, nullptr, nullptr, &report,
                     nullptr) == HM_BAD_BASIS);
 }
@@ -162,8 +160,7 @@ TEST_CASE("polygons: functions are transferred between meshes of polygons") {
     hm_error error{};
     REQUIRE(hm_transfer_size(target.analysis, &coarse_view, &bytes, &error) == HM_OK);
     Guarded work(bytes);
-    hm_transfer_report report{};
-    report.struct_size = sizeof report;
+    auto report = sized<hm_transfer_report>();
     REQUIRE(hm_transfer(target.basis, work.data(), bytes, target.analysis, source.basis,
                         &coarse_view, &report, &error) >= HM_OK);
     CHECK(work.guards_intact());

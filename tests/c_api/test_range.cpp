@@ -74,8 +74,7 @@ Attempt analysed(Case& setup) {
 }
 
 hm_quality_report quality_of(Attempt const& solved, Case& setup, Mesh const& at) {
-    hm_quality_report out{};
-    out.struct_size = sizeof out;
+    auto out = sized<hm_quality_report>();
     REQUIRE(hm_assess(solved.basis, &setup.mesh_view(), points_in(at.x, at.y), nullptr,
                       points_in(setup.mesh.x, setup.mesh.y), nullptr, nullptr, &out,
                       nullptr) == HM_OK);
@@ -97,10 +96,8 @@ void check_promises(Case& setup, Options const& options, std::vector<double> con
     std::vector<double> dx(n), dy(n);
     REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) ==
             HM_OK);
-    hm_step_report step{};
-    step.struct_size = sizeof step;
-    hm_quality_report assessed{};
-    assessed.struct_size = sizeof assessed;
+    auto step = sized<hm_step_report>();
+    auto assessed = sized<hm_quality_report>();
     REQUIRE(hm_assess(solved.basis, &setup.mesh_view(), nullptr, points_in(dx, dy), nullptr,
                       nullptr, &step, &assessed, nullptr) == HM_OK);
     for (std::size_t k = 0; k < n; ++k) {
@@ -115,17 +112,14 @@ void check_promises(Case& setup, Options const& options, std::vector<double> con
     if (step.admissible > 1.001) CHECK(inverted_cells(moved) == 0);
     if (inverted_cells(moved) > 0) CHECK(step.admissible < 1.001);
 
-    std::size_t bytes = 0;
-    REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
-    Guarded work(bytes);
+    Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
     std::vector<double> reached(move.size());
-    hm_safe_options safe{};
-    safe.struct_size = sizeof safe;
+    auto safe = sized<hm_safe_options>();
     safe.max_resolves = 3;
     safe.reached = reached.data();
     hm_status const status =
         hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(moved.x, moved.y), nullptr,
-                      work.data(), bytes, &safe, nullptr, nullptr);
+                      work.data(), work.size(), &safe, nullptr, nullptr);
     ended = status == HM_OK;
     if (status < 0) {
         CHECK(status == HM_CROSSING);
@@ -216,15 +210,12 @@ TEST_CASE(
                 std::vector<double> dx(scaled.mesh.x.size()), dy = dx, x = dx, y = dx;
                 REQUIRE(hm_morph(solved.basis, scaled_move.data(), nullptr, points_out(dx, dy),
                                  nullptr, nullptr) == HM_OK);
-                hm_step_report step{};
-                step.struct_size = sizeof step;
+                auto step = sized<hm_step_report>();
                 REQUIRE(hm_assess(solved.basis, &scaled.mesh_view(), nullptr, points_in(dx, dy),
                                   nullptr, nullptr, &step, nullptr, nullptr) == HM_OK);
-                std::size_t bytes = 0;
-                REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
-                Guarded work(bytes);
+                Guarded work = block_of(hm_morph_safe_size, solved.plan, solved.basis);
                 REQUIRE(hm_morph_safe(solved.plan, solved.basis, scaled_move.data(),
-                                      points_out(x, y), nullptr, work.data(), bytes, nullptr,
+                                      points_out(x, y), nullptr, work.data(), work.size(), nullptr,
                                       nullptr, nullptr) >= HM_OK);
                 for (double& coordinate : x) coordinate /= unit;
                 std::vector<double> const values = solved.all_values();

@@ -33,34 +33,8 @@ struct Objects {
 
 }  // namespace
 
-TEST_CASE("arguments that every call checks") {
-    Objects o;
-    hm_basis_info info{};
-    hm_points_out no_x{nullptr, o.y.data(), 1}, backwards{o.x.data(), o.y.data(), -1};
-    check_texts({
-        {HM_BAD_ARGUMENT, "info is NULL",
-         [&](hm_error* e) { return hm_basis_info_get(o.basis, nullptr, e); }},
-        {HM_BAD_ARGUMENT,
-         "info.struct_size is not the size of the struct; begin with HM_INIT(info)",
-         [&](hm_error* e) { return hm_basis_info_get(o.basis, &info, e); }},
-        {HM_BAD_ARGUMENT, "to is NULL",
-         [&](hm_error* e) {
-             return hm_morph(o.basis, o.move.data(), nullptr, nullptr, nullptr, e);
-         }},
-        {HM_BAD_ARGUMENT, "to.x or to.y is NULL",
-         [&](hm_error* e) { return hm_morph(o.basis, o.move.data(), nullptr, &no_x, nullptr, e); }},
-        {HM_BAD_ARGUMENT, "to.stride is negative",
-         [&](hm_error* e) {
-             return hm_morph(o.basis, o.move.data(), nullptr, &backwards, nullptr, e);
-         }},
-        {HM_BAD_ARGUMENT, "move is NULL",
-         [&](hm_error* e) { return hm_morph(o.basis, nullptr, nullptr, &o.out, nullptr, e); }},
-        {HM_BAD_ARGUMENT, "basis is NULL",
-         [&](hm_error* e) {
-             return hm_morph(nullptr, o.move.data(), nullptr, &o.out, nullptr, e);
-         }},
-    });
-    harmorph::Arena arena;  // of a size query: more than there can be
+TEST_CASE("a problem that is too large for the addresses of the machine") {
+    harmorph::Arena arena;
     harmorph::Span<double> numbers;
     arena.take(numbers, std::numeric_limits<std::size_t>::max() / 24);
     arena.take(numbers, std::numeric_limits<std::size_t>::max() / 24);
@@ -77,12 +51,9 @@ TEST_CASE("room for fewer than there are, and numbers that there are not") {
         return hm_analysis_boundary(o.solved.analysis, n_markers, &marker, piece, nullptr, 0, &n,
                                     &is_loop, e);
     };
-    hm_curves curves{};
-    hm_curve curve{};
-    hm_condition condition{};
-    curves.struct_size = sizeof curves;
-    curve.struct_size = sizeof curve;
-    condition.struct_size = sizeof condition;
+    auto curves = sized<hm_curves>();
+    auto curve = sized<hm_curve>();
+    auto condition = sized<hm_condition>();
     check_texts({
         {HM_BAD_ARGUMENT, "points has room for 0 points, but this piece of the boundary has 8",
          [&](hm_error* e) { return boundary(1, 0, e); }},
@@ -163,15 +134,13 @@ TEST_CASE("combined functions, gradients in parts, parcels") {
                                   ", but these points need at least " + std::to_string(scale) +
                                   "; take the largest scale of all parts";
     hm_basis *share = nullptr, *rows = nullptr;
-    REQUIRE(hm_share_size(o.solved.analysis, 0, 2, &bytes, nullptr) == HM_OK);
-    Guarded share_block(bytes);
-    REQUIRE(hm_share_init(&share, share_block.data(), bytes, o.solved.analysis, 0, 2, nullptr) ==
-            HM_OK);
+    Guarded share_block = block_of(hm_share_size, o.solved.analysis, 0, 2);
+    REQUIRE(hm_share_init(&share, share_block.data(), share_block.size(), o.solved.analysis, 0, 2,
+                          nullptr) == HM_OK);
     REQUIRE(hm_plan_solve(o.solved.plan, share, nullptr, nullptr) == HM_OK);
     std::int32_t const list[] = {20, 30};
-    REQUIRE(hm_extract_size(share, 2, &bytes, nullptr) == HM_OK);
-    Guarded block(bytes);
-    REQUIRE(hm_extract_init(&rows, block.data(), bytes, share, 2, list, nullptr) == HM_OK);
+    Guarded block = block_of(hm_extract_size, share, 2);
+    REQUIRE(hm_extract_init(&rows, block.data(), block.size(), share, 2, list, nullptr) == HM_OK);
     REQUIRE(hm_parcel_size(share, 2, &doubles, nullptr) == HM_OK);
     std::vector<double> parcel(static_cast<std::size_t>(doubles));
     REQUIRE(hm_parcel_pack(share, 2, list, parcel.data(), nullptr) == HM_OK);
@@ -207,8 +176,7 @@ TEST_CASE("combined functions, gradients in parts, parcels") {
 TEST_CASE("a basis of another version, of another machine, of a mesh that has moved") {
     Objects o;
     std::vector<double> copy(o.solved.basis_block->size() / 8 + 1);
-    hm_basis_info info{};
-    info.struct_size = sizeof info;
+    auto info = sized<hm_basis_info>();
     REQUIRE(hm_basis_info_get(o.basis, &info, nullptr) == HM_OK);
     std::memcpy(copy.data(), static_cast<const void*>(o.basis), info.bytes);
     harmorph::BasisHeader& header = *reinterpret_cast<harmorph::BasisHeader*>(copy.data());
@@ -261,8 +229,7 @@ TEST_CASE("steps in the wrong order") {
     std::int32_t n = 0;
     hm_given_points(of_given.plan, nullptr, 0, &n, nullptr);
     std::size_t bytes = 0;
-    REQUIRE(hm_displace_size(of_given.plan, 1, &bytes, nullptr) == HM_OK);
-    Guarded work(bytes);
+    Guarded work = block_of(hm_displace_size, of_given.plan, 1);
     check_texts({
         {HM_BAD_CONDITION, "no marker has the condition HM_GIVEN, so no displacements can be given",
          [&](hm_error* e) { return hm_displace_size(attempt.plan, 1, &bytes, e); }},
@@ -271,7 +238,7 @@ TEST_CASE("steps in the wrong order") {
         {HM_BAD_ARGUMENT, "the plan has no factor; call hm_plan_factor first",
          [&](hm_error* e) {
              return hm_displace(of_given.plan, n, nullptr, 1, &wall, nullptr, &to, work.data(),
-                                bytes, nullptr, e);
+                                work.size(), nullptr, e);
          }},
         {HM_BAD_ARGUMENT,
          "the plan has no levels; hm_plan_factor makes them for the engines multigrid and fas",
@@ -368,18 +335,14 @@ TEST_CASE("options of the safe morph and of better cells") {
     Objects o;
     hm_safe_options safe{};
     hm_improve_options better{};
-    std::size_t bytes = 0;
-    REQUIRE(hm_morph_safe_size(o.solved.plan, o.basis, &bytes, nullptr) == HM_OK);
-    Guarded work(bytes);
-    REQUIRE(hm_improve_size(o.solved.plan, &bytes, nullptr) == HM_OK);
-    Guarded room(bytes);
+    Guarded work = block_of(hm_morph_safe_size, o.solved.plan, o.basis);
+    Guarded room = block_of(hm_improve_size, o.solved.plan);
     hm_basis const* nobody = nullptr;
     hm_basis* derivative = nullptr;  // of two functions
     double matrix[] = {1, 0, 0, 1, 0, 0, 0, 0};
-    REQUIRE(hm_combine_size(o.basis, 2, 1, &bytes, nullptr) == HM_OK);
-    Guarded combined(bytes);
-    REQUIRE(hm_combine(&derivative, combined.data(), bytes, o.basis, 2, 1, matrix, nullptr) ==
-            HM_OK);
+    Guarded combined = block_of(hm_combine_size, o.basis, 2, 1);
+    REQUIRE(hm_combine(&derivative, combined.data(), combined.size(), o.basis, 2, 1, matrix,
+                       nullptr) == HM_OK);
     auto const morph = [&](std::function<void()> const& change) {
         return [&, change](hm_error* e) {
             safe = {};
@@ -485,13 +448,11 @@ TEST_CASE("a safe displacement that turns a body inside out") {
         dx.push_back(2 * (3 - setup.mesh.point(point).x));
     hm_points const wall{dx.data(), dy.data(), 1};
     hm_points_out const to{x.data(), y.data(), 1};
-    std::size_t bytes = 0;
-    REQUIRE(hm_displace_safe_size(displaced.plan, displaced.basis, &bytes, nullptr) == HM_OK);
-    Guarded work(bytes);
+    Guarded work = block_of(hm_displace_safe_size, displaced.plan, displaced.basis);
     hm_error error{};
     CHECK(hm_displace_safe(displaced.plan, displaced.basis, nullptr,
                            static_cast<std::int32_t>(dx.size()), displaced.points.data(), &wall,
-                           &to, work.data(), bytes, nullptr, nullptr, &error) == HM_CROSSING);
+                           &to, work.data(), work.size(), nullptr, nullptr, &error) == HM_CROSSING);
     CHECK(std::string(error.text) == "the boundary through point 17 at (3, 2) is inside out");
     CHECK(x == setup.mesh.x);
 }

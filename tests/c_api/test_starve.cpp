@@ -113,8 +113,7 @@ TEST_CASE("fit: at every size below the required one") {
     Outline const outline = naca4(naca, 30);
     double const* const xy = &outline.points[0].x;
     std::int32_t const n = static_cast<std::int32_t>(outline.points.size());
-    hm_fit_options options{};
-    options.struct_size = sizeof options;
+    auto options = sized<hm_fit_options>();
     options.n_control = 12;
     std::size_t need = 0;
     REQUIRE(hm_fit_size(n, &options, &need, nullptr) == HM_OK);

@@ -136,14 +136,4 @@ TEST_CASE("scales that do not fit are refused") {
         CHECK(hm_adjoint_finish(solved.basis, absurd, sums.data(), gradient.data(), &error) ==
               HM_BAD_ARGUMENT);
     }
-    CHECK(hm_adjoint_scale(solved.basis, points_in(nullptr, g.y.data()), &scale, nullptr,
-                           nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_adjoint_scale(solved.basis, points_in(g.x, g.y), nullptr, nullptr, nullptr) ==
-          HM_BAD_ARGUMENT);
-    CHECK(hm_adjoint_sums(solved.basis, points_in(g.x, g.y), scale, nullptr, nullptr, nullptr) ==
-          HM_BAD_ARGUMENT);
-    CHECK(hm_adjoint_finish(solved.basis, scale, nullptr, gradient.data(), nullptr) ==
-          HM_BAD_ARGUMENT);
-    CHECK(hm_adjoint_finish(nullptr, scale, sums.data(), gradient.data(), nullptr) ==
-          HM_BAD_ARGUMENT);
 }

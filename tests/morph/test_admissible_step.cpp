@@ -42,8 +42,7 @@ struct Displaced {
 
 double mean_quality(Solved const& solved, hm_mesh const& mesh, Mesh const& at,
                     Mesh const& reference) {
-    hm_quality_report report{};
-    report.struct_size = sizeof report;
+    auto report = sized<hm_quality_report>();
     REQUIRE(hm_assess(solved.basis, &mesh, points_in(at.x, at.y), nullptr,
                       points_in(reference.x, reference.y), nullptr, nullptr, &report,
                       nullptr) == HM_OK);
@@ -307,8 +306,7 @@ TEST_CASE("with a basis: half the admissible step of a movement is a valid mesh,
         Displaced displaced(setup.mesh);
         REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(displaced.dx, displaced.dy),
                          nullptr, nullptr) == HM_OK);
-        hm_step_report report{};
-        report.struct_size = sizeof report;
+        auto report = sized<hm_step_report>();
         REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(displaced.dx, displaced.dy),
                           nullptr, nullptr, &report, nullptr, nullptr) == HM_OK);
         REQUIRE(report.admissible < HUGE_VAL);
@@ -333,8 +331,7 @@ TEST_CASE(
     hm_mesh const mesh = now.mesh.view();
     hm_step_report report{}, assessed{};
     report.struct_size = assessed.struct_size = sizeof report;
-    hm_quality_report quality{};
-    quality.struct_size = sizeof quality;
+    auto quality = sized<hm_quality_report>();
     auto const from = points_in(setup.mesh.x, setup.mesh.y),
                displacement = points_in(start.dx, start.dy);
     REQUIRE(hm_assess(solved.basis, &mesh, from, displacement, nullptr, nullptr, &report, nullptr,

@@ -350,8 +350,7 @@ TEST_CASE(
         Case setup = airfoil_case(40, 12, kind);
         Solved const solved(setup);
         hm_mesh const mesh = setup.mesh.view();
-        hm_quality_report report{};
-        report.struct_size = sizeof report;
+        auto report = sized<hm_quality_report>();
         REQUIRE(hm_assess(solved.basis, &mesh, &mesh.points, nullptr, nullptr, nullptr, nullptr,
                           &report, nullptr) == HM_OK);
         CHECK(report.self_crossing == 0);

@@ -273,17 +273,14 @@ TEST_CASE("a basis without functions: for quality, step and assessment") {
     Displaced displaced(setup);
     Field const moved = displaced.displace(Field(displaced.points.size(), Complex(0.01, 0.02)));
     const double* const xy = reinterpret_cast<const double*>(moved.data());
-    hm_step_report step{};
-    hm_quality_report quality{};
-    step.struct_size = sizeof step;
-    quality.struct_size = sizeof quality;
+    auto step = sized<hm_step_report>();
+    auto quality = sized<hm_quality_report>();
     for (int solved = 0; solved < 2; ++solved) {
         REQUIRE(hm_assess(displaced.basis, &setup.mesh_view(), nullptr, points_in(xy, xy + 1, 2),
                           nullptr, nullptr, &step, &quality, &displaced.error) == HM_OK);
         CHECK(step.admissible > 1);
         CHECK(quality.inverted == 0);
-        hm_solve_report report{};
-        report.struct_size = sizeof report;
+        auto report = sized<hm_solve_report>();
         REQUIRE(hm_plan_solve(displaced.plan, displaced.basis, &report, &displaced.error) == HM_OK);
         CHECK(report.functions == 0);
     }

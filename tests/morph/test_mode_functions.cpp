@@ -78,9 +78,7 @@ TEST_CASE(
                 for (std::size_t k = 0; k < points.size(); ++k)
                     wall.push_back(a * modes[0][k] + b * modes[1][k]);
                 Moved const found = displaced(tabulated.basis, move);
-                std::size_t bytes = 0;
-                REQUIRE(hm_displace_size(solved.plan, 1, &bytes, nullptr) == HM_OK);
-                Guarded work(bytes);
+                Guarded work = block_of(hm_displace_size, solved.plan, 1);
                 Moved expected = found;
                 Numbers wall_x, wall_y;
                 for (auto const& value : wall)
@@ -88,7 +86,7 @@ TEST_CASE(
                 hm_points const from{wall_x.data(), wall_y.data(), 1};
                 hm_points_out const to{expected.x.data(), expected.y.data(), 1};
                 REQUIRE(hm_displace(solved.plan, static_cast<std::int32_t>(points.size()), nullptr,
-                                    1, &from, nullptr, &to, work.data(), bytes, nullptr,
+                                    1, &from, nullptr, &to, work.data(), work.size(), nullptr,
                                     nullptr) == HM_OK);
                 for (std::size_t k = 0; k < found.x.size(); ++k) {
                     CHECK(std::fabs(found.x[k] - expected.x[k]) < 1e-14);
@@ -141,15 +139,14 @@ TEST_CASE(
                 Moved const elsewhere = morphed(tabulated.basis, setup->mesh, part);
                 REQUIRE(hm_plan_factor(solved.plan, points_in(elsewhere.x, elsewhere.y), nullptr) ==
                         HM_OK);
-                hm_solve_report report{};
-                report.struct_size = sizeof report;
+                auto report = sized<hm_solve_report>();
                 REQUIRE(hm_plan_solve(solved.plan, tabulated.basis, &report, nullptr) == HM_OK);
                 CHECK(report.functions == info.functions);
                 CHECK(report.residual < 1e-12);
                 CHECK(report.boundary_error_point == -1);
                 Moved const again = displaced(tabulated.basis, move);
                 REQUIRE(hm_displace(solved.plan, static_cast<std::int32_t>(points.size()), nullptr,
-                                    1, &from, nullptr, &to, work.data(), bytes, nullptr,
+                                    1, &from, nullptr, &to, work.data(), work.size(), nullptr,
                                     nullptr) == HM_OK);
                 for (std::size_t k = 0; k < again.x.size(); ++k) {
                     CHECK(std::fabs(again.x[k] - expected.x[k]) < 1e-14);
@@ -221,8 +218,7 @@ TEST_CASE("modes on top of combined functions and of other modes; too many are n
                                 static_cast<std::size_t>(controls));  // the matrix is still there
     std::vector<hm_curve> curve(2);
     for (hm_curve& one_curve : curve) one_curve.struct_size = sizeof one_curve;
-    hm_curves curves{};
-    curves.struct_size = sizeof curves;
+    auto curves = sized<hm_curves>();
     REQUIRE(hm_moved_curves(two.basis, few.data(), control.data(), &curves, curve.data(), 2,
                             nullptr) == HM_OK);
     Numbers const by = matrix.expanded({few.begin(), few.begin() + 4});
@@ -250,11 +246,9 @@ TEST_CASE("modes stay behind combined functions") {
     REQUIRE(tabulated.status == HM_OK);
     std::int32_t const n = info_of(tabulated.basis).control_points;
     Numbers matrix = some_move(n, 1, 2);
-    std::size_t bytes = 0;
-    REQUIRE(hm_combine_size(tabulated.basis, 2, 1, &bytes, nullptr) == HM_OK);
-    Guarded block(bytes);
+    Guarded block = block_of(hm_combine_size, tabulated.basis, 2, 1);
     hm_basis* combined = nullptr;
-    REQUIRE(hm_combine(&combined, block.data(), bytes, tabulated.basis, 2, 1, matrix.data(),
+    REQUIRE(hm_combine(&combined, block.data(), block.size(), tabulated.basis, 2, 1, matrix.data(),
                        nullptr) == HM_OK);
     CHECK(info_of(combined).functions == 3);
     CHECK(info_of(combined).modes == 1);

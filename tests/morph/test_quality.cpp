@@ -45,8 +45,7 @@ TEST_CASE("cells with a coordinate that is not finite count as inverted, and spo
     for (double const bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
         std::vector<double> x = setup.mesh.x;
         x[8] = bad;
-        hm_quality_report report{};
-        report.struct_size = sizeof report;
+        auto report = sized<hm_quality_report>();
         REQUIRE(hm_assess(solved.basis, &mesh, points_in(x.data(), mesh.points.y), nullptr, nullptr,
                           nullptr, nullptr, &report, nullptr) == HM_OK);
         CHECK(report.inverted == cells);
@@ -213,8 +212,7 @@ TEST_CASE("the report on a mesh says the same, in the caller's numbering") {
     setup.index_base = 1;
     setup.mesh.x[8] = 0.1;  // thin, but valid
     Solved const solved(setup);
-    hm_mesh_report report{};
-    report.struct_size = sizeof report;
+    auto report = sized<hm_mesh_report>();
     REQUIRE(hm_analysis_report(solved.analysis, &report, nullptr) == HM_OK);
     Quality const expected = measure(setup.mesh);
     CHECK(report.points == 48);
@@ -228,8 +226,7 @@ TEST_CASE("the report on a mesh says the same, in the caller's numbering") {
     CHECK(report.min_area == expected.min_area);
     CHECK(report.min_quality == expected.min_quality);
     CHECK(report.mean_quality == expected.mean_quality());
-    hm_quality_report quality{};
-    quality.struct_size = sizeof quality;
+    auto quality = sized<hm_quality_report>();
     hm_mesh const mesh = setup.mesh_view();
     REQUIRE(hm_assess(solved.basis, &mesh, &mesh.points, nullptr, &mesh.points, nullptr, nullptr,
                       &quality, nullptr) == HM_OK);

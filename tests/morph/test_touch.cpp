@@ -212,9 +212,8 @@ TEST_CASE(
     REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) ==
             HM_OK);
     hm_step_report step{}, assessed{};
-    hm_quality_report quality{};
+    auto quality = sized<hm_quality_report>();
     step.struct_size = assessed.struct_size = sizeof step;
-    quality.struct_size = sizeof quality;
     auto const by = points_in(dx, dy);
     REQUIRE(hm_assess(solved.basis, &mesh, nullptr, by, nullptr, nullptr, &step, nullptr,
                       nullptr) == HM_OK);

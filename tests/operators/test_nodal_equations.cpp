@@ -268,8 +268,7 @@ TEST_CASE("threads and blocks change no bit; a basis remembers its scheme") {
         options.executor = &executor;
         CHECK(same_bits(values_of(Attempt(setup.problem(), &options)), values_of(serial)));
         CHECK(backwards.tasks > 0);
-        hm_basis_info info{};
-        info.struct_size = sizeof info;
+        auto info = sized<hm_basis_info>();
         REQUIRE(hm_basis_info_get(serial.basis, &info, nullptr) == HM_OK);
         CHECK(info.scheme == options.scheme);
 

@@ -12,8 +12,7 @@ using namespace fixtures;
 namespace {
 
 std::vector<unsigned char> bytes_of(const hm_basis* basis) {
-    hm_basis_info info{};
-    info.struct_size = sizeof info;
+    auto info = sized<hm_basis_info>();
     REQUIRE(hm_basis_info_get(basis, &info, nullptr) == HM_OK);
     const unsigned char* const begin = reinterpret_cast<const unsigned char*>(basis);
     return {begin, begin + info.bytes};
@@ -133,10 +132,8 @@ TEST_CASE(
         CHECK(bytes_of(solved.basis) == expected);
 
         std::vector<double> found(2 * n), gradient(40);
-        hm_step_report step{};
-        step.struct_size = sizeof step;
-        hm_quality_report quality{};
-        quality.struct_size = sizeof quality;
+        auto step = sized<hm_step_report>();
+        auto quality = sized<hm_quality_report>();
         REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(&found[0], &found[n]),
                          &executor, nullptr) == HM_OK);
         REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(),

@@ -103,12 +103,10 @@ TEST_CASE(
         std::int32_t first, n;
     };
     for (Range const range : {Range{0, 1}, Range{0, n - 1}, Range{1, n - 1}, Range{n, 0}}) {
-        std::size_t bytes = 0;
         hm_basis* share = nullptr;
-        REQUIRE(hm_share_size(solved.analysis, range.first, range.n, &bytes, nullptr) == HM_OK);
-        Guarded block(bytes);
-        REQUIRE(hm_share_init(&share, block.data(), bytes, solved.analysis, range.first, range.n,
-                              nullptr) == HM_OK);
+        Guarded block = block_of(hm_share_size, solved.analysis, range.first, range.n);
+        REQUIRE(hm_share_init(&share, block.data(), block.size(), solved.analysis, range.first,
+                              range.n, nullptr) == HM_OK);
         REQUIRE(hm_plan_solve(solved.plan, share, nullptr, nullptr) == HM_OK);
         TransferAttempt attempt;
         REQUIRE(attempt.open(fine.problem()));

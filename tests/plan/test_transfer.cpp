@@ -153,8 +153,7 @@ TEST_CASE("transferred functions depend neither on the numbering nor on threads"
 TEST_CASE("a transferred basis is a basis: attached again, it morphs the same") {
     Case coarse = ring_case(4, 32, 0.5, 2), fine = ring_case(9, 70, 0.5, 2);
     Transferred const transferred(fine, coarse);
-    hm_basis_info info{};
-    info.struct_size = sizeof info;
+    auto info = sized<hm_basis_info>();
     REQUIRE(hm_basis_info_get(transferred.basis, &info, nullptr) == HM_OK);
     std::vector<double> copy(info.bytes / 8 + 1);
     std::memcpy(copy.data(), transferred.basis, info.bytes);

@@ -37,8 +37,7 @@ std::vector<double> moved(hm_basis const* basis, std::vector<double> const& move
 double admissible(hm_basis const* basis, Case& setup, std::vector<double> const& move) {
     std::size_t const n = setup.mesh.x.size();
     std::vector<double> const by = moved(basis, move, n);
-    hm_step_report step{};
-    step.struct_size = sizeof step;
+    auto step = sized<hm_step_report>();
     REQUIRE(hm_assess(basis, &setup.mesh_view(), nullptr, points_in(by.data(), by.data() + n),
                       nullptr, nullptr, &step, nullptr, nullptr) == HM_OK);
     return step.admissible;
