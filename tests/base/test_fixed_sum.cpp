@@ -32,8 +32,8 @@ TEST_CASE("a number in fixed point is itself to 2^-64, and exactly so if it is n
         CHECK(std::fabs(fixed(t).value() - t) <= 0x1p-64);
         if (std::fabs(t) >= 0x1p-10) CHECK(fixed(t).value() == t);  // its last bit is 2^-63 or more
         if (std::fabs(t) < 0.5) {  // the nearest integer, in one piece
-            FixedSum const its = fixed(t);
-            CHECK(its.coarse * (std::int64_t{1} << FixedSum::fine_bits) + its.fine ==
+            FixedSum const sum = fixed(t);
+            CHECK(sum.coarse * (std::int64_t{1} << FixedSum::fine_bits) + sum.fine ==
                   std::llrint(std::ldexp(t, 63)));
         }
     }
@@ -113,14 +113,14 @@ TEST_CASE(
 }
 
 TEST_CASE("the largest magnitude: infinity is larger than all numbers, NaN larger than infinity") {
-    harmorph::LargestMagnitude its;
-    CHECK(its.value() == 0);
-    for (double const x : {-2.0, 1.5, 0.0}) its.include(x);
-    CHECK(its.value() == 2);
-    its.include(-HUGE_VAL);
-    its.include(1e300);
-    CHECK(its.value() == HUGE_VAL);
-    its.include(-std::nan(""));
-    its.include(HUGE_VAL);
-    CHECK(std::isnan(its.value()));
+    harmorph::LargestMagnitude largest;
+    CHECK(largest.value() == 0);
+    for (double const x : {-2.0, 1.5, 0.0}) largest.include(x);
+    CHECK(largest.value() == 2);
+    largest.include(-HUGE_VAL);
+    largest.include(1e300);
+    CHECK(largest.value() == HUGE_VAL);
+    largest.include(-std::nan(""));
+    largest.include(HUGE_VAL);
+    CHECK(std::isnan(largest.value()));
 }

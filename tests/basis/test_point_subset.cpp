@@ -33,8 +33,8 @@ TEST_CASE(
     "repeats") {
     for (KindOfProblem& problem : kinds_of_problems())
         for (std::int32_t const base : {0, 1}) {
-            problem.its.index_base = base;
-            Solved const solved(problem.its, &problem.options);
+            problem.setup.index_base = base;
+            Solved const solved(problem.setup, &problem.options);
             hm_basis_info const whole = solved.info();
             std::vector<std::int32_t> points =
                 random_parts(whole.points, 3, 8)[1];  // counted from 0
@@ -62,7 +62,7 @@ TEST_CASE(
                     CHECK(same_bits(some, pick(all, points)));
                 }
             Numbers const move = some_move(info.functions, 0.05, 3);
-            Moved const from{problem.its.mesh.x, problem.its.mesh.y},
+            Moved const from{problem.setup.mesh.x, problem.setup.mesh.y},
                 to = morphed(solved.basis, move, from);
             Moved const here{pick(from.x, points), pick(from.y, points)},
                 there = morphed(rows.basis, move, here);
@@ -99,14 +99,14 @@ TEST_CASE(
 }
 
 TEST_CASE("the row of one point takes x and y side by side, with any stride") {
-    Case its = tiny_case();
-    Solved const solved(its);
+    Case setup = tiny_case();
+    Solved const solved(setup);
     std::vector<std::int32_t> one = {solved.info().curve_point[1]};
     Rows const row(solved.basis, one);
     REQUIRE(row.status == HM_OK);
     Numbers const move = some_move(solved.info().functions, 0.05, 3);
-    double at[2] = {its.mesh.x[static_cast<std::size_t>(one[0])],
-                    its.mesh.y[static_cast<std::size_t>(one[0])]};
+    double at[2] = {setup.mesh.x[static_cast<std::size_t>(one[0])],
+                    setup.mesh.y[static_cast<std::size_t>(one[0])]};
     Moved const to = morphed(row.basis, move, {{at[0]}, {at[1]}});
     Numbers gradient(move.size()), expected(move.size());
     double const dj[2] = {0.3, -0.7};
@@ -122,9 +122,9 @@ TEST_CASE("the row of one point takes x and y side by side, with any stride") {
 }
 
 TEST_CASE("rows can be moved, saved and attached like any basis, and rows taken of rows") {
-    Case its = two_body_case();
-    Solved const solved(its);
-    std::vector<std::int32_t> const points = random_parts(its.mesh.n_points(), 2, 1)[0];
+    Case setup = two_body_case();
+    Solved const solved(setup);
+    std::vector<std::int32_t> const points = random_parts(setup.mesh.n_points(), 2, 1)[0];
     Rows const rows(solved.basis, points);
     std::vector<unsigned char> const bytes = bytes_of(rows.basis);
     std::vector<double> copy(bytes.size() / sizeof(double));
@@ -152,10 +152,10 @@ TEST_CASE("rows can be moved, saved and attached like any basis, and rows taken 
 }
 
 TEST_CASE("what needs the mesh is refused, and so are lists that are wrong") {
-    Case its = two_body_case();
-    its.index_base = 1;
-    Solved const solved(its);
-    hm_mesh const mesh = its.mesh_view();
+    Case setup = two_body_case();
+    setup.index_base = 1;
+    Solved const solved(setup);
+    hm_mesh const mesh = setup.mesh_view();
     Rows const rows(solved.basis, {1, 2, 3});
     REQUIRE(rows.status == HM_OK);
     hm_error error{};
@@ -176,7 +176,7 @@ TEST_CASE("what needs the mesh is refused, and so are lists that are wrong") {
     CHECK(std::string(error.text).find("list of points") != std::string::npos);
     CHECK(hm_plan_solve(solved.plan, rows.basis, nullptr, &error) == HM_BAD_BASIS);
 
-    Rows const below(solved.basis, {1, 2, 0}), above(solved.basis, {its.mesh.n_points() + 1});
+    Rows const below(solved.basis, {1, 2, 0}), above(solved.basis, {setup.mesh.n_points() + 1});
     CHECK(below.status == HM_BAD_ARGUMENT);
     CHECK(below.error.item - below.error.item_base == 2);
     CHECK(above.status == HM_BAD_ARGUMENT);
@@ -200,8 +200,8 @@ TEST_CASE("what needs the mesh is refused, and so are lists that are wrong") {
 TEST_CASE(
     "the size suffices for any list, whatever part of it are points of the wall, and repeats of "
     "them") {
-    Case its = two_body_case();
-    Solved const solved(its);
+    Case setup = two_body_case();
+    Solved const solved(setup);
     hm_basis_info const info = solved.info();
     for (std::size_t const n : {1u, 7u, 33u, 100u, 130u})
         for (std::size_t repeats = 0; repeats < n; ++repeats) {
@@ -215,8 +215,8 @@ TEST_CASE(
 TEST_CASE(
     "a block that is too small is refused, and the size suffices for the list with the most points "
     "of the wall") {
-    Case its = two_body_case();
-    Solved const solved(its);
+    Case setup = two_body_case();
+    Solved const solved(setup);
     hm_basis_info const info = solved.info();
     std::vector<std::int32_t> const wall(info.curve_point, info.curve_point + info.curve_points);
     CHECK(info_of(Rows(solved.basis, wall, 24).basis).curve_points == info.curve_points);

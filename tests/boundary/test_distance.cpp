@@ -23,12 +23,12 @@ TEST_CASE("random loops, wherever the point is: the distance of the nearest face
             if (n_loops * corners > 20000) continue;
             FaceLoops loops;
             for (int loop = 0; loop < n_loops; ++loop) {
-                std::vector<Point> its;
+                std::vector<Point> loop_points;
                 Point const centre{4 * uniform(random), 4 * uniform(random)};
                 for (int k = 0; k < corners; ++k)
-                    its.push_back(
+                    loop_points.push_back(
                         {centre.x + (uniform(random) - 0.5), centre.y + (uniform(random) - 0.5)});
-                loops.add(its);
+                loops.add(loop_points);
             }
             FaceTree const tree(loops);
             CHECK(tree.count == n_loops * corners);
@@ -178,9 +178,9 @@ TEST_CASE("loops that are moved and turned have the same distances to rounding")
         turned.x[k] = p.x;
         turned.y[k] = p.y;
     }
-    FaceTree const its(turned);
+    FaceTree const turned_tree(turned);
     for (int trial = 0; trial < 200; ++trial) {
         Point const p{4 * uniform(random) - 1.5, 4 * uniform(random) - 2};
-        CHECK(std::fabs(its.distance(vec(turn(p))) - tree.distance(vec(p))) < 1e-14);
+        CHECK(std::fabs(turned_tree.distance(vec(turn(p))) - tree.distance(vec(p))) < 1e-14);
     }
 }

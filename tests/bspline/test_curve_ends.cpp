@@ -152,8 +152,8 @@ std::vector<Vec2> with_nose_facet(double thickness, int n_side, double longer) {
         auto const p = fixtures::naca4_point(shape, x[k], 1);
         points.push_back({p.x, p.y});
     }
-    for (double const its : x) {
-        auto const p = fixtures::naca4_point(shape, its, -1);
+    for (double const column : x) {
+        auto const p = fixtures::naca4_point(shape, column, -1);
         points.push_back({p.x, p.y});
     }
     return points;
@@ -223,12 +223,12 @@ TEST_CASE("a facet across a nose is no base and no corner, however coarse") {
                 CAPTURE(thickness);
                 CAPTURE(n_side);
                 CAPTURE(longer);
-                Chosen const its = choose_always(with_nose_facet(thickness, n_side, longer));
-                CHECK(its.course.reason == ClosureReason::corner);
-                CHECK(its.course.closure == Closure::tied);
-                CHECK(its.course.first == 0);
-                CHECK(its.corners.empty());
-                dropped += its.dropped;
+                Chosen const chosen = choose_always(with_nose_facet(thickness, n_side, longer));
+                CHECK(chosen.course.reason == ClosureReason::corner);
+                CHECK(chosen.course.closure == Closure::tied);
+                CHECK(chosen.course.first == 0);
+                CHECK(chosen.corners.empty());
+                dropped += chosen.dropped;
             }
     CHECK(dropped > 0);  // some of these do look like corners
 }
@@ -257,20 +257,20 @@ TEST_CASE(
                     CAPTURE(slant);
                     CAPTURE(n_base);
                     CAPTURE(n_side);
-                    Chosen const its = choose_always(cut_off(height, slant, n_side, n_base));
-                    CHECK(its.course.reason == ClosureReason::base);
-                    CHECK(its.course.base_points == n_base + 1);
-                    CHECK(its.course.first == n_base);
-                    CHECK(its.corners.empty());
+                    Chosen const chosen = choose_always(cut_off(height, slant, n_side, n_base));
+                    CHECK(chosen.course.reason == ClosureReason::base);
+                    CHECK(chosen.course.base_points == n_base + 1);
+                    CHECK(chosen.course.first == n_base);
+                    CHECK(chosen.corners.empty());
                 }
 }
 
 TEST_CASE("straight pieces elsewhere are no base: ends of a plate, a step on the side, chamfers") {
     std::vector<Vec2> const plate =
         fixtures::polygon({{0.5, 0.02}, {-0.5, 0.025}, {-0.48, -0.02}, {0.5, -0.02}}, 8);
-    Chosen const its = choose_always(plate);
-    CHECK(its.course.reason == ClosureReason::corner);
-    CHECK(its.corners.size() == 3);
+    Chosen const chosen = choose_always(plate);
+    CHECK(chosen.course.reason == ClosureReason::corner);
+    CHECK(chosen.corners.size() == 3);
     // Down at half chord, as in a cove, and sharp behind.
     Chosen const step =
         choose_always(fixtures::polygon({{1, 0}, {0.5, 0.02}, {0.5, 0.06}, {0, 0}}, 10));

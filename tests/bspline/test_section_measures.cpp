@@ -156,19 +156,19 @@ TEST_CASE(
     chord.leading_x = cx - r;
     chord.trailing_x = cx + r;
     chord.leading_y = chord.trailing_y = cy;
-    auto const is = [&](int kind, double value) {
+    auto const check_value = [&](int kind, double value) {
         CHECK(value_of(set, quantity(kind), &chord) == doctest::Approx(value).epsilon(1e-13));
     };
-    is(HM_AREA, pi * r * r);
-    is(HM_CENTROID_X, cx);
-    is(HM_CENTROID_Y, cy);
-    is(HM_MOMENT_XX, pi * std::pow(r, 4) / 4);
-    is(HM_MOMENT_YY, pi * std::pow(r, 4) / 4);
+    check_value(HM_AREA, pi * r * r);
+    check_value(HM_CENTROID_X, cx);
+    check_value(HM_CENTROID_Y, cy);
+    check_value(HM_MOMENT_XX, pi * std::pow(r, 4) / 4);
+    check_value(HM_MOMENT_YY, pi * std::pow(r, 4) / 4);
     CHECK(std::fabs(value_of(set, quantity(HM_MOMENT_XY), &chord)) < 1e-14);
-    is(HM_CHORD, 2 * r);
-    is(HM_MAX_THICKNESS, 2 * r);
-    is(HM_LEADING_EDGE_RADIUS, r);
-    is(HM_MIN_RADIUS, r);
+    check_value(HM_CHORD, 2 * r);
+    check_value(HM_MAX_THICKNESS, 2 * r);
+    check_value(HM_LEADING_EDGE_RADIUS, r);
+    check_value(HM_MIN_RADIUS, r);
     for (double const station : {0.1, 0.37, 0.9}) {
         double const x = (2 * station - 1) * r;
         CHECK(value_of(set, quantity(HM_THICKNESS, station), &chord) ==
@@ -418,9 +418,9 @@ TEST_CASE("the derivative of an extreme at a corner follows the corner") {
 TEST_CASE("what cannot be measured is refused with the reason, outputs untouched") {
     CurveSet set = section(false, false), ring(fixtures::ring(3, 9, 1, 0.4)),
              line(fixtures::clamped(1, 2, 1));
-    auto const refusal = [&](CurveSet& of, hm_quantity const& asked, std::string const& word,
+    auto const refusal = [&](CurveSet& curves, hm_quantity const& asked, std::string const& word,
                              hm_section const* with = nullptr) {
-        Result const out = measured(of, asked, with);
+        Result const out = measured(curves, asked, with);
         CHECK_MESSAGE(std::string(out.error.text).find(word) != std::string::npos, out.error.text);
         CHECK(out.value == -777);
         CHECK(out.gradient[0] == -777);

@@ -365,8 +365,8 @@ TEST_CASE(
         hm_variables variables;
         std::function<double(int variable, double t, bool upper)> shape;
     };
-    auto const bump = [](int of, int n, double t) {
-        double const peak = (2 * of + 1) / (2.0 * n);
+    auto const bump = [](int bump_number, int n, double t) {
+        double const peak = (2 * bump_number + 1) / (2.0 * n);
         return std::pow(std::sin(pi * std::pow(t, std::log(0.5) / std::log(peak))), 3);
     };
     Shapes const all[] = {
@@ -387,9 +387,9 @@ TEST_CASE(
          }},
     };
     hm_section const chord = unit_chord();
-    for (Shapes const& its : all) {
+    for (Shapes const& shapes : all) {
         CurveSet set = airfoil(false, 24);
-        Map const map = mapped(set, its.variables, &chord);
+        Map const map = mapped(set, shapes.variables, &chord);
         REQUIRE_MESSAGE(map.status == HM_OK, map.error.text);
         int const n_samples = 20000;
         double const begin = set.shapes[0].knots[3],
@@ -410,7 +410,7 @@ TEST_CASE(
                 double const u = parameter(k);
                 Movement const at(set, map, v, u);
                 bool const upper = (u < nose) == (first_side > 0);
-                double const wanted = its.shape(v, std::min(std::max(at.x, 0.0), 1.0), upper);
+                double const wanted = shapes.shape(v, std::min(std::max(at.x, 0.0), 1.0), upper);
                 std::int32_t control[4];
                 double value[4];
                 hm_curve_basis(&set.view(), 0, u, 0, control, value, nullptr);
@@ -424,7 +424,7 @@ TEST_CASE(
             for (std::int32_t i = 0; i < set.n_control(); ++i) {
                 if (i == set.shapes[0].indices.front() || i == set.shapes[0].indices.back())
                     continue;
-                INFO(std::string(its.name) << ", variable " << v << ", control point " << i);
+                INFO(std::string(shapes.name) << ", variable " << v << ", control point " << i);
                 CHECK(std::fabs(left[static_cast<std::size_t>(i)] /
                                 size[static_cast<std::size_t>(i)]) < 2e-4);
             }

@@ -111,8 +111,8 @@ TEST_CASE("ordered lists of points say the same as faces; both together too") {
     Analysed const with_both(both);  // a face given twice with one marker is one face
     CHECK(faces_of(with_both->boundary()) == faces_of(with_faces->boundary()));
 
-    Case its = tiny_case();
-    Solved const a(its), b(its.problem(view));
+    Case setup = tiny_case();
+    Solved const a(setup), b(setup.problem(view));
     CHECK(largest_difference(a.sum(), b.sum()) < 1e-14);
 }
 
@@ -175,9 +175,9 @@ TEST_CASE("the cut of a C-mesh is joined: both sides of the wake are one") {
     for (std::int32_t k = 0; k <= c.n_wake; ++k)
         CHECK(seen->topology().representative[c.ni - 1 - k] == k);
 
-    Case its = airfoil_case(24, 12);
-    its.mesh = c.mesh;
-    Solved const solved(its.problem(c.structured_view()));
+    Case setup = airfoil_case(24, 12);
+    setup.mesh = c.mesh;
+    Solved const solved(setup.problem(c.structured_view()));
     CHECK(solved.report.curve_points == 48);
     for (std::int32_t i = 0; i < solved.report.functions; ++i) {
         std::vector<double> const f = solved.values(i);

@@ -232,15 +232,15 @@ TEST_CASE("a cell without area is refused, and named") {
 }
 
 TEST_CASE("more cells than can be split are refused before anything is read") {
-    harmorph::Topology of;
-    of.mesh.n_points = 4;
-    of.mesh.layout = harmorph::CellLayout::quads;
-    of.mesh.n_cells = harmorph::Mesh::max_cells;
+    harmorph::Topology topology;
+    topology.mesh.n_points = 4;
+    topology.mesh.layout = harmorph::CellLayout::quads;
+    topology.mesh.n_cells = harmorph::Mesh::max_cells;
     harmorph::Triangulation triangulation;
     harmorph::Fault fault;
-    CHECK(triangulation.build(of, fault) == harmorph::Status::unsupported);
+    CHECK(triangulation.build(topology, fault) == harmorph::Status::unsupported);
     CHECK(
         std::string(fault.sentence) ==
         "the bounded scheme can split at most 2^28 cells into triangles, but the mesh has # cells");
-    CHECK(fault.item.number == of.mesh.n_cells);
+    CHECK(fault.item.number == topology.mesh.n_cells);
 }

@@ -76,12 +76,12 @@ TEST_CASE("nasty graphs: lines, stars, cliques, everything in one place, nothing
 
 TEST_CASE("graphs of meshes") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
-        Case its = two_body_case(kind, 20, 14);
-        Analysed const seen(its);
+        Case setup = two_body_case(kind, 20, 14);
+        Analysed const seen(setup);
         harmorph::Graph const& graph = seen->graph();
         HandMadeGraph copy;
         for (Index u = 0; u < graph.n; ++u) {
-            Point const p = its.mesh.point(graph.point(u));
+            Point const p = setup.mesh.point(graph.point(u));
             copy.add_point(p.x, p.y);
         }
         for (Index u = 0; u < graph.n; ++u)
@@ -163,14 +163,14 @@ TEST_CASE(
             find_coordinates(work.coordinates, graph, grid.points());
             fill(work.cover.side.first(graph.n), harmorph::Side::inside);
             for (Index u = 0; u < graph.n; ++u) order[u] = u;
-            harmorph::DividedRange const its =
+            harmorph::DividedRange const range =
                 harmorph::Dissector(graph, work, order).divide(0, graph.n);
-            REQUIRE(its.pivots < graph.n);
+            REQUIRE(range.pivots < graph.n);
             std::vector<char> is_next(grid.x.size(), 0);
-            for (Index k = its.pivots; k < graph.n; ++k)
+            for (Index k = range.pivots; k < graph.n; ++k)
                 for (Index const v : graph.neighbours(order[k]))
                     is_next[static_cast<std::size_t>(v)] = 1;
-            for (Index k = 0; k < its.pivots; ++k) {
+            for (Index k = 0; k < range.pivots; ++k) {
                 float const mark = work.coordinates.position[order[k]].at[harmorph::border_lane];
                 marked += mark == 1;
                 wrong.compare(order[k], mark,
@@ -198,19 +198,19 @@ TEST_CASE(
             fill(work.cover.side.first(graph.n), harmorph::Side::inside);
             harmorph::Dissector const dissector(graph, work, order);
             for (Index u = 0; u < graph.n; ++u) order[u] = u;
-            harmorph::DividedRange const its = dissector.divide(0, graph.n);
-            REQUIRE(its.middle >= harmorph::CutSizes::large);
-            REQUIRE(its.pivots - its.middle >= harmorph::CutSizes::large);
+            harmorph::DividedRange const range = dissector.divide(0, graph.n);
+            REQUIRE(range.middle >= harmorph::CutSizes::large);
+            REQUIRE(range.pivots - range.middle >= harmorph::CutSizes::large);
             for (Index u = 0; u < graph.n && !is_marked; ++u)
                 work.coordinates.position[u].at[harmorph::border_lane] = 0;
             tree.count = 0;
-            Index const first = dissector.dissect(0, its.middle, tree);
-            Index const second = dissector.dissect(its.middle, its.pivots, tree);
-            tree.add(its.pivots, graph.n, first, second);
+            Index const first = dissector.dissect(0, range.middle, tree);
+            Index const second = dissector.dissect(range.middle, range.pivots, tree);
+            tree.add(range.pivots, graph.n, first, second);
         });
-        FactorCost const its(grid, cut);
-        cost[is_marked] = its.multiplications;
-        CHECK(its.entries <
+        FactorCost const factor_cost(grid, cut);
+        cost[is_marked] = factor_cost.multiplications;
+        CHECK(factor_cost.entries <
               george(grid.n()) * grid.n());  // a rectangle of two squares has less than a square
     }
     INFO(cost[true] << " multiplications with marks, " << cost[false] << " without");

@@ -30,7 +30,9 @@ Triangle random_triangle(std::mt19937& random) {
 double& coordinate(Triangle& triangle, int k) {
     return k % 2 == 0 ? triangle.at[k / 2].x : triangle.at[k / 2].y;
 }
-double component(const Vec2* of, int k) { return k % 2 == 0 ? of[k / 2].x : of[k / 2].y; }
+double component(const Vec2* vectors, int k) {
+    return k % 2 == 0 ? vectors[k / 2].x : vectors[k / 2].y;
+}
 
 struct Derivatives {
     Vec2 gradient[3];
@@ -42,8 +44,8 @@ struct Derivatives {
     }
     double hessian(int i, int j) const {
         double sum = 0;
-        for (harmorph::CornerMode const& its : mode)
-            sum += its.curvature * component(its.at, i) * component(its.at, j);
+        for (harmorph::CornerMode const& one : mode)
+            sum += one.curvature * component(one.at, i) * component(one.at, j);
         return sum;
     }
 };
@@ -162,8 +164,8 @@ TEST_CASE(
                     Triangle const target{{{0, 0}, {size, 0}, {size, size}}};
                     Triangle const now{
                         {{0, 0}, {grown * size, 0}, {grown * size, grown * height * size}}};
-                    QualityEnergy const its(target, power);
-                    if (its.energy(now) == HUGE_VAL) {
+                    QualityEnergy const energy(target, power);
+                    if (energy.energy(now) == HUGE_VAL) {
                         ++infinite;
                     } else {
                         ++finite;

@@ -130,9 +130,9 @@ TEST_CASE(
                                                     {0, 0, length * std::sin(angle)}));
             double const end_x = length + s * std::cos(direction), end_y = s * std::sin(direction);
             double const skew = quality_of({0, length, end_x, x}, {0, 0, end_y, y});
-            double const its = 0.5 * (end_x * y - end_y * x + length * end_y);
+            double const cell_area = 0.5 * (end_x * y - end_y * x + length * end_y);
             best[1] = std::fmax(best[1], skew);
-            if (skew > 0) sized = std::fmax(sized, skew * size_quality(its, area));
+            if (skew > 0) sized = std::fmax(sized, skew * size_quality(cell_area, area));
         }
         INFO(e << ": " << sized << " of " << bound);
         CHECK(best[0] <= best_with_wide_angle(3, angle) * (1 + 1e-12));

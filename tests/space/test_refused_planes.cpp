@@ -12,9 +12,9 @@ using namespace fixtures;
 TEST_CASE(
     "a mesh that is no plane mesh in layers is refused, and the point, face or side is named") {
     Untrapped const untrapped;
-    Case its = tiny_case();
-    Extruded const good(its.mesh, along_axis(2));
-    std::int32_t const n = its.mesh.n_points();
+    Case setup = tiny_case();
+    Extruded const good(setup.mesh, along_axis(2));
+    std::int32_t const n = setup.mesh.n_points();
     auto refused = [](Extruded const& space, const char* words, std::int32_t item) {
         Plane const plane(space.view());
         INFO(plane.error.text);
@@ -72,8 +72,8 @@ TEST_CASE(
 
 TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
     Untrapped const untrapped;
-    Case its = tiny_case();
-    Extruded const good(its.mesh, along_axis(2));
+    Case setup = tiny_case();
+    Extruded const good(setup.mesh, along_axis(2));
     Plane plane(good.view());
     std::size_t bytes = 0;
     hm_plane* made = nullptr;
@@ -156,7 +156,7 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
             "by space.face_start the faces have 0 corners, but there must be 3 to 2^31 - 2",
             [](hm_space_mesh& s) { s.face_start = no_corners; });
     REQUIRE(plane.status == HM_OK);
-    Solved const solved(its);
+    Solved const solved(setup);
     Case smaller = ring_case(4, 12, 0.5, 2);
     Solved const foreign(smaller);
     std::vector<double> const move(8, 0.0);
