@@ -47,7 +47,7 @@ std::vector<double> values_of(const hm_basis* basis, std::int32_t n_functions,
 
 }  // namespace
 
-TEST_CASE("a tolerance below rounding is a warning, and the functions are there") {
+TEST_CASE("a tolerance below rounding gives a warning, and the functions are there") {
     Case setup = airfoil_case();
     Options options = laplace();
     options.tolerance = 1e-18;
@@ -61,7 +61,7 @@ TEST_CASE("a tolerance below rounding is a warning, and the functions are there"
     CHECK(hm_basis_values(attempt.basis, 0, 0, values.data(), nullptr) == HM_OK);
 }
 
-TEST_CASE("phases are reported in order, each from 0 to 1, never backwards") {
+TEST_CASE("phases are reported in order, each from 0 to 1 and never backwards") {
     Case setup = ring_case(60, 300, 0.5, 2);  // large enough for reports in between
     Listener listener;
     Options const options = listener.options();
@@ -85,7 +85,7 @@ TEST_CASE("phases are reported in order, each from 0 to 1, never backwards") {
     CHECK(events.back().fraction == 1);
 }
 
-TEST_CASE("cancelled at any moment: nothing is lost, and doing it again gives the same bits") {
+TEST_CASE("a solution that is cancelled at any moment has the same bits when repeated") {
     Case setup = ring_case(40, 200, 0.5, 2, Cells::hybrid, 3, 10);
     Listener listener;
     Options options = listener.options();
@@ -143,7 +143,7 @@ TEST_CASE("cancelled at any moment: nothing is lost, and doing it again gives th
     }
 }
 
-TEST_CASE("what does not belong together is refused: no factor yet, another analysis's basis") {
+TEST_CASE("a plan without a factor and the basis of another analysis are refused") {
     Case setup = tiny_case(), other = two_body_case();
     Attempt attempt;
     REQUIRE(attempt.analyse(setup.problem()));
@@ -168,7 +168,7 @@ TEST_CASE("what does not belong together is refused: no factor yet, another anal
     CHECK(hm_basis_size(only_mesh.analysis, &bytes, nullptr) == HM_BAD_ARGUMENT);
 }
 
-TEST_CASE("factor and solve again on moved coordinates: as if the moved mesh had been solved") {
+TEST_CASE("functions solved again on moved coordinates are those of the moved mesh") {
     Case setup = ring_case(10, 60, 0.5, 2, Cells::hybrid);
     Case moved = setup;
     perturb(moved.mesh, 0.2, 4);

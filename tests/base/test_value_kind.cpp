@@ -96,7 +96,7 @@ TEST_CASE("the numbers of a value are the linear map that a morph applies") {
     }
 }
 
-TEST_CASE("the adjoint is the transpose of the morph, for values of all kinds") {
+TEST_CASE("the adjoint is the transpose of the morph for values of all kinds") {
     for (Kind const& kind : kinds) {
         INFO(kind.name);
         Case setup = case_of(kind);
@@ -127,7 +127,7 @@ TEST_CASE("the adjoint is the transpose of the morph, for values of all kinds") 
     }
 }
 
-TEST_CASE("larger meshes and many functions: adjoint and morph agree beyond one block of either") {
+TEST_CASE("adjoint and morph agree on meshes and functions beyond one block of either") {
     for (int const n : {9, 150}) {
         Case setup = ring_case(14, 300, 0.5, 2, Cells::hybrid, 3, n);
         Options const options = options_of(HM_CONFORMAL);
@@ -171,8 +171,7 @@ TEST_CASE("zero movement keeps every bit, and a movement that is not finite is r
     }
 }
 
-TEST_CASE(
-    "values of all kinds are the same after saving and attaching; damaged values are refused") {
+TEST_CASE("saving and attaching keep values of all kinds, and damaged values are refused") {
     for (Kind const& kind : kinds) {
         INFO(kind.name);
         Case setup = case_of(kind);
@@ -206,7 +205,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a basis gives back the conditions it was solved with, and how") {
+TEST_CASE("a basis gives back the conditions and options it was solved with") {
     Case setup = two_body_case(Cells::hybrid, 4, 3);
     setup.conditions.clear();
     setup.put_on_curves(body, 0);
@@ -295,8 +294,7 @@ TEST_CASE("a plan does not solve the basis of another operator, exponent or corr
         }
 }
 
-TEST_CASE(
-    "sizes are exact for all kinds: every block at any alignment, and one byte less is refused") {
+TEST_CASE("blocks of the stated size suffice at any alignment; smaller ones are refused") {
     for (Kind const& kind : kinds) {
         INFO(kind.name);
         Case setup = case_of(kind);

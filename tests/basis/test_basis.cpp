@@ -40,8 +40,7 @@ TEST_CASE("a copy at another address is the same basis") {
     CHECK(error < 1e-14);
 }
 
-TEST_CASE(
-    "a basis gives back the curves, the points and the parameters of the problem that was solved") {
+TEST_CASE("a basis gives back the curves, the points and the parameters of the solved problem") {
     Case setup = two_body_case();
     setup.curves.index_base = 1;
     for (CurveSet::Shape& shape : setup.curves.shapes)
@@ -87,7 +86,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("moved curves: control points plus their movement, all else as it was") {
+TEST_CASE("a moved curve has the control points plus their movement and is unchanged otherwise") {
     Case setup = airfoil_case();
     Solved const solved(setup);
     auto const n = static_cast<std::size_t>(solved.info().functions);
@@ -134,7 +133,7 @@ TEST_CASE("moved curves: control points plus their movement, all else as it was"
     CHECK(same_bits(control, kept));
 }
 
-TEST_CASE("a basis that is not solved refuses all calls, and is not attached") {
+TEST_CASE("a basis that is not solved refuses all calls and cannot be attached") {
     Case setup = tiny_case();
     Attempt attempt;
     REQUIRE(attempt.analyse(setup.problem()));

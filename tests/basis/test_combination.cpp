@@ -30,8 +30,7 @@ std::vector<KindOfProblem> problems() {
 
 }  // namespace
 
-TEST_CASE(
-    "combined functions move points, curves and gradients as the control points they stand for") {
+TEST_CASE("combined functions move points, curves and gradients as their control points do") {
     for (KindOfProblem& problem : problems())
         for (int const numbers : {1, 2}) {
             Solved const solved(problem.setup, &problem.options);
@@ -97,9 +96,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "combined functions are extracted, written, attached, stored in single precision, combined "
-    "again") {
+TEST_CASE("combined functions can be extracted, written, attached, rounded and combined again") {
     for (KindOfProblem& problem : problems()) {
         Solved const solved(problem.setup, &problem.options);
         Combination const by(solved.info().control_points, 4, 2, 9), again(4, 2, 1, 10);
@@ -142,7 +139,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("combined functions are solved again on a moved mesh, as the control points are") {
+TEST_CASE("combined functions are solved again on a moved mesh as the control points are") {
     for (KindOfProblem& problem : problems())
         for (int const numbers : {1, 2}) {
             Solved const solved(problem.setup, &problem.options);
@@ -161,9 +158,7 @@ TEST_CASE("combined functions are solved again on a moved mesh, as the control p
         }
 }
 
-TEST_CASE(
-    "singular matrices are refused by column; so are short blocks and numbers that are not "
-    "finite") {
+TEST_CASE("singular matrices, short blocks and numbers that are not finite are refused") {
     Case setup = ring_case(4, 24, 0.5, 1);
     Solved const solved(setup);
     Combination good(8, 3, 2, 4);

@@ -61,8 +61,7 @@ hm_status unpack(Rows const& rows, std::vector<double> const& parcel, hm_error* 
 
 }  // namespace
 
-TEST_CASE(
-    "shares of any size make the rows that the whole basis has: the same blocks, byte by byte") {
+TEST_CASE("shares of any size make the rows of the whole basis, byte by byte") {
     for (KindOfProblem& problem : kinds_of_problems()) {
         Solved const solved(problem.setup, &problem.options);
         std::int32_t const n = solved.info().functions;
@@ -88,7 +87,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a share's report and values are those of its functions") {
+TEST_CASE("the report and the values of a share are those of the functions in the share") {
     KindOfProblem problem;
     problem.setup = two_body_case();
     Solved const solved(problem.setup);
@@ -111,7 +110,7 @@ TEST_CASE("a share's report and values are those of its functions") {
         CHECK(hm_basis_values(share.basis, function, 0, values.data(), nullptr) == HM_BAD_ARGUMENT);
 }
 
-TEST_CASE("a share's memory is proportional to it") {
+TEST_CASE("the memory of a share is proportional to the share") {
     KindOfProblem problem;
     problem.setup = two_body_case();
     Attempt attempt;
@@ -214,7 +213,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE("shares are refused where all functions are needed, and ranges that are none") {
+TEST_CASE("shares are refused where all functions are needed, and so are invalid ranges") {
     KindOfProblem problem;
     problem.setup = two_body_case();
     Share const share(problem, {0, 3});
@@ -249,7 +248,7 @@ TEST_CASE("shares are refused where all functions are needed, and ranges that ar
     CHECK(made == nullptr);
 }
 
-TEST_CASE("parcels out of order, of other lists or problems, truncated, or no parcels at all") {
+TEST_CASE("parcels out of order, of other lists or problems, or truncated are refused") {
     KindOfProblem problem, other;
     problem.setup = two_body_case();
     other.setup = two_body_case(Cells::triangles);
@@ -284,7 +283,7 @@ TEST_CASE("parcels out of order, of other lists or problems, truncated, or no pa
     CHECK(hm_parcel_pack(first.basis, 1, points.data(), nullptr, nullptr) == HM_BAD_ARGUMENT);
 }
 
-TEST_CASE("a parcel is for its own list of points and its own functions") {
+TEST_CASE("a parcel is for one list of points and one set of functions") {
     struct Sender {
         const char* what;
         std::int32_t operator_kind;
@@ -330,7 +329,7 @@ TEST_CASE("a parcel is for its own list of points and its own functions") {
     }
 }
 
-TEST_CASE("lists of lists: positions in an extract are another list than the numbers of the mesh") {
+TEST_CASE("positions in an extract are another list than the numbers of the mesh") {
     KindOfProblem problem;
     problem.setup = two_body_case();
     Share const first(problem, {0, 12}), second(problem, {12, 8});

@@ -28,9 +28,7 @@ Moved morphed(const hm_basis* basis, Numbers const& move, Moved const& from) {
 
 }  // namespace
 
-TEST_CASE(
-    "values, morph, curves and wall points of a subset are those of the whole, with ghosts and "
-    "repeats") {
+TEST_CASE("a subset with ghosts and repeats has the values of the whole basis") {
     for (KindOfProblem& problem : kinds_of_problems())
         for (std::int32_t const base : {0, 1}) {
             problem.setup.index_base = base;
@@ -98,7 +96,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE("the row of one point takes x and y side by side, with any stride") {
+TEST_CASE("the row of one point accepts x and y side by side, with any stride") {
     Case setup = tiny_case();
     Solved const solved(setup);
     std::vector<std::int32_t> one = {solved.info().curve_point[1]};
@@ -121,7 +119,7 @@ TEST_CASE("the row of one point takes x and y side by side, with any stride") {
     CHECK(at[1] == to.y[0]);
 }
 
-TEST_CASE("rows can be moved, saved and attached like any basis, and rows taken of rows") {
+TEST_CASE("rows can be moved, saved and attached like any basis, and extracted again") {
     Case setup = two_body_case();
     Solved const solved(setup);
     std::vector<std::int32_t> const points = random_parts(setup.mesh.n_points(), 2, 1)[0];
@@ -151,7 +149,7 @@ TEST_CASE("rows can be moved, saved and attached like any basis, and rows taken 
     CHECK(of_rows == of_mesh);
 }
 
-TEST_CASE("what needs the mesh is refused, and so are lists that are wrong") {
+TEST_CASE("rows refuse calls that need the mesh, and invalid lists are refused") {
     Case setup = two_body_case();
     setup.index_base = 1;
     Solved const solved(setup);
@@ -197,9 +195,7 @@ TEST_CASE("what needs the mesh is refused, and so are lists that are wrong") {
           HM_BAD_ARGUMENT);
 }
 
-TEST_CASE(
-    "the size suffices for any list, whatever part of it are points of the wall, and repeats of "
-    "them") {
+TEST_CASE("the size suffices for any list, whatever share of the list is wall points or repeats") {
     Case setup = two_body_case();
     Solved const solved(setup);
     hm_basis_info const info = solved.info();
@@ -212,9 +208,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "a block that is too small is refused, and the size suffices for the list with the most points "
-    "of the wall") {
+TEST_CASE("blocks that are too small are refused, and the stated size suffices for any list") {
     Case setup = two_body_case();
     Solved const solved(setup);
     hm_basis_info const info = solved.info();

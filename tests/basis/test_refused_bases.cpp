@@ -9,7 +9,7 @@
 using namespace fixtures;
 using harmorph::Index;
 
-TEST_CASE("a basis that is truncated, at any length, is refused with the reason") {
+TEST_CASE("a basis that is truncated at any length is refused with the reason") {
     Case setup = tiny_case();
     Solved const solved(setup);
     BasisCopy whole(solved);
@@ -29,7 +29,7 @@ TEST_CASE("a basis that is truncated, at any length, is refused with the reason"
     CHECK(hm_basis_attach(&basis, longer.data(), longer.size() * 8, nullptr, nullptr) == HM_OK);
 }
 
-TEST_CASE("a basis with any byte changed, in the header or behind the header, is refused") {
+TEST_CASE("a basis with any byte of header or contents changed is refused") {
     Case setup = tiny_case();
     Solved const solved(setup);
     BasisCopy copy(solved);
@@ -101,9 +101,7 @@ TEST_CASE("each reason to refuse a basis has a sentence of its own") {
     CHECK(basis == nullptr);
 }
 
-TEST_CASE(
-    "indices out of range and numbers that are not finite are found in a basis whose checksum is "
-    "right") {
+TEST_CASE("a basis with a valid checksum but indices out of range or infinite numbers is refused") {
     Case setup = two_body_case(Cells::hybrid, 4, 3);
     Solved const solved(setup);
     hm_mesh const mesh = setup.mesh.view();
@@ -198,9 +196,7 @@ TEST_CASE(
     CHECK(accepted < 3 * n);
 }
 
-TEST_CASE(
-    "cells and guards of polygons that do not follow each other are found in a basis whose "
-    "checksum is right") {
+TEST_CASE("a basis with a valid checksum but polygons out of order is refused") {
     Case setup = honeycomb_case();
     setup.mesh.cell_layout = HM_CELLS_POLYGONS;
     Solved const solved(setup);
@@ -225,8 +221,7 @@ TEST_CASE(
     CHECK(copy.attach(&mesh) == HM_OK);
 }
 
-TEST_CASE(
-    "a basis with another mesh is refused; the same mesh with other coordinates is a warning") {
+TEST_CASE("a basis with another mesh is refused; other coordinates give a warning") {
     Case setup = tiny_case();
     Solved const solved(setup);
     BasisCopy copy(solved);

@@ -11,7 +11,7 @@
 
 using namespace fixtures;
 
-TEST_CASE("each number is the nearest one of single precision, and on the wall the number itself") {
+TEST_CASE("each number is rounded to single precision, except on the wall, where doubles remain") {
     for (KindOfProblem& problem : problems_and_a_cut()) {
         Solved const solved(problem.setup, &problem.options);
         Single const single(solved.basis, 24);
@@ -50,9 +50,7 @@ TEST_CASE("each number is the nearest one of single precision, and on the wall t
     }
 }
 
-TEST_CASE(
-    "a morph moves the wall bit by bit as double functions do, fixed points not at all, others to "
-    "the bound") {
+TEST_CASE("a single-precision morph moves the wall exactly and other points within the bound") {
     for (KindOfProblem& problem : problems_and_a_cut()) {
         Mesh const& mesh = problem.setup.mesh;
         Solved const solved(problem.setup, &problem.options);
@@ -112,7 +110,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("both sides of a cut move as one, on the wall and off it") {
+TEST_CASE("both sides of a cut move as one, on the wall and off the wall") {
     Case setup = cut_ring(30);
     Solved const solved(setup);
     CHECK(solved.info().curve_points == 30);  // 31 points of the mesh are on the curve
@@ -139,7 +137,7 @@ TEST_CASE("both sides of a cut move as one, on the wall and off it") {
     }
 }
 
-TEST_CASE("the sum of the functions is 1 to single precision, on the curve to double") {
+TEST_CASE("the functions sum to 1 in single precision, and on the curve in double precision") {
     Case setup = ring_case(20, 60, 0.5, 2);
     setup.set_free(far_field);  // then it is 1 everywhere
     Solved const solved(setup);
@@ -156,7 +154,7 @@ TEST_CASE("the sum of the functions is 1 to single precision, on the curve to do
     CHECK(worst > 1e-10);
 }
 
-TEST_CASE("the adjoint is the transpose: right to its bound, and <g, F m> = <F^T g, m>") {
+TEST_CASE("the adjoint is within the stated bound, and <g, F m> = <F^T g, m>") {
     for (KindOfProblem& problem : problems_and_a_cut()) {
         Solved const solved(problem.setup, &problem.options);
         Single const single(solved.basis);
@@ -177,7 +175,7 @@ TEST_CASE("the adjoint is the transpose: right to its bound, and <g, F m> = <F^T
     }
 }
 
-TEST_CASE("more numbers in a row than one block of them, and threads change no bit") {
+TEST_CASE("rows of more than one block of numbers are right, and threads change no bit") {
     for (int const n : {150, 9}) {
         Case setup =
             ring_case(60, 300, 0.5, 2, Cells::quads, 3, n);  // 18300 points: several ranges
@@ -201,9 +199,7 @@ TEST_CASE("more numbers in a row than one block of them, and threads change no b
     }
 }
 
-TEST_CASE(
-    "parts: rows of single functions are the rows made single, and any parts give the same "
-    "gradient") {
+TEST_CASE("rows of single-precision functions are rounded rows, and parts add up to one gradient") {
     for (KindOfProblem& problem : problems_and_a_cut()) {
         Solved const solved(problem.setup, &problem.options);
         Single const single(solved.basis);

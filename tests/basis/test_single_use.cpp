@@ -13,7 +13,7 @@
 
 using namespace fixtures;
 
-TEST_CASE("copied, attached, truncated, damaged: like any basis") {
+TEST_CASE("a single-precision basis is copied and attached like any basis, and damage is refused") {
     Case setup = tiny_case();
     Solved const solved(setup);
     Single const single(solved.basis);
@@ -41,9 +41,7 @@ TEST_CASE("copied, attached, truncated, damaged: like any basis") {
     }
 }
 
-TEST_CASE(
-    "values beyond the range of single precision: large ones are refused, tiny ones keep the "
-    "bound") {
+TEST_CASE("values beyond single precision are refused if large, and tiny values keep the bound") {
     Case setup = tiny_case();
     Solved const solved(setup);
     harmorph::Basis const view = harmorph::Basis::view(static_cast<void*>(solved.basis));
@@ -64,7 +62,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("calls that need the functions in double precision refuse single ones") {
+TEST_CASE("calls that need the functions in double precision refuse those in single precision") {
     Case setup = two_body_case();
     Solved const solved(setup);
     Single const single(solved.basis);
@@ -114,9 +112,7 @@ TEST_CASE("calls that need the functions in double precision refuse single ones"
     CHECK(morphed(single.basis, setup.mesh, move).x != setup.mesh.x);  // it has come to no harm
 }
 
-TEST_CASE(
-    "wrong arguments, shares, bases that are not solved and blocks that are too small are "
-    "refused") {
+TEST_CASE("wrong arguments, shares, unsolved bases and blocks that are too small are refused") {
     Case setup = two_body_case();
     Solved const solved(setup);
     std::size_t need = 0;

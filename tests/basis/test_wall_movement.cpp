@@ -67,8 +67,7 @@ void check_sum(const hm_basis* basis, Mesh const& mesh, std::int32_t functions,
 
 }  // namespace
 
-TEST_CASE(
-    "movement so far: the sum of all morphs, for each kind of curves, conditions and values") {
+TEST_CASE("the movement so far is the sum of all morphs for every kind of basis") {
     struct Row {
         const char* name;
         Case setup;
@@ -107,7 +106,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("movement so far: of design variables, and of modes at given points") {
+TEST_CASE("the movement so far is found for design variables and for modes at given points") {
     Case setup = curve_and_table();
     Options const options = options_of(HM_CONFORMAL);
     Solved solved(setup.problem(), &options);
@@ -134,9 +133,7 @@ TEST_CASE("movement so far: of design variables, and of modes at given points") 
     CHECK(without.residual == 0);
 }
 
-TEST_CASE(
-    "movement so far: safe morphs turn the offsets of the wall, and the curve is found all the "
-    "same") {
+TEST_CASE("the movement so far is found after safe morphs, which turn the offsets of the wall") {
     Case setup;
     Outline const outline = naca4({}, 40);
     setup.mesh = o_mesh(outline, stretched(1e-6, 8, 40));
@@ -154,9 +151,7 @@ TEST_CASE(
     CHECK(difference(found.move, move) < 1e-10);
 }
 
-TEST_CASE(
-    "movement so far: control points on which no point of the wall depends follow their "
-    "neighbours") {
+TEST_CASE("control points on which no wall point depends move with their neighbours") {
     Case setup = ring_case(6, 12, 1, 4);  // 12 points for 40 control points
     double const pi = std::acos(-1.0);
     setup.curves = ring(3, 40, 1, 1);
@@ -187,9 +182,7 @@ TEST_CASE(
     CHECK(any.residual < 1e-13);
 }
 
-TEST_CASE(
-    "movement so far: a wall that is on no curve of the basis is refused, with the point and the "
-    "distance") {
+TEST_CASE("a wall that is on no curve of the basis is refused with the point and the distance") {
     Case setup = airfoil_case();
     Options const options = options_of(HM_CONFORMAL);
     Solved solved(setup.problem(), &options);

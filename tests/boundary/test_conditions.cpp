@@ -16,7 +16,7 @@ int count(Analysed const& seen, PointKind kind) {
 
 }  // namespace
 
-TEST_CASE("markers without a condition are fixed; everything else is inside") {
+TEST_CASE("markers without a condition are fixed, and all other points are inside") {
     Case setup = tiny_case();
     setup.mesh.add_point({3, 3});  // used by no cell
     Analysed const seen(setup);
@@ -28,7 +28,7 @@ TEST_CASE("markers without a condition are fixed; everything else is inside") {
     CHECK(seen->graph().n == 16);
 }
 
-TEST_CASE("a point on several markers: on a curve before fixed before free") {
+TEST_CASE("a point on several markers is on a curve first, then fixed, then free") {
     Case setup;
     setup.mesh = square(6);
     setup.curves = polyline({{0, 0}, {1, 0}, {1, -1}, {0, -1}});
@@ -51,7 +51,7 @@ TEST_CASE("a point on several markers: on a curve before fixed before free") {
     }
 }
 
-TEST_CASE("joined points are one: the other names count as unused") {
+TEST_CASE("joined points are one unknown, and their other names count as unused") {
     CMesh const c = c_mesh(naca4({}, 24), 12, 8, stretched(5e-3, 8, 12));
     Case setup = airfoil_case(24, 12);
     setup.mesh = c.mesh;
@@ -98,8 +98,7 @@ TEST_CASE("the graph couples every pair of unknowns that share a cell, and no ot
     }
 }
 
-TEST_CASE(
-    "given displacements: after curves and bodies, before fixed markers; no curves are needed") {
+TEST_CASE("given displacements rank after curves and bodies and before fixed markers") {
     Case setup;
     setup.mesh = square(6);
     setup.set_given(bottom);

@@ -13,8 +13,7 @@ using harmorph::FaceDistance;
 using harmorph::Index;
 using harmorph::Vec2;
 
-TEST_CASE(
-    "scaling by powers of two changes no bit of weights, up to lengths whose squares overflow") {
+TEST_CASE("scaling by powers of two changes no bit of weights, even where squares overflow") {
     FaceLoops loops;
     Naca4 naca;
     loops.add(naca4(naca, 60).points);
@@ -33,7 +32,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("weights: powers of the distance from the mean of the corners, on all cells") {
+TEST_CASE("weights are powers of the distance from the mean of the corners, on all cells") {
     Naca4 naca;
     naca.camber = 0.02;
     HybridOptions options;
@@ -63,9 +62,7 @@ TEST_CASE("weights: powers of the distance from the mean of the corners, on all 
     }
 }
 
-TEST_CASE(
-    "weights do not depend on the numbers of cells and points, on threads, or on where loops "
-    "begin") {
+TEST_CASE("weights do not depend on numbering, on threads, or on where loops begin") {
     Naca4 naca;
     Mesh const mesh = o_mesh(naca4(naca, 150), stretched(1e-4, 20, 40), Cells::triangles);
     FaceLoops loops = body_loops(mesh);
@@ -103,9 +100,7 @@ TEST_CASE(
     CHECK(weights_of(mesh, seeds, 6) == expected);
 }
 
-TEST_CASE(
-    "kernels give the same bits, of distances, feet and weights; images of the faces count as "
-    "faces do") {
+TEST_CASE("all kernels give the same bits, and images of faces count as faces do") {
     Naca4 naca;
     naca.camber = 0.02;
     Mesh const ordered = o_mesh(naca4(naca, 150), stretched(1e-4, 20, 40), Cells::hybrid);
@@ -168,7 +163,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("weights without faces, without extent, and at a distance of 0 are finite") {
+TEST_CASE("weights without faces, without extent, and at zero distance are finite") {
     Mesh mesh = square(6, Cells::hybrid);
     for (double const k : weights_of(mesh, FaceTree(std::size_t{8}), 6)) CHECK(k == 1);
     FaceLoops place;

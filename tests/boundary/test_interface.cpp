@@ -69,7 +69,7 @@ TEST_CASE("a rotor turns in its stator by any angle") {
     }
 }
 
-TEST_CASE("one step of a rotor: nothing touches, nothing crosses") {
+TEST_CASE("one step of a rotor touches and crosses nothing") {
     Case setup = rigid_rotor(true);
     Solved const solved(setup);
     std::vector<double> const move = turn(0.4);
@@ -91,7 +91,7 @@ TEST_CASE("one step of a rotor: nothing touches, nothing crosses") {
     CHECK(quality.self_crossing == 0);
 }
 
-TEST_CASE("displacements that are given slide, too, in one step and safely") {
+TEST_CASE("given displacements slide, too, in one step and in safe steps") {
     Case setup = rotor_in_stator(true);
     setup.set_given(body);
     setup.set_given(rotor_side);
@@ -109,7 +109,7 @@ TEST_CASE("without the declaration a rotor may rest but not turn") {
     CHECK(safe.run(turn(0.1)) == HM_CROSSING);
 }
 
-TEST_CASE("a body that leaves the rotor is refused all the same") {
+TEST_CASE("a body that leaves the rotor is refused with an interface, too") {
     Case setup = rotor_in_stator(true);
     setup.set_rigid(body, 0, 0);
     Safe safe(setup);
@@ -133,7 +133,7 @@ TEST_CASE("conditions of interfaces that contradict each other are refused") {
 }
 
 // Both halves of a channel end on the line x = 1 and slide along it: their walls end there.
-TEST_CASE("walls that end on an interface slide with it") {
+TEST_CASE("walls that end on an interface slide along the interface") {
     Case setup;
     Mesh const left = square(6);
     setup.mesh = left;

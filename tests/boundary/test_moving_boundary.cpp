@@ -28,9 +28,7 @@ std::map<std::int32_t, std::pair<std::int32_t, double>> parameters(Solved const&
 
 }  // namespace
 
-TEST_CASE(
-    "parameters are found where the points lie on the curve, in either direction and from any "
-    "start") {
+TEST_CASE("parameters are found where points lie on the curve, from any start") {
     for (int const degree : {2, 3, 5})
         for (bool const against : {false, true}) {
             Spline spline = ring(degree, 9, 0.55, 0.5, 0, 0, 0.3);
@@ -63,7 +61,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE("given parameters are taken as they are, the others are found") {
+TEST_CASE("given parameters are taken unchanged, and the others are found") {
     Case setup = tiny_case();
     setup.give(16, 0.125);  // wrong on purpose
     setup.give(24, 1.75);
@@ -78,7 +76,7 @@ TEST_CASE("given parameters are taken as they are, the others are found") {
     CHECK(solved.report.max_distance_point == 24);
 }
 
-TEST_CASE("a tied curve: the point at the corner gets the corner's function, exactly 1") {
+TEST_CASE("the point at the corner of a tied curve has exactly the corner's function") {
     for (std::int32_t const start : {0, 1, 2, 3}) {  // the curve may begin at any corner
         Case setup = tiny_case();
         std::vector<Point> const corners = {{2, 2}, {4, 2}, {4, 4}, {2, 4}};
@@ -96,7 +94,7 @@ TEST_CASE("a tied curve: the point at the corner gets the corner's function, exa
     }
 }
 
-TEST_CASE("a blunt base: points there are on the second curve, the ends belong to both") {
+TEST_CASE("points of a blunt base are on the second curve, and the ends belong to both curves") {
     Naca4 naca;
     naca.blunt = true;
     Outline const outline = naca4(naca, 40);  // four edges on the base
@@ -143,7 +141,7 @@ TEST_CASE("a blunt base: points there are on the second curve, the ends belong t
     }
 }
 
-TEST_CASE("several bodies on one marker: each finds its curve") {
+TEST_CASE("several bodies on one marker find one curve each") {
     Case two = two_body_case(), one = two;
     for (std::int32_t& marker : one.mesh.face_markers)
         marker = marker == second_body ? body : marker;
@@ -154,7 +152,7 @@ TEST_CASE("several bodies on one marker: each finds its curve") {
     CHECK(same_bits(a.all_values(), b.all_values()));
 }
 
-TEST_CASE("one body over several markers, on one curve: as if it were one marker") {
+TEST_CASE("one body on several markers with one curve is solved as on one marker") {
     Case whole = airfoil_case(), split = whole;
     split_marker(split.mesh, body, 4, 31);
     split.conditions.clear();
@@ -166,8 +164,7 @@ TEST_CASE("one body over several markers, on one curve: as if it were one marker
         CHECK(std::fabs(found.at(point).second - parameter.second) < 1e-12);
 }
 
-TEST_CASE(
-    "markers with a curve each share their points: these belong to the control point of both") {
+TEST_CASE("points that two markers share belong to the control point that their curves share") {
     // The hole's lower side on one curve, the other three on another; the ends are common control
     // points.
     Case setup = tiny_case();
@@ -199,9 +196,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "the curve of another body: points farther from it than it is large are refused, with point "
-    "and distance") {
+TEST_CASE("points farther from their curve than its extent are refused with point and distance") {
     for (double const size : {1.0, 1e-6, 1e6}) {
         Case setup = airfoil_case();
         for (std::vector<double>* const numbers :
@@ -224,9 +219,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "points farther from their curve than 5 % of its extent: a warning with the point and its "
-    "distance") {
+TEST_CASE("points farther from their curve than 5 % of its extent give a warning") {
     for (double const size : {1.0, 1e-6, 1e6})
         for (double const part : {0.049, 0.051}) {
             Case setup;

@@ -29,7 +29,7 @@ hm_status refused(Case& setup, const char* words, std::int32_t item) {
 
 }  // namespace
 
-TEST_CASE("both sides move alike, to the last bit, and not only along the wall") {
+TEST_CASE("both sides of a periodic pair move alike to the last bit, and not only along the wall") {
     for (std::int32_t const operator_kind : operators)
         for (Cells const kind : kinds) {
             Case setup = cascade(kind);
@@ -70,9 +70,7 @@ TEST_CASE("two and three periods with bodies that move alike are one period, rep
             }
 }
 
-TEST_CASE(
-    "weighted and conformal functions of several periods are those of one, too: the wall's images "
-    "count") {
+TEST_CASE("weighted and conformal functions count the wall's images in other periods") {
     for (std::int32_t const kind : {HM_CONFORMAL, HM_WEIGHTED})
         for (std::int32_t const exponent_quarters : {std::int32_t{HM_NO_WEIGHT}, 4, 16})
             for (int const n : {2, 3}) {
@@ -87,7 +85,7 @@ TEST_CASE(
             }
 }
 
-TEST_CASE("where the mesh is cut does not matter, and it may be turned") {
+TEST_CASE("the place where the mesh is cut does not matter, and the mesh may be turned") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL})
         for (int const column : {1, 2})
             for (Cells const cells : kinds)
@@ -106,7 +104,7 @@ TEST_CASE("where the mesh is cut does not matter, and it may be turned") {
                 }
 }
 
-TEST_CASE("a pair one cell apart is one period of many, too, whatever scheme and engine") {
+TEST_CASE("a pair one cell apart is one period of many for every scheme and engine") {
     struct {
         std::int32_t operator_kind, exponent_quarters, scheme, engine;
         bool slip;
@@ -137,9 +135,7 @@ TEST_CASE("a pair one cell apart is one period of many, too, whatever scheme and
         }
 }
 
-TEST_CASE(
-    "numbering and orientation, which marker is named, and a pair of slanting sides do not "
-    "matter") {
+TEST_CASE("numbering, orientation and the order of markers do not change a periodic pair") {
     Case const origin = cascade(Cells::hybrid);
     Options const options = options_of(HM_CONFORMAL);
     std::vector<double> const move = some_move(4, 0.3, 7);
@@ -179,9 +175,7 @@ TEST_CASE(
               moved[static_cast<std::size_t>(points_on(changed.mesh, right)[j])]);
 }
 
-TEST_CASE(
-    "two pairs: the four corners are one point, and a translation of the body moves the whole "
-    "mesh") {
+TEST_CASE("the four corners of two pairs are one point, and a translation moves the whole mesh") {
     for (std::int32_t const operator_kind : operators) {
         Case setup = cascade(Cells::hybrid);
         setup.set_periodic(top, bottom);
@@ -202,7 +196,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a pair whose ends lie on slip lines and on free boundaries") {
+TEST_CASE("a periodic pair may end on slip lines and on free boundaries") {
     Case setup = cascade(Cells::hybrid);
     setup.set_slip(top);
     Options options = options_of(HM_CONFORMAL);
@@ -220,8 +214,7 @@ TEST_CASE("a pair whose ends lie on slip lines and on free boundaries") {
     CHECK(std::fabs(freely[corner[0]].imag()) > 1e-4);
 }
 
-TEST_CASE(
-    "slip lines of two directions at the ends of a pair: the point that is on both cannot slide") {
+TEST_CASE("a point at the end of a pair on slip lines of two directions cannot slide") {
     for (double const slope : {0.3, 0.0}) {
         Case setup = cascade(Cells::hybrid, 0, 0);  // the top is a roof
         for (std::size_t k = 0; k < setup.mesh.x.size(); ++k)
@@ -242,7 +235,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("what is no pair is refused, with the place") {
+TEST_CASE("markers that are no periodic pair are refused with the place") {
     Case const good = cascade(Cells::quads);
     Case setup = good;
     setup.mesh.y[static_cast<std::size_t>(points_on(setup.mesh, right)[4])] += 1e-4;
@@ -308,7 +301,7 @@ TEST_CASE("what is no pair is refused, with the place") {
     CHECK((attempt.error.item == 0 || attempt.error.item == 8));
 }
 
-TEST_CASE("a side that is the partner of two others") {
+TEST_CASE("a side that is the partner of two others is refused") {
     Case setup = cascade(Cells::quads);
     setup.set_periodic(top, right);  // right is left's partner already, and no translate of the top
     Options const options = options_of(HM_CONFORMAL);

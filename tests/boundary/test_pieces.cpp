@@ -44,9 +44,7 @@ std::string refusal(Case& setup) {
 
 }  // namespace
 
-TEST_CASE(
-    "two bodies under one marker, each chosen by a point: bit by bit the functions of two "
-    "markers") {
+TEST_CASE("two bodies on one marker, chosen by points, have the bits of two markers") {
     Case apart = two_body_case();
     std::vector<double> const expected = functions(apart);
     for (bool const other_order : {false, true}) {
@@ -67,9 +65,7 @@ TEST_CASE(
     CHECK(same_bits(functions(setup), expected));
 }
 
-TEST_CASE(
-    "a piece without a condition is fixed, and a piece may be rigid while the other one is on a "
-    "curve") {
+TEST_CASE("a piece without a condition is fixed, and a piece may be rigid beside one on a curve") {
     Case setup = one_marker(), apart = two_body_case();
     setup.put_on_curves(body, 0);
     choose_piece(setup, 0.5, 0.5);
@@ -81,7 +77,7 @@ TEST_CASE(
     CHECK(same_bits(functions(setup), functions(apart)));
 }
 
-TEST_CASE("sides of a square under one marker: one side slides, the others are fixed") {
+TEST_CASE("one side of a square may slide while the other sides of the marker are fixed") {
     Case setup;
     setup.mesh = square(9, Cells::quads, 3, 1);
     for (std::int32_t& marker :
@@ -105,7 +101,7 @@ TEST_CASE("sides of a square under one marker: one side slides, the others are f
     }
 }
 
-TEST_CASE("pieces are kept in the basis") {
+TEST_CASE("a basis keeps the pieces of markers") {
     Case setup = one_marker();
     setup.put_on_curves(body, 1);
     choose_piece(setup, 1.25, 0.75);

@@ -30,8 +30,7 @@ void refused(Case& setup, hm_status status, const char* words, Options const& op
 
 }  // namespace
 
-TEST_CASE(
-    "one passage is an annulus whose bodies move as turned copies, with all operators and cells") {
+TEST_CASE("one passage moves as the annulus of turned copies for all operators and cells") {
     for (std::int32_t const operator_kind : operators)
         for (Cells const kind : kinds)
             for (int const n : {2, 3, 5}) {
@@ -58,7 +57,7 @@ TEST_CASE(
             }
 }
 
-TEST_CASE("a passage that is one cell wide in places, where its two sides are one unknown") {
+TEST_CASE("a passage that is one cell wide has two sides that are one unknown") {
     for (std::int32_t const operator_kind : operators)
         for (Cells const kind : kinds)
             for (int const n : {12, 30}) {
@@ -74,9 +73,7 @@ TEST_CASE("a passage that is one cell wide in places, where its two sides are on
             }
 }
 
-TEST_CASE(
-    "thin cells at the hub and the sides, also with a single-precision factor: one passage gives "
-    "the annulus") {
+TEST_CASE("one passage with thin cells gives the annulus, also with a factor in single precision") {
     int const n = 5;
     for (bool const at_sides : {false, true})
         for (std::int32_t const operator_kind : operators)
@@ -150,8 +147,7 @@ TEST_CASE("rigid bodies in a passage turn and move as turned copies") {
     }
 }
 
-TEST_CASE(
-    "which side is named first, numbering, orientation, and where the centre is do not matter") {
+TEST_CASE("the order of the sides, the numbering, the orientation and the centre do not matter") {
     Case const origin = passage(Cells::hybrid, 5);
     std::vector<double> const move = some_move(n_control, 0.05, 7);
     for (std::int32_t const operator_kind : operators) {
@@ -180,7 +176,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a pair in two pieces, each a pair of its own, in either sense") {
+TEST_CASE("a pair in two pieces, each a pair of its own, works in either sense") {
     Case const whole = passage(Cells::hybrid, 5);
     std::vector<double> const move = some_move(n_control, 0.05, 7);
     for (bool const same_sense : {false, true}) {
@@ -222,7 +218,7 @@ TEST_CASE("the adjoint is the transpose") {
     }
 }
 
-TEST_CASE("displacements that are given: one passage of an annulus, and the exact transpose") {
+TEST_CASE("given displacements of a passage are those of the annulus, with the exact transpose") {
     int const n = 3;
     for (std::int32_t const operator_kind : operators) {
         Case curved = passage(Cells::hybrid, n);
@@ -248,8 +244,7 @@ TEST_CASE("displacements that are given: one passage of an annulus, and the exac
     }
 }
 
-TEST_CASE(
-    "sides that meet in the centre: the point there stays, and displacements obey the rotation") {
+TEST_CASE("the centre where sides meet stays, and displacements obey the rotation") {
     int const n = 6;
     Complex const turn = turn_of_passage(n);
     for (std::int32_t const operator_kind : operators) {
@@ -289,7 +284,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("what is no rotation pair is refused, with the place") {
+TEST_CASE("markers that are no rotation pair are refused with the place") {
     Case const good = passage(Cells::quads, 5);
     Options const options = options_of(HM_CONFORMAL);
     Case setup = good;
@@ -343,7 +338,7 @@ TEST_CASE("what is no rotation pair is refused, with the place") {
     refused(setup, HM_BAD_CONDITION, "its own periodic partner", options);
 }
 
-TEST_CASE("combinations without rotation pairs say so") {
+TEST_CASE("combinations that rotation pairs do not support are refused by name") {
     Case setup = passage(Cells::quads, 5);
     Options options = options_of(HM_LAPLACE);
     options.engine = HM_MULTIGRID;

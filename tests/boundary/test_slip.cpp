@@ -16,7 +16,7 @@ constexpr std::int32_t operators[] = {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL};
 
 }  // namespace
 
-TEST_CASE("a line of symmetry: the half with slip moves as the half of the whole does") {
+TEST_CASE("a half mesh with slip on the line of symmetry moves as half of the whole mesh does") {
     for (std::int32_t const operator_kind : operators)
         for (Cells const kind : kinds) {
             Case half = half_ring(6, 16, kind, 0.3, 3), whole = mirrored(half);
@@ -33,7 +33,7 @@ TEST_CASE("a line of symmetry: the half with slip moves as the half of the whole
         }
 }
 
-TEST_CASE("at any angle points stay on their line to rounding, and slide") {
+TEST_CASE("points slide and stay on a line at any angle to rounding") {
     for (std::int32_t const operator_kind : operators)
         for (double const angle : {0.0, 0.3, pi / 2, 2.2, -1.0}) {
             Complex const turn = std::polar(1.0, angle);
@@ -60,7 +60,7 @@ TEST_CASE("at any angle points stay on their line to rounding, and slide") {
         }
 }
 
-TEST_CASE("many small steps later they are still on it") {
+TEST_CASE("after many small steps, points are still on their slip line") {
     Complex const turn = std::polar(1.0, 0.4);
     Case setup = similar(half_ring(6, 16, Cells::quads, 0.3, 7), turn, 0);
     Options const options = options_of(HM_CONFORMAL);
@@ -76,9 +76,7 @@ TEST_CASE("many small steps later they are still on it") {
             CHECK(std::fabs((to_complex(mesh.point(point)) / turn).imag()) < 1e-14);
 }
 
-TEST_CASE(
-    "kinds of points: corners of two lines are fixed, what is stronger wins, and lines go on over "
-    "markers") {
+TEST_CASE("corners of slip lines are fixed, stronger conditions win, and lines cross markers") {
     auto const kinds_of = [](Case& setup, std::int32_t operator_kind) {
         Options const options = options_of(operator_kind);
         Attempt seen;
@@ -121,9 +119,7 @@ TEST_CASE(
     for (std::size_t k = 1; k < 6; ++k) CHECK(found[k] == PointKind::slip);
 }
 
-TEST_CASE(
-    "slip beside a free boundary: points of the corner stay on the line, and the functions are "
-    "Laplace's") {
+TEST_CASE("corner points beside a free boundary stay on the slip line as Laplace's functions do") {
     Case setup = tiny_case();
     setup.set_slip(bottom);
     setup.set_free(right);
@@ -147,9 +143,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "all sides of a channel slip, two bodies, one of them rigid: everything stays in its "
-    "rectangle") {
+TEST_CASE("in a channel with slip on all sides and two bodies, all points stay in the rectangle") {
     for (std::int32_t const operator_kind : operators) {
         Case setup = similar(two_body_case(Cells::hybrid, 6, 5), std::polar(1.5, 0.7), {1, 2});
         setup.conditions.clear();
@@ -176,8 +170,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "what bends a little is a curve, what bends as little as coordinates are rounded is straight") {
+TEST_CASE("a bend above the rounding of coordinates makes a curve, and a smaller one a line") {
     auto const bent = [](double by) {
         Case setup = tiny_case();
         setup.set_slip(bottom);
@@ -198,9 +191,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "corners: a jump of the direction that the points beside do not share, or more than 30 "
-    "degrees") {
+TEST_CASE("a corner is a jump of direction without neighbours like it, or above 30 degrees") {
     auto const kinds_of = [](double lift) {
         Case setup = tiny_case();
         setup.set_slip(bottom);
@@ -234,9 +225,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "on a circle points move along its tangents, also where the matrix is factored on moved "
-    "coordinates") {
+TEST_CASE("points on a circle move along tangents, also when factored on moved coordinates") {
     for (std::int32_t const operator_kind : operators) {
         Case setup = ring_case(6, 24, 0.5, 2, Cells::hybrid);
         setup.set_slip(far_field);

@@ -65,8 +65,7 @@ hm_error refusal(Along& along) {
 
 }  // namespace
 
-TEST_CASE(
-    "points slide along the curve that is given, wherever that begins and whichever way it goes") {
+TEST_CASE("points slide along the given curve, whatever its beginning and direction") {
     Along without(circle(2, 0));
     CHECK(without.off_circle() > 1e-8);  // the curve through twelve points
     for (double const begin : {0.0, 17.0, 90.0, 181.0}) {
@@ -86,7 +85,7 @@ TEST_CASE("points that are beside their curve keep their offset") {
     CHECK(along.off_circle() > 1e-5);
 }
 
-TEST_CASE("a body turns, the outer points slide along the given circle with it") {
+TEST_CASE("the outer points slide along the given circle with a body that turns") {
     Along along(circle(2, 11));
     along.condition();
     Safe safe(along.setup);
@@ -107,7 +106,7 @@ TEST_CASE("a body turns, the outer points slide along the given circle with it")
     CHECK(turned > 0.5);
 }
 
-TEST_CASE("two arcs: points where they end are fixed, the others slide along their own") {
+TEST_CASE("points where two arcs end are fixed, and the others slide along their own arc") {
     Along along(circle(2, 0, 2));
     along.curves.add(circle(2, 180, 2));
     along.condition();
@@ -125,8 +124,7 @@ TEST_CASE("two arcs: points where they end are fixed, the others slide along the
     CHECK(n_fixed == 2);
 }
 
-TEST_CASE(
-    "the conditions of a basis tell how many curves there were, and are refused without them") {
+TEST_CASE("the conditions of a basis state the number of curves, and cannot be used without") {
     Along along(circle(2, 11));
     along.condition();
     Options const options = options_of(HM_CONFORMAL);
@@ -149,7 +147,7 @@ TEST_CASE(
     CHECK(along.off_circle() < 1e-11);
 }
 
-TEST_CASE("a plan takes functions only of its own curves for sliding") {
+TEST_CASE("a plan accepts functions of its own sliding curves only") {
     Along one(circle(2, 11)), other(circle(2, 11));
     one.condition();
     other.condition();
@@ -164,7 +162,7 @@ TEST_CASE("a plan takes functions only of its own curves for sliding") {
     }
 }
 
-TEST_CASE("curves that do not fit are refused, with the point") {
+TEST_CASE("curves that do not fit are refused with the point") {
     Along far(circle(3, 0));
     far.condition();
     hm_error error = refusal(far);

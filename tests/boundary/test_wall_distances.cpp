@@ -25,8 +25,7 @@ bool is_middle_of_base(Mesh const& mesh, std::int32_t point) {
 
 }  // namespace
 
-TEST_CASE(
-    "a condition that does not name the curve of the base: refused, with the point and the curve") {
+TEST_CASE("a condition that omits the curve of the base is refused with the point and the curve") {
     Case setup = hole();
     setup.put_on_curves(body, 0, 2);
     CHECK(Attempt(setup.problem()).status == HM_OK);
@@ -42,7 +41,7 @@ TEST_CASE(
     CHECK(attempt.error.value == doctest::Approx(0.1));
 }
 
-TEST_CASE("points beyond the end of their curve, which would move as one: a warning") {
+TEST_CASE("points beyond the end of their curve, which would move as one, give a warning") {
     Case setup = hole();
     setup.curves.shapes.pop_back();
     setup.curves.control.insert(setup.curves.control.end(),
@@ -62,7 +61,7 @@ TEST_CASE("points beyond the end of their curve, which would move as one: a warn
     CHECK(attempt.error.value == doctest::Approx(0.1));
 }
 
-TEST_CASE("a curve in another unit is much larger than the wall: refused") {
+TEST_CASE("a curve in another unit, much larger than the wall, is refused") {
     for (double const unit : {25.4, 1000.0}) {
         Case setup = hole();
         for (double& number : setup.curves.control) number = 0.5 + (number - 0.5) * unit;

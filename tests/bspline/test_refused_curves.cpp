@@ -41,7 +41,7 @@ double const not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-TEST_CASE("points of curves, and knots that are to be inserted") {
+TEST_CASE("refused evaluations and refinements of curves have the stated texts") {
     Square square;
     double xy[4], u[1];
     std::size_t bytes = 0;
@@ -74,7 +74,7 @@ TEST_CASE("points of curves, and knots that are to be inserted") {
     });
 }
 
-TEST_CASE("sections: which curves, and an outline round nothing") {
+TEST_CASE("refused sections have the stated texts") {
     Square square(9), flat, point;
     point.control = {1, 1, 1, 1, 1, 1, 1, 1};
     point.set.control = point.control.data();
@@ -139,7 +139,7 @@ TEST_CASE("sections: which curves, and an outline round nothing") {
     });
 }
 
-TEST_CASE("a curve that stands still has no curvature there") {
+TEST_CASE("a curve that is constant has no curvature there") {
     std::vector<double> const control{1, 0, 0.5, 0.5, 0, 0, 0, 0, 0, 0, 0.5, -0.5, 1, 0};
     double const knots[] = {0, 0, 0, 1, 2, 3, 4, 5, 5, 5};
     hm_curve curve{};
@@ -162,7 +162,7 @@ TEST_CASE("a curve that stands still has no curvature there") {
     CHECK(value == 7);
 }
 
-TEST_CASE("design variables: fields of another kind, and numbers out of range") {
+TEST_CASE("refused design variables have the stated texts") {
     Square square;
     hm_variables v{};
     std::int32_t n = 0;

@@ -55,9 +55,7 @@ bool says(hm_error const& error, const char* words) {
 
 }  // namespace
 
-TEST_CASE(
-    "blocks: interfaces close, and the functions are those of the mesh with one point for each "
-    "place") {
+TEST_CASE("interfaces of blocks close, and functions are those of the mesh with joined points") {
     for (Topology& topology : topologies()) {
         CAPTURE(topology.name);
         std::vector<std::int32_t> number;
@@ -108,9 +106,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "blocks: numbers of cells and points in reports; both index bases; a saved basis knows the "
-    "mesh") {
+TEST_CASE("blocks have the right numbers in reports, for both index bases, and when saved") {
     Blocks const blocks = h_blocks(4);
     Case setup;
     setup.curves = polyline({{1, 1}, {2, 1}, {2, 2}, {1, 2}});
@@ -140,8 +136,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "blocks: a side that is a cut in part has lists; a marker on a side says the same as faces") {
+TEST_CASE("a side that is partly a cut has lists, and a marker on a side means the same as faces") {
     Naca4 const naca;
     CMesh const c = c_mesh(naca4(naca, 12), 6, 4, stretched(1e-2, 4, 9));
     Blocks one;
@@ -161,7 +156,7 @@ TEST_CASE(
     CHECK(from_blocks.edges == from_faces.edges);
 }
 
-TEST_CASE("blocks: what is wrong is refused") {
+TEST_CASE("blocks that are wrong are refused") {
     Blocks const good = o_blocks(2, 8, 3, 0.5, 2);
     auto refused = [&](hm_status status, const char* words, auto change) {
         Blocks blocks = good;
@@ -207,9 +202,7 @@ TEST_CASE("blocks: what is wrong is refused") {
     });
 }
 
-TEST_CASE(
-    "blocks in arrays of their own, with ghost points or j the faster index: gathered and "
-    "scattered") {
+TEST_CASE("blocks with ghost points or j as the faster index are gathered and scattered") {
     Blocks const blocks = o_blocks(3, 8, 5, 0.5, 3);
     hm_mesh const mesh = blocks.view();
     std::size_t const n = blocks.x.size();

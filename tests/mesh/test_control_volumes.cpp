@@ -46,8 +46,7 @@ TEST_CASE("control volumes fill the mesh without gaps, whatever the sense of its
     }
 }
 
-TEST_CASE(
-    "on a grid of rectangles: the rectangle inside, half of it on sides, and the shorter side") {
+TEST_CASE("on a grid of rectangles volumes, sides and shorter sides are known") {
     Case setup = square_on_curve(8, Cells::quads, 0, 0);
     for (double& y : setup.mesh.y) y *= 0.25;
     for (std::size_t k = 1; k < setup.curves.control.size(); k += 2)

@@ -80,8 +80,7 @@ std::vector<Mesh> some_meshes() {
 
 }  // namespace
 
-TEST_CASE(
-    "weights: 1 at points of the mesh; middles of cells and of sides are found in their cells") {
+TEST_CASE("weights are 1 at points of the mesh, and middles of cells are found in their cells") {
     for (Mesh const& mesh : some_meshes()) {
         Finder const finder(mesh);
         for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
@@ -112,9 +111,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "weights add up to 1, are not negative inside, and reproduce linear fields inside and "
-    "outside") {
+TEST_CASE("weights sum to 1, are not negative inside, and reproduce linear fields") {
     for (Mesh const& mesh : some_meshes()) {
         Finder const finder(mesh);
         std::mt19937 random(11);
@@ -144,7 +141,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a point without a number is in no cell, and nothing is read of any") {
+TEST_CASE("a point without a number is in no cell, and no data of such a point is read") {
     Finder const finder(hybrid_mesh(naca4({}, 20)));
     Untrapped const untrapped;
     Location const nowhere = finder.locate({std::nan(""), 0});
@@ -152,7 +149,7 @@ TEST_CASE("a point without a number is in no cell, and nothing is read of any") 
     CHECK(nowhere.weights.n == 0);
 }
 
-TEST_CASE("outside, the distance is that from the boundary") {
+TEST_CASE("outside the mesh the distance is that from the boundary") {
     Mesh const mesh =
         square(9, Cells::hybrid, 3, 3);  // unit square; the hole is the square from 1/3 to 2/3
     Finder const finder(mesh);
@@ -168,7 +165,7 @@ TEST_CASE("outside, the distance is that from the boundary") {
     }
 }
 
-TEST_CASE("a continuous field: neither the hint nor the numbering matters") {
+TEST_CASE("a continuous field depends neither on the hint nor on the numbering") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Mesh const mesh = annulus(6, 24, 0.5, 2, kind);
         Mesh other = mesh;
@@ -199,7 +196,7 @@ TEST_CASE("a continuous field: neither the hint nor the numbering matters") {
     }
 }
 
-TEST_CASE("on a cut both sides of a point exist: the one that is found stands where the point is") {
+TEST_CASE("on a cut the point on the side of the place is found") {
     CMesh const mesh = c_mesh(naca4({}, 16), 8, 3, stretched(1e-3, 4, 12));
     Finder const finder(mesh.mesh);
     for (std::int32_t k = 0; k + 1 < mesh.n_wake; ++k) {

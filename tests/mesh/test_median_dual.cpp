@@ -31,7 +31,7 @@ double open_by(Scheme const& scheme, Mesh const& mesh) {
 
 }  // namespace
 
-TEST_CASE("volumes fill the domain, and close, in whatever sense cells run") {
+TEST_CASE("dual volumes fill the domain and close, in whatever sense cells run") {
     for (Cells const kind : kinds) {
         Mesh const bodies = two_bodies(5, 4, Ellipse{}, Ellipse{}, kind);
         for (Mesh mesh : {square(7, kind, 3, 1), annulus(5, 16, 0.5, 2, kind), bodies}) {
@@ -54,9 +54,7 @@ TEST_CASE("volumes fill the domain, and close, in whatever sense cells run") {
     }
 }
 
-TEST_CASE(
-    "volumes of a triangle are thirds; on squares faces are as long as cells, and normal to "
-    "edges") {
+TEST_CASE("dual volumes of a triangle are thirds, and faces on squares are as long as cells") {
     Mesh one;
     one.add_point({0, 0});
     one.add_point({3, 0.5});

@@ -50,7 +50,7 @@ harmorph::Fault refusal(harmorph::Mesh const& mesh) {
 
 }  // namespace
 
-TEST_CASE("rows, triangles, quads and blocks: the same cells") {
+TEST_CASE("rows, triangles, quads and blocks describe the same cells") {
     for (std::int32_t const base : {0, 1}) {
         Case triangles, quads, hybrid;
         triangles.mesh = square(6, Cells::triangles);
@@ -95,7 +95,7 @@ TEST_CASE("rows, triangles, quads and blocks: the same cells") {
     }
 }
 
-TEST_CASE("triangles and quads in two arrays: the same cells, triangles first") {
+TEST_CASE("triangles and quads in two arrays describe the same cells, triangles first") {
     for (std::int32_t const base : {0, 1}) {
         Case setup;
         setup.index_base = base;
@@ -120,7 +120,7 @@ TEST_CASE("triangles and quads in two arrays: the same cells, triangles first") 
     }
 }
 
-TEST_CASE("blocks that are not square: i is fastest") {
+TEST_CASE("blocks that are not square have i as the fastest index") {
     hm_mesh view{};
     std::vector<double> const zero(15, 0.0);
     view.struct_size = sizeof view;
@@ -138,7 +138,7 @@ TEST_CASE("blocks that are not square: i is fastest") {
         }
 }
 
-TEST_CASE("coordinates with any stride, and 0 for 1") {
+TEST_CASE("coordinates may have any stride, and a stride of 0 means 1") {
     Mesh const mesh = square(6, Cells::hybrid, 2, 2);
     std::vector<double> structs;
     for (std::size_t k = 0; k < mesh.x.size(); ++k)
@@ -194,7 +194,7 @@ TEST_CASE("the first of several offenders is named") {
     CHECK(fault.value == 0);
 }
 
-TEST_CASE("areas of cells, in both senses") {
+TEST_CASE("areas of cells are right in both senses") {
     double const xy[] = {0, 0, 2, 0, 3, 2, 0, 1};
     harmorph::Points const points{xy, xy + 1, 2};
     harmorph::Cell const quad{4, {0, 1, 2, 3}}, triangle{3, {0, 1, 2}}, backwards{4, {3, 2, 1, 0}};

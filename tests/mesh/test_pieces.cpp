@@ -96,7 +96,7 @@ std::vector<Point> with_middles(std::vector<Point> const& p, int per_side) {
 
 }  // namespace
 
-TEST_CASE("a polygon is divided into n - 2 triangles of positive area; each corner has a guard") {
+TEST_CASE("a polygon is divided into n - 2 triangles of positive area and has guards") {
     std::vector<std::vector<Point>> polygons = {
         with_middles({{0, 0}, {2, 0}, {2, 1}, {0, 1}}, 1),
         with_middles({{0, 0}, {1, 0}, {0, 1}}, 3),
@@ -151,9 +151,7 @@ TEST_CASE("the worst triangle is the best that any triangulation has") {
     }
 }
 
-TEST_CASE(
-    "triangles and convex quadrilaterals stay whole; a cell whose sides cross has an inverted "
-    "triangle") {
+TEST_CASE("triangles and convex quadrilaterals stay whole, and crossed cells are inverted") {
     Divided const triangle({{0, 0}, {1, 0}, {0, 1}}), quad({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1);
     CHECK(triangle.pieces.n_checked() == 1);
     CHECK(triangle.pieces.cell(0).n == 3);
@@ -172,7 +170,7 @@ TEST_CASE(
     CHECK(point.pieces.n_cells == 3);
 }
 
-TEST_CASE("numbers of pieces and guards are those of the cells, also of cells that have none") {
+TEST_CASE("pieces and guards have the numbers of their cells, and some cells have none") {
     Mesh const mesh = refined(square(4), [](Point p) { return p.x < 0.3; });
     Analysed const analysed(in_polygons(mesh.view()));
     harmorph::Mesh const& pieces = analysed->topology().mesh;

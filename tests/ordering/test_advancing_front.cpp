@@ -46,7 +46,7 @@ std::vector<char> quad_corners(harmorph::Analysis const& a) {
 
 }  // namespace
 
-TEST_CASE("every unknown once, layer after layer, free boundaries being boundaries too") {
+TEST_CASE("the front has every unknown once, layer after layer, from free boundaries too") {
     for (Cells const kind : {Cells::quads, Cells::triangles})
         for (bool const free : {false, true}) {
             Case setup = two_body_case(kind, 12, 8);
@@ -70,9 +70,7 @@ TEST_CASE("every unknown once, layer after layer, free boundaries being boundari
         }
 }
 
-TEST_CASE(
-    "in hybrid meshes the front is through with the quads at the wall before it enters the "
-    "triangles") {
+TEST_CASE("in hybrid meshes the front passes all quads at the wall before the triangles") {
     Case setup = airfoil_case(40, 12, Cells::hybrid);
     Analysed const seen(setup);
     FrontMatrix const front(*seen.operator->());

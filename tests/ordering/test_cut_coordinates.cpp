@@ -31,7 +31,7 @@ private:
 
 }  // namespace
 
-TEST_CASE("neighbours lie within reach in every direction; layers grow by one") {
+TEST_CASE("neighbours lie within reach in every direction, and layers grow by one") {
     for (HandMadeGraph& graph : nasty_graphs()) {
         PlacedGraph placed(graph);
         harmorph::CutCoordinates const& places = placed.places;
@@ -54,9 +54,7 @@ TEST_CASE("neighbours lie within reach in every direction; layers grow by one") 
     }
 }
 
-TEST_CASE(
-    "steps across: 1 on the piece, and on both sides the sign of the side; the farthest neighbour "
-    "is reached") {
+TEST_CASE("steps across a piece are 1 on the piece, signed beside it, and complete") {
     int const around = 24, rings = 5;
     HandMadeGraph ring = grid_graph(around, rings);
     for (int j = 0; j < rings; ++j) ring.join(around * j, around * j + around - 1);
@@ -79,9 +77,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "levels: steps from an end of the part, one at most between neighbours, and nothing is left "
-    "out") {
+TEST_CASE("levels are steps from an end of the part, at most one between neighbours; complete") {
     std::vector<HandMadeGraph> graphs = nasty_graphs();
     graphs.push_back(grid_graph(7, 3));
     for (HandMadeGraph& graph : graphs) {

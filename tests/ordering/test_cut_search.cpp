@@ -54,9 +54,7 @@ double cost_by_halving(double n, double b) {
 
 }  // namespace
 
-TEST_CASE(
-    "grids are cut across the shorter way, near the middle, also where only some unknowns are "
-    "looked at") {
+TEST_CASE("grids are cut across the shorter direction near the middle, also in samples") {
     for (int const times : {1, 9}) {  // a small part and a large one
         int const length = 60 * times, width = 37 * times;
         for (bool const upright : {false, true}) {
@@ -70,7 +68,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a square with a border along one side is cut such that both halves share it") {
+TEST_CASE("a square with a border along one side is cut so that both halves share the border") {
     int const side = 300;
     REQUIRE(side * side >= CutSizes::large);
     for (Index const direction : {0, 1}) {
@@ -87,9 +85,7 @@ TEST_CASE("a square with a border along one side is cut such that both halves sh
     }
 }
 
-TEST_CASE(
-    "cost: grows with the separator, with borders and with what is left to cut; the same from both "
-    "sides") {
+TEST_CASE("the cost grows with separator, borders and remaining parts, and is symmetric") {
     for (Index const half : {40, 200000}) {
         auto const cost = [&](Index shift, Index separator, Index left_border = 0,
                               Index right_border = 0) {
@@ -105,8 +101,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "cost of large parts: what halving them again and again comes to, but for rounded constants") {
+TEST_CASE("the cost of large parts is that of repeated bisection, but for rounded constants") {
     for (Index const separator : {300, 450, 900})
         for (Index const left_border : {0, 400, 1600})
             for (Index const right_border : {0, 700}) {
@@ -120,9 +115,7 @@ TEST_CASE(
             }
 }
 
-TEST_CASE(
-    "levels: behind the one that costs least in the middle half, if that is less than what is "
-    "known") {
+TEST_CASE("the cut is behind the cheapest level in the middle half, if that beats the known cost") {
     HandMadeGraph grid = grid_graph(41, 9);
     Searched search(grid);
     Cut cut;

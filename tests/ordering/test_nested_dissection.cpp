@@ -70,11 +70,11 @@ double george(double n) { return 31.0 / 4 * std::log2(std::sqrt(n)); }
 
 }  // namespace
 
-TEST_CASE("nasty graphs: lines, stars, cliques, everything in one place, nothing joined") {
+TEST_CASE("lines, stars, cliques, coincident points and graphs without edges are ordered") {
     for (HandMadeGraph& graph : nasty_graphs()) check_dissection(graph);
 }
 
-TEST_CASE("graphs of meshes") {
+TEST_CASE("graphs of meshes are ordered") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Case setup = two_body_case(kind, 20, 14);
         Analysed const seen(setup);
@@ -90,7 +90,7 @@ TEST_CASE("graphs of meshes") {
     }
 }
 
-TEST_CASE("on grids the separators are short, so that fill grows as n log n") {
+TEST_CASE("separators of grids are short, so that fill grows as n log n") {
     double per_point[3];
     int const sizes[] = {32, 64, 128};
     for (int s = 0; s < 3; ++s) {
@@ -106,7 +106,7 @@ TEST_CASE("on grids the separators are short, so that fill grows as n log n") {
     CHECK(per_point[2] - per_point[1] < 16);
 }
 
-TEST_CASE("a rolled strip is cut across, however its turns lie beside each other") {
+TEST_CASE("a rolled strip is cut across, wherever its turns lie beside each other") {
     int const along = 90, across = 6;
     HandMadeGraph strip = grid_graph(along, across);
     for (int j = 0; j < across; ++j)
@@ -123,7 +123,7 @@ TEST_CASE("a rolled strip is cut across, however its turns lie beside each other
     check_dissection(strip);
 }
 
-TEST_CASE("a wake of thin curved cells: hardly more entries than the same mesh laid out straight") {
+TEST_CASE("a wake of thin curved cells has few more entries than when laid out straight") {
     // Fill is a property of the graph; coordinates only say where to cut. Levels are tried as soon
     // as a separator is 1.12 times as long as one through a square, and entries go with the square
     // of this length.
@@ -150,8 +150,7 @@ TEST_CASE("a wake of thin curved cells: hardly more entries than the same mesh l
     }
 }
 
-TEST_CASE(
-    "large parts know what is next to the separators above them, and nothing else is marked") {
+TEST_CASE("large parts know the unknowns next to the separators above them, and mark no others") {
     for (int const ny : {250, 270}) {  // small and large, as a whole
         HandMadeGraph grid = grid_graph(250, ny);
         bool const is_large = grid.n() >= harmorph::CutSizes::large;
@@ -183,9 +182,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "large parts share what borders on separators above: fewer multiplications than with the marks "
-    "taken away") {
+TEST_CASE("marks of separators above large parts save multiplications") {
     // Halves of 260 x 270 unknowns, the first separator along their shorter side. The shortest cut
     // of a half is parallel to it: a quarter of the mesh then lies between two separators of 260.
     // One across costs 270, but both quarters share what borders on the first one.
@@ -217,7 +214,7 @@ TEST_CASE(
     CHECK(cost[true] < cost[false]);
 }
 
-TEST_CASE("any number of threads, in any order of their tasks: the same order and the same tree") {
+TEST_CASE("any number of threads in any order of tasks gives the same order and tree") {
     std::vector<HandMadeGraph> graphs = nasty_graphs();
     graphs.push_back(grid_graph(50, 40));
     graphs.push_back(grid_graph(3, 2));

@@ -8,7 +8,7 @@ using harmorph::Index;
 using harmorph::PositionRange;
 using harmorph::SubtreeRanges;
 
-TEST_CASE("subtrees are small enough, not too many, and neighbours are never in two of them") {
+TEST_CASE("subtrees are small enough and not too many, and neighbours are never in two of them") {
     HandMadeGraph graph = grid_graph(60, 50);
     Dissected const cut(graph);
     std::vector<Index> const position = cut.position();

@@ -56,7 +56,7 @@ bool is_below(harmorph::AssemblyTree const& tree, Index node, Index root) {
 
 }  // namespace
 
-TEST_CASE("subtrees are whole, apart, in order, and listed by work") {
+TEST_CASE("subtrees are whole, separate, in order, and listed by work") {
     for (HandMadeGraph& graph : nasty_graphs()) {
         Dissected const cut(graph);
         Symbolic const symbolic(graph, cut);
@@ -105,7 +105,7 @@ TEST_CASE("subtrees are whole, apart, in order, and listed by work") {
     }
 }
 
-TEST_CASE("on a large mesh every worker has something to do, and none much more than another") {
+TEST_CASE("on a large mesh the work of all workers is similar") {
     HandMadeGraph graph = grid_graph(120, 110);
     Dissected const cut(graph);
     Symbolic const symbolic(graph, cut);

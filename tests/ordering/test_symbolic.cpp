@@ -72,11 +72,11 @@ Offset check_borders(HandMadeGraph& graph) {
 
 }  // namespace
 
-TEST_CASE("borders are what elimination fills, and nothing that no pivot of the subtree touches") {
+TEST_CASE("borders are the fill of elimination and contain nothing else") {
     for (HandMadeGraph& graph : nasty_graphs()) check_borders(graph);
 }
 
-TEST_CASE("borders with more entries than are remembered: the same") {
+TEST_CASE("borders with more entries than are remembered are the same") {
     int const side = 40, hubs = 250;  // these end up above everything, and so in all borders
     HandMadeGraph graph = grid_graph(side, side);
     for (int hub = 0; hub < hubs; ++hub) {
@@ -86,7 +86,7 @@ TEST_CASE("borders with more entries than are remembered: the same") {
     CHECK(check_borders(graph) > Offset{harmorph::BorderWork::passed_per_position} * graph.n());
 }
 
-TEST_CASE("any number of threads: the same borders") {
+TEST_CASE("any number of threads gives the same borders") {
     for (HandMadeGraph& graph : nasty_graphs()) {
         Dissected const cut(graph);
         Symbolic const alone(graph, cut);

@@ -99,7 +99,7 @@ void check_cover(HandMadeGraph& graph, IsLeft is_left) {
 
 }  // namespace
 
-TEST_CASE("straight, slanting and ragged cuts through grids, and nasty graphs: a smallest cover") {
+TEST_CASE("the cover is smallest for straight, slanting and ragged cuts and other graphs") {
     for (bool const diagonals : {true, false}) {
         HandMadeGraph grid = grid_graph(13, 11, diagonals);
         check_cover(grid, [](Index u) { return u % 13 < 6; });

@@ -29,9 +29,7 @@ hm_status safe_morph(hm_plan* plan, const hm_basis* basis, const hm_basis* other
 
 }  // namespace
 
-TEST_CASE(
-    "another operator with the same table is taken; with one number of the table changed, it is "
-    "refused") {
+TEST_CASE("another operator with the same table is accepted, and one number changed is refused") {
     for (bool const complex : {false, true}) {
         Case setup = curve_and_table();
         Options const options = options_of(complex ? HM_CONFORMAL : HM_LAPLACE);
@@ -69,7 +67,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("the derivative is cleared at the beginning, so it is none of the bases that are read") {
+TEST_CASE("the derivative is cleared at the beginning and cannot be a basis that is read") {
     Case setup = curve_and_table();
     Options const options = options_of(HM_CONFORMAL);
     Attempt own(setup.problem(), &options), other(setup.problem(), &options),

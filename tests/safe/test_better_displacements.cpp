@@ -29,7 +29,7 @@ double laplace_quality(Case& setup, double part) {
 
 }  // namespace
 
-TEST_CASE("a nozzle that its wall squeezes: where one step is poor, other functions are tried") {
+TEST_CASE("in a nozzle that its wall narrows, other functions are tried where one step is poor") {
     int poor = 0;
     for (double const part : {0.8, 0.6, 0.4}) {
         Case setup = given_instead(nozzle(24, 12, 0.01, 8));
@@ -51,7 +51,7 @@ TEST_CASE("a nozzle that its wall squeezes: where one step is poor, other functi
     CHECK(poor > 0);  // else the test has not seen what it is about
 }
 
-TEST_CASE("improve: better cells in the same call, with heights or without") {
+TEST_CASE("the option to improve gives better cells in the same call, with heights or without") {
     Case setup = given_block();
     SafeDisplaced safe(setup);
     Field const wall = safe.similarity(std::polar(1.0, 1.0), {0.5, 0.5});
@@ -69,7 +69,7 @@ TEST_CASE("improve: better cells in the same call, with heights or without") {
     CHECK(safe.safe_report.min_quality >= alone * (1 - 1e-12));
 }
 
-TEST_CASE("a limit of height changes is kept, or missed aloud, after the improvement") {
+TEST_CASE("a limit of height changes is kept after the improvement, or a warning is given") {
     int kept = 0, missed = 0;
     for (double const angle : {0.3, 0.6, 0.9, 1.2}) {
         Case setup = block_in_square();

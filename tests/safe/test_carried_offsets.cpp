@@ -86,9 +86,7 @@ TEST_CASE("offsets are those of the points from their curve, and turn with the b
     CHECK(carried.carried.reach > 0);
 }
 
-TEST_CASE(
-    "nothing is carried by what turns nothing, by real functions, and where points are on their "
-    "curve") {
+TEST_CASE("offsets are zero without rotation, with real functions, and on the curve") {
     Case setup = rough_ring();
     std::vector<double> const turn = similarity_move(setup.curves, std::polar(1.0, 0.7), 0, 0);
     std::vector<double> const shift = similarity_move(setup.curves, 1, 0, {0.1, 0.2});
@@ -105,7 +103,7 @@ TEST_CASE(
     CHECK(smooth.carried.reach == 0);
 }
 
-TEST_CASE("inside, the similarity is carried near the wall and fades with the distance") {
+TEST_CASE("the similarity is carried near the wall and fades inside with the distance") {
     Case setup = rough_ring();
     Complex const turn = std::polar(1.0, 0.5);
     Carried move(setup, similarity_move(setup.curves, turn, 0, 0));

@@ -104,7 +104,7 @@ void check(Vec2 turn, bool is_passage, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE("cell form: the sum over all corners, with turned sides and turned points") {
+TEST_CASE("the cell form is the sum over all corners, with turned sides and turned points") {
     double const half = std::sqrt(0.5);
     for (unsigned seed = 1; seed < 20; ++seed)
         for (bool const is_passage : {false, true})

@@ -40,7 +40,7 @@ double start_quality(Safe const& safe) {
 
 }  // namespace
 
-TEST_CASE("a piece of a channel's floor, its ends held: the ends stay where they are on the way") {
+TEST_CASE("the ends of a piece of a channel's floor stay where they are on the way") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Case setup = channel(20, 24, 1e-5, 40, kind);
         Safe safe(setup);
@@ -73,7 +73,7 @@ TEST_CASE("a piece of a channel's floor, its ends held: the ends stay where they
     }
 }
 
-TEST_CASE("the wall of a nozzle from corner to corner, its axis sliding") {
+TEST_CASE("the wall of a nozzle moves from corner to corner while its axis slides") {
     Case setup = nozzle(40, 20, 1e-4, 16);
     Safe safe(setup);
     safe.safe_options.min_quality = 0;
@@ -94,7 +94,7 @@ TEST_CASE("the wall of a nozzle from corner to corner, its axis sliding") {
     CHECK(safe.untouched());
 }
 
-TEST_CASE("slat, main and flap turned by 20, -20 and 10 degrees") {
+TEST_CASE("slat, main element and flap turn by 20, -20 and 10 degrees") {
     Case setup = three_elements();
     std::vector<double> const move = turn_each(setup.curves, {20, -20, 10});
     for (std::int32_t const kind : {HM_CONFORMAL, HM_LAPLACE}) {
@@ -106,7 +106,7 @@ TEST_CASE("slat, main and flap turned by 20, -20 and 10 degrees") {
     }
 }
 
-TEST_CASE("a periodic cascade translated by half a chord and by half a pitch: its sides follow") {
+TEST_CASE("the sides of a periodic cascade follow translations by half a chord and half a pitch") {
     for (Cells const kind : {Cells::quads, Cells::triangles})
         for (Complex const shift : {Complex(0.15, 0), Complex(0, 0.5), Complex(-0.15, -0.5)}) {
             Case setup = plate_cascade(8, kind);
@@ -122,9 +122,7 @@ TEST_CASE("a periodic cascade translated by half a chord and by half a pitch: it
 
 // Every movement that crosses no wall ends at the target, with the quality asked for and six
 // solutions at most.
-TEST_CASE(
-    "seeded movements of a channel's floor by up to half the channel, and of a cascade by up to "
-    "half a pitch") {
+TEST_CASE("random movements of half a channel's floor and of a cascade by half a pitch are safe") {
     Case floor = channel(14, 16, 0.004, 20), row;
     // Markers in the order of the file: blade, inlet, lower, outlet, upper.
     row.mesh = read_su2("tests/meshes/cascade.su2");
@@ -153,9 +151,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "a coarse fit under a thin first layer: a body that turns takes its points along, and heights "
-    "are kept") {
+TEST_CASE("a body turns with its points and heights, also where a fit is coarse") {
     Case setup;
     Outline const outline = naca4({}, 40);
     setup.mesh = o_mesh(outline, stretched(1e-6, 8, 40));
@@ -191,9 +187,7 @@ TEST_CASE(
     CHECK(safe.boundary_error(shift) < 1e-15);
 }
 
-TEST_CASE(
-    "heights are restored as far as the smallest quality permits, and the report says how far that "
-    "is") {
+TEST_CASE("heights are restored as far as quality permits, and the report says how far") {
     Case floor = channel(14, 16, 0.004, 20), airfoil;
     airfoil.mesh = o_mesh(naca4({}, 40), stretched(1e-4, 8, 40));
     airfoil.curves = fitted_loop(naca4({}, 40).points, 20);
@@ -234,8 +228,7 @@ TEST_CASE(
     CHECK(restored > 0);
 }
 
-TEST_CASE(
-    "a wall whose end leaves the line beside it: where the mesh stops there, the end is named") {
+TEST_CASE("a wall that ends beside a fixed line is stopped there, and the end is named") {
     int named = 0;
     for (bool const slips : {false, true}) {
         Case setup = channel(14, 16, 0.004, 12);
@@ -270,7 +263,7 @@ TEST_CASE(
 }
 
 // A wedge behind a line of symmetry: a grid whose lower side rises from x = 1 on.
-TEST_CASE("the end of a wall leaves the line that points slide along: they make room") {
+TEST_CASE("points on a slip line make room for the end of a wall that leaves the line") {
     constexpr int n_y = 15, n_line = 12, n_control = 6;
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Case setup = channel(10, n_y, 0.03, n_control, kind);
@@ -316,7 +309,7 @@ TEST_CASE("the end of a wall leaves the line that points slide along: they make 
     }
 }
 
-TEST_CASE("impossible targets are refused at once, with the place, and nothing is written") {
+TEST_CASE("impossible targets are refused at once with the place, and nothing is written") {
     auto const refused = [](Safe& safe, std::vector<double> const& move, const char* why) {
         CHECK(safe.run(move) == HM_CROSSING);
         CHECK(safe.untouched());

@@ -115,7 +115,7 @@ double farthest(Mesh const& a, Mesh const& b) {
 
 }  // namespace
 
-TEST_CASE("a mesh that is its own target does not move, not a bit, however bad it is") {
+TEST_CASE("a mesh that is its own target does not change in any bit, however bad the mesh is") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Mesh mesh = square(12, kind);
         perturb(mesh, 0.6, 3);
@@ -125,7 +125,7 @@ TEST_CASE("a mesh that is its own target does not move, not a bit, however bad i
     }
 }
 
-TEST_CASE("points that were thrown about find back to the mesh that was their target") {
+TEST_CASE("displaced points return to the mesh that was their target") {
     for (Cells const kind : {Cells::triangles, Cells::hybrid}) {
         Task task(square(12, kind));
         task.scatter(0.5, 4);
@@ -140,7 +140,7 @@ TEST_CASE("points that were thrown about find back to the mesh that was their ta
     }
 }
 
-TEST_CASE("sheared rings: the smallest quality rises") {
+TEST_CASE("the smallest quality of sheared rings rises") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Improved const out(sheared_annulus(kind, 1.2));
         INFO(out.before.min_quality << " " << out.before.mean_quality() << " "
@@ -149,7 +149,7 @@ TEST_CASE("sheared rings: the smallest quality rises") {
     }
 }
 
-TEST_CASE("where a cell is not good enough at the end, only points near it move, until it is") {
+TEST_CASE("only points near a cell that is not good enough move, until it is") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Task task(square(40, kind));
         std::size_t const middle = 20 * 41 + 20;  // its cells are still valid
@@ -197,7 +197,7 @@ TEST_CASE("every step lowers the energy of its power and leaves no cell inverted
     CHECK(steps > 12);
 }
 
-TEST_CASE("the gradient is that of the energy, where targets depend on the mesh too") {
+TEST_CASE("the gradient is that of the energy, also where targets depend on the mesh") {
     Task task(annulus(10, 30, 1, 1.8, Cells::hybrid));
     task.scatter(0.2, 6);
     for (std::size_t k = 0; k < 30; ++k) task.now.x[k] *= 0.98;
@@ -230,9 +230,7 @@ TEST_CASE("the gradient is that of the energy, where targets depend on the mesh 
     }
 }
 
-TEST_CASE(
-    "turned, moved and scaled meshes are improved in the same way, and a power of two changes no "
-    "bit") {
+TEST_CASE("turned, moved and scaled meshes are improved alike, and a power of two changes no bit") {
     Task const task = sheared_annulus(Cells::hybrid, 1.2);
     Improved const expected(task);
     struct Similarity {
@@ -260,9 +258,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "other numberings, cells that start elsewhere and mixed orientation give the same mesh but for "
-    "rounding") {
+TEST_CASE("numbering, first corners and orientation change an improved mesh by rounding only") {
     Task const plain = sheared_annulus(Cells::hybrid, 1.2);
     Improved const expected(plain);
     for (unsigned seed = 1; seed <= 3; ++seed) {
@@ -280,7 +276,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("improving: the number of threads changes no bit") {
+TEST_CASE("the number of threads changes no bit of an improved mesh") {
     Task const task = sheared_annulus(Cells::hybrid, 1.2);
     Improved const expected(task);
     for (std::int32_t const threads : {2, 3, 8}) {
@@ -290,7 +286,7 @@ TEST_CASE("improving: the number of threads changes no bit") {
     }
 }
 
-TEST_CASE("improving: the points of a cut move as one") {
+TEST_CASE("the points of a cut are improved as one") {
     CMesh const c = c_mesh(naca4({}, 24), 12, 3, stretched(1e-2, 4, 16));
     Task task(c.mesh);
     std::size_t const ni = static_cast<std::size_t>(c.ni);
@@ -307,9 +303,7 @@ TEST_CASE("improving: the points of a cut move as one") {
     CHECK(moved);
 }
 
-TEST_CASE(
-    "points that slide along an inclined line stay on it, and slide to better places than points "
-    "that are held") {
+TEST_CASE("points that slide along an inclined line stay on the line and find better places") {
     double const c = std::cos(0.4), s = std::sin(0.4);
     Task task(square(10, Cells::hybrid));
     task.line.assign(task.held.size(), Vec2{});

@@ -85,7 +85,7 @@ struct Ring {
 
 }  // namespace
 
-TEST_CASE("outer points go along their curve, and the cells are better than where they are held") {
+TEST_CASE("outer points follow their curve, and the cells are better than with fixed points") {
     Ring held(Outer::fixed), start(Outer::fixed);
     std::vector<double> const before = held.x;
     REQUIRE(held.improve() == HM_OK);
@@ -123,7 +123,7 @@ TEST_CASE("any number of threads improves a sliding mesh to the same bits") {
     }
 }
 
-TEST_CASE("a point that is not on its curve is held, the others slide") {
+TEST_CASE("a point that is not on its curve is held, and the others slide") {
     Ring ring(Outer::circle);
     auto const off = static_cast<std::size_t>(points_on(ring.setup.mesh, far_field)[5]);
     ring.x[off] *= 1.00001;
@@ -137,7 +137,7 @@ TEST_CASE("a point that is not on its curve is held, the others slide") {
     CHECK(ring.report.min_quality >= ring.report.min_quality_before);
 }
 
-TEST_CASE("the reference itself does not change, though its outer points could slide") {
+TEST_CASE("a reference that is improved does not change, though outer points could slide") {
     Ring ring(Outer::circle);
     ring.x = ring.setup.mesh.x;
     ring.y = ring.setup.mesh.y;

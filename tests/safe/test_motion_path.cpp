@@ -59,7 +59,7 @@ Options const conformal = options_of(HM_CONFORMAL);
 
 }  // namespace
 
-TEST_CASE("r^t by square roots is r^t, along the shorter way round 0") {
+TEST_CASE("powers r^t by square roots go along the shorter way round 0") {
     for (double const size : {0.05, 1.0, 1e-8, 1e8, 3.7})
         for (double const angle : {0.0, 0.1, 1.5, 3.1, -3.1, -0.7, pi / 2})
             for (double const t : {0.0, 1e-3, 0.1, 0.25, 1 / 3.0, 0.5, 0.75, 0.99, 1.0}) {
@@ -74,7 +74,7 @@ TEST_CASE("r^t by square roots is r^t, along the shorter way round 0") {
           1e-14);
 }
 
-TEST_CASE("it begins with nothing, ends with the target to the bit, and is continuous") {
+TEST_CASE("the path begins with zero, ends with the bits of the target, and is continuous") {
     Case setup = two_body_case(Cells::quads, 4, 3);
     Solved const solved(setup, &conformal);
     std::vector<double> const move = some_move(20, 0.5, 3);
@@ -87,8 +87,7 @@ TEST_CASE("it begins with nothing, ends with the target to the bit, and is conti
         CHECK(largest_difference(path.at(t), path.at(t + 1e-7)) < 1e-6);
 }
 
-TEST_CASE(
-    "a similarity is gone through at an even rate: half a turn is a quarter turn in the middle") {
+TEST_CASE("a similarity proceeds at an even rate: half of the way is half of the angle") {
     Case setup = ring_case(4, 16, 0.5, 2);
     Solved const solved(setup, &conformal);
     for (double const angle : {0.5, 3.1, -2.0})
@@ -107,9 +106,7 @@ TEST_CASE(
     CHECK(largest_difference(half.numbers_at(0.5), similarity_move(setup.curves, {0, 1})) < 1e-11);
 }
 
-TEST_CASE(
-    "a translation is a straight line; a body that collapses or turns inside out goes straight, "
-    "too") {
+TEST_CASE("a translation and a body that collapses or inverts go straight") {
     Case setup = ring_case(4, 16, 0.5, 2);
     Solved const solved(setup, &conformal);
     for (Complex const s : {Complex(1, 0), Complex(0, 0), Complex(0.01, 0.02)}) {
@@ -126,7 +123,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("functions with real values cannot turn: the way is straight, whatever the movement is") {
+TEST_CASE("functions with real values cannot turn, so that the path is straight") {
     Case setup = ring_case(4, 16, 0.5, 2);
     Solved const solved(setup);
     std::vector<double> const move = similarity_move(setup.curves, std::polar(1.3, 2.0));
@@ -194,7 +191,7 @@ TEST_CASE("each body has its own similarity, and curves that share control point
     CHECK(number(vanishing.path.weight(21, 0.5)) == 0.5);
 }
 
-TEST_CASE("a wall that ends on another boundary goes straight, and what is held stays to the bit") {
+TEST_CASE("a wall that ends on another boundary goes straight, and held points stay to the bit") {
     Case setup = channel(6, 4, 0.1, 6);
     Solved const solved(setup, &conformal);
     std::vector<double> move = some_move(6, 0.2, 8);
@@ -234,8 +231,7 @@ TEST_CASE("curves round one body turn as one, though they share no control point
     CHECK(largest_difference(path.numbers_at(0.5), move) < 1e-15);
 }
 
-TEST_CASE(
-    "weights are the derivative by the target with the similarities held, and complex numbers") {
+TEST_CASE("weights are the derivative by the target with the similarities held") {
     Case setup = two_body_case(Cells::quads, 4, 3);
     Solved const solved(setup, &conformal);
     std::vector<double> move =

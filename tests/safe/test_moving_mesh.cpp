@@ -40,8 +40,7 @@ struct Moving {
 
 }  // namespace
 
-TEST_CASE(
-    "one step to the target is the morph, and the admissible step is that of its displacement") {
+TEST_CASE("one step to the target is the morph, with the admissible step of the displacement") {
     Case setup = airfoil_case();
     std::vector<double> const move = some_move(12, 0.02, 3);
     Moving moving(setup, move);
@@ -69,7 +68,7 @@ TEST_CASE(
     CHECK(admissible == doctest::Approx(step.admissible).epsilon(1e-12));
 }
 
-TEST_CASE("looking moves nothing; steps do; begin() is the start, bit by bit") {
+TEST_CASE("a trial moves nothing, a step does, and begin() restores the start bit by bit") {
     Case setup = airfoil_case();
     Moving moving(setup, some_move(12, 0.02, 4));
     auto const is_start = [&] {
@@ -91,7 +90,7 @@ TEST_CASE("looking moves nothing; steps do; begin() is the start, bit by bit") {
     CHECK(moving.mesh.time == 0);
 }
 
-TEST_CASE("after a hundred steps the wall is where the B-spline is: rounding does not add up") {
+TEST_CASE("after a hundred steps the wall is on the B-spline without accumulated rounding") {
     Case setup = airfoil_case();
     std::vector<double> const move = some_move(12, 0.02, 5);
     Moving moving(setup, move);
@@ -111,7 +110,7 @@ TEST_CASE("after a hundred steps the wall is where the B-spline is: rounding doe
     CHECK(off == 0);
 }
 
-TEST_CASE("what is known of the ends: walls and fixed points, lines, nothing inside") {
+TEST_CASE("the known displacements are those of walls, fixed points and lines") {
     Case setup = tiny_case();
     setup.set_slip(bottom);
     Moving moving(setup, some_move(4, 0.1, 6));

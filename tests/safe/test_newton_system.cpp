@@ -136,7 +136,7 @@ TEST_CASE("a valid mesh that is its own reference is at rest") {
     for (Index u = 0; u < system.region.n; ++u) CHECK(length(system.newton.gradient[u]) < 1e-10);
 }
 
-TEST_CASE("the Hessian is symmetric and positive definite; its diagonal blocks are inverted") {
+TEST_CASE("the Hessian is symmetric and positive definite, and its diagonal blocks are inverted") {
     System system(some_mesh(), 0.2);
     system.assemble(0.1);
     for (Index u = 0; u < system.region.n; ++u) {
@@ -176,7 +176,7 @@ TEST_CASE("the Hessian is symmetric and positive definite; its diagonal blocks a
     }
 }
 
-TEST_CASE("the step descends, and the longer it is sought the nearer it is to Newton's") {
+TEST_CASE("the step descends, and more iterations bring the step nearer to Newton's") {
     System system(some_mesh(), 0.2);
     system.assemble(0.3);
     CHECK(system.newton.solve(system.region, 1, {}) == 1);

@@ -53,8 +53,7 @@ hm_improve_report improved(Solved const& solved, Mesh const& mesh, Field const& 
 
 }  // namespace
 
-TEST_CASE(
-    "a safe morph of a passage reaches the target, its sides stay images, and all passages agree") {
+TEST_CASE("a safe morph of a passage reaches the target, and the sides and all passages agree") {
     int const n = 6;
     Complex const turn = turn_of_passage(n);
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE, HM_WEIGHTED})
@@ -88,7 +87,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE("given displacements of a passage, safely") {
+TEST_CASE("given displacements of a passage are safe") {
     int const n = 4;
     Case curved = passage(Cells::hybrid, n);
     Case setup = given_instead(curved);
@@ -132,9 +131,7 @@ TEST_CASE("given displacements of a passage, safely") {
     }
 }
 
-TEST_CASE(
-    "better cells in a passage: as in the annulus of all passages, with sides that move as "
-    "images") {
+TEST_CASE("cells of a passage improve as in the annulus of all passages") {
     int const n = 6;
     Complex const turn = turn_of_passage(n);
     for (bool const swapped : {false, true}) {

@@ -34,7 +34,7 @@ void refused(Safe& safe, std::vector<double> const& move) {
 
 }  // namespace
 
-TEST_CASE("a plate of a cascade that becomes thicker than the pitch") {
+TEST_CASE("a plate of a cascade becomes thicker than the pitch and is refused") {
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
         Case setup = plate_cascade(8, Cells::quads);
         Safe safe(setup, options_of(operator_kind));
@@ -51,7 +51,7 @@ TEST_CASE("a plate of a cascade that becomes thicker than the pitch") {
     }
 }
 
-TEST_CASE("a plate that turns against its neighbour, and one that passes between them") {
+TEST_CASE("a plate turns against its neighbour, and one passes between its neighbours") {
     Case setup = plate_cascade(8, Cells::triangles);
     Safe safe(setup);
     // Long plates, of length 1.3, upright: each would reach into the next one, 1 above.
@@ -66,7 +66,7 @@ TEST_CASE("a plate that turns against its neighbour, and one that passes between
     refused(safe, move);
 }
 
-TEST_CASE("a body of a passage that becomes wider than the passage") {
+TEST_CASE("a body of a passage that becomes wider than the passage is refused") {
     Case setup = bent(plate_cascade(8, Cells::quads), 6, 0);
     setup.conditions.clear();
     setup.put_on_curves(body);

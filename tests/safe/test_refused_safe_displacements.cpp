@@ -8,8 +8,7 @@
 
 using namespace fixtures;
 
-TEST_CASE(
-    "displacements and arguments that are refused: the reason is named, and nothing is written") {
+TEST_CASE("refused displacements and arguments are named, and nothing is written") {
     Case setup = given_block();
     SafeDisplaced safe(setup);
     Field const good(safe.points.size(), Complex(0.01, 0));

@@ -74,9 +74,7 @@ Index range_of(Index n, Index u) {
 
 }  // namespace
 
-TEST_CASE(
-    "unknowns are the points within so many cells that are not held; cells and neighbours are "
-    "theirs") {
+TEST_CASE("the unknowns are the free points within the given number of cells") {
     Grown grown(numbered_anyhow(12));
     for (Index const seed : {3, 60, 140})
         for (int const layers : {1, 2, 4, 300}) {
@@ -121,7 +119,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE("the whole mesh fills the room of the pairs to the last one when nothing is held") {
+TEST_CASE("the whole mesh fills the memory of the pairs exactly when no point is held") {
     Grown grown(numbered_anyhow(8));
     std::fill(grown.held.begin(), grown.held.end(), std::uint8_t{0});
     grown.region.choose([](Index) { return false; });

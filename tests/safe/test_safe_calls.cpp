@@ -7,7 +7,7 @@
 
 using namespace fixtures;
 
-TEST_CASE("cancelled by the progress callback: nothing is written, and afterwards it works again") {
+TEST_CASE("a safe morph that the callback cancels writes nothing, and works when called again") {
     struct Listener {
         int calls = 0, stop_at = 1 << 30;
         static std::int32_t call(void* user, std::int32_t, double) {
@@ -39,7 +39,7 @@ TEST_CASE("cancelled by the progress callback: nothing is written, and afterward
     CHECK(same_bits(safe.x, expected));
 }
 
-TEST_CASE("working space: exactly the stated size, and refused at every size below") {
+TEST_CASE("working space of exactly the stated size suffices, and every smaller size is refused") {
     Case setup = tiny_case();
     Safe safe(setup);
     std::vector<double> const move = turn_of(setup, 20);
@@ -68,7 +68,7 @@ TEST_CASE("working space: exactly the stated size, and refused at every size bel
     }
 }
 
-TEST_CASE("the same bits for any number of threads, in place, and on another array") {
+TEST_CASE("threads, input in place and other arrays do not change the bits") {
     Case setup = block_in_square();
     std::vector<double> const move = turn_of(setup, 110, {0.03, 0});
     for (std::int32_t const skipped : {0, without({HM_STRATEGY_SUBSTEPS})}) {
@@ -105,7 +105,7 @@ TEST_CASE("the same bits for any number of threads, in place, and on another arr
     CHECK(same_bits(own.mesh.y, reference.y));
 }
 
-TEST_CASE("what does not belong together is refused, and nothing is written") {
+TEST_CASE("arguments that do not belong together are refused, and nothing is written") {
     Case setup = tiny_case();
     Safe safe(setup);
     std::vector<double> const move = turn_of(setup, 10);
@@ -166,8 +166,7 @@ TEST_CASE("what does not belong together is refused, and nothing is written") {
     }
 }
 
-TEST_CASE(
-    "a plan needs no analysis: the same bits after the block of the analysis is overwritten") {
+TEST_CASE("a plan gives the same bits after the block of the analysis is overwritten") {
     for (std::int32_t const engine :
          {std::int32_t{HM_DIRECT}, std::int32_t{HM_MULTIGRID}, std::int32_t{HM_FAS}}) {
         Case setup = block_in_square(Cells::quads, 15);

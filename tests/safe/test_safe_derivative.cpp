@@ -12,9 +12,7 @@ double const pi = std::acos(-1.0);
 
 }  // namespace
 
-TEST_CASE(
-    "the derivative is exact at wall points, elsewhere the steps' sum; hm_adjoint is the "
-    "transpose") {
+TEST_CASE("the derivative is exact at the wall, the sum of the steps elsewhere") {
     for (bool const slip : {false, true})
         for (bool const untangled : {false, true}) {
             Case setup = block_in_square(Cells::quads, 15);
@@ -61,7 +59,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE("where untangling ends the way in a poor mesh, the derivative is that of the whole way") {
+TEST_CASE("where untangling ends in a poor mesh, the derivative is that of the whole path") {
     Case setup = block_in_square(Cells::quads, 15);
     Options const options = options_of(HM_CONFORMAL);
     Safe safe(setup, options);
@@ -80,9 +78,7 @@ TEST_CASE("where untangling ends the way in a poor mesh, the derivative is that 
                        of_wall[static_cast<std::size_t>(point)]) < 1e-13);
 }
 
-TEST_CASE(
-    "in one step the derivative is the basis; with real functions and straight ways, the mean of "
-    "the steps'") {
+TEST_CASE("the derivative is the basis after one step; the mean of the steps on straight paths") {
     Case setup = block_in_square(Cells::quads, 15);
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
         Options const options = options_of(operator_kind);
@@ -112,9 +108,7 @@ TEST_CASE(
         CHECK(largest_difference(displacement(derivative.basis, move), safe.moved()) < 1e-12);
 }
 
-TEST_CASE(
-    "the derivative is the sum of the steps' functions, each times what its movement changes by "
-    "with the whole") {
+TEST_CASE("the derivative is the sum of the steps' functions times the change of each step") {
     Case setup = block_in_square(Cells::quads, 15);
     Options const options = options_of(HM_CONFORMAL);
     Safe safe(setup, options);
@@ -157,8 +151,7 @@ TEST_CASE(
     CHECK(largest_difference(found, expected) < 1e-10);
 }
 
-TEST_CASE(
-    "differences of two safe morphs: all points after one step, the wall after several steps") {
+TEST_CASE("differences of two safe morphs agree with the derivative where they should") {
     // Points of the square are on their polygon, so that no offset turns.
     for (bool const several : {false, true}) {
         Case setup = block_in_square(Cells::quads, 15);

@@ -36,9 +36,7 @@ TEST_CASE("a displacement that is possible in one step is that of hm_displace") 
     }
 }
 
-TEST_CASE(
-    "a rotation of 150 degrees with a change of shape: with the given bits, by every operator and "
-    "engine") {
+TEST_CASE("a rotation of 150 degrees with a change of shape has the given bits for all operators") {
     for (int const variant : {0, 1, 2, 3}) {
         Case setup = given_block(variant == 1 ? Cells::triangles : Cells::quads);
         Options options = options_of(variant == 1   ? HM_LAPLACE
@@ -62,9 +60,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "rotated in steps, a body keeps its shape on the way: fewer cells suffer than on straight "
-    "lines") {
+TEST_CASE("a body that turns in steps keeps its shape, and fewer cells suffer") {
     Case setup = given_block();
     SafeDisplaced safe(setup);
     Field const half = safe.similarity(std::polar(1.0, 178 * pi / 180), {0.5, 0.5});
@@ -76,8 +72,7 @@ TEST_CASE(
     CHECK(safe.is_at(half));
 }
 
-TEST_CASE(
-    "the functions of another operator are solved where one step of the first one is not enough") {
+TEST_CASE("functions of another operator are solved where one step of the first is not enough") {
     Case setup = given_block();
     SafeDisplaced safe(setup, options_of(HM_CONFORMAL, 16));
     safe.safe_options.skipped_strategies =
@@ -131,9 +126,7 @@ TEST_CASE("threads and the order of the list do not change a bit") {
     CHECK(same_bits(one.y, y));
 }
 
-TEST_CASE(
-    "a displacement that is only partly possible: the fraction and the limiting cell; poor cells "
-    "are named") {
+TEST_CASE("a displacement that is partly possible reports the fraction and the limiting cell") {
     Case setup = given_block();
     SafeDisplaced safe(setup);
     Field const wall(safe.points.size(), Complex(0.35, 0));  // into the corner cells of the side
@@ -160,9 +153,7 @@ TEST_CASE(
     CHECK(safe.error.item == safe.safe_report.worst[0].cell);
 }
 
-TEST_CASE(
-    "given displacements: heights of the first layer are limited where that is asked for, and the "
-    "place said") {
+TEST_CASE("given displacements limit heights of the first layer where asked for") {
     Case setup;
     setup.mesh = o_mesh(naca4({}, 40), stretched(1e-3, 8, 24));
     setup.set_given(body);

@@ -16,9 +16,7 @@ double const pi = std::acos(-1.0);
 
 }  // namespace
 
-TEST_CASE(
-    "given points beside a curve: both bodies turn, and each wall is where its own description has "
-    "it") {
+TEST_CASE("both bodies turn with points beside a curve, and each wall is where it is described") {
     Case setup = two_body_case(Cells::hybrid, 12, 8);
     setup.conditions.pop_back();
     setup.set_given(second_body);
@@ -59,7 +57,7 @@ TEST_CASE(
     CHECK(safe.run(wall, nullptr, tabulated.basis) == HM_UNSUPPORTED);
 }
 
-TEST_CASE("a wall that ends on a line along which points slide goes straight, and slides with it") {
+TEST_CASE("a wall that ends on a slip line goes straight and slides along the line") {
     Case setup = given_instead(half_ring(8, 16, Cells::quads, 0, 4));
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
         SafeDisplaced safe(setup, options_of(kind));

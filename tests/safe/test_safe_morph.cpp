@@ -8,9 +8,7 @@
 
 using namespace fixtures;
 
-TEST_CASE(
-    "slipping points stay on their lines and periodic sides move alike, in substeps and in "
-    "untangling") {
+TEST_CASE("slip points stay on lines and periodic sides move alike, also in untangling") {
     Case slip = block_in_square(Cells::hybrid, 15), pair = block_in_square(Cells::hybrid, 15);
     for (std::int32_t const side : {bottom, right, top, left}) slip.set_slip(side);
     pair.set_periodic(left, right);
@@ -38,9 +36,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "sliding points that would pass each other in one step are no crossing: in several they do "
-    "not") {
+TEST_CASE("sliding points that would pass each other in one step do not in several steps") {
     Case setup;
     setup.mesh = square(25, Cells::quads, 5, 1);
     setup.curves = polyline({{0.4, 0.48}, {0.6, 0.48}, {0.6, 0.52}, {0.4, 0.52}});
@@ -54,9 +50,7 @@ TEST_CASE(
     CHECK(safe.is_valid());
 }
 
-TEST_CASE(
-    "heights of the first layer are limited where asked for; a warning names the place where they "
-    "are not") {
+TEST_CASE("heights of the first layer are limited where asked for, or a warning names the place") {
     Case setup;
     setup.mesh = o_mesh(naca4({}, 40), stretched(1e-3, 8, 24));
     setup.curves.add(fitted_loop(points_along(setup.mesh, body), 16));
@@ -97,7 +91,7 @@ TEST_CASE(
     CHECK(std::find(wall.begin(), wall.end(), safe.error.item) != wall.end());
 }
 
-TEST_CASE("short of the target: the last valid mesh is that fraction of the way along") {
+TEST_CASE("a mesh short of the target is the last valid one, at the reported fraction of the way") {
     Case setup = block_in_square();
     Safe safe(setup);
     std::vector<double> const move = turn_of(setup, 150);
@@ -129,8 +123,7 @@ TEST_CASE("short of the target: the last valid mesh is that fraction of the way 
     }
 }
 
-TEST_CASE(
-    "a boundary that crosses itself is refused at once, with the place, and nothing is written") {
+TEST_CASE("a boundary that crosses itself is refused at once, and nothing is written") {
     Case setup = block_in_square();
     Safe safe(setup);
     std::vector<double> move(8, 0.0);
@@ -160,9 +153,7 @@ TEST_CASE(
     CHECK(info.solved == 1);  // refused: as it was
 }
 
-TEST_CASE(
-    "a thousand random movements of growing size: valid, or refused with a reason; never an "
-    "inverted cell") {
+TEST_CASE("a thousand random movements of growing size are valid or refused with a reason") {
     struct Start {
         Case setup;
         std::int32_t operator_kind;
@@ -212,9 +203,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "an airfoil in a C-mesh, moved, turned and bent at random: the two sides of the wake stay "
-    "one") {
+TEST_CASE("the two sides of the wake stay one when an airfoil in a C-mesh moves at random") {
     CMesh const c = c_mesh(naca4({}, 24), 12, 8, stretched(5e-3, 8, 12));
     Case setup = airfoil_case(24, 12);
     setup.mesh = c.mesh;
@@ -288,8 +277,7 @@ TEST_CASE("numbering from 1, cells of either sense, and units change nothing but
     }
 }
 
-TEST_CASE(
-    "functions on the way that miss the tolerance are a warning: the mesh is there, and valid") {
+TEST_CASE("functions on the way that miss the tolerance give a warning and a valid mesh") {
     Case setup = block_in_square(Cells::quads, 15);
     Options options = options_of(HM_CONFORMAL);
     options.tolerance = 1e-18;

@@ -6,7 +6,7 @@
 
 using namespace fixtures;
 
-TEST_CASE("the linear strategy: hm_morph's mesh in one step, where that is valid") {
+TEST_CASE("the linear strategy gives the mesh of hm_morph in one step where that is valid") {
     Case setup = block_in_square();
     Safe safe(setup);
     std::vector<double> const move = turn_of(setup, 20);
@@ -27,7 +27,7 @@ TEST_CASE("the linear strategy: hm_morph's mesh in one step, where that is valid
     CHECK(safe.is_valid());
 }
 
-TEST_CASE("another basis is the one that helps") {
+TEST_CASE("another basis can be the strategy that helps") {
     Case setup = block_in_square();
     Safe safe(setup, options_of(HM_LAPLACE));
     std::vector<double> const move = turn_of(setup, 60);
@@ -85,7 +85,7 @@ TEST_CASE("another basis is the one that helps") {
                              displacement(useful, further)) < 1e-15);
 }
 
-TEST_CASE("the longest linear step is straight: no derivative of a path that turns is made of it") {
+TEST_CASE("the longest linear step is straight, without a derivative of a path that turns") {
     Case setup = block_in_square(Cells::quads, 15);
     Options const options = options_of(HM_CONFORMAL);
     Safe safe(setup, options);
@@ -105,7 +105,7 @@ TEST_CASE("the longest linear step is straight: no derivative of a path that tur
     CHECK(safe.is_valid());
 }
 
-TEST_CASE("substeps are what helps: valid, and the wall exactly where its B-spline is") {
+TEST_CASE("substeps can be the strategy that helps, with the wall exactly on its B-spline") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Case setup = block_in_square(kind);
         Safe safe(setup);
@@ -127,9 +127,7 @@ TEST_CASE("substeps are what helps: valid, and the wall exactly where its B-spli
     }
 }
 
-TEST_CASE(
-    "a substep takes half of what is admissible, on the mesh and with the functions that it begins "
-    "from") {
+TEST_CASE("a substep takes half of the admissible step, with the functions at its start") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Case setup = block_in_square(kind);
         Safe safe(setup);
@@ -173,7 +171,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("untangling is what helps") {
+TEST_CASE("untangling can be the strategy that helps") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Case setup = block_in_square(kind);
         Safe safe(setup);
@@ -201,8 +199,7 @@ TEST_CASE("untangling is what helps") {
     }
 }
 
-TEST_CASE(
-    "whatever strategy it was: the wall's points have the same bits, rounding does not add up") {
+TEST_CASE("the wall has the same bits for every strategy, without accumulated rounding") {
     Case setup = block_in_square(Cells::quads, 15);
     Safe safe(setup);
     std::vector<double> const move = turn_of(setup, 115, {0.0123, 0.0321});

@@ -28,7 +28,7 @@ double farthest_from_circle(Safe const& safe) {
 
 }  // namespace
 
-TEST_CASE("the body turns, and the whole mesh turns with it, the outer points along their circle") {
+TEST_CASE("the body turns, and the mesh turns with it, the outer points along their circle") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Case setup = sliding_ring(kind);
         Safe safe(setup);
@@ -54,9 +54,7 @@ TEST_CASE("the body turns, and the whole mesh turns with it, the outer points al
     }
 }
 
-TEST_CASE(
-    "one step, several steps, untangling, improvement: outer points are on the circle and the mesh "
-    "is valid") {
+TEST_CASE("in one step, in several, untangled or improved, outer points are on the circle") {
     for (unsigned const seed : {1u, 2u, 3u}) {
         Case setup = sliding_ring();
         Safe safe(setup);
@@ -75,9 +73,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "the derivative at sliding points agrees with differences; points stay on the circle to first "
-    "order") {
+TEST_CASE("the derivative at sliding points agrees with differences to first order") {
     for (std::int32_t const skipped : {0, without({HM_STRATEGY_LINEAR})}) {
         Case setup = sliding_ring();
         Safe safe(setup);

@@ -63,9 +63,7 @@ struct Aim {
 
 }  // namespace
 
-TEST_CASE(
-    "the start is possible, and so is a hole that turns, grows and moves without touching "
-    "anything") {
+TEST_CASE("the start is possible, and so are holes that turn, grow and move without contact") {
     Aim aim(tiny_case());  // a hole [2, 4] x [2, 4] in [0, 6] x [0, 6]
     CHECK(aim.check() == Status::ok);
     aim.map(body, [](Complex z) {
@@ -75,7 +73,7 @@ TEST_CASE(
     CHECK(!aim.crossing.found);
 }
 
-TEST_CASE("faces that cross are named, with the place") {
+TEST_CASE("faces that cross are named with the place") {
     Aim aim(tiny_case());
     aim.map(body, [](Complex z) { return z + 3.0; });  // half of it beyond the right side
     CHECK(aim.check() == Status::crossing);
@@ -87,9 +85,7 @@ TEST_CASE("faces that cross are named, with the place") {
     CHECK(aim.fault.place[1] == aim.y[static_cast<std::size_t>(aim.fault.item.number)]);
 }
 
-TEST_CASE(
-    "what crosses nothing and is impossible all the same: outside, inside out, inside another "
-    "one") {
+TEST_CASE("a target outside, inside out or within another body is impossible without crossing") {
     Aim outside(tiny_case());
     outside.map(body, [](Complex z) { return z + 10.0; });
     CHECK(outside.check() == Status::crossing);
@@ -115,7 +111,7 @@ TEST_CASE(
     CHECK(two.says("is inside the one"));
 }
 
-TEST_CASE("a corner whose three points are prescribed is inverted, and no face crosses") {
+TEST_CASE("a corner with three prescribed points may be inverted though no face crosses") {
     Aim aim(tiny_case());
     REQUIRE(aim.check() == Status::ok);
     aim.x[0] = aim.y[0] =
@@ -126,7 +122,7 @@ TEST_CASE("a corner whose three points are prescribed is inverted, and no face c
     CHECK(!aim.crossing.found);
 }
 
-TEST_CASE("of what is not known nothing is said") {
+TEST_CASE("nothing is reported about points whose target is not known") {
     Aim aim(tiny_case());
     aim.map(body, [](Complex z) { return z + 3.0; });
     for (std::int32_t const k : points_on(aim.setup.mesh, body))

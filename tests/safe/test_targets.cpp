@@ -84,8 +84,7 @@ TEST_CASE("a mesh that has not moved is its own target") {
     }
 }
 
-TEST_CASE(
-    "of quadrilaterals that are not thin the ratio of sides does not matter, area and angle do") {
+TEST_CASE("quadrilaterals that are not thin keep area and angle, whatever their sides' ratio") {
     Mesh const mesh = square(4);
     Found const found(mesh, mesh);
     harmorph::CornerPoints const corner{
@@ -109,9 +108,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "thin cells at a wall that became longer: their targets are as long as the wall and as high as "
-    "before") {
+TEST_CASE("targets of thin cells at a longer wall are as long as the wall and as high as before") {
     double const factor = 1.7;
     Mesh const mesh = annulus(60, 40, 1, 1.2);  // cells of .157 by .0033
     Found const found(mesh, scaled(mesh, factor));
@@ -135,9 +132,7 @@ TEST_CASE(
     for (Index i = 0; i < 24; ++i) CHECK(isotropic.targets.cell[i].more == 0);
 }
 
-TEST_CASE(
-    "the quality of targets is the quality reported, and at least the worst quality or half of the "
-    "own one") {
+TEST_CASE("the quality of targets is the reported one, or half of a cell's own at least") {
     Mesh mesh = annulus(6, 24, 1, 2, Cells::hybrid), moved = mesh;
     perturb(mesh, 0.3, 2);
     perturb(moved, 0.3, 3);

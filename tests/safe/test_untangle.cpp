@@ -130,7 +130,7 @@ Tangled twisted_annulus(Cells kind, double angle) {
 
 }  // namespace
 
-TEST_CASE("squares whose inner points were thrown about come out valid") {
+TEST_CASE("squares whose inner points were displaced at random become valid") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Tangled tangled(square(40, kind));
         tangled.scatter(2.0 / 40, 5);
@@ -138,7 +138,7 @@ TEST_CASE("squares whose inner points were thrown about come out valid") {
     }
 }
 
-TEST_CASE("rings whose inner circle turns come out valid") {
+TEST_CASE("rings whose inner circle turns become valid") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         for (double const angle : {0.5, 1.0, -2.0}) {
             Tangled const tangled = twisted_annulus(kind, angle);
@@ -146,7 +146,7 @@ TEST_CASE("rings whose inner circle turns come out valid") {
         }
 }
 
-TEST_CASE("viscous layers whose airfoil turns under them come out valid") {
+TEST_CASE("viscous layers under which the airfoil turns become valid") {
     Tangled tangled(o_mesh(naca4({}, 40), stretched(1e-4, 10, 30), Cells::hybrid));
     for (double const angle : {0.05, 0.3}) {
         tangled.turn(body, angle);
@@ -154,7 +154,7 @@ TEST_CASE("viscous layers whose airfoil turns under them come out valid") {
     }
 }
 
-TEST_CASE("a valid mesh is left alone, bit by bit, however bad it is") {
+TEST_CASE("a valid mesh stays unchanged bit by bit, however bad the mesh is") {
     Tangled tangled(square(12, Cells::hybrid));
     perturb(tangled.now, 0.6, 3);
     Outcome const out(tangled);
@@ -164,7 +164,7 @@ TEST_CASE("a valid mesh is left alone, bit by bit, however bad it is") {
     CHECK(out.same_bits(tangled.now));
 }
 
-TEST_CASE("few inverted cells: what is far from them does not move") {
+TEST_CASE("points that are far from a few inverted cells do not move") {
     Tangled tangled(square(60, Cells::hybrid));
     std::size_t const inner = 61 * 20 + 20;
     tangled.now.x[inner] += 2.5 / 60;
@@ -185,7 +185,7 @@ TEST_CASE("few inverted cells: what is far from them does not move") {
     CHECK(farthest < 7.5);
 }
 
-TEST_CASE("a region that is too small is given up for a larger one") {
+TEST_CASE("a region that is too small is replaced by a larger one") {
     Tangled const tangled = twisted_annulus(Cells::triangles, 1.0);
     UntangleOptions options;
     options.layers = 1;
@@ -239,7 +239,7 @@ TEST_CASE("a power of two changes no bit") {
     CHECK(Outcome(tangled).same_bits(wanted));
 }
 
-TEST_CASE("other numberings, cells that start elsewhere, and mixed orientation are repaired too") {
+TEST_CASE("other numberings, first corners and mixed orientation are repaired too") {
     for (unsigned seed = 1; seed <= 3; ++seed) {
         Tangled const plain = twisted_annulus(Cells::hybrid, 0.7);
         Mesh both = plain.reference, target = plain.now;
@@ -294,9 +294,7 @@ TEST_CASE("the number of threads changes no bit") {
     }
 }
 
-TEST_CASE(
-    "a body that lies across the outer boundary is refused after so many iterations, and nothing "
-    "has moved") {
+TEST_CASE("a body across the outer boundary is refused after the given iterations") {
     Tangled tangled(annulus(8, 32, 0.5, 2, Cells::hybrid, true));
     for (std::size_t k = 0; k < 32; ++k) tangled.now.x[k] += 2;
     UntangleOptions options;
@@ -311,7 +309,7 @@ TEST_CASE(
     CHECK(out.same_bits(tangled.now));
 }
 
-TEST_CASE("a corner that nothing can move is seen at once") {
+TEST_CASE("a corner that no movement can change is found at once") {
     Tangled tangled(square(6, Cells::quads));
     tangled.now.x[0] = tangled.now.y[0] =
         0.4;  // the square's own corner, folded over its cell's diagonal
@@ -322,7 +320,7 @@ TEST_CASE("a corner that nothing can move is seen at once") {
     CHECK(out.same_bits(tangled.now));
 }
 
-TEST_CASE("an inverted reference is refused, numbers that are none are not repaired") {
+TEST_CASE("an inverted reference is refused; coordinates that are not finite are not repaired") {
     Tangled tangled(square(6, Cells::hybrid));
     std::swap(tangled.reference.x[24], tangled.reference.x[25]);
     tangled.scatter(0.3, 1);

@@ -56,7 +56,7 @@ constexpr double exact = -1e300;  // no curvature is raised
 
 }  // namespace
 
-TEST_CASE("the gradient is that of the energy, the exact Hessian that of the gradient") {
+TEST_CASE("the gradient is that of the untangling energy, and the Hessian that of the gradient") {
     std::mt19937 random(1);
     int inverted = 0;
     for (int trial = 0; trial < 200; ++trial) {
@@ -92,7 +92,7 @@ TEST_CASE("the gradient is that of the energy, the exact Hessian that of the gra
     CHECK(inverted < 150);
 }
 
-TEST_CASE("curvatures are raised to a multiple of the energy's own, never lowered") {
+TEST_CASE("curvatures are raised to a multiple of the energy's own and never lowered") {
     std::mt19937 random(2);
     int raised = 0;
     for (int trial = 0; trial < 200; ++trial) {
@@ -110,7 +110,7 @@ TEST_CASE("curvatures are raised to a multiple of the energy's own, never lowere
     CHECK(raised > 20);
 }
 
-TEST_CASE("smallest where the triangle is its reference, turned and moved at will") {
+TEST_CASE("the energy is smallest where the triangle is its reference, turned and moved at will") {
     std::mt19937 random(3);
     for (int trial = 0; trial < 50; ++trial) {
         Pair pair(random);
@@ -135,9 +135,7 @@ TEST_CASE("smallest where the triangle is its reference, turned and moved at wil
     }
 }
 
-TEST_CASE(
-    "the regularised determinant: between 0 and the softness above the positive part, without "
-    "cancellation") {
+TEST_CASE("the regularised determinant lies above the positive part by the softness at most") {
     for (double const softness : {1.0, 1e-3, 1e-9}) {
         CHECK(harmorph::regularised(0, softness) == doctest::Approx(softness / 2));
         double const folded = 0.5 * softness * softness / (std::sqrt(1 + softness * softness) + 1);

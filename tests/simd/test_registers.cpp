@@ -63,8 +63,8 @@ std::vector<Number> some(std::size_t n, unsigned seed) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("c + a b and c - a b: contracted or rounded twice, in all lanes alike", Number,
-                   double, float) {
+TEST_CASE_TEMPLATE("sums c + a b and c - a b are contracted or rounded twice in all lanes alike",
+                   Number, double, float) {
     constexpr Index n = 64;
     std::vector<Number> a = some<Number>(n, 1), b = some<Number>(n, 2), c = some<Number>(n, 3);
     // A little more than half the digits: products are rounded, and whole numbers are exact.
@@ -108,7 +108,7 @@ TEST_CASE_TEMPLATE("one number in all lanes keeps its bits", Number, double, flo
     }
 }
 
-TEST_CASE_TEMPLATE("parts of a register are loaded, zeros behind them; nothing else is read",
+TEST_CASE_TEMPLATE("parts of a register are loaded with zeros behind, and nothing else is read",
                    Number, double, float) {
     for (Kernel const kernel : usable_kernels()) {
         Index const lanes = operations(kernel).in_double.lanes;
@@ -124,7 +124,7 @@ TEST_CASE_TEMPLATE("parts of a register are loaded, zeros behind them; nothing e
     }
 }
 
-TEST_CASE("single precision becomes double, exactly") {
+TEST_CASE("single precision becomes double precision exactly") {
     std::vector<float> const from = some<float>(most_lanes, 5);
     for (Kernel const kernel : usable_kernels()) {
         double out[most_lanes];
@@ -134,7 +134,7 @@ TEST_CASE("single precision becomes double, exactly") {
     }
 }
 
-TEST_CASE_TEMPLATE("lanes are picked from two registers, or none", Number, double, float) {
+TEST_CASE_TEMPLATE("lanes are picked from two registers or from none", Number, double, float) {
     std::mt19937 random(6);
     for (Kernel const kernel : usable_kernels()) {
         auto const& by = operations(kernel).with(Number{});
@@ -153,7 +153,7 @@ TEST_CASE_TEMPLATE("lanes are picked from two registers, or none", Number, doubl
     }
 }
 
-TEST_CASE("max, min and less: the second number where one is NaN, and NaN is not less") {
+TEST_CASE("the functions max and min take the second number where one is NaN; NaN is not less") {
     Untrapped const untrapped;
     double const nan = std::numeric_limits<double>::quiet_NaN(),
                  infinity = std::numeric_limits<double>::infinity();
@@ -179,7 +179,7 @@ TEST_CASE("max, min and less: the second number where one is NaN, and NaN is not
     }
 }
 
-TEST_CASE("square roots are rounded correctly; integers are the nearest, ties to even") {
+TEST_CASE("square roots are rounded correctly, and integers are the nearest with ties to even") {
     std::vector<double> const a{0, 2, 1e-300, 1e300, 0.25, 3, 1 / 3.0, 7};
     std::vector<double> const b{0.5, 1.5, -2.5, -0.75, 0x1p62, -0x1p62 - 1024, 2.4999, -3.5};
     for (Kernel const kernel : usable_kernels()) {

@@ -6,9 +6,7 @@
 
 using namespace fixtures;
 
-TEST_CASE(
-    "the frame depends on the given points alone: numbers behind the end of the arrays are not "
-    "read") {
+TEST_CASE("the frame depends on the given points alone; numbers behind the arrays are not read") {
     Case const setup = tiny_case();
     Extruded space(setup.mesh, inclined());
     std::size_t const n = static_cast<std::size_t>(space.n_points());

@@ -8,8 +8,7 @@
 
 using namespace fixtures;
 
-TEST_CASE(
-    "a wedge of many layers needs its axis; a wedge whose axis is given finds the same plane") {
+TEST_CASE("a wedge of many layers needs its axis, and a given axis finds the same plane") {
     Case setup = raised_case(2);
     Extruded const many(setup.mesh, wedge(3), 4, 2), two(setup.mesh, wedge(3), 2, 2);
     hm_space_mesh space = many.view();
@@ -39,7 +38,7 @@ TEST_CASE(
     CHECK(says(Plane(space).error, "axis of the wedge crosses the mesh"));
 }
 
-TEST_CASE("numbers of six digits, as text files have them, are accurate enough") {
+TEST_CASE("numbers of six digits, as in text files, are accurate enough") {
     for (Placement const& place : {along_axis(2), wedge(5)}) {
         Case setup = raised_case(1);
         Extruded space(setup.mesh, place, 2, 4);
@@ -80,8 +79,7 @@ TEST_CASE("both sides of a cut are followed by their own points, layer by layer"
     CHECK(Plane(view).status == HM_BAD_MESH);  // the far corner has lost its partner
 }
 
-TEST_CASE(
-    "threads, strides, both index bases, and four entries for each face give the same plane") {
+TEST_CASE("threads, strides, index bases and four entries for each face give the same plane") {
     Case setup = tiny_case();
     Extruded const space(setup.mesh, along_axis(1), 2, 8);
     Plane const plane(space.view());
@@ -127,7 +125,7 @@ TEST_CASE(
     CHECK(same);
 }
 
-TEST_CASE("a single plane of points is a mesh of one layer: each point follows itself") {
+TEST_CASE("a single plane of points is a mesh of one layer, in which each point follows itself") {
     Case setup = tiny_case();
     Extruded const space(setup.mesh, inclined(), 1, 2);
     Plane const plane(space.view());

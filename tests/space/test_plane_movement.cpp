@@ -24,9 +24,7 @@ double dot(hm_plane_info const&, const double* direction, Vec3 const& v) {
 
 }  // namespace
 
-TEST_CASE(
-    "coordinate planes: the plane's mesh has the coordinates' bits, and a morph is that of the "
-    "plane") {
+TEST_CASE("the mesh of a coordinate plane has the coordinates' bits, and so has its morph") {
     for (int const normal : {0, 1, 2}) {
         for (unsigned const seed : {0u, 7u}) {
             Case setup = airfoil_case(20, 8);
@@ -75,7 +73,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("inclined planes, wedges and many layers: the movement in space is that of the plane") {
+TEST_CASE("the movement of inclined planes, wedges and many layers is that of the plane") {
     struct Kind {
         const char* name;
         Placement place;
@@ -153,8 +151,7 @@ TEST_CASE("inclined planes, wedges and many layers: the movement in space is tha
     }
 }
 
-TEST_CASE(
-    "the adjoint is the transpose of the morph, in planes and wedges, for any number of threads") {
+TEST_CASE("the adjoint is the transpose of the morph in planes and wedges") {
     for (Placement const& place : {along_axis(1), inclined(), wedge(4)}) {
         Case setup = raised_case(1);
         Extruded const space(setup.mesh, place, 2, 5);

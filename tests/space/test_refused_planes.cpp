@@ -9,8 +9,7 @@
 
 using namespace fixtures;
 
-TEST_CASE(
-    "a mesh that is no plane mesh in layers is refused, and the point, face or side is named") {
+TEST_CASE("a mesh that is no plane mesh in layers is refused; the point, face or side is named") {
     Untrapped const untrapped;
     Case setup = tiny_case();
     Extruded const good(setup.mesh, along_axis(2));
@@ -70,7 +69,7 @@ TEST_CASE(
     refused(bad, "on one line", -1);
 }
 
-TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
+TEST_CASE("arguments of the plane that are NULL, out of range or of another mesh are refused") {
     Untrapped const untrapped;
     Case setup = tiny_case();
     Extruded const good(setup.mesh, along_axis(2));
@@ -203,10 +202,7 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
     CHECK(hm_plane_mesh(plane.plane, nullptr, nullptr) == HM_BAD_ARGUMENT);
 }
 
-TEST_CASE(
-    "coordinates larger than the limit of 1e100, and no larger; cells of three and four corners "
-    "are no "
-    "polygons") {
+TEST_CASE("coordinates up to 1e100 are accepted, and no polygons of three or four corners") {
     Extruded space(tiny_case().mesh, along_axis(2));
     CHECK(Plane(space.view()).mesh.cell_layout != HM_CELLS_POLYGONS);
     space.x[0] = 1e100;  // no plane mesh, but not for that
