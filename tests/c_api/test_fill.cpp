@@ -176,7 +176,7 @@ TEST_CASE(
     "precision") {
     for (KindOfProblem const& problem : problems_and_a_cut())
         check_fills([&](Record& record) {
-            Case setup = problem.its;
+            Case setup = problem.setup;
             Attempt const solved(setup.problem(), &problem.options);
             record.add_solution(solved);
             REQUIRE(solved.status >= 0);
@@ -268,7 +268,7 @@ TEST_CASE(
 TEST_CASE("coarse to fine") {
     for (KindOfProblem const& problem : kinds_of_problems())
         check_fills([&](Record& record) {
-            Case coarse = problem.its, fine = problem.its;
+            Case coarse = problem.setup, fine = problem.setup;
             perturb(fine.mesh, 0.1, 8);
             Solved const solved(coarse, &problem.options);
             TransferAttempt attempt;

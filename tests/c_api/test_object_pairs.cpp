@@ -47,7 +47,7 @@ hm_status in_block(hm_error* error, Size const& size, Init const& init) {
 struct World {
     Bases one, two;  // two of each kind, of equal problems
     Arrays arrays;
-    Extruded space{one.its.mesh, along_axis(2)};
+    Extruded space{one.setup.mesh, along_axis(2)};
     hm_space_mesh space_mesh = space.view();
     Plane plane{space_mesh};
 

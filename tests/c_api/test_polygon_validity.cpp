@@ -13,7 +13,7 @@ TEST_CASE(
     Untrapped const untrapped;
     for (NamedCase& named : polygon_cases()) {
         CAPTURE(named.name);
-        Case& setup = named.its;
+        Case& setup = named.setup;
         hm_mesh const view = in_polygons(setup.mesh_view());
         Solved const solved(setup.problem(view));
         for (double const bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
@@ -36,7 +36,7 @@ TEST_CASE(
     for (NamedCase& named : polygon_cases()) {
         for (std::int32_t const base : {0, 1}) {
             CAPTURE(named.name);
-            Case& setup = named.its;
+            Case& setup = named.setup;
             setup.index_base = base;
             Mesh const mesh = counter_clockwise(setup.mesh);
             hm_mesh const view = in_polygons(setup.mesh_view());
@@ -167,7 +167,7 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
     for (NamedCase& named : polygon_cases()) {
         if (std::string(named.name) == "clockwise") continue;
         CAPTURE(named.name);
-        Case& setup = named.its;
+        Case& setup = named.setup;
         hm_mesh const view = in_polygons(setup.mesh_view());
         Options options = options_of(HM_CONFORMAL);
         Solved const solved(setup.problem(view), &options);

@@ -14,9 +14,9 @@ using namespace fixtures;
 TEST_CASE("polygons: the report counts cells, sides and kinds as they are in the mesh") {
     for (NamedCase& named : polygon_cases()) {
         CAPTURE(named.name);
-        Mesh const mesh = counter_clockwise(named.its.mesh);
-        hm_mesh const view = in_polygons(named.its.mesh_view());
-        hm_problem problem = named.its.problem(view);
+        Mesh const mesh = counter_clockwise(named.setup.mesh);
+        hm_mesh const view = in_polygons(named.setup.mesh_view());
+        hm_problem problem = named.setup.problem(view);
         problem.curves = nullptr;
         problem.n_conditions = 0;
         Attempt attempt;
@@ -50,7 +50,7 @@ TEST_CASE("polygons: linear fields are exact") {
         for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL, HM_WEIGHTED}) {
             CAPTURE(named.name);
             CAPTURE(kind);
-            Case setup = given_instead(named.its);
+            Case setup = given_instead(named.setup);
             std::vector<std::int32_t> markers = setup.mesh.face_markers;
             std::sort(markers.begin(), markers.end());
             markers.erase(std::unique(markers.begin(), markers.end()), markers.end());

@@ -12,8 +12,8 @@ using Numbers = std::vector<double>;
 
 TEST_CASE("the sums are right, to the bound that is stated, for values of all kinds") {
     for (KindOfProblem& problem : kinds_of_problems()) {
-        Solved const solved(problem.its, &problem.options);
-        Gradient const g(problem.its.mesh.x.size(), 3);
+        Solved const solved(problem.setup, &problem.options);
+        Gradient const g(problem.setup.mesh.x.size(), 3);
         Numbers const found = adjoint(solved.basis, g);
         Matrices const exact(solved.basis);
         for (std::size_t i = 0; i < found.size() / 2; ++i) exact.check_gradient(i, g, found);
@@ -22,10 +22,10 @@ TEST_CASE("the sums are right, to the bound that is stated, for values of all ki
 
 TEST_CASE("the same bits for any parts of the mesh") {
     for (KindOfProblem& problem : kinds_of_problems()) {
-        Solved const solved(problem.its, &problem.options);
-        Gradient const g(problem.its.mesh.x.size(), 5);
+        Solved const solved(problem.setup, &problem.options);
+        Gradient const g(problem.setup.mesh.x.size(), 5);
         Numbers const expected = adjoint(solved.basis, g);
-        std::int32_t const n = problem.its.mesh.n_points();
+        std::int32_t const n = problem.setup.mesh.n_points();
         for (std::size_t const parts : {1u, 2u, 3u, 7u, 40u})
             CHECK(
                 same_bits(adjoint_in_parts(solved.basis, g, random_parts(n, parts, 17)), expected));
