@@ -45,7 +45,7 @@ if python has gmsh 2>/dev/null; then
         if [ $? -eq 2 ] && grep -F -e "$text" "$tmp/out" >/dev/null; then ok "$name"; else
             fail "$name: does not say '$text': $(head -n 1 "$tmp/out")"; fi
     }
-    refuses_usage "gmsh: a loop that is none" 'has no loop:3: its boundary has 2 loops' \
+    refuses_usage "gmsh: a loop that is none" 'has no loop:3, because the boundary has 2 loops' \
         "$harmorph" fit "$mesh" --marker loop:3 --points 8 -o "$tmp/x.curve"
     refuses_usage "gmsh: no marker: not all names are listed" "and 16 more; a name may have * for any characters" \
         "$harmorph" fit "$mesh" --marker nothing -o "$tmp/x.curve"
@@ -55,7 +55,7 @@ if python has gmsh 2>/dev/null; then
     check "gmsh: curves only: nothing else" test "$(wc -l <"$tmp/out")" -eq 1
     python gmsh 1 0 lines "$tmp/old.msh" >"$tmp/out" 2>&1
     refuses "gmsh: version 1" \
-        'this is version 1 of the format, which is not read: save the mesh in version 2.2 or 4.1' \
+        'this is version 1 of the format, which is not read; save the mesh in version 2.2 or 4.1' \
         "$harmorph" check "$tmp/old.msh"
     python gmsh 4.0 0 lines "$tmp/old.msh" >"$tmp/out" 2>&1
     refuses "gmsh: version 4.0" 'Mesh.MshFileVersion = 4.1' "$harmorph" check "$tmp/old.msh"
@@ -188,13 +188,13 @@ refuses "PVTU: a file that is not there" "the file 'parallel/half-3.vtu' of this
 parallel 0 parallel >"$tmp/bad.pvtu"
 refuses "PVTU: a folder" "the file 'parallel' of this piece does not exist" "$harmorph" check "$tmp/bad.pvtu"
 parallel 0 bad.pvtu >"$tmp/bad.pvtu"
-refuses "PVTU: itself" "expected a piece of type UnstructuredGrid, found 'PUnstructuredGrid'" "$harmorph" \
+refuses "PVTU: itself" "the type of a piece must be UnstructuredGrid, not 'PUnstructuredGrid'" "$harmorph" \
     check "$tmp/bad.pvtu"
 parallel 0 >"$tmp/bad.pvtu"
-refuses "PVTU: no piece" 'expected <Piece' "$harmorph" check "$tmp/bad.pvtu"
+refuses "PVTU: no piece" 'the file needs <Piece here' "$harmorph" check "$tmp/bad.pvtu"
 sed '4s/.*/nonsense/' "$tmp/parallel/half-2.vtu" >"$tmp/parallel/bad.vtu"
 parallel 0 parallel/half-1.vtu parallel/bad.vtu >"$tmp/bad.pvtu"
-refuses "PVTU: a bad number: the file and the line of the piece" 'parallel/bad.vtu:4: expected a coordinate' \
+refuses "PVTU: a bad number: the file and the line of the piece" 'parallel/bad.vtu:4: the file needs a coordinate' \
     "$harmorph" check "$tmp/bad.pvtu"
 sed 's|</Piece>||' "$tmp/parallel/half-2.vtu" >"$tmp/parallel/bad.vtu"
 refuses "PVTU: a piece without its end" 'the piece has no end </Piece>' "$harmorph" check "$tmp/bad.pvtu"

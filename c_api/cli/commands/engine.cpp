@@ -44,16 +44,16 @@ void set_engine(const Arguments& arguments, SolveOptions& options) {
     options.precision =
         arguments.choice("--precision", {{"double", HM_DOUBLE}, {"single", HM_SINGLE}});
     if (options.engine != HM_DIRECT && arguments.has("--precision"))
-        arguments.refuse("--precision goes with --engine direct");
+        arguments.refuse("--precision needs --engine direct");
     set_agglomeration(arguments, options);
     options.start =
         arguments.choice("--start", {{"fmg", HM_START_COARSEST}, {"zero", HM_START_ZERO}});
     if (options.engine != HM_FAS && arguments.has("--start"))
-        arguments.refuse("--start goes with --engine fas");
+        arguments.refuse("--start needs --engine fas");
     if (arguments.has("--levels")) options.levels = arguments.whole("--levels", 0, 1, 20);
     for (const char* option : {"--levels", "--agglomeration", "--history"}) {
         if (options.engine == HM_DIRECT && arguments.has(option)) {
-            arguments.refuse(std::string(option) + " goes with --engine multigrid or fas");
+            arguments.refuse(std::string(option) + " needs --engine multigrid or fas");
         }
     }
 }
