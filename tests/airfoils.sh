@@ -187,7 +187,7 @@ on_ellipse() {
         END { print n, worst; exit !(n > 48 && worst < 1e-14) }' "$1"
 }
 check "rational: the wall is on the ellipse" on_ellipse "$tmp/ellipse.su2"
-# What an independent reader found, evaluated by de Boor's algorithm in homogeneous coordinates.
+# Evaluates the curves that an independent reader found by de Boor's algorithm in homogeneous coordinates.
 curve_is_ellipse() {
     awk 'BEGIN { n = nt = 0 }
         $1 == "degree" { p = $2 } $1 == "knot" { t[nt++] = $2 }

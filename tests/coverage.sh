@@ -44,7 +44,7 @@ done | awk -F: '
     }
     /^branch/ {
         split($0, word, " ")
-        # Where a kernel is inlined many times into one line, its copies count as one: taken or not.
+        # If a kernel is inlined many times into one line, all copies count as one branch, taken or not.
         key = line " " (word[2] < 8 ? word[2] : word[2] % 2)
         if (!(key in taken)) taken[key] = 0
         if ($0 ~ /taken/ && word[4] + 0 > 0) taken[key] = 1

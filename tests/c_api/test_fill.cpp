@@ -1,6 +1,6 @@
-// What lay in a block before decides nothing: every call of the C interface gives the same bits,
-// whatever bytes its block and its outputs held; and no call that succeeds raises a floating-point
-// exception that a debugging build would trap.
+// The bytes that a block held before have no influence: every call of the C interface gives the
+// same bits, whatever bytes the block and the outputs held, and no call that succeeds raises a
+// floating-point exception that a debugging build would trap.
 #include <harmorph_design.h>
 #include <harmorph_parts.h>
 #include <harmorph_study.h>
@@ -31,7 +31,7 @@ public:
     void add(Plain const& plain) {
         add_bytes(&plain, sizeof plain);
     }
-    // The text behind its end is nobody's.
+    // The bytes after the end of the text have no meaning.
     void add_outcome(hm_status status, hm_error const& error) {
         add(status);
         add(error.item);

@@ -145,8 +145,8 @@ TEST_CASE(
     CHECK(quality_with(1, bent + 1e-9).inverted == 0);
     CHECK(quality_with(1, bent - 1e-9).inverted == 1);
 
-    // The same as a movement, also where all points go far along: those differences are without
-    // rounding.
+    // The step is that of the same movement, also if all points have a large displacement in
+    // common, because these differences have no rounding.
     double const tick = std::ldexp(1, -20), inwards_x = 0.75,
                  inwards_y = tick * std::round(std::sqrt(0.1875) / tick);
     auto const step_with = [&](double together) {

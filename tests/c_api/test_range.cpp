@@ -81,8 +81,8 @@ hm_quality_report quality_of(Attempt const& solved, Case& setup, Mesh const& at)
     return out;
 }
 
-// What holds of any movement, whatever the mesh: the admissible step, the assessment, and a safe
-// morph.
+// Checks the admissible step, the assessment and a safe morph by relations that hold for any
+// movement of any mesh.
 void check_promises(Case& setup, Options const& options, std::vector<double> const& move,
                     bool& ended) {
     Solved const solved(setup, &options);

@@ -1,4 +1,4 @@
-// What calls with a plan or a basis refuse, with the whole sentence that says so: room in arrays,
+// Calls with a plan or a basis refuse wrong arguments with a whole sentence: room in arrays,
 // numbers out of range, objects that do not belong together, steps in the wrong order.
 #include <harmorph_design.h>
 #include <harmorph_parts.h>
@@ -114,7 +114,7 @@ TEST_CASE("where room is missing, the number is told and nothing is filled in") 
         CHECK(n == 8);
         CHECK(std::count(list.begin(), list.end(), -7) == (fits ? 1 : 9));
     }
-    // Of pieces that there are not, nothing is told.
+    // Nothing is stated about pieces that do not exist.
     list.assign(9, -7);
     n = is_loop = -7;
     for (std::int32_t const piece : {-1, 1, std::numeric_limits<std::int32_t>::max()})

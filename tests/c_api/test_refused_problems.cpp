@@ -1,5 +1,4 @@
-// What a problem may have wrong, with the whole sentence that says so: options, counts and arrays,
-// curves, conditions.
+// A wrong problem is refused with a whole sentence: options, counts and arrays, curves, conditions.
 #include <harmorph_study.h>
 #include "fixtures/options.hpp"
 #include <doctest/doctest.h>

@@ -23,8 +23,8 @@ std::vector<double> values_of(const hm_basis* basis, std::int32_t n_functions,
     return out;
 }
 
-// Of a struct that ends before the field at this place. A struct's size is a multiple of its
-// alignment: where pointers have 32 bits, that field may still be in it.
+// Returns the size of a struct that ends before the field at this place. A struct's size is a
+// multiple of its alignment: where pointers have 32 bits, that field may still be in it.
 template <class Struct>
 std::uint64_t size_before(std::size_t place) {
     return (place + alignof(Struct) - 1) / alignof(Struct) * alignof(Struct);

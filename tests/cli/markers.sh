@@ -1,6 +1,7 @@
 # Markers by name.
 
-# The same mesh with its markers in another order, with other names, and with two sides' faces exchanged.
+# Three meshes are the first mesh with the markers in another order, with other names, and with the faces of two sides
+# exchanged.
 markers_of() { awk -v tag="$1" '/^MARKER_TAG=/ { on = $2 == tag } on' "$box"; }
 { sed '/^MARKER_TAG/,$d' "$box"; for tag in out block high in:let low; do markers_of $tag; done; } >"$tmp/shuffled.su2"
 sed 's/MARKER_TAG= block/MARKER_TAG= brick/' "$box" >"$tmp/renamed.su2"

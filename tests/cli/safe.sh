@@ -35,7 +35,7 @@ check "--min-quality: the warning names a cell and its place" grep -E 'smallest 
 refuses "--strict" 1 'smallest quality' morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe \
     --min-quality 0.99 --strict -o "$tmp/strict.su2"
 leaves_nothing "--strict: nothing written" "$tmp/strict.su2"
-# What is judged is the mesh that is written.
+# The program judges the mesh that it writes.
 for asked in .1 .3 .5 .6 .7 .8 .9; do
     "$harmorph" morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe --improve --json --strict \
         --min-quality $asked >"$tmp/out" 2>"$tmp/err"

@@ -149,7 +149,7 @@ morphs "VTU of two pieces" "$tmp/pieces.vtu" boundary1
 says "VTU of two pieces: the boundary" '[{"name": "boundary1", "faces": 24}, {"name": "boundary2", "faces": 24}]'
 grep -v '<' "$moved" | awk 'NF == 3 { n[$1 " " $2]++ } END { for (p in n) if (n[p] == 2) k++; exit k != 14 }' &&
     ok "VTU of two pieces: they stay closed" || fail "VTU of two pieces: they stay closed"
-# The same pieces in files of their own, as a file .pvtu names them.
+# A file .pvtu names the pieces, which are in files of their own.
 piece_file() { # piece_file N: the text of the N-th piece as a file
     awk -v n=$1 '/<Piece/ { k++ } k == 0 || k == n || /<.Unstr/ || /<.VTKFile/' "$tmp/pieces.vtu" |
         sed 's|</Piece></Piece>|</Piece>|'

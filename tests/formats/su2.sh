@@ -35,7 +35,7 @@ refuses "no mesh at all" "bad.mesh:1: no known mesh file begins with 'hello worl
 refuses "an empty file" 'the file is empty' "$harmorph" check "$tmp/bad.mesh"
 "$harmorph" check "$tmp/ring.su2" --format cgnz >"$tmp/out" 2>&1
 says "an unknown format" "the format 'cgnz' is unknown"
-# How far a file has been read is for people at a terminal.
+# The program tells how far a file has been read only at a terminal.
 if command -v script >/dev/null 2>&1 && script -qec true /dev/null </dev/null >/dev/null 2>&1; then
     script -qec "'$harmorph' check '$tmp/ring.su2'" /dev/null </dev/null >"$tmp/out" 2>&1
     says "a terminal shows how far the file has been read" 'reading       ['

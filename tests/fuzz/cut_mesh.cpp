@@ -49,7 +49,8 @@ private:
                            error_, size, init);
     }
 
-    // Its points in the order of the mesh's arrays, on which the division of a polygon depends.
+    // The points of a cell stay in the order of the arrays of the mesh, because the division of a
+    // polygon depends on this order.
     Cell given_cell(std::size_t c) const {
         if (!domain_.has_polygons) return domain_.cells[c];
         std::int32_t const base = its_.problem.mesh.index_base;

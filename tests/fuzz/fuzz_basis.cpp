@@ -15,8 +15,8 @@
 namespace fuzz {
 namespace {
 
-// What a caller does who restores the problem from a basis: markers and numbers of the conditions
-// may be any.
+// Restores the problem from a basis as a caller does; the markers and the numbers of the conditions
+// may have any values.
 void restore(hm_curves const& curves, const hm_condition* conditions, std::int32_t n,
              Problem const& problem) {
     hm_problem restored{};

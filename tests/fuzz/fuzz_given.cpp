@@ -123,7 +123,7 @@ private:
                    "a displacement is not finite");
     }
 
-    // The same field three times as far, and one that is zero.
+    // Two further fields are three times the first one, and zero.
     void linear(Field const& wall, Field const& moved) {
         Field farther = wall;
         for (std::size_t k = 0; k < points_.size(); ++k) farther.x[k] *= 3, farther.y[k] *= 3;

@@ -215,8 +215,8 @@ private:
         held_.push_back({basis, Table(whole_.begin() + first, whole_.begin() + first + n), first,
                          false, true, n == functions()});
     }
-    // From the mesh to itself: if it is done, the functions of one basis are those of the other
-    // one.
+    // Transfers functions from the mesh to itself; if this succeeds, the functions of one basis are
+    // those of the other one.
     void transfer() {
         std::size_t const source = input_.below(static_cast<std::uint32_t>(held_.size()));
         std::size_t target = input_.below(static_cast<std::uint32_t>(held_.size()));

@@ -54,8 +54,8 @@ std::vector<Point> SolutionCheck::moved(Numbers const& x, Numbers const& y) cons
 
 namespace {
 
-// What a solution gives, to compare bits: its functions, and where it takes the mesh by a movement
-// that needs more than one linear step, as often as not.
+// Returns the numbers of a solution, to compare bits: the functions, and the mesh after a movement,
+// which needs more than one linear step in about half of the problems.
 std::vector<double> results_of(Solution& solution) {
     hm_basis_info info{};
     info.struct_size = sizeof info;
@@ -85,7 +85,7 @@ std::vector<double> results_of(Solution& solution) {
     return all;
 }
 
-// The same in blocks that held other bytes and begin elsewhere.
+// The problem is solved again in blocks that held other bytes and begin at other addresses.
 void expect_same_bits(Solution& one, Input& input) {
     Solution other(one.problem, input);
     expect(other.status == one.status, "other bytes in the blocks, another status");

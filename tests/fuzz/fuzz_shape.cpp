@@ -89,7 +89,7 @@ private:
         return Outcome::done;
     }
 
-    // With knots inserted, or of a degree more: the same points.
+    // A curve with more knots, or of one degree more, has the same points.
     Outcome finer(bool elevated) {
         Numbers u(input_.below(4) + 1);
         if (is_valid_ && number_ >= 0 && number_ < set_.n_curves) {

@@ -185,7 +185,8 @@ private:
         for (std::int32_t const k : fine_.faces()) what_[at(k)] = What::on_boundary;
         for (std::int32_t slot = 0; slot < info.curve_points; ++slot)
             what_[at(info.curve_point[slot])] = What::on_curve;
-        // Of the flattest corner and the longest side: what rounding of points does to weights.
+        // Returns how much the rounding of points changes weights, from the flattest corner and the
+        // longest side.
         double area = 1e300, side = 0;
         Judged const judged = judge_by_header(coarse_.problem.domain);
         std::vector<Point> const& points = coarse_.problem.domain.points;

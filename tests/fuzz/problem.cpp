@@ -39,7 +39,8 @@ void write_cells(Problem& problem, Input& input) {
         bool const reversed = input.one_in(4);
         if (reversed) std::reverse(cell.begin(), cell.end());
         std::rotate(cell.begin(), cell.begin() + input.from(0, 2), cell.end());
-        // Which of several equally good divisions a polygon gets depends on its first point.
+        // The first point of a polygon decides which of several equally good divisions the polygon
+        // gets.
         problem.domain.cells[c] = cell;
         if (reversed) std::reverse(problem.domain.cells[c].begin(), problem.domain.cells[c].end());
     }

@@ -68,7 +68,8 @@ Crossings find_crossings(Domain const& domain, std::vector<Point> const& at) {
 double smallest_sine(Judged const& judged, std::vector<Point> const& at,
                      std::vector<Point> const& by, double step) {
     Wide least = 1;
-    // From one point to another; differences first: of large numbers nothing would be left.
+    // Returns the vector from one point to another. The differences come first, because products of
+    // large numbers would lose all digits.
     auto const edge = [](std::vector<Point> const& points, std::int32_t from, std::int32_t to) {
         return wide(points[static_cast<std::size_t>(to)]) -
                wide(points[static_cast<std::size_t>(from)]);

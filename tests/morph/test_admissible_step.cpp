@@ -71,8 +71,8 @@ Displaced random_displacement(Mesh const& mesh, double size, unsigned seed) {
 }  // namespace
 
 TEST_CASE("roots of the quadratic, in all cases of its signs") {
-    // With these displacements twice the area is (1 + p s)(1 + q s) - r s^2 = 1 + (p + q) s + (p q
-    // - r) s^2.
+    // Twice the area after a fraction s of these displacements is (1 + p s)(1 + q s) - r s^2 = 1 +
+    // (p + q) s + (p q - r) s^2.
     double const values[] = {-3,      -1,  -0.5, -0x1p-10, 0,
                              0x1p-10, 0.5, 1,    3};  // exact, and so double roots are
     int unlimited = 0, limited = 0;

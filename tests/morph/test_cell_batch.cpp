@@ -45,7 +45,7 @@ TEST_CASE("turns and waves, in which areas fall and rise again, are limited as s
     }
 }
 
-// As Fortran's xy(2, n) has them.
+// The coordinates alternate as in an array xy(2, n) of Fortran.
 std::vector<double> in_pairs(std::vector<double> const& x, std::vector<double> const& y) {
     std::vector<double> pairs;
     for (std::size_t i = 0; i < x.size(); ++i) pairs.insert(pairs.end(), {x[i], y[i]});

@@ -119,7 +119,7 @@ TEST_CASE(
                 }
                 CHECK(std::fabs(work_on_wall - work_on_mesh) <= 1e-14 * parts);
 
-                // As a block, and as the rows of some points.
+                // The functions are compared as a block, and as the rows of some points.
                 std::vector<unsigned char> const copy = bytes_of(tabulated.basis);
                 Numbers block(copy.size() / sizeof(double));
                 std::memcpy(block.data(), copy.data(), copy.size());

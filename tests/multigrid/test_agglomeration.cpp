@@ -73,8 +73,8 @@ Point mean_extent(FrontMatrix const& front, Mesh const& mesh, std::vector<Index>
     return mean;
 }
 
-// Of all ways to split a merged cell in two: how much more the smoother must do, at most, than with
-// two equal cells.
+// Returns how much more work the smoother has, at most over all ways to split a merged cell in two,
+// than with two equal cells.
 double worst_split(harmorph::SymmetricRows const& rows, harmorph::Span<const Index> cell_of,
                    Index n) {
     std::vector<std::vector<Index>> members(static_cast<std::size_t>(n));

@@ -43,7 +43,7 @@ double difference(Solved const& a, Solved const& b) {
     return largest_difference(a.all_values(), b.all_values());
 }
 
-// Its products with random vectors.
+// Both are compared by products with random vectors.
 void check_preconditioner(Case setup) {
     Analysed const seen(setup);
     FrontMatrix const front(*seen.operator->());

@@ -207,7 +207,7 @@ Options with(std::int32_t operator_kind, std::int32_t engine) {
     return out;
 }
 
-// Of the sum of all functions from 1.
+// Returns how far the sum of all functions is from 1, at most.
 double worst_defect(Solved const& solved, std::size_t n) {
     std::vector<double> const values = solved.all_values();
     double worst = 0;

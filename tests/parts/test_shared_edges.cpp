@@ -43,7 +43,8 @@ Matched match(Edges edges) {
 }
 bool same(hm_edge const& a, hm_edge const& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-// Of two triangles left and right of the edge 1-2, and others: whatever order the edges come in.
+// Checks that edges of two triangles left and right of the edge 1-2, and others, are refused in any
+// order.
 void check_refused(Edges edges, const char* text, std::int32_t item) {
     std::mt19937 random(1);
     for (int shuffle = 0; shuffle < 5; ++shuffle) {

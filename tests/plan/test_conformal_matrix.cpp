@@ -57,8 +57,8 @@ public:
         return out;
     }
 
-    // Where a point has two real lines, an entry is [a -b; b a]: does the second line say what the
-    // first does?
+    // If a point has two real lines, an entry is [a -b; b a]. This checks that the second line
+    // agrees with the first.
     bool rows_agree() const {
         for (Entry const& e : second_) {
             Complex const first =

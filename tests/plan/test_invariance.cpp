@@ -1,5 +1,5 @@
-// How a mesh is written down does not change its functions: numbering, orientation, markers, place,
-// units.
+// The functions do not depend on the way in which a mesh is written down: numbering, orientation,
+// markers, place, units.
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>

@@ -93,7 +93,7 @@ TEST_CASE("the thinner cells are, the more steps; where they are too thin the fa
                     CHECK(found.worst < 1e-9 * found.largest);
                     ++done;
                 } else {
-                    // Its entries are no numbers of single precision.
+                    // The entries of this matrix are beyond the numbers of single precision.
                     bool const beyond = attempt.status == HM_UNSUPPORTED;
                     if (!beyond) CHECK(attempt.status == HM_NOT_POSITIVE);
                     if (beyond) CHECK(exponent_quarters == 16);

@@ -151,7 +151,7 @@ TEST_CASE("rigid bodies count for the distance as curves do, fixed boundaries do
     // the same.
     Field const by_curve = displacement(a, similarity_move(curve.curves, 1, 0, {1, -2}));
     CHECK(largest_difference(by_curve, displacement(b, {1, -2, 0, 0})) < 1e-13);
-    // With the far field on a curve too, distances and functions are others.
+    // If the far field is on a curve, too, distances and functions differ.
     shifted.curves.add(ring(3, 8, 2, 2));
     shifted.put_on_curves(far_field, 1);
     Solved const c(shifted, &options);

@@ -108,7 +108,7 @@ public:
                          nullptr, to_.data(), block, bytes, nullptr, &error_),
              "hm_displace");
     }
-    // Of what displace() has left in the fields.
+    // Computes the adjoint of the fields that displace() has computed.
     void adjoint(Index fields) {
         std::size_t bytes = 0;
         done(hm_displace_size(plan_, fields, &bytes, &error_), "hm_displace_size");

@@ -1,5 +1,5 @@
-// What this machine can do at best: bytes read per second by the threads asked for, and
-// multiply-adds of one.
+// Measures the limits of this machine: bytes read per second by the wanted number of threads, and
+// multiply-adds of one thread.
 #include "clock.hpp"
 #include "peers.hpp"
 #include "settings.hpp"

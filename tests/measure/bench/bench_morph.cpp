@@ -202,7 +202,7 @@ void add_products(Case const& its_case, Operator const& chosen, Settings const& 
     }
 }
 
-// The same functions in single precision against double, call by call in turn.
+// Compares functions in single and in double precision, call by call in turn.
 void add_storage(Case const& its_case, Settings const& settings, Limits const& limits,
                  Table& table) {
     for (Index const functions : settings.functions) {

@@ -25,7 +25,7 @@ public:
         report_.struct_size = sizeof report_;
     }
 
-    // From the mesh to the functions, in the same blocks each time.
+    // Computes the functions from the mesh, in the same blocks each time.
     void solve() {
         Problem const problem(case_, fit_);
         std::size_t bytes = 0;
@@ -41,7 +41,7 @@ public:
         done(hm_basis_init(&basis_, block, bytes, analysis_, &error_), "hm_basis_init");
         solve_again();
     }
-    // What a step on the way repeats: the numbers, not the structure.
+    // Repeats what each step of a safe morph repeats: the numbers, not the structure.
     void solve_again() {
         done(hm_plan_factor(plan_, nullptr, &error_), "hm_plan_factor");
         done(hm_plan_solve(plan_, basis_, nullptr, &error_), "hm_plan_solve");

@@ -98,7 +98,7 @@ Comparison::Trial Comparison::try_out(SolverPackage const& package, SolverPeer& 
     return trial;
 }
 
-// Its ordering alone took longer than another's whole.
+// The ordering of this package alone took longer than all of another package.
 bool Comparison::is_hopeless(SolverPackage const& package, SolverPeer const& peer,
                              double best) const {
     for (Trial const& trial : trials_) {

@@ -1,7 +1,7 @@
-// What no mesh can do better: where a wall folds, the cells at the fold share its angle, and a cell
-// with a small angle is poor, as one with an angle near 180 degrees is at a spike; where a face of
-// the wall becomes longer, a cell on the face is large or flat; and in a gap no triangle can be
-// higher than the gap is wide. So the wall at the target alone bounds the smallest size-skew
+// Bounds that no mesh can exceed. Where a wall folds, the cells at the fold share its angle, and a
+// cell with a small angle is poor, as one with an angle near 180 degrees is at a spike; where a
+// face of the wall becomes longer, a cell on the face is large or flat; and in a gap no triangle
+// can be higher than the gap is wide. So the wall at the target alone bounds the smallest size-skew
 // quality that a mesh with these cells can have.
 #pragma once
 
@@ -99,7 +99,7 @@ private:
         return std::hypot(at_x[b] - at_x[a], at_y[b] - at_y[a]);
     }
 
-    // Of the triangle on a face, which contains no other point of the wall.
+    // Returns a bound of the quality of the triangle on a face, which contains no other point of the wall.
     double bound_on_face(int begin, int end) const {
         auto const found = cells.find({begin, end});
         if (found == cells.end() || found->second.n != 3) return 1;
@@ -115,7 +115,7 @@ private:
         return best_on_side(l, found->second.area, others);
     }
 
-    // Of the mesh at a point of the wall.
+    // Returns the bound of the mesh at a point of the wall.
     double open_angle(std::size_t k) const {
         std::size_t const a = at(corners[k].next), b = at(corners[k].previous);
         double const ux = at_x[a] - at_x[k], uy = at_y[a] - at_y[k], vx = at_x[b] - at_x[k],

@@ -193,7 +193,7 @@ Sparse matrix_of(Mesh const& mesh, Scheme scheme) {
     return out;
 }
 
-// How much a mode alternates from point to point: the mean of (u_P - u_Q)^2 over the edges,
+// Returns how much a mode alternates from point to point: the mean of (u_P - u_Q)^2 over the edges,
 // relative to that of 2 (u_P^2 + u_Q^2); 1 for a checkerboard, 0 for a constant.
 double alternation(Mesh const& mesh, Eigen::VectorXcd const& mode) {
     std::vector<std::complex<double>> u(mesh.at.size());
