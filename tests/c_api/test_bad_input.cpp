@@ -273,9 +273,7 @@ TEST_CASE("bad boundaries") {
     check_refused({HM_BAD_MESH, "two markers", 0, {}, lists({0, 0, 2}, {0, 1})});
 }
 
-TEST_CASE(
-    "cells that were not given: their boundary edges are named, by their points, as edges of no "
-    "cell") {
+TEST_CASE("boundary edges of cells that are not given are refused by the numbers of their points") {
     // Triangles alone of a hybrid mesh. Lists begin with the bottom, whose cells are quads.
     std::int32_t const start[] = {1, 8, 15}, markers[] = {bottom, top};
     std::vector<std::int32_t> points;
@@ -405,8 +403,7 @@ TEST_CASE("bad conditions and parameters") {
     for (Spoiled const& bad : all) check_refused(bad);
 }
 
-TEST_CASE(
-    "fields that are not of a condition's kind are refused by name, and which condition has them") {
+TEST_CASE("fields that a condition of this kind does not have are refused by name") {
     struct {
         const char* name;
         std::int32_t kind, also;  // whose they are; `partner` is that of interfaces, too

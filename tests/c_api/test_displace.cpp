@@ -133,8 +133,7 @@ TEST_CASE("a repeated point with another displacement") {
     CHECK(std::string(error.text).find("two different displacements") != std::string::npos);
 }
 
-TEST_CASE(
-    "plans that cannot: no given marker, no factor, a marker that is both given and on a curve") {
+TEST_CASE("a plan needs a factor, a given marker, and no marker that is also on a curve") {
     Case curves = tiny_case();
     Solved const solved(curves);
     std::size_t bytes = 0;

@@ -140,9 +140,7 @@ Case block() {
 
 }  // namespace
 
-TEST_CASE(
-    "analysis, plan and basis: every operator, scheme and engine, with one thread and with "
-    "several") {
+TEST_CASE("analysis, plan and basis do not depend on old bytes for any operator and engine") {
     for (Way& way : ways())
         for (std::int32_t const threads : {1, 3}) {
             INFO(way.name << ", " << threads << " threads");
@@ -171,9 +169,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "problems of each kind of value: morph, adjoint, measures, shares, parcels, rows, single "
-    "precision") {
+TEST_CASE("all calls with a basis do not depend on old bytes for any kind of value") {
     for (KindOfProblem const& problem : problems_and_a_cut())
         check_fills([&](Record& record) {
             Case setup = problem.setup;
@@ -352,9 +348,7 @@ TEST_CASE("the boundary of a mesh, and its report") {
 
 // Far turns, so that every strategy is tried: bounded functions, which cannot be solved again,
 // leave the rest to untangling.
-TEST_CASE(
-    "safe morphs: every operator and scheme that the direct engine solves, every strategy, to the "
-    "end or not") {
+TEST_CASE("safe morphs do not depend on old bytes for any operator, scheme or strategy") {
     for (Way& way : ways()) {
         if (way.options.engine != HM_DIRECT) continue;
         for (double const degrees : {20.0, 75.0, 100.0})

@@ -124,9 +124,7 @@ TEST_CASE("hm_improve: the first layer gets back the heights that a conformal mo
     }
 }
 
-TEST_CASE(
-    "hm_improve: a first layer whose heights would make a worse cell stays where it is, the others "
-    "improve") {
+TEST_CASE("hm_improve keeps a first layer whose heights would make a cell worse") {
     int const around = 16;
     for (unsigned const seed : {1u, 2u, 3u}) {
         Morphed out(ring_case(12, around, 0.3, 2, Cells::triangles), some_move(8, 0.03, seed));

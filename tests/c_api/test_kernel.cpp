@@ -33,8 +33,7 @@ TEST_CASE("the best kernel is one that the processor has") {
     CHECK(hm_best_kernel() == static_cast<std::int32_t>(usable_kernels().back()));
 }
 
-TEST_CASE(
-    "movements and gradients have the same bits with every kernel that an executor may name") {
+TEST_CASE("every kernel that an executor may name gives the same bits of movements and gradients") {
     Case setup = airfoil_case();
     Solved const solved(setup);
     std::vector<double> const move = some_move(setup.curves.n_control(), 0.01, 1);

@@ -48,9 +48,7 @@ struct Moved {
 
 }  // namespace
 
-TEST_CASE(
-    "a safe morph from a mesh that was moved in place is refused, until the basis is solved "
-    "there") {
+TEST_CASE("a safe morph from a mesh that was moved in place needs a new solution there") {
     Moved o;
     std::vector<double> x(o.x.size()), y(o.x.size());
     hm_points_out const to{x.data(), y.data(), 1};
@@ -68,8 +66,7 @@ TEST_CASE(
     CHECK(o.safe(to, nullptr) == HM_BAD_MESH);
 }
 
-TEST_CASE(
-    "a mesh that was moved in place is improved with the reference of before, and not without") {
+TEST_CASE("a mesh that was moved in place is improved only with the reference from before") {
     Moved o;
     REQUIRE(o.go() == HM_OK);
     std::vector<double> x(o.x.size()), y(o.x.size());
@@ -126,8 +123,7 @@ TEST_CASE("a mesh of other cells is refused, also with as many points and cells 
     CHECK(measure(o.mesh, nullptr) == HM_OK);
 }
 
-TEST_CASE(
-    "a morph into arrays that share numbers of other points is refused, and changes nothing") {
+TEST_CASE("a morph into arrays that share numbers of other points is refused and changes nothing") {
     Moved o;
     std::int32_t const n = o.mesh.n_points;
     std::vector<double> pairs(2 * o.x.size() + 4);

@@ -8,8 +8,7 @@
 
 using namespace fixtures;
 
-TEST_CASE(
-    "polygons with a coordinate that is not finite count as inverted, whichever corner it is") {
+TEST_CASE("polygons with a coordinate that is not finite count as inverted at any corner") {
     Untrapped const untrapped;
     for (NamedCase& named : polygon_cases()) {
         CAPTURE(named.name);
@@ -30,9 +29,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "polygons: the admissible step ends where a cell is no longer sound; quality and assessment "
-    "agree") {
+TEST_CASE("the admissible step of polygons ends where a cell is no longer sound") {
     for (NamedCase& named : polygon_cases()) {
         for (std::int32_t const base : {0, 1}) {
             CAPTURE(named.name);
@@ -92,9 +89,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "polygons: a convex corner may not become reflex though all triangles stay positive, a flat "
-    "one may bend") {
+TEST_CASE("a convex corner of a polygon may not become reflex, but a flat one may bend") {
     // A regular hexagon inside a ring of quadrilaterals; one corner is pushed inwards.
     double const pi = std::acos(-1.0);
     Case setup;

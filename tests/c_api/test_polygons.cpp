@@ -78,9 +78,7 @@ TEST_CASE("polygons: linear fields are exact") {
     }
 }
 
-TEST_CASE(
-    "polygons: a mesh of triangles and quadrilaterals has the functions of the other layouts, bit "
-    "by bit") {
+TEST_CASE("triangles and quadrilaterals given as polygons have the same functions bit by bit") {
     Case setup;
     setup.mesh = annulus(6, 24, 0.5, 3, Cells::hybrid, true);
     setup.curves = ring(3, 8, 0.5, 0.5);
@@ -170,8 +168,7 @@ TEST_CASE("polygons: functions are transferred between meshes of polygons") {
     CHECK(largest_difference(interpolated, exact.values(2)) < 0.05);
 }
 
-TEST_CASE(
-    "polygons: damaged bases and meshes that are no mesh of polygons are refused with the reason") {
+TEST_CASE("damaged bases of polygons and wrong polygons are refused with the reason") {
     Case setup = honeycomb_case(4, 12);
     hm_mesh const view = in_polygons(setup.mesh_view());
     Solved const solved(setup.problem(view));

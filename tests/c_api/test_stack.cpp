@@ -36,8 +36,7 @@ std::size_t stack_of(Call call) {
 
 }  // namespace
 
-TEST_CASE(
-    "hm_morph needs at most 16 KiB of stack, hm_adjoint on one thread 40, and other calls 112") {
+TEST_CASE("hm_morph needs at most 16 KiB of stack, hm_adjoint on one thread 40, other calls 112") {
     std::size_t const of_thread = stack_of([] {});
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
         Case setup = two_body_case(Cells::hybrid, 16, 8);

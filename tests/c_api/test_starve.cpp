@@ -152,9 +152,7 @@ TEST_CASE("plane: at every size below the required one; the smallest block moves
     }
 }
 
-TEST_CASE(
-    "blocks of exactly the stated size carry the whole way, at every alignment, on every kind of "
-    "mesh") {
+TEST_CASE("blocks of exactly the stated size suffice at every alignment on every kind of mesh") {
     // Guards are checked after the solution: no kernel writes past its block, whatever the sizes of
     // its fronts.
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})

@@ -54,9 +54,7 @@ TEST_CASE("a struct of an older caller is shorter: what is missing has its defau
     CHECK(same_bits(values_of(attempt.basis, 4, 48), reference.all_values()));
 }
 
-TEST_CASE(
-    "a mesh of an older caller has no second array of cells: what lies behind the mesh is not "
-    "looked at") {
+TEST_CASE("no bytes behind a mesh of an older caller are read as a second array of cells") {
     Case setup = tiny_case();
     Solved const reference(setup);
     hm_mesh mesh = setup.mesh.view();
@@ -151,9 +149,7 @@ TEST_CASE("reports are filled as far as the caller's struct goes, for each of th
     });
 }
 
-TEST_CASE(
-    "a struct_size that was never set, or with which the next struct of an array were not aligned, "
-    "is refused") {
+TEST_CASE("a struct_size that was never set or breaks the alignment of an array is refused") {
     Case setup = tiny_case();
     std::size_t bytes = 0;
     for (std::uint64_t const size :

@@ -74,8 +74,7 @@ TEST_CASE("any number of right-hand sides: 2 to 40, and more than a block of the
     }
 }
 
-TEST_CASE(
-    "residuals stay at rounding on viscous meshes, with sharp and with blunt trailing edges") {
+TEST_CASE("residuals stay at rounding on viscous meshes with sharp and with blunt trailing edges") {
     for (double const first : {1e-3, 1e-5})
         for (bool const blunt : {false, true}) {
             Naca4 naca;
@@ -173,9 +172,7 @@ TEST_CASE("targets: where the positions of a border are in the parent's front") 
     CHECK(wrong == 0);
 }
 
-TEST_CASE(
-    "Hermitian matrices with random circulations: the solution of dense Cholesky, in both "
-    "precisions") {
+TEST_CASE("Hermitian matrices have the solutions of dense Cholesky in both precisions") {
     for (Cells const kind : {Cells::quads, Cells::triangles})
         for (int const n_r : {3, 9})
             for (Index const threads : {1, 3}) {
@@ -222,9 +219,7 @@ TEST_CASE("right-hand sides in single precision: the bits of those in double tha
         }
 }
 
-TEST_CASE(
-    "right-hand sides of one number each: most of the tree is passed over, wherever that number "
-    "is") {
+TEST_CASE("right-hand sides of one number pass over most of the tree, wherever the number is") {
     for (Index const threads : {1, 3})
         for (bool const complex : {false, true}) {
             Case setup = ring_case(6, 30, 0.5, 2, Cells::hybrid, 2, 5);
@@ -261,9 +256,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "right-hand sides that are not finite are told from zeros: what they reach is not finite "
-    "either") {
+TEST_CASE("right-hand sides that are not finite are told from zeros") {
     Untrapped const untrapped;
     for (Index const threads : {1, 3})
         for (double const bad :

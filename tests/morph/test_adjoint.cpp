@@ -77,9 +77,7 @@ TEST_CASE("more numbers in a row than are summed in one block") {
                     adjoint(solved.basis, g)));
 }
 
-TEST_CASE(
-    "a gradient times a power of two gives the same bits times it, from the smallest to the "
-    "largest") {
+TEST_CASE("a gradient times a power of two has the same bits times this power") {
     Case setup = two_body_case();
     Solved const solved(setup);
     Gradient const g(setup.mesh.x.size(), 9);

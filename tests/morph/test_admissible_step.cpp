@@ -201,9 +201,7 @@ TEST_CASE("rigid and growing motions are unlimited; a collapse is not") {
     CHECK(displaced.step().step == doctest::Approx(3).epsilon(1e-12));
 }
 
-TEST_CASE(
-    "exact on meshes: valid a millionth before, inverted a millionth behind, all the way valid up "
-    "to it") {
+TEST_CASE("the admissible step on meshes is exact to a millionth") {
     int limited = 0;
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         for (unsigned seed = 0; seed < 20; ++seed) {
@@ -280,9 +278,7 @@ TEST_CASE("a displacement that is not a number allows no step") {
     }
 }
 
-TEST_CASE(
-    "a smaller displacement allows the larger step, to rounding; scaling by a power of two "
-    "exactly") {
+TEST_CASE("a smaller displacement allows the larger step, exactly so for powers of two") {
     Mesh const mesh = annulus(5, 24, 0.5, 2, Cells::hybrid);
     Displaced const displaced = random_displacement(mesh, 0.01, 6);
     Displaced small = displaced;
@@ -316,9 +312,7 @@ TEST_CASE("with a basis: half the admissible step of a movement is a valid mesh,
     }
 }
 
-TEST_CASE(
-    "from other coordinates than the mesh's own: the limit is that of the start, as bisection "
-    "finds it") {
+TEST_CASE("the step from other coordinates than the mesh's own is that of the start") {
     Case setup = airfoil_case();
     Solved const solved(setup);
     Displaced start(setup.mesh), now(setup.mesh);

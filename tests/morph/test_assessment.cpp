@@ -33,9 +33,7 @@ struct Both {
 
 }  // namespace
 
-TEST_CASE(
-    "the same step and the same quality as one after the other, before the morph instead of after "
-    "it") {
+TEST_CASE("one assessment has the step and the quality of two calls in turn") {
     for (std::int32_t const base : {0, 1})
         for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
             for (double const size : {0.0, 1e-5, 1.0}) {  // from nothing at all to a tangle

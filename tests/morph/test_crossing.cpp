@@ -75,9 +75,7 @@ std::vector<Point> circle(int n, double r, Point centre, double wobble = 0, unsi
 
 }  // namespace
 
-TEST_CASE(
-    "random polygons: found if and only if any pair of faces crosses, and the pair that is named "
-    "does") {
+TEST_CASE("random polygons cross if and only if a pair of faces crosses, which is named") {
     int crossed = 0, clear = 0;
     std::mt19937 random(7);
     for (int trial = 0; trial < 2000; ++trial) {
@@ -148,9 +146,7 @@ TEST_CASE("touching is not crossing") {
     CHECK(!twice.find().found);
 }
 
-TEST_CASE(
-    "faces that lie on each other cross, and are named, however they are turned and where their "
-    "loops begin") {
+TEST_CASE("faces that lie on each other cross in any order and orientation") {
     struct {
         std::vector<Point> first, second;
         bool cross;
@@ -203,8 +199,7 @@ TEST_CASE(
             }
 }
 
-TEST_CASE(
-    "faces with the same ends: walls that came together cross, the two sides of a wall do not") {
+TEST_CASE("walls that came together cross, but the two sides of one wall do not") {
     // The mesh is on the left: bodies run clockwise, what is round the mesh runs counter-clockwise.
     struct {
         const char* name;
@@ -344,8 +339,7 @@ TEST_CASE("a figure of eight, and a body that enters another") {
     CHECK(bodies.find().found);
 }
 
-TEST_CASE(
-    "boundaries of valid meshes do not cross; a wall that is pushed through another wall does") {
+TEST_CASE("boundaries of valid meshes do not cross, but a wall pushed through another one does") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Case setup = airfoil_case(40, 12, kind);
         Solved const solved(setup);
@@ -367,8 +361,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "many bodies: the only pair that overlaps is found among them, and none where none does") {
+TEST_CASE("the only pair of bodies that overlaps is found among many bodies") {
     for (bool const overlap : {false, true}) {
         Polygons polygons;
         for (int i = 0; i < 20; ++i)
@@ -379,9 +372,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "points that are all in one place, and a loop that is folded onto a line along an axis, cross "
-    "nothing") {
+TEST_CASE("points in one place and a loop folded onto a line along an axis cross nothing") {
     Polygons collapsed, folded;
     collapsed.add(std::vector<Point>(3000, Point{0.5, -0.25}));
     CHECK(!collapsed.find().found);

@@ -72,9 +72,7 @@ bool goes_together(Problem const& problem, Options const& options) {
 
 }  // namespace
 
-TEST_CASE(
-    "the displacements of curves and rigid bodies, given point by point, move the mesh as the "
-    "functions do") {
+TEST_CASE("displacements given point by point move the mesh as functions do") {
     for (Problem& problem : problems())
         for (Setting const& setting : settings) {
             if (!goes_together(problem, setting.options)) continue;
@@ -93,9 +91,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "one marker given beside a curve: the two displacements add up, and each leaves the other's "
-    "wall alone") {
+TEST_CASE("displacements of a given marker and of a curve add up without disturbing each other") {
     for (Setting const& setting : settings) {
         Case curves = two_body_case(Cells::hybrid, 8, 6), both = curves;
         both.conditions.clear();
@@ -118,9 +114,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "linear maps of the boundary: translations exact, similarities if conformal, all maps if "
-    "Laplace's") {
+TEST_CASE("translations of the boundary are exact, and similarities or linear maps by operator") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         for (Setting const& setting : settings) {
             Case setup;
@@ -201,9 +195,7 @@ TEST_CASE("the same bits for any number of threads, in one block and in several"
     }
 }
 
-TEST_CASE(
-    "lists: any order, repeated points, both sides of a cut; the gradient is where a point stands "
-    "first") {
+TEST_CASE("lists of given points may have any order, repetitions and both sides of a cut") {
     Case setup = given_instead(cut_airfoil());
     setup.index_base = 1;
     Displaced displaced(setup);
@@ -228,8 +220,7 @@ TEST_CASE(
     CHECK(std::abs(found[5]) > 0);
 }
 
-TEST_CASE(
-    "from coordinates: moved points, unmoved bits, moved plans, and walls that cross are refused") {
+TEST_CASE("displacements start at any coordinates, and walls that cross are refused") {
     Case setup = given_instead(tiny_case());
     Displaced displaced(setup);
     std::size_t const n = setup.mesh.x.size(), n_wall = displaced.points.size();
@@ -286,9 +277,7 @@ TEST_CASE("a basis without functions: for quality, step and assessment") {
     }
 }
 
-TEST_CASE(
-    "the residual that is reported is that of the solution: small, but there, as numbers are "
-    "rounded") {
+TEST_CASE("the reported residual of a displacement is that of the solution") {
     Case setup = given_instead(airfoil_case());
     Displaced displaced(setup);
     Field const wall = some_field(displaced.points.size(), 3, 0.01),

@@ -41,9 +41,7 @@ TEST_CASE("B-spline functions given as tables are the functions of the curve") {
     }
 }
 
-TEST_CASE(
-    "modes beside curves and bodies: as displaced, the other functions as they were, exact "
-    "transpose") {
+TEST_CASE("modes move as given displacements beside curves and bodies, with an exact transpose") {
     Case slipping = given_instead(half_ring(8, 16, Cells::hybrid, 0.2, 4));
     Case curve = curve_and_table(), rigid = curve_and_table();
     rigid.conditions.clear();

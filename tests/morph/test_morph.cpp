@@ -271,8 +271,7 @@ TEST_CASE("a movement that is not finite is refused, and nothing is written") {
     }
 }
 
-TEST_CASE(
-    "a point that does not move keeps its bits, also those of -0, in every layout and storage") {
+TEST_CASE("a point that does not move keeps its bits, also those of -0") {
     Case setup = cut_ring(
         30, 11);  // the last block of points is filled in part; a cut joins points to the wall
     Solved const solved(setup);

@@ -77,9 +77,7 @@ struct Product {
 
 }  // namespace
 
-TEST_CASE(
-    "a point's products are added up in the order of the numbers: the same bits from every "
-    "kernel") {
+TEST_CASE("a point's products are added in the order of the numbers by every kernel") {
     for (Index numbers = 1; numbers <= Movements::max_count; numbers += numbers < 40 ? 1 : 11) {
         Product const product(3, numbers, static_cast<unsigned>(numbers));
         INFO(numbers << " numbers");
@@ -102,8 +100,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "the transpose is right to the rounding of each product, and the same bits from every kernel") {
+TEST_CASE("the transpose is right to rounding and has the same bits from every kernel") {
     for (Index numbers = 1; numbers <= Movements::max_count; numbers += numbers < 40 ? 1 : 11)
         for (Index const blocks : {1, 2, 5, 8, 19}) {
             Product const product(blocks, numbers, static_cast<unsigned>(numbers));
@@ -156,9 +153,7 @@ TEST_CASE("of the numbers of a block some may be used, at any address; no others
         }
 }
 
-TEST_CASE(
-    "numbers that cancel, and as many as a call may add: the sum of the rounded products, from "
-    "every kernel") {
+TEST_CASE("every kernel sums numbers that cancel, and as many as a call may add") {
     // Each product is a multiple of 2^-30 near 1 or -1, so that all sums are exact. Sums of
     // products near 2^63 are far beyond 64 bits, along x and along y each by its own multiple of
     // 2^64.
@@ -192,8 +187,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "points are moved in place or elsewhere, or from 0; where the sum is 0 all bits are kept") {
+TEST_CASE("points are moved in place, elsewhere or from 0, and keep their bits if the sum is 0") {
     for (Index const numbers : {1, 2, 9, 20})
         for (Kernel const kernel : usable_kernels()) {
             Product product(3, numbers, 7);

@@ -101,8 +101,7 @@ TEST_CASE("neither size, place, angle nor the first corner matters") {
     }
 }
 
-TEST_CASE(
-    "with a reference, cells that grow or shrink lose: the square root of the ratio of areas") {
+TEST_CASE("cells that grow or shrink lose the square root of the ratio of areas in quality") {
     Mesh const reference = square(6, Cells::quads, 2, 2);
     Mesh mesh = reference;
     for (double const factor : {0.5, 2.0, 10.0}) {

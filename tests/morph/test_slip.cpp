@@ -35,9 +35,7 @@ struct Slid {
 
 }  // namespace
 
-TEST_CASE(
-    "hm_slip: sliding points are on the circle, inner ones follow, the wall keeps its bits, twice "
-    "is once") {
+TEST_CASE("hm_slip puts sliding points on the circle, and a second call changes nothing") {
     Slid moved;
     std::vector<double> x(moved.x.size()), y(moved.x.size());
     REQUIRE(hm_slip(moved.attempt.analysis, points_in(moved.x, moved.y), points_out(x, y),

@@ -200,8 +200,7 @@ TEST_CASE("the two sides of a wall without thickness move together, part, and cl
     CHECK(bent.find().step == HUGE_VAL);
 }
 
-TEST_CASE(
-    "a mesh whose wall crosses itself without an inverted cell: the smaller step is the wall's") {
+TEST_CASE("the smaller step is that of a wall which crosses itself without an inverted cell") {
     Case setup = airfoil_case(60, 16, Cells::quads);
     Solved const solved(setup);
     hm_mesh const mesh = setup.mesh.view();

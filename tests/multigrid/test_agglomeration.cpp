@@ -115,8 +115,7 @@ Case viscous_case(Cells kind) {
 
 }  // namespace
 
-TEST_CASE(
-    "a partition into connected cells of bounded size, down to a few, on every kind of mesh") {
+TEST_CASE("cells are merged to connected cells of bounded size, down to a few, on every mesh") {
     for (Merging const merging : all_rules)
         for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
             for (int mesh = 0; mesh < 3; ++mesh) {
@@ -137,9 +136,7 @@ TEST_CASE(
             }
 }
 
-TEST_CASE(
-    "coarse rows are the sums of the fine ones: symmetric, positive definite, and 0 where the fine "
-    "sums are 0") {
+TEST_CASE("coarse rows are the sums of the fine rows, symmetric and positive definite") {
     Case setup = two_body_case(Cells::hybrid, 14, 9);
     Analysed const seen(setup);
     FrontMatrix const front(*seen.operator->());
@@ -182,9 +179,7 @@ TEST_CASE(
     CHECK(n_inside > 10);
 }
 
-TEST_CASE(
-    "on stretched cells the directional and the automatic rule merge along the strong coupling "
-    "alone") {
+TEST_CASE("both rules for stretched cells merge along the strong coupling alone") {
     for (Cells const kind : {Cells::quads, Cells::triangles})
         for (Merging const merging : all_rules) {
             Case setup = square_on_curve(36, kind, 0, 1);
@@ -208,8 +203,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "differences inside merged cells are removed by smoothing: bounded in units of the diagonals") {
+TEST_CASE("differences inside merged cells are bounded in units of the diagonals") {
     for (double const first : {1e-3, 1e-5, 1e-7}) {
         Case setup = airfoil_case(40, 12, Cells::quads);
         setup.mesh = c_mesh(naca4({}, 20), 12, 40, stretched(first, 60, 48)).mesh;
@@ -389,9 +383,7 @@ struct HandMadeRows {
 
 }  // namespace
 
-TEST_CASE(
-    "a cell without a free neighbour joins the cell that it is coupled to most, whichever comes "
-    "first") {
+TEST_CASE("a cell without a free neighbour joins the cell with the strongest coupling") {
     // Pairs a1 a2 and b1 b2, and a cell L that touches both pairs, more strongly the first one. L
     // joins a pair only if the smoother removes what differs: with the diagonals below for the
     // strong coupling (2.3) and not for the weak one (2). A third pair joins a1 a2 in the second

@@ -77,8 +77,7 @@ TEST_CASE("the triangular solves are inverses of the triangular products") {
     CHECK(largest_difference(x, s.x) < 1e-12);
 }
 
-TEST_CASE(
-    "after the forward sweep the defect is that of the start 0, less A times the correction") {
+TEST_CASE("the defect after the forward sweep is that of the start 0 less A times the correction") {
     Setting const s;
     std::size_t const n = s.dense.n;
     Agglomerated const merged(s.front.rows);

@@ -169,8 +169,7 @@ TEST_CASE("local steps are cfl (0.5 shortest edge)^2, and never longer than what
     }
 }
 
-TEST_CASE(
-    "it converges to the direct engine's functions, on stretched cells too, with either rule") {
+TEST_CASE("full approximation converges to the functions of the direct engine with either rule") {
     for (int which = 0; which < 7; ++which) {
         Case setup = which < 3    ? two_body_case(static_cast<Cells>(which), 12, 8)
                      : which == 3 ? airfoil_case()
@@ -237,9 +236,7 @@ TEST_CASE("the start from the coarsest level is worth a cycle at least") {
               1.5 * history[static_cast<std::size_t>(k)]);
 }
 
-TEST_CASE(
-    "from zero it goes to the same functions, and the first residual that is told is 1 all the "
-    "same") {
+TEST_CASE("full approximation from zero converges to the same functions") {
     Case setup = two_body_case(Cells::hybrid, 16, 10);
     std::vector<double> history(400);
     Options options = fas();
@@ -277,8 +274,7 @@ TEST_CASE("threads change no bit; limits end with a status") {
     CHECK(backwards.tasks > 0);
 }
 
-TEST_CASE(
-    "a small residual alone is no convergence: ended before the values are near, it says so") {
+TEST_CASE("full approximation that ends early with a small residual has not converged") {
     Case setup = airfoil_case(20, 12);
     setup.mesh = c_mesh(naca4({}, 20), 10, 8, stretched(1e-3, 8, 20)).mesh;
     Options options = fas(), exact = direct();

@@ -86,8 +86,7 @@ void check_preconditioner(Case setup) {
 
 }  // namespace
 
-TEST_CASE(
-    "the direct engine's functions on every kind of mesh, with free boundaries, cuts and weights") {
+TEST_CASE("multigrid finds the functions of the direct engine on every kind of mesh") {
     for (int which = 0; which < 9; ++which) {
         Case setup = which < 3    ? two_body_case(static_cast<Cells>(which), 16, 10)
                      : which == 3 ? airfoil_case()
@@ -115,8 +114,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "points that slide: the direct engine's functions, along axes, inclined lines and circles") {
+TEST_CASE("multigrid finds the functions of the direct engine for points that slide") {
     for (int which = 0; which < 5; ++which) {
         Case setup = which < 3    ? similar(two_body_case(static_cast<Cells>(which), 16, 10),
                                             std::polar(1.0, 0.8 * which), 0)
@@ -169,9 +167,7 @@ TEST_CASE("a function's bits do not depend on which others are solved with it") 
         CHECK(same_bits(values_in_shares(all, width), all.all_values()));
 }
 
-TEST_CASE(
-    "the number of iterations hardly grows with the mesh: at most 30 on even cells, 45 on "
-    "stretched ones") {
+TEST_CASE("multigrid needs at most 30 iterations on even cells and 45 on stretched cells") {
     Options options = multigrid();
     std::int32_t smallest = 1000;
     for (int const n_side : {20, 40, 80, 120}) {
@@ -192,9 +188,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "the functions' sum is 1 where no point has value 0, however thin the cells: constants are in "
-    "the kernel") {
+TEST_CASE("the sum of the functions is 1 for thin cells if no point has the value 0") {
     for (double const first : {1e-5, 1e-9}) {
         Case setup = airfoil_case(40, 12, Cells::quads);
         setup.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(first, 60, 60)).mesh;
@@ -315,8 +309,7 @@ TEST_CASE("memory: at most 400 bytes for each point with blocks of 4") {
     }
 }
 
-TEST_CASE(
-    "the levels can be seen: merged cells of points, the coarser ones unions of the finer ones") {
+TEST_CASE("the levels of a plan can be read, and coarser cells are unions of finer cells") {
     Case setup = two_body_case(Cells::hybrid, 16, 10);
     Options options = multigrid();
     Solved const solved(setup, &options);

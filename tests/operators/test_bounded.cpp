@@ -85,8 +85,7 @@ Case stretched_bodies(Cells kind, double thin) {
 
 }  // namespace
 
-TEST_CASE(
-    "no entry beside the diagonal is positive, and none of a coupling, whatever the weights") {
+TEST_CASE("no entry beside the diagonal and no coupling is positive for any weights") {
     auto const positive_entries = [](harmorph::Matrix const& m) {
         int out = 0;
         for (double const entry : m.value) out += entry > 0;
@@ -367,9 +366,7 @@ TEST_CASE("weights of edges are powers of their midpoints' distances from what m
     }
 }
 
-TEST_CASE(
-    "weighted functions stay between 0 and 1 as well; slip and the conformal operator are "
-    "refused") {
+TEST_CASE("weighted functions stay between 0 and 1; slip and the conformal operator are refused") {
     for (Cells const kind : kinds) {
         Case setup = stretched_bodies(kind, 0.2);
         Options options = bounded(), compact{};

@@ -59,8 +59,7 @@ TEST_CASE("conductances between the points of any cell arrive where a dense matr
     }
 }
 
-TEST_CASE(
-    "rows are in order, hold later columns only, and each once; their number is what was counted") {
+TEST_CASE("rows hold later columns only, in order and once, and as many as were counted") {
     Case setup = two_body_case(Cells::hybrid, 6, 4);
     Analysed const seen(setup);
     AssembledMatrix const sparse(*seen.operator->());
@@ -75,8 +74,7 @@ TEST_CASE(
     CHECK(m.coupling_start[seen->wall().count] == seen->matrix_sizes().couplings);
 }
 
-TEST_CASE(
-    "faces are the entries between the ends of an edge, of components of fixed or sliding points") {
+TEST_CASE("faces are the entries between the ends of an edge") {
     for (bool const slides : {false, true}) {
         Case setup = two_body_case(Cells::hybrid, 6, 4);
         if (slides) setup.set_slip(far_field);
@@ -133,8 +131,7 @@ TEST_CASE("rows tell unknowns, wall points, and points whose value is 0") {
     CHECK(zero == 24 + 12 + 1);  // 36 points of the rectangle's sides
 }
 
-TEST_CASE(
-    "circulations are stored above the diagonal, and turned below, for any order of the points") {
+TEST_CASE("circulations are stored above the diagonal for any order of the points") {
     Case setup = two_body_case(Cells::hybrid, 6, 4);
     Analysed const seen(setup);
     harmorph::Analysis const& a = *seen.operator->();

@@ -113,8 +113,7 @@ TEST_CASE("nothing is left in any volume: the plan's functions solve the scheme'
         }
 }
 
-TEST_CASE(
-    "second order on an annulus, whole and half with a free symmetry line; perturbed as well") {
+TEST_CASE("nodal equations have second order on a whole and on a half annulus") {
     Options const options = nodal(HM_DIRECT);
     for (bool const is_half : {false, true})
         for (double const amplitude : {0.0, 0.3})
@@ -128,9 +127,7 @@ TEST_CASE(
             }
 }
 
-TEST_CASE(
-    "without correction: second order on smooth triangles, a free symmetry line included, with "
-    "larger errors") {
+TEST_CASE("nodal equations without correction have second order on smooth triangles") {
     Options options = plain(), corrected = nodal(HM_DIRECT);
     options.tolerance = 1e-6;  // far below the errors of the scheme
     for (bool const is_half : {false, true}) {
@@ -156,8 +153,7 @@ TEST_CASE("the difference from the compact scheme falls as the mesh is refined")
     }
 }
 
-TEST_CASE(
-    "both engines find the same functions, also on stretched cells and beside a free boundary") {
+TEST_CASE("both engines find the same functions of nodal gradients") {
     for (int which = 0; which < 5; ++which) {
         Case setup = which < 3 ? two_body_case(kinds[which], 10, 7)
                                : viscous_case(which == 3 ? Cells::quads : Cells::triangles);
@@ -175,8 +171,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "a rigid body, a periodic pair, a factor in single precision: the scheme's equations again") {
+TEST_CASE("nodal equations hold for a rigid body, a periodic pair and single precision") {
     Case setup = two_body_case(Cells::hybrid, 8, 6);
     setup.conditions.erase(setup.conditions.begin());
     setup.set_rigid(body, 0, 0);
@@ -210,9 +205,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "the functions sum up to 1 where all boundaries are on curves, and carry linear fields "
-    "exactly") {
+TEST_CASE("functions of nodal gradients sum up to 1 and carry linear fields exactly") {
     for (Cells const kind : kinds) {
         Case setup = square_on_curve(9, kind, 0.3, 6);
         for (Options const& options : {nodal(HM_DIRECT), nodal(HM_FAS), plain()}) {

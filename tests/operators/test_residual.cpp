@@ -90,8 +90,7 @@ TEST_CASE("one wrong value leaves its column of the matrix") {
     CHECK(block.guards_intact());
 }
 
-TEST_CASE(
-    "points that slip: the residual of any values is b - A F, also where lines meet at an angle") {
+TEST_CASE("the residual of points that slip is b - A F, also where lines meet at an angle") {
     struct Kind {
         std::int32_t kind;
         bool has_source;
@@ -153,9 +152,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "a factor that is slightly wrong: refinement brings the residual down, and progress never goes "
-    "back") {
+TEST_CASE("refinement reduces the residual of a wrong factor, and progress never goes back") {
     for (double const error : {0.0, 1e-9, 1e-6, 1e-1}) {
         Case setup = ring_case(12, 48, 0.5, 2, Cells::hybrid, 3, 19);
         Progressed progressed;
@@ -221,9 +218,7 @@ double worst_defect(Solved const& solved, std::size_t n) {
 
 }  // namespace
 
-TEST_CASE(
-    "thin cells: the direct engine's functions sum to 1 where the far field is free, and are "
-    "multigrid's") {
+TEST_CASE("functions on thin cells sum to 1 for a free far field, and are those of multigrid") {
     for (double const first : {1e-7, 1e-9, 1e-11}) {
         for (bool const free : {true, false}) {
             Case setup = thin_case(first, free);
@@ -255,8 +250,7 @@ TEST_CASE("even cells are not refined") {
     }
 }
 
-TEST_CASE(
-    "constants leave nothing, to the bit, of complex equations too, but beside known values") {
+TEST_CASE("constants leave a residual of 0 to the bit, except beside known values") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
         Case setup = thin_case(1e-9, false);
         Options const options = with(kind, HM_DIRECT);
@@ -290,8 +284,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "rows in single precision are those in double, rounded last; norms are the same without rows") {
+TEST_CASE("rows in single precision are those in double precision, rounded last") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
         Case setup = thin_case(1e-3, false);
         Options in_double = with(kind, HM_DIRECT), in_single = in_double;
@@ -354,9 +347,7 @@ TEST_CASE("kernels give the same bits, of whole blocks of columns and of parts o
     }
 }
 
-TEST_CASE(
-    "subtrees of rows: the same residuals as row after row, the same bits for any number of "
-    "threads") {
+TEST_CASE("subtrees of rows have the residuals of rows in turn for any number of threads") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
         Case setup = ring_case(60, 130, 0.5, 2, Cells::hybrid, 3, 8);
         Options const options = with(kind, HM_DIRECT);

@@ -46,8 +46,7 @@ DenseMatrix of_finite_elements(harmorph::Mesh const& mesh,
 
 }  // namespace
 
-TEST_CASE(
-    "the matrix is the sum of the cotangents of all triangles, and of both splits of each quad") {
+TEST_CASE("the matrix is the sum of the cotangents of all triangles and of both splits of quads") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         for (int const n :
              {5, 6, 9}) {  // groups of cells are full, or odd, or one cell is left over

@@ -50,8 +50,7 @@ struct RandomRows {
 
 }  // namespace
 
-TEST_CASE(
-    "P^T A P against the dense product, its pattern without repeats, faces summed up to 255") {
+TEST_CASE("P^T A P is the dense product without repeated entries, and faces sum up to 255") {
     for (Index const n : {1, 2, 7, 40})
         for (double const density : {0.0, 0.2, 1.0}) {
             RandomRows made(n, density, 11 + static_cast<unsigned>(n));

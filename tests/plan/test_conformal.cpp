@@ -62,8 +62,7 @@ TEST_CASE("the functions are N_i(u) on the curves, without imaginary part, and 0
     }
 }
 
-TEST_CASE(
-    "a morph is linear over the complex numbers: turning all movements turns all displacements") {
+TEST_CASE("turning all movements turns all displacements of a conformal morph") {
     Case setup = airfoil_case();
     Options const options = options_of(HM_CONFORMAL);
     Solved const solved(setup, &options);
@@ -103,8 +102,7 @@ TEST_CASE("control points that are moved by a similarity move the wall by the sa
         }
 }
 
-TEST_CASE(
-    "numbering, orientation, markers, place and size of the mesh do not change the functions") {
+TEST_CASE("numbering, orientation, markers, place and size of the mesh do not matter") {
     Case const origin = airfoil_case(30, 10);
     Options const options = options_of(HM_CONFORMAL);
     Case setup = origin;
@@ -161,9 +159,7 @@ TEST_CASE("the functions do not depend on the unit of length, from 1e-30 to 1e30
     }
 }
 
-TEST_CASE(
-    "a free boundary is refused, and the error names slip as what is possible; unknown exponents "
-    "are refused") {
+TEST_CASE("a free boundary is refused with a hint at slip, and so are unknown exponents") {
     Case setup = ring_case(6, 24, 0.5, 2);
     setup.set_free(far_field);
     for (std::int32_t const exponent_quarters : {0, 6, +HM_NO_WEIGHT}) {

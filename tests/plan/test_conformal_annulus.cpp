@@ -96,8 +96,7 @@ double rms_error(int refine, Cells kind, std::int32_t exponent_quarters) {
 
 }  // namespace
 
-TEST_CASE(
-    "annulus: the exact solution with k = d^-q, to second order where quads are at the wall") {
+TEST_CASE("functions on an annulus have second order for k = d^-q and quads at the wall") {
     auto const order = [](Cells kind, std::int32_t exponent_quarters) {
         double const coarse = rms_error(2, kind, exponent_quarters),
                      fine = rms_error(4, kind, exponent_quarters);

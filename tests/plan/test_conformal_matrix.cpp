@@ -117,9 +117,7 @@ double energy(Mesh const& mesh, Field const& f, const std::int32_t (&corner)[3])
 
 }  // namespace
 
-TEST_CASE(
-    "the matrix is that of the integral of k |f_x + i f_y|^2, cell by cell, for quads the mean of "
-    "both splits") {
+TEST_CASE("the conformal matrix is that of the integral of k |f_x + i f_y|^2, cell by cell") {
     for (Cells const kind : kinds) {
         Case setup = square_on_curve(7, kind, 0.4, 5);
         std::vector<double> const k = some_conductivity(setup.mesh, 6);
@@ -153,9 +151,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "the matrix is Hermitian; maps z -> a z + b are in the kernel for any k, mirrored maps are "
-    "not") {
+TEST_CASE("the matrix is Hermitian, and maps z -> a z + b are in the kernel for any k") {
     for (Cells const kind : kinds)
         for (bool const mixed : {false, true}) {
             Case setup = square_on_curve(7, kind, 0.4, 8);
@@ -183,9 +179,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "the matrix is positive definite on distorted and on thin cells, with conductivities that "
-    "differ by 10^6") {
+TEST_CASE("the matrix is positive definite on distorted and thin cells with varying weights") {
     for (Cells const kind : kinds)
         for (double const thin : {1.0, 1e-3}) {
             Case setup = square_on_curve(7, kind, 0.4, 11);

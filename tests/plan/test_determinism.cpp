@@ -110,9 +110,7 @@ TEST_CASE("kernels agree to rounding, each with itself to the bit") {
     CHECK(tried >= 1);
 }
 
-TEST_CASE(
-    "any number of threads, in any order of their tasks: the same bits, in all that takes an "
-    "executor") {
+TEST_CASE("any number of threads in any order of tasks gives the same bits in all calls") {
     Case setup = ring_case(70, 300, 0.5, 2, Cells::hybrid, 3, 20);  // large enough to be shared out
     perturb(setup.mesh, 0.2, 5);
     hm_mesh const mesh = setup.mesh.view();

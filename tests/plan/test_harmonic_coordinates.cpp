@@ -107,9 +107,7 @@ constexpr Affine maps[] = {{1, 0, 0, 1, 0, 0},
 
 }  // namespace
 
-TEST_CASE(
-    "affine maps of the cage are exactly affine maps of the inside, also with holes and concave "
-    "cages") {
+TEST_CASE("affine maps of a cage are affine maps of the inside, also with holes") {
     for (Cells const kind : kinds) {
         for (Case setup : {cages(12, kind, 0), cages(15, kind, 0.25), l_shape(6, kind)}) {
             Solved const solved(setup);
@@ -118,9 +116,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "coordinates are 1 or 0 at the cage's corners, linear along its edges, and together 1 "
-    "everywhere") {
+TEST_CASE("coordinates are 1 or 0 at corners of the cage, linear on edges, and sum up to 1") {
     for (Case setup : {cages(12, Cells::quads, 0), l_shape(6, Cells::triangles)}) {
         Solved const solved(setup);
         std::vector<double> const& control = setup.curves.control;
@@ -157,9 +153,7 @@ TEST_CASE(
     CHECK(on_side == 13);
 }
 
-TEST_CASE(
-    "a corner more in the middle of an edge: its neighbours' coordinates give it half of "
-    "themselves") {
+TEST_CASE("a further corner in the middle of an edge takes half of its neighbours' coordinates") {
     Case setup = l_shape(6, Cells::triangles), finer = setup;
     finer.curves = polyline({{0, 0}, {0.5, 0}, {1, 0}, {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}});
     Solved const solved(setup), finer_solved(finer);

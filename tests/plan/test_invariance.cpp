@@ -6,9 +6,7 @@
 
 using namespace fixtures;
 
-TEST_CASE(
-    "neither renumbering, nor the cells' starts, nor orientation, nor rotation changes a "
-    "function") {
+TEST_CASE("neither renumbering nor cell starts nor orientation nor rotation changes a function") {
     Case const origin = airfoil_case();
     Case setup = origin;
     Solved const reference(setup);
@@ -83,8 +81,7 @@ TEST_CASE("units that differ by a power of two: the same bits") {
     }
 }
 
-TEST_CASE(
-    "units as far as doubles go: single precision orders the unknowns, and must not overflow") {
+TEST_CASE("units near the limits of doubles do not overflow the order of the unknowns") {
     Case setup = airfoil_case();
     Solved const reference(setup);
     std::vector<double> const expected = reference.all_values();

@@ -47,8 +47,7 @@ double worst_on_wall(Solved const& solved, Case const& setup, Field const& moved
 
 }  // namespace
 
-TEST_CASE(
-    "rigid motions and scalings of all control points move every wall point rigidly, to rounding") {
+TEST_CASE("rigid motions and scalings of all control points move the wall rigidly") {
     Case setup = beside_its_curve(0.02);
     Options const with = corrected(), without = corrected(0);
     Solved const a(setup, &with), b(setup, &without);
@@ -68,9 +67,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "general motions add e dC' / C' to what the B-spline moves, and are linear over the complex "
-    "numbers") {
+TEST_CASE("general motions add e dC' / C' to the movement of the B-spline") {
     Case setup = beside_its_curve(0.01);
     Options const options = corrected();
     Solved const solved(setup, &options);
@@ -96,9 +93,7 @@ TEST_CASE(
     CHECK(most > 1e-3);
 }
 
-TEST_CASE(
-    "zero movement keeps every bit; the boundary's error and the adjoint are those of the data in "
-    "use") {
+TEST_CASE("a zero movement keeps every bit with offset correction, and the adjoint is exact") {
     Case setup = beside_its_curve(0.01);
     Options const options = corrected();
     Solved const solved(setup, &options);
@@ -164,8 +159,7 @@ TEST_CASE("at corners nothing is known to turn: their points keep their offset")
     CHECK(std::abs(turned_field[17] - at_side) < 1e-14);
 }
 
-TEST_CASE(
-    "where the curve stands still, nothing is known to turn either: no infinite or huge values") {
+TEST_CASE("offset correction gives no huge values where the derivative of the curve is 0") {
     Case setup = ring_case(6, 24, 0.5, 2);
     // Degree 3, and four neighbouring control points all but coincide: so C' all but vanishes
     // there.

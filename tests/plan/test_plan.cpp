@@ -182,8 +182,7 @@ TEST_CASE("a free symmetry line: half the annulus has half of the symmetric solu
     }
 }
 
-TEST_CASE(
-    "the sum of all functions does not depend on the curve: it is the wall's harmonic measure") {
+TEST_CASE("the sum of all functions is the harmonic measure of the wall for any curve") {
     for (Cells const kind : kinds) {
         std::vector<std::vector<double>> sums;
         for (int const degree : {1, 2, 3, 5})
@@ -210,8 +209,7 @@ TEST_CASE("rational functions sum up to 1 on the curve as well") {
     CHECK(largest_difference(plain.values(3), rational.values(3)) > 1e-2);
 }
 
-TEST_CASE(
-    "two bodies: the functions of one vanish on the other, and all share the measure of both") {
+TEST_CASE("the functions of one of two bodies vanish on the other body") {
     for (Cells const kind : kinds) {
         Case setup = two_body_case(kind);
         Solved const solved(setup);

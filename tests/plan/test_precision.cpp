@@ -126,9 +126,7 @@ TEST_CASE("the plan takes less than two thirds of the memory") {
 }
 
 // Weights are (unit / d)^4 at the most, and functions of bodies as large as the bodies.
-TEST_CASE(
-    "entries and right-hand sides beyond single precision are refused by name, without an "
-    "exception") {
+TEST_CASE("entries and right-hand sides beyond single precision are refused by name") {
     Options options = with(HM_CONFORMAL, HM_SINGLE);
     options.exponent_quarters = 16;
     Case thin = airfoil_case(40, 12, Cells::quads);

@@ -94,8 +94,7 @@ TEST_CASE("transfers between other domains, curves, operators or meshes are refu
     }
 }
 
-TEST_CASE(
-    "a coarse basis with some of the functions is refused, however it came to have only some") {
+TEST_CASE("a coarse basis that holds only some of the functions is refused") {
     Case coarse = ring_case(4, 32, 0.5, 2), fine = ring_case(9, 70, 0.5, 2);
     Solved const solved(coarse);
     std::int32_t const n = solved.info().functions;
@@ -120,8 +119,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "a basis is not transferred to itself: the functions would be cleared before they are read") {
+TEST_CASE("a basis is not transferred to itself") {
     Case setup = ring_case(4, 32, 0.5, 2);
     TransferAttempt attempt;
     REQUIRE(attempt.open(setup.problem()));

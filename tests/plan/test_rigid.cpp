@@ -55,9 +55,7 @@ hm_status refused(Case& setup, const char* words) {
 
 }  // namespace
 
-TEST_CASE(
-    "translated, turned and scaled about its centre: every point is where it should be, to "
-    "rounding") {
+TEST_CASE("points of a body that is translated, turned and scaled are exact to rounding") {
     for (std::int32_t const operator_kind : operators)
         for (Cells const kind : {Cells::quads, Cells::triangles}) {
             Case setup = flap(false, kind);
@@ -93,8 +91,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "two rigid bodies and no curve: bodies are numbered by the caller, centres are their own") {
+TEST_CASE("two rigid bodies without a curve have their own numbers and centres") {
     for (std::int32_t const operator_kind : operators) {
         Case setup = flap(true);
         Options const options = options_of(operator_kind);
@@ -122,9 +119,7 @@ TEST_CASE("a body over several markers is one body; its parts alone would be two
     CHECK(largest_difference(displacement(a, move), displacement(b, move)) < 1e-14);
 }
 
-TEST_CASE(
-    "the centre is where it turns, and nothing else: another one, with the translation that makes "
-    "up for it") {
+TEST_CASE("another centre of a body needs another translation for the same movement") {
     Case setup = flap(), other = setup;
     other.conditions.back().x = -3;
     other.conditions.back().y = 10;
@@ -142,8 +137,7 @@ TEST_CASE(
     CHECK(largest_difference(displacement(a, move), displacement(b, same)) < 1e-13);
 }
 
-TEST_CASE(
-    "a body on a curve whose control points turn with it moves the mesh as the rigid one does") {
+TEST_CASE("a rigid body moves the mesh as a curve does whose control points turn alike") {
     for (std::int32_t const operator_kind : operators) {
         Case rigid = ring_case(8, 32, 0.5, 2), curved = rigid;
         rigid.conditions.clear();

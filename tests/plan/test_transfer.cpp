@@ -87,8 +87,7 @@ TEST_CASE("linear fields are exact, between meshes that share no points") {
     }
 }
 
-TEST_CASE(
-    "curved walls: second order against the functions solved on the fine mesh, real and complex") {
+TEST_CASE("transfer between curved walls has second order for real and complex functions") {
     Options const other = options_of(HM_CONFORMAL);
     for (Options const* options : {static_cast<Options const*>(nullptr), &other}) {
         for (Cells const kind : kinds) {
@@ -185,9 +184,7 @@ bool interpolated(Mesh const& mesh, std::vector<double> const& values, Point p, 
 
 }  // namespace
 
-TEST_CASE(
-    "meshes that have nothing in common: values are those of the coarse triangle, found among all "
-    "triangles") {
+TEST_CASE("values on an unrelated mesh are those of the coarse triangle that contains the point") {
     Case coarse = ring_case(5, 34, 0.5, 2, Cells::triangles),
          fine = ring_case(8, 61, 0.5, 2, Cells::hybrid);
     perturb(coarse.mesh, 0.15, 3);

@@ -129,9 +129,7 @@ TEST_CASE("slipping points stay on their lines, periodic pairs move alike, bit b
     }
 }
 
-TEST_CASE(
-    "what is restored on a wall that meets a slip line at an angle does not push points off the "
-    "line") {
+TEST_CASE("the correction at a wall that meets a slip line does not push points off the line") {
     auto const slanting = [](int n) {
         Case out;
         out.mesh = square(n);
@@ -188,8 +186,7 @@ TEST_CASE("rigid bodies: points on them move rigidly") {
     CHECK(refused.status == HM_BAD_BASIS);
 }
 
-TEST_CASE(
-    "thin layers stay valid: the points near the wall move along with what is restored there") {
+TEST_CASE("thin layers stay valid because points near the wall move along with the correction") {
     auto const viscous = [](int n_side, double first, int layers) {
         Case out = airfoil_case(n_side);
         Naca4 naca;

@@ -121,8 +121,7 @@ TEST_CASE("without a weight: Laplace's functions, bit by bit; the larger q, the 
     }
 }
 
-TEST_CASE(
-    "a plan without a weight stores no conductivities: it is smaller by one number for each cell") {
+TEST_CASE("a plan without a weight is smaller by one number for each cell") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Case setup = ring_case(8, 32, 0.5, 2, kind);
         Options const weighted = options_of(HM_WEIGHTED, 4),
