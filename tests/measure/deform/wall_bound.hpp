@@ -99,7 +99,8 @@ private:
         return std::hypot(at_x[b] - at_x[a], at_y[b] - at_y[a]);
     }
 
-    // Returns a bound of the quality of the triangle on a face, which contains no other point of the wall.
+    // Returns a bound of the quality of the triangle on a face, which contains no other point of
+    // the wall.
     double bound_on_face(int begin, int end) const {
         auto const found = cells.find({begin, end});
         if (found == cells.end() || found->second.n != 3) return 1;
