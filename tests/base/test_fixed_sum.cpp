@@ -5,7 +5,6 @@
 
 #include "base/fixed_sum.hpp"
 
-#include <cmath>
 #include <limits>
 #include <random>
 
@@ -19,7 +18,7 @@ FixedSum fixed(double t) {
     t = std::ldexp(t, 63);
     double const coarse = (t + FixedSum::coarse_grid) - FixedSum::coarse_grid;
     double const fine = ((t - coarse) + FixedSum::fine_grid) - FixedSum::fine_grid;
-    return {static_cast<std::int64_t>(std::ldexp(coarse, -31)), static_cast<std::int64_t>(fine)};
+    return {std::int64_t(std::ldexp(coarse, -31)), std::int64_t(fine)};
 }
 
 }  // namespace

@@ -1,6 +1,4 @@
 // Blocks that are no whole, unchanged basis of this mesh are refused with the reason.
-#include <doctest/doctest.h>
-
 #include <fixtures/basis_copy.hpp>
 #include <fixtures/bodies.hpp>
 #include <fixtures/polygon_cases.hpp>
@@ -20,7 +18,7 @@ TEST_CASE("a basis that is truncated at any length is refused with the reason") 
         bool const in_header = size < sizeof(harmorph::BasisHeader);
         CHECK(part.says(size == 0 ? "not a harmorph basis: the mark" : "truncated"));
         std::size_t const wanted = in_header ? sizeof(harmorph::BasisHeader) : whole.size();
-        if (size > 0) CHECK(part.error.value == static_cast<double>(wanted - size));
+        if (size > 0) CHECK(part.error.value == double(wanted - size));
     }
     // A longer block, as a file with something behind it, is none of its business.
     std::vector<double> longer(whole.size() / 8 + 10, 3.0);

@@ -1,8 +1,5 @@
 // Boundaries that slide along B-splines that are given.
 #include <harmorph_design.h>
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
 
 #include <fixtures/circle.hpp>
 #include <fixtures/core.hpp>
@@ -42,7 +39,7 @@ struct Along {
         REQUIRE(hm_slip(attempt.analysis, points_in(x, y), points_out(x, y), nullptr) == HM_OK);
         CHECK(same_bits(x, setup.mesh.x));
         CHECK(same_bits(y, setup.mesh.y));
-        std::vector<double> const by = some_move(static_cast<std::int32_t>(x.size()), 0.3, 4);
+        std::vector<double> const by = some_move(std::int32_t(x.size()), 0.3, 4);
         for (std::size_t k = 0; k < x.size(); ++k) {
             x[k] += by[2 * k];
             y[k] += by[2 * k + 1];
@@ -172,7 +169,7 @@ TEST_CASE("curves that do not fit are refused with the point") {
             .find("away from the curve along which it slides; check the marker of the condition") !=
         std::string::npos);
     CHECK(error.value == doctest::Approx(1));
-    CHECK(far.is_outer(static_cast<std::size_t>(error.item)));
+    CHECK(far.is_outer(std::size_t(error.item)));
 
     Spline octagon;  // in which the curve turns by 45 degrees, between points
     octagon.degree = 1;

@@ -19,7 +19,7 @@ struct Chosen {
 
 Chosen choose(std::vector<Vec2> const& points, Closure wanted, bool is_loop = true,
               Index most = 100) {
-    auto const n = static_cast<Index>(points.size());
+    auto const n = Index(points.size());
     Arena counting;
     Outline().lay_out(counting, n);
     std::vector<unsigned char> block(counting.bytes());
@@ -37,14 +37,14 @@ Chosen choose(std::vector<Vec2> const& points, Closure wanted, bool is_loop = tr
     out.dropped = n_found - n_corners;
     out.course = choose_course(outline, corners.first(n_corners), wanted);
     out.corners.resize(
-        static_cast<std::size_t>(corners_on(out.course, outline, corners.first(n_corners), most)));
+        std::size_t(corners_on(out.course, outline, corners.first(n_corners), most)));
     return out;
 }
 
 // Chosen alike wherever the loop begins, whichever way it runs, and however it lies: returns that
 // choice, with the first point as in the list given.
 Chosen choose_always(std::vector<Vec2> points) {
-    auto const n = static_cast<Index>(points.size());
+    auto const n = Index(points.size());
     Vec2 centre;
     for (Vec2 const p : points) centre = centre + (1.0 / n) * p;
     for (Vec2& p : points) p = p - centre;
@@ -207,8 +207,7 @@ std::vector<Vec2> cut_off(double height, double slant, int n_side, int n_base) {
     }
     Vec2 const low{1, -0.5 * height}, high{1 - slant * height, 0.5 * height};
     std::vector<Vec2> base;
-    for (int k = 0; k <= n_base; ++k)
-        base.push_back(low + (static_cast<double>(k) / n_base) * (high - low));
+    for (int k = 0; k <= n_base; ++k) base.push_back(low + (double(k) / n_base) * (high - low));
     out.insert(out.begin(), base.begin(), base.end());
     return out;
 }

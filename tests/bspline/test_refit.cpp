@@ -22,7 +22,7 @@ struct RefitRun {
 
     RefitRun(Curve const& curve, Curve const* base, std::vector<Vec2> const& points,
              RefitOptions const& options = {}) {
-        auto const n = static_cast<Index>(points.size());
+        auto const n = Index(points.size());
         Arena counting;
         Refit().lay_out(counting, curve, n);
         block.resize(counting.bytes());

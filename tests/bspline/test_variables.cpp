@@ -23,10 +23,10 @@ struct Map {
     std::vector<double> matrix, errors;
 
     double x(int point, int variable) const {
-        return matrix[static_cast<std::size_t>(2 * (point * n + variable))];
+        return matrix[std::size_t(2 * (point * n + variable))];
     }
     double y(int point, int variable) const {
-        return matrix[static_cast<std::size_t>(2 * (point * n + variable) + 1)];
+        return matrix[std::size_t(2 * (point * n + variable) + 1)];
     }
 };
 
@@ -35,8 +35,8 @@ Map mapped(CurveSet& set, hm_variables const& variables, hm_section const* secti
     std::size_t bytes = 0;
     out.status = hm_variables_size(&set.view(), section, &variables, &out.n, &bytes, &out.error);
     if (out.status < 0) return out;
-    out.matrix.assign(static_cast<std::size_t>(2 * set.n_control() * out.n), -7);
-    out.errors.assign(static_cast<std::size_t>(2 * out.n), -7);
+    out.matrix.assign(std::size_t(2 * set.n_control() * out.n), -7);
+    out.errors.assign(std::size_t(2 * out.n), -7);
     fixtures::Guarded work(bytes);
     out.status = hm_variables_map(&set.view(), section, &variables, work.data(), bytes,
                                   out.matrix.data(), out.errors.data(), &out.error);
@@ -93,7 +93,7 @@ struct Movement {
 
 double bernstein(int degree, int k, double t) {
     double value = std::pow(t, k) * std::pow(1 - t, degree - k);
-    for (int i = 0; i < k; ++i) value *= static_cast<double>(degree - i) / (k - i);
+    for (int i = 0; i < k; ++i) value *= double(degree - i) / (k - i);
     return value;
 }
 
@@ -127,11 +127,9 @@ void check_shape(CurveSet& set, Map const& map, int variable, Shape const& shape
         double const t = std::min(std::max(at.x, 0.0), 1.0);
         worst = std::max({worst, std::fabs(at.dx), std::fabs(at.dy - shape(t, upper))});
     }
-    INFO("variable " << variable << ", error "
-                     << map.errors[static_cast<std::size_t>(2 * variable + 1)]);
-    CHECK(worst <= 1.1 * map.errors[static_cast<std::size_t>(2 * variable + 1)] + 1e-12);
-    CHECK(map.errors[static_cast<std::size_t>(2 * variable)] <=
-          map.errors[static_cast<std::size_t>(2 * variable + 1)]);
+    INFO("variable " << variable << ", error " << map.errors[std::size_t(2 * variable + 1)]);
+    CHECK(worst <= 1.1 * map.errors[std::size_t(2 * variable + 1)] + 1e-12);
+    CHECK(map.errors[std::size_t(2 * variable)] <= map.errors[std::size_t(2 * variable + 1)]);
 }
 
 }  // namespace
@@ -159,8 +157,8 @@ TEST_CASE("an FFD box of degree 1 gives affine maps exactly; a box of any degree
                 sum += map.x(i, node);
                 CHECK(map.y(i, node) == 0);
             }
-            double const x = set.control[static_cast<std::size_t>(2 * i)],
-                         y = set.control[static_cast<std::size_t>(2 * i + 1)];
+            double const x = set.control[std::size_t(2 * i)],
+                         y = set.control[std::size_t(2 * i + 1)];
             CHECK(sum == doctest::Approx(1).epsilon(1e-10));
             CHECK(dx == doctest::Approx(0.1 + 0.3 * x - 0.7 * y).epsilon(1e-9));
             CHECK(dy == doctest::Approx(-0.2 + 0.5 * x + 0.4 * y).epsilon(1e-9));
@@ -193,7 +191,7 @@ TEST_CASE("CST, bumps and NACA modes move the curve by their formulas within the
                            ? std::pow(std::sin(pi * std::pow(t, std::log(0.5) / std::log(peak))), 3)
                            : 0;
             });
-            CHECK(bumps.errors[static_cast<std::size_t>(2 * j)] < 0.06);
+            CHECK(bumps.errors[std::size_t(2 * j)] < 0.06);
         }
         check_shape(set, naca, 0, [](double t, bool) {
             return t < 0.4 ? t * (0.8 - t) / 0.16 : (0.2 + 0.8 * t - t * t) / 0.36;
@@ -235,8 +233,8 @@ TEST_CASE("the given chord divides a periodic section of either direction") {
     Map const reversed = mapped(back, kind(HM_CST, 2, 2), &chord);
     REQUIRE(reversed.status == HM_OK);
     for (int i = 0; i < ring.n_control(); ++i) {
-        bool const upper = ring.control[static_cast<std::size_t>(2 * i + 1)] > 0.04;
-        bool const lower = ring.control[static_cast<std::size_t>(2 * i + 1)] < -0.04;
+        bool const upper = ring.control[std::size_t(2 * i + 1)] > 0.04;
+        bool const lower = ring.control[std::size_t(2 * i + 1)] < -0.04;
         for (int j = 0; j < 4; ++j) {
             CHECK(map.y(i, j) == doctest::Approx(reversed.y(i, j)).epsilon(1e-9));
             if ((upper && j < 2) || (lower && j >= 2)) CHECK(map.y(i, j) > 0);
@@ -394,7 +392,7 @@ TEST_CASE("the residual of each shape is orthogonal to all free basis functions"
         }
         first_side = Movement(set, map, 0, 0.5 * (begin + nose)).y;
         for (int v = 0; v < map.n; ++v) {
-            std::vector<double> left(static_cast<std::size_t>(set.n_control()), 0.0), size = left;
+            std::vector<double> left(std::size_t(set.n_control()), 0.0), size = left;
             double along = 0;
             for (int k = 0; k < n_samples; ++k) {
                 double const u = parameter(k);
@@ -405,8 +403,8 @@ TEST_CASE("the residual of each shape is orthogonal to all free basis functions"
                 double value[4];
                 hm_curve_basis(&set.view(), 0, u, 0, control, value, nullptr);
                 for (int i = 0; i < 4; ++i) {
-                    left[static_cast<std::size_t>(control[i])] += value[i] * (wanted - at.dy);
-                    size[static_cast<std::size_t>(control[i])] += value[i];
+                    left[std::size_t(control[i])] += value[i] * (wanted - at.dy);
+                    size[std::size_t(control[i])] += value[i];
                 }
                 along = std::max(along, std::fabs(at.dx));
             }
@@ -415,8 +413,7 @@ TEST_CASE("the residual of each shape is orthogonal to all free basis functions"
                 if (i == set.shapes[0].indices.front() || i == set.shapes[0].indices.back())
                     continue;
                 INFO(std::string(shapes.name) << ", variable " << v << ", control point " << i);
-                CHECK(std::fabs(left[static_cast<std::size_t>(i)] /
-                                size[static_cast<std::size_t>(i)]) < 2e-4);
+                CHECK(std::fabs(left[std::size_t(i)] / size[std::size_t(i)]) < 2e-4);
             }
         }
     }

@@ -1,8 +1,4 @@
 // Given displacements end with good cells, not just with valid ones.
-#include <harmorph_study.h>
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/block_in_square.hpp>
 #include <fixtures/channels.hpp>
 #include <fixtures/safe_displaced.hpp>

@@ -1,7 +1,4 @@
 // Safe morphs: no inverted cell and no crossing whatever happens, and the truth about the way.
-#include "fixtures/options.hpp"
-#include <doctest/doctest.h>
-
 #include <fixtures/block_in_square.hpp>
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/fitted.hpp>
@@ -20,9 +17,8 @@ TEST_CASE("slip points stay on lines and periodic sides move alike, also in unta
         REQUIRE(sliding.report.strategy != HM_STRATEGY_LINEAR);
         double slid = 0;
         for (std::int32_t const point : points_on(slip.mesh, bottom)) {
-            CHECK(sliding.y[static_cast<std::size_t>(point)] == 0);
-            slid =
-                std::fmax(slid, std::fabs(sliding.moved()[static_cast<std::size_t>(point)].real()));
+            CHECK(sliding.y[std::size_t(point)] == 0);
+            slid = std::fmax(slid, std::fabs(sliding.moved()[std::size_t(point)].real()));
         }
         CHECK(slid > 1e-3);
         REQUIRE(alike.run(turn_of(pair, 110, {0.1, 0.05})) == HM_OK);
@@ -31,8 +27,7 @@ TEST_CASE("slip points stay on lines and periodic sides move alike, also in unta
                                         r = points_on(pair.mesh, right);
         Field const moved = alike.moved();
         for (std::size_t j = 0; j < l.size(); ++j)
-            CHECK(std::abs(moved[static_cast<std::size_t>(l[j])] -
-                           moved[static_cast<std::size_t>(r[j])]) < 1e-15);
+            CHECK(std::abs(moved[std::size_t(l[j])] - moved[std::size_t(r[j])]) < 1e-15);
     }
 }
 
@@ -147,9 +142,7 @@ TEST_CASE("a boundary that crosses itself is refused at once, and nothing is wri
     CHECK(safe.report.min_height_ratio == 1);
     CHECK(safe.report.max_height_ratio == 1);
     CHECK(safe.untouched());
-    hm_basis_info info{};
-    info.struct_size = sizeof info;
-    REQUIRE(hm_basis_info_get(derivative.basis, &info, nullptr) == HM_OK);
+    hm_basis_info const info = info_of(derivative.basis);
     CHECK(info.solved == 1);  // refused: as it was
 }
 
