@@ -13,7 +13,8 @@ using harmorph::FixedSum;
 
 namespace {
 
-// What kernels without an instruction for it do with vectors, for one number, in units of 2^63.
+// Computes for one number, in units of 2^63, the same as kernels whose instruction set has no such
+// instruction.
 FixedSum fixed(double t) {
     t = std::ldexp(t, 63);
     double const coarse = (t + FixedSum::coarse_grid) - FixedSum::coarse_grid;

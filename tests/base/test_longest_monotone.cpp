@@ -18,7 +18,7 @@ std::vector<Index> run_of(std::vector<double> const& values) {
     return run;
 }
 
-// By dynamic programming.
+// Finds the length by dynamic programming.
 std::size_t longest(std::vector<double> const& values) {
     std::vector<std::size_t> length(values.size(), 1);
     for (std::size_t k = 0; k < values.size(); ++k)

@@ -1,5 +1,4 @@
-// Progress and cancellation, and what calls out of order do: nothing is lost, nothing is solved by
-// chance.
+// Progress, cancellation and calls out of order lose no results and leave no partial ones.
 #include <fixtures/bodies.hpp>
 
 #include <limits>
@@ -13,7 +12,7 @@ struct Event {
     double fraction;
 };
 
-// A callback that takes down what it is told, and stops at one event.
+// A callback that records the events and stops at one of them.
 struct Listener {
     std::vector<Event> events;
     std::size_t stop_at = std::numeric_limits<std::size_t>::max();

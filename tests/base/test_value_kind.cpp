@@ -1,5 +1,4 @@
-// Values of all kinds, real, complex and 2 x 2: one basis, one morph, one adjoint, whatever a value
-// is made of.
+// Values of all kinds, real, complex and 2 x 2, have the same interface: basis, morph and adjoint.
 #include <harmorph_design.h>
 
 #include <fixtures/executors.hpp>
@@ -10,7 +9,7 @@ using namespace fixtures;
 
 namespace {
 
-// A square with a hole on a polygon, and what makes its values real, complex or 2 x 2.
+// A square with a hole on a polygon, and the settings that make the values real, complex or 2 x 2.
 struct Kind {
     const char* name;
     std::int32_t operator_kind;
@@ -236,7 +235,8 @@ TEST_CASE("a basis gives back the conditions and options it was solved with") {
         CHECK(found[k].x == expected.x);
         CHECK(found[k].y == expected.y);
     }
-    // With curves and parameters they make the problem, and so the basis, again.
+    // Together with curves and parameters, the conditions define the problem, and so the basis,
+    // again.
     hm_curves curves{};
     curves.struct_size = sizeof curves;
     hm_curve shape[2];

@@ -83,7 +83,7 @@ TEST_CASE("a single-precision morph moves the wall exactly and other points with
                                   points_in(found.x, found.y), &error, nullptr, nullptr) == HM_OK);
         CHECK(error < 1e-14);
 
-        // In place, in pairs; and the movement 0 keeps every bit.
+        // The morph also works in place and in pairs; and the movement 0 keeps every bit.
         Numbers xy, nothing(move.size(), 0.0);
         for (std::size_t k = 0; k < mesh.x.size(); ++k) xy.insert(xy.end(), {mesh.x[k], mesh.y[k]});
         xy[0] = -0.0;
@@ -109,7 +109,7 @@ TEST_CASE("both sides of a cut move as one, on the wall and off the wall") {
     Solved const solved(setup);
     CHECK(solved.info().curve_points == 30);  // 31 points of the mesh are on the curve
     Single const single(solved.basis);
-    // The wall's other side, and not the side with the parameter.
+    // The list has the wall's other side, and not the side with the parameter.
     std::vector<std::int32_t> copy_alone = {30, 61, 5, 30};
     Rows const rows(single.basis, copy_alone);
     CHECK(info_of(rows.basis).curve_points == 2);

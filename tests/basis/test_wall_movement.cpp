@@ -10,7 +10,7 @@ using namespace fixtures;
 
 namespace {
 
-// What the call returns for a mesh whose points are at x and y.
+// The result of the call for a mesh with points at x and y.
 struct Recovered {
     std::vector<double> move;
     double residual = -1;

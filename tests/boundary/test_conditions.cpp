@@ -1,4 +1,4 @@
-// What every point is: the strongest condition of its markers, or inside.
+// The kind of every point is the strongest condition of its markers, or inside.
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/core.hpp>
 

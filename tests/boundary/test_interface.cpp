@@ -81,7 +81,7 @@ TEST_CASE("one step of a rotor touches and crosses nothing") {
                       &quality, nullptr) == HM_OK);
     CHECK(step.boundary > 1);  // farther on, the rotor grows until it reaches the outer boundary
     CHECK(quality.self_crossing == 0);
-    // As a mesh of its own.
+    // The displaced mesh is assessed as a mesh of its own.
     REQUIRE(hm_assess(solved.basis, &view, nullptr, nullptr, nullptr, nullptr, nullptr, &quality,
                       nullptr) == HM_OK);
     CHECK(quality.self_crossing == 0);

@@ -1,4 +1,4 @@
-// Periodic pairs: both sides move alike, and one period is all there is to know about many.
+// Periodic pairs: both sides move alike, and one period is equivalent to many.
 #include <fixtures/cascade.hpp>
 
 using namespace fixtures;
@@ -53,8 +53,8 @@ TEST_CASE("two and three periods with bodies that move alike are one period, rep
                 Field const expected = displacement(a, move);
                 Field found = displacement(b, repeated(move, n));
                 found.resize(expected.size());
-                // Weights see the bodies of all periods where there are several, and one where
-                // there is one.
+                // Weights take the bodies of all periods into account where there are several, and
+                // one where there is one.
                 bool const weighted = operator_kind != HM_LAPLACE;
                 CHECK(largest_difference(found, expected) < (weighted ? 1e-2 : 1e-13));
                 Case fixed = one;

@@ -1,4 +1,4 @@
-// Rotation pairs: one passage of an annulus is all there is to know about all of them.
+// Rotation pairs: one passage of an annulus is equivalent to the whole annulus.
 #include <fixtures/displaced.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/passage.hpp>

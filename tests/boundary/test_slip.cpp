@@ -48,7 +48,7 @@ TEST_CASE("points slide and stay on a line at any angle to rounding") {
             }
             CHECK(off < 2e-16 * 8);
             CHECK(along > 0.05);
-            // And the whole does not depend on the angle.
+            // The functions of the whole mesh do not depend on the angle.
             Case straight = half_ring(6, 16, Cells::hybrid, 0.3, 5);
             Solved const reference(straight, &options);
             Field expected = displacement(reference, some_move(8, 1, 6));
@@ -248,7 +248,7 @@ TEST_CASE("points on a circle move along tangents, also when factored on moved c
                                nullptr) == HM_OK);
         REQUIRE(hm_plan_solve(solved.plan, solved.basis, nullptr, nullptr) == HM_OK);
         CHECK(largest_normal(turned_case.mesh) < 1e-6);
-        // The same functions as those of the turned mesh, but for the circle through its points.
+        // The functions are those of the turned mesh, except for the circle through its points.
         Solved const other(turned_case, &options);
         CHECK(largest_difference(displacement(solved, some_move(8, 1, 11)),
                                  displacement(other, some_move(8, 1, 11))) < 1e-6);

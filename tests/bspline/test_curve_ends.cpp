@@ -41,8 +41,8 @@ Chosen choose(std::vector<Vec2> const& points, Closure wanted, bool is_loop = tr
     return out;
 }
 
-// Chosen alike wherever the loop begins, whichever way it runs, and however it lies: returns that
-// choice, with the first point as in the list given.
+// Checks that the choice is the same wherever the loop begins, whichever way it runs, and however
+// it lies. Returns the choice, with the first point as in the given list.
 Chosen choose_always(std::vector<Vec2> points) {
     auto const n = Index(points.size());
     Vec2 centre;
@@ -269,7 +269,7 @@ TEST_CASE("ends of a plate, a step on a side and chamfers are no base") {
     Chosen const chosen = choose_always(plate);
     CHECK(chosen.course.reason == ClosureReason::corner);
     CHECK(chosen.corners.size() == 3);
-    // Down at half chord, as in a cove, and sharp behind.
+    // This section has a step down at half chord, as in a cove, and a sharp trailing edge.
     Chosen const step =
         choose_always(fixtures::polygon({{1, 0}, {0.5, 0.02}, {0.5, 0.06}, {0, 0}}, 10));
     CHECK(step.course.base_points == 0);

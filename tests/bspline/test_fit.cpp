@@ -160,7 +160,7 @@ TEST_CASE("points of a B-spline are fitted by a B-spline") {
         FitRun const run(sampled(bezier, 60, true), options(degree, degree + 1), false);
         CHECK(run.report.closure == Closure::open);
     }
-    // Knots are found, too, but only nearly.
+    // The knots are found, too, but only approximately.
     CHECK(max_error(sampled(fixtures::clamped(3, 10, 2), 200, true), options(3, 10), false) < 0.05);
     CHECK(max_error(sampled(fixtures::clamped(3, 10, 2), 200, true), options(3, 20), false) <
           0.005);
@@ -290,7 +290,7 @@ TEST_CASE("a curve that runs back between two points is reported") {
     CHECK(run.fault.item.number == at);
     CHECK(std::string(run.fault.sentence) ==
           "the fitted curve runs backwards between points # and @; use fewer control points");
-    // It does: of some piece of the curve near that step the direction is against it.
+    // Near that step, some piece of the curve has a direction against the step.
     Curve const& curve = run.fit.curve[0];
     Vec2 const from = square[std::size_t(at)], to = square[std::size_t((at + 1) % 20)];
     double const begin = project(curve, from).u;

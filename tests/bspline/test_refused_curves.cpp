@@ -1,4 +1,4 @@
-// What calls with curves and sections refuse, with the whole sentence that says so.
+// Calls with curves and sections that are refused, with the whole sentence of each refusal.
 #include <harmorph_design.h>
 
 #include <fixtures/curves.hpp>

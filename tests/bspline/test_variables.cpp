@@ -73,7 +73,7 @@ CurveSet airfoil(bool blunt, int n_control) {
     return set;
 }
 
-// What a variable moves the curve by at a parameter, and the curve's point.
+// The displacement of the curve by a variable at a parameter, and the point of the curve there.
 struct Movement {
     double x, y, dx = 0, dy = 0;
 

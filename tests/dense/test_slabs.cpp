@@ -1,4 +1,4 @@
-// Where entries of fronts lie, and how those of a child are added to those of the parent.
+// The places of entries of fronts, and the addition of entries of a child to those of the parent.
 #include <fixtures/front.hpp>
 #include <fixtures/kernels.hpp>
 

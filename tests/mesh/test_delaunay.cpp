@@ -17,7 +17,7 @@ namespace {
 
 constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 
-// With what an analysis of the mesh alone finds of it.
+// Triangulates with the results of an analysis of the mesh alone.
 struct Flipped {
     Analysed seen;
     harmorph::Triangulation triangulation;

@@ -42,7 +42,7 @@ double interpolated(Location const& found, Field field) {
     return sum;
 }
 
-// Of a linear field at the point.
+// Interpolates a linear field at the point.
 double linear_error(Mesh const& mesh, Location const& found, Vec2 p) {
     auto const field = [](double x, double y) { return 3 + 2 * x - 5 * y; };
     return std::fabs(

@@ -1,5 +1,5 @@
-// Where parts are cut: in the middle, across the shorter way, behind the cheapest level, with
-// borders in mind.
+// Parts are cut in the middle, across the shorter direction, behind the cheapest level, with
+// borders taken into account.
 #include <fixtures/graphs.hpp>
 
 #include "ordering/cut_search.hpp"

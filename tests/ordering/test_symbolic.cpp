@@ -8,7 +8,8 @@ using harmorph::Offset;
 
 namespace {
 
-// Which later positions each column of the factor has entries in: elimination with sets.
+// The later positions in which each column of the factor has entries, found by elimination with
+// sets.
 std::vector<std::set<Index>> eliminate(HandMadeGraph const& graph, Dissected const& cut) {
     std::vector<Index> const position = cut.position();
     std::vector<std::set<Index>> column(cut.order.size());

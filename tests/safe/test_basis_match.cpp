@@ -1,5 +1,5 @@
-// Which other bases a safe morph takes: those whose functions are the same at the wall, modes of a
-// table included.
+// A safe morph accepts other bases whose functions are the same at the wall, modes of a table
+// included.
 #include <fixtures/derived.hpp>
 #include <fixtures/displaced.hpp>
 #include <fixtures/parts.hpp>

@@ -52,7 +52,8 @@ TEST_CASE("the ends of a piece of a channel's floor stay where they are on the w
             CHECK(safe.report.step_fraction == 1);
             CHECK(safe.is_valid());
             CHECK(safe.boundary_error(move) < 1e-14);
-            // As far as one solution more leads: both ends are where they were, to the bit.
+            // Without further solutions the morph makes one step, and both ends are where they
+            // were, to the bit.
             safe.safe_options.max_resolves = -1;
             safe.safe_options.skipped_strategies =
                 without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED});
@@ -174,7 +175,7 @@ TEST_CASE("a body turns with its points and heights, also where a fit is coarse"
               doctest::Approx(std::abs(turn - 1.0) * safe.solved().report.max_distance)
                   .epsilon(1e-3));
     }
-    // What turns nothing is the B-spline's movement alone.
+    // A movement without rotation is the B-spline's movement alone.
     std::vector<double> const shift = similarity_move(setup.curves, 1, 0, {0.1, 0.2});
     REQUIRE(safe.run(shift) == HM_OK);
     CHECK(safe.report.turned_offset < 1e-15);
@@ -208,7 +209,7 @@ TEST_CASE("heights are restored as far as quality permits, and the report says h
                  << ", seed " << seed << ", restored " << safe.report.heights);
             CHECK(safe.is_valid());
             CHECK(safe.report.min_quality >= 0.5 * without);
-            // What was asked for, and had without the heights, is not given up for them.
+            // A quality that is reached without the heights is not given up for them.
             safe.safe_options.min_quality =
                 std::min(1.0, 0.95 * without / safe.report.start_quality);
             CHECK(safe.run(move) == HM_OK);

@@ -42,7 +42,7 @@ TEST_CASE("the derivative is exact at the wall, the sum of the steps elsewhere")
                 here += g[2 * k] * by[k].real() + g[2 * k + 1] * by[k].imag();
             for (std::size_t k = 0; k < 8; ++k) there += gradient[k] * further[k];
             CHECK(here == doctest::Approx(there).epsilon(1e-11));
-            // It is a basis as any other: whole, solved, of this mesh.
+            // The derivative is a basis like any other: complete, solved, and of this mesh.
             hm_mesh const mesh = setup.mesh.view();
             hm_basis_info const info = info_of(real.basis);
             const hm_basis* attached = nullptr;

@@ -55,7 +55,7 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
         CHECK(slope.x[at] == doctest::Approx(expected.x[at]).epsilon(1e-12));
         CHECK(slope.y[at] == doctest::Approx(expected.y[at]).epsilon(1e-12));
     }
-    // With the whole functions' derivative it does not fit together.
+    // The call refuses the derivative of the whole functions.
     CHECK(hm_morph_safe(plan, combined.basis, move.data(), points_out(x, y),
                         const_cast<hm_basis*>(reference.solved().basis), work.data(), bytes,
                         &safe_options, nullptr, &error) == HM_BAD_BASIS);

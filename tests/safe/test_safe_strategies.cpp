@@ -1,4 +1,4 @@
-// The strategies of the safe morph: each where it helps, and what each of them promises.
+// The strategies of the safe morph: cases in which each of them helps, and the properties of each.
 #include <fixtures/block_in_square.hpp>
 
 using namespace fixtures;
@@ -157,8 +157,8 @@ TEST_CASE("a substep takes half of the admissible step, with the functions at it
                 y = safe.y;
             }
         }
-        // Straight ahead the displacements are proportional to the way, so that the search ends at
-        // half, or just below.
+        // Straight ahead, the displacements are proportional to the time, so that the search ends
+        // at half, or just below.
         safe.safe_options.max_resolves = -1;
         REQUIRE(safe.run(shift) == HM_SHORT);
         CHECK(safe.report.step_fraction <= safe.admissible(shift) / 2);

@@ -1,4 +1,4 @@
-// Can there be a mesh at the target? Decided from the boundary alone.
+// Decides from the boundary alone whether there can be a mesh at the target.
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
 
@@ -13,7 +13,7 @@ using harmorph::Status;
 
 namespace {
 
-// Where the boundary of a case is to go; inner points stay, and nothing is known of them.
+// The target positions of the boundary of a case; inner points stay, and their target is not known.
 struct Aim {
     explicit Aim(Case its_case)
         : setup(its_case), attempt(setup.problem()), x(setup.mesh.x), y(setup.mesh.y) {

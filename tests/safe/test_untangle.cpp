@@ -1,5 +1,5 @@
-// Untangling: meshes with inverted cells come out valid, with their boundary as it was; what cannot
-// be is refused.
+// Untangling makes meshes with inverted cells valid and keeps their boundary; impossible cases are
+// refused.
 #include <fixtures/airfoil.hpp>
 #include <fixtures/annulus.hpp>
 #include <fixtures/c_mesh.hpp>
@@ -20,7 +20,7 @@ using harmorph::Untangling;
 
 namespace {
 
-// Where the points of a mesh are to be, and where they are.
+// The target positions of the points of a mesh, and their present positions.
 struct Tangled {
     Mesh reference, now;
     std::vector<std::uint8_t> held;
@@ -81,7 +81,8 @@ struct Outcome {
         CHECK(block.guards_intact());
     }
 
-    // Corner areas relative to the reference's; of corners that can move.
+    // Returns the smallest ratio of a corner area to that of the reference, among corners that can
+    // move.
     double smallest(Tangled const& tangled) const {
         double least = HUGE_VAL;
         harmorph::Mesh const view = core_mesh(tangled.reference);
