@@ -571,8 +571,8 @@ typedef struct hm_solve_report {
     int32_t refinements;          /* steps of iterative refinement */
     int32_t reserved;             /* 0 */
     int64_t factor_entries;       /* numbers in the factor; 0: there is no factor */
-    int32_t iterations, levels, fine_sweeps; /* of engines that iterate, see harmorph_study.h */
-    int32_t reserved_too;                    /* 0 */
+    int32_t iterations, levels;   /* of engines that iterate, see harmorph_study.h */
+    double work;                  /* of engines that iterate, see harmorph_study.h */
 } hm_solve_report;
 
 /* Solves for all functions of the basis with the factor of the plan. Both must come from the same
