@@ -115,9 +115,8 @@ TEST_CASE("the moved curve does not cross itself") {
                 REQUIRE(!failed(run.status));
                 Curve moved = fit.fit.curve[0];
                 moved.control = run.refit.control.data();
-                CAPTURE(camber);
-                CAPTURE(front);
-                CAPTURE(thickness);
+                INFO("camber = " << camber << ", front = " << front
+                                 << ", thickness = " << thickness);
                 CHECK(crossings(sampled(moved, 300)) == 0);
             }
         }

@@ -110,20 +110,20 @@ hm_section unit_chord() {
 // (1,0).
 template <class Shape>
 void check_shape(CurveSet& set, Map const& map, int variable, Shape const& shape) {
-    double worst = 0, farthest = 0, nose = 0;
+    double worst = 0, farthest = 0, leading = 0;
     for (int k = 0; k <= 4000; ++k) {
         Movement const at(set, map, variable, k / 4000.0);
         if (std::hypot(at.x - 1, at.y) > farthest) {
             farthest = std::hypot(at.x - 1, at.y);
-            nose = k / 4000.0;
+            leading = k / 4000.0;
         }
     }
-    double const upper_first = Movement(set, map, variable, 0.5 * nose).y > 0;
+    double const upper_first = Movement(set, map, variable, 0.5 * leading).y > 0;
     for (int k = 0; k <= 4000; ++k) {
         double const u = k / 4000.0;
-        if (std::fabs(u - nose) < 1e-3) continue;
+        if (std::fabs(u - leading) < 1e-3) continue;
         Movement const at(set, map, variable, u);
-        bool const upper = (u < nose) == (upper_first != 0);
+        bool const upper = (u < leading) == (upper_first != 0);
         double const t = std::min(std::max(at.x, 0.0), 1.0);
         worst = std::max({worst, std::fabs(at.dx), std::fabs(at.dy - shape(t, upper))});
     }
@@ -325,7 +325,7 @@ TEST_CASE("a tied trailing edge moves by the mean of what both sides ask for") {
         0.5;  // and an edge exponent of 0: the last variable of each side opens the edge
     Map const map = mapped(set, cst);
     REQUIRE_MESSAGE(map.status == HM_OK, map.error.text);
-    double tip[2], nose[2] = {0, 0};
+    double tip[2], leading[2] = {0, 0};
     REQUIRE(hm_curve_point(&set.view(), 0, set.shapes[0].knots.front(), 0, tip, nullptr) == HM_OK);
     for (int k = 0; k < 400; ++k) {  // the leading edge: farthest from the trailing edge
         double at[2];
@@ -333,16 +333,16 @@ TEST_CASE("a tied trailing edge moves by the mean of what both sides ask for") {
         REQUIRE(hm_curve_point(&set.view(), 0, begin + (end - begin) * k / 400, 0, at, nullptr) ==
                 HM_OK);
         if (std::hypot(at[0] - tip[0], at[1] - tip[1]) >
-            std::hypot(nose[0] - tip[0], nose[1] - tip[1]))
-            nose[0] = at[0], nose[1] = at[1];
+            std::hypot(leading[0] - tip[0], leading[1] - tip[1]))
+            leading[0] = at[0], leading[1] = at[1];
     }
     for (int v = 0; v < n_upper + n_lower; ++v) {
         bool const opens = v == n_upper - 1 || v == n_upper + n_lower - 1;
         INFO("variable " << v);
         CHECK(map.x(edge, v) ==
-              doctest::Approx(opens ? -0.5 * (tip[1] - nose[1]) : 0).epsilon(1e-3));
+              doctest::Approx(opens ? -0.5 * (tip[1] - leading[1]) : 0).epsilon(1e-3));
         CHECK(map.y(edge, v) ==
-              doctest::Approx(opens ? 0.5 * (tip[0] - nose[0]) : 0).epsilon(1e-4));
+              doctest::Approx(opens ? 0.5 * (tip[0] - leading[0]) : 0).epsilon(1e-4));
     }
     CHECK(map.y(edge, n_upper - 1) == map.y(edge, n_upper + n_lower - 1));
 }
@@ -383,21 +383,21 @@ TEST_CASE("the residual of each shape is orthogonal to all free basis functions"
         double const begin = set.shapes[0].knots[3],
                      end = set.shapes[0].knots[set.shapes[0].indices.size()];
         auto const parameter = [&](int k) { return begin + (end - begin) * (k + 0.5) / n_samples; };
-        double farthest = 0, nose = 0, first_side = 0;
+        double farthest = 0, leading = 0, first_side = 0;
         for (int k = 0; k < n_samples; ++k) {
             Movement const at(set, map, 0, parameter(k));
             if (std::hypot(at.x - 1, at.y) <= farthest) continue;
             farthest = std::hypot(at.x - 1, at.y);
-            nose = parameter(k);
+            leading = parameter(k);
         }
-        first_side = Movement(set, map, 0, 0.5 * (begin + nose)).y;
+        first_side = Movement(set, map, 0, 0.5 * (begin + leading)).y;
         for (int v = 0; v < map.n; ++v) {
             std::vector<double> left(std::size_t(set.n_control()), 0.0), size = left;
             double along = 0;
             for (int k = 0; k < n_samples; ++k) {
                 double const u = parameter(k);
                 Movement const at(set, map, v, u);
-                bool const upper = (u < nose) == (first_side > 0);
+                bool const upper = (u < leading) == (first_side > 0);
                 double const wanted = shapes.shape(v, std::min(std::max(at.x, 0.0), 1.0), upper);
                 std::int32_t control[4];
                 double value[4];

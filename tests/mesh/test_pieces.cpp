@@ -108,8 +108,7 @@ TEST_CASE("a polygon is divided into n - 2 triangles of positive area and has gu
     polygons.push_back(star(300, 0.3, 7));
     for (std::vector<Point> polygon : polygons) {
         for (bool const clockwise : {false, true}) {
-            CAPTURE(polygon.size());
-            CAPTURE(clockwise);
+            INFO("polygon.size() = " << polygon.size() << ", clockwise = " << clockwise);
             std::size_t convex = 0;
             for (std::size_t k = 0; k < polygon.size(); ++k)
                 convex += is_convex_corner(polygon, k) ? 1 : 0;
