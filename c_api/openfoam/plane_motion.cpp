@@ -172,11 +172,12 @@ void PlaneMotion::move(const std::vector<vector>& wall, const std::vector<char>&
     require_plane(wall, is_given);
     report_ = MotionReport();
     const PlaneField target = in_plane(wall);
-    const bool refactors = settings_.refactor > 0;
+    // A factor of the mesh as it is cannot be replaced by a better one.
+    const bool refactors = settings_.refactor > 0 && now_ != reference_;
     PlaneField moved;
     hm_error error = {};
     bool done = try_linear(target, refactors ? settings_.refactor : 1, moved, error);
-    if (!done && refactors && now_ != reference_) {
+    if (!done && refactors) {
         factor_at(in_plane(now_));
         done = try_linear(target, 1, moved, error);
     }

@@ -27,8 +27,8 @@ string Refusal::place_of(std::int32_t kind, label number) const {
 }
 
 void Refusal::refuse(const char* what, const hm_error& error) const {
-    FatalErrorInFunction << "harmorph cannot " << what << ": " << error.text << ' '
-                         << hm_status_name(error.code) << '.'
+    FatalErrorInFunction << "harmorph cannot " << what << ": " << error.text << " ("
+                         << hm_status_name(error.code) << ")."
                          << place_of(error.item_kind, error.item).c_str()
                          << place_of(error.other_kind, error.other).c_str() << exit(FatalError);
 }

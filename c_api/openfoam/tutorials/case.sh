@@ -1,5 +1,6 @@
 # Sourced by the tutorials: writes the dictionaries of small cases. $case is the folder of the case.
 examples=${FOAM_TUTORIALS:-/usr/share/doc/openfoam-examples/examples}
+tutorials=$(cd "$(dirname "$0")" && pwd)
 WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam}; export WM_PROJECT_DIR
 
 dictionary() {   # dictionary FOLDER/NAME [CLASS]: a file of OpenFOAM whose body is the standard input
@@ -10,7 +11,7 @@ dictionary() {   # dictionary FOLDER/NAME [CLASS]: a file of OpenFOAM whose body
     } >"$case/$1"
 }
 
-# control APPLICATION DELTA_T END [MORE]: binary files, so that a restart reads what was written.
+# control APPLICATION DELTA_T END [MORE]: numbers are written with all digits, so that a restart reads the same bits.
 control() {
     dictionary system/controlDict <<DICTIONARY
 application $1;
@@ -21,7 +22,8 @@ deltaT $2;
 endTime $3;
 writeControl timeStep;
 writeInterval 1;
-writeFormat binary;
+writeFormat ascii;
+writePrecision 17;
 timePrecision 8;
 ${4:-}
 DICTIONARY
@@ -38,7 +40,7 @@ interpolationSchemes { default linear; }
 snGradSchemes { default corrected; }
 DICTIONARY
     dictionary system/fvSolution <<'DICTIONARY'
-solvers { "cellDisplacement.*" { solver PCG; preconditioner DIC; tolerance 1e-8; relTol 0; } }
+solvers { "cellDisplacement.*" { solver PCG; preconditioner DIC; tolerance 1e-16; relTol 0; minIter 200; } }
 PIMPLE { nOuterCorrectors 1; nCorrectors 1; }
 DICTIONARY
 }
@@ -47,7 +49,7 @@ DICTIONARY
 motion_solver() {
     dictionary constant/dynamicMeshDict <<DICTIONARY
 dynamicFvMesh dynamicMotionSolverFvMesh;
-motionSolverLibs ("libfvMotionSolvers.so" "libharmorphMotionSolver.so");
+motionSolverLibs ("libfvMotionSolvers.so" "libsixDoFRigidBodyMotion.so" "libharmorphMotionSolver.so");
 motionSolver $1;
 ${1}Coeffs
 {
@@ -65,4 +67,25 @@ displacement() {
         cat
         echo "}"
     } | dictionary 0/pointDisplacement pointVectorField
+}
+
+two_parts() {   # for decomposePar
+    dictionary system/decomposeParDict <<'DICTIONARY'
+numberOfSubdomains 2;
+method simple;
+simpleCoeffs { n (2 1 1); delta 0.001; }
+DICTIONARY
+}
+
+# run CASE END PROCESSES [APPLICATION]: runs $folder/CASE, or continues, until END; returns the status of the application
+run() {
+    case=$folder/$1
+    sed "s/^endTime .*/endTime $2;/" "$case/system/controlDict" >"$case/system/controlDict.new"
+    mv "$case/system/controlDict.new" "$case/system/controlDict"
+    if [ "$3" = 1 ]; then
+        ${4:-pimpleFoam} -case "$case" >>"$case/log" 2>&1
+    else
+        test -d "$case/processor0" || decomposePar -case "$case" >"$case/log.decompose" 2>&1
+        mpirun --oversubscribe --allow-run-as-root -np "$3" ${4:-pimpleFoam} -parallel -case "$case" >>"$case/log" 2>&1
+    fi
 }

@@ -38,10 +38,9 @@ DICTIONARY
 
 for solver; do
     case=$folder/$solver
-    # (walls) is what diffusivities of distances need; quadratic and exponential take another diffusivity
     case $solver in
-    *quadratic) pitching_case "${solver}" "inverseDistance (walls)" ;;
-    *inverseDistance) pitching_case "$solver" "(walls)" ;;
+    *-quadratic) pitching_case "$solver" "inverseDistance (walls)" ;;
+    *-inverse*Distance) pitching_case "$solver" "(walls)" ;;
     *) pitching_case "$solver" ;;
     esac
     status=0
