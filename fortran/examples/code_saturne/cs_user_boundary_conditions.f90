@@ -14,6 +14,8 @@ subroutine cs_f_user_boundary_conditions(nvar, nscal, icodcl, itrifb, itypfb, iz
     call getfbr("2 and x < 0", n, list)
     itypfb(list(:n)) = ientre
     rcodcl(list(:n), iu, 1) = 1
+    rcodcl(list(:n), iv, 1) = 0
+    rcodcl(list(:n), iw, 1) = 0
     call getfbr("2 and x >= 0", n, list)
     itypfb(list(:n)) = isolib
 end subroutine

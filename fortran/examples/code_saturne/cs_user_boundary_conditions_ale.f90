@@ -9,7 +9,7 @@ subroutine usalcl(itrale, nvar, nscal, icodcl, itypfb, ialtyb, impale, dt, rcodc
     integer :: itrale, nvar, nscal, icodcl(nfabor, nvar), itypfb(nfabor), ialtyb(nfabor), impale(nnod)
     double precision :: dt(ncelet), rcodcl(nfabor, nvar, 3), disale(3, nnod), xyzno0(3, nnod)
     integer :: list(nfabor), n, k, i, follow
-    double precision :: degrees, angle, moved(3, nnod)
+    double precision :: degrees, angle, least, moved(3, nnod)
     character(len=32) :: text
     logical, save :: is_new = .true.
 
@@ -19,8 +19,10 @@ subroutine usalcl(itrale, nvar, nscal, icodcl, itypfb, ialtyb, impale, dt, rcodc
     read(text, *) follow
     if (is_new) call start_mesh(xyzno0)
     is_new = .false.
-    write(nfecra, "(a, f8.2, a, f9.6)") "mesh at ", (itrale - 1) * degrees, " degrees: smallest quality ", &
-        quality_of(xyznod)
+    if (itrale > 0) then    ! the mesh as the last time step left it
+        least = quality_of(xyznod)
+        write(nfecra, "(a, f8.2, a, f9.6)") "mesh at ", (itrale - 1) * degrees, " degrees: smallest quality ", least
+    end if
     call getfbr("3", n, list)
     ialtyb(list(:n)) = igliss
     call getfbr("2", n, list)

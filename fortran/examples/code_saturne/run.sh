@@ -19,7 +19,7 @@ awk -v ni="${NI:-64}" -v nj="${NJ:-32}" -f "$here/mesh.awk" >"$dir/mesh.msh"
 cd "$dir" || exit 2
 code_saturne create -s study -c case >"$log" 2>&1
 cp "$here"/cs_user_*.f90 study/case/SRC/
-( cd module && ${FC:-gfortran} -O -I"${SATURNE_INCLUDE:-/usr/include/code_saturne}" -c "$build/harmorph.f90" \
+( cd module && ${FC:-gfortran} -I"${SATURNE_INCLUDE:-/usr/include/code_saturne}" -c "$build/harmorph.f90" \
     "$here/moving_mesh.f90" ) || exit 2
 cp "$here/cs_user_scripts.py" study/case/DATA/
 
@@ -35,11 +35,14 @@ run harmorph 1 1
 run harmorph_two 1 2
 run own 0 1
 passes "harmorph on one process: the run" "$(grep -q 'END OF CALCULATION' harmorph.listing; echo $?)" harmorph.out
-check "harmorph on one process: all steps" test "$(wc -l <harmorph.quality)" = "$STEPS"
+check "harmorph on one process: all steps" test "$(wc -l <harmorph.quality)" -ge "$STEPS"
 check "harmorph: the same qualities on two processes" \
     sh -c 'test -s harmorph_two.quality && cmp harmorph.quality harmorph_two.quality'
 last() { awk '$2 > 0 { angle = $1; quality = $2 } $2 <= 0 { exit } END { print angle, quality }' "$1.quality"; }
-for name in harmorph own; do echo "$name: valid up to $(last $name) (degrees, smallest quality)"; done
+for name in harmorph own; do
+    echo "$name: valid up to $(last $name) (degrees, smallest quality);" "$(awk '/CPU time/ { t = $NF == "s" ? $(NF - 1) : $NF }
+        END { print t }' "study/case/RESU/$name/performance.log") s of processor time"
+done
 check "harmorph goes farther than the diffusion of code_saturne" \
     awk "BEGIN { split(\"$(last harmorph)\", a); split(\"$(last own)\", b); exit !(a[1] > b[1]) }"
 finish
