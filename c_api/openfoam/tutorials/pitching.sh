@@ -21,7 +21,7 @@ walls
 {
     type solidBodyMotionDisplacement;
     solidBodyMotionFunction rotatingMotion;
-    rotatingMotionCoeffs { origin (0.25 0 0); axis (0 0 -1); omega constant 0.017453292519943295; }
+    rotatingMotionCoeffs { origin (8.75 0 0); axis (0 0 -1); omega constant 0.017453292519943295; }
     value uniform (0 0 0);
 }
 inlet { type fixedValue; value uniform (0 0 0); }

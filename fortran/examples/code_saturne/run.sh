@@ -40,7 +40,7 @@ check "harmorph: the same qualities on two processes" \
     sh -c 'test -s harmorph_two.quality && cmp harmorph.quality harmorph_two.quality'
 last() { awk '$2 > 0 { angle = $1; quality = $2 } $2 <= 0 { exit } END { print angle, quality }' "$1.quality"; }
 for name in harmorph own; do
-    echo "$name: valid up to $(last $name) (degrees, smallest quality);" "$(awk '/CPU time/ { t = $NF == "s" ? $(NF - 1) : $NF }
+    echo "$name: valid up to $(last $name) (degrees, smallest quality);" "$(awk '/User CPU time/ { t = $4 }
         END { print t }' "study/case/RESU/$name/performance.log") s of processor time"
 done
 check "harmorph goes farther than the diffusion of code_saturne" \
