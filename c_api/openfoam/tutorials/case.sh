@@ -77,7 +77,8 @@ simpleCoeffs { n (2 1 1); delta 0.001; }
 DICTIONARY
 }
 
-# run CASE END PROCESSES [APPLICATION]: runs $folder/CASE, or continues, until END; returns the status of the application
+# run CASE END PROCESSES [APPLICATION]: runs $folder/CASE, or continues, until END; returns the status of the
+# application
 run() {
     case=$folder/$1
     sed "s/^endTime .*/endTime $2;/" "$case/system/controlDict" >"$case/system/controlDict.new"

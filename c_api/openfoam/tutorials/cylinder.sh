@@ -1,8 +1,8 @@
 #!/bin/sh
 # usage: cylinder.sh FOLDER [END]   (the library of the motion solver is found by LD_LIBRARY_PATH)
 # A free cylinder in a channel: blockMesh makes the mesh, pimpleFoam computes the flow, and the body of
-# sixDoFRigidBodyDisplacement moves across the channel on a spring until END, 1 by default. Prints the last report of the
-# mesh and the last place of the body.
+# sixDoFRigidBodyDisplacement moves across the channel on a spring until END, 1 by default. Prints the last report of
+# the mesh and the last place of the body.
 set -e
 folder=$1 end=${2:-1}
 . "$(dirname "$0")/case.sh"

@@ -1,10 +1,12 @@
 #!/bin/sh
 # usage: pitching.sh FOLDER STEP END SOLVER...   (the library of the motion solver is found by LD_LIBRARY_PATH)
 # The airfoil of OpenFOAM's tutorial airFoil2D turns about its quarter chord, by STEP degrees in each step until END.
-# For each SOLVER prints a line: the last angle before OpenFOAM's check of the mesh first fails, and the processor time of a step.
+# For each SOLVER prints a line: the last angle before OpenFOAM's check of the mesh first fails, and the processor time
+# of a step.
 #
 #   harmorph             with safe steps, the default
 #   harmorph-one         with one factorisation: safe off; refactor 0;
+#   static               nothing moves: the time of OpenFOAM's check alone
 #   laplacian-DIFFUSIVITY, SBRStress-DIFFUSIVITY   OpenFOAM's own, for instance laplacian-inverseDistance
 set -e
 folder=$1 step=$2 end=$3; shift 3
@@ -31,6 +33,7 @@ DICTIONARY
     case $1 in
     harmorph) motion_solver harmorph "patches (walls); report 1;" ;;
     harmorph-one) motion_solver harmorph "patches (walls); safe off; refactor 0; report 1;" ;;
+    static) echo "dynamicFvMesh staticFvMesh;" | dictionary constant/dynamicMeshDict ;;
     laplacian-*) motion_solver displacementLaplacian "diffusivity ${1#*-} ${2:-};" ;;
     SBRStress-*) motion_solver displacementSBRStress "diffusivity ${1#*-} ${2:-};" ;;
     esac

@@ -1,5 +1,5 @@
-! The wall turns about the origin by DEGREES in each time step. FOLLOW=1: harmorph moves all points. FOLLOW=0: the points
-! of the wall are given, and the others move by the diffusion of code_saturne.
+! The wall turns about the origin by DEGREES in each time step. FOLLOW=1: harmorph moves all points. FOLLOW=0: the
+! points of the wall are given, and the others move by the diffusion of code_saturne.
 subroutine usalcl(itrale, nvar, nscal, icodcl, itypfb, ialtyb, impale, dt, rcodcl, xyzno0, disale)
     use paramx
     use mesh
@@ -9,7 +9,7 @@ subroutine usalcl(itrale, nvar, nscal, icodcl, itypfb, ialtyb, impale, dt, rcodc
     integer :: itrale, nvar, nscal, icodcl(nfabor, nvar), itypfb(nfabor), ialtyb(nfabor), impale(nnod)
     double precision :: dt(ncelet), rcodcl(nfabor, nvar, 3), disale(3, nnod), xyzno0(3, nnod)
     integer :: list(nfabor), n, k, i, follow
-    double precision :: degrees, angle, least, moved(3, nnod)
+    double precision :: degrees, angle, least, begin, end, moved(3, nnod)
     character(len=32) :: text
     logical, save :: is_new = .true.
 
@@ -31,7 +31,10 @@ subroutine usalcl(itrale, nvar, nscal, icodcl, itypfb, ialtyb, impale, dt, rcodc
 
     call getfbr("1", n, list)
     if (follow == 1) then
+        call cpu_time(begin)
         call follow_wall(angle, moved)
+        call cpu_time(end)
+        write(nfecra, "(a, f9.3, a)") "harmorph: ", 1000 * (end - begin), " ms for the displacements"
         disale = moved
         impale = 1
     else

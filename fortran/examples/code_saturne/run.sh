@@ -1,7 +1,8 @@
 #!/bin/sh
 # usage: run.sh BUILD   (called by `make test-saturne`)
 # A pitching ellipse in code_saturne on one process and on two, with points moved by harmorph and by code_saturne's own
-# diffusion. Skipped, with the reason, where code_saturne is missing. DEGREES, STEPS: of the wall in a time step, and steps.
+# diffusion. Skipped, with the reason, where code_saturne is missing. DEGREES: of the wall in a time step; STEPS: their
+# number.
 here=$(cd "$(dirname "$0")" && pwd) build=$(cd "$1" && pwd)
 dir=$build/saturne topic=code_saturne log=$build/saturne/log
 . "$here/../../../tests/count.sh"
@@ -13,8 +14,8 @@ DEGREES=${DEGREES:-2} STEPS=${STEPS:-60} MESH_DIR=$dir HARMORPH_MODULE=$dir/modu
     HARMORPH_LIBRARY=$build/libharmorph.a
 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 USER=${USER:-user}    # code_saturne needs this name
-export USER DEGREES STEPS MESH_DIR HARMORPH_MODULE HARMORPH_LIBRARY OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM \
-    OMPI_MCA_rmaps_base_oversubscribe
+export USER DEGREES STEPS MESH_DIR HARMORPH_MODULE HARMORPH_LIBRARY OMPI_ALLOW_RUN_AS_ROOT \
+    OMPI_ALLOW_RUN_AS_ROOT_CONFIRM OMPI_MCA_rmaps_base_oversubscribe
 awk -v ni="${NI:-64}" -v nj="${NJ:-32}" -f "$here/mesh.awk" >"$dir/mesh.msh"
 cd "$dir" || exit 2
 code_saturne create -s study -c case >"$log" 2>&1
@@ -40,9 +41,10 @@ check "harmorph: the same qualities on two processes" \
     sh -c 'test -s harmorph_two.quality && cmp harmorph.quality harmorph_two.quality'
 last() { awk '$2 > 0 { angle = $1; quality = $2 } $2 <= 0 { exit } END { print angle, quality }' "$1.quality"; }
 for name in harmorph own; do
-    echo "$name: valid up to $(last $name) (degrees, smallest quality);" "$(awk '/User CPU time/ { t = $4 }
-        END { print t }' "study/case/RESU/$name/performance.log") s of processor time"
+    echo "$name: valid up to $(last $name) (degrees, smallest quality)" "$(awk '/User CPU time/ { t = $4 } END { if (t)
+        print "; processor time of the run:", t, "s" }' "study/case/RESU/$name/performance.log")"
 done
+grep -a '^ *harmorph: .* ms' harmorph.listing | tail -n 1
 check "harmorph goes farther than the diffusion of code_saturne" \
     awk "BEGIN { split(\"$(last harmorph)\", a); split(\"$(last own)\", b); exit !(a[1] > b[1]) }"
 finish
