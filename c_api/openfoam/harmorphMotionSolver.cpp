@@ -21,7 +21,7 @@ IOobject reference_file(const polyMesh& mesh) {
 }
 
 // The coefficient exponent as the library has it: four times the exponent.
-std::int32_t quarters(const dictionary& coefficients) {
+std::int32_t exponent_of(const dictionary& coefficients) {
     if (!coefficients.found("exponent")) return 0;
     const scalar exponent = coefficients.get<scalar>("exponent");
     const label rounded = label(std::lround(4 * exponent));
@@ -60,7 +60,7 @@ MotionSettings harmorphMotionSolver::settings() const {
     MotionSettings settings;
     HM_INIT(settings.options);
     settings.options.operator_kind = operators.getOrDefault("operator", coefficients, HM_CONFORMAL);
-    settings.options.exponent_quarters = quarters(coefficients);
+    settings.options.exponent_quarters = exponent_of(coefficients);
     settings.safe = coefficients.getOrDefault("safe", true);
     settings.improve = not_negative(coefficients, "improve", 0);
     settings.refactor = not_negative(coefficients, "refactor", 2);

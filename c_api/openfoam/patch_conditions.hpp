@@ -1,5 +1,5 @@
-// What the patches of a case are for the library: markers with given displacements, fixed, with
-// slip, periodic, or two sides of a sliding interface.
+// Finds the condition of the library that belongs to each patch of a case: given displacements,
+// fixed, with slip, periodic, or a side of a sliding interface.
 #ifndef HARMORPH_PATCH_CONDITIONS_HPP
 #define HARMORPH_PATCH_CONDITIONS_HPP
 

@@ -19,7 +19,7 @@ struct MotionSettings {
     scalar improve;  // improves meshes whose smallest quality is lower; 0: never
 };
 
-// How the mesh reached the last target.
+// Says how the mesh reached the last target.
 struct MotionReport {
     Judgement judgement;
     bool factored, stepped_safely, improved;

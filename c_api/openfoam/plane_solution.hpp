@@ -21,7 +21,7 @@ struct PlaneField {
 PlaneField operator+(PlaneField a, const PlaneField& b);
 PlaneField operator-(PlaneField a, const PlaneField& b);
 
-// What hm_assess says of a movement and of the mesh after the movement.
+// Holds the reports of hm_assess on a movement and on the mesh after the movement.
 struct Judgement {
     hm_step_report step;
     hm_quality_report quality;
@@ -38,9 +38,9 @@ public:
     void operator=(const PlaneSolution&) = delete;
 
     void factor(const PlaneField& at);
-    // Moves all points from `from` by what the wall points of `wall` (a field of all points) have
-    // of it, with the factor of the plan. False: the boundary crosses itself, and `to` is
-    // unchanged; `error` says where.
+    // Moves all points from `from` with the factor of the plan. `wall` is a field of all points, of
+    // which the wall points are read. Returns false where the boundary crosses itself; `to` is then
+    // unchanged, and `error` says where.
     bool displace(const PlaneField& wall, const PlaneField& from, PlaneField& to, hm_error& error);
     // Does the same safely, from the coordinates of the mesh. Returns the status.
     hm_status displace_safely(const PlaneField& wall, PlaneField& to, hm_safe_report& report,

@@ -10,7 +10,7 @@ namespace Foam {
 class Refusal {
 public:
     Refusal(const GatheredMesh& mesh, const wordList& patches) : mesh_(mesh), patches_(patches) {}
-    // From now on numbers of points and cells in errors are those of the mesh of the plane.
+    // After this call, numbers of points and cells in errors are those of the mesh of the plane.
     void set_plane(const hm_plane_info& info) { info_ = info; }
 
     // Ends the program if the status is negative; `what` says what was to be done.

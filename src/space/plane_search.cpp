@@ -174,8 +174,8 @@ void PlaneSearch::resolve(Plane& plane, Size n_ambiguous) noexcept {
     }
 }
 
-// Where several points of the plane lie at one place, the order of the numbers may be another one
-// in another layer. An edge of a side from one layer to the next says which point follows which.
+// Layers may number several points at one place in different orders. An edge of a side from one
+// layer to the next says which point follows which.
 void PlaneSearch::follow_sides(SpaceMesh const& mesh, Plane& plane) noexcept {
     for (Index i = 0; i < mesh.n_sides; ++i) {
         for (Index k = 0; k < 4; ++k) {

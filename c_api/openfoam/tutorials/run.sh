@@ -25,7 +25,7 @@ if [ -d "${FOAM_TUTORIALS:-/usr/share/doc/openfoam-examples/examples}/incompress
         laplacian-inverseDistance laplacian-quadratic SBRStress-inverseDistance SBRStress-quadratic >"$dir/pitching.out" 2>&1
     passes "the pitching airfoil" $? "$dir/pitching.out"
     cat "$dir/pitching.out"
-    # With one factorisation the mesh serves longer than with OpenFOAM's own solvers, with safe steps to the end.
+    # One factorisation must go farther than OpenFOAM's own solvers, and the defaults to the end.
     check "the pitching airfoil: how far each solver goes" awk -v end="${END:-180}" '
         { far[$1] = $2 ~ /^[0-9]/ ? $2 : 0 }
         END {
