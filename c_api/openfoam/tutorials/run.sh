@@ -22,7 +22,8 @@ tail -n 1 "$dir/motions.out"
 
 if [ -d "${FOAM_TUTORIALS:-/usr/share/doc/openfoam-examples/examples}/incompressible/simpleFoam/airFoil2D" ]; then
     sh "$here/pitching.sh" "$dir/pitching" "${STEP:-2}" "${END:-180}" harmorph harmorph-one static \
-        laplacian-inverseDistance laplacian-quadratic SBRStress-inverseDistance SBRStress-quadratic >"$dir/pitching.out" 2>&1
+        laplacian-inverseDistance laplacian-quadratic SBRStress-inverseDistance SBRStress-quadratic \
+        >"$dir/pitching.out" 2>&1
     passes "the pitching airfoil" $? "$dir/pitching.out"
     cat "$dir/pitching.out"
     # One factorisation must go farther than OpenFOAM's own solvers, and the defaults to the end.
