@@ -13,6 +13,9 @@
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
 #   make test-petsc       harmorph_petsc.c on 1 to 4 processes, where petsc-dev is installed; MESHES=directory of SU2
 #                         files, LARGE="NI:NJ:FIRST ..." of O-meshes, PARTITIONS=012345 SOLVERS=01: tests/petsc/main.c
+#   make test-openfoam    the motion solver for OpenFOAM (c_api/openfoam) and its tutorials, where OpenFOAM is installed;
+#                         FOAM_SRC=folder src of OpenFOAM's sources
+#   make test-saturne     moving meshes of code_saturne (fortran/examples/code_saturne), where code_saturne is installed
 #   make check-link       the library needs nothing but mem*: it links into C programs
 #   make shared           build/shared/libharmorph.so.ABI, its symbols versioned, for other languages (ELF systems)
 #   make abi              exported calls, structs and constants against tests/abi/interface.txt, and by abidiff against
@@ -47,6 +50,7 @@
 .PHONY: all checked rules deform-driver test-programs unit fuzzer fuzz test library-only tests-only coverage mutate sanitize test-petsc test-python mpi \
 	check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
+	test-openfoam test-saturne \
 	amalgamation compilers cross shared install-shared install-library abi manual dist
 
 BUILD = build
@@ -70,6 +74,7 @@ TARGETS =
 RELEASE =
 SECONDS = 60
 MPICC = mpicc
+FOAM_SRC =
 # Debian's, as another python3 may come first in the path.
 PYTHON = /usr/bin/python3
 
@@ -200,6 +205,12 @@ test-python: all
 
 test-petsc: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' FFLAGS='$(FFLAGS)' MPICC='$(MPICC)' MESHES='$(MESHES)' sh tests/petsc.sh $(BUILD)
+
+test-openfoam: all
+	@MAKE='$(MAKE)' FOAM_SRC='$(FOAM_SRC)' sh c_api/openfoam/tutorials/run.sh $(BUILD)
+
+test-saturne: all
+	@FC='$(FC)' sh fortran/examples/code_saturne/run.sh $(BUILD)
 
 bench-petsc: all
 	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/measure/bench/petsc.sh

@@ -29,6 +29,14 @@ check "airFoil2D: fit" "$harmorph" fit "$tmp/given" --marker walls -o "$tmp/curv
 check "airFoil2D: solve" "$harmorph" solve "$tmp/given" --curve "walls=$tmp/curve" -o "$tmp/basis"
 for k in 4 5 6 7 8 9 10 11 12 13 14 15 16 17; do echo "$k 0 .02"; done >"$tmp/moves.txt" # camber
 check "airFoil2D: morph" "$harmorph" morph "$tmp/given" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/moved"
+check "airFoil2D: morph to a time" "$harmorph" morph "$tmp/given" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/given/1"
+check "airFoil2D: the time has the moved points" \
+    cmp "$tmp/given/1/polyMesh/points" "$tmp/moved/constant/polyMesh/points"
+check "airFoil2D: the mesh of the time is read" "$harmorph" check "$tmp/given/1"
+checkMesh -case "$tmp/given" -time 1 >"$tmp/time.check" 2>&1
+check "airFoil2D: checkMesh finds the mesh of the time" grep -q 'Time = 1' "$tmp/time.check"
+check "airFoil2D: checkMesh: the geometry of the time" grep -q 'Mesh non-orthogonality.*Max' "$tmp/time.check"
+rm -rf "$tmp/given/1"
 check "airFoil2D: the points have moved" \
     sh -c "! cmp -s '$tmp/given/constant/polyMesh/points' '$tmp/moved/constant/polyMesh/points'"
 for case in given moved; do

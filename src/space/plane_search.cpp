@@ -5,11 +5,12 @@
 namespace harmorph {
 namespace {
 
+// Points of the plane are at one place if their distance is at most this part of the tolerance.
+// Interfaces of mesh generators have points that differ by rounding on the two sides.
+constexpr Real part_of_tolerance = 1e-4;
 constexpr Real tiny_square = 1e-300;
 
 Vec2 place_of(Plane const& plane, Index p) noexcept { return {plane.x[p], plane.y[p]}; }
-
-bool same(Vec2 a, Vec2 b) noexcept { return a.x == b.x && a.y == b.y; }
 
 }  // namespace
 
@@ -45,6 +46,7 @@ Status PlaneSearch::run(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexc
     });
     find_places(plane);
     HARMORPH_TRY(follow(mesh, plane, fault));
+    follow_sides(mesh, plane);
     HARMORPH_TRY(list_followers(plane, fault));
     return copy_sides(mesh, plane, fault);
 }
@@ -94,16 +96,19 @@ void PlaneSearch::find_reach(Plane const& plane) noexcept {
     }
 }
 
-// Builds lists of points with the same coordinates.
+// Builds lists of points at one place.
 void PlaneSearch::find_places(Plane const& plane) noexcept {
+    Real const apart = part_of_tolerance * plane.frame.tolerance;
     for (Index p = 0; p < plane.n_points; ++p) {
         Vec2 const here = place_of(plane, p);
         Index first = p;
-        tree.nearest(here, {none, tiny_square}, [&](Index other) {
-            if (other < first && same(place_of(plane, other), here)) first = other;
+        Real const bound = min(apart * apart, reach[p]);
+        // The search visits what is nearer than its start, which must not be 0 for equal points.
+        tree.nearest(here, {none, bound > 0 ? 2 * bound : tiny_square}, [&](Index other) {
+            if (other < first && square(place_of(plane, other) - here) <= bound) first = other;
             return infinity;  // lets the search visit all other points
         });
-        first_at_place[p] = first;
+        first_at_place[p] = first == p ? p : first_at_place[first];
         next_at_place[p] = none;
     }
     for (Index p = plane.n_points; p-- > 0;) {
@@ -166,6 +171,22 @@ void PlaneSearch::resolve(Plane& plane, Size n_ambiguous) noexcept {
             }
         }
         begin = end;
+    }
+}
+
+// Layers may number several points at one place in different orders. An edge of a side from one
+// layer to the next says which point follows which.
+void PlaneSearch::follow_sides(SpaceMesh const& mesh, Plane& plane) noexcept {
+    for (Index i = 0; i < mesh.n_sides; ++i) {
+        for (Index k = 0; k < 4; ++k) {
+            Index const one = mesh.side_points[Offset{4} * i + k] - mesh.index_base;
+            Index const next = mesh.side_points[Offset{4} * i + (k + 1) % 4] - mesh.index_base;
+            if (in_faces[one] == in_faces[next]) continue;
+            Index const a = in_faces[one] != 0 ? one : next, b = one + next - a;
+            Index const p = plane.follows[a] - plane.index_base;
+            Index const now = plane.follows[b] - plane.index_base;
+            if (first_at_place[p] == first_at_place[now]) plane.follows[b] = plane.follows[a];
+        }
     }
 }
 

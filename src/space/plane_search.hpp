@@ -18,8 +18,8 @@ struct PlaneSearch {
 
     Span<std::uint8_t> in_faces;  // [n_space_points]
     Span<Real> reach;             // [n_points] the squared largest distance of a follower
-    Span<Index> first_at_place;   // [n_points] the first point with the same coordinates
-    Span<Index> next_at_place;    // [n_points] the next point with the same coordinates, or none
+    Span<Index> first_at_place;   // [n_points] the first point at the same place
+    Span<Index> next_at_place;    // [n_points] the next point at the same place, or none
     Span<Ambiguous> ambiguous;    // [n_space_points]
     BoxTree tree;
 
@@ -33,6 +33,7 @@ private:
     void find_places(Plane const& plane) noexcept;
     Status follow(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexcept;
     void resolve(Plane& plane, Size n_ambiguous) noexcept;
+    void follow_sides(SpaceMesh const& mesh, Plane& plane) noexcept;
     Status list_followers(Plane& plane, Fault& fault) noexcept;
     Status copy_sides(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexcept;
 };

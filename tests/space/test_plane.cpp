@@ -2,6 +2,8 @@
 // and axes.
 #include <harmorph_space.h>
 
+#include <algorithm>
+
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/plane.hpp>
 
@@ -76,6 +78,49 @@ TEST_CASE("both sides of a cut are followed by their own points, layer by layer"
     hm_space_mesh view = space.view();
     view.n_sides = 0;
     CHECK(Plane(view).status == HM_BAD_MESH);  // the far corner has lost its partner
+}
+
+TEST_CASE(
+    "sides say which points of an interface follow which, also where they differ by rounding") {
+    // Two squares side by side with points of their own on the common line. The layer at z = 1 has
+    // the points of the right square first.
+    double const x[] = {0, 1, 1, 0, 1, 2, 2, 1}, y[] = {0, 0, 1, 1, 0, 0, 1, 1};
+    for (double const rounding : {0.0, 1e-15}) {
+        double space_x[16], space_y[16], space_z[16];
+        std::int32_t opposite[8];
+        for (std::int32_t k = 0; k < 8; ++k) {
+            opposite[k] = 8 + (k + 4) % 8;
+            for (std::int32_t const at : {k, opposite[k]}) {
+                space_x[at] = x[k] + (k >= 4 ? rounding : 0.0) * (at >= 8 ? -1 : 1);
+                space_y[at] = y[k];
+                space_z[at] = at >= 8;
+            }
+        }
+        std::int32_t const faces[] = {0, 1, 2, 3, 4, 5, 6, 7};
+        std::int32_t sides[32], markers[8];
+        for (std::int32_t k = 0; k < 8; ++k) {
+            std::int32_t const next = k / 4 * 4 + (k + 1) % 4;
+            std::int32_t const side[] = {k, next, opposite[next], opposite[k]};
+            std::copy_n(side, 4, sides + 4 * k);
+            markers[k] = k;
+        }
+        hm_space_mesh space;
+        HM_INIT(space);
+        space.n_points = 16;
+        space.points = {space_x, space_y, space_z, 1};
+        space.n_faces = 2;
+        space.face_points = faces;
+        space.n_sides = 8;
+        space.side_points = sides;
+        space.side_markers = markers;
+        Plane const plane(space);
+        INFO(plane.error.text);
+        REQUIRE(plane.status == HM_OK);
+        for (std::int32_t k = 0; k < 8; ++k) {
+            CHECK(plane.info.follows[k] == k);
+            CHECK(plane.info.follows[opposite[k]] == k);
+        }
+    }
 }
 
 TEST_CASE("threads, strides, index bases and four entries for each face give the same plane") {

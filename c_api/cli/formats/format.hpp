@@ -46,9 +46,10 @@ std::string mesh_file(const std::string& path);
 // markers (.nmf, .mapbc), and all other files of OpenFOAM's polyMesh.
 std::vector<std::string> files_beside_mesh(const std::string& path);
 
-// Returns the file that a morphed mesh with this path is written to, as mesh_file() does. Wrong
-// usage if the name does not end in .gz exactly where the mesh was compressed, or not in .vtu where
-// the mesh was a file .pvtu.
+// Returns the file that a morphed mesh with this path is written to, as mesh_file() does. If the
+// path is a time of a case of OpenFOAM, CASE/1, this is CASE/1/polyMesh/points; the folders are
+// made. Wrong usage if the name does not end in .gz exactly where the mesh was compressed, or not
+// in .vtu where the mesh was a file .pvtu.
 std::string moved_file(const Mesh& mesh, const std::string& path);
 
 // Reads a mesh, which may be compressed by gzip. Refuses, with the line or byte of the file, other

@@ -121,8 +121,34 @@ std::vector<std::string> files_beside_mesh(const std::string& path) {
     return files;
 }
 
+namespace {
+
+// A time of a case of OpenFOAM: a number beside the folder constant. OpenFOAM reads the points of a
+// mesh that has moved from polyMesh in this folder, and everything else from constant/polyMesh.
+bool is_time_of_case(const std::filesystem::path& path) {
+    const std::string name = path.filename().string();
+    std::error_code ignored;
+    return !name.empty() && name.find_first_not_of("0123456789.") == std::string::npos &&
+           name.find_first_of("0123456789") != std::string::npos &&
+           std::filesystem::is_directory(path.parent_path() / "constant" / "polyMesh", ignored);
+}
+
+// The file of the points at a time, whose folders are made if they do not exist.
+std::string points_at_time(const Mesh& mesh, const std::filesystem::path& time) {
+    std::error_code error;
+    std::filesystem::create_directories(time / "polyMesh", error);
+    if (error) throw Failure(exit_file, (time / "polyMesh").string() + ": " + error.message());
+    return (time / "polyMesh" / (mesh.in_file.is_packed ? "points.gz" : "points")).string();
+}
+
+}  // namespace
+
 std::string moved_file(const Mesh& mesh, const std::string& path) {
-    const std::string file = mesh_file(path);
+    std::filesystem::path folder = path;
+    if (!folder.has_filename()) folder = folder.parent_path();  // the path ends in a slash
+    const std::string points = std::filesystem::path(mesh.file.path()).filename().string();
+    const bool is_time = (points == "points" || points == "points.gz") && is_time_of_case(folder);
+    const std::string file = is_time ? points_at_time(mesh, folder) : mesh_file(path);
     if (mesh.in_file.is_joined && !is_device(file) && !ends_with(file, ".vtu")) {
         throw Failure(exit_usage,
                       mesh.file.path() +

@@ -1,8 +1,8 @@
 // OpenFOAM's polyMesh
 // (https://www.openfoam.com/documentation/user-guide/4-mesh-generation-and-conversion): the mesh is
-// the file `points`, in text or binary; the files faces, owner and boundary lie in the same folder.
-// The two planes are the patches of type empty, or two patches of type wedge. All other patches are
-// markers.
+// the file `points`, in text or binary; the files faces, owner and boundary lie in the same folder,
+// or in constant/polyMesh. The two planes are the patches of type empty, or two patches of type
+// wedge. All other patches are markers.
 #include <harmorph_space.h>
 #include "formats/format.hpp"
 
@@ -110,11 +110,15 @@ public:
 
 private:
     TextFile beside(const char* name) const {
-        const std::filesystem::path path = folder_ / name;
-        if (std::filesystem::exists(path)) return TextFile(path.string());
-        const std::string compressed = path.string() + ".gz";
-        if (!std::filesystem::exists(compressed)) throw_missing(path.string() + " does not exist");
-        return read_unpacked(compressed);
+        // Of a mesh that has moved, a time has the points alone: CASE/1/polyMesh/points.
+        for (const std::filesystem::path& folder :
+             {folder_, folder_ / ".." / ".." / "constant" / "polyMesh"}) {
+            const std::filesystem::path path = folder / name;
+            if (std::filesystem::exists(path)) return TextFile(path.string());
+            const std::string compressed = path.string() + ".gz";
+            if (std::filesystem::exists(compressed)) return read_unpacked(compressed);
+        }
+        throw_missing((folder_ / name).string() + " does not exist");
     }
     [[noreturn]] void throw_missing(const std::string& text) const {
         mesh_.file.fail(0, "the mesh consists of points, faces, owner and boundary, but " + text);

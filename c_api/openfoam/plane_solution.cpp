@@ -1,0 +1,132 @@
+#include "plane_solution.hpp"
+
+namespace Foam {
+
+PlaneField operator+(PlaneField a, const PlaneField& b) {
+    for (std::size_t k = 0; k < a.x.size(); ++k) {
+        a.x[k] += b.x[k];
+        a.y[k] += b.y[k];
+    }
+    return a;
+}
+
+PlaneField operator-(PlaneField a, const PlaneField& b) {
+    for (std::size_t k = 0; k < a.x.size(); ++k) {
+        a.x[k] -= b.x[k];
+        a.y[k] -= b.y[k];
+    }
+    return a;
+}
+
+PlaneSolution::PlaneSolution(const hm_mesh& plane, const PlaneField& at,
+                             const std::vector<hm_condition>& conditions, const hm_options& options,
+                             const Refusal& refusal)
+    : at_(at), mesh_(plane), refusal_(refusal) {
+    mesh_.points = at_.read();
+    hm_problem problem;
+    HM_INIT(problem);
+    problem.mesh = &mesh_;
+    problem.n_conditions = static_cast<std::int32_t>(conditions.size());
+    problem.conditions = conditions.data();
+
+    hm_error error;
+    std::size_t bytes = 0;
+    const char* const analyse = "analyse the mesh";
+    refusal.check(hm_analysis_size(&problem, &options, &bytes, &error), analyse, error);
+    analysis_block_.resize(bytes);
+    refusal.check(
+        hm_analysis_init(&analysis_, analysis_block_.data(), bytes, &problem, &options, &error),
+        analyse, error);
+    refusal.check(hm_plan_size(analysis_, &bytes, &error), analyse, error);
+    plan_block_.resize(bytes);
+    refusal.check(hm_plan_init(&plan_, plan_block_.data(), bytes, analysis_, &error), analyse,
+                  error);
+    refusal.check(hm_basis_size(analysis_, &bytes, &error), analyse, error);
+    basis_block_.resize(bytes);
+    refusal.check(hm_basis_init(&basis_, basis_block_.data(), bytes, analysis_, &error), analyse,
+                  error);
+    given_.resize(static_cast<std::size_t>(mesh_.n_points));
+    std::int32_t n = 0;
+    refusal.check(hm_given_points(plan_, given_.data(), mesh_.n_points, &n, &error), analyse,
+                  error);
+    given_.resize(static_cast<std::size_t>(n));
+    factor(at_);
+}
+
+void PlaneSolution::factor(const PlaneField& at) {
+    hm_error error;
+    const hm_points points = at.read();
+    refusal_.check(hm_plan_factor(plan_, &points, &error), "factor the matrix", error);
+}
+
+PlaneField PlaneSolution::wall_of(const PlaneField& field) const {
+    PlaneField wall(given_.size());
+    for (std::size_t k = 0; k < given_.size(); ++k) {
+        wall.x[k] = field.x[static_cast<std::size_t>(given_[k])];
+        wall.y[k] = field.y[static_cast<std::size_t>(given_[k])];
+    }
+    return wall;
+}
+
+bool PlaneSolution::displace(const PlaneField& wall, const PlaneField& from, PlaneField& to,
+                             hm_error& error) {
+    std::size_t bytes = 0;
+    refusal_.check(hm_displace_size(plan_, 1, &bytes, &error), "displace the mesh", error);
+    work_.resize(bytes);
+    const PlaneField own = wall_of(wall);
+    const hm_points given = own.read(), start = from.read();
+    PlaneField moved(from.x.size());
+    const hm_points_out result = moved.write();
+    const hm_status status =
+        hm_displace(plan_, static_cast<std::int32_t>(given_.size()), given_.data(), 1, &given,
+                    &start, &result, work_.data(), bytes, nullptr, &error);
+    if (status == HM_CROSSING) return false;
+    refusal_.check(status, "displace the mesh", error);
+    const hm_points linear = moved.read();
+    refusal_.check(hm_slip(analysis_, &linear, &result, &error),
+                   "keep points on boundaries with slip", error);
+    to = moved;
+    return true;
+}
+
+hm_status PlaneSolution::displace_safely(const PlaneField& wall, PlaneField& to,
+                                         hm_safe_report& report, hm_error& error) {
+    std::size_t bytes = 0;
+    refusal_.check(hm_displace_safe_size(plan_, basis_, &bytes, &error), "displace the mesh",
+                   error);
+    work_.resize(bytes);
+    const PlaneField own = wall_of(wall);
+    const hm_points given = own.read();
+    to = at_;
+    const hm_points_out result = to.write();
+    HM_INIT(report);
+    return hm_displace_safe(plan_, basis_, nullptr, static_cast<std::int32_t>(given_.size()),
+                            given_.data(), &given, &result, work_.data(), bytes, nullptr, &report,
+                            &error);
+}
+
+void PlaneSolution::improve(PlaneField& moved) {
+    hm_error error;
+    std::size_t bytes = 0;
+    refusal_.check(hm_improve_size(plan_, &bytes, &error), "improve the mesh", error);
+    work_.resize(bytes);
+    const hm_points from = moved.read();
+    const hm_points_out to = moved.write();
+    refusal_.check(hm_improve(plan_, &from, &to, work_.data(), bytes, nullptr, nullptr, &error),
+                   "improve the mesh", error);
+}
+
+Judgement PlaneSolution::judge(const PlaneField& from, const PlaneField& to) const {
+    Judgement found;
+    HM_INIT(found.step);
+    HM_INIT(found.quality);
+    hm_error error;
+    const PlaneField movement = to - from;
+    const hm_points start = from.read(), by = movement.read(), reference = at_.read();
+    refusal_.check(hm_assess(basis_, &mesh_, &start, &by, &reference, nullptr, &found.step,
+                             &found.quality, &error),
+                   "judge the mesh", error);
+    return found;
+}
+
+}  // namespace Foam

@@ -1,0 +1,42 @@
+#!/bin/sh
+# usage: run.sh BUILD   (called by `make test-openfoam`, with FOAM_SRC in the environment)
+# Builds the motion solver, tests it on small meshes, and runs the tutorials. Skipped, with the reason, where OpenFOAM,
+# its headers or its tutorials are missing. STEP, END: degrees of the pitching airfoil, 2 and 180 by default.
+here=$(dirname "$0") dir=$1/openfoam
+topic=OpenFOAM log=$dir/log
+. "$here/../../../tests/count.sh"
+say() { echo "OpenFOAM is not tested, as $1"; exit 0; }
+command -v moveDynamicMesh >/dev/null 2>&1 || say "the program moveDynamicMesh is not installed (Debian's openfoam)"
+test -d "${FOAM_SRC:-}/OpenFOAM" || say "FOAM_SRC names no folder of OpenFOAM's sources (apt-get source openfoam)"
+mkdir -p "$dir" || exit 2
+dir=$(cd "$dir" && pwd)
+log=$dir/log
+${MAKE:-make} -C "$here/.." BUILD="$dir/library" LIBRARY="$(dirname "$dir")/libharmorph.a" \
+    FOAM_SRC="$FOAM_SRC" >"$dir/log.build" 2>&1
+passes "the library of the motion solver" $? "$dir/log.build"
+LD_LIBRARY_PATH=$dir/library${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}; export LD_LIBRARY_PATH
+
+sh "$here/motions.sh" "$dir/motions" >"$dir/motions.out" 2>&1
+passes "motions on small meshes" $? "$dir/motions.out"
+tail -n 1 "$dir/motions.out"
+
+if [ -d "${FOAM_TUTORIALS:-/usr/share/doc/openfoam-examples/examples}/incompressible/simpleFoam/airFoil2D" ]; then
+    sh "$here/pitching.sh" "$dir/pitching" "${STEP:-2}" "${END:-180}" harmorph harmorph-one static \
+        laplacian-inverseDistance laplacian-quadratic SBRStress-inverseDistance SBRStress-quadratic \
+        >"$dir/pitching.out" 2>&1
+    passes "the pitching airfoil" $? "$dir/pitching.out"
+    cat "$dir/pitching.out"
+    # One factorisation must go farther than OpenFOAM's own solvers, and the defaults to the end.
+    check "the pitching airfoil: how far each solver goes" awk -v end="${END:-180}" '
+        { far[$1] = $2 ~ /^[0-9]/ ? $2 : 0 }
+        END {
+            for (name in far) if (name ~ /^(laplacian|SBRStress)-/ && far[name] >= far["harmorph-one"]) exit 1
+            exit far["harmorph"] != end
+        }' "$dir/pitching.out"
+else
+    skip "the pitching airfoil" "OpenFOAM's tutorials are not installed (Debian's openfoam-examples)"
+fi
+sh "$here/cylinder.sh" "$dir/cylinder" 2 >"$dir/cylinder.out" 2>&1
+passes "the free cylinder" $? "$dir/cylinder.out"
+cat "$dir/cylinder.out"
+finish
