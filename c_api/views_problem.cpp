@@ -337,7 +337,7 @@ Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept 
     if (c.along == nullptr && c.n_curves != 0) {
         return fault.refuse(Status::bad_condition,
                             "condition # slips along @ curves, but its `along` is NULL; give the "
-                            "curves again, because a basis does not keep them",
+                            "curves again, which hm_basis_along takes from a basis",
                             condition_item(number), plain(c.n_curves));
     }
     hm_curves set;

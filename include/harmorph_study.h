@@ -156,10 +156,17 @@ HM_API hm_status hm_plan_level(const hm_plan* plan, int32_t level, int32_t* cell
 
 /* The conditions that the basis was solved with: out [capacity], with out[0].struct_size set; *n:
  * number of conditions, also if the capacity is too small (HM_BAD_ARGUMENT). Curves, conditions and
- * parameters together restore the problem, except for the curves `along` of boundaries with slip.
- */
+ * parameters together restore the problem; hm_basis_along restores `along`, which is NULL here. */
 HM_API hm_status hm_basis_conditions(const hm_basis* basis, hm_condition* out, int32_t capacity,
                                      int32_t* n, hm_error* err);
+/* The curves along which the points of a condition with slip slide: those that its `along` had
+ * (index_base 0). condition is counted from 0. curve [capacity >= n_curves of the condition]
+ * receives the curves, to which out->curve points; all other arrays are inside the basis.
+ * Conditions that had the same `along` get the same arrays: give them one hm_curves again, so that
+ * points can slip from one marker to the next. Refused (HM_BAD_ARGUMENT): a condition without such
+ * curves, a capacity that is too small. */
+HM_API hm_status hm_basis_along(const hm_basis* basis, int32_t condition, hm_curves* out,
+                                hm_curve* curve, int32_t capacity, hm_error* err);
 /* Copies one of the numbers_per_value numbers of one function at all points to values [n_points];
  * function and number are counted from 0. */
 HM_API hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t number,

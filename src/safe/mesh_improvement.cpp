@@ -38,7 +38,7 @@ void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points refe
                           MutablePoints to, ImproveReport& report) noexcept {
     FaceDistance const& walls = plan.walls_at(reference);
     mobility.find(plan, from);
-    first_layer.find(plan.mesh(), reference, mobility.representative, walls);
+    first_layer.find(plan.mesh(), reference, mobility.representative, walls.chosen());
     improvement.executor = plan.executor();
     improvement.tangle = mobility.tangle(plan, reference);
     improvement.sliding = mobility.sliding;

@@ -55,7 +55,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
         measure_quality(work.cells(), mesh.now(), {}, work.executor()).min_quality;
     report.outcome.min_quality = report.start_quality;
     first_layer.find(plan.mesh(), plan.mesh().points, mesh.representative,
-                     plan.walls_at(plan.mesh().points));
+                     plan.walls_at(plan.mesh().points).chosen());
     Method const method = plan.equations().method();
     Status const status = climb(work);
     plan.change_operator(method.operator_kind, method.exponent_quarters);

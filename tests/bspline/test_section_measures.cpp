@@ -21,6 +21,16 @@ hm_quantity quantity(int kind, double station = 0) {
     out.station = station;
     return out;
 }
+hm_quantity thinnest(double first, double last, double sharpness) {
+    hm_quantity out = quantity(HM_MIN_THICKNESS, first);
+    out.last_station = last;
+    out.sharpness = sharpness;
+    return out;
+}
+hm_quantity sharpened(hm_quantity out, double sharpness) {
+    out.sharpness = sharpness;
+    return out;
+}
 hm_quantity clearance(std::vector<double> const& polygon) {
     hm_quantity out = quantity(HM_CLEARANCE);
     out.n_polygon = static_cast<int>(polygon.size() / 2);
@@ -272,6 +282,12 @@ TEST_CASE(
                     check_gradient(set, quantity(HM_THICKNESS, station), &chord, 2e-7);
                     check_gradient(set, quantity(HM_CAMBER, station), &chord, 2e-7);
                 }
+                for (double const sharpness : {0.0, 30.0, 500.0}) {
+                    check_gradient(set, thinnest(0.05, 0.3, sharpness), &chord, 1e-6);
+                    check_gradient(set, thinnest(0.15, 0.9, sharpness), &chord, 1e-6);
+                }
+                if (!fixed) check_gradient(set, quantity(HM_TWIST), &chord, 1e-7);
+                check_gradient(set, sharpened(clearance(box), 40), &chord, 1e-6);
                 check_gradient(set, clearance(box), &chord, 1e-6);
                 check_gradient(set, clearance(wide), &chord, 1e-6);
             }
@@ -298,6 +314,12 @@ TEST_CASE(
         };
         check(HM_AREA, 2);
         check(HM_CHORD, 1);
+        CHECK(value_of(moved, quantity(HM_TWIST)) - value_of(set, quantity(HM_TWIST)) ==
+              doctest::Approx(angle * 180 / pi).epsilon(1e-10));
+        for (double const sharpness : {0.0, 60.0})
+            CHECK(value_of(moved, thinnest(0.1, 0.8, sharpness / scale)) ==
+                  doctest::Approx(scale * value_of(set, thinnest(0.1, 0.8, sharpness)))
+                      .epsilon(1e-10));
         check(HM_THICKNESS, 1, 0.3);
         check(HM_CAMBER, 1, 0.3);
         check(HM_MAX_THICKNESS, 1);
@@ -323,6 +345,56 @@ TEST_CASE("the maximum over stations is no smaller than any station, and is one 
     }
     CHECK(thickest.at[0] > 0.1);
     CHECK(thickest.at[0] < 0.6);
+}
+
+TEST_CASE("the smallest thickness is no larger than any station, and the smooth bound is below") {
+    CurveSet set = section(true, false);
+    for (double const first : {0.05, 0.3, 0.6}) {
+        for (double const last : {first, 0.75, 0.9}) {
+            Result const exact = measured(set, thinnest(first, last, 0));
+            double least = HUGE_VAL;
+            for (int k = 0; k <= 200; ++k) {
+                double const station = first + (last - first) * k / 200;
+                least = std::fmin(least, value_of(set, quantity(HM_THICKNESS, station)));
+            }
+            CHECK(exact.value <= least * (1 + 1e-12));
+            CHECK(exact.value >= least - 1e-4);
+            for (double const sharpness : {10.0, 1000.0, 1e5}) {
+                double const smooth = value_of(set, thinnest(first, last, sharpness));
+                CHECK(smooth <= least * (1 + 1e-12));
+                CHECK(smooth >= exact.value - std::log(65.0) / sharpness * (1 + 1e-9));
+            }
+        }
+    }
+    // An hourglass is thinnest in its middle.
+    Spline waist;
+    waist.degree = 2;
+    waist.control = {4, 0, 4, 1, 2, 0.2, 0, 1, 0, 0, 0, -1, 2, -0.2, 4, -1};
+    for (int k = 0; k < 9; ++k) waist.indices.push_back(k % 8);
+    waist.knots = fixtures::clamped_knots(2, 9);
+    CurveSet hourglass(waist);
+    hm_section chord{};
+    chord.struct_size = sizeof chord;
+    chord.trailing_x = 4;
+    Result const middle = measured(hourglass, thinnest(0.2, 0.8, 0), &chord);
+    REQUIRE(middle.status == HM_OK);
+    CHECK(middle.at[0] == doctest::Approx(2).epsilon(1e-6));
+    CHECK(middle.value ==
+          doctest::Approx(value_of(hourglass, quantity(HM_THICKNESS, 0.5), &chord)).epsilon(1e-12));
+    check_gradient(hourglass, thinnest(0.2, 0.8, 0), &chord, 1e-6);
+}
+
+TEST_CASE("the smooth clearance is below that of the points of the polygon") {
+    CurveSet set = circle(2, 1, 1);
+    std::vector<double> const box = {0, 0.2, 2.1, 0, 1.8, 2, 0.3, 1.9};
+    double least = HUGE_VAL;
+    for (std::size_t k = 0; k < box.size(); k += 2)
+        least = std::fmin(least, 2 - std::hypot(box[k] - 1, box[k + 1] - 1));
+    for (double const sharpness : {5.0, 100.0, 1e4}) {
+        double const smooth = value_of(set, sharpened(clearance(box), sharpness));
+        CHECK(smooth <= least);
+        CHECK(smooth >= least - std::log(4.0) / sharpness * (1 + 1e-9));
+    }
 }
 
 TEST_CASE(

@@ -36,9 +36,14 @@ TEST_CASE("quantities of a section") {
         {{nullptr, [](Q&) {}},
          {"struct_size of quantity 0", [](Q& q) { q.struct_size = 0; }},
          {"the kind of quantity 0 is -1, but", [](Q& q) { q.kind = -1; }},
-         {"the kind of quantity 0 is 17, but", [](Q& q) { q.kind = HM_CLEARANCE + 1; }},
-         {"has a station, but only HM_THICKNESS and HM_CAMBER use one",
+         {"the kind of quantity 0 is 20, but", [](Q& q) { q.kind = HM_DISTANCE + 1; }},
+         {"has a station, but only HM_THICKNESS, HM_CAMBER and HM_MIN_THICKNESS use one",
           [](Q& q) { q.station = 0.5; }},
+         {"has a last station, but only HM_MIN_THICKNESS uses one",
+          [](Q& q) { q.last_station = 0.5; }},
+         {"has the sharpness 1, but only HM_CLEARANCE, HM_MIN_THICKNESS and HM_DISTANCE use one",
+          [](Q& q) { q.sharpness = 1; }},
+         {"names another body, but only HM_DISTANCE uses one", [](Q& q) { q.n_other = 1; }},
          {"has a polygon, but only HM_CLEARANCE uses one", [](Q& q) { q.n_polygon = 1; }}},
         HM_BAD_ARGUMENT, measure);
     check_changes<Q>(thickness,
@@ -49,6 +54,28 @@ TEST_CASE("quantities of a section") {
                       {"the station of quantity 0 is 1", [](Q& q) { q.station = 1; }},
                       {"the station of quantity 0 is NaN", [](Q& q) { q.station = not_a_number; }}},
                      HM_BAD_ARGUMENT, measure);
+    hm_quantity thinnest = thickness;
+    thinnest.kind = HM_MIN_THICKNESS;
+    thinnest.last_station = 0.6;
+    check_changes<Q>(
+        thinnest,
+        {{nullptr, [](Q&) {}},
+         {nullptr, [](Q& q) { q.last_station = q.station; }},
+         {"the last station of quantity 0 is 0", [](Q& q) { q.last_station = 0; }},
+         {"the last station of quantity 0 is 1", [](Q& q) { q.last_station = 1; }},
+         {"the last station of quantity 0 is NaN", [](Q& q) { q.last_station = not_a_number; }},
+         {"the sharpness of quantity 0 is -1, but it must be finite and at least 0",
+          [](Q& q) { q.sharpness = -1; }},
+         {"the sharpness of quantity 0 is NaN", [](Q& q) { q.sharpness = not_a_number; }}},
+        HM_BAD_ARGUMENT, measure);
+    hm_quantity distance = area;
+    distance.kind = HM_DISTANCE;
+    check_changes<Q>(
+        distance,
+        {{"the other body of quantity 0 has no curves, or curves of the section", [](Q&) {}},
+         {"has no curves, or curves of the section", [](Q& q) { q.n_other = 1; }},
+         {"does not have these curves", [](Q& q) { q.other_curve = 7, q.n_other = 1; }}},
+        HM_BAD_ARGUMENT, measure);
     check_changes<Q>(
         clearance,
         {{nullptr, [](Q&) {}},

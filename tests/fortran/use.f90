@@ -6,6 +6,7 @@ program use
     use assessment_tests
     use blocks_tests
     use boundaries_tests
+    use bounds_tests
     use cells_tests
     use conditions_tests
     use coordinates_tests
@@ -76,6 +77,7 @@ program use
     call operators()
     call conditions()
     call assessments()
+    call smooth_bounds()
     call safe_strategies()
     call safe_heights()
     call safe_steps()

@@ -145,9 +145,14 @@ private:
                               size_ * number(), size_ * number()};
         hm_quantity quantity{};
         quantity.struct_size = sizeof quantity;
-        quantity.kind = input_.from(HM_AREA, HM_CLEARANCE + (input_.one_in(16) ? 1 : 0));
+        quantity.kind = input_.from(HM_AREA, HM_DISTANCE + (input_.one_in(16) ? 1 : 0));
         if (quantity.kind == HM_THICKNESS || quantity.kind == HM_CAMBER)
             quantity.station = number();
+        if (quantity.kind == HM_MIN_THICKNESS) quantity.station = 0.3, quantity.last_station = 0.6;
+        if (quantity.kind >= HM_CLEARANCE && quantity.kind != HM_TWIST && input_.one_in(2))
+            quantity.sharpness = 1 + std::fabs(number());
+        if (quantity.kind == HM_DISTANCE)
+            quantity.other_curve = input_.from(0, 3), quantity.n_other = 1;
         if (quantity.kind == HM_CLEARANCE)
             quantity.polygon = polygon.data(), quantity.n_polygon = input_.from(1, 3);
         Numbers value(1, 7), at(2, 7), gradient(problem_.on_walls.control.size(), 7);

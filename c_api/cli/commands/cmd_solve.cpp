@@ -180,7 +180,7 @@ void run_solve(const Arguments& arguments) {
         write_history(files.add(arguments.text("--history")), history, solver.report().iterations);
     }
     if (converged || arguments.has("--force"))
-        write_basis(files.add(path), stored.basis(), mesh, task.conditions);
+        write_basis(files.add(path), stored.basis(), mesh);
     files.commit();
     if (arguments.has("--json")) {
         print_json(solver, stored, mesh, times);
