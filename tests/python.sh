@@ -2,7 +2,8 @@
 # usage: python.sh BUILD   (PYTHON, MAKE, CXX from the environment; after `make`)
 # The Python package: all its tests by pytest, on an extension that is linked with the library of BUILD; then a source
 # distribution and a wheel that is built from it, offline, installed in a virtual environment in another folder, and the
-# program of README run there. The wheel is compiled without optimisation: what it computes is the same.
+# program of README run there. Sources of the extension and of the wheel are compiled without optimisation: what they
+# compute is the same.
 : "${PYTHON:=/usr/bin/python3}" "${CXX:=c++}"
 build=$(cd "$1" && pwd)
 source=$(pwd)
@@ -16,7 +17,7 @@ export PYTHONDONTWRITEBYTECODE HARMORPH_BUILD CXX
 package=$source/c_api/python
 
 extension_alone() (
-    cd "$package" && HARMORPH_LIBRARY=$build/libharmorph.a CXXFLAGS=-O1 \
+    cd "$package" && HARMORPH_LIBRARY=$build/libharmorph.a CXXFLAGS=-O0 \
         $PYTHON setup.py -q build --build-lib "$dir/lib"
 )
 check "the extension, linked with the library" extension_alone

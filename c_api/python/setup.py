@@ -23,7 +23,7 @@ from setuptools.command.sdist import sdist
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "native"))
-from declarations import TOPICS, declarations, version  # noqa: E402
+from declarations import declarations, topics, version  # noqa: E402
 from reader_sources import reader_sources  # noqa: E402
 
 BUNDLED = HERE / "bundled"
@@ -66,7 +66,7 @@ class BuildNative(build_ext):
         ffi = FFI()
         ffi.cdef(declarations(HEADERS))
         ffi.cdef(self._declared_readers())
-        headers = "".join(f'#include "{name}.h"\n' for name in (*TOPICS, "harmorph_pthreads"))
+        headers = "".join(f'#include "{name}.h"\n' for name in (*topics(HEADERS), "harmorph_pthreads"))
         ffi.set_source("harmorph._native", headers + '#include "mesh_files.h"\n')
         bridge = folder / "bridge.cpp"
         ffi.emit_c_code(str(bridge))
@@ -142,7 +142,7 @@ class SourceDistribution(sdist):
         bundled = base / "bundled"
         (bundled / "include").mkdir(parents=True, exist_ok=True)
         write_amalgamation(bundled / "harmorph.cpp")
-        for name in (*TOPICS, "harmorph_pthreads"):
+        for name in (*topics(HEADERS), "harmorph_pthreads"):
             shutil.copy(HEADERS / f"{name}.h", bundled / "include")
         for path in reader_sources(READERS):
             place = bundled / "cli" / path.relative_to(READERS)

@@ -105,7 +105,7 @@ class Basis:
             error = ffi.new("hm_error*")
             status = lib.hm_basis_conditions(self.pointer, structs, room, n, error)
             if status == 0:
-                return of_basis(mesh, structs, n[0])
+                return of_basis(mesh, self.pointer, structs, n[0])
             if n[0] <= room:
                 raise Error(ffi.string(error.text).decode(), status)
             room = n[0]

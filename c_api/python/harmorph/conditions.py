@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Iterable, List, Mapping, Optional, Tuple, Union
+from typing import Any, Dict, Iterable, List, Mapping, Optional, Tuple, Union
 
 from ._native import ffi, lib
 from .curves import Curves
-from .errors import Error
+from .errors import Error, call
 from .boundary import Marker
 from .mesh import Mesh
-from .reports import fill, pair
+from .reports import fill, new, pair
 
 KINDS = {
     "curve": lib.HM_ON_CURVE,
@@ -115,12 +115,13 @@ def structs(mesh: Mesh, curves: Optional[Curves], pairs: List[Tuple[int, Conditi
     return result
 
 
-def of_basis(mesh: Mesh, basis: Any, n: int) -> List[Tuple[int, Condition]]:
-    """Return the pairs that `n` conditions of a saved basis stand for."""
+def of_basis(mesh: Mesh, basis: Any, found: Any, n: int) -> List[Tuple[int, Condition]]:
+    """Return the pairs that the `n` conditions `found` of a saved basis stand for."""
     names = {value: key for key, value in KINDS.items()}
     markers = {number: name for name, number in mesh.markers.items()}
     pairs = []
-    for struct in basis[0:n]:
+    sets: Dict[Any, Curves] = {}  # conditions that had the same curves get the same ones again
+    for number, struct in enumerate(found[0:n]):
         kind = names[struct.kind]
         has_partner = kind in ("periodic", "rotation", "interface")
         pairs.append((struct.marker, Condition(
@@ -130,5 +131,15 @@ def of_basis(mesh: Mesh, basis: Any, n: int) -> List[Tuple[int, Condition]]:
             partner=markers.get(struct.partner, struct.partner) if has_partner else None,
             centre=(struct.x, struct.y),
             near=(struct.near_x, struct.near_y) if struct.piece else None,
+            along=_along(basis, number, struct.n_curves, sets) if kind == "slip" else None,
         )))
     return pairs
+
+
+def _along(basis: Any, condition: int, n: int, sets: Dict[Any, Curves]) -> Optional[Curves]:
+    if n == 0:
+        return None
+    out, curves = new("hm_curves"), ffi.new("hm_curve[]", n)
+    curves[0].struct_size = ffi.sizeof("hm_curve")
+    call(lib.hm_basis_along, basis, condition, out, curves, n)
+    return sets.setdefault(out.control, Curves._copied(out))

@@ -268,10 +268,6 @@ class Morph(Functions, Large, Displacements):
         -----
         HarmorphWarning
             ``MOVED``: the mesh has other coordinates than the basis was solved on.
-
-        Notes
-        -----
-        Curves along which points slip (``Condition.along``) are not in the file.
         """
         basis = Basis.load(path, mesh)
         pairs = basis.conditions(mesh) if mesh else []

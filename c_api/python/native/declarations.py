@@ -9,16 +9,6 @@ the extension is built, and the C++ compiler compares all structs and constants 
 import re
 from pathlib import Path
 
-TOPICS = (
-    "harmorph",
-    "harmorph_design",
-    "harmorph_space",
-    "harmorph_parts",
-    "harmorph_study",
-    "harmorph_fields",
-    "harmorph_quality",
-)
-
 # The pool of threads of harmorph_pthreads.h consists of inline functions, which cffi cannot read.
 # The compiler checks these three lines against the header.
 THREADS = """
@@ -26,6 +16,23 @@ typedef struct { ...; } hm_pthreads;
 hm_executor hm_pthreads_start(hm_pthreads* pool, int32_t n_threads);
 void hm_pthreads_stop(hm_pthreads* pool);
 """
+
+
+def topics(folder):
+    """Return the names of the headers that declare calls, each behind the headers that it includes."""
+    folder, found = Path(folder), []
+
+    def add(name):
+        text = (folder / f"{name}.h").read_text(encoding="utf-8")
+        if name in found or not re.search(r"^HM_API ", text, flags=re.M):
+            return
+        for included in re.findall(r'^#include "(\w+)\.h"', text, flags=re.M):
+            add(included)
+        found.append(name)
+
+    for path in sorted(folder.glob("harmorph*.h")):
+        add(path.stem)
+    return found
 
 
 def version(folder):
@@ -36,7 +43,7 @@ def version(folder):
 
 def declarations(folder):
     """Return the declarations of the headers in `folder` as text for ``cffi.FFI.cdef``."""
-    return "".join(_declared(Path(folder) / f"{name}.h") for name in TOPICS) + THREADS
+    return "".join(_declared(Path(folder) / f"{name}.h") for name in topics(folder)) + THREADS
 
 
 def _declared(header):

@@ -53,7 +53,7 @@ def test_remarks(meshes, tmp_path):
 
 @pytest.mark.parametrize("data, words", [
     (b"", "the file is empty"),
-    (b"\x00\x01\x02 no mesh", "no mesh file"),
+    (b"\x00\x01\x02 no mesh", "no known mesh file"),
     (b"NDIME= 2\nNELEM= 1\n5 0 1\n", ":3"),
 ])
 def test_damaged_files_are_refused(tmp_path, data, words):
@@ -66,7 +66,7 @@ def test_damaged_files_are_refused(tmp_path, data, words):
 def test_refusals_of_names(mesh, tmp_path):
     with pytest.raises(harmorph.Error, match="No such file"):
         harmorph.Mesh.read(tmp_path / "none.su2")
-    with pytest.raises(harmorph.Error, match="unknown format"):
+    with pytest.raises(harmorph.Error, match="the format .abc. is unknown"):
         harmorph.Mesh.read(tmp_path / "none.su2", format="abc")
     with pytest.raises(harmorph.Error, match="no format has this extension"):
         mesh.write(tmp_path / "mesh.abc")

@@ -88,13 +88,16 @@ def test_slip(curves, random):
     assert left == pytest.approx((direction * morph.slip_adjoint(moved, dj)).sum(), rel=1e-5)
 
 
-def test_slip_along_a_curve(curves):
+def test_slip_along_a_curve(curves, tmp_path):
     circle = harmorph.Curves.fit(ring_mesh(), "far", n_control=20, closed="periodic")
     morph = harmorph.Morph(ring_mesh(), curves, {"far": harmorph.Condition("slip", along=circle)})
     moved = morph.slip(morph.morph(large(morph) * 0.1))
     far, _ = morph.mesh.wall("far")
     offset = max(circle.project(point)[1] for point in moved[far])
     assert offset < 1.5 * circle.fit_report.max_error + 1e-9
+    morph.save(tmp_path / "slip.basis")  # with the curve along which points slip
+    loaded = harmorph.Morph.load(tmp_path / "slip.basis", ring_mesh())
+    assert np.array_equal(loaded.slip(loaded.morph(large(morph) * 0.1)), moved)
 
 
 def test_given_displacements(given, random):

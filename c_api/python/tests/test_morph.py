@@ -237,16 +237,18 @@ def test_bases_of_the_program(meshes, program, tmp_path):
     morph = harmorph.Morph(mesh, harmorph.Curves.fit(mesh, "airfoil"))
     morph.save(tmp_path / "python.basis")
     (tmp_path / "moves.txt").write_text("6 0 0.02\n")
-    subprocess.run([program, "morph", meshes / "naca0012.su2", "python.basis", "--move", "moves.txt", "-o", "moved.su2"],
-                   cwd=tmp_path, check=True, capture_output=True)
+
+    def run(command, *arguments):
+        subprocess.run([program, command, meshes / "naca0012.su2", *arguments], cwd=tmp_path, check=True,
+                       capture_output=True)
+
+    run("morph", "python.basis", "--move", "moves.txt", "-o", "moved.su2")
     move = np.zeros((20, 2))
     move[5, 1] = 0.02
     mesh.write(tmp_path / "python.su2", morph.morph(move))
     assert (tmp_path / "moved.su2").read_bytes() == (tmp_path / "python.su2").read_bytes()
-    subprocess.run([program, "fit", meshes / "naca0012.su2", "--marker", "airfoil", "-o", "airfoil.curve"],
-                   cwd=tmp_path, check=True, capture_output=True)
-    subprocess.run([program, "solve", meshes / "naca0012.su2", "--curve", "airfoil=airfoil.curve", "-o", "program.basis"],
-                   cwd=tmp_path, check=True, capture_output=True)
+    run("fit", "--marker", "airfoil", "-o", "airfoil.curve")
+    run("solve", "--curve", "airfoil=airfoil.curve", "-o", "program.basis")
     loaded = harmorph.Morph.load(tmp_path / "program.basis", mesh)
     assert loaded.displacement(move) == pytest.approx(morph.displacement(move), abs=1e-12)
     assert loaded.safe(4 * move).report.step_fraction == 1
