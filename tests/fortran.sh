@@ -19,7 +19,7 @@ if $FC --version 2>/dev/null | grep -q '^GNU'; then
 fi
 loose="-Wno-conversion -Wno-compare-reals"    # of the tests: numbers that must be equal
 quietly() { "$@" 2>&1 | tee "$dir/warnings"; test ! -s "$dir/warnings"; }
-# What the tests share, then the tests of each topic, then the program that calls them.
+# The modules that tests share come first, then the tests of each topic, then the program that calls them.
 shared="counts meshes body_mesh kept"
 topics=$(ls tests/fortran | sed 's/\.f90$//' | grep -vxE "use|$(echo $shared | tr ' ' '|')")
 build_and_run() {   # where, flags...: its own modules and objects in each place
@@ -78,7 +78,7 @@ else
     skip flang "it is not installed (Debian: flang-19)"
 fi
 
-# What a mesh keeps must be an array that outlives the call: the compiler says so.
+# An array that a mesh keeps must outlive the call; the compiler checks this.
 refused_by_compiler() {   # declaration of x, actual argument
     cat >"$dir/kept.f90" <<END
 use harmorph

@@ -104,7 +104,7 @@ contains
         call check(hm_status_name(99) == "unknown status", "name of an unknown status")
     end subroutine
 
-    ! What must stop the program with the reason.
+    ! These calls must stop the program with the reason.
     subroutine stop_by(what)
         character(len=*), intent(in) :: what
         type(hm_mesh) :: another_mesh
