@@ -3,6 +3,7 @@
 #include "mesh_pair.hpp"
 #include "morph/cell_bounds.hpp"
 #include "morph/mesh_quality.hpp"
+#include "morph/point_gradient.hpp"
 #include "morph/quality.hpp"
 #include "morph/step_corners.hpp"
 
@@ -87,8 +88,7 @@ struct BoundsCall {
         return asked;
     }
     void clear(MutablePoints gradient) const noexcept {
-        if (!gradient.given()) return;
-        for (Index k = 0; k < quality.cells.mesh.n_points; ++k) gradient.set(k, {});
+        clear_gradient(gradient, quality.cells.mesh.n_points);
     }
     void finish(Index number, BoundAsked const& asked, SmoothMinimum const& found) const noexcept {
         write_struct(value_of(asked, found, quality.cells.mesh.index_base),
@@ -100,11 +100,8 @@ struct BoundsCall {
         SmoothMinimum const found =
             find_layer_bound(quality.edges(), asked.layer_value(), asked.sharpness, at,
                              quality.start(), asked.gradient);
-        if (asked.kind == HM_BOUND_STRETCH && asked.gradient.given()) {
-            Points const negative = asked.gradient;
-            for (Index k = 0; k < quality.cells.mesh.n_points; ++k)
-                asked.gradient.set(k, -1 * negative[k]);
-        }
+        if (asked.kind == HM_BOUND_STRETCH)
+            scale_gradient(asked.gradient, quality.cells.mesh.n_points, -1, executor);
         finish(number, asked, found);
     }
     // Computes a bound of the quality and one of the areas, either of which may be none.

@@ -80,11 +80,17 @@ Status view_quantity(const hm_curves* curves, const hm_quantity* array, Index nu
     bool const may_be_smooth = out.kind == QuantityKind::clearance ||
                                out.kind == QuantityKind::min_thickness ||
                                out.kind == QuantityKind::distance;
-    if (!is_finite(q.sharpness) || q.sharpness < 0 || (q.sharpness > 0 && !may_be_smooth)) {
+    // The products with lengths, and the quotients of logarithms, neither overflow nor underflow.
+    constexpr Real least = 1e-100, largest = 1e100;
+    bool const is_in_bounds =
+        is_finite(q.sharpness) &&
+        (q.sharpness == 0 || (q.sharpness >= least && q.sharpness <= largest));
+    if (!is_in_bounds || (q.sharpness != 0 && !may_be_smooth)) {
         const char* const text =
-            may_be_smooth ? "the sharpness of quantity # is ~, but it must be finite and at least 0"
-                          : "quantity # has the sharpness ~, but only HM_CLEARANCE, "
-                            "HM_MIN_THICKNESS and HM_DISTANCE use one";
+            may_be_smooth || !is_in_bounds
+                ? "the sharpness of quantity # is ~, but it must be 0 or between 1e-100 and 1e100"
+                : "quantity # has the sharpness ~, but only HM_CLEARANCE, HM_MIN_THICKNESS and "
+                  "HM_DISTANCE use one";
         return fault.refuse(Status::bad_argument, text, quantity_item(number), {}, q.sharpness);
     }
     out.sharpness = q.sharpness;

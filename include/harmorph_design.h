@@ -219,8 +219,9 @@ typedef struct hm_quantity {
     const double* polygon;
     double last_station; /* min thickness: station <= last_station < 1 */
     /* [1/length] clearance, min thickness, distance. 0: the smallest value itself, with the
-     * derivative at one place. > 0: the smooth lower bound m - ln(sum_k exp(-sharpness (v_k - m)))
-     * / sharpness of the values v_1 .. v_N, m the smallest one: at most ln(N) / sharpness below m.
+     * derivative at one place. 1e-100 .. 1e100: the smooth lower bound m - ln(sum_k exp(-sharpness
+     * (v_k - m))) / sharpness of the values v_1 .. v_N, m the smallest one: at most ln(N) /
+     * sharpness below m.
      */
     double sharpness;
     /* Distance: the curves other_curve .. other_curve+n_other-1 are the outline of the other body,

@@ -5,8 +5,7 @@
 namespace harmorph {
 namespace {
 
-BodyDistance distance_at(Section const& from, Section const& to, bool from_is_other,
-                         CurvePlace const& place) noexcept {
+BodyDistance distance_at(Section const& to, bool from_is_other, CurvePlace const& place) noexcept {
     BodyDistance out;
     out.place_is_on_other = from_is_other;
     out.place = place;
@@ -33,7 +32,7 @@ void search_distance(Section const& from, Section const& to, bool from_is_other,
                      BodyDistance& best) noexcept {
     BodyDistance coarse;
     for_each_place(from, [&](CurvePlace const& place, CurvePlace const&) {
-        BodyDistance const found = distance_at(from, to, from_is_other, place);
+        BodyDistance const found = distance_at(to, from_is_other, place);
         if (found.value < coarse.value) coarse = found;
     });
     if (coarse.value < best.value) best = coarse;
@@ -52,7 +51,7 @@ void search_distance(Section const& from, Section const& to, bool from_is_other,
         if (!(slope_at(place, place.u) < 0) || !(slope_at(place, next.u) > 0)) return;
         CurvePlace lowest = place;
         lowest.u = sign_change(place.u, next.u, [&](Real u) { return slope_at(place, u); });
-        BodyDistance const found = distance_at(from, to, from_is_other, lowest);
+        BodyDistance const found = distance_at(to, from_is_other, lowest);
         if (found.value < best.value) best = found;
     });
 }
@@ -84,7 +83,7 @@ BodyDistance smooth_body_distance(Section const& section, Section const& other, 
         for (Index side = 0; side < 2; ++side) {
             Section const &from = side == 0 ? section : other, &to = side == 0 ? other : section;
             for_each_place(from, [&](CurvePlace const& place, CurvePlace const&) {
-                visit(distance_at(from, to, side == 1, place));
+                visit(distance_at(to, side == 1, place));
             });
         }
     };

@@ -85,17 +85,27 @@ void clear_odd_cells(CellList const& cells, SmoothList& list, bool quality, bool
     }
 }
 
-void add_list_slopes(CellList const& cells, Index width, const Real* weights,
-                     SmoothSlopes const& slopes, PointGradient const& gradient) noexcept {
+template <Index width, bool unit>
+void add_list_slopes(CellList const cells, const Real* weights, SmoothSlopes const& slopes,
+                     PointGradient const gradient) noexcept {
     for (Index i = 0; i < cells.n; ++i) {
         if (weights[i] == 0) continue;  // the cell is odd, or too far from the smallest value
         const Index* const point = cells.point + width * i;
+#pragma GCC unroll 4
         for (Index k = 0; k < width; ++k) {
             Index const corner = cells.reversed ? width - 1 - k : k;
-            gradient.add(from_zero(point[corner], cells.index_base),
-                         {slopes.x[k][i], slopes.y[k][i]});
+            gradient.add<unit>(from_zero(point[corner], cells.index_base),
+                               {slopes.x[k][i], slopes.y[k][i]});
         }
     }
+}
+void add_list_slopes(CellList const& cells, bool is_triangle, const Real* weights,
+                     SmoothSlopes const& slopes, PointGradient const& gradient) noexcept {
+    bool const unit = gradient.has_unit_stride();
+    if (is_triangle && unit) add_list_slopes<3, true>(cells, weights, slopes, gradient);
+    else if (is_triangle) add_list_slopes<3, false>(cells, weights, slopes, gradient);
+    else if (unit) add_list_slopes<4, true>(cells, weights, slopes, gradient);
+    else add_list_slopes<4, false>(cells, weights, slopes, gradient);
 }
 
 void BoundPass::add_batches(CellBatches const& batches, const Index* numbers,
@@ -108,7 +118,7 @@ void BoundPass::add_batches(CellBatches const& batches, const Index* numbers,
         CellList const& given = kind == 0 ? batches.triangles : batches.quads;
         SmoothList& list = lists[kind];
         if (given.n == 0) continue;
-        Index const width = 3 + kind;
+        bool const is_triangle = kind == 0;
         if (list.odd != 0) clear_odd_cells(given, list, request.quality, request.area);
         Index const n_regular = given.n - __builtin_popcountll(list.odd);
         if (request.quality) {
@@ -116,15 +126,15 @@ void BoundPass::add_batches(CellBatches const& batches, const Index* numbers,
             chunk.quality.sum += sum_of_weights(list.quality_weight, given.n);
             chunk.quality.count += n_regular;
             if (gradients.quality.wanted())
-                add_list_slopes(given, width, list.quality_weight, list.by_quality,
+                add_list_slopes(given, is_triangle, list.quality_weight, list.by_quality,
                                 gradients.quality);
         }
         if (request.area) {
             least_area = min(least_area, least_value_of(list.area, given.n));
             chunk.area.sum += sum_of_weights(list.area_weight, given.n);
-            chunk.area.count += std::int64_t{n_regular} * (kind == 0 ? 1 : 4);
+            chunk.area.count += std::int64_t{n_regular} * (is_triangle ? 1 : 4);
             if (gradients.area.wanted())
-                add_list_slopes(given, width, list.area_weight, list.by_area, gradients.area);
+                add_list_slopes(given, is_triangle, list.area_weight, list.by_area, gradients.area);
         }
     }
     bool const has_least = least_quality < chunk.quality.least || least_area < chunk.area.least;
@@ -236,16 +246,6 @@ void run_pass(BoundPass const& pass, Executor const& executor, CellBoundPair& bo
     bounds.area.found = chunks[0].area;
 }
 
-void scale_gradient(MutablePoints gradient, Index n, Real factor,
-                    Executor const& executor) noexcept {
-    if (!gradient.given()) return;
-    constexpr Index least_points = 16384;
-    executor.for_ranges(n, least_points, [&](Index begin, Index end) {
-        Points const now = gradient;
-        for (Index k = begin; k < end; ++k) gradient.set(k, factor * now[k]);
-    });
-}
-
 }  // namespace
 
 // The first pass uses shifts that suit most meshes. If the smallest value is too far from one, the
@@ -269,8 +269,8 @@ void find_cell_bounds(OrientedMesh const& cells, Points at, Points start, Execut
     if (quality_again || area_again) {
         if (quality_again) request.quality_shift = bounds.quality.found.least;
         if (area_again) request.area_shift = bounds.area.found.least;
-        scale_gradient(bounds.quality.gradient, n_points, 0, executor);
-        scale_gradient(bounds.area.gradient, n_points, 0, executor);
+        clear_gradient(bounds.quality.gradient, n_points);
+        clear_gradient(bounds.area.gradient, n_points);
         run_pass({cells, {at, {}, start}, request, kernels}, executor, bounds);
     }
     if (request.quality)

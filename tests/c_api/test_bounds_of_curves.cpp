@@ -64,7 +64,7 @@ TEST_CASE("quantities of a section") {
          {"the last station of quantity 0 is 0", [](Q& q) { q.last_station = 0; }},
          {"the last station of quantity 0 is 1", [](Q& q) { q.last_station = 1; }},
          {"the last station of quantity 0 is NaN", [](Q& q) { q.last_station = not_a_number; }},
-         {"the sharpness of quantity 0 is -1, but it must be finite and at least 0",
+         {"the sharpness of quantity 0 is -1, but it must be 0 or between 1e-100 and 1e100",
           [](Q& q) { q.sharpness = -1; }},
          {"the sharpness of quantity 0 is NaN", [](Q& q) { q.sharpness = not_a_number; }}},
         HM_BAD_ARGUMENT, measure);

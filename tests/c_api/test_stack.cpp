@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
+#include <harmorph_quality.h>
 
 #include <pthread.h>
 
@@ -66,6 +67,26 @@ TEST_CASE("hm_morph needs at most 16 KiB of stack, hm_adjoint on one thread 40, 
             CHECK(hm_morph(solved.basis, move.data(), nullptr, points_out(x, y), nullptr,
                            nullptr) == HM_OK);
         });
+        std::size_t bytes_of_quality = 0;
+        REQUIRE(hm_quality_size(solved.basis, &mesh, &bytes_of_quality, nullptr) == HM_OK);
+        std::vector<char> block(bytes_of_quality);
+        hm_quality* start = nullptr;
+        CHECK(stack_of([&] {
+                  CHECK(hm_quality_init(&start, block.data(), block.size(), solved.basis, &mesh,
+                                        nullptr, nullptr) == HM_OK);
+              }) - of_thread <=
+              112 * 1024);
+        hm_bound bounds[3] = {};
+        hm_bound_value values[3] = {};
+        for (std::int32_t k = 0; k < 3; ++k) {
+            bounds[k] = {sizeof(hm_bound), HM_BOUND_AREA + k, 0, 0};
+            values[k].struct_size = sizeof(hm_bound_value);
+        }
+        CHECK(stack_of([&] {
+                  CHECK(hm_quality_bounds(start, nullptr, 3, bounds, values, nullptr, nullptr,
+                                          nullptr) == HM_OK);
+              }) - of_thread <=
+              112 * 1024);
         for (std::size_t const bytes : used) CHECK(bytes - of_thread <= 112 * 1024);
         CHECK(used[1] - of_thread <= 40 * 1024);
         CHECK(used[3] - of_thread <= 16 * 1024);

@@ -88,7 +88,7 @@ double largest(Field const& field) {
     for (std::complex<double> const z : field) out = std::fmax(out, std::abs(z));
     return out;
 }
-double largest_difference(Field const& a, Field const& b) {
+double largest_distance(Field const& a, Field const& b) {
     REQUIRE(a.size() == b.size());
     double out = 0;
     for (std::size_t k = 0; k < a.size(); ++k) out = std::fmax(out, std::abs(a[k] - b[k]));
@@ -277,7 +277,7 @@ TEST_CASE("no value depends on the unit of length, on turns or translations") {
                       doctest::Approx(expected[k].value.bound).epsilon(1e-9));
                 Field back = found[k].gradient;
                 for (std::complex<double>& z : back) z *= unit / turn;
-                CHECK(largest_difference(back, expected[k].gradient) <=
+                CHECK(largest_distance(back, expected[k].gradient) <=
                       1e-6 * largest(expected[k].gradient));
             }
         }
@@ -315,7 +315,7 @@ TEST_CASE("no value depends on the orientation of cells or the numbering of cell
         for (std::size_t k = 0; k < found.size(); ++k) {
             CHECK(found[k].value.bound == doctest::Approx(expected[k].value.bound).epsilon(1e-12));
             Field const back(found[k].gradient.rbegin(), found[k].gradient.rend());
-            CHECK(largest_difference(back, expected[k].gradient) <=
+            CHECK(largest_distance(back, expected[k].gradient) <=
                   1e-9 * largest(expected[k].gradient));
         }
         CHECK(found[0].value.item - 1 ==
@@ -371,7 +371,7 @@ TEST_CASE("the bits do not depend on threads, kernels, layouts, or on which boun
     for (std::size_t k = 0; k < found.size(); ++k) {
         CHECK(found[k].value.bound == doctest::Approx(expected[k].value.bound).epsilon(1e-13));
         CHECK(found[k].value.item == expected[k].value.item);
-        CHECK(largest_difference(found[k].gradient, expected[k].gradient) <=
+        CHECK(largest_distance(found[k].gradient, expected[k].gradient) <=
               1e-13 * largest(expected[k].gradient));
     }
 }
