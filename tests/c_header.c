@@ -3,6 +3,7 @@
  * that other languages rely on. */
 #include <harmorph.h>
 #include <harmorph_design.h>
+#include <harmorph_fields.h>
 #include <harmorph_parts.h>
 #include <harmorph_space.h>
 #include <harmorph_study.h>
@@ -99,6 +100,8 @@ int main(void) {
     BEGINS(hm_edge_mesh);
     BEGINS(hm_study_options);
     BEGINS(hm_mesh_report);
+    BEGINS(hm_walls_info);
+    BEGINS(hm_interpolation_report);
     if (sizeof(void*) == 8) {
         SIZE(hm_points, 24);
         SIZE(hm_points_out, 24);
