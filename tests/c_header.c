@@ -5,6 +5,7 @@
 #include <harmorph_design.h>
 #include <harmorph_fields.h>
 #include <harmorph_parts.h>
+#include <harmorph_quality.h>
 #include <harmorph_space.h>
 #include <harmorph_study.h>
 #include <harmorph.h>
@@ -102,6 +103,8 @@ int main(void) {
     BEGINS(hm_mesh_report);
     BEGINS(hm_walls_info);
     BEGINS(hm_interpolation_report);
+    BEGINS(hm_bound);
+    BEGINS(hm_bound_value);
     if (sizeof(void*) == 8) {
         SIZE(hm_points, 24);
         SIZE(hm_points_out, 24);

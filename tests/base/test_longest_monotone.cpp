@@ -29,7 +29,7 @@ std::size_t longest(std::vector<double> const& values) {
 
 }  // namespace
 
-TEST_CASE("the longest run is non-decreasing, in order, and as long as can be") {
+TEST_CASE("the longest run is non-decreasing, in order, and as long as possible") {
     std::mt19937 random(1);
     for (int trial = 0; trial < 300; ++trial) {
         std::vector<double> values(random() % 40);

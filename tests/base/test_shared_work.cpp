@@ -49,7 +49,7 @@ TEST_CASE("every item that becomes ready is taken once") {
     hm_pthreads_stop(&pool);
 }
 
-TEST_CASE("numbers are given to one task each") {
+TEST_CASE("each number is given to one task") {
     std::vector<int> taken(5000, 0);
     harmorph::NextItem next;
     hm_pthreads pool;
@@ -61,7 +61,7 @@ TEST_CASE("numbers are given to one task each") {
     CHECK(taken == std::vector<int>(5000, 1));
 }
 
-TEST_CASE("the first item that is found in ranges, whatever their order") {
+TEST_CASE("the first item is found in ranges, whatever the order of the ranges") {
     fixtures::Backwards order;
     for (harmorph::Executor const& executor :
          {harmorph::Executor{}, {fixtures::Backwards::run, &order, 3}}) {

@@ -7,7 +7,7 @@
 
 using namespace fixtures;
 
-TEST_CASE("the heap sort sorts: all sizes, equal keys, sorted, reversed and random lists") {
+TEST_CASE("the heap sort sorts lists of all sizes, with equal keys, sorted, reversed and random") {
     std::mt19937 random(1);
     for (int n = 0; n < 200; ++n)
         for (int kind = 0; kind < 4; ++kind) {
@@ -24,7 +24,7 @@ TEST_CASE("the heap sort sorts: all sizes, equal keys, sorted, reversed and rand
         }
 }
 
-TEST_CASE("the sort by insertion sorts, and keeps the order of equal keys") {
+TEST_CASE("the insertion sort sorts and keeps the order of equal keys") {
     std::mt19937 random(2);
     for (int n = 0; n < 60; ++n)
         for (int kind = 0; kind < 4; ++kind) {
@@ -44,7 +44,7 @@ TEST_CASE("the sort by insertion sorts, and keeps the order of equal keys") {
         }
 }
 
-TEST_CASE("counts become starts, filling becomes rewinding") {
+TEST_CASE("counts become starts, and starts that filling has advanced are rewound") {
     std::vector<harmorph::Index> starts = {3, 0, 2, 5, 0, 99};  // the last place is for the total
     starts.back() = 0;
     CHECK(harmorph::counts_to_starts(span(starts)) == 10);

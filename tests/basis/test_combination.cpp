@@ -23,18 +23,17 @@ double difference(Moved const& a, Moved const& b) {
 std::vector<KindOfProblem> problems() {
     std::vector<KindOfProblem> out = kinds_of_problems();
     out.emplace_back();
-    out.back().its = cut_ring();
+    out.back().setup = cut_ring();
     out.back().options.operator_kind = HM_CONFORMAL;
     return out;
 }
 
 }  // namespace
 
-TEST_CASE(
-    "combined functions move points, curves and gradients as the control points they stand for") {
+TEST_CASE("combined functions move points, curves and gradients as their control points do") {
     for (KindOfProblem& problem : problems())
         for (int const numbers : {1, 2}) {
-            Solved const solved(problem.its, &problem.options);
+            Solved const solved(problem.setup, &problem.options);
             hm_basis_info const info = solved.info();
             Combination const by(info.control_points, 3, numbers, 5);
             Combined const combined(solved.basis, by);
@@ -52,9 +51,9 @@ TEST_CASE(
                         expected = displaced(solved.basis, whole);
             CHECK(difference(found, expected) < 1e-14);
             double error = 1;
-            Moved const moved = morphed(combined.basis, problem.its.mesh, move);
+            Moved const moved = morphed(combined.basis, problem.setup.mesh, move);
             REQUIRE(hm_boundary_error(combined.basis, move.data(),
-                                      points_in(problem.its.mesh.x, problem.its.mesh.y),
+                                      points_in(problem.setup.mesh.x, problem.setup.mesh.y),
                                       points_in(moved.x, moved.y), &error, nullptr,
                                       nullptr) == HM_OK);
             CHECK(error < 1e-14);
@@ -72,7 +71,7 @@ TEST_CASE(
                 CHECK(control[0][k] == doctest::Approx(control[1][k]).epsilon(1e-14));
 
             // g_j = sum_i conj(M_ij) G_i; and work done by both is the same.
-            Gradient const g(problem.its.mesh.x.size(), 3);
+            Gradient const g(problem.setup.mesh.x.size(), 3);
             Numbers const of_all = adjoint(solved.basis, g), of_few = adjoint(combined.basis, g);
             double size = 0, worst = 0, work = 0, done = 0, parts = 0;
             for (int j = 0; j < made.functions; ++j) {
@@ -97,11 +96,9 @@ TEST_CASE(
         }
 }
 
-TEST_CASE(
-    "combined functions are extracted, written, attached, stored in single precision, combined "
-    "again") {
+TEST_CASE("combined functions can be extracted, written, attached, rounded and combined again") {
     for (KindOfProblem& problem : problems()) {
-        Solved const solved(problem.its, &problem.options);
+        Solved const solved(problem.setup, &problem.options);
         Combination const by(solved.info().control_points, 4, 2, 9), again(4, 2, 1, 10);
         Combined const combined(solved.basis, by);
         REQUIRE(combined.status == HM_OK);
@@ -112,7 +109,7 @@ TEST_CASE(
         std::vector<unsigned char> const bytes = bytes_of(combined.basis);
         Numbers block(bytes.size() / sizeof(double));
         std::memcpy(block.data(), bytes.data(), bytes.size());
-        hm_mesh const mesh = problem.its.mesh_view();
+        hm_mesh const mesh = problem.setup.mesh_view();
         const hm_basis* attached = nullptr;
         REQUIRE(hm_basis_attach(&attached, block.data(), bytes.size(), &mesh, nullptr) == HM_OK);
         CHECK(difference(displaced(attached, move), expected) == 0);
@@ -142,14 +139,14 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("combined functions are solved again on a moved mesh, as the control points are") {
+TEST_CASE("combined functions are solved again on a moved mesh as the control points are") {
     for (KindOfProblem& problem : problems())
         for (int const numbers : {1, 2}) {
-            Solved const solved(problem.its, &problem.options);
+            Solved const solved(problem.setup, &problem.options);
             Combination const by(solved.info().control_points, 3, numbers, 5);
             Combined const combined(solved.basis, by);
             REQUIRE(combined.status == HM_OK);
-            Moved const at = morphed(solved.basis, problem.its.mesh,
+            Moved const at = morphed(solved.basis, problem.setup.mesh,
                                      some_move(solved.info().functions, 1e-3, 11));
             if (hm_plan_factor(solved.plan, points_in(at.x, at.y), nullptr) != HM_OK)
                 continue;  // bounded scheme
@@ -161,11 +158,9 @@ TEST_CASE("combined functions are solved again on a moved mesh, as the control p
         }
 }
 
-TEST_CASE(
-    "singular matrices are refused by column; so are short blocks and numbers that are not "
-    "finite") {
-    Case its = ring_case(4, 24, 0.5, 1);
-    Solved const solved(its);
+TEST_CASE("singular matrices, short blocks and numbers that are not finite are refused") {
+    Case setup = ring_case(4, 24, 0.5, 1);
+    Solved const solved(setup);
     Combination good(8, 3, 2, 4);
     auto const refusal = [&](Combination const& by, std::string const& word, int item) {
         Combined const combined(solved.basis, by);

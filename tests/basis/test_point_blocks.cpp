@@ -24,7 +24,7 @@ std::vector<double> rows(Index n_points, Index numbers) {
 
 }  // namespace
 
-TEST_CASE("each number is found where its row says, points behind the last one are 0") {
+TEST_CASE("each number is found where the row says, and points behind the last one are 0") {
     for (Index const n_points : {0, 1, 15, 16, 17, 100, 16 * 1024 + 5})
         for (Index const numbers : {1, 2, 7, 8, 9, 40}) {
             if (n_points > 1000 && numbers > 9) continue;

@@ -67,11 +67,10 @@ void check_sum(const hm_basis* basis, Mesh const& mesh, std::int32_t functions,
 
 }  // namespace
 
-TEST_CASE(
-    "movement so far: the sum of all morphs, for each kind of curves, conditions and values") {
+TEST_CASE("the movement so far is the sum of all morphs for every kind of basis") {
     struct Row {
         const char* name;
-        Case its;
+        Case setup;
         std::int32_t operator_kind, offset_correction;
         std::size_t first = 0, last = 0;  // control points of a curve without points
     };
@@ -81,7 +80,7 @@ TEST_CASE(
                              {"a periodic curve", ring_case(6, 32, 1, 4), HM_CONFORMAL, 0},
                              {"two bodies", two_body_case(), HM_CONFORMAL, 0},
                              {"numbers from 1", two_body_case(), HM_LAPLACE, 0}};
-    rows.back().its.index_base = 1;
+    rows.back().setup.index_base = 1;
     Case rigid = two_body_case();
     rigid.conditions.pop_back();
     rigid.set_rigid(second_body, 1.5, 0.5);
@@ -93,29 +92,29 @@ TEST_CASE(
         INFO(std::string(row.name));
         Options options = options_of(row.operator_kind);
         options.offset_correction = row.offset_correction;
-        Solved solved(row.its.problem(), &options);
+        Solved solved(row.setup.problem(), &options);
         REQUIRE(solved.status >= 0);
         hm_basis_info info{};
         info.struct_size = sizeof info;
         REQUIRE(hm_basis_info_get(solved.basis, &info, nullptr) == HM_OK);
-        check_sum(solved.basis, row.its.mesh, info.functions, 1e-12, row.first, row.last);
-        Recovered const start(solved.basis, row.its.mesh.x, row.its.mesh.y);
+        check_sum(solved.basis, row.setup.mesh, info.functions, 1e-12, row.first, row.last);
+        Recovered const start(solved.basis, row.setup.mesh.x, row.setup.mesh.y);
         CHECK(start.status == HM_OK);
         CHECK(difference(start.move, std::vector<double>(start.move.size())) == 0);
         Single const single(solved.basis);
-        check_sum(single.basis, row.its.mesh, info.functions, 1e-12, row.first, row.last);
+        check_sum(single.basis, row.setup.mesh, info.functions, 1e-12, row.first, row.last);
     }
 }
 
-TEST_CASE("movement so far: of design variables, and of modes at given points") {
-    Case its = curve_and_table();
+TEST_CASE("the movement so far is found for design variables and for modes at given points") {
+    Case setup = curve_and_table();
     Options const options = options_of(HM_CONFORMAL);
-    Solved solved(its.problem(), &options);
+    Solved solved(setup.problem(), &options);
     REQUIRE(solved.status >= 0);
     Combination const by(20, 4, 2, 3);  // the second curve has no points
     Combined const combined(solved.basis, by);
     REQUIRE(combined.status == HM_OK);
-    check_sum(combined.basis, its.mesh, 4, 1e-11);
+    check_sum(combined.basis, setup.mesh, 4, 1e-11);
     auto const n = given_points(solved.plan).size();
     std::vector<Field> modes(2, Field(n));
     for (std::size_t k = 0; k < n; ++k) {
@@ -124,28 +123,26 @@ TEST_CASE("movement so far: of design variables, and of modes at given points") 
     }
     Tabulated const tabulated(solved.plan, solved.basis, modes, 2);
     REQUIRE(tabulated.status >= 0);
-    check_sum(tabulated.basis, its.mesh, 22, 1e-12, 11, 20);
+    check_sum(tabulated.basis, setup.mesh, 22, 1e-12, 11, 20);
     // Without modes, given points may be anywhere.
-    std::vector<double> x = its.mesh.x;
+    std::vector<double> x = setup.mesh.x;
     for (std::int32_t const point : given_points(solved.plan))
         x[static_cast<std::size_t>(point)] += 0.05;
-    Recovered const without(solved.basis, x, its.mesh.y);
+    Recovered const without(solved.basis, x, setup.mesh.y);
     CHECK(without.status == HM_OK);
     CHECK(without.residual == 0);
 }
 
-TEST_CASE(
-    "movement so far: safe morphs turn the offsets of the wall, and the curve is found all the "
-    "same") {
-    Case its;
+TEST_CASE("the movement so far is found after safe morphs, which turn the offsets of the wall") {
+    Case setup;
     Outline const outline = naca4({}, 40);
-    its.mesh = o_mesh(outline, stretched(1e-6, 8, 40));
-    its.curves = fitted_loop(outline.points, 12);
-    its.put_on_curves(body);
-    Safe safe(its);
+    setup.mesh = o_mesh(outline, stretched(1e-6, 8, 40));
+    setup.curves = fitted_loop(outline.points, 12);
+    setup.put_on_curves(body);
+    Safe safe(setup);
     safe.safe_options.min_quality = 0;
     REQUIRE(safe.solved().report.max_distance > 1e-4);
-    std::vector<double> const move = similarity_move(its.curves, std::polar(1.0, 1.0), 0.25);
+    std::vector<double> const move = similarity_move(setup.curves, std::polar(1.0, 1.0), 0.25);
     REQUIRE(safe.run(move) == HM_OK);
     REQUIRE(safe.report.turned_offset > 1e-4);
     Recovered const found(safe.solved().basis, safe.x, safe.y);
@@ -154,24 +151,22 @@ TEST_CASE(
     CHECK(difference(found.move, move) < 1e-10);
 }
 
-TEST_CASE(
-    "movement so far: control points on which no point of the wall depends follow their "
-    "neighbours") {
-    Case its = ring_case(6, 12, 1, 4);  // 12 points for 40 control points
+TEST_CASE("control points on which no wall point depends move with their neighbours") {
+    Case setup = ring_case(6, 12, 1, 4);  // 12 points for 40 control points
     double const pi = std::acos(-1.0);
-    its.curves = ring(3, 40, 1, 1);
-    its.conditions.clear();
-    its.put_on_curves(body);
-    its.given_points.clear();
-    its.given_curves.clear();
-    its.given_u.clear();
-    for (int k = 0; k < 12; ++k) its.give(k, ring_parameter(3, 40, 2 * pi * k / 12));
+    setup.curves = ring(3, 40, 1, 1);
+    setup.conditions.clear();
+    setup.put_on_curves(body);
+    setup.given_points.clear();
+    setup.given_curves.clear();
+    setup.given_u.clear();
+    for (int k = 0; k < 12; ++k) setup.give(k, ring_parameter(3, 40, 2 * pi * k / 12));
     Options const options = options_of(HM_CONFORMAL);
-    Solved solved(its.problem(), &options);
+    Solved solved(setup.problem(), &options);
     REQUIRE(solved.status >= 0);
     std::vector<double> const turn =
-        similarity_move(its.curves, std::polar(1.2, 0.4), {0.1, 0}, {0.3, 0.2});
-    std::vector<double> x = its.mesh.x, y = its.mesh.y;
+        similarity_move(setup.curves, std::polar(1.2, 0.4), {0.1, 0}, {0.3, 0.2});
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
     REQUIRE(hm_morph(solved.basis, turn.data(), points_in(x, y), points_out(x, y), nullptr,
                      nullptr) == HM_OK);
     Recovered const found(solved.basis, x, y);
@@ -187,14 +182,12 @@ TEST_CASE(
     CHECK(any.residual < 1e-13);
 }
 
-TEST_CASE(
-    "movement so far: a wall that is on no curve of the basis is refused, with the point and the "
-    "distance") {
-    Case its = airfoil_case();
+TEST_CASE("a wall that is on no curve of the basis is refused with the point and the distance") {
+    Case setup = airfoil_case();
     Options const options = options_of(HM_CONFORMAL);
-    Solved solved(its.problem(), &options);
-    std::vector<double> x = its.mesh.x, y = its.mesh.y;
-    std::int32_t const wall = points_on(its.mesh, body)[10];
+    Solved solved(setup.problem(), &options);
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
+    std::int32_t const wall = points_on(setup.mesh, body)[10];
     y[static_cast<std::size_t>(wall)] += 0.01;
     Recovered const found(solved.basis, x, y);
     CHECK(found.status == HM_BAD_MESH);
@@ -215,7 +208,7 @@ TEST_CASE(
     CHECK(broken.status == HM_BAD_MESH);
     CHECK(std::string(broken.error.text).find("of the wall has a coordinate that is not finite") !=
           std::string::npos);
-    Recovered const negative(solved.basis, its.mesh.x, its.mesh.y, -1);
+    Recovered const negative(solved.basis, setup.mesh.x, setup.mesh.y, -1);
     CHECK(negative.status == HM_BAD_ARGUMENT);
     CHECK(std::string(negative.error.text).find("tolerance must be at least 0") == 0);
 }

@@ -43,7 +43,7 @@ Mesh hybrid_airfoil(double first = 1e-4) {
 
 }  // namespace
 
-TEST_CASE("heights of the first layers come back to a percent; angles, walls and far points stay") {
+TEST_CASE("heights of the first layers return to a percent, and far points stay") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Mesh mesh = annulus(60, 120, 1, 3, kind, true);
         for (std::size_t k = 0; k < mesh.x.size();
@@ -76,9 +76,7 @@ TEST_CASE("heights of the first layers come back to a percent; angles, walls and
     }
 }
 
-TEST_CASE(
-    "no motion is left alone to the last bit, rigid motion to rounding; scaling is undone near the "
-    "wall") {
+TEST_CASE("without motion no bit changes, and after rigid motion only rounding") {
     Walls walls(hybrid_airfoil());
     Mesh before = walls.deformed;
     walls.restore();
@@ -110,7 +108,7 @@ TEST_CASE("heights keep their order as long as the wall is stretched by more tha
     }
 }
 
-TEST_CASE("a viscous airfoil mesh: heights come back, sharp edge and all, and no cell inverts") {
+TEST_CASE("heights return round an airfoil with a sharp trailing edge, and no cell is inverted") {
     for (double const first : {1e-5, 1e-3})
         for (double const a : {0.001, -0.001}) {
             Walls walls(hybrid_airfoil(first));
@@ -159,9 +157,7 @@ TEST_CASE("joined points move together") {
     CHECK(moved(walls, before, n_t) > 0);
 }
 
-TEST_CASE(
-    "the reach: within the radius of curvature and a quarter of the extent, graded, 0 where walls "
-    "end") {
+TEST_CASE("the reach is within the radius of curvature and a quarter of the extent") {
     Walls walls(hybrid_airfoil());
     walls.restore();
     harmorph::WallPoints const& wall = walls.heights.wall;
@@ -192,7 +188,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("nothing moves beside a boundary that is no wall") {
+TEST_CASE("points beside a boundary that is no wall do not move") {
     Mesh mesh = two_bodies(16, 12, {0.4, 0.3, 0}, {0.45, 0.35, 0.1});
     for (std::int32_t& marker : mesh.face_markers)
         marker = marker == second_body ? std::int32_t{9} : marker;
@@ -211,7 +207,7 @@ TEST_CASE("nothing moves beside a boundary that is no wall") {
     }
 }
 
-TEST_CASE("two bodies: where the nearest changes nothing moves, and cells stay valid") {
+TEST_CASE("points whose nearest body does not change do not move, and cells stay valid") {
     Mesh const mesh = two_bodies(16, 12, {0.4, 0.3, 0},
                                  {0.4, 0.35, 0.2});  // gap 0.2, much less than their extent
     Walls walls(mesh);
@@ -233,7 +229,7 @@ TEST_CASE("two bodies: where the nearest changes nothing moves, and cells stay v
     CHECK(change.max_ratio - 1 < 0.3 * (lost.max_ratio - 1));
 }
 
-TEST_CASE("any number of threads, the same bits") {
+TEST_CASE("the number of threads changes no bit of wall heights") {
     Walls walls(hybrid_airfoil());
     walls.deform(Quadratic{0.02});
     Mesh const before = walls.deformed;

@@ -68,7 +68,7 @@ TEST_CASE("B-spline basis functions are not negative, sum up to 1, and their der
         }
 }
 
-TEST_CASE("at a clamped end the curve is at its control point, exactly") {
+TEST_CASE("a clamped curve ends exactly at its control point") {
     for (int degree = 1; degree <= 5; ++degree)
         for (Spline const& spline :
              {fixtures::clamped(degree, 9, 4), with_weights(fixtures::clamped(degree, 9, 5))}) {
@@ -86,7 +86,7 @@ TEST_CASE("at a clamped end the curve is at its control point, exactly") {
         }
 }
 
-TEST_CASE("derivatives agree with central differences") {
+TEST_CASE("derivatives of curves agree with central differences") {
     double const step = 1e-5;
     for (int degree = 2; degree <= 5; ++degree)
         for (Spline const& spline :
@@ -174,7 +174,7 @@ TEST_CASE("a periodic curve is smooth at its seam") {
     }
 }
 
-TEST_CASE("what is wrong with a curve is said, and where") {
+TEST_CASE("a curve that is not well formed is refused with the reason and the place") {
     double const nan = std::numeric_limits<double>::quiet_NaN();
     Spline const good = fixtures::clamped(3, 8, 10);
     Fault fault;

@@ -76,7 +76,7 @@ std::vector<Vec2> turned_by(std::vector<Vec2> points, int places) {
 
 }  // namespace
 
-TEST_CASE("no corner: periodic; one: tied at it; a blunt base: open, the long way round") {
+TEST_CASE("an outline is periodic without a corner, tied with one, and open with a blunt base") {
     Chosen const round = choose(fixtures::ellipse(60, 0.2), Closure::automatic);
     CHECK(round.course.closure == Closure::periodic);
     CHECK(round.course.n_positions == 61);
@@ -98,7 +98,7 @@ TEST_CASE("no corner: periodic; one: tied at it; a blunt base: open, the long wa
     }
 }
 
-TEST_CASE("other corners lie on the course, the sharpest ones if there is not room for all") {
+TEST_CASE("other corners lie on the course, and only the sharpest if there is no room for all") {
     std::vector<Vec2> const kite =
         fixtures::polygon({{0.6, 0}, {0, 0.1}, {-0.4, 0}, {0, -0.1}}, 10);
     Chosen const all = choose(turned_by(kite, 5), Closure::automatic);
@@ -109,7 +109,7 @@ TEST_CASE("other corners lie on the course, the sharpest ones if there is not ro
     CHECK(choose(kite, Closure::automatic, true, 0).corners.empty());
 }
 
-TEST_CASE("the caller's wish is followed") {
+TEST_CASE("the closure that the caller asks for is used") {
     std::vector<Vec2> const blunt =
         fixtures::vectors(fixtures::naca4({0, 0.4, 0.12, true}, 30, 0.8, 4));
     Chosen const tied = choose(blunt, Closure::tied);
@@ -152,8 +152,8 @@ std::vector<Vec2> with_nose_facet(double thickness, int n_side, double longer) {
         auto const p = fixtures::naca4_point(shape, x[k], 1);
         points.push_back({p.x, p.y});
     }
-    for (double const its : x) {
-        auto const p = fixtures::naca4_point(shape, its, -1);
+    for (double const column : x) {
+        auto const p = fixtures::naca4_point(shape, column, -1);
         points.push_back({p.x, p.y});
     }
     return points;
@@ -215,7 +215,7 @@ std::vector<Vec2> cut_off(double height, double slant, int n_side, int n_base) {
 
 }  // namespace
 
-TEST_CASE("a facet across a nose is no base and no corner, however coarse") {
+TEST_CASE("a facet across a leading edge is no base and no corner, however coarse") {
     Index dropped = 0;
     for (double const thickness : {0.06, 0.12, 0.2})
         for (int const n_side : {10, 40, 200})
@@ -223,12 +223,12 @@ TEST_CASE("a facet across a nose is no base and no corner, however coarse") {
                 CAPTURE(thickness);
                 CAPTURE(n_side);
                 CAPTURE(longer);
-                Chosen const its = choose_always(with_nose_facet(thickness, n_side, longer));
-                CHECK(its.course.reason == ClosureReason::corner);
-                CHECK(its.course.closure == Closure::tied);
-                CHECK(its.course.first == 0);
-                CHECK(its.corners.empty());
-                dropped += its.dropped;
+                Chosen const chosen = choose_always(with_nose_facet(thickness, n_side, longer));
+                CHECK(chosen.course.reason == ClosureReason::corner);
+                CHECK(chosen.course.closure == Closure::tied);
+                CHECK(chosen.course.first == 0);
+                CHECK(chosen.corners.empty());
+                dropped += chosen.dropped;
             }
     CHECK(dropped > 0);  // some of these do look like corners
 }
@@ -247,8 +247,7 @@ TEST_CASE("a turbine blade with round ends has no base") {
                 }
 }
 
-TEST_CASE(
-    "blunt bases, thin and thick, straight and slanted, are found at the end that is no nose") {
+TEST_CASE("blunt bases of any thickness and slant are found at the end opposite the leading edge") {
     for (double const height : {2e-4, 1e-3, 1e-2, 0.05, 0.1})
         for (double const slant : {0.0, 0.5, -0.3})
             for (int const n_base : {1, 2, 6})
@@ -257,20 +256,20 @@ TEST_CASE(
                     CAPTURE(slant);
                     CAPTURE(n_base);
                     CAPTURE(n_side);
-                    Chosen const its = choose_always(cut_off(height, slant, n_side, n_base));
-                    CHECK(its.course.reason == ClosureReason::base);
-                    CHECK(its.course.base_points == n_base + 1);
-                    CHECK(its.course.first == n_base);
-                    CHECK(its.corners.empty());
+                    Chosen const chosen = choose_always(cut_off(height, slant, n_side, n_base));
+                    CHECK(chosen.course.reason == ClosureReason::base);
+                    CHECK(chosen.course.base_points == n_base + 1);
+                    CHECK(chosen.course.first == n_base);
+                    CHECK(chosen.corners.empty());
                 }
 }
 
-TEST_CASE("straight pieces elsewhere are no base: ends of a plate, a step on the side, chamfers") {
+TEST_CASE("ends of a plate, a step on a side and chamfers are no base") {
     std::vector<Vec2> const plate =
         fixtures::polygon({{0.5, 0.02}, {-0.5, 0.025}, {-0.48, -0.02}, {0.5, -0.02}}, 8);
-    Chosen const its = choose_always(plate);
-    CHECK(its.course.reason == ClosureReason::corner);
-    CHECK(its.corners.size() == 3);
+    Chosen const chosen = choose_always(plate);
+    CHECK(chosen.course.reason == ClosureReason::corner);
+    CHECK(chosen.corners.size() == 3);
     // Down at half chord, as in a cove, and sharp behind.
     Chosen const step =
         choose_always(fixtures::polygon({{1, 0}, {0.5, 0.02}, {0.5, 0.06}, {0, 0}}, 10));
@@ -305,7 +304,7 @@ static std::vector<Vec2> with_horn(double degrees, double reach, int base) {
     return out;
 }
 
-TEST_CASE("the tip of a horn of ice is no base: the trailing edge is where the curve begins") {
+TEST_CASE("the tip of a horn of ice is no base, and the curve begins at the trailing edge") {
     for (double const degrees : {110.0, 130.0, 150.0, 170.0})
         for (double const reach : {0.04, 0.08}) {
             INFO(degrees << " degrees, " << reach);

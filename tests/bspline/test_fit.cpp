@@ -64,7 +64,7 @@ void refused(std::vector<Vec2> const& points, FitOptions const& wish, bool is_lo
 
 }  // namespace
 
-TEST_CASE("airfoils with 20 control points: sharp, blunt, rounded, cambered; few points and many") {
+TEST_CASE("airfoils of all kinds are fitted with 20 control points") {
     for (int const n : {15, 20, 50, 100, 1000})
         for (double const clustering : {0.8, 1.0})
             for (double const camber : {0.0, 0.04}) {
@@ -80,7 +80,7 @@ TEST_CASE("airfoils with 20 control points: sharp, blunt, rounded, cambered; few
     CHECK(max_error(fixtures::rounded_to(naca({0.02, 0.4, 0.12, true}, 1000), 6)) < 1e-4);
 }
 
-TEST_CASE("what is reported is what was made") {
+TEST_CASE("the report of a fit agrees with the fitted curve") {
     std::vector<Vec2> const points = naca({0.02, 0.4, 0.12, true}, 60, 0.8, 5);
     FitRun const run(points, {});
     REQUIRE(run.status == Status::ok);
@@ -114,9 +114,7 @@ TEST_CASE("what is reported is what was made") {
               1) == largest);
 }
 
-TEST_CASE(
-    "a tied curve begins and ends in one control point; a periodic one repeats as many as its "
-    "degree") {
+TEST_CASE("a tied curve closes in one control point, a periodic one in as many as its degree") {
     for (Index degree = 1; degree <= 5; ++degree) {
         std::vector<Vec2> const points = naca({}, 60);
         FitRun const tied(points, options(degree, 16));
@@ -136,7 +134,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("corners on the way are kept: polygons are reproduced") {
+TEST_CASE("corners are kept, so that polygons are reproduced") {
     for (Index degree = 1; degree <= 5; ++degree) {
         CHECK(max_error(fixtures::polygon({{1, 0}, {0.5, 0.05}, {0, 0}, {0.5, -0.05}}, 20),
                         options(degree, 24)) < 1e-13);
@@ -158,7 +156,7 @@ TEST_CASE("straight lines are reproduced to rounding") {
         }
 }
 
-TEST_CASE("points of a B-spline are fitted by it") {
+TEST_CASE("points of a B-spline are fitted by a B-spline") {
     for (Index degree = 2; degree <= 5; ++degree) {
         fixtures::Spline bezier = fixtures::clamped(degree, degree + 1, 1);
         CHECK(max_error(sampled(bezier, 60, true), options(degree, degree + 1), false) <
@@ -172,7 +170,7 @@ TEST_CASE("points of a B-spline are fitted by it") {
           0.005);
 }
 
-TEST_CASE("as many control points as points: interpolation") {
+TEST_CASE("as many control points as points interpolate the points") {
     for (Index degree = 1; degree <= 5; ++degree) {
         std::vector<Vec2> const points = naca({0.02, 0.4, 0.15, false}, 12);
         CHECK(max_error(points, options(degree, 24)) < 1e-6);
@@ -241,7 +239,7 @@ TEST_CASE("the same input gives the same bits") {
     CHECK(std::equal(a.fit.control.begin(), a.fit.control.end(), b.fit.control.begin()));
 }
 
-TEST_CASE("what cannot be fitted is refused, and why") {
+TEST_CASE("points that cannot be fitted are refused with the reason") {
     std::vector<Vec2> const points = naca({}, 30);
     refused(points, options(0, 20), true, "degree", 0);
     refused(points, options(6, 20), true, "degree", 6);
@@ -270,7 +268,7 @@ TEST_CASE("what cannot be fitted is refused, and why") {
     refused(bad, {}, true, "beyond 1e100", 3);
 }
 
-TEST_CASE("facets divided by further points make no blunt base at the nose") {
+TEST_CASE("facets divided by further points make no blunt base at the leading edge") {
     for (int const parts : {2, 3, 4}) {
         std::vector<Vec2> const corners = naca({}, 41, 0.8, 0);
         std::vector<Vec2> points;
@@ -288,7 +286,7 @@ TEST_CASE("facets divided by further points make no blunt base at the nose") {
     }
 }
 
-TEST_CASE("a curve that runs back between two points is said") {
+TEST_CASE("a curve that runs back between two points is reported") {
     std::vector<Vec2> const square = fixtures::polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 5);
     FitRun const run(square, options(5, 16));
     CHECK(run.status == Status::backtracks);
@@ -343,9 +341,7 @@ TEST_CASE("points whose distance is lost in rounding of the arc length are refus
     CHECK(FitRun(points, options(1, 11), false).status == Status::bad_curve);
 }
 
-TEST_CASE(
-    "random points: a fit that is not refused is made of well-formed curves, whose control points "
-    "are in range") {
+TEST_CASE("fits of random points that are not refused are well-formed curves") {
     std::mt19937 random(34);
     auto const between = [&](double low, double high) {
         return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);

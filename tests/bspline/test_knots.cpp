@@ -59,7 +59,7 @@ TEST_CASE("even mass gives even knots") {
               doctest::Approx((k - 2) / 10.0).epsilon(1e-14));
 }
 
-TEST_CASE("knots go where the mass is, but each span keeps a point") {
+TEST_CASE("knots follow the mass, but each span keeps a point") {
     Sites sites(41, {});
     sites.mass[20] = 1e6;
     for (int const n_indices : {10, 20, 41}) {
@@ -77,7 +77,7 @@ TEST_CASE("knots go where the mass is, but each span keeps a point") {
           30);
 }
 
-TEST_CASE("a corner gets as many knots as the degree, and every section a span") {
+TEST_CASE("a corner has as many knots as the degree, and every section has a span") {
     for (int degree = 1; degree <= 5; ++degree) {
         Sites sites(61, {6, 30});
         for (std::size_t k = 0; k < 6; ++k) sites.mass[k] = 1e-3;
@@ -92,7 +92,7 @@ TEST_CASE("a corner gets as many knots as the degree, and every section a span")
     }
 }
 
-TEST_CASE("mass by curvature: 1 + 8 sqrt(curvature)") {
+TEST_CASE("the mass by curvature is 1 + 8 sqrt(curvature)") {
     double const arc[] = {0, 1, 3}, curvature[] = {4, 4, 0};
     double mass[2];
     weigh_by_curvature({arc, 3}, {curvature, 3}, {mass, 2});
@@ -100,7 +100,7 @@ TEST_CASE("mass by curvature: 1 + 8 sqrt(curvature)") {
     CHECK(mass[1] == doctest::Approx(2 * (1 + 8 * std::sqrt(2.0))));
 }
 
-TEST_CASE("mass moves to the span that errs: by the root of the error, of order degree + 1") {
+TEST_CASE("mass moves to the span with the error, by the root of the error of order degree + 1") {
     Sites sites(41, {});
     std::vector<double> const knots = sites.place(3, 7, false);  // four spans, ten intervals each
     std::vector<double> control(14), error(41, 1e-4), work(7);

@@ -43,7 +43,7 @@ struct Problem {
 
 }  // namespace
 
-TEST_CASE("points of a B-spline with these knots give its control points back") {
+TEST_CASE("the least squares of points of a B-spline return its control points") {
     for (int degree = 1; degree <= 5; ++degree)
         for (Spline const& spline :
              {fixtures::clamped(degree, 12, 1), fixtures::periodic(degree, 10, 0.5, 2)}) {
@@ -54,7 +54,7 @@ TEST_CASE("points of a B-spline with these knots give its control points back") 
         }
 }
 
-TEST_CASE("pinned control points are where they are pinned, and the others make the best of it") {
+TEST_CASE("pinned control points stay, and the others minimise the rest") {
     Spline const spline = fixtures::clamped(3, 10, 3);
     Problem problem(spline, 60);
     problem.points.front() = problem.points.front() + Vec2{0, 0.1};
@@ -71,7 +71,7 @@ TEST_CASE("pinned control points are where they are pinned, and the others make 
     CHECK(problem.squares.error[40] < 1e-3);
 }
 
-TEST_CASE("control points that no point sees are smoothed, and a straight line stays straight") {
+TEST_CASE("control points that no point determines are smooth, and straight lines stay straight") {
     Spline line = fixtures::clamped(3, 12, 4);
     for (int k = 0; k < 12; ++k) {
         double greville = 0;
@@ -88,7 +88,7 @@ TEST_CASE("control points that no point sees are smoothed, and a straight line s
                      problem.squares.points[k]) < 1e-3);
 }
 
-TEST_CASE("parameters are corrected towards the feet, and stay in order") {
+TEST_CASE("parameters are corrected towards the feet and stay in order") {
     Spline const spline = fixtures::periodic(3, 12, 0.6, 5);
     Problem problem(spline, 60);
     std::vector<double> exact(problem.squares.u.begin(), problem.squares.u.end());

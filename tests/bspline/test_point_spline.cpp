@@ -56,7 +56,7 @@ TEST_CASE("the spline passes through the points, and straight lines stay straigh
     CHECK(length(two.spline.at(0, 0.5) - Vec2{0.5, 0.5}) < 1e-16);
 }
 
-TEST_CASE("a circle: order four where the spline closes, order three with ends") {
+TEST_CASE("the order of the error on a circle is four when closed, and three with ends") {
     double const pi = std::acos(-1.0);
     for (int const n : {8, 16, 32}) {
         CHECK(largest_error(n, 2 * pi, true) > 14 * largest_error(2 * n, 2 * pi, true));

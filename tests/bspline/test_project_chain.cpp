@@ -67,7 +67,7 @@ Spline thin_blade() {
 
 }  // namespace
 
-TEST_CASE("points along an open curve, forwards and backwards") {
+TEST_CASE("points along an open curve are projected forwards and backwards") {
     Spline const spline = fixtures::clamped(3, 12, 1);
     Curve const curve = spline.curve();
     std::vector<Vec2> points = points_on(curve, 50, 0, 1);
@@ -83,7 +83,7 @@ TEST_CASE("points along an open curve, forwards and backwards") {
     CHECK(forwards.u == backwards.u);
 }
 
-TEST_CASE("a loop on a periodic curve passes the seam once, wherever it begins") {
+TEST_CASE("a loop on a periodic curve passes the seam once, wherever the loop begins") {
     Spline const spline = fixtures::periodic(3, 10, 0.3, 2);
     Curve const curve = spline.curve();
     for (double const first : {0.0, 0.003, 0.31, 0.5, 0.999}) {
@@ -108,7 +108,7 @@ TEST_CASE("an open piece of a periodic curve may pass its seam") {
     }
 }
 
-TEST_CASE("on a tied curve the nearest point of a loop gets the tied end") {
+TEST_CASE("on a tied curve the nearest point of a loop has the tied end") {
     Spline const spline = thin_blade();
     Curve const curve = spline.curve();
     std::vector<Vec2> points = points_on(curve, 60, 0);
@@ -168,7 +168,7 @@ TEST_CASE("the seam may be within a thin part") {
     }
 }
 
-TEST_CASE("no points, one point, points all in one place") {
+TEST_CASE("no points, one point, and points all in one place are projected") {
     Spline const spline = thin_blade();
     Curve const curve = spline.curve();
     CHECK(chain(curve, {}, true).sum == 0);

@@ -120,7 +120,7 @@ Set const round_body({fixtures::periodic(3, 14, 0.4, 2)});
 
 }  // namespace
 
-TEST_CASE("the smooth gradient solves the equation of the header") {
+TEST_CASE("the smooth gradient solves the equation that the header states") {
     Dense const dense(round_body);
     std::vector<double> const g = random_gradient(round_body, 1);
     for (double const length : {0.01, 0.3, 5.0}) {
@@ -134,7 +134,7 @@ TEST_CASE("the smooth gradient solves the equation of the header") {
     for (std::size_t i = 0; i < g.size(); ++i) CHECK(std::fabs(same[i] - constant[i]) < 1e-8);
 }
 
-TEST_CASE("symmetric and positive; length 0 keeps all bits; longer lengths damp waves more") {
+TEST_CASE("smoothing is symmetric and positive, and longer lengths damp waves more") {
     std::vector<double> const a = random_gradient(round_body, 3),
                               b = random_gradient(round_body, 4);
     std::vector<double> const smooth = round_body.smoothed(0.5, a);
@@ -152,7 +152,7 @@ TEST_CASE("symmetric and positive; length 0 keeps all bits; longer lengths damp 
     CHECK(last < 0.05 * dot(wave, wave));
 }
 
-TEST_CASE("units of length and of the gradient, and the direction of the curve, do not matter") {
+TEST_CASE("units of length and gradient and the direction of the curve do not matter") {
     std::vector<double> const g = random_gradient(round_body, 5);
     std::vector<double> const first = round_body.smoothed(0.4, g);
     Spline large = fixtures::periodic(3, 14, 0.4, 2);
@@ -178,7 +178,7 @@ TEST_CASE("units of length and of the gradient, and the direction of the curve, 
         CHECK(std::fabs(s[i] - t[h.size() - 2 - i + 2 * (i % 2)]) < 1e-12);
 }
 
-TEST_CASE("curves without common control points are independent; unused points keep theirs") {
+TEST_CASE("curves without common control points are independent; unused points stay") {
     Spline const one = fixtures::clamped(2, 6, 8), two = fixtures::clamped(3, 7, 9);
     Set const both({one, two}, 2);
     std::vector<double> g = random_gradient(both, 10);
@@ -189,7 +189,7 @@ TEST_CASE("curves without common control points are independent; unused points k
     for (std::size_t i = g.size() - 4; i < g.size(); ++i) CHECK(std::fabs(s[i] - g[i]) < 1e-15);
 }
 
-TEST_CASE("refused calls name the argument and leave the result as it was") {
+TEST_CASE("refused calls name the argument and leave the result unchanged") {
     std::vector<double> g = random_gradient(round_body, 11), out(g.size(), 7);
     hm_error error{};
     auto const refused = [&](double length, char const* words) {

@@ -136,9 +136,7 @@ void check_shape(CurveSet& set, Map const& map, int variable, Shape const& shape
 
 }  // namespace
 
-TEST_CASE(
-    "an FFD box of degree 1 moves the curve by affine maps exactly, one of any degree moves it as "
-    "a whole") {
+TEST_CASE("an FFD box of degree 1 gives affine maps exactly; a box of any degree translations") {
     CurveSet set = airfoil(false, 20);
     for (int const degree : {1, 3}) {
         hm_variables box = kind(HM_FFD);
@@ -170,7 +168,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("CST, bumps and NACA modes move the curve by their formulas, as nearly as they say") {
+TEST_CASE("CST, bumps and NACA modes move the curve by their formulas within the reported error") {
     for (bool const blunt : {false, true}) {
         CurveSet set = airfoil(blunt, 30);
         hm_section const chord = unit_chord();
@@ -224,9 +222,7 @@ TEST_CASE("more control points approximate the shapes better") {
     }
 }
 
-TEST_CASE(
-    "a periodic section has sides by its given chord; the direction of the outline does not "
-    "matter") {
+TEST_CASE("the given chord divides a periodic section of either direction") {
     CurveSet ring(fixtures::ring(3, 24, 0.5, 0.1, 0.5, 0));
     hm_section const chord = unit_chord();
     CHECK(mapped(ring, kind(HM_CST, 2, 2)).status == HM_BAD_CURVE);
@@ -267,9 +263,7 @@ TEST_CASE("the unit of a curve's parameter does not matter") {
 }
 
 // The sides meet inside a span, at one fraction of the span or, backwards, at the rest.
-TEST_CASE(
-    "the functions and errors of a section with a nose inside a span do not depend on its "
-    "direction") {
+TEST_CASE("functions and errors of a section with an inner leading edge ignore direction") {
     for (int const n : {9, 10, 11, 12, 13}) {
         CurveSet set = airfoil(false, n), back = set;
         auto& shape = back.shapes[0];
@@ -290,9 +284,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "variables without effect, twice the same, or out of range are refused by name, outputs "
-    "untouched") {
+TEST_CASE("variables without effect, repeated or out of range are refused by name") {
     CurveSet set = airfoil(false, 20);
     auto const refusal = [&](hm_variables const& variables, std::string const& word) {
         Map const map = mapped(set, variables);
@@ -325,7 +317,7 @@ TEST_CASE(
     CHECK(refusal(empty, "box") == HM_BAD_ARGUMENT);
 }
 
-TEST_CASE("a tied trailing edge moves by the mean of what is wanted of both sides") {
+TEST_CASE("a tied trailing edge moves by the mean of what both sides ask for") {
     CurveSet set = airfoil(false, 17);
     std::int32_t const edge = set.shapes[0].indices.front();
     REQUIRE(set.shapes[0].indices.back() == edge);
@@ -357,16 +349,14 @@ TEST_CASE("a tied trailing edge moves by the mean of what is wanted of both side
     CHECK(map.y(edge, n_upper - 1) == map.y(edge, n_upper + n_lower - 1));
 }
 
-TEST_CASE(
-    "maps of CST, bumps and NACA: what is left of each shape is orthogonal to all free basis "
-    "functions") {
+TEST_CASE("the residual of each shape is orthogonal to all free basis functions") {
     struct Shapes {
         const char* name;
         hm_variables variables;
         std::function<double(int variable, double t, bool upper)> shape;
     };
-    auto const bump = [](int of, int n, double t) {
-        double const peak = (2 * of + 1) / (2.0 * n);
+    auto const bump = [](int bump_number, int n, double t) {
+        double const peak = (2 * bump_number + 1) / (2.0 * n);
         return std::pow(std::sin(pi * std::pow(t, std::log(0.5) / std::log(peak))), 3);
     };
     Shapes const all[] = {
@@ -387,9 +377,9 @@ TEST_CASE(
          }},
     };
     hm_section const chord = unit_chord();
-    for (Shapes const& its : all) {
+    for (Shapes const& shapes : all) {
         CurveSet set = airfoil(false, 24);
-        Map const map = mapped(set, its.variables, &chord);
+        Map const map = mapped(set, shapes.variables, &chord);
         REQUIRE_MESSAGE(map.status == HM_OK, map.error.text);
         int const n_samples = 20000;
         double const begin = set.shapes[0].knots[3],
@@ -410,7 +400,7 @@ TEST_CASE(
                 double const u = parameter(k);
                 Movement const at(set, map, v, u);
                 bool const upper = (u < nose) == (first_side > 0);
-                double const wanted = its.shape(v, std::min(std::max(at.x, 0.0), 1.0), upper);
+                double const wanted = shapes.shape(v, std::min(std::max(at.x, 0.0), 1.0), upper);
                 std::int32_t control[4];
                 double value[4];
                 hm_curve_basis(&set.view(), 0, u, 0, control, value, nullptr);
@@ -424,7 +414,7 @@ TEST_CASE(
             for (std::int32_t i = 0; i < set.n_control(); ++i) {
                 if (i == set.shapes[0].indices.front() || i == set.shapes[0].indices.back())
                     continue;
-                INFO(std::string(its.name) << ", variable " << v << ", control point " << i);
+                INFO(std::string(shapes.name) << ", variable " << v << ", control point " << i);
                 CHECK(std::fabs(left[static_cast<std::size_t>(i)] /
                                 size[static_cast<std::size_t>(i)]) < 2e-4);
             }

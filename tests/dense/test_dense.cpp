@@ -102,7 +102,7 @@ void check_front(Kernel kernel, Index pivots, Index border) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("every number of pivots from 1 to 60, with and without a border", Its,
+TEST_CASE_TEMPLATE("fronts of 1 to 60 pivots are factored with and without a border", Its,
                    ALL_ARITHMETICS) {
     for (Kernel const kernel : fixtures::usable_kernels())
         for (Index pivots = 1; pivots <= 60; ++pivots) {
@@ -111,8 +111,8 @@ TEST_CASE_TEMPLATE("every number of pivots from 1 to 60, with and without a bord
         }
 }
 
-TEST_CASE_TEMPLATE("every border from 0 to 60, and those round whole tiles and bands", Its,
-                   ALL_ARITHMETICS) {
+TEST_CASE_TEMPLATE("fronts with borders of 0 to 60, and round whole tiles and bands, are factored",
+                   Its, ALL_ARITHMETICS) {
     for (Kernel const kernel : fixtures::usable_kernels()) {
         for (Index border = 0; border <= 60; ++border)
             check_front<Its>(kernel, border % 41 + 1, border);
@@ -121,14 +121,14 @@ TEST_CASE_TEMPLATE("every border from 0 to 60, and those round whole tiles and b
     }
 }
 
-TEST_CASE_TEMPLATE("large fronts: more than one strip of pivots, borders that fill several tiles",
-                   Its, ALL_ARITHMETICS) {
+TEST_CASE_TEMPLATE("large fronts of several strips of pivots and tiles of border are factored", Its,
+                   ALL_ARITHMETICS) {
     Index const sizes[][2] = {{127, 130}, {128, 0}, {129, 64}, {100, 203}, {256, 29}, {257, 3}};
     for (Kernel const kernel : fixtures::usable_kernels())
         for (auto const& size : sizes) check_front<Its>(kernel, size[0], size[1]);
 }
 
-TEST_CASE_TEMPLATE("any number of threads, in any order: the same bits", Its, ALL_ARITHMETICS) {
+TEST_CASE_TEMPLATE("any number of threads in any order gives the same bits", Its, ALL_ARITHMETICS) {
     using Number = typename Its::Number;
     Index const sizes[][2] = {{300, 600}, {600, 0}, {40, 900}, {128, 500}};
     for (auto const& size : sizes) {

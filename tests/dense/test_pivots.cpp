@@ -8,7 +8,7 @@
 using namespace fixtures;
 using namespace fixtures::fronts;
 
-TEST_CASE_TEMPLATE("a pivot that is not positive is found, wherever it is, and named", Its,
+TEST_CASE_TEMPLATE("a pivot that is not positive is found and named, wherever it is", Its,
                    ALL_ARITHMETICS) {
     Untrapped const untrapped;
     for (Kernel const kernel : fixtures::usable_kernels())
@@ -27,8 +27,7 @@ TEST_CASE_TEMPLATE("a pivot that is not positive is found, wherever it is, and n
                 }
 }
 
-TEST_CASE_TEMPLATE("a singular matrix is found up to rounding: springs that are tied to nothing",
-                   Its, ALL_ARITHMETICS) {
+TEST_CASE_TEMPLATE("a singular matrix is found up to rounding", Its, ALL_ARITHMETICS) {
     for (Kernel const kernel : fixtures::usable_kernels())
         for (std::size_t const n : {2u, 8u, 9u, 32u, 33u, 100u}) {
             typename Its::Matrix a(n);
@@ -48,8 +47,8 @@ TEST_CASE_TEMPLATE("a singular matrix is found up to rounding: springs that are 
 // Conductances over 30 orders of magnitude, ties to the ground weaker than all of them: the
 // solution for a load of what ties each is 1 everywhere. With stored diagonals, not a digit of it
 // would be left.
-TEST_CASE_TEMPLATE("conductances lose nothing, however uneven they are", Its,
-                   Arithmetic<double, false>, Arithmetic<float, false>) {
+TEST_CASE_TEMPLATE("uneven conductances lose no accuracy", Its, Arithmetic<double, false>,
+                   Arithmetic<float, false>) {
     using Number = typename Its::Number;
     Index const sizes[][2] = {{1, 0}, {9, 0}, {40, 0}, {150, 0}, {300, 0}};
     for (Kernel const kernel : fixtures::usable_kernels())

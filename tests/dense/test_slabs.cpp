@@ -7,9 +7,8 @@
 using namespace fixtures;
 using namespace fixtures::fronts;
 
-TEST_CASE_TEMPLATE(
-    "panels and update matrices: a place of its own for every entry on and above the diagonal",
-    Number, double, float) {
+TEST_CASE_TEMPLATE("every entry on and above the diagonal has a place of its own", Number, double,
+                   float) {
     constexpr Index slab = dense::slab;
     for (Index const pivots : {1, 7, 8, 15, 16, 17, 33, 128, 300})
         for (Index const border : {0, 1, 8, 17, 33, 200}) {

@@ -74,7 +74,7 @@ std::vector<Box> random_boxes(std::size_t n, unsigned seed, double grid = 0) {
 
 }  // namespace
 
-TEST_CASE("the nearest item is as near as any, for every number of items") {
+TEST_CASE("the nearest item is found for every number of items") {
     std::mt19937 random(4);
     for (std::size_t n = 0; n < 70; ++n) {
         std::vector<Box> const boxes = random_boxes(n, static_cast<unsigned>(n));
@@ -90,9 +90,7 @@ TEST_CASE("the nearest item is as near as any, for every number of items") {
     }
 }
 
-TEST_CASE(
-    "many items: in random places, on a coarse grid with coincident centres, all in one place, on "
-    "one line") {
+TEST_CASE("the nearest item is found among random, coincident and aligned items") {
     std::vector<Box> same(3000, box_of({0.5, 0.5}, {0.1, 0.1})), line;
     for (int k = 0; k < 3000; ++k) line.push_back(box_of({0.25, 1.0 - k / 3000.0}, {0, 0}));
     for (std::vector<Box> const& boxes :
@@ -110,7 +108,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("few items are asked, and none that cannot be nearer than what is known") {
+TEST_CASE("few items are examined, and none that cannot be nearer than the best one") {
     std::vector<Box> boxes;
     for (int k = 0; k < 40000; ++k)
         boxes.push_back(box_of({(k % 200) / 200.0, (k / 200) / 200.0}, {0.004, 0.004}));

@@ -131,7 +131,7 @@ TEST_CASE("in a convex domain no point is inside the circle of any triangle") {
         }
 }
 
-TEST_CASE("long ways of flips: fans of ellipses, also of points on one circle") {
+TEST_CASE("many flips are right for fans of ellipses, also with points on one circle") {
     for (int const n : {4, 5, 40, 200})
         for (double const thin : {1.0, 0.5, 1e-2, 1e-9}) {
             Index const flips = check_flipped(fan(n, thin));
@@ -139,7 +139,7 @@ TEST_CASE("long ways of flips: fans of ellipses, also of points on one circle") 
         }
 }
 
-TEST_CASE("points on common circles: nothing is left to flip, and nothing is flipped twice") {
+TEST_CASE("with points on common circles nothing is left to flip, and nothing is flipped twice") {
     for (Cells const kind : kinds) {
         Mesh mesh = square(12, kind);
         CHECK(check_flipped(mesh) == 0);
@@ -151,7 +151,7 @@ TEST_CASE("points on common circles: nothing is left to flip, and nothing is fli
     }
 }
 
-TEST_CASE("airfoils with thin layers, two bodies, holes: boundaries that are not convex") {
+TEST_CASE("airfoils with thin layers, two bodies and holes are triangulated") {
     Naca4 const naca;
     for (Cells const kind : kinds) {
         check_flipped(o_mesh(naca4(naca, 30), stretched(1e-6, 5, 40), kind, 3));
@@ -161,7 +161,7 @@ TEST_CASE("airfoils with thin layers, two bodies, holes: boundaries that are not
     CHECK(check_flipped(hybrid_mesh(naca4(naca, 40))) > 0);
 }
 
-TEST_CASE("coordinates of any size that is supported") {
+TEST_CASE("coordinates of any size that is supported are triangulated") {
     for (double const scale : {0x1p-300, 0x1p300, 1e-60, 1e39}) {
         Mesh mesh = square(7, Cells::hybrid);
         perturb(mesh, 0.4, 5);
@@ -175,9 +175,7 @@ TEST_CASE("coordinates of any size that is supported") {
     }
 }
 
-TEST_CASE(
-    "neither the numbering of points, nor order and sense of cells matter where no four points are "
-    "on a circle") {
+TEST_CASE("numbering, order and sense of cells do not matter without points on common circles") {
     auto const edges_of = [](Mesh const& mesh, std::vector<std::int32_t> const& old_of) {
         std::set<Edge> out;
         Flipped const found(mesh);
@@ -207,7 +205,7 @@ TEST_CASE(
     CHECK(edges_of(other, old_of) == expected);
 }
 
-TEST_CASE("the cut of a C-mesh is no boundary: its points are one, and its edges may be flipped") {
+TEST_CASE("the cut of a C-mesh is no boundary: its points are joined, its edges may be flipped") {
     CMesh const c = c_mesh(naca4({}, 24), 12, 6, stretched(1e-2, 6, 12));
     Flipped const rows(c.mesh), structured(c.structured_view());
     REQUIRE(rows.status == harmorph::Status::ok);
@@ -222,7 +220,7 @@ TEST_CASE("the cut of a C-mesh is no boundary: its points are one, and its edges
         CHECK(rows.seen->topology().representative[point] == point);
 }
 
-TEST_CASE("a cell without area is refused, and named") {
+TEST_CASE("a cell without area is refused and named") {
     Mesh mesh = square(4, Cells::hybrid);
     mesh.x[12] = mesh.x[7];  // an inner point on another one
     mesh.y[12] = mesh.y[7];
@@ -232,15 +230,15 @@ TEST_CASE("a cell without area is refused, and named") {
 }
 
 TEST_CASE("more cells than can be split are refused before anything is read") {
-    harmorph::Topology of;
-    of.mesh.n_points = 4;
-    of.mesh.layout = harmorph::CellLayout::quads;
-    of.mesh.n_cells = harmorph::Mesh::max_cells;
+    harmorph::Topology topology;
+    topology.mesh.n_points = 4;
+    topology.mesh.layout = harmorph::CellLayout::quads;
+    topology.mesh.n_cells = harmorph::Mesh::max_cells;
     harmorph::Triangulation triangulation;
     harmorph::Fault fault;
-    CHECK(triangulation.build(of, fault) == harmorph::Status::unsupported);
+    CHECK(triangulation.build(topology, fault) == harmorph::Status::unsupported);
     CHECK(
         std::string(fault.sentence) ==
         "the bounded scheme can split at most 2^28 cells into triangles, but the mesh has # cells");
-    CHECK(fault.item.number == of.mesh.n_cells);
+    CHECK(fault.item.number == topology.mesh.n_cells);
 }

@@ -39,7 +39,7 @@ private:
 
 }  // namespace
 
-TEST_CASE("all edges of all cells, each once, with its cells and their sense") {
+TEST_CASE("all edges of all cells are found once, with their cells and the sense of the cells") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Mesh mesh = two_bodies(6, 4, Ellipse{}, Ellipse{0.2, 0.05, 0.3}, kind);
         renumber_points(mesh, 2);
@@ -89,14 +89,14 @@ TEST_CASE("all edges of all cells, each once, with its cells and their sense") {
     }
 }
 
-TEST_CASE("cells that all run one way agree; one that is turned does not") {
+TEST_CASE("cells that all run one way agree, and one that is turned does not") {
     Mesh mesh = square(5);
     CHECK(Edges(mesh).edges.agree);
     reverse_some(mesh, 3);
     CHECK(!Edges(mesh).edges.agree);
 }
 
-TEST_CASE("a cell of which two corners are one point") {
+TEST_CASE("a cell with two corners in one point is accepted") {
     Mesh const mesh = square(5);
     std::int32_t const one = mesh.cells[0], other = mesh.cells[1];
     Edges const found(mesh, true, {std::min(one, other), std::max(one, other)});
@@ -106,7 +106,7 @@ TEST_CASE("a cell of which two corners are one point") {
           "cell # has two corners that a cut joins into one point");
 }
 
-TEST_CASE("points that stand for themselves need no list") {
+TEST_CASE("points that represent themselves need no list") {
     Mesh mesh = two_bodies(6, 4, Ellipse{}, Ellipse{0.2, 0.05, 0.3}, Cells::hybrid);
     renumber_points(mesh, 2);
     Edges const listed(mesh), alone(mesh, false);
@@ -118,7 +118,7 @@ TEST_CASE("points that stand for themselves need no list") {
     }
 }
 
-TEST_CASE("fans: a point of hundreds of edges") {
+TEST_CASE("a point of hundreds of edges is handled") {
     int const n = 500;
     Mesh mesh;
     mesh.add_point({0, 0});
@@ -133,7 +133,7 @@ TEST_CASE("fans: a point of hundreds of edges") {
     for (Index edge = 0; edge < n; ++edge) CHECK(found.edges.first[edge].end == edge + 1);
 }
 
-TEST_CASE("an edge of three cells is refused, and named") {
+TEST_CASE("an edge of three cells is refused and named") {
     Mesh mesh = square(3);
     mesh.add_point({-1, -1});
     mesh.add_cell({5, 6, 16});

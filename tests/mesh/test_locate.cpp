@@ -80,26 +80,28 @@ std::vector<Mesh> some_meshes() {
 
 }  // namespace
 
-TEST_CASE(
-    "weights: 1 at points of the mesh; middles of cells and of sides are found in their cells") {
+TEST_CASE("weights are 1 at points of the mesh, and middles of cells are found in their cells") {
     for (Mesh const& mesh : some_meshes()) {
         Finder const finder(mesh);
         for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
-            std::vector<std::int32_t> const its(mesh.cells.begin() + mesh.cell_start[cell],
-                                                mesh.cells.begin() + mesh.cell_start[cell + 1]);
+            std::vector<std::int32_t> const corners(mesh.cells.begin() + mesh.cell_start[cell],
+                                                    mesh.cells.begin() + mesh.cell_start[cell + 1]);
             Vec2 middle;
-            for (std::size_t k = 0; k < its.size(); ++k) {
-                Point const a = mesh.point(its[k]), b = mesh.point(its[(k + 1) % its.size()]);
-                middle = middle + (1.0 / static_cast<double>(its.size())) * Vec2{a.x, a.y};
+            for (std::size_t k = 0; k < corners.size(); ++k) {
+                Point const a = mesh.point(corners[k]),
+                            b = mesh.point(corners[(k + 1) % corners.size()]);
+                middle = middle + (1.0 / static_cast<double>(corners.size())) * Vec2{a.x, a.y};
                 Location const corner = finder.locate({a.x, a.y});
                 CHECK(corner.distance == 0);
-                CHECK(interpolated(corner, [&](Index p) { return p == its[k] ? 1.0 : 0.0; }) == 1);
-                CHECK(interpolated(corner, [&](Index p) { return p == its[k] ? 0.0 : 1.0; }) == 0);
+                CHECK(interpolated(corner, [&](Index p) { return p == corners[k] ? 1.0 : 0.0; }) ==
+                      1);
+                CHECK(interpolated(corner, [&](Index p) { return p == corners[k] ? 0.0 : 1.0; }) ==
+                      0);
                 Location const side = finder.locate({0.5 * (a.x + b.x), 0.5 * (a.y + b.y)});
                 CHECK(side.distance == 0);
-                CHECK(is_corner(side, its[k]));
-                CHECK(is_corner(side, its[(k + 1) % its.size()]));
-                CHECK(interpolated(side, [&](Index p) { return p == its[k] ? 1.0 : 0.0; }) ==
+                CHECK(is_corner(side, corners[k]));
+                CHECK(is_corner(side, corners[(k + 1) % corners.size()]));
+                CHECK(interpolated(side, [&](Index p) { return p == corners[k] ? 1.0 : 0.0; }) ==
                       doctest::Approx(0.5));
             }
             Location const inside = finder.locate(middle);
@@ -109,9 +111,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "weights add up to 1, are not negative inside, and reproduce linear fields inside and "
-    "outside") {
+TEST_CASE("weights sum to 1, are not negative inside, and reproduce linear fields") {
     for (Mesh const& mesh : some_meshes()) {
         Finder const finder(mesh);
         std::mt19937 random(11);
@@ -141,7 +141,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a point without a number is in no cell, and nothing is read of any") {
+TEST_CASE("a point without a number is in no cell, and no data of such a point is read") {
     Finder const finder(hybrid_mesh(naca4({}, 20)));
     Untrapped const untrapped;
     Location const nowhere = finder.locate({std::nan(""), 0});
@@ -149,7 +149,7 @@ TEST_CASE("a point without a number is in no cell, and nothing is read of any") 
     CHECK(nowhere.weights.n == 0);
 }
 
-TEST_CASE("outside, the distance is that from the boundary") {
+TEST_CASE("outside the mesh the distance is that from the boundary") {
     Mesh const mesh =
         square(9, Cells::hybrid, 3, 3);  // unit square; the hole is the square from 1/3 to 2/3
     Finder const finder(mesh);
@@ -165,7 +165,7 @@ TEST_CASE("outside, the distance is that from the boundary") {
     }
 }
 
-TEST_CASE("a continuous field: neither the hint nor the numbering matters") {
+TEST_CASE("a continuous field depends neither on the hint nor on the numbering") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Mesh const mesh = annulus(6, 24, 0.5, 2, kind);
         Mesh other = mesh;
@@ -196,14 +196,14 @@ TEST_CASE("a continuous field: neither the hint nor the numbering matters") {
     }
 }
 
-TEST_CASE("on a cut both sides of a point exist: the one that is found stands where the point is") {
-    CMesh const its = c_mesh(naca4({}, 16), 8, 3, stretched(1e-3, 4, 12));
-    Finder const finder(its.mesh);
-    for (std::int32_t k = 0; k + 1 < its.n_wake; ++k) {
-        Point const a = its.mesh.point(k), b = its.mesh.point(k + 1);
+TEST_CASE("on a cut the point on the side of the place is found") {
+    CMesh const mesh = c_mesh(naca4({}, 16), 8, 3, stretched(1e-3, 4, 12));
+    Finder const finder(mesh.mesh);
+    for (std::int32_t k = 0; k + 1 < mesh.n_wake; ++k) {
+        Point const a = mesh.mesh.point(k), b = mesh.mesh.point(k + 1);
         Vec2 const p{0.3 * a.x + 0.7 * b.x, 0.3 * a.y + 0.7 * b.y};
         Location const found = finder.locate(p);
         CHECK(found.distance == 0);
-        CHECK(linear_error(its.mesh, found, p) < 1e-12);
+        CHECK(linear_error(mesh.mesh, found, p) < 1e-12);
     }
 }

@@ -42,7 +42,7 @@ Mesh strip(int n, bool twisted) {
 
 }  // namespace
 
-TEST_CASE("counter-clockwise, clockwise and mixed meshes") {
+TEST_CASE("counter-clockwise, clockwise and mixed meshes are oriented") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         Mesh const right_way = two_bodies(8, 5, Ellipse{}, Ellipse{0.25, 0.06, 0.4}, kind);
         CHECK(reversed_of(Analysed(right_way)) == all(right_way, 0));
@@ -64,9 +64,7 @@ TEST_CASE("counter-clockwise, clockwise and mixed meshes") {
     }
 }
 
-TEST_CASE(
-    "no corner is lower than the least height: the smallest corner area over the longest side of a "
-    "cell") {
+TEST_CASE("the least height is the smallest corner area over the longest side of a cell") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
         for (bool const clockwise : {false, true}) {
             Mesh mesh = square(9, kind);
@@ -96,7 +94,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("inverted cells do not turn: they agree with their neighbours, not with their own area") {
+TEST_CASE("inverted cells follow the sense of their neighbours, not that of their own area") {
     for (bool const clockwise : {false, true}) {
         Mesh mesh = square(6, Cells::triangles);
         mesh.x[8] = 10;  // point (1, 1) far out: cells round it fold over
@@ -112,7 +110,7 @@ TEST_CASE("inverted cells do not turn: they agree with their neighbours, not wit
     }
 }
 
-TEST_CASE("parts that are not joined settle their sense each for itself") {
+TEST_CASE("parts that are not joined are oriented separately") {
     Mesh mesh = square(3);
     std::int32_t const n = mesh.n_points();
     Mesh const other = square(4, Cells::triangles);
@@ -129,7 +127,7 @@ TEST_CASE("parts that are not joined settle their sense each for itself") {
     CHECK(seen->boundary().n_loops == 2);
 }
 
-TEST_CASE("a Moebius strip is refused; the same strip without the twist is not") {
+TEST_CASE("a Moebius strip is refused, and the same strip without the twist is not") {
     for (int const n : {5, 8, 40}) {
         Analysed const plain(strip(n, false));
         CHECK(plain->boundary().n_loops == 2);

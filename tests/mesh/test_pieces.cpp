@@ -96,7 +96,7 @@ std::vector<Point> with_middles(std::vector<Point> const& p, int per_side) {
 
 }  // namespace
 
-TEST_CASE("a polygon is divided into n - 2 triangles of positive area; each corner has a guard") {
+TEST_CASE("a polygon is divided into n - 2 triangles of positive area and has guards") {
     std::vector<std::vector<Point>> polygons = {
         with_middles({{0, 0}, {2, 0}, {2, 1}, {0, 1}}, 1),
         with_middles({{0, 0}, {1, 0}, {0, 1}}, 3),
@@ -117,21 +117,22 @@ TEST_CASE("a polygon is divided into n - 2 triangles of positive area; each corn
                 convex += is_convex_corner(polygon, k) ? 1 : 0;
             std::vector<Point> given = polygon;
             if (clockwise) std::reverse(given.begin(), given.end());
-            Divided const its(given, clockwise ? 1 : 0);
-            REQUIRE(its.pieces.n_cells == static_cast<std::int32_t>(polygon.size()) - 2);
-            REQUIRE(its.pieces.n_guards == static_cast<std::int32_t>(polygon.size()));
+            Divided const divided(given, clockwise ? 1 : 0);
+            REQUIRE(divided.pieces.n_cells == static_cast<std::int32_t>(polygon.size()) - 2);
+            REQUIRE(divided.pieces.n_guards == static_cast<std::int32_t>(polygon.size()));
             std::int32_t found_convex = 0;
-            for (std::int32_t k = 0; k < its.pieces.n_guards; ++k) {
-                found_convex += its.pieces.guard_kind[k] == harmorph::CornerKind::convex ? 1 : 0;
+            for (std::int32_t k = 0; k < divided.pieces.n_guards; ++k) {
+                found_convex +=
+                    divided.pieces.guard_kind[k] == harmorph::CornerKind::convex ? 1 : 0;
             }
             CHECK(found_convex == static_cast<std::int32_t>(convex));
             double const sense = clockwise ? -1 : 1;
             double sum = 0, smallest = 1;
-            for (std::int32_t i = 0; i < its.pieces.n_checked(); ++i) {
-                CHECK(its.pieces.number(i) == 0);
-                CHECK(its.pieces.is_piece_or_guard(i));
-                if (i >= its.pieces.n_cells) continue;
-                double const twice = sense * its.twice_area_of(i);
+            for (std::int32_t i = 0; i < divided.pieces.n_checked(); ++i) {
+                CHECK(divided.pieces.number(i) == 0);
+                CHECK(divided.pieces.is_piece_or_guard(i));
+                if (i >= divided.pieces.n_cells) continue;
+                double const twice = sense * divided.twice_area_of(i);
                 smallest = std::min(smallest, twice);
                 sum += 0.5 * twice;
             }
@@ -150,9 +151,7 @@ TEST_CASE("the worst triangle is the best that any triangulation has") {
     }
 }
 
-TEST_CASE(
-    "triangles and convex quadrilaterals stay whole; a cell whose sides cross has an inverted "
-    "triangle") {
+TEST_CASE("triangles and convex quadrilaterals stay whole, and crossed cells are inverted") {
     Divided const triangle({{0, 0}, {1, 0}, {0, 1}}), quad({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1);
     CHECK(triangle.pieces.n_checked() == 1);
     CHECK(triangle.pieces.cell(0).n == 3);
@@ -171,10 +170,10 @@ TEST_CASE(
     CHECK(point.pieces.n_cells == 3);
 }
 
-TEST_CASE("numbers of pieces and guards are those of the cells, also of cells that have none") {
+TEST_CASE("pieces and guards have the numbers of their cells, and some cells have none") {
     Mesh const mesh = refined(square(4), [](Point p) { return p.x < 0.3; });
-    Analysed const its(in_polygons(mesh.view()));
-    harmorph::Mesh const& pieces = its->topology().mesh;
+    Analysed const analysed(in_polygons(mesh.view()));
+    harmorph::Mesh const& pieces = analysed->topology().mesh;
     REQUIRE(pieces.has_pieces());
     CHECK(pieces.n_given_cells() == mesh.n_cells());
     std::vector<std::int32_t> found(static_cast<std::size_t>(mesh.n_cells()), 0);

@@ -46,12 +46,12 @@ std::vector<char> quad_corners(harmorph::Analysis const& a) {
 
 }  // namespace
 
-TEST_CASE("every unknown once, layer after layer, free boundaries being boundaries too") {
+TEST_CASE("the front has every unknown once, layer after layer, from free boundaries too") {
     for (Cells const kind : {Cells::quads, Cells::triangles})
         for (bool const free : {false, true}) {
-            Case its = two_body_case(kind, 12, 8);
-            if (free) its.set_free(far_field);
-            Analysed const seen(its);
+            Case setup = two_body_case(kind, 12, 8);
+            if (free) setup.set_free(far_field);
+            Analysed const seen(setup);
             FrontMatrix const front(*seen.operator->());
             std::vector<int> const depth = depth_of(*seen.operator->());
             std::vector<Index> sorted = front.order;
@@ -70,15 +70,13 @@ TEST_CASE("every unknown once, layer after layer, free boundaries being boundari
         }
 }
 
-TEST_CASE(
-    "in hybrid meshes the front is through with the quads at the wall before it enters the "
-    "triangles") {
-    Case its = airfoil_case(40, 12, Cells::hybrid);
-    Analysed const seen(its);
+TEST_CASE("in hybrid meshes the front passes all quads at the wall before the triangles") {
+    Case setup = airfoil_case(40, 12, Cells::hybrid);
+    Analysed const seen(setup);
     FrontMatrix const front(*seen.operator->());
     std::vector<char> const quads = quad_corners(*seen.operator->());
     std::size_t n_quads = 0;
-    for (char const is : quads) n_quads += is != 0;
+    for (char const corner : quads) n_quads += corner != 0;
     REQUIRE(n_quads > 100);
     REQUIRE(n_quads + 100 < front.order.size());
     for (std::size_t k = 0; k < front.order.size(); ++k)

@@ -70,18 +70,18 @@ double george(double n) { return 31.0 / 4 * std::log2(std::sqrt(n)); }
 
 }  // namespace
 
-TEST_CASE("nasty graphs: lines, stars, cliques, everything in one place, nothing joined") {
+TEST_CASE("lines, stars, cliques, coincident points and graphs without edges are ordered") {
     for (HandMadeGraph& graph : nasty_graphs()) check_dissection(graph);
 }
 
-TEST_CASE("graphs of meshes") {
+TEST_CASE("graphs of meshes are ordered") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
-        Case its = two_body_case(kind, 20, 14);
-        Analysed const seen(its);
+        Case setup = two_body_case(kind, 20, 14);
+        Analysed const seen(setup);
         harmorph::Graph const& graph = seen->graph();
         HandMadeGraph copy;
         for (Index u = 0; u < graph.n; ++u) {
-            Point const p = its.mesh.point(graph.point(u));
+            Point const p = setup.mesh.point(graph.point(u));
             copy.add_point(p.x, p.y);
         }
         for (Index u = 0; u < graph.n; ++u)
@@ -90,7 +90,7 @@ TEST_CASE("graphs of meshes") {
     }
 }
 
-TEST_CASE("on grids the separators are short, so that fill grows as n log n") {
+TEST_CASE("separators of grids are short, so that fill grows as n log n") {
     double per_point[3];
     int const sizes[] = {32, 64, 128};
     for (int s = 0; s < 3; ++s) {
@@ -106,7 +106,7 @@ TEST_CASE("on grids the separators are short, so that fill grows as n log n") {
     CHECK(per_point[2] - per_point[1] < 16);
 }
 
-TEST_CASE("a rolled strip is cut across, however its turns lie beside each other") {
+TEST_CASE("a rolled strip is cut across, wherever its turns lie beside each other") {
     int const along = 90, across = 6;
     HandMadeGraph strip = grid_graph(along, across);
     for (int j = 0; j < across; ++j)
@@ -123,7 +123,7 @@ TEST_CASE("a rolled strip is cut across, however its turns lie beside each other
     check_dissection(strip);
 }
 
-TEST_CASE("a wake of thin curved cells: hardly more entries than the same mesh laid out straight") {
+TEST_CASE("a wake of thin curved cells has few more entries than when laid out straight") {
     // Fill is a property of the graph; coordinates only say where to cut. Levels are tried as soon
     // as a separator is 1.12 times as long as one through a square, and entries go with the square
     // of this length.
@@ -150,8 +150,7 @@ TEST_CASE("a wake of thin curved cells: hardly more entries than the same mesh l
     }
 }
 
-TEST_CASE(
-    "large parts know what is next to the separators above them, and nothing else is marked") {
+TEST_CASE("large parts know the unknowns next to the separators above them, and mark no others") {
     for (int const ny : {250, 270}) {  // small and large, as a whole
         HandMadeGraph grid = grid_graph(250, ny);
         bool const is_large = grid.n() >= harmorph::CutSizes::large;
@@ -163,14 +162,14 @@ TEST_CASE(
             find_coordinates(work.coordinates, graph, grid.points());
             fill(work.cover.side.first(graph.n), harmorph::Side::inside);
             for (Index u = 0; u < graph.n; ++u) order[u] = u;
-            harmorph::DividedRange const its =
+            harmorph::DividedRange const range =
                 harmorph::Dissector(graph, work, order).divide(0, graph.n);
-            REQUIRE(its.pivots < graph.n);
+            REQUIRE(range.pivots < graph.n);
             std::vector<char> is_next(grid.x.size(), 0);
-            for (Index k = its.pivots; k < graph.n; ++k)
+            for (Index k = range.pivots; k < graph.n; ++k)
                 for (Index const v : graph.neighbours(order[k]))
                     is_next[static_cast<std::size_t>(v)] = 1;
-            for (Index k = 0; k < its.pivots; ++k) {
+            for (Index k = 0; k < range.pivots; ++k) {
                 float const mark = work.coordinates.position[order[k]].at[harmorph::border_lane];
                 marked += mark == 1;
                 wrong.compare(order[k], mark,
@@ -183,9 +182,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "large parts share what borders on separators above: fewer multiplications than with the marks "
-    "taken away") {
+TEST_CASE("marks of separators above large parts save multiplications") {
     // Halves of 260 x 270 unknowns, the first separator along their shorter side. The shortest cut
     // of a half is parallel to it: a quarter of the mesh then lies between two separators of 260.
     // One across costs 270, but both quarters share what borders on the first one.
@@ -198,26 +195,26 @@ TEST_CASE(
             fill(work.cover.side.first(graph.n), harmorph::Side::inside);
             harmorph::Dissector const dissector(graph, work, order);
             for (Index u = 0; u < graph.n; ++u) order[u] = u;
-            harmorph::DividedRange const its = dissector.divide(0, graph.n);
-            REQUIRE(its.middle >= harmorph::CutSizes::large);
-            REQUIRE(its.pivots - its.middle >= harmorph::CutSizes::large);
+            harmorph::DividedRange const range = dissector.divide(0, graph.n);
+            REQUIRE(range.middle >= harmorph::CutSizes::large);
+            REQUIRE(range.pivots - range.middle >= harmorph::CutSizes::large);
             for (Index u = 0; u < graph.n && !is_marked; ++u)
                 work.coordinates.position[u].at[harmorph::border_lane] = 0;
             tree.count = 0;
-            Index const first = dissector.dissect(0, its.middle, tree);
-            Index const second = dissector.dissect(its.middle, its.pivots, tree);
-            tree.add(its.pivots, graph.n, first, second);
+            Index const first = dissector.dissect(0, range.middle, tree);
+            Index const second = dissector.dissect(range.middle, range.pivots, tree);
+            tree.add(range.pivots, graph.n, first, second);
         });
-        FactorCost const its(grid, cut);
-        cost[is_marked] = its.multiplications;
-        CHECK(its.entries <
+        FactorCost const factor_cost(grid, cut);
+        cost[is_marked] = factor_cost.multiplications;
+        CHECK(factor_cost.entries <
               george(grid.n()) * grid.n());  // a rectangle of two squares has less than a square
     }
     INFO(cost[true] << " multiplications with marks, " << cost[false] << " without");
     CHECK(cost[true] < cost[false]);
 }
 
-TEST_CASE("any number of threads, in any order of their tasks: the same order and the same tree") {
+TEST_CASE("any number of threads in any order of tasks gives the same order and tree") {
     std::vector<HandMadeGraph> graphs = nasty_graphs();
     graphs.push_back(grid_graph(50, 40));
     graphs.push_back(grid_graph(3, 2));

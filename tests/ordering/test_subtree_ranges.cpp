@@ -8,7 +8,7 @@ using harmorph::Index;
 using harmorph::PositionRange;
 using harmorph::SubtreeRanges;
 
-TEST_CASE("subtrees are small enough, not too many, and neighbours are never in two of them") {
+TEST_CASE("subtrees are small enough and not too many, and neighbours are never in two of them") {
     HandMadeGraph graph = grid_graph(60, 50);
     Dissected const cut(graph);
     std::vector<Index> const position = cut.position();
@@ -19,9 +19,10 @@ TEST_CASE("subtrees are small enough, not too many, and neighbours are never in 
             REQUIRE(ranges.count <= limit);
             std::vector<Index> owner(3000, -1);
             for (Index i = 0; i < ranges.count; ++i) {
-                PositionRange const its = ranges.subtree[i];
-                CHECK(its.end - its.begin <= largest);
-                for (Index k = its.begin; k < its.end; ++k) owner[static_cast<std::size_t>(k)] = i;
+                PositionRange const range = ranges.subtree[i];
+                CHECK(range.end - range.begin <= largest);
+                for (Index k = range.begin; k < range.end; ++k)
+                    owner[static_cast<std::size_t>(k)] = i;
             }
             int across = 0;
             for (std::int32_t u = 0; u < graph.n(); ++u)
@@ -38,9 +39,9 @@ TEST_CASE("subtrees are small enough, not too many, and neighbours are never in 
             for (Index k = 0; k < graph.n(); ++k)
                 if (owner[static_cast<std::size_t>(k)] < 0) left.push_back(k);
             std::vector<Index> between;
-            ranges.for_each_between(graph.n(), [&](PositionRange its) {
-                CHECK(its.begin < its.end);
-                for (Index k = its.begin; k < its.end; ++k) between.push_back(k);
+            ranges.for_each_between(graph.n(), [&](PositionRange range) {
+                CHECK(range.begin < range.end);
+                for (Index k = range.begin; k < range.end; ++k) between.push_back(k);
             });
             CHECK(between == left);
         }

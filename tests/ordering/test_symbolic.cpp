@@ -41,16 +41,16 @@ Offset check_borders(HandMadeGraph& graph) {
         auto const& node = cut.tree.nodes[t];
         std::set<Index> filled, allowed;
         for (Index k = node.begin; k < node.end; ++k) {
-            std::set<Index> const& its = column[static_cast<std::size_t>(k)];
-            filled.insert(its.lower_bound(node.end), its.end());
+            std::set<Index> const& below = column[static_cast<std::size_t>(k)];
+            filled.insert(below.lower_bound(node.end), below.end());
         }
         // Dense fronts: what a child's border leaves behind belongs to the parent's, pivot or not.
         allowed = filled;
         for (Index child = node.child; child != -1; child = cut.tree.nodes[child].sibling) {
-            std::set<Index> const its = found.of(child);
-            allowed.insert(its.lower_bound(node.end), its.end());
+            std::set<Index> const border_of_child = found.border_of(child);
+            allowed.insert(border_of_child.lower_bound(node.end), border_of_child.end());
         }
-        std::set<Index> const border = found.of(t);
+        std::set<Index> const border = found.border_of(t);
         CHECK(std::includes(border.begin(), border.end(), filled.begin(), filled.end()));
         CHECK(border == allowed);
         // Given in increasing order, each once.
@@ -66,17 +66,17 @@ Offset check_borders(HandMadeGraph& graph) {
     CHECK(found.sizes.border_entries == entries);
     CHECK(found.sizes.max_sums >= largest_front);
     CHECK(found.sizes.max_sums <= largest_front + 2 * (harmorph::dense::slab - 1));
-    CHECK(found.of(cut.tree.count - 1).empty());  // nothing comes after the root
+    CHECK(found.border_of(cut.tree.count - 1).empty());  // nothing comes after the root
     return entries;
 }
 
 }  // namespace
 
-TEST_CASE("borders are what elimination fills, and nothing that no pivot of the subtree touches") {
+TEST_CASE("borders are the fill of elimination and contain nothing else") {
     for (HandMadeGraph& graph : nasty_graphs()) check_borders(graph);
 }
 
-TEST_CASE("borders with more entries than are remembered: the same") {
+TEST_CASE("borders with more entries than are remembered are the same") {
     int const side = 40, hubs = 250;  // these end up above everything, and so in all borders
     HandMadeGraph graph = grid_graph(side, side);
     for (int hub = 0; hub < hubs; ++hub) {
@@ -86,7 +86,7 @@ TEST_CASE("borders with more entries than are remembered: the same") {
     CHECK(check_borders(graph) > Offset{harmorph::BorderWork::passed_per_position} * graph.n());
 }
 
-TEST_CASE("any number of threads: the same borders") {
+TEST_CASE("any number of threads gives the same borders") {
     for (HandMadeGraph& graph : nasty_graphs()) {
         Dissected const cut(graph);
         Symbolic const alone(graph, cut);

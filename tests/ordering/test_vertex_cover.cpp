@@ -43,8 +43,8 @@ struct Covered {
         after.assign(cover.side.begin(), cover.side.end());
         CHECK(block.guards_intact());
     }
-    int count(Side side, std::vector<Side> const& of) const {
-        return static_cast<int>(std::count(of.begin(), of.end(), side));
+    int count(Side side, std::vector<Side> const& sides) const {
+        return static_cast<int>(std::count(sides.begin(), sides.end(), side));
     }
 };
 
@@ -67,9 +67,9 @@ private:
         for (Index const v : graph_.near[static_cast<std::size_t>(u)]) {
             if (cut_.before[static_cast<std::size_t>(v)] != Side::right || !seen_.insert(v).second)
                 continue;
-            Index& its = mate_[static_cast<std::size_t>(v)];
-            if (its != -1 && !augment(its)) continue;
-            its = u;
+            Index& mate = mate_[static_cast<std::size_t>(v)];
+            if (mate != -1 && !augment(mate)) continue;
+            mate = u;
             return true;
         }
         return false;
@@ -99,7 +99,7 @@ void check_cover(HandMadeGraph& graph, IsLeft is_left) {
 
 }  // namespace
 
-TEST_CASE("straight, slanting and ragged cuts through grids, and nasty graphs: a smallest cover") {
+TEST_CASE("the cover is smallest for straight, slanting and ragged cuts and other graphs") {
     for (bool const diagonals : {true, false}) {
         HandMadeGraph grid = grid_graph(13, 11, diagonals);
         check_cover(grid, [](Index u) { return u % 13 < 6; });

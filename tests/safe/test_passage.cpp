@@ -25,13 +25,13 @@ double difference_in(Field const& one, Field const& all, std::vector<std::int32_
 }
 
 // The body turned about its middle, and moved.
-std::vector<double> turned_and_moved(Case const& its, double degrees, Complex shift) {
+std::vector<double> turned_and_moved(Case const& setup, double degrees, Complex shift) {
     Complex middle = 0;
-    std::size_t const n = its.curves.control.size() / 2;
+    std::size_t const n = setup.curves.control.size() / 2;
     for (std::size_t k = 0; k < n; ++k)
-        middle += Complex(its.curves.control[2 * k], its.curves.control[2 * k + 1]) /
+        middle += Complex(setup.curves.control[2 * k], setup.curves.control[2 * k + 1]) /
                   static_cast<double>(n);
-    return similarity_move(its.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), middle,
+    return similarity_move(setup.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), middle,
                            shift);
 }
 
@@ -53,8 +53,7 @@ hm_improve_report improved(Solved const& solved, Mesh const& mesh, Field const& 
 
 }  // namespace
 
-TEST_CASE(
-    "a safe morph of a passage reaches the target, its sides stay images, and all passages agree") {
+TEST_CASE("a safe morph of a passage reaches the target, and the sides and all passages agree") {
     int const n = 6;
     Complex const turn = turn_of_passage(n);
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE, HM_WEIGHTED})
@@ -88,23 +87,23 @@ TEST_CASE(
         }
 }
 
-TEST_CASE("given displacements of a passage, safely") {
+TEST_CASE("given displacements of a passage are safe") {
     int const n = 4;
     Case curved = passage(Cells::hybrid, n);
-    Case its = given_instead(curved);
+    Case setup = given_instead(curved);
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
         Options const options = options_of(operator_kind);
-        Displaced displaced(its, &options);
+        Displaced displaced(setup, &options);
         Complex const middle = 1.5 * std::polar(1.0, std::acos(-1.0) / n + 0.2);
         Field wall;
         for (std::int32_t const point : displaced.points) {
-            Complex const z = to_complex(its.mesh.point(point));
+            Complex const z = to_complex(setup.mesh.point(point));
             wall.push_back((std::polar(1.0, 1.0) - 1.0) * (z - middle) + 0.03);
         }
         std::size_t bytes = 0;
         REQUIRE(hm_displace_safe_size(displaced.plan, displaced.basis, &bytes, nullptr) == HM_OK);
         Guarded work(bytes);
-        Field to(its.mesh.x.size());
+        Field to(setup.mesh.x.size());
         double* const xy = reinterpret_cast<double*>(to.data());
         const double* const w = reinterpret_cast<const double*>(wall.data());
         hm_safe_options safe{};
@@ -117,13 +116,13 @@ TEST_CASE("given displacements of a passage, safely") {
             points_out(xy, xy + 1, 2), work.data(), bytes, &safe, nullptr, &error);
         INFO(error.text);
         CHECK(status == HM_OK);
-        CHECK(misfit_of_sides(its.mesh, to, turn_of_passage(n)) < 1e-15);
+        CHECK(misfit_of_sides(setup.mesh, to, turn_of_passage(n)) < 1e-15);
         for (std::size_t k = 0; k < wall.size(); ++k) {
             std::size_t const point = static_cast<std::size_t>(displaced.points[k]);
-            CHECK(std::abs(to[point] - to_complex(its.mesh.point(displaced.points[k])) - wall[k]) <
-                  1e-15);
+            CHECK(std::abs(to[point] - to_complex(setup.mesh.point(displaced.points[k])) -
+                           wall[k]) < 1e-15);
         }
-        Mesh moved = its.mesh;
+        Mesh moved = setup.mesh;
         for (std::size_t k = 0; k < to.size(); ++k) {
             moved.x[k] = to[k].real();
             moved.y[k] = to[k].imag();
@@ -132,9 +131,7 @@ TEST_CASE("given displacements of a passage, safely") {
     }
 }
 
-TEST_CASE(
-    "better cells in a passage: as in the annulus of all passages, with sides that move as "
-    "images") {
+TEST_CASE("cells of a passage improve as in the annulus of all passages") {
     int const n = 6;
     Complex const turn = turn_of_passage(n);
     for (bool const swapped : {false, true}) {

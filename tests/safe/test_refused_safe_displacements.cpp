@@ -8,10 +8,9 @@
 
 using namespace fixtures;
 
-TEST_CASE(
-    "displacements and arguments that are refused: the reason is named, and nothing is written") {
-    Case its = given_block();
-    SafeDisplaced safe(its);
+TEST_CASE("refused displacements and arguments are named, and nothing is written") {
+    Case setup = given_block();
+    SafeDisplaced safe(setup);
     Field const good(safe.points.size(), Complex(0.01, 0));
     auto const refusal = [&](Field const& wall, hm_status expected, std::string const& word,
                              std::int32_t item) {
@@ -61,7 +60,7 @@ TEST_CASE(
     CHECK(hm_displace_safe_size(safe.plan, safe.basis, nullptr, &error) == HM_BAD_ARGUMENT);
     REQUIRE(hm_displace_safe_size(safe.plan, safe.basis, &bytes, &error) == HM_OK);
     Guarded work(bytes);
-    std::vector<double> x = its.mesh.x, y = its.mesh.y;
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y;
     const double* const values = reinterpret_cast<const double*>(good.data());
     hm_points const wall{values, values + 1, 2};
     auto const n = static_cast<std::int32_t>(good.size());
@@ -77,6 +76,6 @@ TEST_CASE(
     twice[1] = twice[0];
     CHECK(hm_displace_safe(safe.plan, safe.basis, nullptr, n, twice.data(), &wall, points_out(x, y),
                            work.data(), bytes, nullptr, nullptr, &error) == HM_BAD_CONDITION);
-    CHECK(same_bits(x, its.mesh.x));
-    CHECK(same_bits(y, its.mesh.y));
+    CHECK(same_bits(x, setup.mesh.x));
+    CHECK(same_bits(y, setup.mesh.y));
 }

@@ -10,16 +10,16 @@
 using namespace fixtures;
 
 TEST_CASE("large safe morphs by combined functions and by modes are valid and reach the target") {
-    Case its = two_body_case(Cells::hybrid, 12, 8);
+    Case setup = two_body_case(Cells::hybrid, 12, 8);
     Options const options = options_of(HM_CONFORMAL);
-    Safe reference(its, options);
+    Safe reference(setup, options);
     hm_basis_info const info = reference.solved().info();
     // Two variables: all control points along x, and along y times their own x.
     Combination matrix(info.control_points, 2, 1, 1);
     for (int i = 0; i < matrix.rows; ++i) {
         auto const k = static_cast<std::size_t>(2 * i);
         matrix.entries[k] = 1;
-        matrix.entries[k + 1] = its.curves.control[k];
+        matrix.entries[k + 1] = setup.curves.control[k];
     }
     Combined const combined(reference.solved().basis, matrix);
     REQUIRE(combined.status == HM_OK);
@@ -34,7 +34,7 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED});
     hm_safe_report report{};
     report.struct_size = sizeof report;
-    std::vector<double> x = its.mesh.x, y = its.mesh.y, reached(move.size());
+    std::vector<double> x = setup.mesh.x, y = setup.mesh.y, reached(move.size());
     safe_options.reached = reached.data();
     hm_error error{};
     Combined const sum(reference.solved().basis, matrix);
@@ -44,12 +44,12 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     CHECK(report.strategy == HM_STRATEGY_SUBSTEPS);
     CHECK(report.resolves > 0);
     CHECK(reached == move);
-    Mesh moved = its.mesh;
+    Mesh moved = setup.mesh;
     moved.x = x;
     moved.y = y;
     CHECK(check(moved).min_corner > 0);
     double off = 1;
-    REQUIRE(hm_boundary_error(combined.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+    REQUIRE(hm_boundary_error(combined.basis, move.data(), points_in(setup.mesh.x, setup.mesh.y),
                               points_in(x, y), &off, nullptr, nullptr) == HM_OK);
     CHECK(off < 1e-14);
     // The derivative at the wall is that of the combined functions.
@@ -64,7 +64,7 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
                         const_cast<hm_basis*>(reference.solved().basis), work.data(), bytes,
                         &safe_options, nullptr, &error) == HM_BAD_BASIS);
 
-    Case table = its;
+    Case table = setup;
     table.conditions.pop_back();
     table.set_given(second_body);
     Attempt solved(table.problem(), &options);
@@ -73,7 +73,7 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     Field mode;
     for (std::int32_t const point : points) {
         auto const k = static_cast<std::size_t>(point);
-        mode.push_back({its.mesh.y[k], 0.3});
+        mode.push_back({setup.mesh.y[k], 0.3});
     }
     Tabulated const tabulated(solved.plan, solved.basis, {mode}, 2);
     REQUIRE(tabulated.status == HM_OK);
@@ -84,8 +84,8 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     amplitudes[amplitudes.size() - 2] = 0.2;
     amplitudes[amplitudes.size() - 1] = 0.1;
     safe_options.reached = nullptr;
-    x = its.mesh.x;
-    y = its.mesh.y;
+    x = setup.mesh.x;
+    y = setup.mesh.y;
     REQUIRE_MESSAGE(
         hm_morph_safe(solved.plan, tabulated.basis, amplitudes.data(), points_out(x, y), nullptr,
                       more.data(), bytes, &safe_options, &report, &error) == HM_OK,
@@ -97,7 +97,7 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     for (std::size_t k = 0; k < points.size(); ++k) {
         auto const at = static_cast<std::size_t>(points[k]);
         Complex const by = Complex(0.2, 0.1) * mode[k];
-        CHECK(std::fabs(x[at] - its.mesh.x[at] - by.real()) < 1e-15);
-        CHECK(std::fabs(y[at] - its.mesh.y[at] - by.imag()) < 1e-15);
+        CHECK(std::fabs(x[at] - setup.mesh.x[at] - by.real()) < 1e-15);
+        CHECK(std::fabs(y[at] - setup.mesh.y[at] - by.imag()) < 1e-15);
     }
 }

@@ -6,11 +6,9 @@
 
 using namespace fixtures;
 
-TEST_CASE(
-    "the frame depends on the given points alone: numbers behind the end of the arrays are not "
-    "read") {
-    Case const its = tiny_case();
-    Extruded space(its.mesh, inclined());
+TEST_CASE("the frame depends on the given points alone; numbers behind the arrays are not read") {
+    Case const setup = tiny_case();
+    Extruded space(setup.mesh, inclined());
     std::size_t const n = static_cast<std::size_t>(space.n_points());
     std::vector<std::uint8_t> in_faces(n + 1, 0);
     for (std::int32_t const point : space.faces)

@@ -8,10 +8,9 @@
 
 using namespace fixtures;
 
-TEST_CASE(
-    "a wedge of many layers needs its axis; a wedge whose axis is given finds the same plane") {
-    Case its = raised_case(2);
-    Extruded const many(its.mesh, wedge(3), 4, 2), two(its.mesh, wedge(3), 2, 2);
+TEST_CASE("a wedge of many layers needs its axis, and a given axis finds the same plane") {
+    Case setup = raised_case(2);
+    Extruded const many(setup.mesh, wedge(3), 4, 2), two(setup.mesh, wedge(3), 2, 2);
     hm_space_mesh space = many.view();
     space.kind = HM_WEDGE;
     CHECK(Plane(space).status == HM_BAD_ARGUMENT);
@@ -39,10 +38,10 @@ TEST_CASE(
     CHECK(says(Plane(space).error, "axis of the wedge crosses the mesh"));
 }
 
-TEST_CASE("numbers of six digits, as text files have them, are accurate enough") {
+TEST_CASE("numbers of six digits, as in text files, are accurate enough") {
     for (Placement const& place : {along_axis(2), wedge(5)}) {
-        Case its = raised_case(1);
-        Extruded space(its.mesh, place, 2, 4);
+        Case setup = raised_case(1);
+        Extruded space(setup.mesh, place, 2, 4);
         for (std::vector<double>* values : {&space.x, &space.y, &space.z}) {
             for (double& value : *values) {
                 char text[32];
@@ -80,10 +79,9 @@ TEST_CASE("both sides of a cut are followed by their own points, layer by layer"
     CHECK(Plane(view).status == HM_BAD_MESH);  // the far corner has lost its partner
 }
 
-TEST_CASE(
-    "threads, strides, both index bases, and four entries for each face give the same plane") {
-    Case its = tiny_case();
-    Extruded const space(its.mesh, along_axis(1), 2, 8);
+TEST_CASE("threads, strides, index bases and four entries for each face give the same plane") {
+    Case setup = tiny_case();
+    Extruded const space(setup.mesh, along_axis(1), 2, 8);
     Plane const plane(space.view());
     REQUIRE(plane.status == HM_OK);
     std::vector<double> all(3 * space.x.size());
@@ -127,9 +125,9 @@ TEST_CASE(
     CHECK(same);
 }
 
-TEST_CASE("a single plane of points is a mesh of one layer: each point follows itself") {
-    Case its = tiny_case();
-    Extruded const space(its.mesh, inclined(), 1, 2);
+TEST_CASE("a single plane of points is a mesh of one layer, in which each point follows itself") {
+    Case setup = tiny_case();
+    Extruded const space(setup.mesh, inclined(), 1, 2);
     Plane const plane(space.view());
     INFO(plane.error.text);
     REQUIRE(plane.status == HM_OK);
@@ -139,9 +137,9 @@ TEST_CASE("a single plane of points is a mesh of one layer: each point follows i
 }
 
 TEST_CASE("numbers behind the points of a space mesh are not read") {
-    Case const its = tiny_case();
+    Case const setup = tiny_case();
     for (Placement const& place : {inclined(), along_axis(1), wedge(5)}) {
-        Extruded space(its.mesh, place);
+        Extruded space(setup.mesh, place);
         Plane const plain(space.view());
         REQUIRE(plain.status == HM_OK);
         std::int32_t const n = space.n_points();

@@ -11,11 +11,11 @@ using namespace fixtures;
 namespace {
 
 // The problem of the case on the mesh of the plane.
-hm_problem on_plane(Case& its, Plane const& plane) {
-    its.given_points.clear();
-    its.given_curves.clear();
-    its.given_u.clear();
-    return its.problem(plane.mesh);
+hm_problem on_plane(Case& setup, Plane const& plane) {
+    setup.given_points.clear();
+    setup.given_curves.clear();
+    setup.given_u.clear();
+    return setup.problem(plane.mesh);
 }
 
 double dot(hm_plane_info const&, const double* direction, Vec3 const& v) {
@@ -24,13 +24,11 @@ double dot(hm_plane_info const&, const double* direction, Vec3 const& v) {
 
 }  // namespace
 
-TEST_CASE(
-    "coordinate planes: the plane's mesh has the coordinates' bits, and a morph is that of the "
-    "plane") {
+TEST_CASE("the mesh of a coordinate plane has the coordinates' bits, and so has its morph") {
     for (int const normal : {0, 1, 2}) {
         for (unsigned const seed : {0u, 7u}) {
-            Case its = airfoil_case(20, 8);
-            Extruded const space(its.mesh, along_axis(normal), 2, seed);
+            Case setup = airfoil_case(20, 8);
+            Extruded const space(setup.mesh, along_axis(normal), 2, seed);
             Plane const plane(space.view());
             INFO(plane.error.text);
             REQUIRE(plane.status == HM_OK);
@@ -39,17 +37,17 @@ TEST_CASE(
             CHECK(plane.info.max_distance == 0);
             CHECK(plane.info.max_distance_point == -1);
             CHECK(plane.mesh.cell_layout == HM_CELLS_ROWS);
-            CHECK(plane.info.n_points == its.mesh.n_points());
+            CHECK(plane.info.n_points == setup.mesh.n_points());
             CHECK(all_follow(plane, space));
             bool same = true;
             for (std::int32_t p = 0; p < plane.info.n_points; ++p) {
                 std::size_t const from = static_cast<std::size_t>(
                     space.plane_point[static_cast<std::size_t>(plane.info.space_point[p])]);
-                same = same && plane.mesh.points.x[p] == its.mesh.x[from] &&
-                       plane.mesh.points.y[p] == its.mesh.y[from];
+                same = same && plane.mesh.points.x[p] == setup.mesh.x[from] &&
+                       plane.mesh.points.y[p] == setup.mesh.y[from];
             }
             CHECK(same);
-            Attempt const solved(on_plane(its, plane));
+            Attempt const solved(on_plane(setup, plane));
             INFO(solved.error.text);
             REQUIRE(solved.status == HM_OK);
             std::vector<double> const move = some_move(solved.report.functions, 0.01, 1);
@@ -75,7 +73,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("inclined planes, wedges and many layers: the movement in space is that of the plane") {
+TEST_CASE("the movement of inclined planes, wedges and many layers is that of the plane") {
     struct Kind {
         const char* name;
         Placement place;
@@ -96,8 +94,8 @@ TEST_CASE("inclined planes, wedges and many layers: the movement in space is tha
                           {"inclined wedge", turned_wedge, 2, HM_WEDGE, 1}};
     for (Kind const& kind : kinds) {
         CAPTURE(kind.name);
-        Case its = raised_case(kind.raised);
-        Extruded const space(its.mesh, kind.place, kind.layers, 3);
+        Case setup = raised_case(kind.raised);
+        Extruded const space(setup.mesh, kind.place, kind.layers, 3);
         Plane const plane(space.view());
         INFO(plane.error.text);
         REQUIRE(plane.status == HM_OK);
@@ -153,11 +151,10 @@ TEST_CASE("inclined planes, wedges and many layers: the movement in space is tha
     }
 }
 
-TEST_CASE(
-    "the adjoint is the transpose of the morph, in planes and wedges, for any number of threads") {
+TEST_CASE("the adjoint is the transpose of the morph in planes and wedges") {
     for (Placement const& place : {along_axis(1), inclined(), wedge(4)}) {
-        Case its = raised_case(1);
-        Extruded const space(its.mesh, place, 2, 5);
+        Case setup = raised_case(1);
+        Extruded const space(setup.mesh, place, 2, 5);
         Plane plane(space.view());
         REQUIRE(plane.status == HM_OK);
         // A curve of degree 1 through the points of the body, wherever the plane's coordinates have
@@ -170,8 +167,8 @@ TEST_CASE(
                 corners.push_back({plane.mesh.points.x[q], plane.mesh.points.y[q]});
             }
         }
-        its.curves = polyline(corners);
-        Attempt const solved(on_plane(its, plane));
+        setup.curves = polyline(corners);
+        Attempt const solved(on_plane(setup, plane));
         INFO(solved.error.text);
         REQUIRE(solved.status >= HM_OK);
         std::vector<double> const move = some_move(solved.report.functions, 0.1, 2);

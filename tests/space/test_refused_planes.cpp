@@ -9,12 +9,11 @@
 
 using namespace fixtures;
 
-TEST_CASE(
-    "a mesh that is no plane mesh in layers is refused, and the point, face or side is named") {
+TEST_CASE("a mesh that is no plane mesh in layers is refused; the point, face or side is named") {
     Untrapped const untrapped;
-    Case its = tiny_case();
-    Extruded const good(its.mesh, along_axis(2));
-    std::int32_t const n = its.mesh.n_points();
+    Case setup = tiny_case();
+    Extruded const good(setup.mesh, along_axis(2));
+    std::int32_t const n = setup.mesh.n_points();
     auto refused = [](Extruded const& space, const char* words, std::int32_t item) {
         Plane const plane(space.view());
         INFO(plane.error.text);
@@ -70,10 +69,10 @@ TEST_CASE(
     refused(bad, "on one line", -1);
 }
 
-TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
+TEST_CASE("arguments of the plane that are NULL, out of range or of another mesh are refused") {
     Untrapped const untrapped;
-    Case its = tiny_case();
-    Extruded const good(its.mesh, along_axis(2));
+    Case setup = tiny_case();
+    Extruded const good(setup.mesh, along_axis(2));
     Plane plane(good.view());
     std::size_t bytes = 0;
     hm_plane* made = nullptr;
@@ -156,7 +155,7 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
             "by space.face_start the faces have 0 corners, but there must be 3 to 2^31 - 2",
             [](hm_space_mesh& s) { s.face_start = no_corners; });
     REQUIRE(plane.status == HM_OK);
-    Solved const solved(its);
+    Solved const solved(setup);
     Case smaller = ring_case(4, 12, 0.5, 2);
     Solved const foreign(smaller);
     std::vector<double> const move(8, 0.0);
@@ -203,10 +202,7 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
     CHECK(hm_plane_mesh(plane.plane, nullptr, nullptr) == HM_BAD_ARGUMENT);
 }
 
-TEST_CASE(
-    "coordinates larger than the limit of 1e100, and no larger; cells of three and four corners "
-    "are no "
-    "polygons") {
+TEST_CASE("coordinates up to 1e100 are accepted, and no polygons of three or four corners") {
     Extruded space(tiny_case().mesh, along_axis(2));
     CHECK(Plane(space.view()).mesh.cell_layout != HM_CELLS_POLYGONS);
     space.x[0] = 1e100;  // no plane mesh, but not for that
