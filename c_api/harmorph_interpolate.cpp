@@ -51,10 +51,11 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_interpolation_size(const hm_analysis* from, int32_t n, size_t* bytes, hm_error* err) {
+hm_status hm_interpolation_size(const hm_analysis* analysis, int32_t n, size_t* bytes,
+                                hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Analysis* opened = nullptr;
-        HARMORPH_TRY(open_analysis(from, opened, fault));
+        HARMORPH_TRY(open_analysis(analysis, opened, fault));
         HARMORPH_TRY(check_count(n, fault));
         InBlock<Interpolation> made;
         return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, *opened, n); });
@@ -62,7 +63,7 @@ hm_status hm_interpolation_size(const hm_analysis* from, int32_t n, size_t* byte
 }
 
 hm_status hm_interpolation_init(hm_interpolation** interpolation, void* block, size_t bytes,
-                                const hm_analysis* from, const hm_points* at, int32_t n,
+                                const hm_analysis* analysis, const hm_points* at, int32_t n,
                                 const hm_points* to, double* distance, const hm_executor* executor,
                                 hm_interpolation_report* report, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
@@ -71,7 +72,7 @@ hm_status hm_interpolation_init(hm_interpolation** interpolation, void* block, s
         Executor threads;
         HARMORPH_TRY(require({{"interpolation", interpolation}}, fault));
         HARMORPH_TRY(check_report_if(report, "report", fault));
-        HARMORPH_TRY(open_analysis(from, opened, fault));
+        HARMORPH_TRY(open_analysis(analysis, opened, fault));
         HARMORPH_TRY(check_count(n, fault));
         Points points = opened->problem().mesh.points;
         HARMORPH_TRY(view_points_if(at, "at", points, fault));

@@ -162,10 +162,10 @@ typedef struct hm_interpolation_report {
     double max_distance;        /* [length] its distance from the mesh */
 } hm_interpolation_report;
 
-/* from: an analysis of the mesh that has the fields, with conditions or without; not needed
- * afterwards. n: points to which fields are interpolated, of another mesh for instance, 0 .. 2^29.
+/* analysis: of the mesh that has the fields, with conditions or without; not needed afterwards. n:
+ * points to which fields are interpolated, of another mesh for instance, 0 .. 2^29.
  */
-HM_API hm_status hm_interpolation_size(const hm_analysis* from, int32_t n, size_t* bytes,
+HM_API hm_status hm_interpolation_size(const hm_analysis* analysis, int32_t n, size_t* bytes,
                                        hm_error* err);
 /* Finds each of the n points `to` in the mesh of the analysis at the mesh points `at` [n_points];
  * NULL: the coordinates of the mesh. In a triangle, values are linear; in a quadrilateral they are
@@ -178,7 +178,7 @@ HM_API hm_status hm_interpolation_size(const hm_analysis* from, int32_t n, size_
  * (HM_BAD_MESH): a cell that is inverted at `at`, a point that is not finite or larger than 1e100.
  */
 HM_API hm_status hm_interpolation_init(hm_interpolation** interpolation, void* block, size_t bytes,
-                                       const hm_analysis* from, const hm_points* at, int32_t n,
+                                       const hm_analysis* analysis, const hm_points* at, int32_t n,
                                        const hm_points* to, double* distance,
                                        const hm_executor* executor, hm_interpolation_report* report,
                                        hm_error* err);

@@ -3,6 +3,7 @@
  * that other languages rely on. */
 #include <harmorph.h>
 #include <harmorph_design.h>
+#include <harmorph_fields.h>
 #include <harmorph_parts.h>
 #include <harmorph_quality.h>
 #include <harmorph_space.h>
@@ -100,6 +101,8 @@ int main(void) {
     BEGINS(hm_edge_mesh);
     BEGINS(hm_study_options);
     BEGINS(hm_mesh_report);
+    BEGINS(hm_walls_info);
+    BEGINS(hm_interpolation_report);
     BEGINS(hm_bound);
     BEGINS(hm_bound_value);
     if (sizeof(void*) == 8) {

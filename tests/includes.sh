@@ -1,7 +1,8 @@
 #!/bin/sh
 # Includes point only downwards. The rooms of the core, bottom to top: a file may include what is in a room below, or in
 # its own room; within a room headers include each other without a circle. The folder of a file is its room.
-rooms='base simd mesh space bspline boundary dense ordering basis operators parts direct multigrid plan morph safe fields'
+rooms='base simd mesh space bspline boundary dense ordering basis operators parts direct multigrid plan morph safe'
+rooms="$rooms fields"
 # The core may use those parts of the standard library that a freestanding compiler has, and mem*.
 freestanding='cstddef|cstdint|cfloat|climits|limits|type_traits|new|cstring|immintrin\.h|arm_neon\.h|cpuid\.h'
 

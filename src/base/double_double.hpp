@@ -52,7 +52,10 @@ constexpr DoubleDouble operator*(DoubleDouble a, DoubleDouble b) noexcept {
     DoubleDouble const most = DoubleDouble::product(a.high, b.high);
     return normalised(most.high, most.low + (a.high * b.low + a.low * b.high));
 }
-constexpr DoubleDouble operator*(Real a, DoubleDouble b) noexcept { return DoubleDouble{a, 0} * b; }
+constexpr DoubleDouble operator*(Real a, DoubleDouble b) noexcept {
+    DoubleDouble const most = DoubleDouble::product(a, b.high);
+    return normalised(most.high, most.low + a * b.low);
+}
 constexpr DoubleDouble operator/(DoubleDouble a, Real b) noexcept {
     Real const most = a.high / b;
     DoubleDouble const rest = a - DoubleDouble::product(most, b);

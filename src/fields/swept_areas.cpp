@@ -27,49 +27,67 @@ public:
     template <class PointOf>
     static void run(SweptAreas const& areas, Offset first, Index width, Index n, Points from,
                     Points to, PointOf const& point_of) noexcept {
-        Vec2 const origin_from = from[point_of(0)], origin_to = to[point_of(0)];
-        ExactVector sum_from, sum_to, sum_velocity;  // the first two relative to corner 0
+        Index const zero = point_of(0);
+        CellSweep const sweep{from, to, from[zero], to[zero]};
         bool const duals = !areas.duals.empty();
+        ExactVector sum_place, sum_velocity;
         for (Index k = 0; duals && k < n; ++k) {
-            Index const p = point_of(k);
-            sum_from = sum_from + exact_difference(from[p], origin_from);
-            sum_to = sum_to + exact_difference(to[p], origin_to);
-            sum_velocity = sum_velocity + exact_difference(to[p], from[p]);
+            Corner const corner = sweep.corner(point_of(k), true);
+            sum_place = sum_place + corner.place;
+            sum_velocity = sum_velocity + corner.velocity;
         }
-        Real const corners = static_cast<Real>(n);
+        ExactVector const twice_place = 2 * sum_place, twice_velocity = 2 * sum_velocity;
+        Real const corners = static_cast<Real>(n), divisor = 16 * corners * corners;
+        Corner a = sweep.corner(zero, duals);
         for (Index k = 0; k < width; ++k) {
-            Index const a = point_of(k), b = point_of(k + 1 == width ? 0 : k + 1);
-            ExactVector const velocity_a = exact_difference(to[a], from[a]),
-                              velocity_b = exact_difference(to[b], from[b]);
+            Corner const b = sweep.corner(point_of(k + 1 == width ? 0 : k + 1), duals);
+            // The two cells of a side subtract the same numbers, so that the areas are opposite.
             ExactVector const side =
-                exact_difference(from[b], from[a]) + exact_difference(to[b], to[a]);
+                exact_difference(b.from, a.from) + exact_difference(b.to, a.to);
+            ExactVector const velocity = a.velocity + b.velocity;
             if (!areas.sides.empty())
-                areas.sides[first + k] = quarter(exact_cross(velocity_a + velocity_b, side));
+                areas.sides[first + k] = 0.25 * exact_cross(velocity, side).rounded();
             if (!areas.halves.empty()) {
                 Real* const both = areas.halves.data() + 2 * (first + k);
-                both[0] = 0.25 * quarter(exact_cross(3 * velocity_a + velocity_b, side));
-                both[1] = 0.25 * quarter(exact_cross(velocity_a + 3 * velocity_b, side));
+                both[0] = 0.0625 * exact_cross(2 * a.velocity + velocity, side).rounded();
+                both[1] = 0.0625 * exact_cross(2 * b.velocity + velocity, side).rounded();
             }
-            if (!duals) continue;
-            if (a == b) {
-                areas.duals[first + k] = 0;
-                continue;
+            if (duals) {
+                // 2 n times the line from the middle of the side to the mean of the corners, and
+                // 2 n times the sum of the velocities of its ends.
+                ExactVector const line = twice_place - corners * (a.place + b.place);
+                bool const repeats = width > n && k + 1 == n;  // between two equal points
+                areas.duals[first + k] =
+                    repeats ? 0
+                            : (exact_cross(corners * velocity + twice_velocity, line) / divisor)
+                                  .rounded();
             }
-            // 2 n times the line from the middle of the side to the mean of the corners, and 2 n
-            // times the sum of the velocities of its ends.
-            ExactVector const line =
-                2 * (sum_from + sum_to) -
-                corners * (exact_difference(from[a], origin_from) +
-                           exact_difference(from[b], origin_from) +
-                           exact_difference(to[a], origin_to) + exact_difference(to[b], origin_to));
-            ExactVector const velocity = corners * (velocity_a + velocity_b) + 2 * sum_velocity;
-            areas.duals[first + k] =
-                (exact_cross(velocity, line) / (16 * corners * corners)).rounded();
+            a = b;
         }
     }
 
 private:
-    static Real quarter(DoubleDouble x) noexcept { return 0.25 * x.rounded(); }
+    struct Corner {
+        Vec2 from, to;
+        ExactVector velocity;
+        ExactVector place;  // the sum of both places, each relative to the first corner
+    };
+    Corner corner(Index point, bool needs_place) const noexcept {
+        Corner out;
+        out.from = from_[point];
+        out.to = to_[point];
+        out.velocity = exact_difference(out.to, out.from);
+        if (needs_place) {
+            out.place =
+                exact_difference(out.from, origin_from_) + exact_difference(out.to, origin_to_);
+        }
+        return out;
+    }
+    CellSweep(Points from, Points to, Vec2 origin_from, Vec2 origin_to) noexcept
+        : from_(from), to_(to), origin_from_(origin_from), origin_to_(origin_to) {}
+
+    Points from_, to_;
+    Vec2 origin_from_, origin_to_;
 };
 
 // Returns the first entry and the number of entries of a cell.

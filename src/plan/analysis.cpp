@@ -227,9 +227,9 @@ Status Analysis::analyse_order(Fault& fault) noexcept {
 
 BasisSource Analysis::basis_source() const noexcept {
     return {topology_,       mesh_fingerprint_, conditions_fingerprint_,
-            problem_.method, problem_.demands,  curves_, slip_along_,
-            conditions_,     boundary_,         wall_,
-            wall_work_.slot, &division_.pieces};
+            problem_.method, problem_.demands,  curves_,
+            slip_along_,     conditions_,       boundary_,
+            wall_,           wall_work_.slot,   &division_.pieces};
 }
 
 bool Analysis::is_wall_face(Index face) const noexcept {

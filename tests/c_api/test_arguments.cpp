@@ -2,6 +2,7 @@
 // without its size, coordinates without an array or with a negative stride, and a block that is one
 // byte too short are refused, too.
 #include <harmorph_design.h>
+#include <harmorph_fields.h>
 #include <harmorph_space.h>
 #include <harmorph_parts.h>
 #include <harmorph_study.h>
@@ -292,6 +293,60 @@ TEST_CASE("a mesh one cell thick") {
                     &at, &to, &g.executor);
     check_arguments("plane, dj, plane_dj, ?executor", hm_plane_gather, plane, &at, &g.to,
                     &g.executor);
+}
+
+TEST_CASE("fields of moving meshes") {
+    Given g;
+    std::int64_t entries = 0;
+    check_arguments("mesh, n", hm_swept_count, &g.mesh, &entries);
+    std::vector<double> sides(static_cast<std::size_t>(entries)), duals(sides),
+        halves(2 * sides.size());
+    check_arguments("mesh, ?from, to, ?sides, ?duals, ?halves, ?executor", hm_swept_areas, &g.mesh,
+                    &g.at, &g.at, sides.data(), duals.data(), halves.data(), &g.executor);
+
+    std::int32_t const marker = g.setup.conditions[0].marker;
+    check_arguments("analysis, -, markers, bytes", hm_walls_size, g.analysis, 1, &marker, &g.bytes);
+    Guarded block(g.bytes);
+    hm_walls* walls = nullptr;
+    hm_walls_info info = sized<hm_walls_info>();
+    check_arguments("walls, block, bytes, analysis, -, markers, ?at", hm_walls_init, &walls,
+                    block.data(), g.bytes, g.analysis, 1, &marker, &g.at);
+    check_arguments("walls, at", hm_walls_move, walls, &g.at);
+    check_arguments("walls, info", hm_walls_info_get, walls, &info);
+    std::int32_t const n = g.setup.mesh.n_points();
+    std::vector<std::int32_t> face(static_cast<std::size_t>(n));
+    check_arguments("walls, -, points, ?hint, distance, ?face, ?parameter, ?executor",
+                    hm_wall_distance, walls, n, &g.at, face.data(), g.numbers.data(), face.data(),
+                    g.numbers.data() + n, &g.executor);
+    check_arguments("walls, -, points, face, ?point_change, ?mesh_change, change",
+                    hm_wall_distance_change, walls, n, &g.at, face.data(), &g.still, &g.still,
+                    g.numbers.data());
+    check_arguments("walls, -, points, face, dj, ?point_dj, ?mesh_dj", hm_wall_distance_adjoint,
+                    walls, n, &g.at, face.data(), g.numbers.data(), &g.to, &g.to);
+    check_arguments("walls, at, heights", hm_first_layer, walls, &g.at, g.numbers.data());
+
+    check_arguments("analysis, bytes", hm_levels_size, g.analysis, &g.bytes);
+    Guarded levels_block(g.bytes);
+    hm_levels* levels = nullptr;
+    check_arguments("levels, block, bytes, analysis, ?at, -, -", hm_levels_init, &levels,
+                    levels_block.data(), g.bytes, g.analysis, &g.at, 0, 0);
+    check_arguments("levels, -, ?cells, ?n_cells, ?n_levels", hm_level_cells, levels, 0,
+                    face.data(), &g.n, &g.other);
+    check_arguments("levels, -, ?from, to, areas", hm_level_areas, levels, 0, &g.at, &g.at,
+                    g.numbers.data());
+
+    check_arguments("analysis, -, bytes", hm_interpolation_size, g.analysis, n, &g.bytes);
+    Guarded interpolation_block(g.bytes);
+    hm_interpolation* interpolation = nullptr;
+    hm_interpolation_report report = sized<hm_interpolation_report>();
+    check_arguments(
+        "interpolation, block, bytes, analysis, ?at, -, to, ?distance, ?executor, ?report",
+        hm_interpolation_init, &interpolation, interpolation_block.data(), g.bytes, g.analysis,
+        &g.at, n, &g.at, g.numbers.data(), &g.executor, &report);
+    check_arguments("interpolation, -, from, to, ?executor", hm_interpolate, interpolation, 1,
+                    g.x.data(), g.numbers.data(), &g.executor);
+    check_arguments("interpolation, -, to_dj, from_dj", hm_interpolate_adjoint, interpolation, 1,
+                    g.x.data(), g.numbers.data());
 }
 
 TEST_CASE("structured blocks in arrays of their own") {

@@ -13,6 +13,7 @@ program use
     use curves_tests
     use design_tests
     use edges_tests
+    use fields_tests
     use given_tests
     use kinds_tests
     use memory_tests
@@ -85,6 +86,7 @@ program use
     call given_displacements()
     call safe_together()
     call transfers()
+    call fields()
     call meshes_in_parts()
     call design()
     call refits()

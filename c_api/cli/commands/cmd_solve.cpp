@@ -181,8 +181,7 @@ void run_solve(const Arguments& arguments) {
     if (arguments.has("--history")) {
         write_history(files.add(arguments.text("--history")), history, solver.report().iterations);
     }
-    if (converged || arguments.has("--force"))
-        write_basis(files.add(path), stored.basis(), mesh);
+    if (converged || arguments.has("--force")) write_basis(files.add(path), stored.basis(), mesh);
     files.commit();
     if (arguments.has("--json")) {
         print_json(solver, stored, mesh, times);
