@@ -50,10 +50,16 @@ void DesignMorpher::take(MorphedDesign& result, const Field& moved) const {
 }
 
 void DesignMorpher::morph_linearly(MorphedDesign& result) const {
-    Field displacement(mesh_.x.size());
+    const std::size_t n = mesh_.x.size();
+    Field moved(n), displacement(n);
     const std::vector<double>& moves = result.design.moves;
-    const hm_points_out to = displacement.write();
-    call(basis_.path(), hm_morph, basis_.get(), moves.data(), nullptr, &to, &one_thread_);
+    const hm_points from = mesh_.coordinates();
+    const hm_points_out to = moved.write();
+    call(basis_.path(), hm_morph, basis_.get(), moves.data(), &from, &to, &one_thread_);
+    for (std::size_t k = 0; k < n; ++k) {
+        displacement.x[k] = moved.x[k] - mesh_.x[k];
+        displacement.y[k] = moved.y[k] - mesh_.y[k];
+    }
     auto step = sized<hm_step_report>();
     auto quality = sized<hm_quality_report>();
     const hm_points along = displacement.read();
@@ -66,12 +72,8 @@ void DesignMorpher::morph_linearly(MorphedDesign& result) const {
     result.needs_safe = slips_ || quality.inverted > 0 || quality.self_crossing > 0 ||
                         quality.min_quality < least_quality_;
     if (result.needs_safe) return;
-    for (std::size_t k = 0; k < mesh_.x.size(); ++k) {
-        displacement.x[k] += mesh_.x[k];
-        displacement.y[k] += mesh_.y[k];
-    }
-    round_as_file(mesh_, displacement.x, displacement.y);
-    take(result, displacement);
+    round_as_file(mesh_, moved.x, moved.y);
+    take(result, moved);
     result.way = "linear";
 }
 
