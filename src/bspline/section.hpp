@@ -31,6 +31,8 @@ struct Section {
     bool leading_edge_is_smooth = false;
     CurvePlace leading_edge_place;  // the place farthest from trailing_edge
 
+    bool has_chord = false, has_leading_edge = false;  // what find_chord() has found before
+
     // Joins the curves to an outline; refuses curves whose ends do not meet. area_moments() sets
     // the sign later.
     Status connect(Fault& fault) noexcept;
@@ -80,7 +82,7 @@ struct Neighbours {
 // from that line, so that the number of rounds is at most that of bisection.
 template <class Function>
 Neighbours sign_change_between(Real low, Real high, Function const& f) noexcept {
-    constexpr Real distance = 1e-3;  // of the two places from the zero, in parts of the interval
+    Real distance = 1e-3;  // of the two places from the zero, in parts of the interval
     Real at_low = f(low), at_high = f(high);
     bool const rises = at_low < 0;
     auto const look = [&](Real at) {
@@ -95,11 +97,13 @@ Neighbours sign_change_between(Real low, Real high, Function const& f) noexcept 
         if (!(middle > low && middle < high)) return {low, high};
         bool const differs = at_low != at_high;
         Real const zero = differs ? low + width * (at_low / (at_low - at_high)) : low;
-        Real const step = max(distance * width, 4 * epsilon * max(abs(low), abs(high)));
+        Real const step = max(distance * width, epsilon * max(abs(low), abs(high)));
         if (zero > low && zero < high) {
             look(zero - step);
             look(zero + step);
         }
+        bool const is_near = high - low < 3 * step;
+        distance = is_near ? max(distance * distance, epsilon) : 1e-3;
         if (!(high - low < 0.5 * width)) look(low + 0.5 * (high - low));
     }
 }

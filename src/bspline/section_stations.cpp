@@ -18,6 +18,27 @@ bool runs_one_way(Curve const& curve, Index span, Vec2 along) noexcept {
     return least > 0 || most < 0;
 }
 
+// Returns where the span crosses the normal between two parameters. `ahead` is the distance from
+// the normal; without weights, this is a polynomial, which takes less time.
+template <class Ahead>
+Real crossing(Curve const& curve, Index span, Real low, Real high, Ahead const& ahead, Vec2 through,
+              Vec2 along) noexcept {
+    if (curve.weights != nullptr) return sign_change(low, high, ahead);
+    Vec2 by[max_degree + 1];
+    curve_point_in(curve, span, low, curve.degree, by);
+    Real coefficient[max_degree + 1], factor = 1;
+    for (Index d = 0; d <= curve.degree; ++d) {
+        if (d > 0) factor *= (high - low) / static_cast<Real>(d);
+        coefficient[d] = factor * dot(d == 0 ? by[0] - through : by[d], along);
+    }
+    Real const t = sign_change(Real(0), Real(1), [&](Real at) {
+        Real value = coefficient[curve.degree];
+        for (Index d = curve.degree - 1; d >= 0; --d) value = value * at + coefficient[d];
+        return value;
+    });
+    return low + t * (high - low);
+}
+
 // Finds the highest and the lowest point of the outline on the normal to the chord through a point
 // of the chord.
 bool find_points(Section const& section, Vec2 through, CurvePlace& top,
@@ -54,7 +75,8 @@ bool find_points(Section const& section, Vec2 through, CurvePlace& top,
         Real u = low, before = ahead(low);
         for (Index j = 1; j <= n; ++j) {
             Real const next = j == n ? high : low + (high - low) * j / n, after = ahead(next);
-            if ((before < 0) != (after < 0)) include({&curve, span, sign_change(u, next, ahead)});
+            if ((before < 0) != (after < 0))
+                include({&curve, span, crossing(curve, span, u, next, ahead, through, along)});
             u = next;
             before = after;
         }

@@ -170,3 +170,10 @@ refuses "sample: parameters of files" 2 'have no parameters' sample "$mesh" "$ai
 mkdir "$tmp/inputs" && cp "$tmp/table" "$tmp/inputs/designs.csv"
 refuses "sample: an output over an input" 2 'are the same file' sample "$ring" "$basis" --designs "$tmp/inputs/designs.csv" \
     -o "$tmp/inputs"
+
+# A few sections of each of nine families, in all orders of points: all are reached.
+check "sample: sections of nine families" sh "$here/../measure/sections/run.sh" "$harmorph" "$meshes" "$tmp/families" 54
+awk -F'|' '$2 ~ /^ [a-z]/ && $2 !~ /family/ { ++n; sections += $3; bad += $3 != $4 || $8 < .2
+        bad += $7 > ($2 ~ /blunt|modified/ ? 6e-3 : 1.5e-3) }
+    END { print n, sections, bad; exit !(n == 9 && sections == 54 && !bad) }' "$tmp/log" >"$tmp/counts"
+check "sample: sections of nine families: reached, near the points, with good cells" test $? = 0

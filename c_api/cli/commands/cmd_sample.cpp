@@ -57,11 +57,12 @@ public:
           space_(arguments, basis_),
           measures_(arguments, basis_.curves(),
                     arguments.whole("--airfoil-curve", 1, 1, basis_.info().curves) - 1),
-          table_(space_, measures_.names()),
+          table_(space_, measures_.names(), arguments.has("--step")),
           limits_(arguments, names_of_limits()),
           splits_(arguments, table_.numbers()),
           threads_(threads_of(arguments)),
-          morpher_(mesh_, basis_, threads_, arguments.real("--min-quality", .05, 0, 1)),
+          morpher_(mesh_, basis_, threads_, arguments.real("--min-quality", .05, 0, 1),
+                   arguments.has("--step")),
           per_shard_(arguments.whole("--shard", 1000, 1, 1000000)),
           has_meshes_(arguments.has("--meshes")),
           has_vtk_(arguments.has("--vtk")) {
@@ -336,6 +337,11 @@ const Command sample_command = {
              "a linear step must leave this smallest quality, in parts of that of MESH, 0 to 1\n"
              "(default 0.05), and so must the safe morph"},
             {"--linear", nullptr, "reject designs that one linear step does not reach"},
+            {"--step", nullptr,
+             "also admissible_step: the multiple of the movement at which the first cell inverts "
+             "or "
+             "the\n"
+             "boundary first touches itself"},
             {"--wall", nullptr,
              "also points of the moving walls in order, their unit normals and arc lengths"},
             {"--meshes", nullptr, "also each accepted mesh in the format of MESH, in DIR/meshes"},

@@ -116,8 +116,8 @@ std::vector<Option> measure_options() {
             {"--min", "NAME=NUMBER",
              "rejects designs of which a column is smaller: area, chord, max_thickness, "
              "max_camber,\n"
-             "nose_radius, edge_angle, thickness_S, camber_S, admissible_step, min_quality,\n"
-             "mean_quality (may be repeated)"},
+             "nose_radius, edge_angle, thickness_S, camber_S, min_quality, mean_quality,\n"
+             "fit_error (of sections), admissible_step (with --step); may be repeated"},
             {"--max", "NAME=NUMBER", "rejects designs of which a column is larger"}};
 }
 

@@ -17,12 +17,13 @@ const char* way_of(std::int32_t strategy) {
 }  // namespace
 
 DesignMorpher::DesignMorpher(const Mesh& mesh, const Basis& basis, const Threads& threads,
-                             double min_quality)
+                             double min_quality, bool wants_step)
     : mesh_(mesh),
       view_(mesh.view()),
       basis_(basis),
       threads_(threads),
       min_quality_(min_quality),
+      wants_step_(wants_step),
       one_thread_(*threads.executor()),
       task_(task_of(basis)) {
     one_thread_.run = nullptr;
@@ -63,8 +64,8 @@ void DesignMorpher::morph_linearly(MorphedDesign& result) const {
     auto step = sized<hm_step_report>();
     auto quality = sized<hm_quality_report>();
     const hm_points along = displacement.read();
-    call(mesh_, hm_assess, basis_.get(), &view_, nullptr, &along, nullptr, &one_thread_, &step,
-         &quality);
+    call(mesh_, hm_assess, basis_.get(), &view_, nullptr, &along, nullptr, &one_thread_,
+         wants_step_ ? &step : nullptr, &quality);
     move_control(result, moves);
     result.admissible_step = std::min(step.admissible, step.boundary);
     result.min_quality = quality.min_quality;

@@ -29,7 +29,9 @@ class DesignMorpher {
 public:
     // min_quality: the smallest quality that a linear step may leave, and the aim of a safe morph,
     // in parts of the smallest quality of the mesh.
-    DesignMorpher(const Mesh& mesh, const Basis& basis, const Threads& threads, double min_quality);
+    // wants_step: also find the admissible step, which takes about a third of the time.
+    DesignMorpher(const Mesh& mesh, const Basis& basis, const Threads& threads, double min_quality,
+                  bool wants_step);
     DesignMorpher(const DesignMorpher&) = delete;
 
     // Any number of threads may call this at once, each with another result.
@@ -45,7 +47,7 @@ private:
     const Basis& basis_;
     const Threads& threads_;
     double least_quality_ = 0, min_quality_;
-    bool slips_ = false;
+    bool slips_ = false, wants_step_;
     hm_executor one_thread_;
     Task task_;
     std::unique_ptr<Solver> solver_;  // made for the first safe morph

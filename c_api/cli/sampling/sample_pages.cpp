@@ -66,7 +66,7 @@ void write_thumbnails(std::ostream& out, const Basis& basis, const DesignSpace& 
         for (std::size_t i = 0; i < control.size(); ++i) control[i] += moves[i];
         all.push_back({outline_of(before, control, box), std::to_string(row.design + 1) + ": " +
                                                              row.way + ", quality " +
-                                                             brief(row.numbers[1])});
+                                                             brief(row.numbers[0])});
     }
     static_cast<void>(table);
     const double width = box[2] - box[0], height = box[3] - box[1];

@@ -44,9 +44,11 @@ std::vector<std::string> cells_of(std::string_view line) {
 
 }  // namespace
 
-SampleTable::SampleTable(const DesignSpace& space, const std::vector<std::string>& measures)
-    : has_fit_(space.has_sections()) {
-    numbers_ = {"admissible_step", "min_quality", "mean_quality"};
+SampleTable::SampleTable(const DesignSpace& space, const std::vector<std::string>& measures,
+                         bool has_step)
+    : has_fit_(space.has_sections()), has_step_(has_step) {
+    numbers_ = {"min_quality", "mean_quality"};
+    if (has_step_) numbers_.push_back("admissible_step");
     if (has_fit_) numbers_.push_back("fit_error");
     numbers_.insert(numbers_.end(), measures.begin(), measures.end());
     for (std::size_t k = 0; k < space.parameters().size(); ++k) {
@@ -58,7 +60,8 @@ SampleTable::SampleTable(const DesignSpace& space, const std::vector<std::string
 }
 
 std::vector<double> SampleTable::numbers_of(const MorphedDesign& result) const {
-    std::vector<double> out = {result.admissible_step, result.min_quality, result.mean_quality};
+    std::vector<double> out = {result.min_quality, result.mean_quality};
+    if (has_step_) out.push_back(result.admissible_step);
     if (has_fit_) out.push_back(result.design.fit_error < 0 ? unknown : result.design.fit_error);
     out.insert(out.end(), result.measures.begin(), result.measures.end());
     out.resize(first_parameter(), unknown);

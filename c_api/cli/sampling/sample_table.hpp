@@ -26,14 +26,14 @@ struct SampleRow {
 
 class SampleTable {
 public:
-    SampleTable(const DesignSpace& space, const std::vector<std::string>& measures);
+    SampleTable(const DesignSpace& space, const std::vector<std::string>& measures, bool has_step);
 
     // Names of the numbers of each row: results, measures and the parameters that vary. Limits and
     // splits use these names.
     const std::vector<std::string>& numbers() const { return numbers_; }
     const std::vector<std::size_t>& shown_parameters() const { return shown_; }
     // The results of the morph come first, then the measures of the section.
-    std::size_t first_measure() const { return has_fit_ ? 4 : 3; }
+    std::size_t first_measure() const { return 2u + (has_step_ ? 1 : 0) + (has_fit_ ? 1 : 0); }
     std::size_t first_parameter() const { return numbers_.size() - shown_.size(); }
     std::vector<double> numbers_of(const MorphedDesign& result) const;
 
@@ -45,7 +45,7 @@ public:
               const std::function<void(const SampleRow&)>& take) const;
 
 private:
-    bool has_fit_;
+    bool has_fit_, has_step_;
     std::vector<std::string> numbers_;
     std::vector<std::size_t> shown_;
 };
