@@ -9,7 +9,8 @@ set_of() { # set_of FOLDER ARGUMENTS...: control points of the ring, 25 designs,
 check "sample: a reader of .npz is compiled" "$CC" -o "$tmp/read_npz" "$here/read_npz.c"
 check "sample: control points" set_of "$tmp/set" --meshes --vtk --wall
 check "sample: no progress bar in a file" test ! -s "$tmp/err"
-for file in set.txt designs.csv index.html README.md vtk/series.pvd shards/00003.npz meshes/0000025.su2 vtk/0000025.vtu; do
+for file in set.txt designs.csv index.html README.md vtk/series.pvd shards/00003.npz meshes/0000025.su2 \
+    vtk/0000025.vtu; do
     check "sample: there is $file" test -s "$tmp/set/$file"
 done
 column() { awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i; next } { print $c }' "$1"; }
@@ -77,11 +78,13 @@ fi
 # The same bits for any number of threads, with designs that need the safe morph, and in another order of work.
 same_set() { (cd "$1" && find . -type f ! -name '*.part*' | sort | xargs cksum) >"$tmp/sums"
     (cd "$2" && find . -type f ! -name '*.part*' | sort | xargs cksum) | cmp - "$tmp/sums"; }
-check "sample: large movements" "$harmorph" sample "$ring" "$basis" --range=-1.5,1.5 --count 12 --shard 5 --sequence latin \
+check "sample: large movements" "$harmorph" sample "$ring" "$basis" --range=-1.5,1.5 --count 12 --shard 5 --sequence \
+    latin \
     --seed 3 -o "$tmp/large" --threads 1 --min-quality .01 --json
 cp "$tmp/log" "$tmp/out"
 check "sample: some need a safe morph" sh -c "grep -q ',substeps,\|,untangled,\|,improved,' '$tmp/large/designs.csv'"
-check "sample: large movements on three threads" "$harmorph" sample "$ring" "$basis" --range=-1.5,1.5 --count 12 --shard 5 \
+check "sample: large movements on three threads" "$harmorph" sample "$ring" "$basis" --range=-1.5,1.5 --count 12 \
+    --shard 5 \
     --sequence latin --seed 3 -o "$tmp/threads" --threads 3 --min-quality .01
 check "sample: the same bits" same_set "$tmp/large" "$tmp/threads"
 check "sample: rejected designs have a reason" awk -F, '
@@ -140,16 +143,19 @@ makes variables "$curve" --naca .4 --chord=-1,0,1,0 -o "$tmp/map"
 printf '1 0 .1\n2 -.1 0\n' >"$tmp/range"
 runs "sample: design variables" 0 sample "$ring" "$basis" --variables "$tmp/map" --ranges "$tmp/range" --count 4 \
     -o "$tmp/varied" --json
-check "sample: design variables: their columns" test "$(head -1 "$tmp/varied/designs.csv" | grep -c ',1,2,section,reason')" = 1
+check "sample: design variables: their columns" test \
+    "$(head -1 "$tmp/varied/designs.csv" | grep -c ',1,2,section,reason')" = 1
 
 # Sections: formulas and files.
 airfoil=$tmp/demo/airfoil.basis mesh=$tmp/demo/mesh.su2
 [ -e "$airfoil" ] || makes demo "$tmp/demo" --mesh "$meshes/naca0012.su2"
 printf 'camber 0 0\nposition .4 .4\nthickness .12 .12001\n' >"$tmp/range"
 runs "sample: NACA sections" 0 sample "$mesh" "$airfoil" --naca --ranges "$tmp/range" --count 1 -o "$tmp/naca" --json
-check "sample: NACA 0012: its thickness" awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "max_thickness") c = i; next }
+check "sample: NACA 0012: its thickness" awk -F, \
+    'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "max_thickness") c = i; next }
     { exit !($c > .1199 && $c < .1201) }' "$tmp/naca/designs.csv"
-runs "sample: sections of class-shape transformation" 0 sample "$mesh" "$airfoil" --cst 4,4 --count 3 -o "$tmp/cst" --json
+runs "sample: sections of class-shape transformation" 0 sample "$mesh" "$airfoil" --cst 4,4 --count 3 -o "$tmp/cst" \
+    --json
 check "sample: class-shape transformation: accepted" test "$(number accepted)" = 3
 makes fit "$mesh" --marker airfoil -o "$tmp/own.dat"
 printf '# a comment\nown.dat\nnone.dat\n' >"$tmp/list"
@@ -161,14 +167,18 @@ refuses "sample: no number" 2 '--count is missing' sample "$ring" "$basis" --ran
 refuses "sample: no ranges" 2 'no parameter varies' sample "$ring" "$basis" --count 3 -o "$tmp/x"
 refuses "sample: no folder" 2 '-o is missing' sample "$ring" "$basis" --range=-1,1 --count 3
 refuses "sample: two kinds" 2 'only one of' sample "$ring" "$basis" --naca --cst 3,3 --count 3 -o "$tmp/x"
-refuses "sample: a limit without a number" 2 'NAME=NUMBER' sample "$ring" "$basis" --range=-1,1 --count 3 --min area -o "$tmp/x"
-refuses "sample: a limit of another name" 2 'is none of' sample "$ring" "$basis" --range=-1,1 --count 3 --min aera=1 -o "$tmp/x"
+refuses "sample: a limit without a number" 2 'NAME=NUMBER' sample "$ring" "$basis" --range=-1,1 --count 3 --min area \
+    -o "$tmp/x"
+refuses "sample: a limit of another name" 2 'is none of' sample "$ring" "$basis" --range=-1,1 --count 3 --min aera=1 \
+    -o "$tmp/x"
 printf '99y 0 1\n' >"$tmp/range"
-refuses "sample: a parameter that is none" 3 "found '99y'" sample "$ring" "$basis" --ranges "$tmp/range" --count 3 -o "$tmp/x"
+refuses "sample: a parameter that is none" 3 "found '99y'" sample "$ring" "$basis" --ranges "$tmp/range" --count 3 \
+    -o "$tmp/x"
 refuses "sample: parameters of files" 2 'have no parameters' sample "$mesh" "$airfoil" --sections "$tmp/list" \
     --range=-1,1 -o "$tmp/x"
 mkdir "$tmp/inputs" && cp "$tmp/table" "$tmp/inputs/designs.csv"
-refuses "sample: an output over an input" 2 'are the same file' sample "$ring" "$basis" --designs "$tmp/inputs/designs.csv" \
+refuses "sample: an output over an input" 2 'are the same file' sample "$ring" "$basis" --designs \
+    "$tmp/inputs/designs.csv" \
     -o "$tmp/inputs"
 
 # A few sections of each of nine families, in all orders of points: all are reached.

@@ -1,8 +1,8 @@
 #!/bin/sh
 # usage: sh tests/measure/sections/run.sh path/to/harmorph path/to/meshes folder/for/output [COUNT]
-# Morphs the shipped mesh to COUNT sections of many families (1600 without a number) by `harmorph sample --sections`, and
-# prints a row for each family: how many are reached, by one step or safely, the distance of the points from the curve,
-# the smallest quality, and the reasons of rejection. Tests call this with few sections.
+# Morphs the shipped mesh to COUNT sections of nine families (1600 without a number) by `harmorph sample --sections`,
+# and prints a row for each family: how many are reached, how many in one linear step, the distances of the points from
+# the curve in chords, and the smallest quality. Tests call this with few sections.
 harmorph=$1 meshes=$2 tmp=$3 count=${4:-1600} here=$(dirname "$0")
 : "${CXX:=c++}"
 rm -rf "$tmp" && mkdir -p "$tmp/sections" || exit 2
