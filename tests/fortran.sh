@@ -99,7 +99,7 @@ stat_and_err_last() { ! tr '\n' '~' <"$build/harmorph.f90" | sed 's/&~ *//g' | t
     grep -E '^ *subroutine .*\bstat\b' | grep -v 'stat, err)$'; }
 check "stat and err are the last arguments of every call" stat_and_err_last
 headers='include/harmorph.h include/harmorph_design.h include/harmorph_space.h include/harmorph_parts.h
-    include/harmorph_study.h'
+    include/harmorph_study.h include/harmorph_fields.h'
 # Structs and constants of the headers in a folder against those of a module that was made from these headers.
 compare_layouts() {   # folder that contains include/, folder of the module's objects
     place=$2

@@ -19,6 +19,7 @@ cat >"$dir/expected" <<END
 ./bin/harmorph
 ./include/harmorph.h
 ./include/harmorph_design.h
+./include/harmorph_fields.h
 ./include/harmorph_mpi.h
 ./include/harmorph_openmp.h
 ./include/harmorph_pages.h

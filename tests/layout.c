@@ -3,6 +3,7 @@
  * values of the constants. */
 #include <harmorph.h>
 #include <harmorph_design.h>
+#include <harmorph_fields.h>
 #include <harmorph_parts.h>
 #include <harmorph_space.h>
 #include <harmorph_study.h>

@@ -1,6 +1,8 @@
 // Boundaries that slide along B-splines that are given.
 #include <harmorph_design.h>
 #include <harmorph_study.h>
+#include <cstring>
+
 #include "fixtures/options.hpp"
 #include <doctest/doctest.h>
 
@@ -142,9 +144,53 @@ TEST_CASE(
     CHECK(error.code == HM_BAD_CONDITION);
     CHECK(std::string(error.text) ==
           "condition 1 slips along 1 curves, but its `along` is NULL; give the curves again, "
-          "because a basis does not keep them");
+          "which hm_basis_along takes from a basis");
     of.condition();
     CHECK(of.off_circle() < 1e-11);
+}
+
+TEST_CASE("a basis keeps the curves for sliding: conditions restored from a copy of the block") {
+    Along of(circle(2, 11));
+    of.condition();
+    hm_curves const given = *of.its.conditions[1].along;
+    Options const options = options_of(HM_CONFORMAL);
+    Solved solved(of.its.problem(), &options);
+    hm_basis_info info;
+    HM_INIT(info);
+    REQUIRE(hm_basis_info_get(solved.basis, &info, nullptr) == HM_OK);
+    const char* const bytes = reinterpret_cast<const char*>(solved.basis);
+    std::vector<double> copy(info.bytes / sizeof(double) + 1);
+    std::memcpy(copy.data(), bytes, info.bytes);
+    const hm_basis* attached = nullptr;
+    hm_error error;
+    REQUIRE(hm_basis_attach(&attached, copy.data(), info.bytes, nullptr, &error) == HM_OK);
+
+    std::vector<hm_condition> back(2);
+    for (hm_condition& each : back) each.struct_size = sizeof each;
+    std::int32_t n = 0;
+    REQUIRE(hm_basis_conditions(attached, back.data(), 2, &n, nullptr) == HM_OK);
+    hm_curves found;
+    HM_INIT(found);
+    std::vector<hm_curve> curve(static_cast<std::size_t>(back[1].n_curves));
+    REQUIRE(hm_basis_along(attached, 1, &found, curve.data(), back[1].n_curves, &error) == HM_OK);
+    CHECK(found.n_control == given.n_control);
+    CHECK(std::equal(given.control, given.control + 2 * given.n_control, found.control));
+    REQUIRE(found.weights != nullptr);
+    CHECK(std::equal(given.weights, given.weights + given.n_control, found.weights));
+    CHECK(hm_curves_check(&found, &error) == HM_OK);
+    back[1].along = &found;
+    of.its.conditions = back;
+    Solved again(of.its.problem(), &options);
+    // The same conditions: the plan of one takes the basis of the other.
+    CHECK(hm_plan_solve(again.plan, solved.basis, nullptr, nullptr) == HM_OK);
+
+    CHECK(hm_basis_along(attached, 1, &found, curve.data(), 0, &error) == HM_BAD_ARGUMENT);
+    CHECK(std::string(error.text) == "curve has room for 0 curves, but the condition has 1");
+    CHECK(hm_basis_along(attached, 0, &found, curve.data(), 1, &error) == HM_BAD_ARGUMENT);
+    CHECK(std::string(error.text) ==
+          "condition 0 of the basis has no curves along which points slide");
+    CHECK(hm_basis_along(attached, 2, &found, curve.data(), 1, &error) == HM_BAD_ARGUMENT);
+    CHECK(std::string(error.text) == "condition 2 does not exist; the basis has 2");
 }
 
 TEST_CASE("a plan takes functions only of its own curves for sliding") {

@@ -14,7 +14,7 @@ refuses "vtu: three dimensions in earnest" 'cell 0 is of type 12 with 4 points' 
     "$harmorph" check "$tmp/bad.vtu"
 change 's/type="UnstructuredGrid"/type="PolyData"/'
 refuses "vtu: another kind of data" \
-    "bad.vtu:3: expected a file of type UnstructuredGrid (ParaView's filter Append Datasets" \
+    "bad.vtu:3: expected a file of type UnstructuredGrid or StructuredGrid (ParaView's filter" \
     "$harmorph" check "$tmp/bad.vtu"
 change 's/NumberOfPoints="168"/NumberOfPoints="169"/'
 refuses "vtu: too few points" "expected a coordinate of a point, found the end of the numbers" \

@@ -65,7 +65,7 @@ void check_preconditioner(Case its) {
     REQUIRE(engine.set_up(front.rows, fault) == harmorph::Status::ok);
     REQUIRE(engine.levels.count == 2);
     REQUIRE(engine.has_bottom);
-    harmorph::block::Cycle<4> const cycle(engine, engine.vectors.data());
+    harmorph::block::Cycle<4> cycle(engine, engine.vectors.data());
     std::size_t const n = 4 * static_cast<std::size_t>(front.rows.n);
     std::vector<double> x, bx(n);
     std::mt19937 random(2);

@@ -48,7 +48,7 @@ void print_json(const Solver& solver, const Stored& stored, const Mesh& mesh,
         .add("max_value", report.max_value)
         .add("residual", report.residual);
     object.add("iterations", report.iterations)
-        .add("sweeps", report.fine_sweeps)
+        .add("work", report.work)
         .add("levels", report.levels);
     object.add("setup_seconds", times.setup)
         .add("factor_seconds", times.factor)
@@ -70,8 +70,9 @@ void print_for_people(const Solver& solver, const Stored& stored, const Mesh& me
     print("residual         %s (function %d)\n", brief(report.residual).c_str(),
           report.residual_function + 1);
     if (report.iterations > 0) {
-        print("iterations       %s on %s, %s over the finest\n", brief(report.iterations).c_str(),
-              plural(report.levels, "level").c_str(), plural(report.fine_sweeps, "sweep").c_str());
+        print("iterations       %s on %s, the work of %s sweeps over the finest\n",
+              brief(report.iterations).c_str(), plural(report.levels, "level").c_str(),
+              brief(report.work).c_str());
     }
     if (report.curve_points > 0) {
         print("boundary error   %s", brief(report.boundary_error).c_str());
@@ -179,7 +180,7 @@ void run_solve(const Arguments& arguments) {
         write_history(files.add(arguments.text("--history")), history, solver.report().iterations);
     }
     if (converged || arguments.has("--force"))
-        write_basis(files.add(path), stored.basis(), mesh, task.conditions);
+        write_basis(files.add(path), stored.basis(), mesh);
     files.commit();
     if (arguments.has("--json")) {
         print_json(solver, stored, mesh, times);
@@ -239,7 +240,7 @@ const Command solve_command = {
             {"--json", nullptr,
              "print one JSON object: points, cells, functions, boundary_error, partition_defect, "
              "min_value,\n"
-             "max_value, residual, iterations, sweeps (over the finest level), levels, "
+             "max_value, residual, iterations, work (in sweeps over the finest level), levels, "
              "setup_seconds,\n"
              "factor_seconds (engines that iterate: of agglomeration), solve_seconds, plan_bytes, "
              "basis_bytes,\n"

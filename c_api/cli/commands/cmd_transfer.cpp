@@ -142,7 +142,7 @@ void run_transfer(const Arguments& arguments) {
     transfer.run(mesh);
     const Stored stored(arguments, fine, transfer.transferred());
     OutputFiles files;
-    write_basis(files.add(path), stored.basis(), fine, task.conditions);
+    write_basis(files.add(path), stored.basis(), fine);
     files.commit();
     if (arguments.has("--json")) {
         print_json(transfer, fine, basis);

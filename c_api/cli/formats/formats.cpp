@@ -4,6 +4,7 @@
 #include "basics/failure.hpp"
 #include "formats/deflate.hpp"
 #include "formats/tidy.hpp"
+#include "formats/vtk_parallel.hpp"
 #include "basics/output_file.hpp"
 
 #include <algorithm>
@@ -108,6 +109,9 @@ std::vector<std::string> files_beside_mesh(const std::string& path) {
             candidates.push_back(folder / name);
             candidates.push_back(folder / (std::string(name) + ".gz"));
         }
+    }
+    if (mesh.extension() == ".pvtu") {
+        for (const std::string& piece : piece_files(mesh.string())) candidates.push_back(piece);
     }
     std::vector<std::string> files;
     std::error_code ignored;

@@ -14,6 +14,10 @@ namespace {
 
 constexpr std::string_view parallel_type = "PUnstructuredGrid";
 
+std::filesystem::path piece_path(const TextFile& parallel, const std::string& source) {
+    return std::filesystem::path(parallel.path()).parent_path() / source;
+}
+
 class JoinedPieces {
 public:
     explicit JoinedPieces(const TextFile& parallel) : parallel_(parallel) {}
@@ -76,8 +80,7 @@ TextFile JoinedPieces::join() {
 void JoinedPieces::add_file(const XmlTag& tag) {
     const std::string source(tag.attribute("Source"));
     if (source.empty()) parallel_.fail(tag.begin, "the piece has no attribute Source");
-    const std::filesystem::path path =
-        std::filesystem::path(parallel_.path()).parent_path() / source;
+    const std::filesystem::path path = piece_path(parallel_, source);
     if (!names_.insert(path.lexically_normal()).second)
         parallel_.fail(tag.begin, "the file " + in_quotes(source) + " is named a second time");
     std::error_code ignored;
@@ -169,5 +172,20 @@ bool is_parallel_vtk(const TextFile& file) {
 }
 
 TextFile joined_pieces(const TextFile& parallel) { return JoinedPieces(parallel).join(); }
+
+std::vector<std::string> piece_files(const std::string& parallel) {
+    std::vector<std::string> paths;
+    try {
+        const TextFile file(parallel);
+        XmlReader tags(file);
+        while (tags.next()) {
+            const std::string source(tags.tag().attribute("Source"));
+            if (!source.empty()) paths.push_back(piece_path(file, source).string());
+        }
+    } catch (const Failure&) {
+        paths.clear();  // The reader of the mesh says what is wrong with the file.
+    }
+    return paths;
+}
 
 }  // namespace cli

@@ -1,4 +1,4 @@
-// VTK's XML files of unstructured grids (.vtu, .pvtu,
+// VTK's XML files of unstructured grids (.vtu, .pvtu) and of structured grids (.vts,
 // https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html), of one piece or
 // several, in two dimensions or one cell thick. Arrays are in text, in base64, or behind each other
 // in the section AppendedData, also compressed by zlib. Pieces meet where their points have equal
@@ -59,7 +59,14 @@ void VtkXmlReader::read() {
     for (const VtkPiece& piece : content_.pieces) {
         first_point_ = elements_.points.points();
         if (piece.n_points > 0) read_points(piece);
-        if (piece.n_cells > 0) read_cells(piece);
+        if (content_.is_structured) {
+            if (!add_vtk_blocks(piece.size, first_point_, elements_)) {
+                mesh_.file.fail(piece.tag,
+                                "the grid has no cells, as two directions have one point");
+            }
+        } else if (piece.n_cells > 0) {
+            read_cells(piece);
+        }
         check_total(piece);
     }
     build_mesh(mesh_, elements_);
@@ -250,7 +257,7 @@ void create_vtu(std::ostream& out, const Mesh& mesh) { write_vtu(out, mesh); }
 }  // namespace
 
 const Format vtk_xml_format = {
-    "vtu",     ".vtu",   "VTK XML unstructured grids: text, base64, appended, zlib",
+    "vtu",     ".vtu",   "VTK XML unstructured and structured grids: text, base64, appended, zlib",
     probe_vtu, read_vtu, create_vtu,
     false};
 

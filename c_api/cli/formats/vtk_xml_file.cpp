@@ -3,6 +3,8 @@
 #include "formats/bytes.hpp"
 #include "basics/numbers.hpp"
 
+#include <sstream>
+
 namespace cli {
 
 namespace {
@@ -17,6 +19,7 @@ private:
     void read_head();
     void read_array();
     void begin_piece();
+    void read_extent();
     VtkArray* place_of(std::string_view name);
     std::int64_t count(std::string_view key) const;
     const XmlTag& tag() const { return tags_.tag(); }
@@ -56,10 +59,11 @@ void TagReader::read_tag() {
 
 void TagReader::read_head() {
     const std::string_view type = tag().attribute("type");
-    if (type != "UnstructuredGrid") {
+    found_.is_structured = type == "StructuredGrid";
+    if (!found_.is_structured && type != "UnstructuredGrid") {
         file_.fail(tag().begin,
-                   "expected a file of type UnstructuredGrid (ParaView's filter "
-                   "Append Datasets makes such a grid), found " +
+                   "expected a file of type UnstructuredGrid or StructuredGrid (ParaView's filter "
+                   "Append Datasets makes the first of other kinds), found " +
                        in_quotes(type));
     }
     found_.encoding = vtk_encoding(file_, tag());
@@ -68,8 +72,30 @@ void TagReader::read_head() {
 void TagReader::begin_piece() {
     found_.pieces.emplace_back();
     found_.pieces.back().tag = tag().begin;
+    if (found_.is_structured) return read_extent();
     found_.pieces.back().n_points = count("NumberOfPoints");
     found_.pieces.back().n_cells = count("NumberOfCells");
+}
+
+// An extent has the first and the last point along i, j and k.
+void TagReader::read_extent() {
+    VtkPiece& piece = found_.pieces.back();
+    const std::string_view extent = tag().attribute("Extent");
+    std::istringstream numbers{std::string(extent)};
+    piece.n_points = 1;
+    for (std::int64_t& n : piece.size) {
+        std::int64_t first = 0, last = -1;
+        numbers >> first >> last;
+        if (!numbers || first < 0 || last < first || last > INT32_MAX - 1 ||
+            piece.n_points > INT32_MAX / (last - first + 1)) {
+            file_.fail(tag().begin,
+                       "expected an Extent of six whole numbers, the first and the last point "
+                       "along i, j and k, found " +
+                           in_quotes(extent));
+        }
+        n = last - first + 1;
+        piece.n_points *= n;
+    }
 }
 
 // Returns the member of the present piece that the array belongs to, or NULL for other arrays.

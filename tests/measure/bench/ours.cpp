@@ -55,6 +55,7 @@ Phases Ours::run() {
     options.engine = engine_;
     options.precision = precision_;
     if (engine_ != HM_DIRECT) options.block_width = 4;
+    if (engine_ == HM_FAS) options.cycle = HM_CYCLE_IMPROVED;
     options.progress = Clock::told;
     options.progress_user = &clock;
 

@@ -122,7 +122,7 @@ public:
         solver.run();
         seconds_ = seconds() - begin;
         cli::OutputFiles files;
-        cli::write_basis(files.add(path), solver.basis(), mesh, task.conditions);
+        cli::write_basis(files.add(path), solver.basis(), mesh);
         files.commit();
         basis_ = std::make_unique<cli::Basis>(path, mesh);
     }

@@ -47,7 +47,7 @@ public:
         solver_.run();  // the first one warms up
         seconds_ = solver_.times().setup + solver_.times().factor + solver_.times().solve;
         cli::OutputFiles files;
-        cli::write_basis(files.add(path), solver_.basis(), mesh, task_.conditions);
+        cli::write_basis(files.add(path), solver_.basis(), mesh);
         files.commit();
         basis_ = std::make_unique<cli::Basis>(path, mesh);
     }

@@ -84,7 +84,7 @@ Counts count(const std::string& name, const cli::Mesh& mesh, cli::Task task,
         cli::Solver solver(mesh, task, threads);
         solver.run();
         cli::OutputFiles files;
-        cli::write_basis(files.add(path), solver.basis(), mesh, task.conditions);
+        cli::write_basis(files.add(path), solver.basis(), mesh);
         files.commit();
     }
     const cli::Basis basis(path, mesh);
