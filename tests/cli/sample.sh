@@ -56,6 +56,12 @@ check "sample: normals of walls point into the mesh" awk -v file="$tmp/wall" 'BE
     END { print n, bad; exit !(n == 48 && NR == 10 && !bad) }' "$tmp/normals"
 check "sample: arc lengths grow" awk '{ if ($1 != 0) bad++; for (k = 2; k <= NF; k++) if ($k <= $(k - 1)) bad++
         if ($NF < 5.5 || $NF > 7) bad++ } END { exit !(NR == 10 && !bad) }' "$tmp/arcs"
+# Distances to the walls: 0 there, and of the outer circle near 3, the distance without a movement.
+check "sample: distances to walls" set_of "$tmp/distances" --wall-distance
+"$tmp/read_npz" "$tmp/distances/shards/00003.distance.npz" wall_distance >"$tmp/numbers"
+check "sample: distances to walls: values" awk '{ for (k = 1; k <= 48; k++) bad += $k != 0
+        for (k = 577; k <= 624; k++) bad += $k < 2.9 || $k > 3.1 }
+    END { print NR, NF, bad; exit !(NR == 5 && NF == 624 && !bad) }' "$tmp/numbers"
 python=python3
 if [ -x /usr/bin/python3 ]; then python=/usr/bin/python3; fi
 if $python -c 'import numpy' >/dev/null 2>&1; then

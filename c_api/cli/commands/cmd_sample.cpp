@@ -75,7 +75,9 @@ public:
             arguments.refuse("--meshes: a mesh in a folder cannot be written many times");
         for (const char* const name : final_files)
             refuse_overwriting(arguments, {FileUse::output, "a file of -o,", folder_.file(name)});
-        if (arguments.has("--wall")) make_walls();
+        if (arguments.has("--wall")) walls_ = std::make_unique<WallChains>(mesh_, moving_markers());
+        if (arguments.has("--wall-distance"))
+            distances_ = std::make_unique<WallDistances>(mesh_, moving_markers(), threads_);
     }
 
     void run() {
@@ -99,11 +101,11 @@ private:
         return {begin, begin + static_cast<std::ptrdiff_t>(table_.first_parameter())};
     }
 
-    void make_walls() {
+    std::vector<std::int32_t> moving_markers() const {
         std::vector<std::int32_t> markers;
         for (const hm_condition& one : basis_.conditions())
             if (one.kind == HM_ON_CURVE || one.kind == HM_RIGID) markers.push_back(one.marker);
-        walls_ = std::make_unique<WallChains>(mesh_, markers);
+        return markers;
     }
 
     std::size_t batch_size() const {
@@ -115,7 +117,7 @@ private:
 
     // Makes the designs that follow the given one until a shard is full. Returns the next design.
     std::int64_t run_shard(std::int64_t next) {
-        SampleShard shard(folder_, shards_ + 1, mesh_, table_, walls_.get());
+        SampleShard shard(folder_, shards_ + 1, mesh_, table_, walls_.get(), distances_.get());
         while (next < space_.count() && shard.accepted() < per_shard_) {
             std::vector<MorphedDesign> batch(static_cast<std::size_t>(
                 std::min<std::int64_t>(space_.count() - next, std::int64_t(batch_size()))));
@@ -307,6 +309,7 @@ private:
     std::int64_t per_shard_, shards_ = 0, begin_ = 0;
     bool has_meshes_, has_vtk_;
     std::unique_ptr<WallChains> walls_;
+    std::unique_ptr<WallDistances> distances_;
     ProgressBar bar_;
     Stopwatch watch_;
 };
@@ -344,6 +347,8 @@ const Command sample_command = {
              "boundary first touches itself"},
             {"--wall", nullptr,
              "also points of the moving walls in order, their unit normals and arc lengths"},
+            {"--wall-distance", nullptr,
+             "also the distances of all points to the moving walls, in shards/*.distance.npz"},
             {"--meshes", nullptr, "also each accepted mesh in the format of MESH, in DIR/meshes"},
             {"--vtk", nullptr,
              "also each accepted mesh as .vtu with its displacement, and DIR/vtk/series.pvd for\n"

@@ -3,6 +3,7 @@
 //     set.txt              the options and the check sums of the files that the set was made from
 //     shards/00001.csv     the designs of a shard, rejected ones too
 //     shards/00001.npz     the accepted designs of the shard
+//     shards/00001.distance.npz   the distances to the walls
 //     meshes/, vtk/        files of single meshes
 //     designs.csv, index.html, README.md   when all designs are done
 //
@@ -21,6 +22,9 @@ public:
     std::string file(const std::string& name) const { return path_ + "/" + name; }
     std::string table_of(std::int64_t shard) const { return shard_file(shard, ".csv"); }
     std::string arrays_of(std::int64_t shard) const { return shard_file(shard, ".npz"); }
+    std::string distances_of(std::int64_t shard) const {
+        return shard_file(shard, ".distance.npz");
+    }
     // Returns the file of one mesh; designs are counted from 0 here and from 1 in names.
     std::string mesh_of(std::int64_t design, const std::string& ending) const;
     std::string vtk_of(std::int64_t design) const;

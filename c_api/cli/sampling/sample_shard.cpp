@@ -5,16 +5,23 @@
 namespace cli {
 
 SampleShard::SampleShard(const SampleFolder& folder, std::int64_t number, const Mesh& mesh,
-                         const SampleTable& table, const WallChains* walls)
+                         const SampleTable& table, const WallChains* walls,
+                         WallDistances* distances)
     : number_(number),
       mesh_(mesh),
       table_(table),
       walls_(walls),
       csv_(files_.add(folder.table_of(number))),
+      distances_(distances),
+      distance_out_(distances == nullptr ? nullptr : &files_.add(folder.distances_of(number))),
       out_(files_.add(folder.arrays_of(number))),
       npz_(out_) {
+    const auto points = static_cast<std::uint64_t>(mesh.points());
     table.write_names(csv_);
-    npz_.begin("coordinates", {static_cast<std::uint64_t>(mesh.points()), 2});
+    npz_.begin("coordinates", {points, 2});
+    if (distances == nullptr) return;
+    distance_npz_ = std::make_unique<NpzWriter>(*distance_out_);
+    distance_npz_->begin("wall_distance", {points});
 }
 
 void SampleShard::append(std::vector<double>& to, const std::vector<double>& from) const {
@@ -30,10 +37,12 @@ void SampleShard::add(SampleRow row, const MorphedDesign& result) {
         append(control_, result.control);
         designs_.push_back(static_cast<std::int32_t>(row.design + 1));
         splits_.push_back(row.split == "train" ? 0 : row.split == "test" ? 1 : 2);
+        if (distance_npz_) distance_npz_->append(distances_->values(result.coordinates));
         if (walls_ != nullptr) walls_->measure(result.coordinates, normals_, arcs_);
     }
     table_.write(csv_, row);
-    if (!out_ || !csv_) files_.commit();  // throws the Failure that names the file and the reason
+    const bool is_full = !out_ || !csv_ || (distance_out_ != nullptr && !*distance_out_);
+    if (is_full) files_.commit();  // throws the Failure that names the file and the reason
 }
 
 void SampleShard::commit() {
@@ -66,6 +75,10 @@ void SampleShard::commit() {
         npz_.add("wall_arc_length", arcs_, {n, w});
     }
     npz_.finish();
+    if (distance_npz_) {
+        distance_npz_->end(n);
+        distance_npz_->finish();
+    }
     files_.commit();
 }
 
@@ -94,7 +107,9 @@ std::string SampleShard::description(const SampleTable& table, const Mesh& mesh,
            "| wall_points, wall_start | w; pieces + 1 | points of the moving walls in order, piece "
            "by piece |\n"
            "| wall_normals | n, w, 2 | unit normals at these points, into the mesh |\n"
-           "| wall_arc_length | n, w | arc length from the first point of the piece |\n";
+           "| wall_arc_length | n, w | arc length from the first point of the piece |\n"
+           "| wall_distance | n, " +
+           p + " | in `*.distance.npz` (--wall-distance): distances to the nearest moving wall |\n";
 }
 
 }  // namespace cli

@@ -6,6 +6,7 @@
 #include "sampling/npz.hpp"
 #include "sampling/sample_table.hpp"
 #include "sampling/wall_chains.hpp"
+#include "sampling/wall_distances.hpp"
 
 #include <memory>
 #include <vector>
@@ -14,9 +15,9 @@ namespace cli {
 
 class SampleShard {
 public:
-    // walls: NULL if the set has no arrays of walls.
+    // walls, distances: NULL if the set has no arrays of walls, or no distances to them.
     SampleShard(const SampleFolder& folder, std::int64_t number, const Mesh& mesh,
-                const SampleTable& table, const WallChains* walls);
+                const SampleTable& table, const WallChains* walls, WallDistances* distances);
     SampleShard(const SampleShard&) = delete;
 
     std::int64_t accepted() const { return accepted_; }
@@ -36,8 +37,11 @@ private:
     const WallChains* walls_;
     OutputFiles files_;
     std::ostream& csv_;
-    std::ostream& out_;
+    WallDistances* distances_;
+    std::ostream* distance_out_;  // NULL: there are no distances
+    std::ostream& out_;           // the last file, which makes the shard complete
     NpzWriter npz_;
+    std::unique_ptr<NpzWriter> distance_npz_;
     std::vector<double> numbers_, control_, normals_, arcs_;
     std::vector<std::int32_t> designs_;
     std::vector<std::uint8_t> splits_;
