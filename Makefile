@@ -186,8 +186,7 @@ amalgamation:
 	@rm -rf $(BUILD)/amalgamation
 	@mkdir -p $(BUILD)/amalgamation
 	@sh c_api/packaging/amalgamate.sh >$(BUILD)/amalgamation/harmorph.cpp
-	@cp include/harmorph.h include/harmorph_design.h include/harmorph_space.h include/harmorph_parts.h \
-	    include/harmorph_study.h include/harmorph_fields.h $(BUILD)/amalgamation/
+	@for header in `cat fortran/harmorph/headers`; do cp include/$$header $(BUILD)/amalgamation/; done
 
 check-link: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' sh tests/check_link.sh $(BUILD)
@@ -231,6 +230,7 @@ demo: all
 # What lies where after an installation; uninstall takes the same list away.
 INSTALLED = bin/harmorph share/man/man1/harmorph.1 lib/libharmorph.so* include/harmorph.h include/harmorph_design.h \
 	include/harmorph_space.h include/harmorph_parts.h include/harmorph_study.h include/harmorph_openmp.h \
+	include/harmorph_quality.h \
 	include/harmorph_pthreads.h include/harmorph_mpi.h include/harmorph_petsc.h include/harmorph_pages.h \
 	include/harmorph_fields.h \
 	lib/libharmorph.a lib/pkgconfig/harmorph.pc \

@@ -9,10 +9,11 @@
  *
  * This header suffices for a solver on one process. The other headers contain, by topic:
  *   harmorph_design.h  evaluation, refinement and measures of curves, variables, derived bases
+ *   harmorph_study.h   diagnostics, and the schemes and engines of the paper
  *   harmorph_fields.h  swept areas, wall distances, coarse levels, interpolation of fields
  *   harmorph_space.h   meshes one cell thick, blocks in arrays of their own, meshes given as edges
  *   harmorph_parts.h   functions and meshes shared among processes (harmorph_mpi.h, _petsc.h)
- *   harmorph_study.h   diagnostics, and the schemes and engines of the paper
+ *   harmorph_quality.h smooth bounds of the quality of a mesh, with derivatives, for optimisers
  *   harmorph_openmp.h, harmorph_pthreads.h, harmorph_pages.h   ready-made threads, huge pages
  *
  * CONVENTIONS hold for every function of these headers.
@@ -568,8 +569,7 @@ typedef struct hm_solve_report {
     double max_distance;          /* [length] largest distance of a curve point from its curve */
     int32_t max_distance_point;   /* the point with that distance */
     int32_t curve_points;         /* mesh points on curves */
-    int32_t refinements;          /* steps of iterative refinement */
-    int32_t reserved;             /* 0 */
+    int32_t refinements, reserved; /* steps of iterative refinement; 0 */
     int64_t factor_entries;       /* numbers in the factor; 0: there is no factor */
     int32_t iterations, levels;   /* of engines that iterate, see harmorph_study.h */
     double work;                  /* of engines that iterate, see harmorph_study.h */

@@ -2,7 +2,7 @@
 # Includes point only downwards. The rooms of the core, bottom to top: a file may include what is in a room below, or in
 # its own room; within a room headers include each other without a circle. The folder of a file is its room.
 rooms='base simd mesh space bspline boundary dense ordering basis operators parts direct multigrid plan morph safe fields'
-# Of the standard library the core may use what a freestanding compiler has, and mem*.
+# The core may use those parts of the standard library that a freestanding compiler has, and mem*.
 freestanding='cstddef|cstdint|cfloat|climits|limits|type_traits|new|cstring|immintrin\.h|arm_neon\.h|cpuid\.h'
 
 topic=includes
@@ -101,7 +101,7 @@ else
     skip "the layout of the sources" "clang-format is not installed"
 fi
 
-# What stands at the top; a test that leaves something there would have it committed one day.
+# The files of the top folder; files that a test leaves there could be committed by mistake.
 if tracked=$(git ls-files 2>/dev/null); then
     is_empty "the top of the sources" "$(echo "$tracked" | sed 's|/.*||' | sort -u |
         grep -vxE 'Makefile|CMakeLists\.txt|include|src|c_api|fortran|tests|README\.md|LICENSE|\..*')"

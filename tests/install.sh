@@ -26,6 +26,7 @@ cat >"$dir/expected" <<END
 ./include/harmorph_parts.h
 ./include/harmorph_petsc.h
 ./include/harmorph_pthreads.h
+./include/harmorph_quality.h
 ./include/harmorph_space.h
 ./include/harmorph_study.h
 ./lib/cmake/harmorph/harmorphConfig.cmake

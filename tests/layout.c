@@ -7,6 +7,7 @@
 #include <harmorph_parts.h>
 #include <harmorph_space.h>
 #include <harmorph_study.h>
+#include <harmorph_quality.h>
 
 int32_t layout_of(int32_t number, int64_t* numbers);
 

@@ -25,7 +25,7 @@ block() {   # page, language, number: the fenced block
 block README.md c 1 >"$dir/morph.c"
 block README.md fortran 1 >"$dir/morph.f90"
 block README.md python 1 >"$dir/morph.py"
-# What the pages call make, cc and gfortran is what the tests are run with, in the tests' build directory.
+# The commands make, cc and gfortran of the pages are those of the tests, in the build directory of the tests.
 cat >"$dir/tools" <<'END'
 HOME=$dir/home
 make() { command $MAKE "$@" BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS"; }
@@ -34,7 +34,7 @@ python3() { command $PYTHON "$@"; }
 # The package is linked with the library of the tests, and its own sources are not optimised.
 HARMORPH_LIBRARY=$build/libharmorph.a HARMORPH_BUILD=$dir/python
 export HARMORPH_LIBRARY HARMORPH_BUILD
-# As debugging builds of solvers do: what traps these must not die in the library.
+# Debugging builds of solvers trap floating-point exceptions; the library must not raise any.
 traps=; if $FC --version 2>/dev/null | grep -q '^GNU'; then traps=-ffpe-trap=invalid,zero,overflow; fi
 gfortran() { command $FC $traps "$@"; }
 set -e
@@ -118,7 +118,7 @@ check "lines of C on other pages compile" lines_of_c
 check "lines of Fortran on other pages compile" lines_of_fortran
 check "lines of FORTRAN 77 have the arguments of what they call" lines_of_fortran_77
 
-# As the page says it: harmorph_mpi.c by mpicc, harmorph_mpi.f90 by mpifort; see tests/mpi.sh.
+# The page compiles harmorph_mpi.c by mpicc and harmorph_mpi.f90 by mpifort; see tests/mpi.sh.
 . "$(dirname "$0")/processes.sh"
 block c_api/mpi/README.md fortran 1 >"$dir/readme_mpi.inc"
 several_processes() {

@@ -79,6 +79,7 @@ struct FaceDistance {
 
     void lay_out(Arena& arena, Size max_faces) noexcept;
 
+    Span<const Face> chosen() const noexcept { return faces.first(count); }
     // Chooses the faces for which is_chosen(face) holds.
     template <class IsChosen>
     void choose(Boundary const& boundary, IsChosen is_chosen) noexcept;

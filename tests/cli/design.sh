@@ -52,7 +52,7 @@ same_points() { paste -d ' ' "$1" "$2" | awk 'NF % 2 == 0 { for (i = 1; i <= NF 
 check "moved by modes: as displaced" same_points "$tmp/by-modes.su2" "$tmp/displaced.su2"
 refuses "modes without --given" 2 '--given' solve "$mesh" --mode "$tmp/plunge" -o "$tmp/x"
 sed 1d "$tmp/plunge" >"$tmp/fewer"
-refuses "a mode of fewer points" 3 'has not the points' solve "$mesh" --given airfoil \
+refuses "a mode of fewer points" 3 'does not have the points' solve "$mesh" --given airfoil \
     --mode "$tmp/plunge" --mode "$tmp/fewer" -o "$tmp/x"
 sed 's/ 0 1$/ 0 0/' "$tmp/plunge" >"$tmp/zero"
 refuses "a mode that is zero" 2 'mode 0 is zero' solve "$mesh" --given airfoil \

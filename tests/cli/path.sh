@@ -54,7 +54,7 @@ check "a moved mesh only warns: says so" says 'warning'
 for kept in 5 100 4000; do
     head -c $kept "$basis" >"$tmp/short.basis"
     refuses "a basis file cut off after $kept bytes" \
-        3 "short.basis: the file is cut off: it has $kept bytes, at least" \
+        3 "short.basis: the file is cut off: it has $kept bytes, but at least" \
         morph "$ring" "$tmp/short.basis" --move "$no_moves"
 done
 : >"$tmp/short.basis"

@@ -24,8 +24,7 @@ SensitivityColumns columns_of(const Arguments& arguments) {
     if (arguments.has("--y")) columns.y = arguments.text("--y");
     if (!arguments.has("--normal")) {
         for (const char* option : {"--into", "--per-length"})
-            if (arguments.has(option))
-                arguments.refuse(std::string(option) + " goes with --normal");
+            if (arguments.has(option)) arguments.refuse(std::string(option) + " needs --normal");
         return columns;
     }
     for (const char* option : {"--x", "--y"})

@@ -213,7 +213,7 @@ Movement movement_of(const Arguments& arguments, const Mesh& mesh, const Task& t
             movable.n_bodies = std::max(movable.n_bodies, condition.body + 1);
     }
     if (arguments.has("--move") && movable.functions() == 0)
-        arguments.refuse("--move goes with --curve or --rigid");
+        arguments.refuse("--move needs --curve or --rigid");
     movement.moves.resize(2 * static_cast<std::size_t>(movable.functions()));
     if (arguments.has("--move"))
         movement.moves = read_moves(arguments.text("--move"), movable, mesh);
@@ -250,11 +250,12 @@ void run_displace(const Arguments& arguments) {
     for (const char* const option :
          {"--min-quality", "--max-height-change", "--strict", "--heights"}) {
         if (!arguments.has("--safe") && arguments.has(option))
-            arguments.refuse(std::string(option) + " goes with --safe");
+            arguments.refuse(std::string(option) + " needs --safe");
     }
     const Mesh mesh = read_mesh(arguments, 0);
     if (compares_operators(arguments) && arguments.has("--exponent"))
-        arguments.refuse("--exponent does not go with --operator auto");
+        arguments.refuse(
+            "--exponent cannot be used with --operator auto, which compares operators");
     const Task task = task_of(arguments, mesh);
     const Movement movement = movement_of(arguments, mesh, task);
     const Threads threads(threads_of(arguments));

@@ -53,9 +53,10 @@ hm_variables variables_of(const Arguments& arguments, std::vector<double>& peaks
         peaks = number_list(arguments, "--naca");
         variables.n_upper = static_cast<std::int32_t>(peaks.size());
     }
-    if (kinds != 1) arguments.refuse("one of --ffd, --cst, --hicks-henne and --naca is needed");
+    if (kinds != 1)
+        arguments.refuse("exactly one of --ffd, --cst, --hicks-henne and --naca is needed");
     if (arguments.has("--peaks")) {
-        if (variables.kind != HM_HICKS_HENNE) arguments.refuse("--peaks goes with --hicks-henne");
+        if (variables.kind != HM_HICKS_HENNE) arguments.refuse("--peaks needs --hicks-henne");
         peaks = number_list(arguments, "--peaks");
         if (peaks.size() !=
             static_cast<std::size_t>(std::max(variables.n_upper + variables.n_lower, 0))) {
@@ -66,7 +67,7 @@ hm_variables variables_of(const Arguments& arguments, std::vector<double>& peaks
     if (arguments.has("--box")) {
         const std::vector<double> box = number_list(arguments, "--box");
         if (variables.kind != HM_FFD || box.size() != 4)
-            arguments.refuse("--box goes with --ffd and expects X,Y,X,Y");
+            arguments.refuse("--box needs --ffd and expects X,Y,X,Y");
         variables.x_min = box[0];
         variables.y_min = box[1];
         variables.x_max = box[2];

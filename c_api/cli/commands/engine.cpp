@@ -48,7 +48,7 @@ void set_engine(const Arguments& arguments, SolveOptions& options) {
     options.precision =
         arguments.choice("--precision", {{"double", HM_DOUBLE}, {"single", HM_SINGLE}});
     if (options.engine != HM_DIRECT && arguments.has("--precision"))
-        arguments.refuse("--precision goes with --engine direct");
+        arguments.refuse("--precision needs --engine direct");
     set_agglomeration(arguments, options);
     options.start =
         arguments.choice("--start", {{"fmg", HM_START_COARSEST}, {"zero", HM_START_ZERO}});
@@ -56,12 +56,12 @@ void set_engine(const Arguments& arguments, SolveOptions& options) {
         arguments.choice("--cycle", {{"paper", HM_CYCLE_PAPER}, {"improved", HM_CYCLE_IMPROVED}});
     for (const char* option : {"--start", "--cycle"}) {
         if (options.engine != HM_FAS && arguments.has(option))
-            arguments.refuse(std::string(option) + " goes with --engine fas");
+            arguments.refuse(std::string(option) + " needs --engine fas");
     }
     if (arguments.has("--levels")) options.levels = arguments.whole("--levels", 0, 1, 20);
     for (const char* option : {"--levels", "--agglomeration", "--history"}) {
         if (options.engine == HM_DIRECT && arguments.has(option)) {
-            arguments.refuse(std::string(option) + " goes with --engine multigrid or fas");
+            arguments.refuse(std::string(option) + " needs --engine multigrid or fas");
         }
     }
 }

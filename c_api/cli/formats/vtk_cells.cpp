@@ -81,7 +81,8 @@ void add_vtk_cells(const TextFile& file, const VtkCells& cells, std::int32_t fir
             if (point < 0 || point >= n_points) {
                 const std::string last = std::to_string(n_points - 1),
                                   found = std::to_string(point);
-                file.fail(offset, "expected points between 0 and " + last + ", found " + found);
+                file.fail(offset, "the file needs points between 0 and " + last + " here, but " +
+                                      found + " follows");
             }
             elements.nodes.push_back(first_point + static_cast<std::int32_t>(point));
         }

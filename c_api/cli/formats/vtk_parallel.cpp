@@ -57,7 +57,8 @@ TextFile JoinedPieces::join() {
         if (tag.name == "Piece") add_file(tag);
     }
     if (names_.empty())
-        parallel_.fail(parallel_.text().size(), "expected <Piece, found the end of the file");
+        parallel_.fail(parallel_.text().size(),
+                       "the file needs <Piece here, but the end of the file follows");
     text_ += "</UnstructuredGrid>\n";
     if (!appended_kind_.empty()) {
         text_ += "<AppendedData encoding=\"" + appended_kind_ + "\">\n_";
@@ -98,7 +99,8 @@ void JoinedPieces::copy(const TextFile& file, std::size_t begin, std::size_t end
 void JoinedPieces::read_head(const TextFile& file, const XmlTag& tag) {
     const std::string_view type = tag.attribute("type");
     if (type != "UnstructuredGrid") {
-        file.fail(tag.begin, "expected a piece of type UnstructuredGrid, found " + in_quotes(type));
+        file.fail(tag.begin,
+                  "the type of a piece must be UnstructuredGrid, not " + in_quotes(type));
     }
     const VtkEncoding encoding = vtk_encoding(file, tag);
     if (text_.empty()) {
@@ -130,7 +132,7 @@ void JoinedPieces::add_pieces(const TextFile& file) {
             read_head(file, tag);
             has_head = true;
         } else if (!has_head) {
-            file.fail(tag.begin, "expected <VTKFile");
+            file.fail(tag.begin, "the file needs <VTKFile here");
         } else if (tag.name == "Piece" && copied == 0) {
             copied = tag.begin;
         }
@@ -145,7 +147,9 @@ void JoinedPieces::add_pieces(const TextFile& file) {
         text_ += std::to_string(before + appended_offset(file, tag));
         copied += offset.size();
     }
-    if (!has_head) file.fail(file.text().size(), "expected <VTKFile, found the end of the file");
+    if (!has_head)
+        file.fail(file.text().size(),
+                  "the file needs <VTKFile here, but the end of the file follows");
     if (copied > 0) file.fail(copied, "the piece has no end </Piece>");
     if (tags.tag().name == "AppendedData") add_appended(file, tags.tag());
 }

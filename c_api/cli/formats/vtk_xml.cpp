@@ -129,8 +129,8 @@ VtkXmlReader::Source VtkXmlReader::source_of(const VtkArray& array, const char* 
         const std::size_t there = store_.file_size - as.appended;
         if (array.begin > there ||
             there - array.begin < static_cast<std::size_t>(as.header_bytes)) {
-            mesh_.file.fail(array.tag, "expected an offset between 0 and " + std::to_string(there) +
-                                           ", found '" + std::to_string(array.begin) + "'");
+            mesh_.file.fail(array.tag, "the offset must be between 0 and " + std::to_string(there) +
+                                           ", not '" + std::to_string(array.begin) + "'");
         }
         const char* const head = mesh_.file.text().data() + as.appended + array.begin;
         const std::int64_t length = as.header_bytes == 8 ? load<std::int64_t>(head, as.swapped)
@@ -164,11 +164,11 @@ void VtkXmlReader::read_points(const VtkPiece& piece) {
     const int bytes = array.type == "Float32" ? 4 : 8;
     begin_numbers(array, "Points", bytes);
     if (array.type != "Float32" && array.type != "Float64") {
-        mesh_.file.fail(array.tag, "expected points of type Float32 or Float64, found " +
+        mesh_.file.fail(array.tag, "the type of points must be Float32 or Float64, not " +
                                        in_quotes(array.type));
     }
     if (array.components != "3")
-        mesh_.file.fail(array.tag, "expected points with NumberOfComponents=\"3\"");
+        mesh_.file.fail(array.tag, "points must have NumberOfComponents=\"3\"");
     const NumberKind kind = !numbers_.is_binary ? NumberKind::text
                             : bytes == 4        ? NumberKind::real32
                                                 : NumberKind::real64;
@@ -213,8 +213,8 @@ void VtkXmlReader::read_wholes(const VtkArray& array, const char* name,
                                                             : 0;
     begin_numbers(array, name, bytes > 0 ? bytes : 1);
     if (bytes == 0) {
-        mesh_.file.fail(array.tag,
-                        "expected whole numbers of 8, 32 or 64 bits, found " + in_quotes(type));
+        mesh_.file.fail(array.tag, "whole numbers must have 8, 32 or 64 bits, but the type is " +
+                                       in_quotes(type));
     }
     while (!numbers_.at_end()) {
         values.push_back(numbers_.whole("a whole number", bytes));

@@ -39,7 +39,7 @@ bool attach(const hm_basis** basis, const Block& block, const hm_mesh* mesh,
         const std::string expected =
             std::to_string(block.size() + static_cast<std::size_t>(error.value));
         const std::string text =
-            "it has " + found + " bytes, at least " + expected + " are expected";
+            "it has " + found + " bytes, but at least " + expected + " are needed";
         throw Failure(exit_file, path + ": the file is cut off: " + text);
     }
     if (status < 0) refuse(error, path);
@@ -76,7 +76,7 @@ public:
         if (names.size() == static_cast<std::size_t>(n)) return names;
         throw Failure(exit_file, path_ + ": the file is cut off: it has " +
                                      std::to_string(names.size()) +
-                                     " names of markers, expected are " + std::to_string(n));
+                                     " names of markers, but must have " + std::to_string(n));
     }
 
 private:
@@ -88,7 +88,8 @@ private:
         return std::string_view(line_).substr(word.size());
     }
     [[noreturn]] void refuse(const char* text) const {
-        throw Failure(exit_file, path_ + ": " + text + ": solve it again with harmorph solve");
+        throw Failure(exit_file,
+                      path_ + ": " + text + "; solve the basis again with harmorph solve");
     }
 
     std::string path_;
@@ -128,9 +129,9 @@ void refuse_unknown_markers(const std::vector<hm_condition>& conditions, const s
 // these need.
 void refuse_other_functions(const hm_basis_info& info, const std::string& path) {
     if (info.combined > 0) {
-        throw Failure(
-            exit_file,
-            path + ": its functions are those of design variables, which only the library takes");
+        throw Failure(exit_file, path +
+                                     ": the functions of this basis are those of design variables, "
+                                     "which only the library takes");
     }
     // The functions take more bytes than this, so no array becomes much larger than the file.
     if (static_cast<std::uint64_t>(info.functions) <= info.bytes / sizeof(float)) return;

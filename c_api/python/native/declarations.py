@@ -9,7 +9,15 @@ the extension is built, and the C++ compiler compares all structs and constants 
 import re
 from pathlib import Path
 
-TOPICS = ("harmorph", "harmorph_design", "harmorph_space", "harmorph_parts", "harmorph_study")
+TOPICS = (
+    "harmorph",
+    "harmorph_design",
+    "harmorph_space",
+    "harmorph_parts",
+    "harmorph_study",
+    "harmorph_fields",
+    "harmorph_quality",
+)
 
 # The pool of threads of harmorph_pthreads.h consists of inline functions, which cffi cannot read.
 # The compiler checks these three lines against the header.

@@ -56,14 +56,14 @@ void bench_iterative(Settings const& settings, Report& report) {
                                engine.number);
                 Ours& ours = engine.number == HM_DIRECT ? direct : iterative;
                 Phases const once = ours.run();
-                hm_solve_report const& its = ours.report();
+                hm_solve_report const& measured = ours.report();
                 double const apart = engine.number == HM_DIRECT
                                          ? 0
                                          : difference(direct.basis(), ours.basis(), functions,
                                                       its_case.mesh.x.size());
-                table.add({its_case.name(), count(functions), engine.name, count(its.levels),
-                           count(its.iterations), count(its.work), seconds(once.engine()),
-                           count(ours.plan_bytes() / points), residual(its.residual),
+                table.add({its_case.name(), count(functions), engine.name, count(measured.levels),
+                           count(measured.iterations), count(measured.work), seconds(once.engine()),
+                           count(ours.plan_bytes() / points), residual(measured.residual),
                            residual(apart)});
             }
         }

@@ -36,7 +36,7 @@ fit() {
         --json >"$out/json" || fail "fitting $2"
     echo "  a fit to the mesh points of $2, degree $3, $4 points: $(number max_error) off at most"
 }
-# Which control points (first to last) move by how much: lines "index dx dy"
+# Writes lines "index dx dy": the control points (first to last) and their movement.
 equally() { awk -v a="$1" -v b="$2" -v dx="$3" -v dy="$4" 'BEGIN { for (i = a; i <= b; i++) print i, dx, dy }'; }
 
 echo "Figures 1 to 11 are numbered as in the paper; further figures have letters. Captions are our own words, and"

@@ -1,4 +1,4 @@
-# The same control points by harmonic and by conformal functions. Part of run.sh.
+# Moves control points by harmonic and by conformal functions. This is a part of run.sh.
 echo "== Harmonic and conformal functions of the same control point (NACA 0012, quadrilaterals inside triangles)"
 mesh=$meshes/naca0012.su2
 run fit "$mesh" --marker airfoil -o "$out/naca.curve"
