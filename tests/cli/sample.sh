@@ -178,7 +178,7 @@ refuses "sample: a limit without a number" 2 'NAME=NUMBER' sample "$ring" "$basi
 refuses "sample: a limit of another name" 2 'is none of' sample "$ring" "$basis" --range=-1,1 --count 3 --min aera=1 \
     -o "$tmp/x"
 printf '99y 0 1\n' >"$tmp/range"
-refuses "sample: a parameter that is none" 3 "found '99y'" sample "$ring" "$basis" --ranges "$tmp/range" --count 3 \
+refuses "sample: a parameter that is none" 3 "'99y'" sample "$ring" "$basis" --ranges "$tmp/range" --count 3 \
     -o "$tmp/x"
 refuses "sample: parameters of files" 2 'have no parameters' sample "$mesh" "$airfoil" --sections "$tmp/list" \
     --range=-1,1 -o "$tmp/x"
