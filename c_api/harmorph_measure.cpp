@@ -140,8 +140,13 @@ hm_status hm_measure(const hm_curves* curves, const hm_section* section, int32_t
                 fault.item = quantity_item(k);
             return fault.status;
         };
-        for (Index k = 0; k < n; ++k)
-            HARMORPH_TRY(find(k, {}));  // all quantities are checked before anything is written
+        // All quantities are checked before anything is written; the first ones are remembered.
+        constexpr Index most_kept = 32;
+        Measured kept[most_kept];
+        for (Index k = 0; k < n; ++k) {
+            HARMORPH_TRY(find(k, {}));
+            if (k < most_kept) kept[k] = measured;
+        }
         Offset const length = 2 * Offset{view.set.n_control};
         for (Index k = 0; k < n; ++k) {
             ControlGradient gradient;
@@ -150,7 +155,8 @@ hm_status hm_measure(const hm_curves* curves, const hm_section* section, int32_t
                 fill(row, 0.0);
                 gradient = ControlGradient(row.data());
             }
-            find(k, gradient);
+            if (gradients == nullptr && k < most_kept) measured = kept[k];
+            else find(k, gradient);
             values[k] = measured.value;
             if (at == nullptr) continue;
             at[2 * k] = measured.at.x;

@@ -104,7 +104,7 @@ all_rules() {
 
     flags='$(CLI)' list=
     objects cli $build/page_text.cpp c_api/cli/formats/cgns*.cpp
-    for rooms in "basics commands curves mesh page" "formats pictures"; do
+    for rooms in "basics commands curves mesh page" "formats pictures" "sampling"; do
         groups cli $in_program in_turn $(for room in $rooms; do ls c_api/cli/$room/*.cpp; done | grep -v /cgns)
     done
     parts=$list

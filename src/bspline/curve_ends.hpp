@@ -44,7 +44,8 @@ struct Course {
 // after the second one are nearly opposite, and the outline turns by at least 25 degrees at either
 // corner. At facets of a rounded edge with few points the outline
 // turns less, so they are not bases. The last panel before a
-// trailing edge of one point is no base. The two ends of a plate are not bases either, because a
+// trailing edge of one point is no base, nor is the facet across the round nose of a section with
+// few points and a sharp trailing edge. The two ends of a plate are not bases either, because a
 // plate has no leading edge.
 Course choose_course(Outline const& outline, Span<const Index> corner, Closure wanted) noexcept;
 

@@ -52,6 +52,7 @@ Status Section::connect(Fault& fault) noexcept {
 }
 
 Status Section::find_chord(bool wants_leading_edge, Fault& fault) noexcept {
+    if (has_chord && (has_leading_edge || !wants_leading_edge)) return Status::ok;
     if (!has_fixed_chord) {
         if (n_sides == 1 && is_periodic(curve[0])) {
             return fault.refuse(Status::bad_curve,
@@ -62,7 +63,9 @@ Status Section::find_chord(bool wants_leading_edge, Fault& fault) noexcept {
     }
     if (!has_fixed_chord || wants_leading_edge) HARMORPH_TRY(find_leading_edge(fault));
     if (!has_fixed_chord) leading_edge = leading_edge_place.point();
-    if (square(chord()) > 0) return Status::ok;
+    has_leading_edge = !has_fixed_chord || wants_leading_edge;
+    has_chord = square(chord()) > 0;
+    if (has_chord) return Status::ok;
     return fault.refuse(Status::bad_curve, "the chord of the section has no length");
 }
 
@@ -72,6 +75,11 @@ Status Section::find_leading_edge(Fault& fault) noexcept {
     Real largest = 0, low = 0, high = 0;
     leading_edge_place = {};
     for_each_span(0, n_sides, [&](Index c, Index span, Real from, Real to) {
+        // The span lies in the convex hull of its control points.
+        Real bound = 0;
+        for (Index k = span - curve[c].degree; k <= span; ++k)
+            bound = max(bound, square(curve[c].point(k) - trailing_edge));
+        if (bound * (1 + 8 * epsilon) < largest) return;
         Index const n = 8 * curve[c].degree;
         for (Index j = 0; j <= n; ++j) {
             CurvePlace const place{&curve[c], span, j == n ? to : from + (to - from) * j / n};

@@ -31,6 +31,8 @@ struct Section {
     bool leading_edge_is_smooth = false;
     CurvePlace leading_edge_place;  // the place farthest from trailing_edge
 
+    bool has_chord = false, has_leading_edge = false;  // what find_chord() has found before
+
     // Joins the curves to an outline; refuses curves whose ends do not meet. area_moments() sets
     // the sign later.
     Status connect(Fault& fault) noexcept;
@@ -75,15 +77,34 @@ struct Neighbours {
     Real low, high;
 };
 
-// Finds where f changes sign by bisection; f must have different signs, or be 0, at low and high.
+// Finds where f changes sign; f must have different signs, or be 0, at low and high. Each round
+// looks on both sides of where the line through both ends has its zero, and bisects where f is far
+// from that line, so that the number of rounds is at most that of bisection.
 template <class Function>
 Neighbours sign_change_between(Real low, Real high, Function const& f) noexcept {
-    bool const rises = f(low) < 0;
+    Real distance = 1e-3;  // of the two places from the zero, in parts of the interval
+    Real at_low = f(low), at_high = f(high);
+    bool const rises = at_low < 0;
+    auto const look = [&](Real at) {
+        if (!(at > low && at < high)) return;
+        Real const value = f(at);
+        bool const is_before = (value < 0) == rises;
+        (is_before ? low : high) = at;
+        (is_before ? at_low : at_high) = value;
+    };
     for (;;) {
-        Real const middle = low + 0.5 * (high - low);
+        Real const width = high - low, middle = low + 0.5 * width;
         if (!(middle > low && middle < high)) return {low, high};
-        if ((f(middle) < 0) == rises) low = middle;
-        else high = middle;
+        bool const differs = at_low != at_high;
+        Real const zero = differs ? low + width * (at_low / (at_low - at_high)) : low;
+        Real const step = max(distance * width, epsilon * max(abs(low), abs(high)));
+        if (zero > low && zero < high) {
+            look(zero - step);
+            look(zero + step);
+        }
+        bool const is_near = high - low < 3 * step;
+        distance = is_near ? max(distance * distance, epsilon) : 1e-3;
+        if (!(high - low < 0.5 * width)) look(low + 0.5 * (high - low));
     }
 }
 template <class Function>

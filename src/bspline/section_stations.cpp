@@ -6,6 +6,40 @@
 namespace harmorph {
 namespace {
 
+// Returns true only if a span runs ahead along a direction everywhere, or back everywhere. The
+// control points of its derivative tell that, except for rational curves.
+bool runs_one_way(Curve const& curve, Index span, Vec2 along) noexcept {
+    if (curve.weights != nullptr) return false;
+    Real least = infinity, most = -infinity;
+    for (Index k = span - curve.degree + 1; k <= span; ++k) {
+        Real const step = dot(curve.point(k) - curve.point(k - 1), along);
+        least = min(least, step);
+        most = max(most, step);
+    }
+    return least > 0 || most < 0;
+}
+
+// Returns where the span crosses the normal between two parameters. `ahead` is the distance from
+// the normal; without weights, this is a polynomial, which takes less time.
+template <class Ahead>
+Real crossing(Curve const& curve, Index span, Real low, Real high, Ahead const& ahead, Vec2 through,
+              Vec2 along) noexcept {
+    if (curve.weights != nullptr) return sign_change(low, high, ahead);
+    Vec2 by[max_degree + 1];
+    curve_point_in(curve, span, low, curve.degree, by);
+    Real coefficient[max_degree + 1], factor = 1;
+    for (Index d = 0; d <= curve.degree; ++d) {
+        if (d > 0) factor *= (high - low) / static_cast<Real>(d);
+        coefficient[d] = factor * dot(d == 0 ? by[0] - through : by[d], along);
+    }
+    Real const t = sign_change(Real(0), Real(1), [&](Real at) {
+        Real value = coefficient[curve.degree];
+        for (Index d = curve.degree - 1; d >= 0; --d) value = value * at + coefficient[d];
+        return value;
+    });
+    return low + t * (high - low);
+}
+
 // Finds the highest and the lowest point of the outline on the normal to the chord through a point
 // of the chord.
 bool find_points(Section const& section, Vec2 through, CurvePlace& top,
@@ -38,11 +72,12 @@ bool find_points(Section const& section, Vec2 through, CurvePlace& top,
             last = max(last, at);
         }
         if (first > 0 || last < 0) return;
-        Index const n = 4 * curve.degree;
+        Index const n = runs_one_way(curve, span, along) ? 1 : 4 * curve.degree;
         Real u = low, before = ahead(low);
         for (Index j = 1; j <= n; ++j) {
             Real const next = j == n ? high : low + (high - low) * j / n, after = ahead(next);
-            if ((before < 0) != (after < 0)) include({&curve, span, sign_change(u, next, ahead)});
+            if ((before < 0) != (after < 0))
+                include({&curve, span, crossing(curve, span, u, next, ahead, through, along)});
             u = next;
             before = after;
         }
@@ -104,6 +139,99 @@ Real slope_at(Section const& section, StationValue which, Station const& station
     return dot(differentiate(section, which, station).point, section.chord());
 }
 
+// Stations at which the extremes are looked for. The stations t^2 (3 - 2 t) are dense at both ends,
+// where slopes are steep.
+constexpr Index n_stations = 128;
+
+Real station_place(Index k) noexcept {
+    Real const t = static_cast<Real>(k) / n_stations;
+    return t * t * (3 - 2 * t);
+}
+
+// The heights of the outline above and below the chord at all stations between its ends, found span
+// by span. In a span of a curve without weights, the distance along the chord and the height are
+// polynomials of the parameter.
+class HeightScan {
+public:
+    // Returns false if a curve is rational; nothing is known then.
+    bool run(Section const& section) noexcept {
+        for (Index c = 0; c < section.n_curves; ++c)
+            if (section.curve[c].weights != nullptr) return false;
+        for (Index k = 0; k <= n_stations; ++k) {
+            highest_[k] = -infinity;
+            lowest_[k] = infinity;
+        }
+        Vec2 const along = section.chord(), up = left_of(along);
+        Real const scale = 1 / square(along);
+        section.for_each_span(0, section.n_curves, [&](Index c, Index span, Real low, Real high) {
+            Curve const& curve = section.curve[c];
+            Vec2 by[max_degree + 1];
+            curve_point_in(curve, span, low, curve.degree, by);
+            degree_ = curve.degree;
+            Real factor = scale;
+            for (Index d = 0; d <= degree_; ++d) {
+                if (d > 0) factor *= (high - low) / static_cast<Real>(d);
+                Vec2 const term = d == 0 ? by[0] - section.leading_edge : by[d];
+                ahead_[d] = factor * dot(term, along);
+                height_[d] = factor * dot(term, up);
+            }
+            Index const n = runs_one_way(curve, span, along) ? 1 : 4 * curve.degree;
+            for (Index j = 0; j < n; ++j)
+                take(static_cast<Real>(j) / n, static_cast<Real>(j + 1) / n);
+        });
+        return true;
+    }
+
+    // The value at station k in chords, or minus infinity.
+    Real value(Index k, StationValue which) const noexcept {
+        if (!(highest_[k] > lowest_[k])) return -infinity;
+        return which == StationValue::thickness ? highest_[k] - lowest_[k]
+                                                : 0.5 * (highest_[k] + lowest_[k]);
+    }
+
+private:
+    Real at(Real const* polynomial, Real t) const noexcept {
+        Real value = polynomial[degree_];
+        for (Index d = degree_ - 1; d >= 0; --d) value = value * t + polynomial[d];
+        return value;
+    }
+
+    // Takes the heights at the stations between the places of t = first and t = last.
+    void take(Real first, Real last) noexcept {
+        Real const a = at(ahead_, first), b = at(ahead_, last);
+        Real const low = min(a, b), high = max(a, b);
+        Index k = 0, end = n_stations;
+        while (k < end) {  // the first station that is not below `low`
+            Index const middle = k + (end - k) / 2;
+            if (station_place(middle) < low) k = middle + 1;
+            else end = middle;
+        }
+        for (; k <= n_stations && station_place(k) <= high; ++k) {
+            Real const target = station_place(k);
+            Real t0 = first, t1 = last, f0 = a - target, f1 = b - target, t = first;
+            for (Index round = 0; round < max_rounds; ++round) {  // false position, or bisection
+                bool const halves = round % 4 == 3 || f0 == f1;
+                t = halves ? 0.5 * (t0 + t1) : t0 + (t1 - t0) * (f0 / (f0 - f1));
+                Real const f = at(ahead_, t) - target;
+                if (abs(f) < accuracy) break;
+                bool const is_before = (f < 0) == (a < b);
+                (is_before ? t0 : t1) = t;
+                (is_before ? f0 : f1) = f;
+            }
+            Real const height = at(height_, t);
+            highest_[k] = max(highest_[k], height);
+            lowest_[k] = min(lowest_[k], height);
+        }
+    }
+
+    static constexpr Index max_rounds = 60;
+    static constexpr Real accuracy = 1e-9;  // in chords
+
+    Real highest_[n_stations + 1], lowest_[n_stations + 1];
+    Real ahead_[max_degree + 1], height_[max_degree + 1];  // coefficients, in chords
+    Index degree_ = 0;
+};
+
 }  // namespace
 
 Status measure_station(Section const& section, StationValue which, Real at, Station& station,
@@ -119,15 +247,13 @@ namespace {
 
 // The stations that a search tries, and the sign of the value that is made largest.
 struct StationSearch {
-    static constexpr Index n = 128;
+    static constexpr Index n = n_stations;
     bool is_whole =
         true;  // all stations; otherwise those from first to last, for the smallest value
     Real first = 0, last = 1;
 
-    // The stations t^2 (3 - 2 t) are dense at both ends, where slopes are steep.
     Real place(Index k) const noexcept {
-        Real const t = static_cast<Real>(k) / n;
-        return is_whole ? t * t * (3 - 2 * t) : first + (last - first) * t;
+        return is_whole ? station_place(k) : first + (last - first) * static_cast<Real>(k) / n;
     }
     Index first_try() const noexcept { return is_whole ? 1 : 0; }
     Index last_try() const noexcept { return is_whole ? n - 1 : n; }
@@ -140,10 +266,13 @@ struct StationSearch {
 Status search_stations(Section const& section, StationValue which, StationSearch const& search,
                        ExtremeStation& extreme, Fault& fault) noexcept {
     Station& station = extreme.before;
+    HeightScan scan;
+    bool const is_scanned = search.is_whole && scan.run(section);
     Index best = none;
     Real largest = -infinity, sign = 1;
     for (Index k = search.first_try(); k <= search.last_try(); ++k) {
-        Real const value = value_at(section, which, search.place(k), station);
+        Real const value =
+            is_scanned ? scan.value(k, which) : value_at(section, which, search.place(k), station);
         if (value == -infinity) continue;
         Real const sign_here = search.sign(which, value);
         if (!(sign_here * value > largest)) continue;

@@ -3,6 +3,7 @@
 #include "bspline/curve_ends.hpp"
 
 #include <fixtures/airfoil.hpp>
+#include <fixtures/section_families.hpp>
 #include <fixtures/spline.hpp>
 
 #include <algorithm>
@@ -360,4 +361,71 @@ TEST_CASE("a trailing edge of one point is no base, though the last panel turns 
                         }
     CHECK(largest > 0.35);
     CHECK(blunt_sections > 200);
+}
+
+namespace {
+
+std::vector<Vec2> loop_of(fixtures::SectionSides const& sides) {
+    std::vector<Vec2> out;
+    for (fixtures::Point const p : sides.loop()) out.push_back({p.x, p.y});
+    return out;
+}
+
+// The angle between the last panels of both sides, in degrees.
+double wedge_of(fixtures::SectionSides const& sides) {
+    auto const last = [](std::vector<fixtures::Point> const& side) {
+        fixtures::Point const a = side[side.size() - 2], b = side.back();
+        return std::atan2(b.y - a.y, b.x - a.x);
+    };
+    return std::fabs(last(sides.upper) - last(sides.lower)) * 180 / std::acos(-1.0);
+}
+
+Course course_of(fixtures::SectionSides const& sides) {
+    std::vector<Vec2> points = loop_of(sides);
+    Vec2 centre;
+    for (Vec2 const p : points) centre = centre + (1.0 / static_cast<double>(points.size())) * p;
+    for (Vec2& p : points) p = p - centre;
+    return choose(points, Closure::automatic).course;
+}
+
+}  // namespace
+
+TEST_CASE("the facet across the nose of a cusped or sharp section of few points is no base") {
+    for (double const thick : {0.04, 0.08, 0.12, 0.16})
+        for (double const camber : {0.0, 0.06, 0.12})
+            for (double const wedge : {0.0, 0.2})
+                for (int const n : {5, 6, 8, 10, 16})
+                    for (bool const even : {false, true}) {
+                        CAPTURE(thick);
+                        CAPTURE(camber);
+                        CAPTURE(wedge);
+                        CAPTURE(n);
+                        auto const sides =
+                            fixtures::circle_section(thick, camber, wedge, n, 0.8, even);
+                        Course const course = course_of(sides);
+                        CHECK(course.base_points == 0);
+                        CHECK(course.reason == ClosureReason::corner);
+                        CHECK(course.first == 0);
+                    }
+}
+
+TEST_CASE("sharp and blunt trailing edges of nine families of sections, rounded as files are") {
+    for (int family = 0; family < static_cast<int>(fixtures::Family::count); ++family)
+        for (int const n : {12, 30, 120})
+            for (double const clustering : {0.0, 0.8, 1.0})
+                for (unsigned seed = 0; seed < 12; ++seed) {
+                    auto const kind = static_cast<fixtures::Family>(family);
+                    CAPTURE(fixtures::family_name(kind));
+                    CAPTURE(n);
+                    CAPTURE(clustering);
+                    CAPTURE(seed);
+                    fixtures::SectionRandom random(seed);
+                    auto const sides = fixtures::rounded(
+                        fixtures::random_section(kind, random, n, clustering), 5 + seed % 4);
+                    if (sides.is_blunt() && wedge_of(sides) > 44) continue;  // tied at one end
+                    Course const course = course_of(sides);
+                    CHECK(course.closure == (sides.is_blunt() ? Closure::open : Closure::tied));
+                    CHECK(course.base_points == (sides.is_blunt() ? 2 : 0));
+                    if (!sides.is_blunt()) CHECK(course.first == 0);
+                }
 }

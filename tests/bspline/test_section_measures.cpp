@@ -1,9 +1,11 @@
 #include <harmorph_design.h>
 #include <doctest/doctest.h>
 
+#include "bspline/section.hpp"
 #include <fixtures/curves.hpp>
 #include <fixtures/traps.hpp>
 
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -514,4 +516,28 @@ TEST_CASE("quantities that cannot be measured are refused with the reason, and o
     CurveSet apart = section(true, false);
     apart.add(fixtures::clamped(2, 4, 3));
     CHECK(refusal(apart, quantity(HM_AREA), "curve 1") == HM_BAD_CURVE);
+}
+
+TEST_CASE("a change of sign lies between neighbouring numbers, and few values find it") {
+    struct {
+        double (*function)(double);
+        int most_values;
+    } const cases[] = {{[](double u) { return u - 0.3; }, 30},
+                       {[](double u) { return 0.123 - u * u * u; }, 40},
+                       {[](double u) { return std::pow(u - 0.7, 9); }, 200},     // flat
+                       {[](double u) { return u < 1e-9 ? -1.0 : 1e-12; }, 200},  // a jump
+                       {[](double u) { return std::floor((u - 0.4) * 1e12) + 0.5; }, 200},  // steps
+                       {[](double) { return 0.0; }, 200}};
+    for (auto const& one : cases) {
+        int values = 0;
+        harmorph::Neighbours const found = harmorph::sign_change_between(0.0, 1.0, [&](double u) {
+            ++values;
+            return one.function(u);
+        });
+        CAPTURE(found.low);
+        CHECK(values <= one.most_values);
+        CHECK(found.high == std::nextafter(found.low, 2.0));
+        bool const changes = (one.function(found.low) < 0) != (one.function(found.high) < 0);
+        CHECK((changes || one.function(0) == one.function(1)));
+    }
 }

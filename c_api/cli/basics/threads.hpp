@@ -4,6 +4,8 @@
 
 #include "harmorph_pthreads.h"
 
+#include <cstdint>
+
 namespace cli {
 
 class Threads {

@@ -6,8 +6,8 @@
 
 namespace cli {
 
-ToAirfoil moves_to_airfoil(const Basis& basis, std::int32_t curve, const Section& section,
-                           const std::string& path, bool on_chord) {
+ToAirfoil fit_to_airfoil(const Basis& basis, std::int32_t curve, const Section& section,
+                         const std::string& path, bool on_chord) {
     const auto n = static_cast<std::int32_t>(section.x.size());
     const hm_points points = {section.x.data(), section.y.data(), 1};
     ToAirfoil result;
@@ -18,16 +18,23 @@ ToAirfoil moves_to_airfoil(const Basis& basis, std::int32_t curve, const Section
     Block work(bytes);
     call(path, hm_refit, &basis.curves(), curve, &points, n, std::int32_t{section.is_loop},
          std::int32_t{on_chord}, result.moves.data(), &report, work.data(), bytes);
-    if (report.closed_width > 0) {
-        warn(path + ": the blunt base, " + brief(report.closed_width) +
-             " wide, becomes one point, as the mesh's airfoil has it: both sides are tapered from "
-             "the leading edge on");
-    }
+    result.closed_width = report.closed_width;
     result.points = n;
     result.max_error = report.max_error;
     result.rms_error = report.rms_error;
     result.worst_point = report.max_error_point + 1;
     result.chord = report.chord;
+    return result;
+}
+
+ToAirfoil moves_to_airfoil(const Basis& basis, std::int32_t curve, const Section& section,
+                           const std::string& path, bool on_chord) {
+    const ToAirfoil result = fit_to_airfoil(basis, curve, section, path, on_chord);
+    if (result.closed_width > 0) {
+        warn(path + ": the blunt base, " + brief(result.closed_width) +
+             " wide, becomes one point, as the mesh's airfoil has it: both sides are tapered from "
+             "the leading edge on");
+    }
     return result;
 }
 

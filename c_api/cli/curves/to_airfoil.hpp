@@ -15,13 +15,17 @@ struct ToAirfoil {
     // Distances of the section's points from the moved curve, in the mesh's unit; the section's
     // chord in that unit.
     double max_error = 0, rms_error = 0, chord = 0;
+    double closed_width = 0;  // width of a blunt base of the section that becomes one point, or 0
     std::int32_t points = 0, worst_point = 0;  // worst: from 1, in the order of the section
 };
 
 // path: of the section's file, for messages. curve: which of the basis's curves (from 0) is the
 // airfoil; a next one that begins or ends where it ends is its base. On the chord, the section is
 // scaled, turned and moved so that the line from its leading to its trailing edge becomes that of
-// the curve; else its coordinates are those of the mesh.
+// the curve; else its coordinates are those of the mesh. moves_to_airfoil() also warns of a blunt
+// base that becomes one point. Several threads may call fit_to_airfoil().
+ToAirfoil fit_to_airfoil(const Basis& basis, std::int32_t curve, const Section& section,
+                         const std::string& path, bool on_chord);
 ToAirfoil moves_to_airfoil(const Basis& basis, std::int32_t curve, const Section& section,
                            const std::string& path, bool on_chord);
 

@@ -20,6 +20,7 @@ public:
         const Mesh& mesh);  // refuses a mesh that is not well formed; allows inverted cells
     MeshAnalysis(const MeshAnalysis&) = delete;
 
+    const hm_analysis* get() const { return analysis_; }
     hm_mesh_report report() const;
     // Returns the piece of the markers nearest to a point. Without a point, refuses several pieces.
     BoundaryPiece boundary(const std::vector<std::int32_t>& markers,

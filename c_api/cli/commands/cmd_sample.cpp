@@ -1,0 +1,371 @@
+// harmorph sample: many designs of one mesh, for surrogate models.
+#include "basics/json.hpp"
+#include "basics/numbers.hpp"
+#include "basics/output_file.hpp"
+#include "basics/print.hpp"
+#include "basics/progress_bar.hpp"
+#include "basics/stopwatch.hpp"
+#include "commands/commands.hpp"
+#include "commands/used_files.hpp"
+#include "formats/format.hpp"
+#include "formats/vtu.hpp"
+#include "sampling/crc32.hpp"
+#include "sampling/sample_pages.hpp"
+#include "sampling/sample_shard.hpp"
+#include "sampling/sample_splits.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+namespace cli {
+
+namespace {
+
+constexpr const char* final_files[] = {"set.txt", "designs.csv", "index.html", "README.md",
+                                       "vtk/series.pvd"};
+
+// Options that do not change the files of the set.
+bool is_incidental(const std::string& option) {
+    return option == "-o" || option == "--threads" || option == "--json";
+}
+
+// The text of set.txt: two calls with the same text make the same files.
+std::string settings_of(const Arguments& arguments, const std::vector<Option>& options) {
+    std::string text = std::string("harmorph ") + hm_version() + " sample\n";
+    for (const NamedFile& file : arguments.files()) {
+        const TextFile content(mesh_file(file.path));
+        text += "file " + file.name + " " + std::to_string(content.text().size()) + " bytes " +
+                std::to_string(crc32_of(0, content.text().data(), content.text().size())) + "\n";
+    }
+    for (const Option& option : options) {
+        if (is_incidental(option.name) || option.use != FileUse::none) continue;
+        for (const std::string& value : arguments.all(option.name))
+            text += std::string("option ") + option.name + (option.value ? " " + value : "") + "\n";
+    }
+    return text;
+}
+
+class Sampling {
+public:
+    Sampling(const Arguments& arguments, const std::vector<Option>& options)
+        : arguments_(arguments),
+          folder_(arguments.text("-o")),
+          settings_(settings_of(arguments, options)),
+          mesh_(read_mesh(arguments, 0)),
+          basis_(arguments.operand(1), mesh_),
+          space_(arguments, basis_),
+          measures_(arguments, basis_.curves(),
+                    arguments.whole("--airfoil-curve", 1, 1, basis_.info().curves) - 1),
+          table_(space_, measures_.names(), arguments.has("--step")),
+          limits_(arguments, names_of_limits()),
+          splits_(arguments, table_.numbers()),
+          threads_(threads_of(arguments)),
+          morpher_(mesh_, basis_, threads_, arguments.real("--min-quality", .05, 0, 1),
+                   arguments.has("--step")),
+          per_shard_(arguments.whole("--shard", 1000, 1, 1000000)),
+          has_meshes_(arguments.has("--meshes")),
+          has_vtk_(arguments.has("--vtk")) {
+        if (basis_.mesh_has_moved())
+            throw Failure(exit_unusable, arguments.operand(0) +
+                                             ": the mesh is not where it was when the basis was "
+                                             "solved; solve again on this mesh");
+        const bool is_folder = mesh_file(arguments.operand(0)) != arguments.operand(0);
+        if (has_meshes_ && is_folder)
+            arguments.refuse("--meshes: a mesh in a folder cannot be written many times");
+        for (const char* const name : final_files)
+            refuse_overwriting(arguments, {FileUse::output, "a file of -o,", folder_.file(name)});
+        if (arguments.has("--wall")) walls_ = std::make_unique<WallChains>(mesh_, moving_markers());
+        if (arguments.has("--wall-distance"))
+            distances_ = std::make_unique<WallDistances>(mesh_, moving_markers(), threads_);
+    }
+
+    void run() {
+        folder_.open(settings_, has_meshes_, has_vtk_);
+        shards_ = folder_.complete_shards();
+        std::int64_t next = 0;
+        if (shards_ > 0) {
+            table_.read(folder_, shards_, [&](const SampleRow& row) { next = row.design + 1; });
+            if (!arguments_.has("--json"))
+                print("continued at design %lld of %lld\n", static_cast<long long>(next + 1),
+                      static_cast<long long>(space_.count()));
+        }
+        begin_ = next;
+        while (next < space_.count()) next = run_shard(next);
+        finish();
+    }
+
+private:
+    std::vector<std::string> names_of_limits() const {
+        const auto begin = table_.numbers().begin();
+        return {begin, begin + static_cast<std::ptrdiff_t>(table_.first_parameter())};
+    }
+
+    std::vector<std::int32_t> moving_markers() const {
+        std::vector<std::int32_t> markers;
+        for (const hm_condition& one : basis_.conditions())
+            if (one.kind == HM_ON_CURVE || one.kind == HM_RIGID) markers.push_back(one.marker);
+        return markers;
+    }
+
+    std::size_t batch_size() const {
+        constexpr std::size_t numbers = std::size_t{1} << 23;  // 64 MB of coordinates
+        const std::size_t fitting = numbers / (4 * mesh_.x.size() + 1);
+        const auto threads = static_cast<std::size_t>(threads_of(arguments_));
+        return std::clamp<std::size_t>(fitting, threads, 32 * threads);
+    }
+
+    // Makes the designs that follow the given one until a shard is full. Returns the next design.
+    std::int64_t run_shard(std::int64_t next) {
+        SampleShard shard(folder_, shards_ + 1, mesh_, table_, walls_.get(), distances_.get());
+        while (next < space_.count() && shard.accepted() < per_shard_) {
+            std::vector<MorphedDesign> batch(static_cast<std::size_t>(
+                std::min<std::int64_t>(space_.count() - next, std::int64_t(batch_size()))));
+            compute(batch, next);
+            for (MorphedDesign& result : batch) {
+                if (shard.accepted() == per_shard_) break;  // the rest belongs to the next shard
+                take(shard, result, next++);
+            }
+            draw(next);
+        }
+        shard.commit();
+        ++shards_;
+        return next;
+    }
+
+    struct Batch {
+        const Sampling* self;
+        std::vector<MorphedDesign>* results;
+        std::int64_t first;
+    };
+
+    static void compute_one(void* context, std::int32_t index) {
+        const Batch& batch = *static_cast<Batch*>(context);
+        MorphedDesign& result = (*batch.results)[static_cast<std::size_t>(index)];
+        try {
+            batch.self->compute(result, batch.first + index);
+        } catch (...) {
+            result.fault = std::current_exception();
+        }
+    }
+
+    void compute(MorphedDesign& result, std::int64_t number) const {
+        try {
+            result.design = space_.design(number);
+        } catch (const Failure& failure) {
+            if (!space_.has_sections()) throw;
+            result.refusal = failure.what();
+            return;
+        }
+        morpher_.morph_linearly(result);
+        result.measures = measures_.values(basis_.curves(), result.control);
+    }
+
+    void compute(std::vector<MorphedDesign>& batch, std::int64_t first) const {
+        Batch context = {this, &batch, first};
+        const auto n = static_cast<std::int32_t>(batch.size());
+        const hm_executor& executor = *threads_.executor();
+        if (executor.run != nullptr) {
+            executor.run(executor.user, n, compute_one, &context);
+        } else {
+            for (std::int32_t k = 0; k < n; ++k) compute_one(&context, k);
+        }
+        for (const MorphedDesign& result : batch)
+            if (result.fault) std::rethrow_exception(result.fault);
+    }
+
+    void take(SampleShard& shard, MorphedDesign& result, std::int64_t number) {
+        if (result.refusal.empty()) reject_by_section(result);
+        if (result.refusal.empty() && result.needs_safe) {
+            if (arguments_.has("--linear"))
+                result.refusal = "one linear step does not leave a good mesh";
+            else morpher_.morph_safely(result);
+        }
+        if (result.measures.empty()) result.measures.resize(measures_.names().size(), unknown);
+        SampleRow row;
+        row.design = number;
+        row.numbers = table_.numbers_of(result);
+        if (result.refusal.empty()) result.refusal = limits_.refusal(row.numbers);
+        row.reason = result.refusal;
+        row.way = result.way;
+        if (space_.has_files()) row.section = space_.file(number);
+        if (row.is_accepted()) row.split = splits_.split(number, row.numbers);
+        if (row.is_accepted()) write_meshes(result, number);
+        shard.add(row, result);
+    }
+
+    // Limits on the section reject a design before a safe morph is spent on it.
+    void reject_by_section(MorphedDesign& result) const {
+        if (!result.needs_safe) return;
+        MorphedDesign optimist;
+        optimist.design = result.design;
+        optimist.measures = result.measures;
+        std::vector<double> numbers = table_.numbers_of(optimist);
+        result.refusal = limits_.refusal_from(numbers, table_.first_measure());
+    }
+
+    void write_meshes(const MorphedDesign& result, std::int64_t number) const {
+        if (!has_meshes_ && !has_vtk_) return;
+        Field moved(mesh_.x.size());
+        for (std::size_t k = 0; k < mesh_.x.size(); ++k) {
+            moved.x[k] = result.coordinates[2 * k];
+            moved.y[k] = result.coordinates[2 * k + 1];
+        }
+        OutputFiles files;
+        if (has_meshes_) {
+            const std::string path = arguments_.operand(0);
+            const std::size_t name = path.find_last_of('/') + 1, dot = path.find('.', name);
+            const std::string ending = dot == std::string::npos ? "" : path.substr(dot);
+            write_moved(files.add(folder_.mesh_of(number, ending)), mesh_, moved.x.data(),
+                        moved.y.data());
+        }
+        if (has_vtk_) {
+            PointData displacement = {"displacement", 3, {}};
+            for (std::size_t k = 0; k < mesh_.x.size(); ++k)
+                displacement.values.insert(displacement.values.end(),
+                                           {moved.x[k] - mesh_.x[k], moved.y[k] - mesh_.y[k], 0.0});
+            write_vtu(files.add(folder_.vtk_of(number)), mesh_, moved.x, moved.y, displacement);
+        }
+        files.commit();
+    }
+
+    void draw(std::int64_t next) {
+        const double share = double(next - begin_) / double(space_.count() - begin_);
+        const double left = watch_.seconds() * (1 - share) / share;
+        const std::string text = left < 100 ? std::to_string(int(left + 1)) + " s left"
+                                            : std::to_string(int(left / 60 + 1)) + " min left";
+        bar_.draw(text.c_str(), double(next) / double(space_.count()));
+    }
+
+    void finish() {
+        OutputFiles files;
+        SampleSummary summary;
+        std::ostream& csv = files.add(folder_.file("designs.csv"));
+        std::ostream* const series =
+            has_vtk_ ? &files.add(folder_.file("vtk/series.pvd")) : nullptr;
+        if (series != nullptr)
+            *series << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n"
+                       "<Collection>\n";
+        table_.write_names(csv);
+        table_.read(folder_, shards_, [&](const SampleRow& row) {
+            summary.add(row);
+            table_.write(csv, row);
+            if (series == nullptr || !row.is_accepted()) return;
+            const std::string path = folder_.vtk_of(row.design);
+            *series << "<DataSet timestep=\"" << row.design + 1 << "\" file=\""
+                    << path.substr(path.find_last_of('/') + 1) << "\"/>\n";
+        });
+        if (series != nullptr) *series << "</Collection>\n</VTKFile>\n";
+        write_sample_index(files.add(folder_.file("index.html")), basis_, space_, table_, summary);
+        write_sample_description(
+            files.add(folder_.file("README.md")),
+            {arguments_.operand(0), arguments_.operand(1), settings_, splits_.description(),
+             SampleShard::description(table_, mesh_, walls_.get())},
+            space_, table_, summary);
+        bar_.wipe();
+        files.commit();
+        report(summary);
+    }
+
+    void report(const SampleSummary& summary) const {
+        const auto made = double(space_.count() - begin_);
+        if (arguments_.has("--json")) {
+            JsonObject object;
+            object.add("designs", summary.designs).add("accepted", summary.accepted);
+            object.add("shards", shards_).add("continued_at", begin_);
+            object.add("seconds", watch_.seconds());
+            for (const char* const way : {"linear", "other", "substeps", "untangled", "improved"}) {
+                const auto found = summary.ways.find(way);
+                object.add(way, found == summary.ways.end() ? std::int64_t{0} : found->second);
+            }
+            return print("%s\n", object.text().c_str());
+        }
+        print("designs          %lld, of which %lld are accepted, in %s\n",
+              static_cast<long long>(summary.designs), static_cast<long long>(summary.accepted),
+              plural(shards_, "shard").c_str());
+        for (const auto& one : summary.ways)
+            print("%-16s %s\n", one.first.c_str(), plural(one.second, "design").c_str());
+        for (const auto& one : summary.reasons)
+            print("rejected         %lld: %s\n", static_cast<long long>(one.second),
+                  one.first.c_str());
+        if (made > 0)
+            print("time             %s s, %s designs a second\n", brief(watch_.seconds()).c_str(),
+                  brief(made / watch_.seconds()).c_str());
+        if (summary.accepted == 0) warn("no design is accepted: designs.csv has the reasons");
+    }
+
+    const Arguments& arguments_;
+    SampleFolder folder_;
+    std::string settings_;
+    Mesh mesh_;
+    Basis basis_;
+    DesignSpace space_;
+    SectionMeasures measures_;
+    SampleTable table_;
+    Limits limits_;
+    SampleSplits splits_;
+    Threads threads_;
+    DesignMorpher morpher_;
+    std::int64_t per_shard_, shards_ = 0, begin_ = 0;
+    bool has_meshes_, has_vtk_;
+    std::unique_ptr<WallChains> walls_;
+    std::unique_ptr<WallDistances> distances_;
+    ProgressBar bar_;
+    Stopwatch watch_;
+};
+
+void run_sample(const Arguments& arguments) { Sampling(arguments, sample_command.options).run(); }
+
+}  // namespace
+
+const Command sample_command = {
+    "sample",
+    {{"MESH", FileUse::mesh}, {"BASIS", FileUse::input}},
+    "Makes many designs of a mesh, for surrogate models",
+    "All meshes have the points and cells of MESH in the same order. A design is made by one "
+    "linear step or, where this\n"
+    "leaves a poor mesh, by the safe morph; designs beyond --min and --max, and those that the "
+    "mesh cannot follow, are\n"
+    "rejected and listed with the reason. DIR/designs.csv has a line for each design, "
+    "DIR/shards/*.npz (for numpy.load)\n"
+    "have 1000 accepted designs each: coordinates, parameters, control points, measures, quality "
+    "and connectivity.\n"
+    "DIR/README.md describes all arrays, and DIR/index.html shows some sections and scatter "
+    "plots. The same command on\n"
+    "the same DIR goes on behind the last complete shard; the bits do not depend on interruptions "
+    "and --threads.\n",
+    DesignSpace::options() + measure_options() + SampleSplits::options() +
+        std::vector<Option>{
+            {"--min-quality", "Q",
+             "a linear step must leave this smallest quality, in parts of that of MESH, 0 to 1\n"
+             "(default 0.05), and so must the safe morph"},
+            {"--linear", nullptr, "reject designs that one linear step does not reach"},
+            {"--step", nullptr,
+             "also admissible_step: the multiple of the movement at which the first cell inverts "
+             "or "
+             "the\n"
+             "boundary first touches itself"},
+            {"--wall", nullptr,
+             "also points of the moving walls in order, their unit normals and arc lengths"},
+            {"--wall-distance", nullptr,
+             "also the distances of all points to the moving walls, in shards/*.distance.npz"},
+            {"--meshes", nullptr, "also each accepted mesh in the format of MESH, in DIR/meshes"},
+            {"--vtk", nullptr,
+             "also each accepted mesh as .vtu with its displacement, and DIR/vtk/series.pvd for\n"
+             "ParaView"},
+            {"--shard", "N", "accepted designs of a shard (default 1000)"},
+            {"-o", "DIR", "folder to fill (required)"},
+            threads_option,
+            format_option,
+            zone_option,
+            {"--json", nullptr,
+             "print one JSON object: designs, accepted, shards, continued_at, seconds, linear, "
+             "other, substeps,\n"
+             "untangled, improved"}},
+    "  harmorph sample naca0012.su2 airfoil.basis --naca --count 1000 -o naca\n"
+    "  harmorph sample naca0012.su2 airfoil.basis --variables map --range=-0.01,0.01 --count 5000 "
+    "\\\n"
+    "      --min area=0.07 --min nose_radius=0.005 --wall -o set\n",
+    run_sample};
+
+}  // namespace cli

@@ -1,0 +1,67 @@
+#include "sampling/crc32.hpp"
+
+#include <array>
+
+namespace cli {
+
+namespace {
+
+// The sum_polynomial of the check sum, with the coefficient of x^31 in the lowest bit.
+constexpr std::uint32_t sum_polynomial = 0xedb88320u;
+
+// Tables for eight bytes at once: row k has the effect of a byte that k zero bytes follow.
+using Tables = std::array<std::array<std::uint32_t, 256>, 8>;
+
+constexpr Tables make_tables() {
+    Tables sum_tables = {};
+    for (std::uint32_t byte = 0; byte < 256; ++byte) {
+        std::uint32_t sum = byte;
+        for (int bit = 0; bit < 8; ++bit) sum = (sum >> 1) ^ ((sum & 1) != 0 ? sum_polynomial : 0);
+        sum_tables[0][byte] = sum;
+    }
+    for (std::size_t row = 1; row < 8; ++row)
+        for (std::size_t byte = 0; byte < 256; ++byte) {
+            const std::uint32_t sum = sum_tables[row - 1][byte];
+            sum_tables[row][byte] = (sum >> 8) ^ sum_tables[0][sum & 0xff];
+        }
+    return sum_tables;
+}
+
+constexpr Tables sum_tables = make_tables();
+
+// Returns the product of two polynomials modulo that of the check sum.
+std::uint32_t sum_product(std::uint32_t a, std::uint32_t b) {
+    std::uint32_t sum = 0;
+    for (std::uint32_t bit = 0x80000000u; bit != 0; bit >>= 1) {
+        if ((a & bit) != 0) sum ^= b;
+        b = (b >> 1) ^ ((b & 1) != 0 ? sum_polynomial : 0);
+    }
+    return sum;
+}
+
+}  // namespace
+
+std::uint32_t crc32_of(std::uint32_t earlier, const void* data, std::size_t size) {
+    const auto* at = static_cast<const unsigned char*>(data);
+    std::uint32_t sum = ~earlier;
+    for (; size >= 8; size -= 8, at += 8) {
+        const std::uint32_t low =
+            sum ^ (at[0] | at[1] * 0x100u | at[2] * 0x10000u | at[3] * 0x1000000u);
+        sum = sum_tables[7][low & 0xff] ^ sum_tables[6][(low >> 8) & 0xff] ^
+              sum_tables[5][(low >> 16) & 0xff] ^ sum_tables[4][low >> 24] ^ sum_tables[3][at[4]] ^
+              sum_tables[2][at[5]] ^ sum_tables[1][at[6]] ^ sum_tables[0][at[7]];
+    }
+    for (; size > 0; --size, ++at) sum = (sum >> 8) ^ sum_tables[0][(sum ^ *at) & 0xff];
+    return ~sum;
+}
+
+std::uint32_t crc32_joined(std::uint32_t first, std::uint32_t second, std::uint64_t size) {
+    std::uint32_t square = 0x00800000u, power = 0x80000000u;  // x^8 and 1
+    for (; size != 0; size >>= 1) {
+        if ((size & 1) != 0) power = sum_product(power, square);
+        square = sum_product(square, square);
+    }
+    return sum_product(power, first) ^ second;
+}
+
+}  // namespace cli

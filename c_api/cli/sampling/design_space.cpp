@@ -1,0 +1,220 @@
+#include "sampling/design_space.hpp"
+
+#include "basics/number_list.hpp"
+#include "basics/numbers.hpp"
+#include "basics/text_file.hpp"
+#include "curves/to_airfoil.hpp"
+#include "sampling/section_formulas.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+namespace cli {
+
+namespace {
+
+constexpr std::int32_t most_designs = 1000000000, most_weights = 20;
+constexpr const char* sources[] = {"--variables", "--naca", "--cst", "--sections"};
+
+}  // namespace
+
+DesignSpace::DesignSpace(const Arguments& arguments, const Basis& basis) : basis_(basis) {
+    if (basis.info().curves == 0) arguments.refuse("the basis has no curve");
+    choose_kind(arguments);
+    curve_ = arguments.whole("--airfoil-curve", 1, 1, basis.info().curves) - 1;
+    on_chord_ = arguments.has("--on-chord") || kind_ == Kind::naca || kind_ == Kind::cst;
+    if (arguments.has("--on-chord") && !has_files())
+        arguments.refuse("--on-chord goes with --sections");
+    for (const char* const option : {"--designs", "--ranges", "--range", "--sequence", "--seed"}) {
+        const bool is_of_sequence = option != std::string("--designs");
+        if (has_files() && arguments.has(option))
+            arguments.refuse(std::string(option) +
+                             ": the sections of --sections have no parameters");
+        const bool is_idle =
+            is_of_sequence && option != std::string("--seed") && arguments.has("--designs");
+        if (is_idle && arguments.has(option))
+            arguments.refuse(std::string(option) +
+                             " and --designs both say which designs: name "
+                             "one of them");
+    }
+    if (has_files()) {
+        read_list(arguments.text("--sections"));
+        count_ = static_cast<std::int64_t>(files_.size());
+    } else if (arguments.has("--designs")) {
+        values_ = DesignValues::of_table(arguments.text("--designs"), parameters_of(arguments));
+        count_ = values_.count();
+        description_ +=
+            "Their parameters are those of the table " + arguments.text("--designs") + ". ";
+    } else {
+        if (!arguments.has("--count"))
+            arguments.refuse("--count is missing: the number of designs");
+        const auto chosen = static_cast<Sequence>(arguments.choice(
+            "--sequence",
+            {{"sobol", std::int32_t(Sequence::sobol)}, {"latin", std::int32_t(Sequence::latin)}}));
+        const std::int32_t n = arguments.whole("--count", 0, 1, most_designs),
+                           seed = arguments.whole("--seed", 1, 0, most_designs);
+        const std::vector<DesignParameter> parameters = parameters_of(arguments);
+        std::size_t varying = 0;
+        for (const DesignParameter& one : parameters) varying += one.low < one.high ? 1 : 0;
+        if (varying == 0)
+            arguments.refuse("no parameter varies: give ranges by --range or --ranges");
+        if (varying > Sobol::most_dimensions)
+            arguments.refuse(std::to_string(varying) + " parameters vary; at most " +
+                             std::to_string(Sobol::most_dimensions) + " may");
+        values_ =
+            DesignValues::of_sequence(parameters, chosen, n, static_cast<std::uint64_t>(seed));
+        count_ = n;
+        description_ += std::string("Their parameters are points of ") +
+                        (chosen == Sequence::sobol ? "Sobol's sequence" : "a Latin hypercube") +
+                        " with seed " + std::to_string(seed) + ". ";
+    }
+    if (arguments.has("--count"))
+        count_ = std::min<std::int64_t>(count_, arguments.whole("--count", 0, 1, most_designs));
+    if (count_ == 0) arguments.refuse("there are no designs");
+}
+
+void DesignSpace::choose_kind(const Arguments& arguments) {
+    int chosen = 0;
+    for (const char* const option : sources) chosen += arguments.has(option) ? 1 : 0;
+    if (chosen > 1) arguments.refuse("name only one of --variables, --naca, --cst and --sections");
+    if (arguments.has("--variables")) {
+        kind_ = Kind::variables;
+        map_ = read_variables(arguments.text("--variables"));
+        if (map_.points != basis_.n_control())
+            throw Failure(exit_file, arguments.text("--variables") + ": its variables are of " +
+                                         plural(map_.points, "control point") +
+                                         ", the curves of the basis have " +
+                                         std::to_string(basis_.n_control()));
+        description_ =
+            "The designs move the design variables of " + arguments.text("--variables") + ". ";
+    } else if (arguments.has("--naca")) {
+        kind_ = Kind::naca;
+        description_ = "The designs are NACA four-digit sections. ";
+    } else if (arguments.has("--cst")) {
+        kind_ = Kind::cst;
+        const std::vector<std::int32_t> n = arguments.whole_list("--cst", 1, most_weights);
+        if (n.size() != 2) arguments.refuse("--cst expects two numbers");
+        n_upper_ = n[0];
+        n_lower_ = n[1];
+        description_ = "The designs are sections by class-shape transformation. ";
+    } else if (arguments.has("--sections")) {
+        kind_ = Kind::files;
+        description_ =
+            "The designs are the sections that " + arguments.text("--sections") + " lists. ";
+    } else {
+        description_ = "The designs move the control points. ";
+    }
+}
+
+std::vector<DesignParameter> DesignSpace::parameters_of(const Arguments& arguments) const {
+    std::vector<DesignParameter> all;
+    const auto add = [&all](const std::string& name, std::int32_t n, double low, double high) {
+        for (std::int32_t k = 1; k <= n; ++k) all.push_back({name + std::to_string(k), low, high});
+    };
+    if (kind_ == Kind::naca)
+        all = {{"camber", 0, .07}, {"position", .2, .6}, {"thickness", .05, .2}};
+    if (kind_ == Kind::cst) {
+        add("upper", n_upper_, .1, .25);
+        add("lower", n_lower_, -.25, -.05);
+        all.push_back({"base", 0, 0});
+    }
+    double low = 0, high = 0;
+    if (arguments.has("--range")) {
+        const std::vector<double> range = number_list(arguments, "--range");
+        if (range.size() != 2 || range[0] > range[1])
+            arguments.refuse("--range expects two numbers LOW,HIGH");
+        if (!all.empty())
+            arguments.refuse("--range goes with control points and --variables: use --ranges");
+        low = range[0];
+        high = range[1];
+    }
+    if (kind_ == Kind::variables) {
+        for (std::int32_t k = 1; k <= map_.variables; ++k) {
+            all.push_back({std::to_string(k), low, high});
+            all.push_back({std::to_string(k) + "y", 0, 0});
+        }
+    }
+    if (kind_ == Kind::control) {
+        for (std::int32_t k = 1; k <= basis_.n_control(); ++k) {
+            all.push_back({std::to_string(k) + "x", 0, 0});
+            all.push_back({std::to_string(k) + "y", low, high});
+        }
+    }
+    if (arguments.has("--ranges")) read_ranges(arguments.text("--ranges"), all);
+    return all;
+}
+
+// Paths are relative to the folder of the list.
+void DesignSpace::read_list(const std::string& path) {
+    const TextFile file(path);
+    LineReader lines(file, '#');
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    while (lines.next()) files_.push_back((folder / std::string(lines.line())).string());
+}
+
+Section DesignSpace::section_of(const std::vector<double>& values) const {
+    if (kind_ == Kind::naca) {
+        const double position = values[1], thickness = values[2];
+        if (!(position > 0 && position < 1) || !(thickness > 0))
+            throw Failure(exit_unusable,
+                          "the section needs a position of the camber between 0 and 1 and a "
+                          "thickness above 0");
+        return naca_section(values[0], position, thickness);
+    }
+    const auto first = values.begin(), middle = first + n_upper_, last = middle + n_lower_;
+    return cst_section({first, middle}, {middle, last}, *last);
+}
+
+Design DesignSpace::design(std::int64_t number) const {
+    Design out;
+    if (has_files()) {
+        out.section = files_[static_cast<std::size_t>(number)];
+    } else {
+        out.values = values_.values(number);
+    }
+    if (has_sections()) {
+        const Section section = has_files() ? read_section(out.section) : section_of(out.values);
+        const std::string name = has_files() ? out.section : "the section";
+        ToAirfoil fitted = fit_to_airfoil(basis_, curve_, section, name, on_chord_);
+        out.moves = std::move(fitted.moves);
+        out.fit_error = fitted.max_error;
+        return out;
+    }
+    out.moves = kind_ == Kind::variables ? map_.control_moves(out.values) : out.values;
+    out.moves.resize(2 * static_cast<std::size_t>(basis_.functions()));
+    return out;
+}
+
+std::vector<Option> DesignSpace::options() {
+    return {
+        {"--variables", "MAP",
+         "the designs move the design variables of MAP, a file of `harmorph variables`; the\n"
+         "parameters are 1, 1y, 2, 2y, ..",
+         FileUse::input},
+        {"--naca", nullptr,
+         "the designs are NACA four-digit sections; the parameters are camber (0 to .07 chords),\n"
+         "position (of the largest camber, .2 to .6) and thickness (.05 to .2)"},
+        {"--cst", "N,M",
+         "the designs are sections by class-shape transformation; the parameters are upper1 ..\n"
+         "upperN (.1 to .25), lower1 .. lowerM (-.25 to -.05) and base (0), in chords"},
+        {"--sections", "LIST",
+         "the designs are the airfoil files that LIST names, one a line, relative to the folder "
+         "of\n"
+         "LIST. Without these four options the parameters are 1x, 1y, 2x, .. of the control "
+         "points",
+         FileUse::input},
+        {"--range", "LOW,HIGH",
+         "the range of each design variable, or of y of each control point (default 0,0)"},
+        {"--ranges", "FILE", "lines \"NAME LOW HIGH\": ranges of parameters", FileUse::input},
+        {"--designs", "TABLE",
+         "a line with names of parameters, then a line of numbers for each design, separated by\n"
+         "commas or blanks; parameters without a column are 0",
+         FileUse::input},
+        {"--count", "N", "the number of designs; of a table or list, at most the first N"},
+        {"--sequence", "NAME", "sobol (default) or latin: a Latin hypercube of N designs"},
+        {"--seed", "S", "seed of the sequence and of the splits (default 1)"},
+        {"--on-chord", nullptr, "for --sections: see `harmorph morph`"},
+        {"--airfoil-curve", "K", "which curve of the basis is the airfoil (default 1)"}};
+}
+
+}  // namespace cli

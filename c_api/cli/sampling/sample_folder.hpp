@@ -1,0 +1,45 @@
+// The folder that `harmorph sample` fills:
+//
+//     set.txt              the options and the check sums of the files that the set was made from
+//     shards/00001.csv     the designs of a shard, rejected ones too
+//     shards/00001.npz     the accepted designs of the shard
+//     shards/00001.distance.npz   the distances to the walls
+//     meshes/, vtk/        files of single meshes
+//     designs.csv, index.html, README.md   when all designs are done
+//
+// A shard is complete when its .npz has its name, which it gets behind its table.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace cli {
+
+class SampleFolder {
+public:
+    explicit SampleFolder(const std::string& path) : path_(path) {}
+
+    std::string file(const std::string& name) const { return path_ + "/" + name; }
+    std::string table_of(std::int64_t shard) const { return shard_file(shard, ".csv"); }
+    std::string arrays_of(std::int64_t shard) const { return shard_file(shard, ".npz"); }
+    std::string distances_of(std::int64_t shard) const {
+        return shard_file(shard, ".distance.npz");
+    }
+    // Returns the file of one mesh; designs are counted from 0 here and from 1 in names.
+    std::string mesh_of(std::int64_t design, const std::string& ending) const;
+    std::string vtk_of(std::int64_t design) const;
+
+    // Makes the folders. The folder of an earlier call is taken if its set.txt has the same text,
+    // and refused otherwise. Removes files that a killed program has left half written.
+    void open(const std::string& settings, bool has_meshes, bool has_vtk);
+    std::int64_t complete_shards() const;  // the shards 1 .. n have all files
+
+private:
+    std::string shard_file(std::int64_t shard, const char* ending) const;
+    void make(const std::string& folder) const;
+    void remove_parts(const std::string& folder) const;
+
+    std::string path_;
+};
+
+}  // namespace cli

@@ -1,0 +1,60 @@
+#include "sampling/sample_splits.hpp"
+
+#include "basics/numbers.hpp"
+#include "basics/text_file.hpp"
+#include "sampling/mixed_bits.hpp"
+
+#include <algorithm>
+
+namespace cli {
+
+SampleSplits::SampleSplits(const Arguments& arguments, const std::vector<std::string>& names)
+    : test_(arguments.real("--test", .2, 0, 1)),
+      seed_(static_cast<std::uint64_t>(arguments.whole("--seed", 1, 0, 1000000000))) {
+    for (const std::string& text : arguments.all("--inside")) {
+        const std::size_t equals = text.find('='),
+                          comma = text.find(',', std::min(equals, text.size()));
+        Range range = {text.substr(0, equals), 0, 0, 0};
+        if (comma == std::string::npos ||
+            !parse(std::string_view(text).substr(equals + 1, comma - equals - 1), range.low) ||
+            !parse(std::string_view(text).substr(comma + 1), range.high) || range.low > range.high)
+            arguments.refuse("--inside expects NAME=LOW,HIGH, found " + in_quotes(text));
+        const auto found = std::find(names.begin(), names.end(), range.name);
+        if (found == names.end())
+            arguments.refuse("--inside: " + in_quotes(range.name) +
+                             " is no parameter that varies and no measure");
+        range.column = static_cast<std::size_t>(found - names.begin());
+        ranges_.push_back(range);
+    }
+}
+
+std::string SampleSplits::split(std::int64_t design, const std::vector<double>& values) const {
+    for (const Range& range : ranges_) {
+        const double value = values[range.column];
+        if (!(range.low <= value && value <= range.high)) return "out";
+    }
+    constexpr std::uint64_t purpose = 0x73706c6974;  // other numbers than those of the sequence
+    const double lot =
+        unit_number(mixed_bits(mixed_bits(purpose, seed_), static_cast<std::uint64_t>(design)));
+    return lot < test_ ? "test" : "train";
+}
+
+std::string SampleSplits::description() const {
+    std::string text;
+    for (const Range& range : ranges_)
+        text += "Designs with " + range.name + " outside " + brief(range.low) + " .. " +
+                brief(range.high) + " are in the split `out`. ";
+    return text + "Each of the other designs is in the split `test` with probability " +
+           brief(test_) + " (seed " + std::to_string(seed_) + "), else in `train`.";
+}
+
+std::vector<Option> SampleSplits::options() {
+    return {
+        {"--test", "F",
+         "the part of the designs in the split `test`, 0 to 1, chosen by lot (default .2)"},
+        {"--inside", "NAME=LOW,HIGH",
+         "designs with this parameter or measure outside the range are the split `out` (may be\n"
+         "repeated)"}};
+}
+
+}  // namespace cli

@@ -1,0 +1,37 @@
+// The parts of a set for learning: designs out of a range, and others by lot for training and
+// tests.
+#pragma once
+
+#include "basics/arguments.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+class SampleSplits {
+public:
+    // names: of the columns that a range may be about.
+    SampleSplits(const Arguments& arguments, const std::vector<std::string>& names);
+
+    // Returns "out" if a value is not inside its range, otherwise "train" or "test", which depends
+    // on the seed and the number of the design only.
+    std::string split(std::int64_t design, const std::vector<double>& values) const;
+    std::string description() const;
+
+    static std::vector<Option> options();
+
+private:
+    struct Range {
+        std::string name;
+        std::size_t column;
+        double low, high;
+    };
+
+    std::vector<Range> ranges_;
+    double test_;
+    std::uint64_t seed_;
+};
+
+}  // namespace cli

@@ -1,0 +1,128 @@
+#include "sampling/sample_table.hpp"
+
+#include "basics/numbers.hpp"
+#include "basics/text_file.hpp"
+#include "basics/text_out.hpp"
+
+#include <cmath>
+#include <ostream>
+
+namespace cli {
+
+namespace {
+
+constexpr std::size_t cells_before_numbers = 6, cells_behind_numbers = 2;
+
+std::string quoted(const std::string& text) {
+    if (text.empty()) return text;
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"') out += '"';
+        out += c == '\n' || c == '\r' ? ' ' : c;
+    }
+    return out + '"';
+}
+
+std::vector<std::string> cells_of(std::string_view line) {
+    std::vector<std::string> cells(1);
+    bool in_text = false;
+    for (std::size_t k = 0; k < line.size(); ++k) {
+        const char c = line[k];
+        if (in_text && c == '"' && k + 1 < line.size() && line[k + 1] == '"') {
+            cells.back() += c;
+            ++k;
+        } else if (c == '"') {
+            in_text = !in_text;
+        } else if (c == ',' && !in_text) {
+            cells.emplace_back();
+        } else {
+            cells.back() += c;
+        }
+    }
+    return cells;
+}
+
+}  // namespace
+
+SampleTable::SampleTable(const DesignSpace& space, const std::vector<std::string>& measures,
+                         bool has_step)
+    : has_fit_(space.has_sections()), has_step_(has_step) {
+    numbers_ = {"min_quality", "mean_quality"};
+    if (has_step_) numbers_.push_back("admissible_step");
+    if (has_fit_) numbers_.push_back("fit_error");
+    numbers_.insert(numbers_.end(), measures.begin(), measures.end());
+    for (std::size_t k = 0; k < space.parameters().size(); ++k) {
+        const DesignParameter& one = space.parameters()[k];
+        if (one.low == 0 && one.high == 0) continue;
+        shown_.push_back(k);
+        numbers_.push_back(one.name);
+    }
+}
+
+std::vector<double> SampleTable::numbers_of(const MorphedDesign& result) const {
+    std::vector<double> out = {result.min_quality, result.mean_quality};
+    if (has_step_) out.push_back(result.admissible_step);
+    if (has_fit_) out.push_back(result.design.fit_error < 0 ? unknown : result.design.fit_error);
+    out.insert(out.end(), result.measures.begin(), result.measures.end());
+    out.resize(first_parameter(), unknown);
+    for (const std::size_t k : shown_)
+        out.push_back(k < result.design.values.size() ? result.design.values[k] : unknown);
+    return out;
+}
+
+void SampleTable::write_names(std::ostream& out) const {
+    out << "design,accepted,split,shard,row,way";
+    for (const std::string& name : numbers_) out << ',' << name;
+    out << ",section,reason\n";
+}
+
+void SampleTable::write(std::ostream& stream, const SampleRow& row) const {
+    TextOut out(stream);
+    out << row.design + 1 << ',' << (row.is_accepted() ? '1' : '0') << ',' << row.split << ',';
+    if (row.is_accepted()) out << row.shard << ',' << row.row;
+    else out << ',';
+    out << ',' << row.way;
+    for (const double value : row.numbers) {
+        out << ',';
+        if (std::isinf(value)) out << "inf";
+        else if (!std::isnan(value)) out << value;
+    }
+    out << ',' << quoted(row.section) << ',' << quoted(row.reason) << '\n';
+}
+
+void SampleTable::read(const SampleFolder& folder, std::int64_t shards,
+                       const std::function<void(const SampleRow&)>& take) const {
+    for (std::int64_t shard = 1; shard <= shards; ++shard) {
+        const TextFile file(folder.table_of(shard));
+        std::string_view text = file.text();
+        text.remove_prefix(std::min(text.find('\n') + 1, text.size()));
+        while (!text.empty()) {
+            const std::size_t end = std::min(text.find('\n'), text.size());
+            const std::vector<std::string> cells = cells_of(text.substr(0, end));
+            const std::size_t offset = static_cast<std::size_t>(text.data() - file.text().data());
+            text.remove_prefix(std::min(end + 1, text.size()));
+            SampleRow row;
+            if (cells.size() != cells_before_numbers + numbers_.size() + cells_behind_numbers ||
+                !parse(cells[0], row.design))
+                file.fail(offset, "this is no line of a table of designs");
+            --row.design;
+            row.split = cells[2];
+            row.shard = shard;
+            if (!cells[4].empty() && !parse(cells[4], row.row))
+                file.fail(offset, "this is no line of a table of designs");
+            row.way = cells[5];
+            for (std::size_t k = 0; k < numbers_.size(); ++k) {
+                const std::string& cell = cells[cells_before_numbers + k];
+                double value = unknown;
+                if (cell == "inf") value = std::numeric_limits<double>::infinity();
+                else if (!cell.empty()) parse(cell, value);
+                row.numbers.push_back(value);
+            }
+            row.section = cells[cells.size() - 2];
+            row.reason = cells.back();
+            take(row);
+        }
+    }
+}
+
+}  // namespace cli
