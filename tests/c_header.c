@@ -72,6 +72,7 @@ int main(void) {
 
     BEGINS(hm_executor);
     BEGINS(hm_mesh);
+    BEGINS(hm_movement);
     BEGINS(hm_curve);
     BEGINS(hm_curves);
     BEGINS(hm_fit_options);

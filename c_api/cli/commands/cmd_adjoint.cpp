@@ -8,6 +8,7 @@
 #include "basics/threads.hpp"
 #include "commands/commands.hpp"
 #include "curves/gradient_file.hpp"
+#include "curves/variables_file.hpp"
 #include "mesh/sensitivity.hpp"
 
 #include <algorithm>
@@ -63,8 +64,33 @@ void smooth(const Mesh& mesh, const Basis& basis, double length, std::vector<dou
          static_cast<void*>(work.data()), bytes);
 }
 
+// The design variables of --variables, at the values of --at.
+struct VariablesAt {
+    std::string path;
+    VariableMap map;
+    std::vector<double> values;  // pairs
+};
+
+std::optional<VariablesAt> variables_at(const Arguments& arguments, const Basis& basis) {
+    if (!arguments.has("--variables")) {
+        if (arguments.has("--at")) arguments.refuse("--at goes with --variables");
+        return {};
+    }
+    const std::string path = arguments.text("--variables");
+    VariablesAt at = {path, read_variables(path), {}};
+    if (at.map.points != basis.n_control()) {
+        throw Failure(exit_file,
+                      path + ": its variables are of " + plural(at.map.points, "control point") +
+                          ", the curves of the basis have " + std::to_string(basis.n_control()));
+    }
+    at.values.resize(2 * static_cast<std::size_t>(at.map.variables));
+    if (arguments.has("--at")) at.values = read_values(arguments.text("--at"), at.map);
+    return at;
+}
+
 Gradient gradient_of(const Arguments& arguments, const std::string& path, const Mesh& mesh,
-                     const Basis& basis, const Threads& threads) {
+                     const Basis& basis, const std::optional<VariablesAt>& variables,
+                     const Threads& threads) {
     const Sensitivity sensitivity = read_sensitivity(path, columns_of(arguments), mesh);
     Gradient found;
     found.objective = path;
@@ -78,6 +104,10 @@ Gradient gradient_of(const Arguments& arguments, const std::string& path, const 
         smooth(mesh, basis, arguments.positive("--smooth", 0), found.by_functions);
     }
     found.admissible_descent = admissible_descent(mesh, basis, found.by_functions, threads);
+    if (variables) {
+        found.by_variables = variables->map.variable_gradient(
+            basis.curves_at_start(), variables->values, found.by_functions, variables->path);
+    }
     return found;
 }
 
@@ -87,27 +117,18 @@ void run_adjoint(const Arguments& arguments) {
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
     const Threads threads(threads_of(arguments));
-    std::optional<VariableMap> map;
-    if (arguments.has("--variables")) {
-        map = read_variables(arguments.text("--variables"));
-        if (map->points != basis.n_control()) {
-            throw Failure(exit_file, arguments.text("--variables") + ": its variables are of " +
-                                         plural(map->points, "control point") +
-                                         ", the curves of the basis have " +
-                                         std::to_string(basis.n_control()));
-        }
-    }
+    const std::optional<VariablesAt> variables = variables_at(arguments, basis);
     std::vector<Gradient> gradients;
     for (const std::string& path : paths)
-        gradients.push_back(gradient_of(arguments, path, mesh, basis, threads));
+        gradients.push_back(gradient_of(arguments, path, mesh, basis, variables, threads));
     if (arguments.has("-o")) {
         OutputFiles files;
         const std::string& path = arguments.text("-o");
-        write_gradients(files.add(path), path, gradients, basis, mesh, map ? &*map : nullptr);
+        write_gradients(files.add(path), path, gradients, basis, mesh);
         files.commit();
     }
     if (arguments.has("--json")) {
-        print("%s\n", gradients_json(gradients, basis, mesh, map ? &*map : nullptr).text().c_str());
+        print("%s\n", gradients_json(gradients, basis, mesh).text().c_str());
         return;
     }
     for (const Gradient& gradient : gradients) {
@@ -157,6 +178,11 @@ const Command adjoint_command = {
          "for --normal: the values are by the length of the wall (default: by point)"},
         {"--variables", "MAP",
          "derivatives by the design variables in MAP, a file of `harmorph variables`",
+         FileUse::input},
+        {"--at", "VALUES",
+         "for --variables that are movements (turn, flap, PARSEC, ...): the values at which the "
+         "derivatives are\n"
+         "taken, by which the mesh has moved since BASIS was solved (default: 0)",
          FileUse::input},
         {"--smooth", "LENGTH",
          "smooth the gradient along the curves: changes along less than LENGTH are damped"},

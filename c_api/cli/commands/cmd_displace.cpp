@@ -206,17 +206,18 @@ std::string reason(const Displacement& found, const Mesh& mesh) {
 Movement movement_of(const Arguments& arguments, const Mesh& mesh, const Task& task) {
     Movement movement = {
         arguments.text("--wall"), read_wall_field(arguments.text("--wall"), mesh), {}};
+    const CurvesView curves(task.curves);
     Movable movable = {static_cast<std::int32_t>(task.curves.control.size() / 2), 0, 0,
-                       task.conditions};
+                       task.conditions, [&curves]() -> const hm_curves& { return *curves.get(); }};
     for (const hm_condition& condition : task.conditions) {
         if (condition.kind == HM_RIGID)
             movable.n_bodies = std::max(movable.n_bodies, condition.body + 1);
     }
-    if (arguments.has("--move") && movable.functions() == 0)
-        arguments.refuse("--move goes with --curve or --rigid");
-    movement.moves.resize(2 * static_cast<std::size_t>(movable.functions()));
-    if (arguments.has("--move"))
-        movement.moves = read_moves(arguments.text("--move"), movable, mesh);
+    for (const char* const option : {"--move", "--by"}) {
+        if (arguments.has(option) && movable.functions() == 0)
+            arguments.refuse(std::string(option) + " goes with --curve or --rigid");
+    }
+    movement.moves = read_moves(texts_of_moves(arguments), movable, mesh);
     return movement;
 }
 
@@ -297,6 +298,7 @@ const Command displace_command = {
         {"--move", "MOVES",
          "with --curve or --rigid: what control points and bodies move by, see `harmorph morph`",
          FileUse::input},
+        by_option,
         {"-o", "MESH", "moved mesh to write", FileUse::moved_mesh},
         {"--vtu", "FILE", "moved mesh and its displacement for ParaView", FileUse::output}} +
         task_options() + engine_options() + safe_options() +

@@ -168,7 +168,12 @@ const Command morph_command = {
     "MOVES is a text file with lines \"index dx dy\": control point (from 1) and its movement; "
     "for bodies of solve --rigid\n"
     "\"rigid MARKER dx dy degrees [scale]\", for tables of solve --mode \"mode "
-    "K amplitude [amplitude y]\". What is not\n"
+    "K amplitude [amplitude y]\". A section moves as\n"
+    "a whole by \"turn MARKER degrees [X,Y]\" (counter-clockwise, about X,Y or the quarter chord), "
+    "\"shift MARKER dx dy\",\n"
+    "\"scale MARKER factor [X,Y]\" and \"flap MARKER X,Y degrees [length]\", a smooth "
+    "deflection behind the hinge X,Y, over a\n"
+    "tenth of the chord or `length`. Lines are applied in their order. What is not\n"
     "named stays; `#` starts a comment. Points of the mesh on the curve move exactly as the "
     "B-spline does.\n"
     "A mesh with inverted cells or a boundary that crosses itself is not written.\n"
@@ -178,8 +183,9 @@ const Command morph_command = {
     "and then not by a fraction of it, as\n"
     "bodies turn on the way: MESH.reached is the file of moves that it has.\n",
     std::vector<Option>{
-        {"--move", "MOVES", "movement of the control points (this or --to-airfoil is required)",
-         FileUse::input},
+        {"--move", "MOVES",
+         "movement of the control points (this, --by or --to-airfoil is required)", FileUse::input},
+        by_option,
         {"--variables", "MAP",
          "MOVES has lines \"variable value\" (or \"variable x y\") of the design variables in MAP, "
          "a file of\n"
