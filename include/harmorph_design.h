@@ -61,6 +61,29 @@ enum {
     HM_FIT_BASE = 4       /* open: there is a blunt base */
 };
 
+/* Further wishes for a fit: hm_fit_options.details. All 0: none. */
+typedef struct hm_fit_details {
+    uint64_t struct_size;
+    /* [n_weights] >= 0, finite, in the sum of squares beside the share of the arc length; NULL: all
+     * are 1. hm_fit: one for each point; hm_fit_marker: one for each point of the mesh. A point
+     * with weight 0 tells where the curve runs and nothing more, and does not count in the report.
+     * The ends of curves, and corners, go through their points at any weight. */
+    const double* weights;
+    int32_t n_weights; /* with weights: n of hm_fit, n_points of the mesh; otherwise 0 */
+    /* [length] >= 0: adds smoothing^4 times the integral of |C''|^2 by the arc length to the sum of
+     * squares. Waves much shorter than this length are damped; corners stay. Degree >= 2. */
+    double smoothing;
+    /* [length] > 0: control points (and with them knots, where the errors are) are inserted, from
+     * degree + 1 up to options.n_control, until report.max_error is at most this; every step has
+     * one more, or an eighth more. HM_SHORT: n_control do not suffice; the curve is the last one.
+     * The size queries count n_control. 0: n_control control points. */
+    double tolerance;
+    /* Directions of the curve (not the other way round) where it begins and where it ends, of any
+     * length; 0,0: free. Degree >= 2, n_control >= 4; not for periodic curves. HM_BAD_CURVE: the
+     * points run the other way there. */
+    double begin_x, begin_y, end_x, end_y;
+} hm_fit_details;
+
 /* ---- More control points for the same shape ---- */
 
 /* Gives one curve of a set more control points; all points C(u) stay the same but for rounding,
@@ -387,6 +410,13 @@ HM_API hm_status hm_family_modes(const hm_curves* curves, int32_t n, double* mov
  * for meshes in parts (HM_UNSUPPORTED). */
 HM_API hm_status hm_slip(const hm_analysis* analysis, const hm_points* from,
                          const hm_points_out* to, hm_error* err);
+/* The derivative of hm_slip at `from`: d_from are velocities of the points before hm_slip, d_to
+ * receives those of the points after. With d_from of hm_morph or hm_displace of a direction (from
+ * NULL), this is the forward derivative of a morph with points that slip. d_to may be the arrays of
+ * d_from. */
+HM_API hm_status hm_slip_derivative(const hm_analysis* analysis, const hm_points* from,
+                                    const hm_points* d_from, const hm_points_out* d_to,
+                                    hm_error* err);
 /* The transpose of the derivative of hm_slip at `from`. dj: derivatives with respect to the points
  * after hm_slip; dj_from: derivatives with respect to the points before. For the gradient of
  * hm_morph and hm_slip call hm_slip_adjoint, then hm_adjoint. dj_from may be the arrays of dj. */

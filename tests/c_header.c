@@ -77,6 +77,7 @@ int main(void) {
     BEGINS(hm_curves);
     BEGINS(hm_fit_options);
     BEGINS(hm_fit_report);
+    BEGINS(hm_fit_details);
     BEGINS(hm_condition);
     BEGINS(hm_problem);
     BEGINS(hm_options);

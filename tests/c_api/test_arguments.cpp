@@ -207,6 +207,8 @@ TEST_CASE("movements, gradients, quality") {
     check_arguments("analysis, from, to", hm_slip, g.analysis, &g.at, &g.to);
     check_arguments("analysis, from, dj, dj_from", hm_slip_adjoint, g.analysis, &g.at, &g.at,
                     &g.to);
+    check_arguments("analysis, from, d_from, d_to", hm_slip_derivative, g.analysis, &g.at, &g.at,
+                    &g.to);
     check_arguments("basis, mesh, ?from, displacement, ?reference, ?executor, ?step, ?quality",
                     hm_assess, g.basis, &g.mesh, &g.at, &g.still, &g.at, &g.executor, &step,
                     &quality);

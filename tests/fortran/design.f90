@@ -65,13 +65,18 @@ contains
         real(dp) :: start(2), error(2), singular(2), px(120), py(120)
         integer :: n, stat
         type(hm_movement) :: movements(2)
+        type(hm_fit_report) :: report
         call fit_airfoil(curves, px, py)
+        call curves%fit(px, py, .true., n_control=60, details=hm_fit_details(tolerance=1e-3_dp), report=report)
+        call check(size(curves%control, 2) < 24 .and. report%max_error <= 1e-3_dp, "a fit to a tolerance")
+        call curves%fit(px, py, .true., details=hm_fit_details(weights=px(2:)), stat=stat)
+        call check(stat == hm_bad_argument, "weights that are too few")
         n = size(curves%control, 2)
         allocate(move(2, n), by(2, n, 2), next(2, n), pair(2, n, 2))
         movements = [hm_movement(hm_flap, [0.7_dp, 0._dp]), hm_movement(hm_turn, [0.25_dp, 0._dp])]
         call curves%move_section(movements, [-10._dp, 3._dp], move, by, start, error)
         call curves%move_section(movements, [-10._dp + 1e-5_dp, 3._dp], next)
-        call check(maxval(abs(move)) > 0.05_dp .and. maxval(abs(error)) <= 0 .and. maxval(abs(start)) <= 0, &
+        call check(maxval(abs(move)) > 0.03_dp .and. maxval(abs(error)) <= 0 .and. maxval(abs(start)) <= 0, &
             "a section that values move")
         call check(maxval(abs((next - move) / 1e-5_dp - by(:, :, 1))) < 1e-7_dp, "derivatives by the values")
         call curves%move_section(movements, [1._dp], move, stat=stat)

@@ -21,6 +21,13 @@ namespace {
 
 SensitivityColumns columns_of(const Arguments& arguments) {
     SensitivityColumns columns;
+    if (arguments.has("--vector")) {
+        for (const char* option : {"--x", "--y", "--normal"})
+            if (arguments.has(option))
+                arguments.refuse(std::string(option) + " and --vector exclude each other");
+        columns.x = arguments.text("--vector") + "_x";
+        columns.y = arguments.text("--vector") + "_y";
+    }
     if (arguments.has("--x")) columns.x = arguments.text("--x");
     if (arguments.has("--y")) columns.y = arguments.text("--y");
     if (!arguments.has("--normal")) {
@@ -156,10 +163,15 @@ const Command adjoint_command = {
     "moves, exact to rounding.\n"
     "FILE is a table \"point dJ/dx dJ/dy\" (points from 0, in the order of MESH), a CSV file with "
     "the names of columns in\n"
-    "its first line (SU2's volume and surface files), or a binary restart file of SU2. Rows are "
-    "matched by the column\n"
-    "PointID, or by x and y; where a file has both, they must agree. Points without a row have "
-    "derivative 0.\n"
+    "its first line (SU2's volume and surface files), a binary restart file of SU2, a file .vtk or "
+    ".vtu with vectors at\n"
+    "the points, or a pointVectorField of OpenFOAM. Rows are matched by the column PointID, or by "
+    "x "
+    "and y; where a file has\n"
+    "both, they must agree. Points without a row have derivative 0. Where the rows are the points "
+    "of "
+    "MESH itself, and MESH is\n"
+    "one cell thick, the derivatives by both planes are added.\n"
     "The output has the lines of a file of moves: \"index dJ/dx dJ/dy\", \"rigid MARKER dJ/dx "
     "dJ/dy dJ/ddegrees dJ/dscale\",\n"
     "\"mode K dJ/damplitude dJ/damplitude-y\"; with --variables \"variable dJ/dvalue "
@@ -171,6 +183,8 @@ const Command adjoint_command = {
          FileUse::input},
         {"--x", "NAME", "the column of dJ/dx (default: Sensitivity_x)"},
         {"--y", "NAME", "the column of dJ/dy (default: Sensitivity_y)"},
+        {"--vector", "NAME",
+         "the array of vectors in a file of VTK (default: Sensitivity), in place of --x and --y"},
         {"--normal", "NAME",
          "the column of derivatives along the normals of the boundary, instead of --x and --y"},
         {"--into", "SIDE", "for --normal: the normals point into the fluid or into the body"},

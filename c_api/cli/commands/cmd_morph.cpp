@@ -10,7 +10,6 @@
 #include "curves/moves_file.hpp"
 #include "basics/output_file.hpp"
 #include "page/page_data.hpp"
-#include "page/page_text.hpp"
 #include "pictures/pictures.hpp"
 #include "formats/vtu.hpp"
 #include "commands/window_option.hpp"
@@ -42,11 +41,10 @@ Companions companions_of(const Arguments& arguments, const Basis& basis, const M
 void write_report(std::ostream& out, const Mesh& mesh, const Basis& basis, const Morph& morph,
                   bool safe) {
     const hm_basis_info& info = basis.info();
-    const PageSelection selection =
-        select_for_page(mesh, {info.curve_point, info.curve_point + info.curve_points}, 20000);
-    out << page_head << report_page.before_data << "<script>\nconst page_data = ";
-    write_report_data(out, mesh, basis, selection, morph, safe);
-    out << ";\n</script>\n" << report_page.after_data;
+    write_report(out, mesh, {basis.path(), info, basis.curves(), basis.conditions()},
+                 {info.curve_point, info.curve_point + info.curve_points},
+                 {morph.displacement, morph.moves, morph.step, morph.quality, morph.boundary_error,
+                  "largest distance from the B-spline", safe, morph.safe, morph.refusal});
 }
 
 void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basis,

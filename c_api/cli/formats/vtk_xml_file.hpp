@@ -5,6 +5,8 @@
 #include "formats/vtk_data.hpp"
 #include "formats/xml.hpp"
 
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace cli {
@@ -13,6 +15,7 @@ struct VtkPiece {
     std::size_t tag = 0;  // place of the tag in the file
     std::int64_t n_points = 0, n_cells = 0;
     VtkArray points, connectivity, offsets, types;
+    std::vector<std::pair<std::string, VtkArray>> point_data;  // by names
 };
 
 struct VtkXmlFile {
