@@ -7,6 +7,7 @@
 #include "formats/number_reader.hpp"
 #include "formats/vtk_xml_file.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace cli {
@@ -176,22 +177,16 @@ private:
             const std::string name(numbers_.word());
             columns_.add(name, 3, array(3));
         } else if (kind == "SCALARS") {
-            const std::string name(numbers_.word());
+            const std::string name(numbers_.word()), type(numbers_.word());
+            const std::string components = rest_of_line();
+            std::int64_t n = 1;
+            if (!components.empty() && !parse(components, n))
+                numbers_.expected("1 to 4 components");
             const std::size_t here = numbers_.offset();
-            numbers_.word();
-            std::int64_t components = 1;
-            const std::string line(numbers_.next_line());
-            numbers_.jump(here);
-            const std::string type(numbers_.word());
-            const std::size_t end = file_.text().find('\n', here);
-            const std::string rest =
-                std::string(trimmed(file_.text().substr(here, end - here))).substr(type.size());
-            if (!trimmed(rest).empty() && !parse(trimmed(rest), components)) return false;
-            numbers_.jump(end);
-            if (line.compare(0, 12, "LOOKUP_TABLE") == 0)
-                numbers_.jump(file_.text().find('\n', end + 1));
-            columns_.add(name, static_cast<std::size_t>(components),
-                         array_of(type, static_cast<std::size_t>(components)));
+            if (numbers_.word() != "LOOKUP_TABLE") numbers_.jump(here);
+            else rest_of_line();
+            columns_.add(name, static_cast<std::size_t>(n),
+                         array_of(type, static_cast<std::size_t>(n)));
         } else if (kind == "FIELD") {
             numbers_.word();
             const std::int64_t arrays = numbers_.count("the number of arrays");
@@ -211,6 +206,13 @@ private:
             return false;  // the end, or other data, which are not read
         }
         return true;
+    }
+    // Goes to the end of the line, where the numbers of a binary array begin behind.
+    std::string rest_of_line() {
+        const std::size_t begin = numbers_.offset(),
+                          end = std::min(file_.text().find('\n', begin), file_.text().size());
+        numbers_.jump(end);
+        return std::string(trimmed(std::string_view(file_.text()).substr(begin, end - begin)));
     }
     std::vector<double> array(std::size_t components) {
         return array_of(std::string(numbers_.word()), components);

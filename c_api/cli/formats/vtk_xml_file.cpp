@@ -37,7 +37,8 @@ VtkXmlFile TagReader::read() {
         } else if (!has_head) {
             file_.fail(tag().begin,
                        "expected <VTKFile, found " + in_quotes("<" + std::string(name)));
-        } else if (name == "Points" || name == "Cells" || name == "/Points" || name == "/Cells") {
+        } else if (name == "Points" || name == "Cells" || name == "PointData" ||
+                   name == "/Points" || name == "/Cells" || name == "/PointData") {
             section_ = tag().is_empty ? "" : name;
         } else {
             read_tag();
